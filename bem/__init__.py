@@ -1,0 +1,14 @@
+"""Linear waves and a floating body, one frequency at a time: radiation, diffraction, mean drift, motions.
+
+Conventions, the same everywhere in this package and written as attributes into every database:
+
+- SI units; z up, z = 0 at the undisturbed surface, the flat sea bed at z = −h (h may be infinite).
+- Right-handed axes; x forward, y to port.  Degrees of freedom: Surge Sway Heave Roll Pitch Yaw.
+- Time factor exp(−iωt): a quantity is Re[X exp(−iωt)]; its phase lag is arg X, zero when the crest passes the origin.
+- `wave_direction` β is the direction the waves travel to: 0 → +x, π/2 → +y.
+- Normals point out of the body into the water.
+- A + iB/ω = −ρ ∬ φⱼ nᵢ dS with φⱼ the potential of unit velocity; F = −iρω ∬ (φ_I + φ_D) nᵢ dS.
+- Rotations and moments refer to `rotation_center`, by default the origin.
+"""
+
+DOFS = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")

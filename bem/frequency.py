@@ -1,0 +1,348 @@
+"""One frequency of one body: what is wanted, what that needs, and nothing else."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from . import DOFS
+from .drift import about, energy_defect, mean_drift
+from .green import wave_table
+from .influence import Geometry, assembled
+from .kochin import angles, far_field_integrals
+from .modes import class_of, normal_velocities, reference_change
+from .motions import response
+from .waves import depth_factor, depth_factor_slope, group_factor, incident_wave, wavenumber
+
+RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
+DIFFRACTION = {"diffraction_force", "excitation_force", "kochin_diffraction", "drift_force_fixed"}
+FREE = {"rao", "drift_force"}
+
+
+@dataclass(frozen=True, eq=False)
+class Setup:
+    """A floating body in water: everything a frequency needs except the frequency.
+
+    mesh : hull panels; lid : interior free-surface panels or None; depth : m, may be inf
+    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`; None leaves the body without motions
+    """
+
+    mesh: object
+    lid: object = None
+    depth: float = np.inf
+    density: float = 1025.0
+    gravity: float = 9.80665
+    rotation_center: tuple = (0.0, 0.0, 0.0)
+    nodes_per_panel: int = 4
+    inertia_matrix: np.ndarray | None = None
+    hydrostatic_stiffness: np.ndarray | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Prepared:
+    """A setup with the work that depends on geometry only."""
+
+    setup: Setup
+    geometry: Geometry
+    modes: np.ndarray = field(repr=False)
+
+    @property
+    def transform(self):
+        return reference_change(self.setup.rotation_center)
+
+
+def prepare(setup):
+    geometry = Geometry(setup.mesh, setup.lid, setup.depth, setup.nodes_per_panel)
+    e, n = geometry.elements, geometry.hull
+    return Prepared(setup, geometry, normal_velocities(e.nodes[:n], e.normals[:n]))
+
+
+def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
+    """Everything in `want` at one frequency, as a dictionary with the names of the database.
+
+    omega : rad/s, headings : (m,) rad towards which the waves travel, want : names of datasets
+    theta : (t,) rad equally spaced, angles of the Kochin functions; dofs : degrees of freedom that are needed
+    returns : arrays over 6 degrees of freedom (NaN where not in `dofs`), "checks" and "wall_time" (s)
+
+    Only symmetry classes that hold a wanted degree of freedom or a wave are assembled and solved.
+    """
+    run = _Run(prepared, omega, np.atleast_1d(np.asarray(headings, float)), frozenset(want), theta, dofs)
+    return run.result()
+
+
+class _Run:
+    """The intermediate quantities of one frequency, each computed once and only when asked for."""
+
+    def __init__(self, prepared, omega, headings, want, theta, dofs):
+        if not (np.isfinite(omega) and omega > 0):
+            raise ValueError(
+                f"omega is {omega} rad/s; allowed: positive and finite (limits are in bem.limits)"
+            )
+        self.prepared, self.geometry, self.setup = prepared, prepared.geometry, prepared.setup
+        self.omega, self.headings, self.want = float(omega), headings, want
+        self.k = float(wavenumber(omega, self.setup.depth, self.setup.gravity))
+        self.theta = theta if theta is not None else angles(self.k, self.geometry.radius)
+        self.dofs = [DOFS.index(d) for d in dofs]
+        self.free = bool(want & FREE) and self.setup.inertia_matrix is not None
+        self.radiates = bool(want & RADIATION) or self.free
+        self.diffracts = bool(want & DIFFRACTION) or self.free
+        self.far_field = bool(
+            want & {"kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force"}
+        )
+        self.wall_time = {}
+
+    def _timed(self, name, start):
+        self.wall_time[name] = self.wall_time.get(name, 0.0) + time.perf_counter() - start
+
+    def depth_values(self, z):
+        """(q, 2) Z and Z′"""
+        h = self.setup.depth
+        return np.stack([depth_factor(z, self.k, h), depth_factor_slope(z, self.k, h)], axis=-1)
+
+    @cached_property
+    def hull(self):
+        """Nodes, weights and normals of the hull (without the lid)."""
+        e, n = self.geometry.elements, self.geometry.hull
+        return e.nodes[:n], e.weights[:n], e.normals[:n]
+
+    @cached_property
+    def incident(self):
+        """{class: φ_I and ∂φ_I/∂n at the nodes, each (m, n)} and the Froude–Krylov force (m, 6) about the origin"""
+        g = self.geometry
+        nodes, weights, normals = self.hull
+        phi, flux = np.empty((2, len(g.images), len(self.headings), len(weights)), complex)
+        for i, (x, y) in enumerate(g.images):
+            mirror = np.array([x, y, 1.0])
+            for j, beta in enumerate(self.headings):
+                phi[i, j], gradient = incident_wave(
+                    nodes * mirror, beta, self.omega, self.k, self.setup.depth, self.setup.gravity
+                )
+                flux[i, j] = np.einsum("qi,qi->q", gradient, normals * mirror)
+        out, force = {}, np.zeros((len(self.headings), 6), complex)
+        for cls in g.classes:
+            out[cls] = tuple(np.tensordot(g.signs(cls), f, 1) / len(g.images) for f in (phi, flux))
+            mine = self.members(cls)
+            force[:, mine] = out[cls][0] @ self.weighted_modes[:, mine]
+        return out, -1j * self.setup.density * self.omega * force
+
+    def members(self, cls):
+        """Degrees of freedom that a symmetry class holds."""
+        return [d for d in range(6) if class_of(d, self.setup.mesh.symmetry) == cls]
+
+    @cached_property
+    def weighted_modes(self):
+        """(n, 6) generalized normal times area of the node and its images"""
+        return self.prepared.modes * self.hull[1][:, None] * len(self.geometry.images)
+
+    @cached_property
+    def columns(self):
+        """{class: (its radiating dofs, its headings)}, empty classes left out."""
+        table = {}
+        for cls in self.geometry.classes:
+            mine = self.members(cls)
+            moving = [d for d in mine if d in self.dofs] if self.radiates else []
+            waves = []
+            if self.diffracts and (self.far_field or any(d in self.dofs for d in mine)):
+                velocity = self.incident[0][cls][1]
+                largest = max(np.abs(v).max() for _, v in self.incident[0].values())
+                waves = [j for j in range(len(self.headings)) if np.abs(velocity[j]).max() > 1e-12 * largest]
+            if moving or waves:
+                table[cls] = moving, waves
+        return table
+
+    def velocities(self, cls):
+        """(columns, n) normal velocities: unit motions, then minus the incident waves"""
+        moving, waves = self.columns[cls]
+        parts = [self.prepared.modes[:, moving].T.astype(complex)]
+        if waves:
+            parts.append(-self.incident[0][cls][1][waves])
+        return np.concatenate(parts)
+
+    @cached_property
+    def potentials(self):
+        """{class: potentials (columns, n) on the hull}"""
+        from scipy.linalg import lu_factor, lu_solve
+
+        start = time.perf_counter()
+        classes = list(self.columns)
+        velocities = {c: self.velocities(c) for c in classes}
+        self._timed("incident", start)
+        start = time.perf_counter()
+        _ = self.geometry.rankine
+        self._timed("rankine", start)
+        start = time.perf_counter()
+        g = self.geometry
+        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.mesh.draft)
+        self._timed("table", start)
+        start = time.perf_counter()
+        matrices, sides = assembled(
+            g, classes, 1.0, table, self.depth_values, [velocities[c] for c in classes]
+        )
+        self._timed("assemble", start)
+        start = time.perf_counter()
+        out, self.residual = {}, 0.0
+        for cls, A, b in zip(classes, matrices, sides, strict=True):
+            b = b[:, : len(velocities[cls])]
+            # LAPACK wants columns: the transposed view is factored and solved transposed, nothing is copied twice
+            x = lu_solve(lu_factor(A.T, check_finite=False), b, trans=1, check_finite=False)
+            if not np.all(np.isfinite(x)):
+                raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
+            scale = np.abs(b).max(axis=0)
+            self.residual = max(self.residual, float((np.abs(A @ x - b).max(axis=0) / scale).max()))
+            out[cls] = np.ascontiguousarray(x[: g.hull].T)
+        self._timed("solve", start)
+        return out
+
+    @cached_property
+    def radiation(self):
+        """Complex A + iB/ω (6, 6) about the origin, NaN where a degree of freedom was left out"""
+        out = np.full((6, 6), np.nan, complex)
+        out[np.ix_(self.dofs, self.dofs)] = 0.0
+        for cls, (moving, _) in self.columns.items():
+            if moving:
+                phi = self.potentials[cls][: len(moving)]
+                out[np.ix_(moving, moving)] = -self.setup.density * (phi @ self.weighted_modes[:, moving]).T
+        return out
+
+    @cached_property
+    def diffraction(self):
+        """Diffraction force (m, 6) about the origin"""
+        out = np.zeros((len(self.headings), 6), complex)
+        for cls, (moving, waves) in self.columns.items():
+            mine = self.members(cls)
+            phi = self.potentials[cls][len(moving) :]
+            out[np.ix_(waves, mine)] = (
+                -1j * self.setup.density * self.omega * (phi @ self.weighted_modes[:, mine])
+            )
+        out[:, [d for d in range(6) if d not in self.dofs]] = np.nan
+        return out
+
+    @cached_property
+    def haskind(self):
+        """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)"""
+        waves, force = self.incident
+        out = np.full(force.shape, np.nan, complex)
+        areas = self.hull[1] * len(self.geometry.images)
+        for cls, (moving, _) in self.columns.items():
+            if moving:
+                phi = self.potentials[cls][: len(moving)]
+                scattered = 1j * self.setup.density * self.omega * (waves[cls][1] * areas) @ phi.T
+                out[:, moving] = force[:, moving] + scattered
+        return out
+
+    @cached_property
+    def kochin(self):
+        """H and H′ at `theta` and at the headings: radiation (6, t+m), diffraction (m, t+m); about the origin"""
+        start = time.perf_counter()
+        g = self.geometry
+        nodes, weights, normals = self.hull
+        at = np.concatenate([self.theta, self.headings])
+        radiation = np.zeros((2, 6, len(at)), complex)
+        diffraction = np.zeros((2, len(self.headings), len(at)), complex)
+        h = self.setup.depth
+        C = (
+            2 * np.pi * self.k * self.k / ((self.k**2 - self.K**2) * h + self.K)
+            if np.isfinite(h)
+            else 2 * np.pi * self.K
+        )
+        factor = -self.omega * C / (4 * np.pi * self.setup.gravity)
+        for cls, (moving, waves) in self.columns.items():
+            both = far_field_integrals(
+                at, self.k, nodes, weights, normals, self.depth_values(nodes[:, 2]),
+                g.images, g.signs(cls), self.potentials[cls], self.velocities(cls),
+            )  # fmt: skip
+            for i in range(2):
+                radiation[i, moving] = -1j * self.omega * factor * both[i][: len(moving)]
+                diffraction[i, waves] += factor * both[i][len(moving) :]
+        self._timed("far field", start)
+        return radiation, diffraction
+
+    @property
+    def K(self):
+        return self.omega**2 / self.setup.gravity
+
+    @cached_property
+    def excitation(self):
+        return self.incident[1] + self.diffraction
+
+    @cached_property
+    def rao(self):
+        """(m, 6) about the rotation centre"""
+        T, Z = self.prepared.transform, self.radiation
+        A = T @ Z @ T.T
+        return response(
+            self.omega, A.real, self.omega * A.imag, self.excitation @ T.T,
+            self.setup.inertia_matrix, self.setup.hydrostatic_stiffness,
+        )  # fmt: skip
+
+    def drift(self, moving):
+        (radiation, dradiation), (H, slope) = self.kochin
+        if moving:
+            T = self.prepared.transform
+            H, slope = H + self.rao @ (T @ radiation), slope + self.rao @ (T @ dradiation)
+        t, m = len(self.theta), np.arange(len(self.headings))
+        n = float(group_factor(self.k, self.setup.depth))
+        force = mean_drift(
+            H[:, :t], slope[:, :t], H[m, t + m], slope[m, t + m], self.theta, self.headings, self.k, n,
+            self.setup.density, self.setup.gravity,
+        )  # fmt: skip
+        return about(force, self.setup.rotation_center), energy_defect(H[:, :t], H[m, t + m])
+
+    def checks(self):
+        """Largest relative violation of each law that the computed quantities allow to test; NaN where none does."""
+        out = dict.fromkeys(("reciprocity", "haskind", "energy", "residual", "estimated_error"), np.nan)
+        out["residual"] = self.residual
+        i = self.dofs
+        energy = []
+        if self.radiates:
+            Z = self.radiation[np.ix_(i, i)]
+            size = np.sqrt(np.abs(np.diag(Z)))
+            out["reciprocity"] = float((np.abs(Z - Z.T) / np.outer(size, size)).max())
+        if self.radiates and self.far_field:
+            t = len(self.theta)
+            H = self.kochin[0][0][i, :t]
+            n = float(group_factor(self.k, self.setup.depth))
+            B = (H @ H.conj().T).real * 2 * np.pi / t
+            B *= 2 * self.setup.density * self.setup.gravity * n / (np.pi * self.k**2 * self.omega)
+            energy.append(np.abs(B - self.omega * Z.imag) / (self.omega * np.outer(size, size)))
+        if self.radiates and self.diffracts:
+            scale = np.maximum(np.abs(self.excitation[:, i]), np.abs(self.diffraction[:, i])).max(axis=0)
+            out["haskind"] = float((np.abs(self.haskind - self.excitation)[:, i] / scale).max())
+        if self.diffracts and self.far_field:
+            energy.append(np.abs(self.drift(False)[1]))
+        if energy:
+            out["energy"] = float(max(e.max() for e in energy))
+        return out
+
+    def result(self):
+        T, want = self.prepared.transform, self.want
+        out = {}
+        if want & {"added_mass", "radiation_damping"}:
+            Z = T @ self.radiation @ T.T
+            out |= {"added_mass": Z.real, "radiation_damping": self.omega * Z.imag}
+        if want & {"Froude_Krylov_force", "excitation_force"}:
+            out["Froude_Krylov_force"] = self.incident[1] @ T.T
+        if want & {"diffraction_force", "excitation_force"}:
+            out["diffraction_force"] = self.diffraction @ T.T
+            out["excitation_force"] = self.excitation @ T.T
+        if "kochin_radiation" in want:
+            out["kochin_radiation"] = T @ self.kochin[0][0][:, : len(self.theta)]
+        if "kochin_diffraction" in want:
+            out["kochin_diffraction"] = self.kochin[1][0][:, : len(self.theta)]
+        if "drift_force_fixed" in want:
+            out["drift_force_fixed"] = self.drift(False)[0]
+        if self.free and "rao" in want:
+            out["rao"] = self.rao
+        if self.free and "drift_force" in want:
+            out["drift_force"] = self.drift(True)[0]
+        out = {name: value for name, value in out.items() if name in want}
+        if self.columns:
+            _ = self.potentials
+            out["checks"] = self.checks()
+        else:
+            out["checks"] = {}
+        out["wall_time"] = self.wall_time
+        return out

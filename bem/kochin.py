@@ -1,0 +1,60 @@
+"""Far-field amplitude of the waves a body makes, after Kochin.
+
+    η ~ H(θ) √(2/(πkR)) exp(i(kR − π/4))    for R → ∞ in direction θ,
+    H(θ) = −(ωC/4πg) ∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS,    ψ = Z(z) exp(−ik(x cosθ + y sinθ))
+
+with C and Z of `bem.green`; the surface integral replaces the source strengths of SR179 report (1982),
+eq. 2.1.5.15, whose H is −2iω/g times … the elevation amplitude used here.  H is per unit wave amplitude
+(diffraction) or per unit amplitude of motion, m or rad (radiation).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import prange
+
+from ._jit import kernel
+
+
+@kernel(parallel=True)
+def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, phi, velocity):
+    """∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS and its θ-derivative for potentials of one symmetry class.
+
+    theta : (t,), points, normals : (q, 3), weights : (q,) m², Z : (q, 2) Z(z) and Z'(z)
+    phi, velocity : (r, q) complex
+    returns : two (r, t) complex arrays
+    """
+    r, t = len(phi), len(theta)
+    value, slope = np.zeros((r, t), np.complex128), np.zeros((r, t), np.complex128)
+    for a in prange(t):
+        c, s = math.cos(theta[a]), math.sin(theta[a])
+        for q in range(len(points)):
+            even, flux = 0j, 0j
+            deven, dflux = 0j, 0j
+            for m in range(len(images)):
+                x, y = images[m, 0] * points[q, 0], images[m, 1] * points[q, 1]
+                nx, ny = images[m, 0] * normals[q, 0], images[m, 1] * normals[q, 1]
+                phase, turn = k * (x * c + y * s), k * (y * c - x * s)
+                wave = signs[m] * weights[q] * complex(math.cos(phase), -math.sin(phase))
+                dwave = -1j * turn * wave
+                along, across = -1j * k * (nx * c + ny * s), -1j * k * (ny * c - nx * s)
+                even += wave
+                deven += dwave
+                flux += wave * (along * Z[q, 0] + normals[q, 2] * Z[q, 1])
+                dflux += dwave * (along * Z[q, 0] + normals[q, 2] * Z[q, 1]) + wave * across * Z[q, 0]
+            for p in range(r):
+                value[p, a] += phi[p, q] * flux - velocity[p, q] * even * Z[q, 0]
+                slope[p, a] += phi[p, q] * dflux - velocity[p, q] * deven * Z[q, 0]
+    return value, slope
+
+
+def angles(k, radius):
+    """θ (t,) equally spaced so that H of a body within `radius` m of the origin is resolved at wavenumber k.
+
+    H is band-limited: its harmonics beyond k·radius fall faster than any power.
+    """
+    harmonics = int(np.ceil(k * radius + 6 * (k * radius) ** (1 / 3) + 8))
+    count = 4 * int(np.ceil((2 * harmonics + 2) / 4))
+    return np.arange(count) * (2 * np.pi / count)

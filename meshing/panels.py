@@ -1,0 +1,183 @@
+"""Panel mesh: a value with points, corners and mirror planes; everything else follows from these.
+
+A panel is a flat quadrilateral given by four point numbers, counter-clockwise seen from the water, so that
+the normal ½ (p₂−p₀)×(p₃−p₁) points out of the body.  A triangle repeats its last corner.  A quadrilateral
+that is not flat is represented by its mean plane, which keeps the vector area and so the closed-surface sums.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+SYMMETRIES = ("", "x", "y", "xy")
+
+
+@dataclass(frozen=True, eq=False)
+class PanelMesh:
+    """Panels of one part of a wetted hull, the rest following by reflection.
+
+    points : (m, 3) m
+    corners : (n, 4) numbers into `points`
+    symmetry : which coordinates are mirrored: "" none, "x" in the plane x = 0, "y" in the plane y = 0, "xy" both
+    """
+
+    points: np.ndarray
+    corners: np.ndarray
+    symmetry: str = ""
+    name: str = ""
+
+    def __post_init__(self):
+        object.__setattr__(self, "points", np.array(self.points, float).reshape(-1, 3))
+        object.__setattr__(self, "corners", np.array(self.corners, np.int64).reshape(-1, 4))
+        if self.symmetry not in SYMMETRIES:
+            raise ValueError(f"symmetry is {self.symmetry!r}; allowed: {', '.join(map(repr, SYMMETRIES))}")
+        if self.corners.size and (self.corners.min() < 0 or self.corners.max() >= len(self.points)):
+            raise ValueError(
+                f"a panel names point {self.corners.max()}, the mesh has points 0 to {len(self.points) - 1}"
+            )
+
+    def __len__(self):
+        return len(self.corners)
+
+    def __repr__(self):
+        return (
+            f"<PanelMesh {self.total} panels, {self.copies * self.areas.sum():.6g} m² wetted, "
+            f"{self.volume:.6g} m³>"
+        )
+
+    @property
+    def copies(self):
+        """How many mirror images make the whole hull: 1, 2 or 4."""
+        return 2 ** len(self.symmetry)
+
+    @property
+    def total(self):
+        """Panels on the whole hull."""
+        return self.copies * len(self)
+
+    @cached_property
+    def vertices(self):
+        """(n, 4, 3) m"""
+        return self.points[self.corners]
+
+    @cached_property
+    def area_vectors(self):
+        """(n, 3) m², area times outward normal"""
+        v = self.vertices
+        return 0.5 * np.cross(v[:, 2] - v[:, 0], v[:, 3] - v[:, 1])
+
+    @cached_property
+    def areas(self):
+        """(n,) m²"""
+        return np.linalg.norm(self.area_vectors, axis=1)
+
+    @cached_property
+    def normals(self):
+        """(n, 3), out of the body; zero where a panel has no area"""
+        return self.area_vectors / np.where(self.areas > 0, self.areas, 1.0)[:, None]
+
+    @cached_property
+    def centroids(self):
+        """(n, 3) m, centre of area"""
+        v = self.vertices
+        first = np.linalg.norm(np.cross(v[:, 1] - v[:, 0], v[:, 2] - v[:, 0]), axis=1)
+        second = np.linalg.norm(np.cross(v[:, 2] - v[:, 0], v[:, 3] - v[:, 0]), axis=1)
+        share = (first / np.where(first + second > 0, first + second, 1.0))[:, None]
+        return (share * (v[:, 0] + v[:, 1] + v[:, 2]) + (1 - share) * (v[:, 0] + v[:, 2] + v[:, 3])) / 3
+
+    @cached_property
+    def flat_vertices(self):
+        """(n, 4, 3) m, corners moved along the normal into the panel's mean plane"""
+        v = self.vertices
+        offset = np.einsum("nij,nj->ni", v - v.mean(axis=1, keepdims=True), self.normals)
+        return v - offset[..., None] * self.normals[:, None, :]
+
+    @cached_property
+    def edge_lengths(self):
+        """(n, 4) m"""
+        v = self.vertices
+        return np.linalg.norm(np.roll(v, -1, axis=1) - v, axis=2)
+
+    @cached_property
+    def sizes(self):
+        """(n,) m, longest edge"""
+        return self.edge_lengths.max(axis=1)
+
+    @cached_property
+    def volume(self):
+        """m³ enclosed by the whole hull and the water plane: ∬ x·n dS / 3 (the plane z = 0 adds nothing)"""
+        return self.copies * float(np.einsum("ni,ni->", self.centroids, self.area_vectors)) / 3
+
+    @property
+    def draft(self):
+        """m"""
+        return -float(self.points[np.unique(self.corners), 2].min())
+
+    def reflections(self):
+        """((sign of x, sign of y), …) of the images that make the whole hull, the part itself first"""
+        x = (1, -1) if "x" in self.symmetry else (1,)
+        y = (1, -1) if "y" in self.symmetry else (1,)
+        return [(a, b) for b in y for a in x]
+
+    def whole(self):
+        """The same hull without mirror planes."""
+        parts = []
+        for sx, sy in self.reflections():
+            flipped = self.corners[:, ::-1] if sx * sy < 0 else self.corners
+            parts.append(PanelMesh(self.points * (sx, sy, 1), flipped))
+        return replace(joined(parts), name=self.name)
+
+    def moved(self, dx=0.0, dy=0.0, dz=0.0):
+        """A shifted copy; a mirror plane it is shifted out of is written out first."""
+        base = self
+        if ("x" in self.symmetry and dx) or ("y" in self.symmetry and dy):
+            base = self.whole()
+        return replace(base, points=base.points + np.array([dx, dy, dz]))
+
+    def rotated(self, angle):
+        """A copy turned about the z axis by `angle` rad, without mirror planes."""
+        c, s = np.cos(angle), np.sin(angle)
+        base = self.whole()
+        return replace(base, points=base.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]))
+
+    def flipped(self):
+        """A copy with the normals reversed."""
+        return replace(self, corners=self.corners[:, ::-1])
+
+    def merged(self, tolerance=1e-8):
+        """A copy in which points closer than `tolerance` times the hull's size are one."""
+        size = np.ptp(self.points, axis=0).max() if len(self.points) else 1.0
+        _, first, back = np.unique(
+            np.round(self.points / (tolerance * size or 1.0)).astype(np.int64),
+            axis=0,
+            return_index=True,
+            return_inverse=True,
+        )
+        return replace(self, points=self.points[first], corners=back.reshape(-1)[self.corners])
+
+
+def joined(meshes):
+    """One mesh of several that have the same mirror planes."""
+    meshes = list(meshes)
+    symmetries = {m.symmetry for m in meshes}
+    if len(symmetries) != 1:
+        raise ValueError(f"meshes to join have different symmetry {sorted(symmetries)}; use whole() first")
+    starts = np.cumsum([0] + [len(m.points) for m in meshes[:-1]])
+    return PanelMesh(
+        np.concatenate([m.points for m in meshes]),
+        np.concatenate([m.corners + s for m, s in zip(meshes, starts, strict=True)]),
+        symmetries.pop(),
+        meshes[0].name,
+    ).merged()
+
+
+def structured(points):
+    """Quadrilaterals of a grid of points (p, q, 3); the normal is ∂p × ∂q, collapsed panels become triangles."""
+    points = np.asarray(points, float)
+    p, q = points.shape[:2]
+    number = np.arange(p * q).reshape(p, q)
+    a, b, c, d = number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]
+    return PanelMesh(points.reshape(-1, 3), np.stack([a, b, c, d], axis=-1).reshape(-1, 4)).merged()
