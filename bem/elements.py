@@ -41,8 +41,7 @@ def elements(mesh, per_panel=4):
     y = np.cross(mesh.normals, x)
     axes = np.stack([_unit(x), _unit(y), mesh.normals], axis=1)
     origins = (
-        mesh.centroids
-        - np.einsum("ni,ni->n", mesh.centroids - v.mean(axis=1), mesh.normals)[:, None] * mesh.normals
+        mesh.centroids - np.einsum("ni,ni->n", mesh.centroids - v.mean(axis=1), mesh.normals)[:, None] * mesh.normals
     )
     corners = np.einsum("nij,nkj->nki", axes[:, :2], v - origins[:, None])
     if per_panel == 1:
@@ -93,3 +92,27 @@ def _gauss(v, count):
     dt = 0.25 * np.stack([-(1 - s), -(1 + s), 1 + s, 1 - s])
     along, across = np.einsum("aq,nai->nqi", ds, v), np.einsum("aq,nai->nqi", dt, v)
     return np.einsum("aq,nai->nqi", shape, v), w * np.linalg.norm(np.cross(along, across), axis=-1)
+
+
+def gradients(element):
+    """(n, p, 3, p) matrix from node values on a panel to the tangential gradient at its nodes; p is 4."""
+    n, p = element.inverse.shape[:2]
+    local = np.einsum("nij,nqj->nqi", element.axes[:, :2], element.nodes.reshape(n, p, 3) - element.origins[:, None])
+    x, y = local[..., 0], local[..., 1]
+    zero, one = np.zeros_like(x), np.ones_like(x)
+    along = np.stack([zero, one, zero, y], axis=-1) @ element.inverse
+    across = np.stack([zero, zero, one, x], axis=-1) @ element.inverse
+    return np.einsum("nqb,ni->nqib", along, element.axes[:, 0]) + np.einsum("nqb,ni->nqib", across, element.axes[:, 1])
+
+
+def line_points(element, panel, a, b):
+    """Two Gauss points on each line a → b (w, 3) lying in panels `panel` (w,).
+
+    returns : panel (2w,), points (2w, 3), lengths (2w,), shape functions (2w, p)
+    """
+    t = 0.5 * (1 + np.array([-1, 1]) / np.sqrt(3))
+    points = (a[:, None] + t[None, :, None] * (b - a)[:, None]).reshape(-1, 3)
+    lengths = np.repeat(0.5 * np.linalg.norm(b - a, axis=1), 2)
+    panel = np.repeat(panel, 2)
+    local = _monomials(element.axes[panel], element.origins[panel], points[:, None], element.inverse.shape[-1])
+    return panel, points, lengths, (local @ element.inverse[panel])[:, 0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -20,18 +20,24 @@ from .waves import depth_factor, depth_factor_slope, group_factor, incident_wave
 RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
 DIFFRACTION = {"diffraction_force", "excitation_force", "kochin_diffraction", "drift_force_fixed"}
 FREE = {"rao", "drift_force"}
+# the error falls like this power of the number of panels: to a fifth from 104 to 416 of them on the series box,
+# all coefficients, depths 12 m to infinity
+ERROR_ORDER = 1.16
 
 
 @dataclass(frozen=True, eq=False)
 class Setup:
     """A floating body in water: everything a frequency needs except the frequency.
 
-    mesh : hull panels; lid : interior free-surface panels or None; depth : m, may be inf
+    mesh : hull panels; lid : interior free-surface panels or None
+    coarse : (mesh, lid) of the same body with about a quarter of the panels, for the error estimate; None does without
+    depth : m, may be inf; nodes_per_panel : 4 (bilinear) or 1 (constant)
     inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`; None leaves the body without motions
     """
 
     mesh: object
     lid: object = None
+    coarse: tuple | None = None
     depth: float = np.inf
     density: float = 1025.0
     gravity: float = 9.80665
@@ -48,16 +54,25 @@ class Prepared:
     setup: Setup
     geometry: Geometry
     modes: np.ndarray = field(repr=False)
+    coarse: Prepared | None = None
+
+    @property
+    def refinement(self):
+        """How many panels the mesh has for one of the coarse mesh."""
+        return self.setup.mesh.total / self.coarse.setup.mesh.total
 
     @property
     def transform(self):
+        """(6, 6) from generalized normals about the origin to those about the rotation centre"""
         return reference_change(self.setup.rotation_center)
 
 
 def prepare(setup):
+    """The geometry-only part of a Setup; its exact 1/r integrals follow when the first frequency needs them."""
     geometry = Geometry(setup.mesh, setup.lid, setup.depth, setup.nodes_per_panel)
     e, n = geometry.elements, geometry.hull
-    return Prepared(setup, geometry, normal_velocities(e.nodes[:n], e.normals[:n]))
+    coarse = prepare(replace(setup, mesh=setup.coarse[0], lid=setup.coarse[1], coarse=None)) if setup.coarse else None
+    return Prepared(setup, geometry, normal_velocities(e.nodes[:n], e.normals[:n]), coarse)
 
 
 def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
@@ -69,29 +84,46 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
 
     Only symmetry classes that hold a wanted degree of freedom or a wave are assembled and solved.
     """
-    run = _Run(prepared, omega, np.atleast_1d(np.asarray(headings, float)), frozenset(want), theta, dofs)
-    return run.result()
+    run = FrequencyRun(prepared, omega, headings, want, theta, dofs)
+    result = run.result()
+    if prepared.coarse is not None and run.columns:
+        start = time.perf_counter()
+        rough = FrequencyRun(prepared.coarse, omega, headings, want, run.theta, dofs)
+        result["checks"]["estimated_error"] = run.difference(rough) / (prepared.refinement**ERROR_ORDER - 1)
+        result["wall_time"]["error estimate"] = time.perf_counter() - start
+    return result
 
 
-class _Run:
+def significant(size):
+    """(6,) sizes of forces and of moments, none below a hundredth of the largest of its kind.
+
+    Yaw of a round buoy and heave of a pile that stands on the bed are rounding; a relative error of them says nothing.
+    """
+    out = size.copy()
+    for kind in (slice(0, 3), slice(3, 6)):
+        out[kind] = np.maximum(out[kind], max(0.01 * out[kind].max(), 1e-300))
+    return out
+
+
+class FrequencyRun:
     """The intermediate quantities of one frequency, each computed once and only when asked for."""
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         if not (np.isfinite(omega) and omega > 0):
-            raise ValueError(
-                f"omega is {omega} rad/s; allowed: positive and finite (limits are in bem.limits)"
-            )
+            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits are in bem.limits)")
         self.prepared, self.geometry, self.setup = prepared, prepared.geometry, prepared.setup
-        self.omega, self.headings, self.want = float(omega), headings, want
+        self.omega, self.want = float(omega), frozenset(want)
+        self.headings = np.atleast_1d(np.asarray(headings, float))
+        want = self.want
         self.k = float(wavenumber(omega, self.setup.depth, self.setup.gravity))
         self.theta = theta if theta is not None else angles(self.k, self.geometry.radius)
-        self.dofs = [DOFS.index(d) for d in dofs]
+        self.asked = [DOFS.index(d) for d in dofs]
+        # a moment about another point than the origin needs forces too
+        self.dofs = [d for d in range(6) if np.any(prepared.transform[self.asked, d])]
         self.free = bool(want & FREE) and self.setup.inertia_matrix is not None
         self.radiates = bool(want & RADIATION) or self.free
         self.diffracts = bool(want & DIFFRACTION) or self.free
-        self.far_field = bool(
-            want & {"kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force"}
-        )
+        self.far_field = bool(want & {"kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force"})
         self.wall_time = {}
 
     def _timed(self, name, start):
@@ -178,9 +210,7 @@ class _Run:
         table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.mesh.draft)
         self._timed("table", start)
         start = time.perf_counter()
-        matrices, sides = assembled(
-            g, classes, 1.0, table, self.depth_values, [velocities[c] for c in classes]
-        )
+        matrices, sides = assembled(g, classes, 1.0, table, self.depth_values, [velocities[c] for c in classes])
         self._timed("assemble", start)
         start = time.perf_counter()
         out, self.residual = {}, 0.0
@@ -190,7 +220,7 @@ class _Run:
             x = lu_solve(lu_factor(A.T, check_finite=False), b, trans=1, check_finite=False)
             if not np.all(np.isfinite(x)):
                 raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
-            scale = np.abs(b).max(axis=0)
+            scale = np.maximum(np.abs(b).max(axis=0), 1e-300)
             self.residual = max(self.residual, float((np.abs(A @ x - b).max(axis=0) / scale).max()))
             out[cls] = np.ascontiguousarray(x[: g.hull].T)
         self._timed("solve", start)
@@ -198,9 +228,8 @@ class _Run:
 
     @cached_property
     def radiation(self):
-        """Complex A + iB/ω (6, 6) about the origin, NaN where a degree of freedom was left out"""
-        out = np.full((6, 6), np.nan, complex)
-        out[np.ix_(self.dofs, self.dofs)] = 0.0
+        """Complex A + iB/ω (6, 6) about the origin, zero where a degree of freedom was left out"""
+        out = np.zeros((6, 6), complex)
         for cls, (moving, _) in self.columns.items():
             if moving:
                 phi = self.potentials[cls][: len(moving)]
@@ -214,17 +243,14 @@ class _Run:
         for cls, (moving, waves) in self.columns.items():
             mine = self.members(cls)
             phi = self.potentials[cls][len(moving) :]
-            out[np.ix_(waves, mine)] = (
-                -1j * self.setup.density * self.omega * (phi @ self.weighted_modes[:, mine])
-            )
-        out[:, [d for d in range(6) if d not in self.dofs]] = np.nan
+            out[np.ix_(waves, mine)] = -1j * self.setup.density * self.omega * (phi @ self.weighted_modes[:, mine])
         return out
 
     @cached_property
     def haskind(self):
         """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)"""
         waves, force = self.incident
-        out = np.full(force.shape, np.nan, complex)
+        out = np.zeros(force.shape, complex)
         areas = self.hull[1] * len(self.geometry.images)
         for cls, (moving, _) in self.columns.items():
             if moving:
@@ -291,6 +317,24 @@ class _Run:
         )  # fmt: skip
         return about(force, self.setup.rotation_center), energy_defect(H[:, :t], H[m, t + m])
 
+    def disturbance(self, heading, moving):
+        """{class: φ_D + Σ(−iωX)φ at the nodes (n,)}, and the matching normal velocity"""
+        g = self.geometry
+        X = -1j * self.omega * self.prepared.transform.T @ self.rao[heading] if moving else np.zeros(6, complex)
+        out = {}
+        for cls in g.classes:
+            phi, velocity = np.zeros((2, g.hull), complex)
+            if cls in self.columns:
+                moved, waves = self.columns[cls]
+                solved, given = self.potentials[cls], self.velocities(cls)
+                for i, d in enumerate(moved):
+                    phi, velocity = phi + X[d] * solved[i], velocity + X[d] * given[i]
+                if heading in waves:
+                    i = len(moved) + waves.index(heading)
+                    phi, velocity = phi + solved[i], velocity + given[i]
+            out[cls] = phi, velocity
+        return out
+
     def checks(self):
         """Largest relative violation of each law that the computed quantities allow to test; NaN where none does."""
         out = dict.fromkeys(("reciprocity", "haskind", "energy", "residual", "estimated_error"), np.nan)
@@ -299,7 +343,7 @@ class _Run:
         energy = []
         if self.radiates:
             Z = self.radiation[np.ix_(i, i)]
-            size = np.sqrt(np.abs(np.diag(Z)))
+            size = self.radiation_scale
             out["reciprocity"] = float((np.abs(Z - Z.T) / np.outer(size, size)).max())
         if self.radiates and self.far_field:
             t = len(self.theta)
@@ -309,25 +353,52 @@ class _Run:
             B *= 2 * self.setup.density * self.setup.gravity * n / (np.pi * self.k**2 * self.omega)
             energy.append(np.abs(B - self.omega * Z.imag) / (self.omega * np.outer(size, size)))
         if self.radiates and self.diffracts:
-            scale = np.maximum(np.abs(self.excitation[:, i]), np.abs(self.diffraction[:, i])).max(axis=0)
-            out["haskind"] = float((np.abs(self.haskind - self.excitation)[:, i] / scale).max())
+            out["haskind"] = float((np.abs(self.haskind - self.excitation)[:, i] / self.excitation_scale).max())
         if self.diffracts and self.far_field:
             energy.append(np.abs(self.drift(False)[1]))
         if energy:
             out["energy"] = float(max(e.max() for e in energy))
         return out
 
+    def difference(self, other):
+        """Largest relative difference of added mass, damping and excitation of two discretizations."""
+        i, out = self.dofs, []
+        if self.radiates:
+            Z, rough = (r.radiation[np.ix_(i, i)] for r in (self, other))
+            size = self.radiation_scale
+            out.append(np.abs(Z - rough) / np.outer(size, size))
+        if self.diffracts:
+            out.append(np.abs(self.excitation - other.excitation)[:, i] / self.excitation_scale)
+        return float(max(o.max() for o in out))
+
+    @property
+    def excitation_scale(self):
+        """(dofs,) the larger of excitation and diffraction force over the headings"""
+        both = np.maximum(np.abs(self.excitation), np.abs(self.diffraction))
+        return significant(both.max(axis=0))[self.dofs]
+
+    @property
+    def radiation_scale(self):
+        """(dofs,) √|A + iB/ω| of each mode"""
+        return significant(np.sqrt(np.abs(np.diag(self.radiation))))[self.dofs]
+
+    def asked_only(self, values):
+        """`values` (…, 6) with NaN in place of degrees of freedom nobody asked for"""
+        out = np.full_like(values, np.nan)
+        out[..., self.asked] = values[..., self.asked]
+        return out
+
     def result(self):
         T, want = self.prepared.transform, self.want
         out = {}
         if want & {"added_mass", "radiation_damping"}:
-            Z = T @ self.radiation @ T.T
+            Z = self.asked_only(self.asked_only(T @ self.radiation @ T.T).T).T
             out |= {"added_mass": Z.real, "radiation_damping": self.omega * Z.imag}
         if want & {"Froude_Krylov_force", "excitation_force"}:
-            out["Froude_Krylov_force"] = self.incident[1] @ T.T
+            out["Froude_Krylov_force"] = self.asked_only(self.incident[1] @ T.T)
         if want & {"diffraction_force", "excitation_force"}:
-            out["diffraction_force"] = self.diffraction @ T.T
-            out["excitation_force"] = self.excitation @ T.T
+            out["diffraction_force"] = self.asked_only(self.diffraction @ T.T)
+            out["excitation_force"] = self.asked_only(self.excitation @ T.T)
         if "kochin_radiation" in want:
             out["kochin_radiation"] = T @ self.kochin[0][0][:, : len(self.theta)]
         if "kochin_diffraction" in want:

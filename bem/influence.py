@@ -24,7 +24,7 @@ from numba import prange
 
 from ._jit import kernel
 from .elements import elements, quadrature
-from .green import wave_part
+from .green import levels, wave_part
 from .rankine import panel_moments
 
 # the wave part of a panel is integrated with 4 × 4 instead of 2 × 2 points where its surface image is closer than
@@ -165,14 +165,14 @@ def _assemble(
     b = np.zeros((c, n, r), np.complex128)
     for i in prange(n):
         S, D = np.zeros((c, n), np.complex128), np.zeros((c, n), np.complex128)
-        x, y, z = nodes[i]
         for j in range(len(normals)):
-            if always_fine[j] or _close(x, y, z, centers[j], NEAR * sizes[j], images):
-                _panel(x, y, z, normals[j], images, signs, fine.points[j], fine.weights[j], fine.shape[j], fine_z[j],
-                       node_z[i], table, S[:, p * j : p * j + p], D[:, p * j : p * j + p])  # fmt: skip
+            part = slice(p * j, p * j + p)
+            if always_fine[j] or _close(nodes[i], centers[j], NEAR * sizes[j], images):
+                _panel(nodes[i], normals[j], images, signs, fine.points[j], fine.weights[j], fine.shape[j], fine_z[j],
+                       node_z[i], table, S[:, part], D[:, part])  # fmt: skip
             else:
-                _panel(x, y, z, normals[j], images, signs, coarse.points[j], coarse.weights[j], coarse.shape[j], coarse_z[j],
-                       node_z[i], table, S[:, p * j : p * j + p], D[:, p * j : p * j + p])  # fmt: skip
+                _panel(nodes[i], normals[j], images, signs, coarse.points[j], coarse.weights[j], coarse.shape[j],
+                       coarse_z[j], node_z[i], table, S[:, part], D[:, part])  # fmt: skip
         side = -1.0 if i < hull else 1.0
         for q in range(c):
             for j in range(n):
@@ -187,34 +187,45 @@ def _assemble(
 
 
 @kernel()
-def _close(x, y, z, center, distance, images):
-    up = z + center[2]
+def _close(point, center, distance, images):
+    up = point[2] + center[2]
     if -up > distance:
         return False
     for m in range(len(images)):
-        dx, dy = x - images[m, 0] * center[0], y - images[m, 1] * center[1]
+        dx, dy = point[0] - images[m, 0] * center[0], point[1] - images[m, 1] * center[1]
         if dx * dx + dy * dy + up * up < distance * distance:
             return True
     return False
 
 
 @kernel()
-def _panel(x, y, z, normal, images, signs, points, weights, shape, depth_z, node_z, table, S, D):
+def _panel(point, normal, images, signs, points, weights, shape, depth_z, node_z, table, S, D):
     """Wave part of one panel, all images and classes, added to S and D (classes, p)."""
-    C = table.C * node_z
+    x, y, z = point[0], point[1], point[2]
+    K, spacing, radius = table.K, table.spacing, table.radius
+    surface, rest, bed, bessel = table.surface, table.rest, table.bed, table.bessel
+    c, p = S.shape
+    s_re, s_im, d_re, d_im = np.zeros(c), np.zeros(c), np.zeros(c), np.zeros(c)
     for q in range(len(weights)):
-        zeta, w = points[q, 2], weights[q]
+        level = levels(z, points[q, 2], spacing, surface.shape[1], bed.shape[1])
+        s_re[:] = s_im[:] = d_re[:] = d_im[:] = 0.0
         for m in range(len(images)):
             dx, dy = images[m, 0] * points[q, 0] - x, images[m, 1] * points[q, 1] - y
             R = math.sqrt(dx * dx + dy * dy)
-            g, gr, gz, j0, j1 = wave_part(R, z, zeta, table)
+            g, gr, gz, j0, j1 = wave_part(R, level, K, spacing, radius, surface, rest, bed, bessel)
             along = (images[m, 0] * normal[0] * dx + images[m, 1] * normal[1] * dy) / (R + 1e-300)
-            s = w * complex(g, C * depth_z[q, 0] * j0)
-            d = w * complex(
-                gr * along + gz * normal[2], C * (depth_z[q, 0] * j1 * along + depth_z[q, 1] * j0 * normal[2])
-            )
-            for b in range(shape.shape[1]):
-                for c in range(len(signs)):
-                    f = signs[c, m] * shape[q, b]
-                    S[c, b] += f * s
-                    D[c, b] += f * d
+            flux = gr * along + gz * normal[2]
+            slope = depth_z[q, 0] * j1 * along + depth_z[q, 1] * j0 * normal[2]
+            for a in range(c):
+                sign = signs[a, m]
+                s_re[a] += sign * g
+                s_im[a] += sign * j0
+                d_re[a] += sign * flux
+                d_im[a] += sign * slope
+        w, C = weights[q], weights[q] * table.C * node_z
+        for a in range(c):
+            s = complex(w * s_re[a], C * depth_z[q, 0] * s_im[a])
+            d = complex(w * d_re[a], C * d_im[a])
+            for b in range(p):
+                S[a, b] += shape[q, b] * s
+                D[a, b] += shape[q, b] * d

@@ -35,9 +35,7 @@ def added_mass_limit(prepared, which):
     for i, c in enumerate(g.classes):
         n = len(members[c])
         phi = solve(A[i, : g.hull, : g.hull].real, b[i, : g.hull, :n].real)
-        out[np.ix_(members[c], members[c])] = (
-            -setup.density * (phi.T @ (prepared.modes[:, members[c]] * weights)).T
-        )
+        out[np.ix_(members[c], members[c])] = -setup.density * (phi.T @ (prepared.modes[:, members[c]] * weights)).T
     out = T @ out @ T.T
     if which == "zero" and np.isfinite(setup.depth):
         out = _with_net_flux(out, T @ (prepared.modes * weights).sum(axis=0) * _even(members), weights.sum())

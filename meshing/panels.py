@@ -43,10 +43,7 @@ class PanelMesh:
         return len(self.corners)
 
     def __repr__(self):
-        return (
-            f"<PanelMesh {self.total} panels, {self.copies * self.areas.sum():.6g} m² wetted, "
-            f"{self.volume:.6g} m³>"
-        )
+        return f"<PanelMesh {self.total} panels, {self.copies * self.areas.sum():.6g} m² wetted, {self.volume:.6g} m³>"
 
     @property
     def copies(self):

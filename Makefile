@@ -1,0 +1,48 @@
+# make demo    two databases, pictures, a mooring study; into demo/
+# make test    ruff and all tests
+# make lint    ruff alone
+# make venv    .venv with everything installed (done by the others when needed)
+
+PYTHON ?= python3
+BIN := .venv/bin
+STAMP := .venv/.installed
+SCENES := pipelines/scenes
+LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
+
+.PHONY: demo test lint venv format clean
+.DELETE_ON_ERROR:
+
+venv: $(STAMP)
+
+$(STAMP): pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo "make: $(PYTHON) is older than 3.11; give another with make PYTHON=…" >&2; exit 1; }
+	@test -x $(BIN)/python || $(PYTHON) -m venv .venv || \
+	  { rm -rf .venv; echo "make: no virtual environment could be made; on Debian: apt-get install python3-venv" >&2; exit 1; }
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test]'
+	@$(BIN)/python -c 'import gmsh' || \
+	  { echo "make: gmsh lacks shared libraries; on Debian: apt-get install $(LIBRARIES)" >&2; exit 1; }
+	@touch $@
+
+demo: venv
+	mkdir -p demo
+	$(BIN)/hakobune solve $(SCENES)/series_box.toml --output demo/box_12m.h5
+	$(BIN)/hakobune look demo/box_12m.h5 --screenshot demo/box_mesh.png
+	$(BIN)/hakobune plot demo/box_12m.h5 --output demo/box_12m.png
+	$(BIN)/hakobune solve $(SCENES)/series_box_20m.toml --output demo/box_20m.h5
+	$(BIN)/hakobune plot demo/box_20m.h5 --output demo/box_20m.png
+	$(BIN)/hakobune moor $(SCENES)/moor_chain_12.toml --database demo/box_20m.h5 --output demo/moor.h5
+
+lint: venv
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+test: lint
+	$(BIN)/python -m pytest
+
+format: venv
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+clean:
+	rm -rf demo build *.egg-info

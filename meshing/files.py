@@ -1,0 +1,136 @@
+"""Reading and writing panel meshes, the format by the suffix of the file.
+
+.gdf (WAMIT), .nemoh and .dat (Nemoh), .pnl (HAMS) and .vtu are read and written; .msh is read through meshio and
+written by gmsh; .vtk, .stl, .ply, .obj and .off are read.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from . import text_formats
+from .panels import PanelMesh, joined
+
+TEXT_READERS = {
+    ".gdf": text_formats.read_gdf,
+    ".nemoh": text_formats.read_nemoh,
+    ".dat": text_formats.read_nemoh,
+    ".pnl": text_formats.read_pnl,
+}
+TEXT_WRITERS = {
+    ".gdf": text_formats.write_gdf,
+    ".nemoh": text_formats.write_nemoh,
+    ".dat": text_formats.write_nemoh,
+    ".pnl": text_formats.write_pnl,
+}
+MESHIO = (".msh", ".vtu", ".vtk", ".stl", ".ply", ".obj", ".off")
+READABLE = (*TEXT_READERS, *MESHIO)
+WRITABLE = (*TEXT_WRITERS, ".msh", ".vtu")
+
+SAME_POINT = 1e-6  # of the size of the mesh
+AT_SURFACE = 1e-6
+
+
+def read_mesh(path):
+    """Panels of the wetted hull in a file, as PanelMesh.
+
+    Points closer than 1e-6 of the mesh's size are one.  Panels in z = 0 whose normal points up, a lid or a deck,
+    have no water on them and are left out.  Nothing else is changed: look at `meshing.quality.findings`.
+    Raises ValueError naming the file and what is wrong with it, FileNotFoundError if there is none.
+    """
+    path = Path(path)
+    suffix = path.suffix.lower()
+    if suffix not in READABLE:
+        raise ValueError(f"{path}: cannot read {suffix or 'a file without suffix'}; allowed: {', '.join(READABLE)}")
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: no such file")
+    read = TEXT_READERS.get(suffix, _read_with_meshio)
+    mesh = read(path)
+    if not len(mesh):
+        raise ValueError(f"{path}: no panels in it")
+    if not np.all(np.isfinite(mesh.points)):
+        raise ValueError(f"{path}: a coordinate is not a finite number")
+    return replace(_wetted(mesh).merged(SAME_POINT), name=path.stem)
+
+
+def write_mesh(mesh, path, lid=None, fields=None):
+    """Write a hull and, if there is one, its lid.
+
+    mesh, lid : PanelMesh with the same mirror planes
+    path : .gdf, .pnl with the mirror planes in them; .nemoh, .dat with y = 0; .msh, .vtu the whole hull
+    fields : {name: (n,) one real value a panel}, for .vtu
+    Raises ValueError for a suffix that cannot be written, or fields that do not fit.
+    """
+    path, fields = Path(path), fields or {}
+    suffix = path.suffix.lower()
+    if suffix not in WRITABLE:
+        raise ValueError(f"{path}: cannot write {suffix or 'without suffix'}; allowed: {', '.join(WRITABLE)}")
+    if fields and suffix != ".vtu":
+        raise ValueError(f"{path}: {suffix} holds no fields; allowed: .vtu")
+    if suffix in TEXT_WRITERS:
+        both = mesh if lid is None else joined([mesh, lid])
+        TEXT_WRITERS[suffix](replace(both, name=mesh.name), path)
+    elif suffix == ".msh":
+        from .gmsh_session import write_msh
+
+        write_msh({"hull": mesh.whole()} | ({} if lid is None else {"lid": lid.whole()}), path)
+    else:
+        _write_vtu(mesh, path, lid, fields)
+
+
+def _wetted(mesh):
+    size = float(np.ptp(mesh.points, axis=0).max())
+    flat = np.abs(mesh.vertices[..., 2]).max(axis=1) <= AT_SURFACE * size
+    dry = flat & (mesh.area_vectors[:, 2] > 0)
+    used, corners = np.unique(mesh.corners[~dry], return_inverse=True)
+    return replace(mesh, points=mesh.points[used], corners=corners.reshape(-1, 4))
+
+
+def _read_with_meshio(path):
+    import meshio
+
+    said = io.StringIO()
+    try:
+        quiet = np.errstate(over="ignore")  # meshio takes four letters of a text .stl for a count of triangles
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said), quiet:
+            found = meshio.read(path)
+    except (Exception, SystemExit) as error:  # meshio ends the program where it cannot read
+        cause = str(error) if str(error) not in ("", "1") else " ".join(said.getvalue().split())
+        raise ValueError(f"{path}: cannot be read ({cause or type(error).__name__})") from error
+    quads = found.cells_dict.get("quad", np.zeros((0, 4), np.int64))
+    triangles = found.cells_dict.get("triangle", np.zeros((0, 3), np.int64))
+    if not len(quads) + len(triangles):
+        kinds = ", ".join(sorted(found.cells_dict)) or "nothing"
+        raise ValueError(f"{path}: it holds {kinds}; allowed: triangle, quad")
+    points = found.points if found.points.shape[1] == 3 else np.pad(found.points, ((0, 0), (0, 1)))
+    return PanelMesh(points, np.concatenate([quads, triangles[:, [0, 1, 2, 2]]]))
+
+
+def _write_vtu(mesh, path, lid, fields):
+    """The whole hull with cell data: `lid` 0 or 1, and the fields, NaN on the lid."""
+    import meshio
+
+    hull = mesh.whole()
+    values = {name: _on_whole(name, field, mesh) for name, field in fields.items()}
+    whole = hull if lid is None else joined([hull, lid.whole()])
+    extra = len(whole) - len(hull)
+    values = {name: np.concatenate([v, np.full(extra, math.nan)]) for name, v in values.items()}
+    values["lid"] = np.concatenate([np.zeros(len(hull)), np.ones(extra)])
+    quads, triangles, order = text_formats.split(whole.corners)
+    cells = [(kind, block) for kind, block in (("quad", quads), ("triangle", triangles)) if len(block)]
+    cuts = np.cumsum([len(block) for _, block in cells])[:-1]
+    data = {name: np.split(v[order], cuts) for name, v in values.items()}
+    meshio.Mesh(whole.points, cells, cell_data=data).write(path)
+
+
+def _on_whole(name, field, mesh):
+    values = np.asarray(field, float)
+    if values.shape != (len(mesh),):
+        raise ValueError(f"field {name!r} has shape {values.shape}; allowed: ({len(mesh)},), one value a panel")
+    return np.tile(values, mesh.copies)

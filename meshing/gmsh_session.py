@@ -1,0 +1,198 @@
+"""gmsh, and the only import of it: meshes are made in a session that is always closed, and leave it as values.
+
+gmsh keeps one global state per process.  A session therefore holds a lock, reads no user settings, prints
+nothing, and leaves a state that the caller had opened before as it found it.
+"""
+
+from __future__ import annotations
+
+import threading
+from contextlib import contextmanager
+
+import numpy as np
+
+from .panels import PanelMesh
+from .text_formats import split
+
+TRIANGLE, QUADRANGLE = 2, 3  # gmsh element types
+SYSTEM_LIBRARIES = "libglu1-mesa libxcursor1 libxft2 libxinerama1 libxrender1 libgl1"
+
+_lock = threading.RLock()
+
+
+def _import_gmsh():
+    try:
+        import gmsh
+    except OSError as error:
+        raise ImportError(
+            f"gmsh lacks a system library ({error}); on Debian: apt-get install {SYSTEM_LIBRARIES}; "
+            "meshes from files work without gmsh"
+        ) from error
+    except ImportError as error:
+        raise ImportError(f"gmsh is not there ({error}); pip install gmsh, or give a mesh file") from error
+    return gmsh
+
+
+@contextmanager
+def session(name="hakobune"):
+    """The gmsh module with an empty model `name`, silent, closed again whatever happens.
+
+    Works outside the main thread and leaves Ctrl-C alone (`interruptible=False`: gmsh's own handler would
+    replace Python's, and can be set in the main thread only).
+    Raises ImportError naming the missing system library if gmsh cannot be loaded.
+    """
+    gmsh = _import_gmsh()
+    with _lock:
+        already_open = bool(gmsh.isInitialized())
+        if not already_open:
+            gmsh.initialize(readConfigFiles=False, interruptible=False)
+        terminal = gmsh.option.getNumber("General.Terminal")
+        before = gmsh.model.getCurrent()
+        try:
+            gmsh.option.setNumber("General.Terminal", 0)
+            gmsh.model.add(name)
+            yield gmsh
+        finally:
+            if already_open:
+                gmsh.model.setCurrent(name)
+                gmsh.model.remove()
+                gmsh.model.setCurrent(before)
+                gmsh.option.setNumber("General.Terminal", terminal)
+            else:
+                gmsh.finalize()
+
+
+def graded_patches(patches, symmetry="", name=""):
+    """Flat patches filled with structured quadrilaterals that start from the given points of their sides.
+
+    patches : list of patches, each a list of 4 (or 3) sides that follow one another counter-clockwise seen
+        from the water; a side is a polyline (k, 3) m that shares its ends with its neighbours.  Opposite sides
+        have the same number of points.  With 3 sides the patch is polar about the point where the first one
+        starts: the third has as many points as the first, and the panels at that point are triangles.
+    returns : PanelMesh; a point two patches share is one point
+
+    gmsh has no cosine law for the points of a side, so every segment is a line of one element and the patch is
+    told its corners.
+    """
+    with session(name or "patches") as gmsh:
+        build = _Builder(gmsh)
+        surfaces = [build.patch(sides) for sides in patches]
+        gmsh.model.geo.synchronize()
+        gmsh.model.mesh.generate(2)
+        outward = {tag: _loop_vector(sides) for tag, sides in zip(surfaces, patches, strict=True)}
+        return panels_of(gmsh, outward, symmetry, name)
+
+
+def filled(outer, holes=(), size=1.0, symmetry="", name=""):
+    """A flat polygon filled with quadrilaterals (a few triangles) of edges about `size`.
+
+    outer : (k, 3) m, closed polygon without its first point repeated, counter-clockwise seen from the side the
+        normals point to; holes : more such polygons, of any orientation
+    """
+    with session(name or "filled") as gmsh:
+        build = _Builder(gmsh)
+        loops = [build.loop(ring, size) for ring in (outer, *holes)]
+        surface = gmsh.model.geo.addPlaneSurface(loops)
+        gmsh.model.geo.mesh.setRecombine(2, surface)
+        gmsh.model.geo.synchronize()
+        gmsh.option.setNumber("Mesh.Algorithm", 8)  # frontal Delaunay for quadrilaterals
+        gmsh.model.mesh.generate(2)
+        return panels_of(gmsh, {surface: _ring_vector(outer)}, symmetry, name)
+
+
+def panels_of(gmsh, surfaces=None, symmetry="", name=""):
+    """The triangles and quadrilaterals of the current model.
+
+    surfaces : {surface tag: (3,) vector its normals are to agree with, or None to take them as they are};
+        by default all surfaces of the model
+    """
+    if surfaces is None:
+        surfaces = {tag: None for _, tag in gmsh.model.getEntities(2)}
+    tags, points, _ = gmsh.model.mesh.getNodes()
+    points = np.reshape(points, (-1, 3))
+    row = np.zeros(int(tags.max(initial=0)) + 1, np.int64)
+    row[tags.astype(np.int64)] = np.arange(len(tags))
+    blocks = [_surface_panels(gmsh, tag, row, points, along) for tag, along in surfaces.items()]
+    corners = np.concatenate(blocks) if blocks else np.zeros((0, 4), np.int64)
+    used, back = np.unique(corners, return_inverse=True)
+    return PanelMesh(points[used], back.reshape(-1, 4), symmetry, name)
+
+
+def write_msh(meshes, path):
+    """Write a .msh (format 4.1): every mesh a surface and a physical group of its own.
+
+    meshes : {name of the group: PanelMesh without mirror planes}
+    """
+    with session("write") as gmsh:
+        first_node = first_element = 1
+        for group, mesh in meshes.items():
+            surface = gmsh.model.addDiscreteEntity(2)
+            gmsh.model.mesh.addNodes(2, surface, np.arange(len(mesh.points)) + first_node, mesh.points.ravel())
+            quads, triangles, _ = split(mesh.corners)
+            for kind, corners in ((QUADRANGLE, quads), (TRIANGLE, triangles)):
+                if len(corners):
+                    tags = np.arange(len(corners)) + first_element
+                    gmsh.model.mesh.addElementsByType(surface, kind, tags, (corners + first_node).ravel())
+                    first_element += len(corners)
+            first_node += len(mesh.points)
+            gmsh.model.addPhysicalGroup(2, [surface], name=group)
+        gmsh.write(str(path))
+
+
+class _Builder:
+    """Points and lines by their coordinates, so that neighbours share them."""
+
+    def __init__(self, gmsh):
+        self.geo = gmsh.model.geo
+        self.points, self.lines = {}, {}
+
+    def point(self, xyz, size=0.0):
+        key = tuple(float(c) + 0.0 for c in xyz)  # + 0.0: minus zero is zero
+        if key not in self.points:
+            self.points[key] = self.geo.addPoint(*key, size)
+        return self.points[key]
+
+    def line(self, a, b):
+        """Signed tag of the line from point a to point b."""
+        if (b, a) in self.lines:
+            return -self.lines[b, a]
+        if (a, b) not in self.lines:
+            self.lines[a, b] = self.geo.addLine(a, b)
+        return self.lines[a, b]
+
+    def patch(self, sides):
+        tags = [[self.point(xyz) for xyz in side] for side in sides]
+        chain = [tag for side in tags for tag in side[:-1]]
+        lines = [self.line(a, b) for a, b in zip(chain, chain[1:] + chain[:1], strict=True)]
+        for line in lines:
+            self.geo.mesh.setTransfiniteCurve(abs(line), 2)
+        surface = self.geo.addPlaneSurface([self.geo.addCurveLoop(lines)])
+        self.geo.mesh.setTransfiniteSurface(surface, cornerTags=[side[0] for side in tags])
+        self.geo.mesh.setRecombine(2, surface)
+        return surface
+
+    def loop(self, ring, size):
+        tags = [self.point(xyz, size) for xyz in ring]
+        return self.geo.addCurveLoop([self.line(a, b) for a, b in zip(tags, tags[1:] + tags[:1], strict=True)])
+
+
+def _surface_panels(gmsh, surface, row, points, along):
+    """(n, 4) corners on one surface, turned to agree with the vector `along`"""
+    quads = row[gmsh.model.mesh.getElementsByType(QUADRANGLE, surface)[1].astype(np.int64)].reshape(-1, 4)
+    triangles = row[gmsh.model.mesh.getElementsByType(TRIANGLE, surface)[1].astype(np.int64)].reshape(-1, 3)
+    corners = np.concatenate([quads, triangles[:, [0, 1, 2, 2]]])
+    if along is None or not len(corners):
+        return corners
+    v = points[corners]
+    vector = 0.5 * np.cross(v[:, 2] - v[:, 0], v[:, 3] - v[:, 1]).sum(axis=0)
+    return corners if vector @ along > 0 else corners[:, [0, 3, 2, 1]]
+
+
+def _ring_vector(ring):
+    """(3,) vector area of a closed polygon (k, 3)"""
+    ring = np.asarray(ring, float) - np.asarray(ring, float)[0]
+    return 0.5 * np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
+
+
+def _loop_vector(sides):
+    return _ring_vector(np.concatenate([np.asarray(side)[:-1] for side in sides]))

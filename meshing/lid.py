@@ -1,0 +1,209 @@
+"""Lid: panels on the water surface inside a floating body, against irregular frequencies.
+
+The boundary integral equation of the outside has false resonances at the eigenfrequencies of the water that
+would slosh inside the hull.  Extending it by unknowns on the inner free surface removes them; the density there
+is zero in the exact solution, so the lid may be coarse and need not share its points with the hull.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+
+from .gmsh_session import filled, graded_patches
+from .panels import PanelMesh, joined
+
+STRAIGHT = 1e-6  # sine of the turn up to which two waterline edges are one line
+AT_SURFACE = 1e-6  # of the draft: points this close to z = 0 belong to the waterline
+
+
+def lid(mesh, size=None):
+    """Panels of the inner free surface of a hull, normals up, with the mirror planes of the hull.
+
+    mesh : PanelMesh
+    size : m, edge length to aim at; by default a third as many panels as the hull has
+    returns : PanelMesh in z = 0, or None if nothing of the hull reaches the water surface
+
+    Every closed waterline that runs counter-clockwise has a lid; one that runs clockwise bounds a moonpool,
+    whose water is outside.  Raises ValueError if the waterline does not close, or touches itself.
+    """
+    loops = waterline(mesh)
+    if not loops:
+        return None
+    rings = _closed(loops, mesh)
+    areas = [_area(ring) for ring in rings]
+    if sum(areas) <= 0:
+        raise ValueError(
+            f"lid: the waterline encloses {sum(areas):.4g} m²; its normals point inward or it is not closed"
+        )
+    if size is None:
+        size = math.sqrt(sum(areas) / max(1.0, len(mesh) / 3))
+    if not (math.isfinite(size) and size > 0):
+        raise ValueError(f"lid: size is {size} m; allowed: a positive length")
+    outer = [ring for ring, area in zip(rings, areas, strict=True) if area > 0]
+    holes = [ring for ring, area in zip(rings, areas, strict=True) if area < 0]
+    pieces = [_filled(ring, [h for h in holes if _inside(h, ring)], size, mesh.symmetry) for ring in outer]
+    whole = joined(pieces)
+    return PanelMesh(whole.points, whole.corners, mesh.symmetry, f"lid of {mesh.name}".strip())
+
+
+def waterline(mesh):
+    """Where the hull cuts the water surface: a list of (k, 3) m polylines, the body on their left.
+
+    Closed ones end with their first point, open ones on mirror planes; only the part of the hull that the mesh
+    holds.  Raises ValueError where more than two edges meet at a point.
+    """
+    welded = mesh.merged()
+    points, edges = welded.points, _surface_edges(welded)
+    after = {}
+    for a, b in edges:
+        if a in after:
+            raise ValueError(f"lid: the waterline forks at {_where(points[a])}; see the mesh findings")
+        after[a] = b
+    arrivals = [b for _, b in edges]
+    if len(set(arrivals)) != len(arrivals):
+        twice = next(b for b in arrivals if arrivals.count(b) > 1)
+        raise ValueError(f"lid: the waterline forks at {_where(points[twice])}; see the mesh findings")
+    starts = [a for a in after if a not in set(arrivals)]
+    loops = []
+    while after:
+        first = starts.pop() if starts else next(iter(after))
+        chain = [first]
+        while chain[-1] in after:
+            chain.append(after.pop(chain[-1]))
+        loops.append(points[chain] * (1, 1, 0))
+    return loops
+
+
+def _surface_edges(mesh):
+    """[(a, b)] point numbers of panel edges in z = 0, against the panel's own direction: the body is left"""
+    flat = np.abs(mesh.points[:, 2]) <= AT_SURFACE * max(mesh.draft, 0.0)
+    a = mesh.corners
+    b = np.roll(a, -1, axis=1)
+    ours = flat[a] & flat[b] & (a != b)
+    in_surface = flat[a].all(axis=1)  # a deck panel; its edges are not the waterline
+    ours[in_surface] = False
+    return [(int(e), int(s)) for s, e in zip(a[ours], b[ours], strict=True)]
+
+
+def _closed(loops, mesh):
+    """Closed polygons (k, 3) of the waterplane; open waterlines are continued along the mirror planes.
+
+    With the meshed half or quarter plane on the left, the place along its edge is x − y: down the y axis, then
+    out the x axis.  A waterline that ends there is continued to the next that starts.
+    """
+    rings = [loop[:-1] for loop in loops if np.array_equal(loop[0], loop[-1])]
+    arcs = [_on_planes(loop, mesh) for loop in loops if not np.array_equal(loop[0], loop[-1])]
+    starts, ends = ([arc[i, 0] - arc[i, 1] for arc in arcs] for i in (0, -1))
+    following = {}
+    for k, end in enumerate(ends):
+        ahead = [j for j, start in enumerate(starts) if start > end and j not in following.values()]
+        if not ahead:
+            raise ValueError(
+                f"lid: the waterline that ends at {_where(arcs[k][-1])} does not close; normals may be inward"
+            )
+        following[k] = min(ahead, key=lambda j: starts[j])
+    while following:
+        k, ring = next(iter(following)), []
+        while k in following:
+            ring.append(arcs[k])
+            after = following.pop(k)
+            if ends[k] < 0 < starts[after]:
+                ring.append(np.zeros((1, 3)))  # round the corner of the quarter plane
+            k = after
+        rings.append(np.concatenate(ring))
+    return rings
+
+
+def _on_planes(arc, mesh):
+    """An open waterline with its ends put exactly on the mirror planes.  Raises ValueError if one is free."""
+    arc, reach = arc.copy(), 1e-6 * np.ptp(mesh.points, axis=0).max()
+    for end in (arc[0], arc[-1]):
+        axes = ["xy".index(axis) for axis in mesh.symmetry if abs(end["xy".index(axis)]) <= reach]
+        if not axes:
+            raise ValueError(f"lid: the waterline has a free end at {_where(end)}; see the mesh findings")
+        end[axes] = 0.0
+    return arc
+
+
+def _simplified(ring, size):
+    """The polygon without collinear points, and on curved stretches with edges no shorter than about `size`."""
+    before, after = np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring
+    sine = _cross(after, before) / (np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1))
+    forward = np.einsum("ij,ij->i", before, after) < 0
+    ring = ring[~(forward & (np.abs(sine) < STRAIGHT))]
+    inward, outward = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
+    turn = np.arctan2(_cross(inward, outward), np.einsum("ij,ij->i", inward, outward))
+    kept = np.abs(turn) > np.pi / 4  # a corner of the plan
+    start = int(np.argmax(np.abs(turn)))
+    ring, kept = np.roll(ring, -start, axis=0), np.roll(kept, -start)
+    length = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
+    place = np.concatenate([[0.0], np.cumsum(length)])
+    kept[0] = True
+    corners = np.append(np.flatnonzero(kept), len(ring))
+    chosen = [_spaced(place, first, last, size) for first, last in pairwise(corners)]
+    chosen = np.concatenate(chosen)
+    return ring[chosen] if len(chosen) > 2 else ring
+
+
+def _spaced(place, first, last, size):
+    """Numbers from `first` up to, not including, `last` whose places on the polygon are about `size` apart"""
+    wanted = max(1, round((place[last] - place[first]) / size))
+    marks = np.linspace(place[first], place[last], wanted + 1)[:-1]
+    near = first + np.abs(place[first:last, None] - marks).argmin(axis=0)
+    return np.unique(near)
+
+
+def _filled(ring, holes, size, symmetry):
+    """Panels of about the area size² inside a ring and outside its holes."""
+    plan = _simplified(ring, size)
+    if len(plan) == 4 and not holes and _is_rectangle(plan):
+        return _grid(plan, size, symmetry)
+    wanted = (_area(ring) + sum(_area(hole) for hole in holes)) / size**2
+    for _ in range(3):  # gmsh rounds edges up to whole panels and makes up to twice as many as asked for
+        made = filled(_simplified(ring, size), [_simplified(h, size) for h in holes], size, symmetry, "lid")
+        if len(made) <= 1.2 * wanted:
+            break
+        size *= math.sqrt(len(made) / wanted)
+    return made
+
+
+def _grid(ring, size, symmetry):
+    sides = []
+    for k in range(4):
+        a, b = ring[k], ring[(k + 1) % 4]
+        n = max(1, round(float(np.linalg.norm(ring[k % 2 + 1] - ring[k % 2])) / size))
+        sides.append(np.concatenate([a + np.arange(n)[:, None] / n * (b - a), b[None]]))
+    return graded_patches([sides], symmetry, "lid")
+
+
+def _is_rectangle(ring):
+    edges = np.roll(ring, -1, axis=0) - ring
+    long = np.linalg.norm(edges, axis=1)
+    dots = np.einsum("ij,ij->i", edges, np.roll(edges, -1, axis=0))
+    return bool(np.all(np.abs(dots) <= 1e-9 * long * np.roll(long, -1)))
+
+
+def _area(ring):
+    """m², positive for a counter-clockwise ring"""
+    return 0.5 * float(_cross(ring, np.roll(ring, -1, axis=0)).sum())
+
+
+def _inside(ring, other):
+    """Is the first point of a ring inside the other one; by the number of crossings to the right."""
+    x, y = ring[0, :2]
+    a, b = other, np.roll(other, -1, axis=0)
+    crosses = (a[:, 1] > y) != (b[:, 1] > y)
+    a, b = a[crosses], b[crosses]
+    at = a[:, 0] + (y - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])
+    return bool(np.count_nonzero(at > x) % 2)
+
+
+def _cross(a, b):
+    return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+
+
+def _where(point):
+    return f"x = {point[0]:.4g}, y = {point[1]:.4g} m"

@@ -1,0 +1,298 @@
+"""What is wrong, or doubtful, with a mesh: findings, not exceptions, one line for each kind.
+
+Of a closed hull every edge belongs to two panels, which run along it in opposite directions; an edge with one
+panel lies in the water surface, on a mirror plane, or on the sea bed under a body that stands on it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+WELD = 1e-6  # of the hull's size: points closer than that are one
+AT_SURFACE = 1e-6  # of the draft
+NO_AREA = 1e-9  # of the square of the longest edge
+LONGEST_ASPECT = 100.0
+LARGEST_WARP = 0.1  # distance of a corner from the panel's mean plane, of the longest edge
+PANELS_PER_WAVE = 3  # of two by two nodes each: six nodes a wave
+LID_AREA = 0.1  # relative difference between lid and waterplane
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One line on a mesh: cause, number, limit, remedy.
+
+    severity : "error" makes results wrong, "warning" makes them doubtful
+    """
+
+    severity: str
+    text: str
+
+    def __str__(self):
+        return f"{self.severity}: {self.text}"
+
+
+def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
+    """Findings on a hull mesh, errors first; an empty list if there is nothing to say.
+
+    mesh : PanelMesh, as the solver will use it
+    depth : m of water
+    shortest_wave : m, length of the shortest wave to be solved, or None
+    lid : PanelMesh of the inner free surface, or None
+    """
+    unreadable = list(_numbers(mesh))
+    if unreadable:
+        return unreadable
+    welded = mesh.merged(WELD)
+    edges = _Edges(welded, depth)
+    found = [
+        *_position(mesh),
+        *_shapes(mesh),
+        *_duplicates(welded),
+        *_holes(edges),
+        *_orientation(welded, edges),
+        *_clearance(mesh, depth, edges),
+        *_resolution(mesh, shortest_wave),
+        *_lid(mesh, lid),
+    ]
+    return sorted(found, key=lambda finding: finding.severity != "error")
+
+
+class _Edges:
+    """Every edge of a mesh once, with how the panels use it."""
+
+    def __init__(self, mesh, depth):
+        a, b = mesh.corners, np.roll(mesh.corners, -1, axis=1)
+        panel = np.repeat(np.arange(len(mesh)), 4).reshape(-1, 4)
+        real = a != b
+        start, end, self.panel = a[real], b[real], panel[real]
+        ends = np.stack([np.minimum(start, end), np.maximum(start, end)], axis=1)
+        self.ends, self.number = np.unique(ends, axis=0, return_inverse=True)
+        self.number = self.number.reshape(-1)
+        self.uses = np.bincount(self.number, minlength=len(self.ends))
+        self.balance = np.bincount(
+            self.number, np.where(start < end, 1, -1), minlength=len(self.ends)
+        )  # 0 where two panels run in opposite directions
+        self.points = mesh.points
+        reach = _reach(mesh)
+        both = mesh.points[self.ends]  # (e, 2, 3)
+        self.at_surface = (np.abs(both[..., 2]) <= AT_SURFACE * max(mesh.draft, 0.0)).all(axis=1)
+        self.at_bed = (np.abs(both[..., 2] + depth) <= reach).all(axis=1)
+        self.on_plane = np.zeros(len(self.ends), bool)
+        for axis in mesh.symmetry:
+            self.on_plane |= (np.abs(both[..., "xy".index(axis)]) <= reach).all(axis=1)
+
+    def middle(self, which):
+        """Where the first of some edges is, in words"""
+        return _where(self.points[self.ends[np.flatnonzero(which)[0]]].mean(axis=0))
+
+    @property
+    def stands_on_bed(self):
+        return bool(np.any(self.at_bed & ~self.on_plane & (self.uses == 1)))
+
+
+def _numbers(mesh):
+    if not len(mesh):
+        yield Finding("error", "the mesh has no panels")
+        return
+    bad = ~np.isfinite(mesh.vertices).all(axis=(1, 2))
+    if bad.any():
+        yield Finding(
+            "error",
+            f"{_count(bad)} with a corner that is not a finite number, the first is panel "
+            f"{np.flatnonzero(bad)[0]}; correct the file",
+        )
+
+
+def _position(mesh):
+    dry = mesh.vertices[..., 2].max(axis=1) > AT_SURFACE * max(mesh.draft, 0.0)
+    if dry.any():
+        top = mesh.vertices[..., 2].max()
+        yield Finding(
+            "error",
+            f"{_count(dry)} above the water, up to z = {top:.4g} m; allowed: z ≤ 0; "
+            "cut the hull at the waterline or move it down",
+        )
+    flat = np.abs(mesh.vertices[..., 2]).max(axis=1) <= AT_SURFACE * max(mesh.draft, 0.0)
+    lids = flat & (mesh.area_vectors[:, 2] > 0)
+    if lids.any():
+        yield Finding(
+            "error",
+            f"{_count(lids)} in the water surface, facing up: no water wets them; remove them, a lid is made apart",
+        )
+    for axis in mesh.symmetry:
+        side = mesh.vertices[..., "xy".index(axis)]
+        across = side.min(axis=1) < -_reach(mesh)
+        if across.any():
+            yield Finding(
+                "error",
+                f"{_count(across)} across the mirror plane {axis} = 0, down to {axis} = {side.min():.4g} m; "
+                f"allowed: {axis} ≥ 0; give one side only, or no symmetry",
+            )
+
+
+def _shapes(mesh):
+    empty = mesh.areas <= NO_AREA * mesh.sizes**2
+    if empty.any():
+        yield Finding(
+            "error",
+            f"{_count(empty)} without area, the first is panel {np.flatnonzero(empty)[0]} near "
+            f"{_where(mesh.vertices[empty][0].mean(axis=0))}; remove them",
+        )
+    sound = ~empty
+    aspect = np.zeros(len(mesh))
+    aspect[sound] = mesh.sizes[sound] ** 2 / mesh.areas[sound]
+    long = aspect > LONGEST_ASPECT
+    if long.any():
+        yield Finding(
+            "warning",
+            f"{_count(long)} with an aspect ratio up to {aspect.max():.3g}, good: ≤ {LONGEST_ASPECT:g}; "
+            "divide the long side more often",
+        )
+    warp = np.linalg.norm(mesh.vertices - mesh.flat_vertices, axis=2).max(axis=1)
+    twisted = sound & (warp > LARGEST_WARP * mesh.sizes)
+    if twisted.any():
+        worst = (warp[sound] / mesh.sizes[sound]).max()
+        yield Finding(
+            "warning",
+            f"{_count(twisted)} not flat, corners off the plane by up to {100 * worst:.3g} % of the longest edge, "
+            f"good: ≤ {100 * LARGEST_WARP:g} %; use smaller panels or triangles",
+        )
+
+
+def _duplicates(mesh):
+    _, first = np.unique(np.sort(mesh.corners, axis=1), axis=0, return_index=True)
+    again = np.ones(len(mesh), bool)
+    again[first] = False
+    if again.any():
+        yield Finding(
+            "error",
+            f"{_count(again)} present twice, the first near {_where(mesh.centroids[again][0])}; remove the copies",
+        )
+
+
+def _holes(edges):
+    free = (edges.uses == 1) & ~(edges.at_surface | edges.on_plane | edges.at_bed)
+    if free.any():
+        lengths = np.linalg.norm(np.diff(edges.points[edges.ends[free]], axis=1), axis=2)
+        yield Finding(
+            "error",
+            f"the hull is open along {free.sum()} edges, {lengths.sum():.4g} m in all, the first near "
+            f"{edges.middle(free)}; close it, and let panels meet corner to corner",
+        )
+    crowded = edges.uses > 2
+    if crowded.any():
+        yield Finding(
+            "error",
+            f"{crowded.sum()} edges with more than two panels (up to {edges.uses.max()}), the first near "
+            f"{edges.middle(crowded)}; remove inner walls",
+        )
+
+
+def _orientation(mesh, edges):
+    mixed = (edges.uses == 2) & (edges.balance != 0)
+    if mixed.any():
+        yield Finding(
+            "error",
+            f"normals change side across {mixed.sum()} edges, the first near {edges.middle(mixed)}; "
+            "turn the panels on one side of them",
+        )
+        return
+    part, volume = _parts(mesh, edges)
+    standing = np.zeros(len(volume), bool)
+    standing[part[edges.panel[edges.at_bed[edges.number]]]] = True  # its sign may be that of a moonpool
+    inward = (volume < 0) & ~standing
+    if standing.any() and volume[standing].sum() < 0:
+        inward |= standing
+    if inward.any():
+        panels = inward[part]
+        yield Finding(
+            "error",
+            f"the normals of {_count(panels)} point into the body (volume {volume[inward].sum():.6g} m³); "
+            "use flipped()",
+        )
+
+
+def _parts(mesh, edges):
+    """Number of the connected part of each panel (n,), and the volumes of the parts with their images in m³"""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    n, e = len(mesh), len(edges.ends)
+    ones = np.ones(len(edges.panel))
+    graph = coo_array((ones, (edges.panel, n + edges.number)), shape=(n + e, n + e))
+    _, part = connected_components(graph, directed=False)
+    _, part = np.unique(part[:n], return_inverse=True)
+    share = np.einsum("ni,ni->n", mesh.centroids, mesh.area_vectors) / 3
+    return part, mesh.copies * np.bincount(part, share)
+
+
+def _clearance(mesh, depth, edges):
+    gap = depth - mesh.draft
+    if edges.stands_on_bed and abs(gap) <= _reach(mesh):
+        return
+    if not gap > 0:
+        yield Finding(
+            "error",
+            f"the draft {mesh.draft:.4g} m leaves {gap:.4g} m of water under the keel; allowed: more than 0 in "
+            f"{depth:.4g} m of water, or a wall without bottom that ends on the sea bed",
+        )
+        return
+    low = mesh.normals[:, 2] < -0.5
+    gaps = depth + mesh.centroids[:, 2]
+    wide = low & (mesh.sizes > gaps)
+    if wide.any():
+        yield Finding(
+            "warning",
+            f"{_count(wide)} on the bottom longer than the water under them is deep: up to "
+            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; ask for more panels",
+        )
+
+
+def _resolution(mesh, shortest_wave):
+    if shortest_wave is None:
+        return
+    limit = shortest_wave / PANELS_PER_WAVE
+    coarse = mesh.sizes > limit * (1 + 1e-9)
+    if coarse.any():
+        yield Finding(
+            "warning",
+            f"{_count(coarse)} up to {mesh.sizes.max():.3g} m long, coarse for the wave length {shortest_wave:.4g} m; "
+            f"good: ≤ {limit:.3g} m (a third); ask for more panels or leave out the shortest waves",
+        )
+
+
+def _lid(mesh, lid):
+    if lid is None:
+        return
+    off = np.abs(lid.points[np.unique(lid.corners), 2]).max(initial=0.0)
+    if off > AT_SURFACE * max(mesh.draft, 0.0):
+        yield Finding("error", f"the lid is {off:.4g} m off the water surface; allowed: z = 0")
+    if len(lid) and lid.area_vectors[:, 2].min() < 0:
+        yield Finding("error", "the lid has normals that point down; allowed: up; use flipped()")
+    if lid.symmetry != mesh.symmetry:
+        yield Finding("error", f"the lid has the symmetry {lid.symmetry!r}, the hull {mesh.symmetry!r}")
+    inside = -mesh.copies * mesh.area_vectors[:, 2].sum()
+    covered = lid.copies * lid.areas.sum()
+    if inside > 0 and abs(covered / inside - 1) > LID_AREA:
+        yield Finding(
+            "warning",
+            f"the lid covers {covered:.4g} m² of a waterplane of {inside:.4g} m²; good: within "
+            f"{100 * LID_AREA:g} %; make it anew with meshing.lid",
+        )
+
+
+def _reach(mesh):
+    """m, how close two things are that are meant to be one"""
+    return WELD * float(np.ptp(mesh.vertices.reshape(-1, 3), axis=0).max())
+
+
+def _count(which):
+    n = int(np.count_nonzero(which))
+    return f"{n} of {len(which)} panels"
+
+
+def _where(point):
+    return f"x = {point[0]:.4g}, y = {point[1]:.4g}, z = {point[2]:.4g} m"

@@ -1,0 +1,204 @@
+"""Panel files that are plain text: WAMIT GDF, Nemoh and HAMS.
+
+All three number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section 6.1),
+which is the order of PanelMesh: normals come out as they are in the file, into the water.  Readers change no
+orientation; `meshing.quality.findings` tells when it is wrong.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .panels import PanelMesh
+
+FOOT = 0.3048  # m
+
+
+def read_gdf(path):
+    """Low-order WAMIT geometry: header, ULEN GRAV, ISX ISY, NPAN, then four corners a panel.
+
+    GRAV says whether lengths are metres or feet; ULEN does not scale the corners.
+    """
+    lines = path.read_text(errors="replace").splitlines()
+    if len(lines) < 4:
+        raise ValueError(f"{path}: {len(lines)} lines; a GDF file has a header, ULEN GRAV, ISX ISY, NPAN, panels")
+    _, gravity = _numbers(path, 2, lines[1], 2)
+    unit = _unit(path, gravity)
+    symmetry = _symmetry(path, 3, _numbers(path, 3, lines[2], 2))
+    (panels,) = _numbers(path, 4, lines[3], 1)
+    if len(lines[3].split()) > 1 and _is_number(lines[3].split()[1]):
+        raise ValueError(f"{path}, line 4: {lines[3].strip()!r} is a higher-order file; allowed: flat panels")
+    values = [_number(path, k, word) for k, line in enumerate(lines[4:], 5) for word in line.split()]
+    if len(values) != 12 * panels:
+        raise ValueError(f"{path}: {len(values)} coordinates after line 4; {panels:g} panels have {12 * panels:g}")
+    points = unit * np.reshape(values, (-1, 3))
+    return PanelMesh(points, np.arange(len(points)).reshape(-1, 4), symmetry)
+
+
+def write_gdf(mesh, path, gravity=9.80665):
+    """Write a PanelMesh as low-order WAMIT geometry in metres, its mirror planes as ISX and ISY."""
+    head = [
+        mesh.name or "panel mesh",
+        f"1.0 {gravity} ULEN GRAV",
+        f"{int('x' in mesh.symmetry)} {int('y' in mesh.symmetry)} ISX ISY",
+        f"{len(mesh)} NPAN",
+    ]
+    panels = [_row(corner) for panel in mesh.vertices for corner in panel]
+    path.write_text("\n".join([*head, *panels, ""]))
+
+
+def read_nemoh(path):
+    """Nemoh mesh: `2 s` with s = 1 for the mirror plane y = 0, points, a line of zeros, panels, zeros."""
+    rows = [(k, line.split()) for k, line in enumerate(path.read_text(errors="replace").splitlines(), 1)]
+    rows = [(k, [_number(path, k, word) for word in words]) for k, words in rows if words]
+    if not rows or len(rows[0][1]) < 2 or rows[0][1][1] not in (0, 1):
+        raise ValueError(f"{path}, line 1: allowed: '2 0' or '2 1', the second for the mirror plane y = 0")
+    symmetry = "y" if rows[0][1][1] else ""
+    points, panels, numbers = [], [], {}
+    rest = iter(rows[1:])
+    for k, row in rest:
+        if row[0] == 0:
+            break
+        if len(row) < 4:
+            raise ValueError(f"{path}, line {k}: {len(row)} numbers; a point has a number and x y z")
+        numbers[int(row[0])] = len(points)
+        points.append(row[1:4])
+    else:
+        raise ValueError(f"{path}: no line '0 0. 0. 0.' after the points")
+    for k, row in rest:
+        if row[0] == 0:
+            break
+        panels.append(_panel(path, k, row, numbers))
+    return PanelMesh(np.array(points), np.array(panels), symmetry)
+
+
+def write_nemoh(mesh, path):
+    """Write a PanelMesh for Nemoh, which knows the mirror plane y = 0 only; x = 0 is written out."""
+    if "x" in mesh.symmetry:
+        whole = mesh.whole()
+        if mesh.symmetry == "xy":
+            whole = PanelMesh(mesh.points, mesh.corners, "x", mesh.name).whole()
+        mesh = PanelMesh(whole.points, whole.corners, mesh.symmetry.replace("x", ""), mesh.name)
+    points = [f"{i} {_row(point)}" for i, point in enumerate(mesh.points, 1)]
+    panels = [" ".join(map(str, panel + 1)) for panel in mesh.corners]
+    head = f"2 {int(mesh.symmetry == 'y')}"
+    path.write_text("\n".join([head, *points, "0 0. 0. 0.", *panels, "0 0 0 0", ""]))
+
+
+def read_pnl(path):
+    """HAMS hull mesh: numbers of panels and points and mirror planes, then points, then panels of 3 or 4."""
+    rows = []
+    for k, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+        words = line.split("!")[0].split()
+        if words and _is_number(words[0]):
+            rows.append((k, [_number(path, k, word) for word in words]))
+    if not rows or len(rows[0][1]) < 4:
+        raise ValueError(f"{path}: no line with numbers of panels, nodes, x symmetry, y symmetry")
+    n_panels, n_points = (int(value) for value in rows[0][1][:2])
+    symmetry = _symmetry(path, rows[0][0], rows[0][1][2:4])
+    if len(rows) != 1 + n_points + n_panels:
+        raise ValueError(
+            f"{path}: {len(rows) - 1} lines of numbers; {n_points} nodes and {n_panels} panels need "
+            f"{n_points + n_panels}"
+        )
+    points, numbers = [], {}
+    for k, row in rows[1 : 1 + n_points]:
+        if len(row) < 4:
+            raise ValueError(f"{path}, line {k}: {len(row)} numbers; a node has a number and x y z")
+        numbers[int(row[0])] = len(points)
+        points.append(row[1:4])
+    panels = []
+    for k, row in rows[1 + n_points :]:
+        if len(row) < 2 or row[1] not in (3, 4) or len(row) < 2 + row[1]:
+            raise ValueError(f"{path}, line {k}: a panel has a number, 3 or 4, and so many nodes")
+        panels.append(_panel(path, k, row[2 : 2 + int(row[1])], numbers))
+    return PanelMesh(np.array(points), np.array(panels), symmetry)
+
+
+def write_pnl(mesh, path):
+    """Write a PanelMesh for HAMS, with its mirror planes."""
+    quads, triangles, _ = split(mesh.corners)
+    panels = [*quads, *triangles]
+    lines = [
+        f"    --------------{mesh.name or 'Hull Mesh File'}---------------",
+        "",
+        "    # Number of Panels, Nodes, X-Symmetry and Y-Symmetry",
+        f"    {len(panels)} {len(mesh.points)} {int('x' in mesh.symmetry)} {int('y' in mesh.symmetry)}",
+        "",
+        "    #Start Definition of Node Coordinates     ! node_number   x   y   z",
+        *(f"{i} {_row(point)}" for i, point in enumerate(mesh.points, 1)),
+        "    #End Definition of Node Coordinates",
+        "",
+        "    #Start Definition of Node Relations   ! panel_number  number_of_vertices   vertices",
+        *(f"{i} {len(panel)} {' '.join(map(str, panel + 1))}" for i, panel in enumerate(panels, 1)),
+        "    #End Definition of Node Relations",
+        "",
+    ]
+    path.write_text("\n".join(lines))
+
+
+def split(corners):
+    """Panels (n, 4) as quadrilaterals (q, 4) and triangles (t, 3), and the panel numbers (n,) in that order.
+
+    Raises ValueError for a panel with fewer than three different corners.
+    """
+    repeated = corners == np.roll(corners, -1, axis=1)
+    is_triangle = repeated.any(axis=1)
+    if np.any(repeated.sum(axis=1) > 1):
+        raise ValueError(
+            f"panel {int(repeated.sum(axis=1).argmax())} has fewer than three different corners; see the mesh findings"
+        )
+    triangles = corners[is_triangle][~repeated[is_triangle]].reshape(-1, 3)
+    return corners[~is_triangle], triangles, np.argsort(is_triangle, kind="stable")
+
+
+def _row(point):
+    return " ".join(repr(float(c) + 0.0) for c in point)  # + 0.0: minus zero is zero
+
+
+def _panel(path, k, row, numbers):
+    """(4,) point numbers from those of the file; a triangle repeats its last one"""
+    if len(row) < 3:
+        raise ValueError(f"{path}, line {k}: {len(row)} nodes; a panel has 3 or 4")
+    try:
+        corners = [numbers[int(value)] for value in row[:4]]
+    except KeyError as error:
+        raise ValueError(f"{path}, line {k}: there is no point {error}; the file has {len(numbers)}") from None
+    return corners if len(corners) == 4 else [*corners, corners[-1]]
+
+
+def _unit(path, gravity):
+    """m per unit of length of a file, from its acceleration of gravity"""
+    if 9.7 < gravity < 9.9:
+        return 1.0
+    if 31.8 < gravity < 32.5:
+        return FOOT
+    raise ValueError(f"{path}, line 2: GRAV is {gravity:g}; allowed: 9.80665 (metres) or 32.174 (feet)")
+
+
+def _symmetry(path, k, flags):
+    if any(flag not in (0, 1) for flag in flags):
+        raise ValueError(f"{path}, line {k}: symmetry {flags[0]:g} {flags[1]:g}; allowed: 0 or 1 each")
+    return "".join(axis for axis, flag in zip("xy", flags, strict=True) if flag)
+
+
+def _numbers(path, k, line, count):
+    words = line.split()
+    if len(words) < count:
+        raise ValueError(f"{path}, line {k}: {line.strip()!r}; {count} numbers are needed")
+    return [_number(path, k, word) for word in words[:count]]
+
+
+def _number(path, k, word):
+    try:
+        return float(word.rstrip(",").replace("D", "E").replace("d", "e"))
+    except ValueError:
+        raise ValueError(f"{path}, line {k}: {word!r} is not a number") from None
+
+
+def _is_number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,33 @@
+"""`hakobune check`: does the physics of a database hold, and is its mesh sound."""
+
+from __future__ import annotations
+
+import numpy as np
+from meshing.quality import findings
+
+from bem.database import open_database
+
+from .report import checked, checks_table
+
+
+def check(path, console):
+    """Print checks and findings of a database; returns 0 if all is there and holds, else 1."""
+    db = open_database(path)
+    found = _findings(db)
+    checks = checked(db) if len(db.omega) else []
+    if checks:
+        console.print(checks_table(checks))
+    for finding in found:
+        console.print(f"{finding.severity}: {finding.text}", highlight=False, markup=False, soft_wrap=True)
+    if not db.complete:
+        stored = f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored"
+        console.print(f"incomplete: {stored}; run its command again to go on", highlight=False, soft_wrap=True)
+    sound = all(part.passed for part in checks) and not any(f.severity == "error" for f in found)
+    return 0 if sound and db.complete else 1
+
+
+def _findings(db):
+    if not len(db.omega):
+        return findings(db.mesh, db.water_depth, lid=db.lid)
+    wave = 2 * np.pi / float(db["wavenumber"].max())
+    return findings(db.mesh, db.water_depth, wave, db.lid)

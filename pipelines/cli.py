@@ -1,0 +1,186 @@
+"""The `hakobune` command.  Heavy imports happen inside the commands, so that help answers at once."""
+
+from __future__ import annotations
+
+import sys
+from importlib import metadata
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import App, CycloptsError, Parameter
+
+from .flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
+
+app = App(
+    name="hakobune",
+    help="From a floating body's dimensions to the tension in its last mooring line.",
+    version=lambda: metadata.version("hakobune"),
+    result_action="return_value",
+)
+Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
+SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the flags are laid over")]
+
+
+@app.command
+def box(
+    scene: SceneFile = None,
+    /,
+    *,
+    length: Size = None,
+    beam: Size = None,
+    draft: Size = None,
+    flags: SceneFlags = SceneFlags(),  # noqa: B008 - a frozen value
+    run: RunFlags = RunFlags(),  # noqa: B008
+):
+    """Radiation, diffraction, motions and drift of a box; sizes in m.
+
+    A second call with the same output takes up where the first stopped, or adds what is new.
+    """
+    return _solve(scene, {"shape": "box", "length": length, "beam": beam, "draft": draft}, flags, run)
+
+
+@app.command
+def buoy(
+    scene: SceneFile = None,
+    /,
+    *,
+    radius: Size = None,
+    draft: Size = None,
+    flags: SceneFlags = SceneFlags(),  # noqa: B008
+    run: RunFlags = RunFlags(),  # noqa: B008
+):
+    """The same for a vertical circular cylinder; sizes in m."""
+    return _solve(scene, {"shape": "buoy", "radius": radius, "draft": draft}, flags, run)
+
+
+@app.command
+def solve(
+    scene: SceneFile = None,
+    /,
+    *,
+    mesh: Annotated[str | None, Parameter(help="mesh file: .gdf .msh .vtu .pnl …")] = None,
+    flags: SceneFlags = SceneFlags(),  # noqa: B008
+    run: RunFlags = RunFlags(),  # noqa: B008
+):
+    """The same for the body of a scene file, or of a mesh file."""
+    if scene is None and mesh is None:
+        raise ValueError("nothing to solve; give a scene file or --mesh file")
+    return _solve(scene, {"shape": "mesh", "file": mesh} if mesh else {}, flags, run)
+
+
+@app.command
+def look(
+    file: Path,
+    /,
+    *,
+    screenshot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
+    field: Annotated[str | None, Parameter(help="colour panels by area, size or aspect")] = None,
+):
+    """Show the mesh of a database, a scene or a mesh file."""
+    from .looking import look
+
+    return look(file, screenshot, field)
+
+
+@app.command
+def plot(file: Path, /, *, output: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None):
+    """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png."""
+    from bem.database import open_database
+
+    from .plots import plot
+
+    output = output or file.with_suffix(".png")
+    plot(open_database(file), output)
+    print(output)
+    return 0
+
+
+@app.command
+def check(file: Path, /):
+    """Physics checks of a database against its tolerance, and mesh findings; status 1 if one fails."""
+    from .checking import check
+
+    return check(file, _console())
+
+
+@app.command
+def moor(study: Path, /, *, database: Path, output: Path | None = None):
+    """Equilibrium, natural periods and line tensions of a mooring study on a database."""
+    from .moor import moor
+
+    moor(study, database, output)
+    return 0
+
+
+def main(arguments=None):
+    """Run a command; every fault is one line on stderr.  Returns the exit status."""
+    arguments = sys.argv[1:] if arguments is None else list(arguments)
+    command = arguments[0] if arguments and arguments[0].isalpha() else ""
+    name = f"hakobune {command}".strip()
+    try:
+        return app(arguments, exit_on_error=False, print_error=False) or 0
+    except (CycloptsError, ValueError, OSError, ImportError) as error:
+        print(f"{name}: {' '.join(str(error).split())}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print(f"{name}: interrupted", file=sys.stderr)
+        return 130
+
+
+def _console():
+    from rich.console import Console
+
+    return Console()
+
+
+def _solve(file, body, flags, run):
+    from .scene import SceneError, make_scene, read_scene
+
+    raw = read_scene(file) if file else {}
+    shape = tables_of_bodies(raw)[0].get("shape", "box")
+    if file and body.get("shape") in ("box", "buoy") and shape != body["shape"]:
+        raise SceneError(f"{file} has a body of shape {shape!r}; allowed here: {body['shape']}, or use solve")
+    name = file.stem if file else body["shape"]
+    raw = overlaid(raw, flags, {key: value for key, value in body.items() if value is not None})
+    if run.mesh_only:
+        return _write_mesh(raw, run.output or Path(f"{name}.msh"))
+    scene = make_scene(raw)
+    return _run(scene, run.output or Path(f"{name}.h5"), run)
+
+
+def _run(scene, output, flags):
+    from bem.database import open_database
+
+    from .work import executor_of
+
+    console, executor = _console(), executor_of(flags.executor)
+    from . import run
+    from .report import print_outcome
+
+    try:
+        outcome = run.solve(scene, output, fresh=flags.fresh, executor=executor, console=console)
+    finally:
+        executor.shutdown(wait=False, cancel_futures=True)
+    print_outcome(console, outcome, open_database(output))
+    return outcome.exit_status
+
+
+def _write_mesh(raw, output):
+    from meshing.files import write_mesh
+
+    from .hull import make_hull
+    from .scene import make_scene
+
+    # a mesh alone needs neither water nor waves; in deep water and long waves they ask for no panels
+    raw["water"].setdefault("depth", float("inf"))
+    if not set(raw["waves"]) - {"headings_deg"}:
+        raw["waves"]["periods"] = [1000.0]
+    scene = make_scene(raw)
+    hull = make_hull(scene, scene.omegas())
+    write_mesh(hull.mesh, output)
+    print(f"{output}: {hull.mesh!r}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,112 @@
+"""Flags of the commands: the scene's own words, laid over a scene file or standing for one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def _flag(text):
+    return Parameter(help=text, allow_leading_hyphen=True)
+
+
+@Parameter(name="*")
+@dataclass(frozen=True, kw_only=True)
+class SceneFlags:
+    """What every body has in common."""
+
+    depth: Annotated[float | None, _flag("water depth, m; inf for deep water")] = None
+    omega: Annotated[str | None, _flag("frequencies, rad/s: a,b,c or start:stop:count")] = None
+    period: Annotated[str | None, _flag("periods, s, instead of omega")] = None
+    heading: Annotated[str | None, _flag("degrees the waves travel to (0: +x, 90: +y)")] = None
+    tolerance: Annotated[float | None, _flag("relative error asked for [0.01]")] = None
+    panels: Annotated[int | None, _flag("panels on the whole hull, instead of tolerance")] = None
+    method: Annotated[str | None, _flag("auto or panel")] = None
+    density: Annotated[float | None, _flag("of the water, kg/m³ [1025]")] = None
+    gravity: Annotated[float | None, _flag("m/s² [9.80665]")] = None
+    mass: Annotated[float | None, _flag("kg [that of the displaced water]")] = None
+    center_of_gravity: Annotated[str | None, _flag("x,y,z m [0,0,0]")] = None
+    gyration: Annotated[str | None, _flag("kxx,kyy,kzz m about it; without them no motions")] = None
+    rotation_center: Annotated[str | None, _flag("x,y,z m [0,0,0]")] = None
+    only: Annotated[str | None, _flag("names or groups to compute, a,b,c [all]")] = None
+
+
+@Parameter(name="*")
+@dataclass(frozen=True, kw_only=True)
+class RunFlags:
+    """Where the result goes and how it is made."""
+
+    output: Annotated[Path | None, _flag("the database, or the mesh file with --mesh-only")] = None
+    mesh_only: Annotated[bool, Parameter(help="write the mesh and stop", negative="")] = False
+    fresh: Annotated[bool, Parameter(help="replace an existing database", negative="")] = False
+    executor: Annotated[str, _flag("local or processes:N")] = "local"
+
+
+def overlaid(raw, flags, body):
+    """The raw tables of a scene with flags in the place of what they stand for.
+
+    raw : nested dictionaries, as `read_scene` gives them; body : {key: value} of the body, without None
+    Raises SceneError for lists that cannot be read.
+    """
+    from .scene import SceneError, numbers
+
+    raw = dict(raw)
+    water, waves = _table("water", raw.get("water", {})), _table("waves", raw.get("waves", {}))
+    bodies = tables_of_bodies(raw)
+    _put(water, depth=flags.depth, density=flags.density, gravity=flags.gravity)
+    if flags.omega is not None and flags.period is not None:
+        raise SceneError("--omega and --period are given; allowed: one of the two")
+    for key, flag, text in (("omegas", "omega", flags.omega), ("periods", "period", flags.period)):
+        if text is not None:
+            waves = {kept: value for kept, value in waves.items() if kept == "headings_deg"}
+            waves[key] = numbers(f"--{flag}", text)
+    if flags.heading is not None:
+        waves["headings_deg"] = numbers("--heading", flags.heading)
+    _put(bodies[0], mass=flags.mass, **body)
+    for key in ("center_of_gravity", "gyration"):
+        _put(bodies[0], **{key: _triple(key, getattr(flags, key))})
+    _put(raw, method=flags.method, rotation_center=_triple("rotation_center", flags.rotation_center))
+    if flags.tolerance is not None or flags.panels is not None:
+        raw = {key: value for key, value in raw.items() if key not in ("tolerance", "panels")}
+        _put(raw, tolerance=flags.tolerance, panels=flags.panels)
+    if flags.only is not None:
+        raw["want"] = [word.strip() for word in flags.only.split(",") if word.strip()]
+    return {**raw, "water": water, "waves": waves, "bodies": bodies}
+
+
+def tables_of_bodies(raw):
+    """Copies of the tables [[bodies]], one empty table where there is none.  Raises SceneError."""
+    from .scene import SceneError
+
+    bodies = raw.get("bodies", [{}])
+    if not isinstance(bodies, list):
+        raise SceneError(f"bodies is {bodies!r}; allowed: [[bodies]] tables")
+    return [_table(f"bodies[{i}]", part) for i, part in enumerate(bodies)] or [{}]
+
+
+def _table(key, value):
+    from .scene import SceneError
+
+    if not isinstance(value, dict):
+        raise SceneError(f"{key} is {value!r}; allowed: a table")
+    return dict(value)
+
+
+def _put(table, **values):
+    table.update({key: value for key, value in values.items() if value is not None})
+
+
+def _triple(key, text):
+    from .scene import SceneError
+
+    if text is None:
+        return None
+    try:
+        first, second, third = map(float, text.split(","))
+    except ValueError:
+        flag = key.replace("_", "-")
+        raise SceneError(f"--{flag} is {text!r}; allowed: three numbers a,b,c") from None
+    return [first, second, third]

@@ -1,0 +1,187 @@
+"""From a scene to what the solver takes: panels, lid, hydrostatics, inertia, and remarks on them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bem.database_file import Header
+from bem.frequency import ERROR_ORDER, Setup
+from bem.kochin import angles
+from bem.waves import wavenumber
+from meshing.files import read_mesh
+from meshing.hydrostatics import hydrostatics, inertia_matrix
+from meshing.lid import lid
+from meshing.panels import PanelMesh
+from meshing.quality import findings
+from meshing.shapes import box, buoy
+
+from .scene import SceneError
+from .scene_text import fixed_part, scene_hash, to_toml
+
+MOST_PANELS, FEWEST_PANELS = 20_000, 24
+FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
+
+
+@dataclass(frozen=True, eq=False)
+class Hull:
+    """Panels of a scene's body, and remarks for the reader, one line each."""
+
+    mesh: PanelMesh
+    lid: PanelMesh | None
+    remarks: tuple[str, ...] = ()
+
+
+def panels_for(tolerance):
+    """Panels on the whole hull for a relative error of the coefficients.
+
+    250 at one per cent, where the box of the series calculations and a buoy as deep as its radius keep all of
+    them within 0.9 %; the error falls like the power −1.16 of the number.  `make_hull` takes more in short waves.
+    """
+    return math.ceil(250 * (0.01 / tolerance) ** (1 / ERROR_ORDER))
+
+
+def shortest_wave(scene, omegas):
+    """m, of the highest frequency"""
+    return 2 * math.pi / float(wavenumber(np.max(omegas), scene.water.depth, scene.water.gravity))
+
+
+def make_hull(scene, omegas):
+    """Panels and lid of the scene's body.
+
+    omegas : (n,) rad/s, for the length of the shortest wave
+    Raises SceneError if the frequencies ask for more panels than can be solved.
+    """
+    if scene.body.shape == "mesh":
+        mesh = read_mesh(scene.body.file)
+    elif scene.panels is not None:
+        mesh = _meshed(scene.body, scene.panels)
+    else:
+        mesh = _fine_enough(scene, shortest_wave(scene, omegas))
+    return Hull(mesh, lid(mesh) if scene.lid else None)
+
+
+def coarse_hull(scene, mesh):
+    """(mesh, lid) with about a quarter of the panels, against which the error is estimated; None for mesh files."""
+    if scene.body.shape == "mesh" or mesh.total // 4 < FEWEST_PANELS:
+        return None
+    coarse = _meshed(scene.body, mesh.total // 4)
+    return coarse, lid(coarse) if scene.lid else None
+
+
+def inspected(hull, scene, omegas):
+    """The hull with the remarks of the mesh check.  Raises SceneError if one of them is an error."""
+    found = findings(hull.mesh, scene.water.depth, shortest_wave(scene, omegas), hull.lid)
+    errors = [f.text for f in found if f.severity == "error"]
+    if errors:
+        more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
+        raise SceneError(f"mesh: {errors[0]}{more}")
+    return Hull(hull.mesh, hull.lid, tuple(f.text for f in found))
+
+
+def body_properties(scene, mesh):
+    """{name of `bem.schema.BODY`: value} of the body; no inertia matrix without radii of gyration."""
+    body, water = scene.body, scene.water
+    still = hydrostatics(
+        mesh,
+        center_of_mass=body.center_of_gravity,
+        density=water.density,
+        gravity=water.gravity,
+        mass=body.mass,
+        rotation_center=scene.rotation_center,
+    )
+    mass = water.density * still.volume if body.mass is None else body.mass
+    known = {
+        "center_of_mass": np.array(body.center_of_gravity),
+        "mass": mass,
+        "hydrostatic_stiffness": still.stiffness,
+        "displaced_volume": still.volume,
+        "wetted_area": still.wetted_area,
+        "center_of_buoyancy": still.center_of_buoyancy,
+        "waterplane_area": still.waterplane_area,
+        "transverse_metacentric_height": still.transverse_metacentric_height,
+        "longitudinal_metacentric_height": still.longitudinal_metacentric_height,
+    }
+    if scene.motions_known:
+        known["inertia_matrix"] = inertia_matrix(mass, body.center_of_gravity, body.gyration, scene.rotation_center)
+    return known
+
+
+def kochin_angles(scene, mesh, omegas):
+    """(t,) rad, equally spaced, enough to resolve the Kochin functions at the highest frequency"""
+    radius = float(np.linalg.norm(mesh.points[:, :2], axis=1).max())
+    count = len(angles(2 * np.pi / shortest_wave(scene, omegas), radius))
+    return np.linspace(0, 2 * np.pi, max(FEWEST_ANGLES, count), endpoint=False)
+
+
+def make_header(scene, hull, omegas):
+    """The database header of a scene; omegas : (n,) rad/s"""
+    return Header(
+        mesh=hull.mesh,
+        lid=hull.lid,
+        water_depth=scene.water.depth,
+        density=scene.water.density,
+        gravity=scene.water.gravity,
+        rotation_center=np.array(scene.rotation_center),
+        theta=kochin_angles(scene, hull.mesh, omegas),
+        body=body_properties(scene, hull.mesh),
+        dimensions=scene.dimensions,
+        scene=to_toml(scene),
+        scene_hash=scene_hash(fixed_part(scene)),
+        attributes={"tolerance": scene.accuracy, "method": scene.method},
+    )
+
+
+def setup_of(header, scene):
+    """What the solver takes, from the header of a database and the scene."""
+    return Setup(
+        mesh=header.mesh,
+        lid=header.lid,
+        coarse=coarse_hull(scene, header.mesh),
+        depth=header.water_depth,
+        density=header.density,
+        gravity=header.gravity,
+        rotation_center=tuple(float(x) for x in header.rotation_center),
+        inertia_matrix=header.body.get("inertia_matrix"),
+        hydrostatic_stiffness=header.body.get("hydrostatic_stiffness"),
+    )
+
+
+def remarks_on_body(scene, body):
+    """Remarks on mass and stability, one line each.
+
+    body : as from `body_properties`
+    """
+    remarks = []
+    displaced = scene.water.density * body["displaced_volume"]
+    if abs(body["mass"] / displaced - 1) > 0.01:
+        remarks.append(
+            f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; "
+            "allowed where lines or moorings carry the difference"
+        )
+    for name in ("transverse", "longitudinal"):
+        height = body[f"{name}_metacentric_height"]
+        if height <= 0:
+            remarks.append(f"{name} metacentric height {height:.4g} m is not positive: the body capsizes")
+    if not scene.motions_known:
+        remarks.append("rao and drift_force are left out: they need the radii of gyration (--gyration)")
+    return remarks
+
+
+def _meshed(body, panels, longest=math.inf):
+    if body.shape == "box":
+        return box(body.length, body.beam, body.draft, panels=panels, longest=longest)
+    return buoy(body.radius, body.draft, panels=panels, longest=longest)
+
+
+def _fine_enough(scene, wave):
+    """A mesh of the panels the tolerance asks for, or more so that no edge is longer than a third of the wave."""
+    mesh = _meshed(scene.body, panels_for(scene.accuracy), wave / 3)
+    if mesh.total > MOST_PANELS:
+        raise SceneError(
+            f"tolerance {scene.accuracy:g} and the shortest wave {wave:.3g} m ask for {mesh.total} panels; "
+            f"allowed: {MOST_PANELS}; leave out the highest frequencies or give panels (--panels)"
+        )
+    return mesh

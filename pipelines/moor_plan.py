@@ -1,0 +1,72 @@
+"""Plan of a moored body: hull and lines at rest and under steady forces, lines coloured by utilisation."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mooring.equilibrium import displaced
+
+
+def draw_plan(result, hull, path, center):
+    """Write the plan of a MultiPoint result as a picture."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(10, 7), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    used = np.where(np.isfinite(result.utilisation), result.utilisation, 0.0)
+    colours = ScalarMappable(Normalize(0, max(1.0, used.max())), "turbo")
+    for anchor, rest, now, share in zip(
+        result.layout.anchors,
+        result.layout.fairleads,
+        result.equilibrium.points,
+        used,
+        strict=True,
+    ):
+        axes.plot([anchor[0], rest[0]], [anchor[1], rest[1]], color="0.75", lw=1, ls="--")
+        axes.plot([anchor[0], now[0]], [anchor[1], now[1]], color=colours.to_rgba(share), lw=2.5)
+        axes.plot(*anchor[:2], "k^", ms=5)
+        ends = np.array([anchor[:2], now[:2]])
+        axes.annotate(
+            f"{100 * share:.0f} %",
+            ends.mean(axis=0),
+            fontsize=8,
+            ha="center",
+            va="center",
+            bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.8},
+        )
+    corners = 0.5 * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0], [1, 1, 0]], float)
+    outline = corners * [hull.length, hull.beam, 0.0]
+    moved = displaced(outline, result.equilibrium.position, center)
+    axes.plot(outline[:, 0], outline[:, 1], color="0.6", ls="--", label="at rest")
+    axes.plot(moved[:, 0], moved[:, 1], color="k", label="under steady forces")
+    _draw_loads(axes, result, hull)
+    figure.colorbar(colours, ax=axes, label="largest tension / breaking load", shrink=0.8)
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=_title(result))
+    figure.legend(loc="outside lower center", ncols=5, fontsize=8)
+    figure.savefig(path, dpi=150)
+
+
+def _draw_loads(axes, result, hull):
+    """Arrows of the directions wind, current and waves travel to, pointing at the hull."""
+    conditions = result.conditions
+    for i, (name, load) in enumerate(
+        (("wind", conditions.wind), ("current", conditions.current), ("waves", conditions.waves))
+    ):
+        if load is None:
+            continue
+        to = np.array([np.cos(load.direction), np.sin(load.direction)])
+        side = np.array([-to[1], to[0]]) * (i - 1) * 0.3 * hull.beam
+        size = 0.5 * np.hypot(hull.length, hull.beam)
+        start, end = side - 2.2 * size * to, side - 1.3 * size * to
+        colour = f"C{i}"
+        axes.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 2})
+        axes.plot([], [], color=colour, lw=2, label=name)
+
+
+def _title(result):
+    x, y, turn = result.equilibrium.position
+    return f"offset {x:.2f} m, {y:.2f} m, yaw {np.degrees(turn):.2f}°; dashed: at rest"

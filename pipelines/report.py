@@ -1,0 +1,119 @@
+"""What is said at the end of a run and by `hakobune check`: tables on the terminal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+CHECKED = {
+    "reciprocity": "A and B symmetric",
+    "haskind": "forces by radiation",
+    "energy": "waves carried away",
+    "residual": "linear system",
+    "estimated_error": "two meshes",
+}
+RESIDUAL = 1e-6  # of a linear system; four digits below the finest tolerance that makes sense
+
+
+@dataclass(frozen=True)
+class Check:
+    """Largest value of one check, where it occurs, and what it may be; NaN where it did not apply."""
+
+    name: str
+    largest: float
+    omega: float
+    limit: float
+    exceeding: int
+
+    @property
+    def passed(self):
+        """False if a frequency exceeds the limit"""
+        return self.exceeding == 0
+
+
+def checked(db):
+    """[Check] of a database against its own tolerance."""
+    tolerance = float(db.attributes.get("tolerance", 0.01))
+    return [
+        _check(name, values, db.omega, RESIDUAL if name == "residual" else tolerance)
+        for name, values in db.checks().items()
+    ]
+
+
+def body_table(db):
+    """rich table of the floating body at rest"""
+    table = _table("body at rest")
+    table.add_column("quantity")
+    table.add_column("value", justify="right")
+    table.add_column("unit")
+    for text, value, unit in _body_rows(db):
+        table.add_row(text, value, unit)
+    return table
+
+
+def checks_table(checks):
+    """rich table of physics checks"""
+    table = _table("checks")
+    for column, side in (("check", "left"), ("what", "left"), ("largest", "right"), ("at ω rad/s", "right")):
+        table.add_column(column, justify=side)
+    table.add_column("limit", justify="right")
+    table.add_column("")
+    for check in checks:
+        done = np.isfinite(check.largest)
+        verdict = ("[green]ok" if check.passed else f"[red]{check.exceeding} above") if done else "not applied"
+        shown = (f"{check.largest:.1e}", f"{check.omega:.4g}") if done else ("", "")
+        verdict = verdict if done else "not applied"
+        table.add_row(check.name, CHECKED[check.name], *shown, f"{check.limit:.0e}", verdict)
+    return table
+
+
+def print_outcome(console, outcome, db):
+    """The end of a run: body, checks, remarks, failures, and what is stored."""
+    console.print(body_table(db))
+    if outcome.stored:
+        console.print(checks_table(checked(db)))
+    for remark in outcome.remarks:
+        _line(console, f"note: {remark}")
+    for where, reason in outcome.failures:
+        name = where if isinstance(where, str) else f"ω = {where:.6g} rad/s"
+        _line(console, f"failed: {name}: {reason}")
+    stored = f"{outcome.stored} of {outcome.total} frequencies stored in {outcome.path}"
+    go_on = "" if outcome.exit_status == 0 else "; run the same command to go on"
+    _line(console, f"{stored}, {outcome.solved} by this run{go_on}")
+
+
+def _line(console, text):
+    console.print(text, highlight=False, markup=False, soft_wrap=True)
+
+
+def _check(name, values, omega, limit):
+    if not np.isfinite(values).any():
+        return Check(name, float("nan"), float("nan"), limit, 0)
+    worst = int(np.nanargmax(values))
+    return Check(name, float(values[worst]), float(omega[worst]), limit, int(np.sum(values > limit)))
+
+
+def _body_rows(db):
+    for key, value in db.dimensions.items():
+        yield key, f"{value:g}", "m"
+    yield "water depth", f"{db.water_depth:g}", "m"
+    yield "displaced mass", f"{db.density * db.displaced_volume / 1000:.6g}", "t"
+    yield "mass", f"{db.mass / 1000:.6g}", "t"
+    yield "center of gravity", _point(db.center_of_mass), "m"
+    yield "center of buoyancy", _point(db.center_of_buoyancy), "m"
+    yield "rotation center", _point(db.rotation_center), "m"
+    yield "waterplane", f"{db.waterplane_area:.6g}", "m²"
+    yield "GM transverse", f"{db.transverse_metacentric_height:.4g}", "m"
+    yield "GM longitudinal", f"{db.longitudinal_metacentric_height:.4g}", "m"
+
+
+def _point(point):
+    return ", ".join(f"{x + 0.0:.4g}" for x in np.round(point, 9))
+
+
+def _table(title):
+    from rich import box
+    from rich.table import Table
+
+    return Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)

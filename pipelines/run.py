@@ -1,0 +1,167 @@
+"""Fill the database of a scene: what is pending is solved, stored and marked, frequency by frequency."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from bem.database import append, append_limit, create, extend, open_database, pending, writing
+from bem.database_file import check_place, check_replaceable
+
+from .hull import Hull, inspected, kochin_angles, make_header, make_hull, remarks_on_body, setup_of
+from .interrupt import ctrl_c
+from .progress import Progress
+from .scene import SceneError, make_scene
+from .scene_text import difference, fixed_part, scene_hash, to_toml
+from .work import Here, limit_one, solve_one
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a run did: frequencies stored by it, all in the file, and those that failed with their reason."""
+
+    path: Path
+    solved: int
+    stored: int
+    total: int
+    failures: tuple[tuple[float | str, str], ...]
+    remarks: tuple[str, ...]
+    interrupted: bool = False
+
+    @property
+    def exit_status(self):
+        """0 only if everything asked for is there"""
+        if self.interrupted:
+            return 130
+        return 1 if self.failures or self.stored < self.total else 0
+
+
+def solve(scene, output, *, fresh=False, executor=None, console=None):
+    """Make or complete the database of `scene` in the file `output`.
+
+    executor : anything with submit(function, …) → future.result(); None works here
+    console : rich console, or None for silence
+    Raises ValueError, leaving the file as it was, if scene and file do not go together.
+    """
+    output = Path(output)
+    check_place(output)
+    omegas, headings, names = scene.omegas(), scene.headings(), scene.names()
+    if output.exists() and not fresh:
+        header = open_database(output).header
+        _check_same(scene, header, output)
+        _check_angles(scene, header, omegas, output)
+        hull = inspected(Hull(header.mesh, header.lid), scene, omegas)
+        extend(output, omega=omegas, wave_direction=headings, names=names, scene=to_toml(scene))
+    else:
+        check_replaceable(output)
+        hull = inspected(make_hull(scene, omegas), scene, omegas)
+        header = make_header(scene, hull, omegas)
+        create(output, header, omegas, headings, names)
+    remarks = (*hull.remarks, *remarks_on_body(scene, header.body))
+    if console:
+        console.print(f"{output}: {hull.mesh!r}", highlight=False, markup=False)
+    return _fill(output, setup_of(header, scene), header.theta, remarks, executor or Here(), console)
+
+
+def _check_same(scene, header, output):
+    fixed = fixed_part(scene)
+    if scene_hash(fixed) == header.scene_hash:
+        return
+    what = "the mesh file has changed"
+    with suppress(SceneError, OSError):
+        what = difference(fixed_part(make_scene(tomllib.loads(header.scene))), fixed) or what
+    raise SceneError(f"{output} is of another scene: {what}; give --fresh to replace it or another --output")
+
+
+def _check_angles(scene, header, omegas, output):
+    needed = len(kochin_angles(scene, header.mesh, omegas))
+    if needed > len(header.theta):
+        raise SceneError(
+            f"{output} has Kochin functions at {len(header.theta)} angles, "
+            f"ω = {omegas.max():.4g} rad/s needs {needed}; give --fresh to replace it or another --output"
+        )
+
+
+def _fill(output, setup, theta, remarks, executor, console):
+    todo = pending(output)
+    failures, interrupted = [], False
+    before = int(open_database(output).rows.sum())
+    say = partial(console.print, highlight=False) if console else lambda text: None
+    with writing(output) as file, ctrl_c(say) as stop:
+        jobs = [*_rows(file, setup, todo.rows, theta), *_limits(file, setup, todo.limits)]
+        progress = Progress(console, len(jobs)) if console else None
+        try:
+            for job, result in _results(executor, jobs):
+                reason = _stored(job, result)
+                if reason:
+                    failures.append((job.where, reason))
+                if progress:
+                    progress.step(job.where, result, reason)
+                if stop.asked and job is not jobs[-1]:
+                    raise KeyboardInterrupt
+        except KeyboardInterrupt:
+            interrupted = True
+            executor.shutdown(wait=False, cancel_futures=True)
+    rows = open_database(output).rows
+    return Outcome(
+        output, int(rows.sum()) - before, int(rows.sum()), len(rows), tuple(failures), tuple(remarks), interrupted
+    )
+
+
+@dataclass(frozen=True)
+class Job:
+    """What an executor is given and what happens to the result; `where` is ω in rad/s or the name of a limit."""
+
+    where: float | str
+    call: tuple
+    store: Callable
+
+
+def _rows(file, setup, rows, theta):
+    for row in rows:
+        call = (solve_one, setup, row.omega, row.headings, row.want, theta)
+        yield Job(row.omega, call, partial(_store_row, file, row))
+
+
+def _limits(file, setup, names):
+    for name in names:
+        yield Job(name, (limit_one, setup, name), partial(append_limit, file, name))
+
+
+def _store_row(file, row, result):
+    missing = sorted(row.want - set(result))
+    if missing:
+        raise ValueError(f"no {', '.join(missing)} came back")
+    kept = {*row.want, "checks", "wall_time"}
+    append(file, row.omega, row.headings, {name: value for name, value in result.items() if name in kept})
+
+
+def _results(executor, jobs):
+    """(job, result or exception) in order; an executor with processes works ahead."""
+    futures = (executor.submit(*job.call) for job in jobs)
+    if not isinstance(executor, Here):
+        futures = list(futures)
+    for job, future in zip(jobs, futures, strict=True):
+        try:
+            yield job, future.result()
+        except Exception as error:
+            yield job, error
+
+
+def _stored(job, result):
+    """Store a result; returns the reason in one line if there is none or it cannot be stored, else ""."""
+    if isinstance(result, Exception):
+        return _reason(result)
+    try:
+        job.store(result)
+    except ValueError as error:
+        return _reason(error)
+    return ""
+
+
+def _reason(error):
+    return f"{type(error).__name__}: {' '.join(str(error).split())}"[:300]

@@ -1,0 +1,176 @@
+import numpy as np
+import pytest
+
+from meshing.files import READABLE, WRITABLE, read_mesh, write_mesh
+from meshing.lid import lid
+from meshing.panels import structured
+from meshing.quality import findings
+from meshing.shapes import box, buoy
+
+KEPT = {".gdf": "xy", ".pnl": "xy", ".nemoh": "y", ".dat": "y", ".msh": "", ".vtu": ""}
+
+
+def sorted_centroids(mesh):
+    centroids = mesh.whole().centroids
+    return centroids[np.lexsort(centroids.round(6).T)]
+
+
+@pytest.mark.parametrize("hull", (box(100, 50, 10, panels=124), buoy(10, 10, panels=124)), ids=("box", "buoy"))
+@pytest.mark.parametrize("suffix", WRITABLE)
+@pytest.mark.parametrize("covered", (False, True))
+def test_what_is_written_is_read_again(tmp_path, hull, suffix, covered):
+    path = tmp_path / f"hull{suffix}"
+    write_mesh(hull, path, lid(hull) if covered else None)
+    back = read_mesh(path)
+    assert back.symmetry == KEPT[suffix]
+    assert back.total == hull.total
+    assert back.volume == pytest.approx(hull.volume, rel=1e-12)
+    np.testing.assert_allclose(sorted_centroids(back), sorted_centroids(hull), atol=1e-9)
+    assert findings(back) == []
+    assert back.name == "hull"
+
+
+@pytest.mark.parametrize("suffix", WRITABLE)
+@pytest.mark.parametrize("symmetry", ("", "x", "y"))
+def test_a_half_hull_comes_back_whole(tmp_path, suffix, symmetry):
+    hull = buoy(10, 10, panels=60, symmetry=symmetry)
+    write_mesh(hull, tmp_path / f"half{suffix}")
+    back = read_mesh(tmp_path / f"half{suffix}")
+    assert back.total == hull.total
+    assert back.volume == pytest.approx(hull.volume, rel=1e-12)
+
+
+def test_inward_normals_are_left_as_they_are(tmp_path):
+    write_mesh(box(10, 5, 2, panels=40).flipped(), tmp_path / "a.gdf")
+    assert read_mesh(tmp_path / "a.gdf").volume == pytest.approx(-100)
+
+
+def test_a_gdf_as_wamit_writes_it_is_read(tmp_path):
+    # comments after the numbers, Fortran exponents, a panel over several lines, a triangle
+    (tmp_path / "a.gdf").write_text(
+        "a prism by hand\n 1.0 9.80665   ULEN GRAV\n 1 0   ISX ISY\n 2  NPAN\n"
+        "0.0 0 -1  0 1 -1\n 1.0D0 1 -1  1 0 -1\n"
+        "1 0 -1  1 1 -1  1 1 0  1 1 0\n"
+    )
+    mesh = read_mesh(tmp_path / "a.gdf")
+    assert mesh.symmetry == "x"
+    np.testing.assert_allclose(mesh.areas, (1, 0.5))
+    np.testing.assert_allclose(mesh.normals, ((0, 0, -1), (1, 0, 0)))
+
+
+def test_a_gdf_in_feet_comes_in_metres(tmp_path):
+    write_mesh(box(10, 5, 2, panels=40), tmp_path / "a.gdf")
+    text = (tmp_path / "a.gdf").read_text().replace("9.80665", "32.174")
+    (tmp_path / "a.gdf").write_text(text)
+    assert read_mesh(tmp_path / "a.gdf").volume == pytest.approx(100 * 0.3048**3)
+
+
+def tetrahedron():
+    """Points and outward triangles of a body below z = 0 with its top open: corner at (0, 0, −1)."""
+    points = np.array([[0, 0, -1], [1, 0, 0], [0, 1, 0], [-1, -1, 0.0]])
+    return points, np.array([[0, 2, 1], [0, 3, 2], [0, 1, 3]])
+
+
+@pytest.mark.parametrize("suffix", (".stl", ".ply", ".obj", ".off", ".vtk", ".vtu", ".msh"))
+def test_other_formats_are_read_and_their_points_welded(tmp_path, suffix):
+    import meshio
+
+    points, triangles = tetrahedron()
+    options = {"file_format": "gmsh22"} if suffix == ".msh" else {}
+    meshio.Mesh(points, [("triangle", triangles)]).write(tmp_path / f"a{suffix}", **options)
+    mesh = read_mesh(tmp_path / f"a{suffix}")
+    assert (len(mesh), len(mesh.points)) == (3, 4)
+    assert mesh.volume == pytest.approx(1 / 3 * 1.5, rel=1e-6)  # base of area 3/2, height 1
+    assert findings(mesh) == []
+
+
+def test_a_deck_in_the_water_surface_is_left_out(tmp_path):
+    import meshio
+
+    points, triangles = tetrahedron()
+    meshio.Mesh(points, [("triangle", np.vstack([triangles, [1, 2, 3]]))]).write(tmp_path / "a.stl")
+    assert len(read_mesh(tmp_path / "a.stl")) == 3
+
+
+def test_a_bottom_in_the_water_surface_is_kept(tmp_path):
+    raft = structured(np.array([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0.0]]])).flipped()
+    assert raft.normals[0, 2] < 0
+    write_mesh(raft, tmp_path / "raft.gdf")
+    assert len(read_mesh(tmp_path / "raft.gdf")) == 1
+
+
+def test_fields_go_with_their_panels(tmp_path):
+    import meshio
+
+    hull = buoy(10, 10, panels=124)
+    write_mesh(hull, tmp_path / "a.vtu", lid(hull), {"height": hull.centroids[:, 2]})
+    found = meshio.read(tmp_path / "a.vtu")
+    for kind, values in found.cell_data_dict["height"].items():
+        on_hull = found.cell_data_dict["lid"][kind] == 0
+        z = found.points[found.cells_dict[kind]][..., 2].mean(axis=1)
+        np.testing.assert_allclose(values[on_hull], z[on_hull], atol=1e-9)
+        assert np.isnan(values[~on_hull]).all()
+
+
+def test_a_gmsh_file_has_hull_and_lid_as_groups(tmp_path):
+    import meshio
+
+    hull = box(10, 5, 2, panels=40)
+    write_mesh(hull, tmp_path / "a.msh", lid(hull))
+    assert set(meshio.read(tmp_path / "a.msh").field_data) == {"hull", "lid"}
+
+
+BAD = {
+    "short.gdf": ("one line\n", "1 lines"),
+    "word.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3 4 five\n", "line 5: 'five' is not a number"),
+    "few.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3\n", "3 coordinates after line 4; 1 panels have 12"),
+    "gravity.gdf": ("h\n1 1.0\n0 0\n0\n", "GRAV is 1; allowed"),
+    "wall.gdf": ("h\n1 9.81\n-1 0\n0\n", "symmetry -1 0"),
+    "patches.gdf": ("h\n1 9.81\n0 0\n4 1\n", "higher-order"),
+    "empty.gdf": ("h\n1 9.81\n0 0\n0\n", "no panels"),
+    "nan.gdf": ("h\n1 9.81\n0 0\n1\n" + "nan " * 12, "not a finite number"),
+    "head.nemoh": ("1 2 3\n", "line 1"),
+    "open.nemoh": ("2 0\n1 0 0 0\n", "after the points"),
+    "point.dat": ("2 0\n1 0 0 0\n0 0 0 0\n1 2 3 4\n0 0 0 0\n", "line 4: there is no point 2"),
+    "empty.pnl": ("nothing\n", "no line with numbers"),
+    "count.pnl": ("2 4 0 0\n1 0 0 0\n", "4 nodes and 2 panels need 6"),
+    "five.pnl": ("1 1 0 0\n1 0 0 0\n1 5 1 1 1 1 1\n", "line 3: a panel has"),
+    "bad.msh": ("hello", "cannot be read"),
+    "bad.vtu": ("hello", "cannot be read"),
+    "bad.stl": ("hello", "cannot be read"),
+    "bad.ply": ("hello", "cannot be read"),
+    "bad.off": ("hello", "cannot be read"),
+    "points.obj": ("v 0 0 0\n", "allowed: triangle, quad"),
+    "bad.xyz": ("hello", "cannot read .xyz; allowed: .gdf"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_a_bad_file_is_named_with_what_is_wrong(tmp_path, capsys, name):
+    text, words = BAD[name]
+    (tmp_path / name).write_text(text)
+    with pytest.raises(ValueError) as caught:
+        read_mesh(tmp_path / name)
+    assert words in str(caught.value)
+    assert name in str(caught.value)
+    assert "\n" not in str(caught.value)
+    assert capsys.readouterr().out == ""
+
+
+def test_a_missing_file_is_missing(tmp_path):
+    with pytest.raises(FileNotFoundError, match="no such file"):
+        read_mesh(tmp_path / "absent.gdf")
+
+
+def test_what_cannot_be_written_is_named(tmp_path):
+    hull = box(10, 5, 2, panels=40)
+    with pytest.raises(ValueError, match=r"cannot write .stl; allowed: .gdf"):
+        write_mesh(hull, tmp_path / "a.stl")
+    with pytest.raises(ValueError, match="holds no fields"):
+        write_mesh(hull, tmp_path / "a.gdf", fields={"a": np.zeros(len(hull))})
+    with pytest.raises(ValueError, match=r"field 'a' has shape \(3,\)"):
+        write_mesh(hull, tmp_path / "a.vtu", fields={"a": np.zeros(3)})
+
+
+def test_everything_written_can_be_read():
+    assert set(WRITABLE) <= set(READABLE)

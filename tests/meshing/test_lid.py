@@ -1,0 +1,119 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from meshing.lid import lid, waterline
+from meshing.panels import SYMMETRIES, joined, structured
+from meshing.quality import findings
+from meshing.shapes import box, buoy
+
+
+def moonpool_box():
+    """40 x 20 m opening in a box of 100 x 50 m; the bottom under the opening is left in, no part of the lid."""
+    outer, inner = box(100, 50, 10), box(40, 20, 10)
+    walls = inner.corners[inner.normals[:, 2] > -0.5]
+    return joined([outer, replace(inner, corners=walls[:, ::-1])])
+
+
+def written_out(mesh, axis):
+    """The same hull with the mirror plane `axis` = 0 written out."""
+    rest = mesh.symmetry.replace(axis, "")
+    return replace(replace(mesh, symmetry=axis).whole(), symmetry=rest)
+
+
+def total_area(mesh):
+    return mesh.copies * mesh.areas.sum()
+
+
+@pytest.mark.parametrize("symmetry", SYMMETRIES)
+def test_the_lid_of_a_box_is_its_waterplane(symmetry):
+    hull = box(100, 50, 10, symmetry=symmetry)
+    cover = lid(hull)
+    assert total_area(cover) == pytest.approx(5000, rel=1e-12)
+    assert np.all(cover.points[:, 2] == 0)
+    np.testing.assert_allclose(cover.normals, np.tile([0, 0, 1], (len(cover), 1)), atol=1e-12)
+    assert cover.symmetry == symmetry
+    assert findings(hull, lid=cover) == []
+
+
+def test_the_lid_of_a_box_is_a_grid():
+    cover = lid(box(100, 50, 10), size=10.0)
+    assert len(cover) == 5 * 2  # 50 x 25 m, 2.5 rounds to even
+    np.testing.assert_allclose(cover.areas, 10 * 12.5, rtol=1e-12)
+
+
+@pytest.mark.parametrize("symmetry", SYMMETRIES)
+def test_the_lid_of_a_buoy_lies_within_the_waterline(symmetry):
+    hull = buoy(10, 10, symmetry=symmetry)
+    cover = lid(hull)
+    reach = np.hypot(*hull.points[:, :2].T).max()
+    assert np.hypot(*cover.points[:, :2].T).max() <= reach * (1 + 1e-12)
+    edge = 2 * cover.sizes.max()  # of the polygon of the lid: an edge lies no more than edge²/8R inside the circle
+    assert 0 <= 1 - total_area(cover) / (np.pi * 10**2) + 1e-12 <= 2 * edge**2 / (8 * 10**2)
+    assert findings(hull, lid=cover) == []
+
+
+@pytest.mark.parametrize("make", (lambda: box(100, 50, 10, panels=900), lambda: buoy(10, 10), moonpool_box))
+def test_a_lid_has_about_a_third_as_many_panels_as_the_hull(make):
+    hull = make()
+    assert 0.2 <= len(lid(hull)) / len(hull) <= 0.5
+
+
+def test_the_lid_leaves_out_a_moonpool():
+    quarter = moonpool_box()
+    for hull in (quarter, written_out(quarter, "x"), written_out(quarter, "y"), quarter.whole()):
+        cover = lid(hull)
+        assert total_area(cover) == pytest.approx(100 * 50 - 40 * 20, rel=1e-9)
+        inside = np.abs(cover.centroids[:, :2]) < (20, 10)
+        assert not inside.all(axis=1).any()
+
+
+def test_every_hull_of_a_catamaran_has_its_lid():
+    one = box(100, 10, 10, panels=200, symmetry="")
+    hull = joined([one.moved(dy=20), one.moved(dy=-20)])
+    assert total_area(lid(hull)) == pytest.approx(2 * 100 * 10, rel=1e-12)
+    half = replace(one.moved(dy=20), symmetry="y")
+    assert total_area(lid(half)) == pytest.approx(2 * 100 * 10, rel=1e-12)
+
+
+def test_a_submerged_body_has_no_lid():
+    assert lid(box(10, 5, 2).moved(dz=-1)) is None
+
+
+def test_the_waterline_runs_with_the_body_on_its_left():
+    (line,) = waterline(box(100, 50, 10, symmetry=""))
+    np.testing.assert_array_equal(line[0], line[-1])
+    x, y = line[:-1, 0], line[:-1, 1]
+    enclosed = 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))
+    assert enclosed == pytest.approx(5000)
+
+
+def test_the_lid_of_a_hull_with_sloping_sides_ends_at_its_waterline():
+    u, v = np.linspace(0, np.pi / 2, 9)[:, None], np.linspace(0, 2 * np.pi, 33)[None, :]
+    grid = np.broadcast_arrays(np.cos(u) * np.cos(v), np.cos(u) * np.sin(v), -np.sin(u))
+    mesh = structured(np.stack(grid, axis=-1))
+    hemisphere = mesh if mesh.volume > 0 else mesh.flipped()
+    cover = lid(hemisphere, size=0.15)
+    assert np.hypot(*cover.points[:, :2].T).max() == pytest.approx(1, rel=1e-12)
+    sides_16, sides_32 = (n / 2 * np.sin(2 * np.pi / n) for n in (16, 32))
+    assert sides_16 <= cover.areas.sum() <= sides_32 * (1 + 1e-12)
+
+
+@pytest.mark.parametrize(
+    ("hull", "words"),
+    [
+        (lambda: box(10, 5, 2).flipped(), "does not close"),
+        (lambda: box(10, 5, 2, symmetry="").flipped(), "encloses -50"),
+        (lambda: replace(box(10, 5, 2), symmetry="x"), "free end"),
+        (lambda: joined([box(10, 5, 2, symmetry=""), box(10, 5, 2, symmetry="").moved(dx=10)]), "forks"),
+    ],
+)
+def test_a_waterline_that_cannot_be_covered_is_named(hull, words):
+    with pytest.raises(ValueError, match=words):
+        lid(hull())
+
+
+def test_a_lid_needs_a_size():
+    with pytest.raises(ValueError, match="size is 0"):
+        lid(box(10, 5, 2), size=0)

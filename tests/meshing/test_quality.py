@@ -1,0 +1,103 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from meshing.lid import lid
+from meshing.panels import SYMMETRIES, joined, structured
+from meshing.quality import findings
+from meshing.shapes import box, buoy
+
+HULL = box(100, 50, 10, counts=(10, 5, 5))
+
+
+def edited(change):
+    corners = HULL.corners.copy()
+    return replace(HULL, corners=change(corners))
+
+
+def turn_one(corners):
+    corners[0] = corners[0, ::-1]
+    return corners
+
+
+def collapse_one(corners):
+    corners[0] = corners[0, [0, 1, 1, 0]]
+    return corners
+
+
+def with_point(k, xyz):
+    points = HULL.points.copy()
+    points[k] = xyz
+    return replace(HULL, points=points)
+
+
+def inner_wall():
+    """The box with a bulkhead from the bottom's edge x = const upward."""
+    x = np.unique(HULL.points[:, 0])[3]
+    on_line = HULL.points[np.isclose(HULL.points[:, 0], x) & (HULL.points[:, 2] == -10)]
+    line = on_line[np.argsort(on_line[:, 1])]
+    return joined([HULL, replace(structured(np.stack([line, line + [0, 0, 3]])), symmetry="xy")])
+
+
+BROKEN = {
+    "no panels": (lambda: edited(lambda c: c[:0]), {}, "error", "no panels"),
+    "nan": (lambda: with_point(5, (np.nan, 0, 0)), {}, "error", "not a finite number"),
+    "infinite": (lambda: with_point(5, (np.inf, 0, 0)), {}, "error", "not a finite number"),
+    "dry": (lambda: HULL.moved(dz=1), {}, "error", "30 of 125 panels above the water, up to z = 1 m"),
+    "lid in the hull": (lambda: joined([HULL, lid(HULL)]), {}, "error", "45 of 170 panels in the water surface"),
+    "no area": (lambda: edited(collapse_one), {}, "error", "1 of 125 panels without area"),
+    "hole": (lambda: edited(lambda c: c[1:]), {}, "error", "open along 2 edges"),
+    "missing end": (lambda: edited(lambda c: c[HULL.normals[:, 0] < 0.5]), {}, "error", "open along"),
+    "bulkhead": (inner_wall, {}, "error", "more than two panels"),
+    "inward": (HULL.flipped, {}, "error", "125 of 125 panels point into the body (volume -50000 m³)"),
+    "mixed": (lambda: edited(turn_one), {}, "error", "normals change side"),
+    "across": (
+        lambda: replace(HULL, points=HULL.points - [1, 0, 0]),
+        {},
+        "error",
+        "mirror plane x = 0, down to x = -1",
+    ),
+    "twice": (lambda: edited(lambda c: np.vstack([c, c[:2]])), {}, "error", "2 of 127 panels present twice"),
+    "long": (lambda: box(1000, 10, 1, counts=(1, 8, 8)), {}, "warning", "aspect ratio"),
+    "warped": (lambda: with_point(0, HULL.points[0] + [0, 0, -5]), {}, "warning", "not flat"),
+    "coarse": (lambda: HULL, {"shortest_wave": 20.0}, "warning", "coarse for the wave length 20 m; good: ≤ 6.67 m"),
+    "aground": (lambda: HULL, {"depth": 8.0}, "error", "leaves -2 m of water"),
+    "touching": (lambda: HULL, {"depth": 10.0}, "error", "leaves 0 m of water"),
+    "narrow gap": (lambda: HULL, {"depth": 11.0}, "warning", "up to 7.82 m over 1 m"),
+    "wall above the bed": (lambda: buoy(10, 20, bottom=False), {"depth": 21.0}, "error", "open along"),
+    "low lid": (lambda: HULL, {"lid": lid(HULL).moved(dz=-1)}, "error", "lid is 1 m off"),
+    "lid down": (lambda: HULL, {"lid": lid(HULL).flipped()}, "error", "point down"),
+    "small lid": (lambda: HULL, {"lid": lid(box(100, 40, 10))}, "warning", "covers 4000 m² of a waterplane of 5000"),
+    "whole lid": (lambda: HULL, {"lid": lid(HULL).whole()}, "error", "the lid has the symmetry ''"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_what_is_broken_is_found(name):
+    make, more, severity, words = BROKEN[name]
+    found = findings(make(), **{"depth": 50.0} | more)
+    assert any(f.severity == severity and words in f.text for f in found), [str(f) for f in found]
+    assert all("\n" not in f.text for f in found)
+
+
+@pytest.mark.parametrize("symmetry", SYMMETRIES)
+def test_a_wall_that_stands_on_the_bed_is_closed(symmetry):
+    assert findings(buoy(10, 20, bottom=False, symmetry=symmetry), depth=20.0) == []
+
+
+def test_one_inward_hull_beside_an_outward_one_is_found():
+    one = box(100, 10, 10, panels=200, symmetry="")
+    pair = joined([one.moved(dy=20), one.moved(dy=-20).flipped()])
+    (found,) = findings(pair)
+    assert f"{len(one)} of {2 * len(one)} panels point into the body" in found.text
+
+
+def test_errors_come_before_warnings():
+    found = findings(edited(lambda c: c[1:]), depth=50.0, shortest_wave=10.0)
+    assert [f.severity for f in found] == ["error", "warning"]
+
+
+def test_points_that_are_not_welded_make_no_hole():
+    loose = replace(HULL, points=HULL.vertices.reshape(-1, 3), corners=np.arange(4 * len(HULL)).reshape(-1, 4))
+    assert findings(loose, depth=50.0) == []

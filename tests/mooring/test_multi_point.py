@@ -1,0 +1,286 @@
+"""The study as a whole: a stand-in database with known numbers, and the command on a file of them."""
+
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from bem.database import Header, append, append_limit, create, open_database, pending, writing
+from meshing.panels import PanelMesh
+from mooring.catenary import State, solve_lines
+from mooring.equilibrium import mooring_stiffness
+from mooring.layout import Layout, Line, corner_spread
+from mooring.multi_point import Conditions, Current, Hull, Waves, Wind, multi_point, resonances
+from pipelines.moor import moor
+from pipelines.study import KNOT, TONF, StudyError, make_study, read_study
+
+MASS = 51.25e6
+INERTIA = MASS * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])
+STIFFNESS = 1025 * 9.80665 * np.diag([0, 0, 5000, 50000 * 15.83, 50000 * 78.33, 0])
+OMEGA = np.array([0.1, 0.3, 2 * np.pi / 10, 0.9])
+HEADINGS = np.radians([0.0, 60.0, 240.0])
+HULL = Hull(100.0, 50.0, 10.0, 10.0)
+MADE_UP = {
+    "added_mass": np.diag([0.2, 0.5, 2.0, 1.0, 1.0, 0.4]) * INERTIA,
+    "rao": np.array([0.2, 0.4, 0.5, 0.03, 0.015, 0.002]) * np.exp(1j * np.arange(6)),
+    "drift_force": np.array([-2e4, -8e4, 1e5]),
+}
+STUDY = """
+[water]
+depth = 20.0
+[hull]
+freeboard = 10.0
+[types.chain]
+weight_kg_per_m = 406.0
+axial_stiffness_tonf = 221700.0
+breaking_load_tonf = 1700.0
+[[spreads]]
+type = "chain"
+length = 260.0
+corner_headings_deg = [30, 45, 60]
+pretension_tonf = 40.0
+[wind]
+speed = 50.0
+incidence_deg = 60.0
+[current]
+speed_knots = 3.0
+direction_deg = 240.0
+[waves]
+height = 4.5
+period = 10.0
+incidence_deg = 60.0
+"""
+
+
+class StandIn:
+    """What a study reads of a database, with the numbers above at every frequency and heading."""
+
+    omega, wave_direction = OMEGA, HEADINGS
+    water_depth, density, gravity = 20.0, 1025.0, 9.80665
+    rotation_center = np.zeros(3)
+    inertia_matrix, hydrostatic_stiffness = INERTIA, STIFFNESS
+
+    def require(self, *names):
+        pass
+
+    def __getitem__(self, name):
+        if name == "added_mass_zero":
+            raise ValueError("not stored")
+        shape = (len(OMEGA),) if name == "added_mass" else (len(OMEGA), len(HEADINGS))
+        return np.broadcast_to(MADE_UP[name], shape + MADE_UP[name].shape)
+
+
+def spread(**changes):
+    values = dict(axial_stiffness=2.2e5 * TONF, breaking_load=1700 * TONF)
+    values.update(changes)
+    return corner_spread(100, 50, np.radians([30, 45, 60]), 20.0, 260.0, 0.406 * TONF, 40 * TONF, **values)
+
+
+def storm(**changes):
+    to = np.radians(240)
+    return replace(Conditions(Wind(50.0, to), Current(3 * KNOT, to), Waves(4.5, 10.0, to)), **changes)
+
+
+@pytest.fixture(scope="module")
+def stormy():
+    return multi_point(StandIn(), spread(), HULL, storm(), 20.0)
+
+
+@pytest.fixture
+def database(tmp_path):
+    path = tmp_path / "box.h5"
+    mesh = PanelMesh([[0, 0, -1], [0, 1, -1], [1, 1, -1], [1, 0, -1]], [[0, 1, 2, 3]], "xy", "plate")
+    body = {"inertia_matrix": INERTIA, "hydrostatic_stiffness": STIFFNESS, "center_of_mass": np.zeros(3)}
+    header = Header(
+        mesh,
+        None,
+        20.0,
+        1025.0,
+        9.80665,
+        np.zeros(3),
+        np.zeros(1),
+        body=body,
+        dimensions={"length": 100.0, "beam": 50.0, "draft": 10.0},
+    )
+    create(path, header, OMEGA, HEADINGS, ("added_mass", "rao", "drift_force", "added_mass_zero"))
+    todo = pending(path)
+    with writing(path) as file:
+        for row in todo.rows:
+            result = {
+                name: value if name == "added_mass" else np.broadcast_to(value, (len(row.headings), *value.shape))
+                for name, value in MADE_UP.items()
+            }
+            append(file, row.omega, row.headings, result)
+        append_limit(file, "added_mass_zero", MADE_UP["added_mass"])
+    return path
+
+
+def test_tension_is_the_statics_of_the_displaced_fairlead(stormy):
+    """Every mode adds its largest displacement, outward and up, for each line by itself."""
+    i = int(np.argmax(stormy.tension))
+    arm = stormy.equilibrium.points[i] - [*stormy.equilibrium.position[:2], 0.0]
+    n = stormy.equilibrium.outward[i]
+    a = np.abs(MADE_UP["rao"]) * 4.5 / 2
+    turn = [np.cross(axis, arm) for axis in np.eye(3)]
+    out = sum(a[:2] * np.abs(n)) + sum(a[3 + j] * abs(turn[j][:2] @ n) for j in range(3))
+    up = a[2] + sum(a[3 + j] * abs(turn[j][2]) for j in range(3))
+    span = np.hypot(*(stormy.equilibrium.points - stormy.layout.anchors)[i, :2])
+    line = solve_lines(span + out, 20.0 + up, 260.0, 0.406 * TONF, 2.2e5 * TONF)
+    assert np.isclose(stormy.tension[i], line.tension_fairlead, rtol=1e-9)
+
+
+def test_steady_forces_add_up_and_push_the_way_they_go(stormy):
+    assert set(stormy.loads) == {"wind", "current", "drift"}
+    assert np.allclose(sum(stormy.loads.values()), stormy.equilibrium.force)
+    assert np.allclose(stormy.loads["drift"], MADE_UP["drift_force"] * 2.25**2)
+    assert stormy.loads["wind"][0] < 0 and stormy.loads["current"][1] < 0
+    assert stormy.equilibrium.position[0] < 0 and stormy.equilibrium.position[1] < 0
+
+
+def test_lines_against_the_load_carry_most(stormy):
+    assert stormy.layout.names[int(np.argmax(stormy.tension))].startswith("fore port")
+    assert np.all(stormy.tension >= stormy.equilibrium.lines.tension_fairlead)
+
+
+def test_calm_leaves_the_body_at_rest():
+    calm = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0)
+    assert np.abs(calm.equilibrium.position).max() < 1e-9
+    assert np.allclose(calm.tension, calm.rest.tension_fairlead)
+    assert calm.acceptable
+
+
+def test_surge_period_at_rest_follows_from_mass_and_stiffness():
+    calm = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0)
+    # slow against heave and pitch, which therefore follow statically: the stiffness seen by surge alone
+    flexibility = np.linalg.inv(mooring_stiffness(spread()) + STIFFNESS)[0, 0]
+    assert np.isclose(calm.at_rest.period[0], 2 * np.pi * np.sqrt(1.2 * MASS * flexibility), rtol=1e-3)
+
+
+def test_high_waves_lift_anchors_and_say_so():
+    result = multi_point(StandIn(), spread(), HULL, storm(waves=Waves(9.0, 10.0, np.radians(240))), 20.0)
+    lifted = result.extreme.vertical_anchor > 0
+    named = [w for w in result.warnings if "lifting the anchor" in w]
+    assert lifted.any() == bool(named)
+    assert all(result.layout.names[i] in named[0] for i in np.flatnonzero(lifted))
+    assert all("\n" not in line for line in result.warnings)
+
+
+def test_natural_period_near_the_wave_period_is_warned_of():
+    calm = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0)
+    surge = calm.at_rest.period[0]
+    for ratio, near in ((1.0, True), (1.45, True), (0.75, True), (1.6, False), (0.6, False)):
+        text = "".join(resonances(calm, surge / ratio))
+        assert ("Surge" in text) == near
+
+
+def test_roll_near_the_wave_period_is_warned_of():
+    roll = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0).at_rest.period[3]
+    for ratio, near in ((1.0, True), (1.3, False)):
+        waves = Waves(0.1, roll / ratio, np.radians(240))
+        result = multi_point(StandIn(), spread(), HULL, Conditions(waves=waves), 20.0)
+        assert any("no viscous damping" in w for w in result.warnings) == near
+
+
+def test_slack_and_broken_lines_are_named():
+    weak = multi_point(StandIn(), spread(breaking_load=100 * TONF), HULL, storm(), 20.0)
+    assert any("beyond the breaking load" in w for w in weak.warnings)
+    assert not weak.acceptable
+    lines = [replace(line, length=line.length + 60) for line in spread().lines]
+    loose = multi_point(StandIn(), Layout(lines), HULL, Conditions(), 20.0)
+    assert any("12 of 12 lines slack at rest" in w for w in loose.warnings)
+
+
+def test_inextensible_line_that_cannot_follow_is_reported_with_infinite_tension():
+    result = multi_point(StandIn(), spread(axial_stiffness=np.inf), HULL, storm(), 20.0)
+    beyond = result.extreme.status == State.BEYOND_REACH
+    assert beyond.any() == any("beyond reach" in w for w in result.warnings)
+    assert np.all(np.isinf(result.tension[beyond]))
+
+
+def test_study_and_database_have_to_agree_on_the_depth():
+    with pytest.raises(ValueError, match="30 m of water, its database for 20 m"):
+        multi_point(StandIn(), spread(), HULL, storm(), 30.0)
+    high = Layout([Line("a", (100.0, 0.0, -15.0), (50.0, 0.0, 0.0), 60.0, 1e3)])
+    with pytest.raises(ValueError, match="line a: anchor z = -15 m"):
+        multi_point(StandIn(), high, HULL, storm(), 20.0)
+
+
+def test_incidence_of_the_reports_is_the_opposite_direction():
+    study = make_study(tomllib.loads(STUDY))
+    conditions = study.conditions()
+    assert np.isclose(conditions.wind.direction, np.radians(240))
+    assert np.isclose(conditions.waves.direction, np.radians(240))
+    assert np.isclose(conditions.current.direction, np.radians(240))
+    assert np.isclose(conditions.current.speed, 3 * 1852 / 3600)
+
+
+def test_command_writes_results_and_plan(tmp_path, database, capsys):
+    study, output = tmp_path / "study.toml", tmp_path / "moor.h5"
+    study.write_text(STUDY)
+    result = moor(study, database, output)
+    shown = capsys.readouterr().out
+    assert "largest tension" in shown and "Surge" in shown
+    assert (tmp_path / "moor_plan.png").stat().st_size > 10_000
+    with h5py.File(output) as file:
+        assert file.attrs["study"] == STUDY
+        assert len(file.attrs["database_sha256"]) == 64
+        assert np.array_equal(file["lines/maximum_tension"], result.tension)
+        assert file["lines/maximum_tension"].attrs["units"] == "N"
+        assert file["natural_periods/at_rest/period"].shape == (6,)
+        assert file["equilibrium"].shape == (3,)
+    reference = multi_point(StandIn(), spread(axial_stiffness=221700 * TONF), HULL, storm(), 20.0)
+    assert np.allclose(result.tension, reference.tension, rtol=1e-9)
+
+
+def test_command_leaves_no_file_when_the_study_has_no_answer(tmp_path, database):
+    study, output = tmp_path / "study.toml", tmp_path / "moor.h5"
+    study.write_text(STUDY.replace("period = 10.0", "period = 3.0"))
+    with pytest.raises(ValueError, match="period 3 s"):
+        moor(study, database, output, quiet=True)
+    assert not output.exists()
+    with pytest.raises(StudyError, match="is an input of the study"):
+        moor(study, database, database, quiet=True)
+    assert len(open_database(database).omega) == len(OMEGA)
+
+
+def test_example_study_is_the_floater_of_the_report():
+    study, _ = read_study(Path(__file__).parents[2] / "pipelines" / "scenes" / "moor_chain_12.toml")
+    layout = study.layout(study.hull_of({}))
+    assert len(layout) == 12
+    lines, _ = layout.solve(layout.fairleads)
+    assert np.allclose(lines.horizontal_fairlead, 40 * TONF, rtol=1e-9)
+    steel = 2 * np.pi / 4 * 142**2 * 7000 * 9.80665
+    assert np.isclose(layout.lines[0].axial_stiffness, steel, rtol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("freeboard = 10.0", "freeboard = 10.0\nfreebord = 3.0", "freebord"),
+        ("freeboard = 10.0", "freeboard = -1.0", "hull.freeboard is -1"),
+        ("depth = 20.0", 'depth = "deep"', "water.depth"),
+        ('type = "chain"', 'type = "rope"', "spreads.0..type is 'rope'; allowed: chain"),
+        ("pretension_tonf = 40.0", "", "one of pretension_tonf, pretension_kN"),
+        ("speed_knots = 3.0", "speed_knots = 3.0\nspeed = 1.0", "current: speed and speed_knots are given"),
+        ("height = 4.5", "height = 0.0", "waves.height is 0"),
+        ("direction_deg = 240.0", "", "current: neither is given"),
+        ("corner_headings_deg = [30, 45, 60]", "corner_headings_deg = [120]", "corner_headings_deg is 120"),
+        ("weight_kg_per_m = 406.0", "weight_kg_per_m = nan", "types.chain.weight_kg_per_m is nan"),
+    ],
+)
+def test_faulty_study_is_refused_by_key_in_one_line(old, new, message):
+    assert old in STUDY
+    with pytest.raises(ValueError, match=message) as caught:
+        study = make_study(tomllib.loads(STUDY.replace(old, new, 1)))
+        study.layout(study.hull_of({"length": 100.0, "beam": 50.0, "draft": 10.0}))
+        study.conditions()
+    assert "\n" not in str(caught.value)
+
+
+def test_contradicting_hull_is_refused():
+    study = make_study(tomllib.loads(STUDY.replace("freeboard", "beam = 40.0\nfreeboard")))
+    with pytest.raises(StudyError, match=r"hull\.beam is 40 m, the database is for 50 m"):
+        study.hull_of({"length": 100.0, "beam": 50.0, "draft": 10.0})

@@ -1,0 +1,92 @@
+"""Natural periods: exact cases and bounds."""
+
+import numpy as np
+import pytest
+
+from mooring.equilibrium import mooring_stiffness
+from mooring.layout import corner_spread
+from mooring.natural_periods import natural_periods
+
+OMEGA = np.linspace(0.1, 2.0, 20)
+
+
+def test_uncoupled_body_has_the_period_of_each_spring():
+    inertia = np.diag([1e6, 1e6, 1e6, 1e8, 2e8, 3e8])
+    stiffness = np.diag([1e4, 4e4, 5e5, 3e7, 9e7, 1e7])
+    added = np.broadcast_to(0.5 * inertia, (20, 6, 6))
+    found = natural_periods(OMEGA, added, inertia, stiffness)
+    exact = 2 * np.pi * np.sqrt(1.5 * np.diag(inertia) / np.diag(stiffness))
+    assert np.allclose(found.period, exact, rtol=1e-8)
+    assert np.allclose(np.abs(found.shapes), np.eye(6), atol=1e-8)
+
+
+def test_added_mass_is_that_of_the_natural_frequency_itself():
+    """A(ω) = a + bω is linear, so interpolation is exact and ω²(M + a + bω) = C is a cubic."""
+    inertia = np.diag([1e6] * 3 + [1e8] * 3)
+    added = np.array([np.diag([2e5 + 3e5 * w] * 3 + [1e7] * 3) for w in OMEGA])
+    stiffness = np.diag([2e5, 4e5, 1e6, 3e7, 3e7, 3e7])
+    found = natural_periods(OMEGA, added, inertia, stiffness)
+    for i in range(3):
+        w = 2 * np.pi / found.period[i]
+        assert np.isclose(w * w * (1.2e6 + 3e5 * w), stiffness[i, i], rtol=1e-7)
+    assert found.inside[:3].all()
+
+
+def test_every_mode_satisfies_the_eigenvalue_problem():
+    rng = np.random.default_rng(2)
+    scale = np.array([1, 1, 1, 30, 30, 30])
+    A, C = (rng.normal(size=(6, 6)) for _ in range(2))
+    inertia = 1e6 * np.diag(scale**2)
+    base = 3e5 * (A @ A.T + np.eye(6)) * np.outer(scale, scale)
+    stiffness = 4e5 * (C @ C.T + 0.5 * np.eye(6)) * np.outer(scale, scale)
+    added = np.array([base / (1 + w) for w in OMEGA])
+    found = natural_periods(OMEGA, added, inertia, stiffness)
+    for period, shape, inside in zip(found.period, found.shapes, found.inside, strict=True):
+        w = 2 * np.pi / period
+        at = np.array([[np.interp(w, OMEGA, added[:, i, j]) for j in range(6)] for i in range(6)])
+        unit = np.array([1, 1, 1] + [found.scale] * 3)
+        q = shape / unit
+        left = stiffness @ q - w * w * (inertia + at) @ q
+        assert np.abs(left / unit).max() < 1e-6 * np.abs(stiffness @ q / unit).max(), inside
+    assert len(set(np.round(found.period, 6))) == 6
+
+
+def test_body_without_restoring_has_an_infinite_period_and_an_unstable_one_none():
+    inertia = np.diag([1e6] * 3 + [1e8] * 3)
+    found = natural_periods(OMEGA, np.zeros((20, 6, 6)), inertia, np.diag([0, 0, 1e6, -1e6, 1e7, 0]))
+    assert np.isinf(found.period[[0, 1, 5]]).all()
+    assert np.isnan(found.period[3])
+    assert np.allclose(found.period[[2, 4]], 2 * np.pi * np.array([1, np.sqrt(10)]), rtol=1e-8)
+
+
+def test_limit_of_zero_frequency_is_used_below_the_lowest():
+    inertia, zero = np.diag([1e6] * 3 + [1e8] * 3), np.diag([1e6] * 3 + [1e8] * 3)
+    added = np.zeros((20, 6, 6))
+    stiffness = np.diag([1.0, 1e5, 1e6, 1e8, 1e8, 1e8])
+    slow = 2 * np.pi / natural_periods(OMEGA, added, inertia, stiffness, zero).period[0]
+    assert np.isclose(slow**2 * (1e6 + 1e6 * (1 - slow / OMEGA[0])), 1.0, rtol=1e-6)
+    held = natural_periods(OMEGA, added, inertia, stiffness, np.full((6, 6), np.inf))
+    assert np.isclose(2 * np.pi / held.period[0], 1e-3, rtol=1e-8)
+    assert not held.inside[0]
+
+
+def test_model_barge_on_chains_has_nearly_its_measured_surge_period():
+    """SR179 report, appendix 1, tables 1.1 to 1.3: M3B on four chains at 45°, measured surge period 16.48 s.
+
+    The rigid mass alone bounds the period of the measured pretension from below and added mass of a fifth from
+    above; the measured motions are not small and stiffen the chains, which shortens the period by some per cent.
+    """
+    weight, tension = 0.871 * 9.80665, 2.78 * 9.80665
+    layout = corner_spread(3.872, 1.936, [np.pi / 4], 1.2, 7.53, weight, tension - 1.2 * weight, z=0.0)
+    mass = 1451.0
+    inertia = mass * np.diag([1, 1, 1, 0.674**2, 1.12**2, 1.408**2])
+    hydrostatic = np.diag([0, 0, 7.35e4, 2e4, 9e4, 0])
+    total = hydrostatic + mooring_stiffness(layout)
+    low = natural_periods(OMEGA, np.zeros((20, 6, 6)), inertia, total).period[0]
+    high = natural_periods(OMEGA, np.broadcast_to(0.2 * inertia, (20, 6, 6)), inertia, total).period[0]
+    assert 0.9 * low < 16.48 < high
+
+
+def test_added_mass_of_another_shape_is_refused():
+    with pytest.raises(ValueError, match=r"added_mass has shape \(3, 6, 6\)"):
+        natural_periods(OMEGA, np.zeros((3, 6, 6)), np.eye(6), np.eye(6))

@@ -1,0 +1,154 @@
+"""The commands as a person runs them, with the real mesher and solver on small meshes."""
+
+import shlex
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pipelines
+from bem.database import open_database
+from pipelines.cli import main
+
+SCENES = sorted(
+    path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith("moor")
+)
+WORDS = shlex.split(
+    "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.55,29.44,32.28 "
+    "--omega 0.2:1.0:12 --heading 0,30 --only radiation,diffraction,motions,drift"
+)
+
+
+def command(*arguments):
+    return [sys.executable, "-m", "pipelines.cli", *map(str, arguments)]
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """The database of an undisturbed run."""
+    path = tmp_path_factory.mktemp("whole") / "box.h5"
+    assert main([*WORDS, "--output", str(path)]) == 0
+    return path
+
+
+def assert_same_numbers(path, other):
+    one, two = open_database(path), open_database(other)
+    assert one.complete and two.complete
+    np.testing.assert_allclose(one.omega, two.omega, rtol=1e-12)
+    for name in one.names:
+        size = np.abs(two[name]).max()
+        np.testing.assert_allclose(one[name], two[name], rtol=1e-9, atol=1e-9 * size, err_msg=name)
+
+
+def interrupted(path, number, delay):
+    """Start the command, send a signal `delay` s after its first frequency; returns (status, output)."""
+    run = subprocess.Popen(
+        command(*WORDS, "--output", path), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
+    said = ""
+    for line in run.stdout:
+        said += line
+        if line.startswith(" 1/"):
+            break
+    time.sleep(delay)
+    run.send_signal(number)
+    said += run.stdout.read()
+    return run.wait(), said
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs kill -9")
+def test_a_killed_run_is_finished_by_the_same_command_with_the_same_numbers(whole, tmp_path):
+    path = tmp_path / "box.h5"
+    for delay in np.random.default_rng(5).uniform(0, 0.3, 3):
+        interrupted(path, signal.SIGKILL, delay)
+        open_database(path)
+    assert main([*WORDS, "--output", str(path)]) == 0
+    assert_same_numbers(path, whole)
+
+
+def test_ctrl_c_says_how_to_go_on(whole, tmp_path):
+    path = tmp_path / "box.h5"
+    status, said = interrupted(path, signal.SIGINT, 0.0)
+    assert status == 130, said
+    assert "Traceback" not in said and "run the same command to go on" in said
+    assert 1 <= len(open_database(path).omega) < 12
+
+
+def test_two_processes_give_the_numbers_of_one(whole, tmp_path):
+    path = tmp_path / "box.h5"
+    done = subprocess.run(
+        command(*WORDS, "--output", path, "--executor", "processes:2"), capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert_same_numbers(path, whole)
+
+
+@pytest.mark.parametrize("suffix", ["png", "svg"])
+def test_plot_draws_to_the_file_asked_for(whole, tmp_path, suffix):
+    assert main(["plot", str(whole), "--output", str(tmp_path / f"box.{suffix}")]) == 0
+    assert (tmp_path / f"box.{suffix}").stat().st_size > 10_000
+
+
+def test_check_fails_when_a_law_is_broken_beyond_the_tolerance(whole, tmp_path, capsys):
+    import shutil
+
+    import h5py
+
+    path = tmp_path / "broken.h5"
+    shutil.copy(whole, path)
+    with h5py.File(path, "r+") as file:
+        for name in file["checks"]:
+            file["checks"][name][...] = 1e-9
+    assert main(["check", str(path)]) == 0
+    with h5py.File(path, "r+") as file:
+        file["checks/energy"][3] = 0.5
+    assert main(["check", str(path)]) == 1
+    assert "1 above" in capsys.readouterr().out
+
+
+def test_a_mesh_alone_needs_no_water_and_no_waves(tmp_path, capsys):
+    from meshing.files import read_mesh
+
+    path = tmp_path / "box.gdf"
+    flags = ["--length", "100", "--beam", "50", "--draft", "10", "--panels", "100", "--mesh-only", "--output"]
+    assert main(["box", *flags, str(path)]) == 0
+    np.testing.assert_allclose(read_mesh(path).volume, 50_000, rtol=1e-6)
+    picture = tmp_path / "box.png"
+    assert main(["look", str(path), "--screenshot", str(picture), "--field", "area"]) == 0
+    assert picture.stat().st_size > 5_000
+
+
+def test_a_body_from_a_mesh_file_gives_the_numbers_of_the_same_box(whole, tmp_path):
+    from meshing.files import write_mesh
+
+    hull, path = tmp_path / "hull.gdf", tmp_path / "hull.h5"
+    write_mesh(open_database(whole).mesh, hull)
+    words = [
+        "--depth",
+        "20",
+        "--gyration",
+        "15.55,29.44,32.28",
+        "--omega",
+        "0.2,0.6",
+        "--heading",
+        "0",
+        "--only",
+        "radiation",
+    ]
+    assert main(["solve", "--mesh", str(hull), *words, "--output", str(path)]) == 0
+    box = open_database(whole)
+    mine, size = open_database(path)["added_mass"][0], np.abs(box["added_mass"][0]).max()
+    # GDF files keep about seven digits of each coordinate
+    np.testing.assert_allclose(mine, box["added_mass"][0], rtol=1e-4, atol=1e-5 * size)
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+def test_every_scene_that_is_shipped_runs(scene, tmp_path):
+    path = tmp_path / "out.h5"
+    words = ["--panels", "60", "--omega", "0.7", "--output", str(path)]
+    assert main(["solve", str(scene), *words]) == 0
+    assert open_database(path).complete

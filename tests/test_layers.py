@@ -1,0 +1,56 @@
+"""The layers of the house, read from the imports."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+LAYERS = ("meshing", "bem", "mooring", "pipelines")
+WHERE_USED = ("pyvista", "matplotlib", "meshio", "scipy.linalg", "rich", "xarray")
+FILES = sorted(file for layer in LAYERS for file in (ROOT / layer).rglob("*.py"))
+
+
+def imports(tree):
+    """(module, whether at top level) of every absolute import."""
+    top = set(map(id, tree.body))
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield alias.name, id(node) in top
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            yield node.module, id(node) in top
+            for alias in node.names:
+                yield f"{node.module}.{alias.name}", id(node) in top
+
+
+def is_or_in(module, package):
+    return module == package or module.startswith(package + ".")
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.name}")
+def test_a_package_imports_only_from_those_left_of_it(file):
+    layer = file.relative_to(ROOT).parts[0]
+    right = LAYERS[LAYERS.index(layer) + 1 :]
+    modules = list(imports(ast.parse(file.read_text(encoding="utf-8"))))
+    assert not [m for m, _ in modules if any(is_or_in(m, other) for other in right)]
+    if file.name != "gmsh_session.py":
+        assert not [m for m, _ in modules if is_or_in(m, "gmsh")]
+    heavy = [m for m, top in modules if top and any(is_or_in(m, other) for other in WHERE_USED)]
+    assert not heavy, f"import these where they are used: {heavy}"
+
+
+def test_only_the_mesher_sees_gmsh():
+    trees = {file.name: ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
+    users = [name for name, tree in trees.items() if any(is_or_in(m, "gmsh") for m, _ in imports(tree))]
+    assert users == ["gmsh_session.py"]
+
+
+@pytest.mark.parametrize("module", ["bem.database", "mooring", "pipelines.scene"])
+def test_reading_and_mooring_load_nothing_heavy(module):
+    heavy = ("numba", "gmsh", "pyvista", "matplotlib")
+    code = f"import sys, {module}; print(*[m for m in {heavy} if m in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout.split() == []
