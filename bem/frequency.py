@@ -18,7 +18,7 @@ from .motions import response
 from .waves import depth_factor, depth_factor_slope, group_factor, incident_wave, wavenumber
 
 RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
-DIFFRACTION = {"diffraction_force", "excitation_force", "kochin_diffraction", "drift_force_fixed"}
+DIFFRACTION = {"diffraction_force", "excitation_force", "kochin_diffraction", "drift_force_fixed", "pressure"}
 FREE = {"rao", "drift_force"}
 # the error falls like this power of the number of panels: to a fifth from 104 to 416 of them on the series box,
 # all coefficients, depths 12 m to infinity
@@ -30,7 +30,7 @@ class Setup:
     """A floating body in water: everything a frequency needs except the frequency.
 
     mesh : hull panels; lid : interior free-surface panels or None
-    coarse : (mesh, lid) of the same body with about a quarter of the panels, for the error estimate; None does without
+    coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
     depth : m, may be inf; nodes_per_panel : 4 (bilinear) or 1 (constant)
     inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`; None leaves the body without motions
     """
@@ -55,6 +55,20 @@ class Prepared:
     geometry: Geometry
     modes: np.ndarray = field(repr=False)
     coarse: Prepared | None = None
+
+    @cached_property
+    def displacing(self):
+        """(6,) whether a mode moves water at all.
+
+        Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: a
+        relative error of what they give says nothing.  A rotation counts if the mean square of its normal velocity
+        is two per cent of that of its arms.
+        """
+        e, n = self.geometry.elements, self.geometry.hull
+        w, (x, y, z) = e.weights[:n], e.nodes[:n].T
+        arms = np.stack([np.ones(n)] * 3 + [y * y + z * z, z * z + x * x, x * x + y * y], axis=1)
+        share = (w @ self.modes**2) / (w @ arms)
+        return share > np.array([1e-6] * 3 + [0.02] * 3)
 
     @property
     def refinement(self):
@@ -94,17 +108,6 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
     return result
 
 
-def significant(size):
-    """(6,) sizes of forces and of moments, none below a hundredth of the largest of its kind.
-
-    Yaw of a round buoy and heave of a pile that stands on the bed are rounding; a relative error of them says nothing.
-    """
-    out = size.copy()
-    for kind in (slice(0, 3), slice(3, 6)):
-        out[kind] = np.maximum(out[kind], max(0.01 * out[kind].max(), 1e-300))
-    return out
-
-
 class FrequencyRun:
     """The intermediate quantities of one frequency, each computed once and only when asked for."""
 
@@ -120,9 +123,10 @@ class FrequencyRun:
         self.asked = [DOFS.index(d) for d in dofs]
         # a moment about another point than the origin needs forces too
         self.dofs = [d for d in range(6) if np.any(prepared.transform[self.asked, d])]
-        self.free = bool(want & FREE) and self.setup.inertia_matrix is not None
+        self.free = bool(want & FREE | want & {"pressure"}) and self.setup.inertia_matrix is not None
         self.radiates = bool(want & RADIATION) or self.free
         self.diffracts = bool(want & DIFFRACTION) or self.free
+        self.whole_field = "pressure" in want
         self.far_field = bool(want & {"kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force"})
         self.wall_time = {}
 
@@ -177,7 +181,7 @@ class FrequencyRun:
             mine = self.members(cls)
             moving = [d for d in mine if d in self.dofs] if self.radiates else []
             waves = []
-            if self.diffracts and (self.far_field or any(d in self.dofs for d in mine)):
+            if self.diffracts and (self.far_field or self.whole_field or any(d in self.dofs for d in mine)):
                 velocity = self.incident[0][cls][1]
                 largest = max(np.abs(v).max() for _, v in self.incident[0].values())
                 waves = [j for j in range(len(self.headings)) if np.abs(velocity[j]).max() > 1e-12 * largest]
@@ -335,6 +339,22 @@ class FrequencyRun:
             out[cls] = phi, velocity
         return out
 
+    def pressure(self):
+        """(m, panels of the whole hull) mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude
+
+        Of the freely floating body where its inertia is known, else of the fixed one; panels as in `mesh.whole()`.
+        """
+        g, (_, weights, _) = self.geometry, self.hull
+        shares = weights.reshape(len(self.setup.mesh), -1)
+        shares = shares / shares.sum(axis=1, keepdims=True)
+        out = np.empty((len(self.headings), len(g.images), len(shares)), complex)
+        for j in range(len(self.headings)):
+            phi = {c: p + self.incident[0][c][0][j] for c, (p, _) in self.disturbance(j, self.free).items()}
+            for i in range(len(g.images)):
+                total = sum(g.signs(c)[i] * p for c, p in phi.items())
+                out[j, i] = np.sum(total.reshape(shares.shape) * shares, axis=1)
+        return 1j * self.omega * self.setup.density * out.reshape(len(self.headings), -1)
+
     def checks(self):
         """Largest relative violation of each law that the computed quantities allow to test; NaN where none does."""
         out = dict.fromkeys(("reciprocity", "haskind", "energy", "residual", "estimated_error"), np.nan)
@@ -373,14 +393,18 @@ class FrequencyRun:
 
     @property
     def excitation_scale(self):
-        """(dofs,) the larger of excitation and diffraction force over the headings"""
-        both = np.maximum(np.abs(self.excitation), np.abs(self.diffraction))
-        return significant(both.max(axis=0))[self.dofs]
+        """(dofs,) the larger of excitation and diffraction force over the headings; inf where they are rounding
+
+        Sway in head sea is nothing but error: no force counts as less than a hundredth of the largest of its kind.
+        """
+        size = np.maximum(np.abs(self.excitation), np.abs(self.diffraction)).max(axis=0)
+        floor = 0.01 * np.repeat([size[:3].max(), size[3:].max()], 3)
+        return np.where(self.prepared.displacing, np.maximum(size, floor), np.inf)[self.dofs]
 
     @property
     def radiation_scale(self):
-        """(dofs,) √|A + iB/ω| of each mode"""
-        return significant(np.sqrt(np.abs(np.diag(self.radiation))))[self.dofs]
+        """(dofs,) √|A + iB/ω| of each mode; inf where it is rounding"""
+        return np.where(self.prepared.displacing, np.sqrt(np.abs(np.diag(self.radiation))), np.inf)[self.dofs]
 
     def asked_only(self, values):
         """`values` (…, 6) with NaN in place of degrees of freedom nobody asked for"""
@@ -405,6 +429,8 @@ class FrequencyRun:
             out["kochin_diffraction"] = self.kochin[1][0][:, : len(self.theta)]
         if "drift_force_fixed" in want:
             out["drift_force_fixed"] = self.drift(False)[0]
+        if "pressure" in want:
+            out["pressure"] = self.pressure()
         if self.free and "rao" in want:
             out["rao"] = self.rao
         if self.free and "drift_force" in want:

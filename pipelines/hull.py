@@ -64,10 +64,13 @@ def make_hull(scene, omegas):
 
 
 def coarse_hull(scene, mesh):
-    """(mesh, lid) with about a quarter of the panels, against which the error is estimated; None for mesh files."""
-    if scene.body.shape == "mesh" or mesh.total // 4 < FEWEST_PANELS:
+    """(mesh, lid) with half as many panels, against which the error is estimated; None for mesh files.
+
+    On the series box the estimate is 1.0 to 1.4 times the error; with a quarter of the panels up to 25 times.
+    """
+    if scene.body.shape == "mesh" or mesh.total // 2 < FEWEST_PANELS:
         return None
-    coarse = _meshed(scene.body, mesh.total // 4)
+    coarse = _meshed(scene.body, mesh.total // 2)
     return coarse, lid(coarse) if scene.lid else None
 
 

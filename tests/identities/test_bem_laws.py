@@ -264,3 +264,21 @@ def test_incident_wave_satisfies_laplace_surface_and_bed(depth, omega):
     if np.isfinite(depth):
         _, bed = incident_wave(np.array([[0.0, 0.0, -depth]]), 0.6, omega, k, depth)
         assert abs(bed[0, 2]) < 1e-12
+
+
+@pytest.mark.parametrize("symmetry", ["xy", ""])
+def test_pressures_on_the_panels_add_up_to_the_excitation(symmetry):
+    mesh = box(100, 50, 10, counts=(4, 3, 2), symmetry=symmetry)
+    r = solve_frequency(prepare(Setup(mesh, depth=20.0)), 0.6, [0.4], {"pressure", "excitation_force"})
+    whole = mesh.whole()
+    force = -(r["pressure"][0] * whole.areas) @ whole.normals
+    np.testing.assert_allclose(force, r["excitation_force"][0, :3], rtol=1e-10)
+
+
+def test_pressure_on_a_free_body_moves_its_mass():
+    prepared, omega = free_body((4, 3, 2), 20.0), 0.6
+    r = solve_frequency(prepared, omega, [0.4], {"pressure", "rao"})
+    whole = prepared.setup.mesh.whole()
+    force = -(r["pressure"][0] * whole.areas) @ whole.normals
+    force[2] -= 1025 * 9.80665 * 5000 * r["rao"][0, 2]  # the hydrostatic part of the pressure
+    np.testing.assert_allclose(force, -(omega**2) * 1025 * 50000 * r["rao"][0, :3], rtol=1e-8)
