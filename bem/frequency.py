@@ -3,90 +3,23 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 
 from . import DOFS
-from .drift import about, energy_defect, mean_drift
-from .green import wave_table
-from .influence import Geometry, assembled
+from .checks import check, estimated_error
+from .drift import about, mean_drift
+from .green_tables import wave_table
+from .influence import assembled
 from .kochin import angles, far_field_integrals
-from .modes import class_of, normal_velocities, reference_change
+from .modes import class_of
 from .motions import response
 from .waves import depth_factor, depth_factor_slope, group_factor, incident_wave, wavenumber
 
 RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
 DIFFRACTION = {"diffraction_force", "excitation_force", "kochin_diffraction", "drift_force_fixed", "pressure"}
 FREE = {"rao", "drift_force"}
-# the error falls like this power of the number of panels: to a fifth from 104 to 416 of them on the series box,
-# all coefficients, depths 12 m to infinity
-ERROR_ORDER = 1.16
-
-
-@dataclass(frozen=True, eq=False)
-class Setup:
-    """A floating body in water: everything a frequency needs except the frequency.
-
-    mesh : hull panels; lid : interior free-surface panels or None
-    coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
-    depth : m, may be inf; nodes_per_panel : 4 (bilinear) or 1 (constant)
-    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`; None leaves the body without motions
-    """
-
-    mesh: object
-    lid: object = None
-    coarse: tuple | None = None
-    depth: float = np.inf
-    density: float = 1025.0
-    gravity: float = 9.80665
-    rotation_center: tuple = (0.0, 0.0, 0.0)
-    nodes_per_panel: int = 4
-    inertia_matrix: np.ndarray | None = None
-    hydrostatic_stiffness: np.ndarray | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class Prepared:
-    """A setup with the work that depends on geometry only."""
-
-    setup: Setup
-    geometry: Geometry
-    modes: np.ndarray = field(repr=False)
-    coarse: Prepared | None = None
-
-    @cached_property
-    def displacing(self):
-        """(6,) whether a mode moves water at all.
-
-        Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: a
-        relative error of what they give says nothing.  A rotation counts if the mean square of its normal velocity
-        is two per cent of that of its arms.
-        """
-        e, n = self.geometry.elements, self.geometry.hull
-        w, (x, y, z) = e.weights[:n], e.nodes[:n].T
-        arms = np.stack([np.ones(n)] * 3 + [y * y + z * z, z * z + x * x, x * x + y * y], axis=1)
-        share = (w @ self.modes**2) / (w @ arms)
-        return share > np.array([1e-6] * 3 + [0.02] * 3)
-
-    @property
-    def refinement(self):
-        """How many panels the mesh has for one of the coarse mesh."""
-        return self.setup.mesh.total / self.coarse.setup.mesh.total
-
-    @property
-    def transform(self):
-        """(6, 6) from generalized normals about the origin to those about the rotation centre"""
-        return reference_change(self.setup.rotation_center)
-
-
-def prepare(setup):
-    """The geometry-only part of a Setup; its exact 1/r integrals follow when the first frequency needs them."""
-    geometry = Geometry(setup.mesh, setup.lid, setup.depth, setup.nodes_per_panel)
-    e, n = geometry.elements, geometry.hull
-    coarse = prepare(replace(setup, mesh=setup.coarse[0], lid=setup.coarse[1], coarse=None)) if setup.coarse else None
-    return Prepared(setup, geometry, normal_velocities(e.nodes[:n], e.normals[:n]), coarse)
 
 
 def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
@@ -103,7 +36,7 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
     if prepared.coarse is not None and run.columns:
         start = time.perf_counter()
         rough = FrequencyRun(prepared.coarse, omega, headings, want, run.theta, dofs)
-        result["checks"]["estimated_error"] = run.difference(rough) / (prepared.refinement**ERROR_ORDER - 1)
+        result["checks"]["estimated_error"] = estimated_error(run, rough, prepared.refinement)
         result["wall_time"]["error estimate"] = time.perf_counter() - start
     return result
 
@@ -121,9 +54,9 @@ class FrequencyRun:
         self.k = float(wavenumber(omega, self.setup.depth, self.setup.gravity))
         self.theta = theta if theta is not None else angles(self.k, self.geometry.radius)
         self.asked = [DOFS.index(d) for d in dofs]
-        # a moment about another point than the origin needs forces too
-        self.dofs = [d for d in range(6) if np.any(prepared.transform[self.asked, d])]
         self.free = bool(want & FREE | want & {"pressure"}) and self.setup.inertia_matrix is not None
+        # motions couple; a moment about another point than the origin needs forces too
+        self.dofs = [d for d in range(6) if self.free or np.any(prepared.transform[self.asked, d])]
         self.radiates = bool(want & RADIATION) or self.free
         self.diffracts = bool(want & DIFFRACTION) or self.free
         self.whole_field = "pressure" in want
@@ -272,13 +205,7 @@ class FrequencyRun:
         at = np.concatenate([self.theta, self.headings])
         radiation = np.zeros((2, 6, len(at)), complex)
         diffraction = np.zeros((2, len(self.headings), len(at)), complex)
-        h = self.setup.depth
-        C = (
-            2 * np.pi * self.k * self.k / ((self.k**2 - self.K**2) * h + self.K)
-            if np.isfinite(h)
-            else 2 * np.pi * self.K
-        )
-        factor = -self.omega * C / (4 * np.pi * self.setup.gravity)
+        factor = -(self.k**2) / (4 * self.group_factor * self.omega)
         for cls, (moving, waves) in self.columns.items():
             both = far_field_integrals(
                 at, self.k, nodes, weights, normals, self.depth_values(nodes[:, 2]),
@@ -291,8 +218,9 @@ class FrequencyRun:
         return radiation, diffraction
 
     @property
-    def K(self):
-        return self.omega**2 / self.setup.gravity
+    def group_factor(self):
+        """C_g / C"""
+        return float(group_factor(self.k, self.setup.depth))
 
     @cached_property
     def excitation(self):
@@ -314,12 +242,11 @@ class FrequencyRun:
             T = self.prepared.transform
             H, slope = H + self.rao @ (T @ radiation), slope + self.rao @ (T @ dradiation)
         t, m = len(self.theta), np.arange(len(self.headings))
-        n = float(group_factor(self.k, self.setup.depth))
         force = mean_drift(
-            H[:, :t], slope[:, :t], H[m, t + m], slope[m, t + m], self.theta, self.headings, self.k, n,
-            self.setup.density, self.setup.gravity,
+            H[:, :t], slope[:, :t], H[m, t + m], slope[m, t + m], self.theta, self.headings, self.k,
+            self.group_factor, self.setup.density, self.setup.gravity,
         )  # fmt: skip
-        return about(force, self.setup.rotation_center), energy_defect(H[:, :t], H[m, t + m])
+        return about(force, self.setup.rotation_center)
 
     def disturbance(self, heading, moving):
         """{class: φ_D + Σ(−iωX)φ at the nodes (n,)}, and the matching normal velocity"""
@@ -355,57 +282,6 @@ class FrequencyRun:
                 out[j, i] = np.sum(total.reshape(shares.shape) * shares, axis=1)
         return 1j * self.omega * self.setup.density * out.reshape(len(self.headings), -1)
 
-    def checks(self):
-        """Largest relative violation of each law that the computed quantities allow to test; NaN where none does."""
-        out = dict.fromkeys(("reciprocity", "haskind", "energy", "residual", "estimated_error"), np.nan)
-        out["residual"] = self.residual
-        i = self.dofs
-        energy = []
-        if self.radiates:
-            Z = self.radiation[np.ix_(i, i)]
-            size = self.radiation_scale
-            out["reciprocity"] = float((np.abs(Z - Z.T) / np.outer(size, size)).max())
-        if self.radiates and self.far_field:
-            t = len(self.theta)
-            H = self.kochin[0][0][i, :t]
-            n = float(group_factor(self.k, self.setup.depth))
-            B = (H @ H.conj().T).real * 2 * np.pi / t
-            B *= 2 * self.setup.density * self.setup.gravity * n / (np.pi * self.k**2 * self.omega)
-            energy.append(np.abs(B - self.omega * Z.imag) / (self.omega * np.outer(size, size)))
-        if self.radiates and self.diffracts:
-            out["haskind"] = float((np.abs(self.haskind - self.excitation)[:, i] / self.excitation_scale).max())
-        if self.diffracts and self.far_field:
-            energy.append(np.abs(self.drift(False)[1]))
-        if energy:
-            out["energy"] = float(max(e.max() for e in energy))
-        return out
-
-    def difference(self, other):
-        """Largest relative difference of added mass, damping and excitation of two discretizations."""
-        i, out = self.dofs, []
-        if self.radiates:
-            Z, rough = (r.radiation[np.ix_(i, i)] for r in (self, other))
-            size = self.radiation_scale
-            out.append(np.abs(Z - rough) / np.outer(size, size))
-        if self.diffracts:
-            out.append(np.abs(self.excitation - other.excitation)[:, i] / self.excitation_scale)
-        return float(max(o.max() for o in out))
-
-    @property
-    def excitation_scale(self):
-        """(dofs,) the larger of excitation and diffraction force over the headings; inf where they are rounding
-
-        Sway in head sea is nothing but error: no force counts as less than a hundredth of the largest of its kind.
-        """
-        size = np.maximum(np.abs(self.excitation), np.abs(self.diffraction)).max(axis=0)
-        floor = 0.01 * np.repeat([size[:3].max(), size[3:].max()], 3)
-        return np.where(self.prepared.displacing, np.maximum(size, floor), np.inf)[self.dofs]
-
-    @property
-    def radiation_scale(self):
-        """(dofs,) √|A + iB/ω| of each mode; inf where it is rounding"""
-        return np.where(self.prepared.displacing, np.sqrt(np.abs(np.diag(self.radiation))), np.inf)[self.dofs]
-
     def asked_only(self, values):
         """`values` (…, 6) with NaN in place of degrees of freedom nobody asked for"""
         out = np.full_like(values, np.nan)
@@ -428,17 +304,17 @@ class FrequencyRun:
         if "kochin_diffraction" in want:
             out["kochin_diffraction"] = self.kochin[1][0][:, : len(self.theta)]
         if "drift_force_fixed" in want:
-            out["drift_force_fixed"] = self.drift(False)[0]
+            out["drift_force_fixed"] = self.drift(False)
         if "pressure" in want:
             out["pressure"] = self.pressure()
         if self.free and "rao" in want:
-            out["rao"] = self.rao
+            out["rao"] = self.asked_only(self.rao)
         if self.free and "drift_force" in want:
-            out["drift_force"] = self.drift(True)[0]
+            out["drift_force"] = self.drift(True)
         out = {name: value for name, value in out.items() if name in want}
         if self.columns:
             _ = self.potentials
-            out["checks"] = self.checks()
+            out["checks"] = check(self)
         else:
             out["checks"] = {}
         out["wall_time"] = self.wall_time

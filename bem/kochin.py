@@ -1,11 +1,11 @@
 """Far-field amplitude of the waves a body makes, after Kochin.
 
     η ~ H(θ) √(2/(πkR)) exp(i(kR − π/4))    for R → ∞ in direction θ,
-    H(θ) = −(ωC/4πg) ∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS,    ψ = Z(z) exp(−ik(x cosθ + y sinθ))
+    H(θ) = −(k²/4nω) ∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS,    ψ = Z(z) exp(−ik(x cosθ + y sinθ))
 
-with C and Z of `bem.green`; the surface integral replaces the source strengths of SR179 report (1982),
-eq. 2.1.5.15, whose H is −2iω/g times … the elevation amplitude used here.  H is per unit wave amplitude
-(diffraction) or per unit amplitude of motion, m or rad (radiation).
+with n = C_g/C and Z(z) = cosh k(z+h)/cosh kh.  H is per unit wave amplitude (diffraction) or per unit amplitude of
+motion, m or rad (radiation).  The function of SR179 report (1982), eq. 2.1.5.15, is −2g/ω times this one, per
+unit velocity; it has source strengths where a direct solution has φ and ∂φ/∂n.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .green import limit_table
+from .green_tables import limit_table
 from .influence import assembled
 from .modes import class_of
 

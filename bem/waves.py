@@ -66,3 +66,8 @@ def incident_wave(points, beta, omega, k, depth, gravity=9.80665):
     phi = phase * depth_factor(z, k, depth)
     slope = phase * depth_factor_slope(z, k, depth)
     return phi, np.stack([1j * k * c * phi, 1j * k * s * phi, slope], axis=-1)
+
+
+def propagating_factor(omega, k, depth, gravity=9.80665):
+    """C = 2πk²/((k²−K²)h + K) = πk²/(nK): the Green function's wave is i C Z(z) Z(ζ) H₀⁽¹⁾(kR)."""
+    return np.pi * k * k / (group_factor(k, depth) * omega**2 / gravity)

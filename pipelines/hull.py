@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bem.checks import ERROR_ORDER
 from bem.database_file import Header
-from bem.frequency import ERROR_ORDER, Setup
 from bem.kochin import angles
+from bem.setup import Setup
 from bem.waves import wavenumber
 from meshing.files import read_mesh
 from meshing.hydrostatics import hydrostatics, inertia_matrix

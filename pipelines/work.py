@@ -75,7 +75,7 @@ def _limit_threads(count):
 
 
 def _prepare(setup):
-    from bem.frequency import prepare
+    from bem.setup import prepare
 
     key = _key(setup)
     if key not in _prepared:

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy import special
 
-from bem.green import green_function, limit_table, pair, wave_table
+from bem.green import green_function, pair
+from bem.green_tables import limit_table, wave_table
 from bem.waves import wavenumber
 
 G = 9.80665

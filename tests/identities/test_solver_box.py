@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bem.frequency import Setup, prepare, solve_frequency
+from bem.frequency import solve_frequency
+from bem.setup import Setup, prepare
 from meshing.lid import lid
 from meshing.shapes import box
 

@@ -10,7 +10,8 @@ from exact import maccamy_fuchs
 from exact.hemisphere import hemisphere
 from exact.truncated_cylinder import TruncatedCylinder
 
-from bem.frequency import Setup, prepare, solve_frequency
+from bem.frequency import solve_frequency
+from bem.setup import Setup, prepare
 from meshing.lid import lid
 from meshing.panels import PanelMesh, joined, structured
 from meshing.shapes import buoy
