@@ -25,41 +25,44 @@ from .waves import depth_factor, depth_factor_slope
 
 @kernel()
 def logarithmic(X, Y):
-    """F and ∂F/∂X of the deep-water function by its series about the origin, for X² + Y² up to about 4.
+    """F and ∂F/∂X of the deep-water function by its series about the origin, for X² + Y² ≤ 1 to 1e-9.
 
-    e^Y F = −J₀(X)(ln(½(r+Y)) + γ) − Σ h_m terms − Σ I_n/n!, with I_n the polynomial part of ∫₀^Y tⁿ/√(X²+t²) dt;
-    the odd powers of X of Struve's function cancel against those integrals and never appear.
+    e^Y F = −J₀(X)(ln ½(r+Y) + γ) − Σ hₘ(−1)^(m+1)(X/2)²ᵐ/m!² − Σ Iₙ/n!, where Iₙ is ∫₀^Y tⁿ/√(X²+t²) dt without its
+    logarithm and its odd powers of X: those cancel against J₀ and Struve's function and never appear.
     """
-    r = math.sqrt(X * X + Y * Y)
+    square = X * X
+    r = math.sqrt(square + Y * Y)
+    inverse = 1 / r
     log = math.log(0.5 * (r + Y)) + 0.5772156649015329
-    slope = X / (r * (r + Y))
-    quarter = 0.25 * X * X
+    quarter = 0.25 * square
+    # J₀ and the regular part of ½πY₀, with their derivatives divided by X
     j0, dj0, y0, dy0 = 1.0, 0.0, 0.0, 0.0
-    term, harmonic = 1.0, 0.0
-    for m in range(1, 12):
-        term *= -quarter / (m * m)
-        harmonic += 1.0 / m
+    term, slope, harmonic = 1.0, 1.0, 0.0
+    for m in range(1, 7):
+        over = 1.0 / m
+        slope = -0.5 * over * term  # derivative of the next term divided by X
+        term *= -quarter * over * over
+        harmonic += over
         j0 += term
         y0 -= harmonic * term
-        if X > 0:
-            dj0 += 2 * m * term / X
-            dy0 -= 2 * m * harmonic * term / X
-    total, slope_total = -j0 * log - y0, -dj0 * log - j0 * slope - dy0
+        dj0 += slope
+        dy0 -= harmonic * slope
+    total = -j0 * log - y0
+    dtotal = -dj0 * log - j0 * inverse / (r + Y) - dy0  # divided by X as well
     # Iₙ = (Yⁿ⁻¹ r − (n−1) X² Iₙ₋₂)/n
-    past, dpast = 0.0, 0.0
-    now, dnow = r, X / r
-    power, factorial = 1.0, 1.0
-    for n in range(1, 24):
-        factorial *= n
-        total -= now / factorial
-        slope_total -= dnow / factorial
+    past, dpast, now, dnow = 0.0, 0.0, r, inverse
+    power, share = 1.0, 1.0
+    for n in range(1, 13):
+        total -= share * now
+        dtotal -= share * dnow
         power *= Y
-        following = (power * r - n * X * X * past) / (n + 1)
-        dfollowing = (power * X / r - n * (2 * X * past + X * X * dpast)) / (n + 1)
-        past, dpast = now, dnow
-        now, dnow = following, dfollowing
+        over = 1.0 / (n + 1)
+        share *= over
+        following = over * (power * r - n * square * past)
+        dfollowing = over * (power * inverse - n * (2 * past + square * dpast))
+        past, dpast, now, dnow = now, dnow, following, dfollowing
     decay = math.exp(-Y)
-    return decay * total, decay * slope_total
+    return decay * total, decay * X * dtotal
 
 
 @kernel()

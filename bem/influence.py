@@ -29,7 +29,7 @@ from .rankine import panel_moments
 
 # the wave part of a panel is integrated with 4 × 4 instead of 2 × 2 points where its surface image is closer than
 # NEAR of its sizes, or where the wave or the depth is shorter than the panel divided by COARSE
-NEAR, COARSE = 1.5, 1.6
+NEAR, COARSE = 1.0, 1.6
 
 
 class Geometry:
@@ -67,22 +67,12 @@ class Geometry:
 
     @cached_property
     def rankine(self):
-        """{class: (S and D of 1/r + 1/r₂, S and D of 1/r₁)}, each (n, n) and real"""
+        """S and D of 1/r + 1/r₂ + 1/r₁, then of 1/r₁ alone; each (classes, n, n) and real"""
         e = self.elements
         signs = np.array([self.signs(c) for c in self.classes])
         bed = np.isfinite(self.depth)
-        parts = _rankine_classes(
-            e.nodes,
-            e.origins,
-            e.axes,
-            e.corners,
-            e.inverse,
-            self.images,
-            signs,
-            bed,
-            -2 * self.depth if bed else 0.0,
-        )
-        return {c: tuple(p[i] for p in parts) for i, c in enumerate(self.classes)}
+        shift = -2 * self.depth if bed else 0.0
+        return _rankine_classes(e.nodes, e.origins, e.axes, e.corners, e.inverse, self.images, signs, bed, shift)
 
 
 def _stacked(mesh, lid):
@@ -105,6 +95,8 @@ def _rankine_classes(nodes, origins, axes, corners, inverse, images, signs, bed,
             if bed:
                 _add_row(x, y, shift - z, origins, axes, corners, inverse, signs[:, m], s[:, i], d[:, i])
             _add_row(x, y, -z, origins, axes, corners, inverse, signs[:, m], s1[:, i], d1[:, i])
+        s[:, i] += s1[:, i]
+        d[:, i] += d1[:, i]
     return s, d, s1, d1
 
 
@@ -143,12 +135,16 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities):
     sides = np.zeros((len(classes), g.hull, max(len(v) for v in velocities)), complex)
     for i, v in enumerate(velocities):
         sides[i, :, : len(v)] = v.T
-    exact = [g.rankine[c] for c in classes]
+    s, d, s1, d1 = g.rankine
+    chosen = [g.classes.index(c) for c in classes]
+    if len(chosen) < len(g.classes):
+        s, d, s1, d1 = s[chosen], d[chosen], s1[chosen], d1[chosen]
+    if mirror != 1:
+        s, d = s + (mirror - 1) * s1, d + (mirror - 1) * d1
     length = min(1 / table.k if table.k > 0 else np.inf, g.depth)
     return _assemble(
         e.nodes, g.panels.normals, e.origins, e.sizes, g.hull, g.images, np.array([g.signs(c) for c in classes]),
-        np.array([x[0] + mirror * x[2] for x in exact]), np.array([x[1] + mirror * x[3] for x in exact]),
-        g.coarse_points, g.fine_points, depth_values(g.coarse_points.points[..., 2]),
+        s, d, g.coarse_points, g.fine_points, depth_values(g.coarse_points.points[..., 2]),
         depth_values(g.fine_points.points[..., 2]), depth_values(e.nodes[:, 2])[:, 0].copy(),
         e.sizes > COARSE * length, table, sides,
     )  # fmt: skip
@@ -165,14 +161,15 @@ def _assemble(
     b = np.zeros((c, n, r), np.complex128)
     for i in prange(n):
         S, D = np.zeros((c, n), np.complex128), np.zeros((c, n), np.complex128)
+        work = np.empty((4, c))
         for j in range(len(normals)):
             part = slice(p * j, p * j + p)
             if always_fine[j] or _close(nodes[i], centers[j], NEAR * sizes[j], images):
                 _panel(nodes[i], normals[j], images, signs, fine.points[j], fine.weights[j], fine.shape[j], fine_z[j],
-                       node_z[i], table, S[:, part], D[:, part])  # fmt: skip
+                       node_z[i], table, work, S[:, part], D[:, part])  # fmt: skip
             else:
                 _panel(nodes[i], normals[j], images, signs, coarse.points[j], coarse.weights[j], coarse.shape[j],
-                       coarse_z[j], node_z[i], table, S[:, part], D[:, part])  # fmt: skip
+                       coarse_z[j], node_z[i], table, work, S[:, part], D[:, part])  # fmt: skip
         side = -1.0 if i < hull else 1.0
         for q in range(c):
             for j in range(n):
@@ -199,16 +196,16 @@ def _close(point, center, distance, images):
 
 
 @kernel()
-def _panel(point, normal, images, signs, points, weights, shape, depth_z, node_z, table, S, D):
-    """Wave part of one panel, all images and classes, added to S and D (classes, p)."""
+def _panel(point, normal, images, signs, points, weights, shape, depth_z, node_z, table, work, S, D):
+    """Wave part of one panel, all images and classes, added to S and D (classes, p); work : (4, classes) scratch."""
     x, y, z = point[0], point[1], point[2]
     K, spacing, radius = table.K, table.spacing, table.radius
     surface, rest, bed, bessel = table.surface, table.rest, table.bed, table.bessel
     c, p = S.shape
-    s_re, s_im, d_re, d_im = np.zeros(c), np.zeros(c), np.zeros(c), np.zeros(c)
+    at_nodes = p > 1 and len(weights) == p  # 2 × 2 points of a bilinear panel are its nodes: shape is the identity
     for q in range(len(weights)):
         level = levels(z, points[q, 2], spacing, surface.shape[1], bed.shape[1])
-        s_re[:] = s_im[:] = d_re[:] = d_im[:] = 0.0
+        work[:] = 0.0
         for m in range(len(images)):
             dx, dy = images[m, 0] * points[q, 0] - x, images[m, 1] * points[q, 1] - y
             R = math.sqrt(dx * dx + dy * dy)
@@ -218,14 +215,18 @@ def _panel(point, normal, images, signs, points, weights, shape, depth_z, node_z
             slope = depth_z[q, 0] * j1 * along + depth_z[q, 1] * j0 * normal[2]
             for a in range(c):
                 sign = signs[a, m]
-                s_re[a] += sign * g
-                s_im[a] += sign * j0
-                d_re[a] += sign * flux
-                d_im[a] += sign * slope
+                work[0, a] += sign * g
+                work[1, a] += sign * j0
+                work[2, a] += sign * flux
+                work[3, a] += sign * slope
         w, C = weights[q], weights[q] * table.C * node_z
         for a in range(c):
-            s = complex(w * s_re[a], C * depth_z[q, 0] * s_im[a])
-            d = complex(w * d_re[a], C * d_im[a])
-            for b in range(p):
-                S[a, b] += shape[q, b] * s
-                D[a, b] += shape[q, b] * d
+            s = complex(w * work[0, a], C * depth_z[q, 0] * work[1, a])
+            d = complex(w * work[2, a], C * work[3, a])
+            if at_nodes:
+                S[a, q] += s
+                D[a, q] += d
+            else:
+                for b in range(p):
+                    S[a, b] += shape[q, b] * s
+                    D[a, b] += shape[q, b] * d
