@@ -88,8 +88,10 @@ def radiation_scale(run):
 def excitation_scale(run):
     """(dofs,) size of the forces, infinite for modes that move no water
 
-    Sway in head sea is nothing but error: no force counts as less than a hundredth of the largest of its kind.
+    Sway in head sea and heave in short waves are nothing but error: no force counts as less than a fifth of the
+    largest, no moment as less than that of such a force at half the hull's radius.
     """
     size = np.maximum(np.abs(run.excitation), np.abs(run.diffraction)).max(axis=0)
-    floor = 0.01 * np.repeat([size[:3].max(), size[3:].max()], 3)
+    force = 0.2 * size[:3].max()
+    floor = np.repeat([force, max(0.2 * size[3:].max(), 0.5 * force * run.geometry.radius)], 3)
     return np.where(run.prepared.displacing, np.maximum(size, floor), np.inf)[run.dofs]

@@ -29,7 +29,7 @@ from .rankine import panel_moments
 
 # the wave part of a panel is integrated with 4 × 4 instead of 2 × 2 points where its surface image is closer than
 # NEAR of its sizes, or where the wave or the depth is shorter than the panel divided by COARSE
-NEAR, COARSE = 1.0, 1.6
+NEAR, COARSE = 1.0, 2.2
 
 
 class Geometry:

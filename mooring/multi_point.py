@@ -4,6 +4,8 @@ Natural periods come first: the method is not on the safe side where one of them
 Then steady forces of wind, current and wave drift, the position in which the lines balance them, and there the
 motion of the freely floating body in a regular wave of the significant height and mean period.  All modes are
 taken in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension.
+The body is small-angled throughout: loads and motions are those of its heading at rest.  Slow drift of irregular
+waves is not in the method.
 """
 
 from __future__ import annotations
@@ -19,12 +21,15 @@ from .current import current_force
 from .equilibrium import Equilibrium, displaced, find_equilibrium, mooring_load
 from .layout import Layout
 from .natural_periods import NaturalPeriods, natural_periods
-from .sea import mean_drift, motion_amplitudes
+from .sea import between_frequencies, between_headings, mean_drift, motion_amplitudes
 from .wind import AIR_DENSITY, BOX, wind_force
 
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
+ROLLING = 1e-4  # rad per m of wave amplitude; less is rounding in waves that do not roll the body
 ROLL = (0.85, 1.15)  # of the wave period; there roll without viscous damping is several times too large
 NEGLIGIBLE = 0.05  # mooring over hydrostatic stiffness, where free motions are used
+TURNED = 0.1  # rad; over that angle the drag coefficients of a box change by a tenth of their largest values
+SHALLOW = 20.0  # m; SR179 report, section 5.5.3: there some simulations of its floaters exceeded this method
 HORIZONTAL = ("Surge", "Sway", "Yaw")
 
 
@@ -185,6 +190,7 @@ def fairlead_displacements(layout, equilibrium, amplitudes, center):
     """Largest displacement of each fairlead outward along its line and upward, all modes in phase: two (n,) m.
 
     Σⱼ |Dⱼ| Xⱼ with Dⱼ the displacement per unit of mode j; signs are chosen for each line and direction.
+    The sum is an upper bound of the displacement; how far it is above depends on `center`, to which the motions refer.
     """
     moved = displaced(np.asarray(center)[None, :], equilibrium.position, center)[0]
     arm = equilibrium.points - moved
@@ -199,10 +205,12 @@ def findings(result, db):
     """What a reader of the result has to know: one line each, with the number and its limit."""
     waves = result.conditions.waves
     if waves:
+        yield from _interpolated(db, waves)
         yield from resonances(result, waves.period)
-        yield from _rolling(result, waves.period)
+        yield from _rolling(result, waves)
         yield from _stiff_modes(result, np.asarray(db.hydrostatic_stiffness, float))
     yield from _held(result.at_rest)
+    yield from _outside_the_method(result, db.water_depth)
     yield from _line_findings(result)
 
 
@@ -232,6 +240,28 @@ def _periods(db, stiffness):
     return natural_periods(db.omega, db["added_mass"], db.inertia_matrix, total, limit)
 
 
+def _interpolated(db, waves):
+    """What is a linear guess between stored waves.
+
+    On a box of 100 m × 50 m × 10 m at 8 to 14 s most motions in the middle of a gap of 30° are 5 to 40 % off, small
+    ones more, and drift in the middle of a second next to the natural period of roll up to a factor of two.
+    """
+    i, j, share = between_frequencies(db.omega, waves.period)
+    if share > 0:
+        low, high = (2 * np.pi / db.omega[n] for n in (j, i))
+        yield (
+            f"wave period {waves.period:g} s lies between the stored {low:.4g} and {high:.4g} s: drift is a linear "
+            "guess there, poor near a resonance; add the period to the scene and solve again"
+        )
+    m, n, share = between_headings(db.wave_direction, waves.direction)
+    if share > 0:
+        to, low, high = (np.rad2deg(v) for v in (waves.direction, db.wave_direction[m], db.wave_direction[n]))
+        yield (
+            f"wave direction {to:.4g}° lies between the stored {low:.4g}° and {high:.4g}°: motions and drift are "
+            "linear guesses there; add the direction to the scene and solve again"
+        )
+
+
 def resonances(result, wave_period):
     low, high = RESONANCE
     for state, periods in (("at rest", result.at_rest), ("under the steady forces", result.at_equilibrium)):
@@ -247,13 +277,14 @@ def resonances(result, wave_period):
             )
 
 
-def _rolling(result, wave_period):
+def _rolling(result, waves):
     period = result.at_equilibrium.period[result.at_equilibrium.names.index("Roll")]
-    if ROLL[0] <= period / wave_period <= ROLL[1]:
+    rolls = result.amplitudes[3] > ROLLING * 0.5 * waves.height
+    if rolls and ROLL[0] <= period / waves.period <= ROLL[1]:
         yield (
             f"natural period of roll {period:.3g} s lies within {ROLL[0]:g} to {ROLL[1]:g} of the wave period "
-            f"{wave_period:g} s: its amplitude {result.amplitudes[3]:.2g} rad has no viscous damping, "
-            "motion and drift are too large"
+            f"{waves.period:g} s: its amplitude {result.amplitudes[3]:.2g} rad has no viscous damping; "
+            "motion, drift and tension are too large"
         )
 
 
@@ -279,6 +310,20 @@ def _held(periods):
     unstable = [n for n, value in zip(periods.names, periods.period, strict=True) if np.isnan(value)]
     if unstable:
         yield f"unstable without waves: {', '.join(unstable)}; the body needs more restoring"
+
+
+def _outside_the_method(result, depth):
+    turn = abs(result.equilibrium.position[2])
+    if turn > TURNED:
+        yield (
+            f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: they and the motions are those "
+            "of its heading at rest"
+        )
+    if result.conditions.waves and depth <= SHALLOW:
+        yield (
+            f"water depth {depth:g} m is not above {SHALLOW:g} m: there simulations in heavy seas exceed this "
+            "method (SR179 report, section 5.5.3); simulate in time"
+        )
 
 
 def _line_findings(result):

@@ -1,6 +1,11 @@
 """What a regular wave does to a body, read from a database: mean drift force and amplitudes of motion.
 
-Values between stored frequencies and headings are linear; outside them nothing is returned but an error.
+Between stored headings every quantity is linear.  Between stored frequencies drift is linear, and motions solve
+
+    {−ω²[M + A] − iω[B] + [C]} X = F
+
+with linear A, B and F: near a resonance X turns its phase by half a circle, and a mean of its two sides would
+cancel.  Outside the stored frequencies and headings nothing is returned but an error.
 """
 
 from __future__ import annotations
@@ -16,37 +21,31 @@ class RangeError(ValueError):
 
 def at_wave(db, name, period, direction):
     """Row of a stored quantity (omega, wave_direction, …) at a wave period (s) and direction (rad, travelled to)."""
-    db.require(name)
-    values = np.asarray(db[name])
-    (i, j, s), (m, n, t) = _between_frequencies(db.omega, period), _between_headings(db.wave_direction, direction)
-    corners = [(1 - s) * (1 - t), (1 - s) * t, s * (1 - t), s * t]
-    rows = [values[i, m], values[i, n], values[j, m], values[j, n]]
-    # a row that does not count may be nan: a frequency that failed
-    result = sum(weight * row for weight, row in zip(corners, rows, strict=True) if weight > 0)
-    if not np.all(np.isfinite(result)):
-        raise RangeError(
-            f"{name} is not known at period {period:g} s, direction {np.rad2deg(direction):g}°: "
-            "its frequency failed; run the same solve again"
-        )
-    return result
+    m, n, t = between_headings(db.wave_direction, direction)
+    values = _at_period(db, name, period)
+    return _known(_mixed(values[m], values[n], t), name, period)
 
 
 def mean_drift(db, height, period, direction):
     """(3,) mean drift F_x, F_y in N and M_z in N m of a regular wave of height `height` m.
 
     SR179 report (1982), section 5.1.1: irregular waves are replaced by a regular wave with the significant
-    height as its height and the mean period as its period.
+    height as its height and the mean period as its period.  It has twice the energy of the irregular waves.
     """
     return at_wave(db, "drift_force", period, direction) * (0.5 * height) ** 2
 
 
 def motion_amplitudes(db, height, period, direction):
     """(6,) m and rad, amplitudes of the freely floating body in the same regular wave, about rotation_center."""
-    return np.abs(at_wave(db, "rao", period, direction)) * 0.5 * height
+    if between_frequencies(db.omega, period)[2] == 0:
+        motion = at_wave(db, "rao", period, direction)
+    else:
+        motion = _response(db, period, direction)
+    return np.abs(motion) * 0.5 * height
 
 
-def _between_frequencies(omega, period):
-    """Two rows and the share of the second."""
+def between_frequencies(omega, period):
+    """Rows below and above a wave period (s), and the share of the second; RangeError outside."""
     omega = np.asarray(omega, float)
     if not period > 0:
         raise ValueError(f"wave period is {period:g} s; allowed: above 0")
@@ -63,8 +62,8 @@ def _between_frequencies(omega, period):
     return j - 1, j, (wanted - omega[j - 1]) / (omega[j] - omega[j - 1])
 
 
-def _between_headings(headings, direction):
-    """Two columns and the share of the second, on the circle."""
+def between_headings(headings, direction):
+    """Columns on both sides of a direction (rad) on the circle, and the share of the second; RangeError in a gap."""
     offset = np.mod(np.asarray(headings, float) - direction + np.pi, 2 * np.pi) - np.pi
     near = int(np.argmin(np.abs(offset)))
     if abs(offset[near]) <= 1e-9:
@@ -79,3 +78,31 @@ def _between_headings(headings, direction):
             f"({stored}°); add it to the scene's headings and solve again"
         )
     return m, n, -below[m] / gap
+
+
+def _at_period(db, name, period):
+    """A stored quantity (omega, …) at a wave period (s)."""
+    db.require(name)
+    i, j, s = between_frequencies(db.omega, period)
+    values = np.asarray(db[name])
+    return _mixed(values[i], values[j], s)
+
+
+def _mixed(first, second, share):
+    # a row that does not count may be nan: a frequency that failed
+    return first if share == 0 else (1 - share) * first + share * second
+
+
+def _known(value, name, period):
+    if not np.all(np.isfinite(value)):
+        raise RangeError(f"{name} is not known at period {period:g} s: its frequency failed; run the same solve again")
+    return value
+
+
+def _response(db, period, direction):
+    """(6,) complex motion per unit wave amplitude from coefficients and excitation at a wave period (s)."""
+    from bem.motions import response
+
+    coefficients = [_known(_at_period(db, n, period), n, period) for n in ("added_mass", "radiation_damping")]
+    force = at_wave(db, "excitation_force", period, direction)
+    return response(2 * np.pi / period, *coefficients, force[None, :], db.inertia_matrix, db.hydrostatic_stiffness)[0]

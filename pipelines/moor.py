@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
+from bem import DOFS
+
 from .study import TONF, StudyError, read_study
 
 SCHEMA = "hakobune mooring study 1"
@@ -107,6 +109,8 @@ def _show(result, study, output):
     console.print(_lines_table(result))
     x, y, turn = result.equilibrium.position
     console.print(f"equilibrium: x {x:.3f} m, y {y:.3f} m, yaw {np.degrees(turn):.3f}°", highlight=False)
+    if result.conditions.waves:
+        console.print(_motions(result.amplitudes), highlight=False, soft_wrap=True)
     worst = int(np.argmax(result.tension))
     console.print(
         f"largest tension: {result.tension[worst] / TONF:.0f} tonf in {result.layout.names[worst]}, "
@@ -119,6 +123,13 @@ def _show(result, study, output):
         console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
     if output is not None:
         console.print(f"written: {output}, {output.stem}_plan.png", highlight=False, soft_wrap=True)
+
+
+def _motions(amplitudes):
+    shift, turn = amplitudes[:3], np.degrees(amplitudes[3:])
+    words = [f"{name} {value:.3g} m" for name, value in zip(DOFS[:3], shift, strict=True)]
+    words += [f"{name} {value:.3g}°" for name, value in zip(DOFS[3:], turn, strict=True)]
+    return f"amplitudes of the free motions: {', '.join(words).lower()}"
 
 
 def _table(title, *columns):

@@ -19,6 +19,8 @@ from mooring.box_drag import drag_table
 from mooring.layout import Layout, Line, corner_spread, pretensioned
 from mooring.multi_point import Conditions, Current, Hull, Waves, Wind
 
+from .typed import typed
+
 KNOT = 1852 / 3600  # m/s
 TONF = 9806.65  # N
 KGF = 9.80665  # N
@@ -220,12 +222,7 @@ def read_study(path):
 
 def make_study(raw):
     """The Study of nested dictionaries as TOML gives them.  Raises StudyError."""
-    try:
-        study = msgspec.convert(raw, Study)
-    except msgspec.ValidationError as error:
-        what, _, where = str(error).partition(" - at ")
-        where = where.strip("`").removeprefix("$").removeprefix(".")
-        raise StudyError(f"study: {where + ': ' if where else ''}{what[0].lower() + what[1:]}") from None
+    study = typed(raw, Study, StudyError)
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
     _positive("water.depth", study.water.depth)

@@ -104,6 +104,68 @@ def test_equilibrium_balances_the_steady_force():
         assert np.allclose(again[[0, 1, 5]] + force, 0, atol=1e-8 * scale * 50)
 
 
+def test_each_line_pulls_towards_its_anchor_and_all_together_hold_the_steady_force():
+    """Forces and moments summed line by line, about the rotation centre carried along."""
+    layout, center, force = spread(), np.array([7.0, -3.0, -2.0]), np.array([-3e6, -8e6, 2e8])
+    found = find_equilibrium(layout, force, center)
+    x, y, turn = found.position
+    total = force.copy()
+    for line in layout.lines:
+        arm = np.subtract(line.fairlead, center)[:2]
+        arm = np.array([np.cos(turn) * arm[0] - np.sin(turn) * arm[1], np.sin(turn) * arm[0] + np.cos(turn) * arm[1]])
+        away = np.array(line.anchor[:2]) - (center[:2] + [x, y] + arm)
+        span = np.hypot(*away)
+        H = solve_lines(span, 20.0, line.length, line.weight, line.axial_stiffness).horizontal_fairlead
+        pull = H * away / span
+        total += [*pull, arm[0] * pull[1] - arm[1] * pull[0]]
+    assert np.all(np.abs(total) < 1e-9 * np.array([1, 1, 50]) * np.abs(force).max())
+
+
+def test_head_load_on_a_symmetric_spread_gives_mirrored_tensions():
+    found = find_equilibrium(spread(), [-5e6, 0.0, 0.0])
+    assert found.position[0] < 0
+    assert np.abs(found.position[1:]).max() < 1e-10
+    # fore port, fore starboard, aft port, aft starboard, three lines each
+    port_fore, starboard_fore, port_aft, starboard_aft = found.lines.tension_fairlead.reshape(4, 3)
+    assert np.allclose(port_fore, starboard_fore, rtol=1e-9)
+    assert np.allclose(port_aft, starboard_aft, rtol=1e-9)
+    assert np.all(port_fore > port_aft)
+
+
+def potential_energy(layout, position, force):
+    """J: weight times height and ∫ T²/2EA of all lines, less the work of the steady force; flat bed, no friction."""
+    lines, _ = layout.solve(displaced(layout.fairleads, position, np.zeros(3)))
+    s, share = np.polynomial.legendre.leggauss(200)
+    energy = -np.dot(force, position)
+    for i, line in enumerate(layout.lines):
+        H, V, lying = (v[i] for v in (lines.horizontal_fairlead, lines.vertical_fairlead, lines.grounded_length))
+        w, EA, free = line.weight, line.axial_stiffness, line.length - lying
+        at, step = 0.5 * free * (1 + s), 0.5 * free * share
+        low = V - w * free
+        tension = np.hypot(H, low + w * at)
+        # height above the lower end, with stretch: ∫ (1 + T/EA) V/T ds
+        height = (tension - np.hypot(H, low)) / w + (low * at + 0.5 * w * at**2) / EA
+        energy += step @ (w * height + tension**2 / (2 * EA)) + lying * H**2 / (2 * EA)
+    return energy
+
+
+def test_potential_energy_is_stationary_at_equilibrium_and_curved_like_the_stiffness():
+    layout, force = spread(), np.array([-3e6, -8e6, 2e8])
+    found = find_equilibrium(layout, force)
+    steps = np.diag([0.02, 0.02, 4e-4])
+
+    def energy(shift):
+        return potential_energy(layout, found.position + shift, force)
+
+    here = energy(np.zeros(3))
+    K = found.stiffness[np.ix_([0, 1, 5], [0, 1, 5])]
+    for i, step in enumerate(steps):
+        above, below = energy(step), energy(-step)
+        # central differences: second order, and rounding of an energy of 1e8 J
+        assert abs(above - below) / (2 * step[i]) < 1e-4 * abs(force[i])
+        assert np.isclose((above - 2 * here + below) / step[i] ** 2, K[i, i], rtol=1e-3)
+
+
 def test_equilibrium_is_the_same_from_far_away():
     layout, force = spread(), [3e6, 8e6, 2e8]
     near = find_equilibrium(layout, force).position

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from bem.database import Header, append, append_limit, create, open_database, pending, writing
+from bem.waves import incident_wave, wavenumber
 from meshing.panels import PanelMesh
 from mooring.catenary import State, solve_lines
 from mooring.equilibrium import mooring_stiffness
@@ -21,10 +22,12 @@ MASS = 51.25e6
 INERTIA = MASS * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])
 STIFFNESS = 1025 * 9.80665 * np.diag([0, 0, 5000, 50000 * 15.83, 50000 * 78.33, 0])
 OMEGA = np.array([0.1, 0.3, 2 * np.pi / 10, 0.9])
-HEADINGS = np.radians([0.0, 60.0, 240.0])
+HEADINGS = np.radians([0.0, 60.0, 240.0, 270.0])
 HULL = Hull(100.0, 50.0, 10.0, 10.0)
 MADE_UP = {
     "added_mass": np.diag([0.2, 0.5, 2.0, 1.0, 1.0, 0.4]) * INERTIA,
+    "radiation_damping": 0.05 * INERTIA,
+    "excitation_force": np.array([1e6, 2e6, 5e6, 2e7, 3e7, 1e7]) * np.exp(1j * np.arange(6)),
     "rao": np.array([0.2, 0.4, 0.5, 0.03, 0.015, 0.002]) * np.exp(1j * np.arange(6)),
     "drift_force": np.array([-2e4, -8e4, 1e5]),
 }
@@ -55,6 +58,9 @@ incidence_deg = 60.0
 """
 
 
+HEAD_SEA = "period = 10.0\nincidence_deg = 0.0"
+
+
 class StandIn:
     """What a study reads of a database, with the numbers above at every frequency and heading."""
 
@@ -69,7 +75,7 @@ class StandIn:
     def __getitem__(self, name):
         if name == "added_mass_zero":
             raise ValueError("not stored")
-        shape = (len(OMEGA),) if name == "added_mass" else (len(OMEGA), len(HEADINGS))
+        shape = (len(OMEGA),) if MADE_UP[name].ndim == 2 else (len(OMEGA), len(HEADINGS))
         return np.broadcast_to(MADE_UP[name], shape + MADE_UP[name].shape)
 
 
@@ -110,7 +116,7 @@ def database(tmp_path):
     with writing(path) as file:
         for row in todo.rows:
             result = {
-                name: value if name == "added_mass" else np.broadcast_to(value, (len(row.headings), *value.shape))
+                name: value if value.ndim == 2 else np.broadcast_to(value, (len(row.headings), *value.shape))
                 for name, value in MADE_UP.items()
             }
             append(file, row.omega, row.headings, result)
@@ -184,6 +190,44 @@ def test_roll_near_the_wave_period_is_warned_of():
         assert any("no viscous damping" in w for w in result.warnings) == near
 
 
+def test_waves_that_do_not_roll_the_body_bring_no_warning_of_roll():
+    class Ahead(StandIn):
+        def __getitem__(self, name):
+            along = np.array([1, 0, 1, 0, 1, 0])
+            return super().__getitem__(name) * (along if name in ("rao", "excitation_force") else 1)
+
+    roll = multi_point(Ahead(), spread(), HULL, Conditions(), 20.0).at_rest.period[3]
+    result = multi_point(Ahead(), spread(), HULL, Conditions(waves=Waves(0.1, roll, 0.0)), 20.0)
+    assert not any("no viscous damping" in w for w in result.warnings)
+
+
+def test_waves_between_stored_ones_are_said_to_be_guesses():
+    stored = multi_point(StandIn(), spread(), HULL, storm(), 20.0)
+    assert not any("linear guess" in w for w in stored.warnings)
+    for waves, words in (
+        (Waves(4.5, 8.0, np.radians(240)), "wave period 8 s lies between the stored 6.981 and 10 s"),
+        (Waves(4.5, 10.0, np.radians(250)), "wave direction 250° lies between the stored 240° and 270°"),
+    ):
+        warnings = multi_point(StandIn(), spread(), HULL, storm(waves=waves), 20.0).warnings
+        assert [words in w for w in warnings if "linear guess" in w] == [True]
+
+
+def test_shallow_water_is_said_to_be_outside_the_method(stormy):
+    assert any("water depth 20 m is not above 20 m" in w for w in stormy.warnings)
+    calm = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0)
+    assert calm.warnings == ()
+
+
+def test_a_body_turned_far_by_its_loads_is_warned_of():
+    class Twisted(StandIn):
+        def __getitem__(self, name):
+            return super().__getitem__(name) + (np.array([0, 0, 2e8]) if name == "drift_force" else 0)
+
+    turned = multi_point(Twisted(), spread(), HULL, storm(), 20.0)
+    assert abs(turned.equilibrium.position[2]) > 0.1
+    assert any("turn the body by" in w for w in turned.warnings)
+
+
 def test_slack_and_broken_lines_are_named():
     weak = multi_point(StandIn(), spread(breaking_load=100 * TONF), HULL, storm(), 20.0)
     assert any("beyond the breaking load" in w for w in weak.warnings)
@@ -215,6 +259,31 @@ def test_incidence_of_the_reports_is_the_opposite_direction():
     assert np.isclose(conditions.waves.direction, np.radians(240))
     assert np.isclose(conditions.current.direction, np.radians(240))
     assert np.isclose(conditions.current.speed, 3 * 1852 / 3600)
+
+
+def test_head_sea_of_the_reports_reaches_the_bow_first():
+    """Amplitudes do not see which way a wave runs, phases do: ε = arg X is the lag behind the crest at the origin."""
+    waves = make_study(tomllib.loads(STUDY.replace("period = 10.0\nincidence_deg = 60.0", HEAD_SEA))).conditions().waves
+    omega = 2 * np.pi / waves.period
+    k = wavenumber(omega, 20.0)
+    bow_stern = np.array([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]])
+    crest = 1j * omega / 9.80665 * incident_wave(bow_stern, waves.direction, omega, k, 20.0)[0]
+    assert np.allclose(np.angle(crest), [-k, k])
+
+
+def test_every_number_of_the_results_file_has_its_unit(tmp_path, database):
+    study, output = tmp_path / "study.toml", tmp_path / "moor.h5"
+    study.write_text(STUDY)
+    moor(study, database, output, quiet=True)
+    bare = []
+
+    def look(name, item):
+        if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" and not item.attrs.get("units"):
+            bare.append(name)
+
+    with h5py.File(output) as file:
+        file.visititems(look)
+    assert bare == []
 
 
 def test_command_writes_results_and_plan(tmp_path, database, capsys):
