@@ -56,11 +56,11 @@ def test_reciprocity_haskind_and_energy_fall_with_refinement(depth):
 
 
 def test_mirror_planes_change_nothing():
-    mesh, options = box(100, 50, 10, counts=(3, 2, 2)), {"depth": 15.0}
+    mesh, options = box(100, 50, 10, counts=(5, 4, 3)), {"depth": 15.0}
     results = []
     for m in (mesh, PanelMesh(*_half(mesh), "x"), mesh.whole()):
         results.append(solve_frequency(prepare(Setup(m, **options)), 0.5, np.radians([30.0]), WANT))
-    # interpolation in the tables, which another symmetry makes for other distances, leaves 1e-5 of the large entries
+    # which panels count as close, and so their number of integration points, depends on the images seen together
     for other in results[1:]:
         for name in ("added_mass", "radiation_damping"):
             size = np.sqrt(np.diag(results[0][name]))
