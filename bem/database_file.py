@@ -83,7 +83,7 @@ def check_replaceable(path):
     except FileNotFoundError:
         return
     except OSError as error:
-        if "lock" in str(error):
+        if "unable to lock" in str(error):
             raise DatabaseError(f"{path} cannot be replaced: {_reason(error)}") from None
     raise DatabaseError(f"{path} is not a hakobune database and is not replaced; give another name")
 
@@ -131,7 +131,7 @@ def opened(path, mode="r"):
 
 
 def _reason(error):
-    if error.errno in (11, 35) or "lock" in str(error):
+    if error.errno in (11, 35) or "unable to lock" in str(error):
         return "another process has it open"
     return os.strerror(error.errno) if error.errno else str(error).splitlines()[0]
 
@@ -140,8 +140,9 @@ def lay_out(file, header, omega, wave_direction, names):
     """Fill a new file with everything known beforehand, and NaN for every number still to come."""
     file.attrs.update(_attributes(header))
     values = {"omega": omega, "wave_direction": wave_direction, "theta": header.theta, **LABELS}
+    values["panel"] = np.arange(header.mesh.total)
     for axis, (_, unit, kind) in COORDINATES.items():
-        data = np.array(values[axis], dtype=h5py.string_dtype() if kind is str else float)
+        data = np.array(values[axis], dtype=h5py.string_dtype() if kind is str else kind)
         dataset = file.create_dataset(axis, data=data)
         dataset.make_scale(axis)
         _describe(dataset, unit)

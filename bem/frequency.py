@@ -15,6 +15,7 @@ from .influence import assembled
 from .kochin import angles, far_field_integrals
 from .modes import class_of
 from .motions import response
+from .threads import blas_threads
 from .waves import depth_factor, depth_factor_slope, group_factor, incident_wave, wavenumber
 
 RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
@@ -133,6 +134,10 @@ class FrequencyRun:
     @cached_property
     def potentials(self):
         """{class: potentials (columns, n) on the hull}"""
+        with blas_threads(len(self.geometry.elements.nodes)):
+            return self._solved()
+
+    def _solved(self):
         from scipy.linalg import lu_factor, lu_solve
 
         start = time.perf_counter()

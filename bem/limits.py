@@ -11,6 +11,7 @@ import numpy as np
 from .green_tables import limit_table
 from .influence import assembled
 from .modes import class_of
+from .threads import blas_threads
 
 
 def added_mass_limit(prepared, which):
@@ -20,6 +21,11 @@ def added_mass_limit(prepared, which):
     """
     if which not in ("zero", "infinity"):
         raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
+    with blas_threads(len(prepared.geometry.elements.nodes)):
+        return _limit(prepared, which)
+
+
+def _limit(prepared, which):
     from scipy.linalg import solve
 
     g, setup, T = prepared.geometry, prepared.setup, prepared.transform

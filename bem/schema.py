@@ -9,7 +9,7 @@ from . import DOFS
 
 FORMAT = "hakobune database"
 SCHEMA_VERSION = 1
-AXES = ("omega", "wave_direction", "influenced_dof", "radiating_dof", "drift_dof", "theta", "xyz")
+AXES = ("omega", "wave_direction", "influenced_dof", "radiating_dof", "drift_dof", "theta", "panel", "xyz")
 DRIFT_DOFS = ("Surge", "Sway", "Yaw")
 
 _SQUARE = ("influenced_dof", "radiating_dof")
@@ -24,6 +24,7 @@ COORDINATES = {
     "radiating_dof": (("radiating_dof",), "", str),
     "drift_dof": (("drift_dof",), "", str),
     "theta": (("theta",), "rad", float),
+    "panel": (("panel",), "", int),  # of the whole hull, as in mesh.whole()
     "xyz": (("xyz",), "", str),
 }
 DERIVED = {
@@ -42,6 +43,7 @@ QUANTITIES = {
     "rao": (("omega", "wave_direction", "radiating_dof"), "m/m, rad/m", complex),
     "drift_force_fixed": (_DRIFT, "N/m2, N m/m2", float),
     "drift_force": (_DRIFT, "N/m2, N m/m2", float),
+    "pressure": (("omega", "wave_direction", "panel"), "Pa/m", complex),
     "added_mass_zero": (_SQUARE, "kg, kg m, kg m2", float),
     "added_mass_infinity": (_SQUARE, "kg, kg m, kg m2", float),
 }
@@ -61,6 +63,7 @@ CHECKS = ("reciprocity", "haskind", "energy", "residual", "estimated_error")
 
 LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)
 NEEDS_MOTION = ("rao", "drift_force")
+ONLY_BY_NAME = ("pressure",)  # large, and wanted for few frequencies
 LABELS = {"influenced_dof": DOFS, "radiating_dof": DOFS, "drift_dof": DRIFT_DOFS, "xyz": ("x", "y", "z")}
 
 
