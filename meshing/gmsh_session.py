@@ -6,6 +6,7 @@ nothing, and leaves a state that the caller had opened before as it found it.
 
 from __future__ import annotations
 
+import signal
 import threading
 from contextlib import contextmanager
 
@@ -46,6 +47,7 @@ def session(name="hakobune"):
         already_open = bool(gmsh.isInitialized())
         if not already_open:
             gmsh.initialize(readConfigFiles=False, interruptible=False)
+            _restore_sigpipe()
         terminal = gmsh.option.getNumber("General.Terminal")
         before = gmsh.model.getCurrent()
         try:
@@ -60,6 +62,12 @@ def session(name="hakobune"):
                 gmsh.option.setNumber("General.Terminal", terminal)
             else:
                 gmsh.finalize()
+
+
+def _restore_sigpipe():
+    """gmsh makes a closed pipe end the process again, behind Python's back, which turns it into BrokenPipeError."""
+    if hasattr(signal, "SIGPIPE") and threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGPIPE, signal.getsignal(signal.SIGPIPE))
 
 
 def graded_patches(patches, symmetry="", name=""):

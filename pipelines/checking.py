@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from meshing.quality import findings
 
 from bem.database import open_database
+from meshing.quality import findings
 
 from .report import checked, checks_table
 

@@ -16,6 +16,7 @@ app = App(
     help="From a floating body's dimensions to the tension in its last mooring line.",
     version=lambda: metadata.version("hakobune"),
     result_action="return_value",
+    suppress_keyboard_interrupt=False,
 )
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the flags are laid over")]
@@ -65,7 +66,7 @@ def solve(
     """The same for the body of a scene file, or of a mesh file."""
     if scene is None and mesh is None:
         raise ValueError("nothing to solve; give a scene file or --mesh file")
-    return _solve(scene, {"shape": "mesh", "file": mesh} if mesh else {}, flags, run)
+    return _solve(scene, {} if mesh is None else {"shape": "mesh", "file": mesh}, flags, run)
 
 
 @app.command
@@ -74,12 +75,14 @@ def look(
     /,
     *,
     screenshot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
-    field: Annotated[str | None, Parameter(help="colour panels by area, size or aspect")] = None,
+    field: Annotated[str | None, Parameter(help="colour panels by area, size, aspect or pressure")] = None,
+    omega: Annotated[float | None, Parameter(help="rad/s, of the pressure; the nearest stored is shown")] = None,
+    heading: Size = None,
 ):
-    """Show the mesh of a database, a scene or a mesh file."""
+    """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is that of the pressure."""
     from .looking import look
 
-    return look(file, screenshot, field)
+    return look(file, screenshot, field, omega, heading)
 
 
 @app.command
@@ -87,9 +90,11 @@ def plot(file: Path, /, *, output: Annotated[Path | None, Parameter(help=".png, 
     """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png."""
     from bem.database import open_database
 
+    from .picture import PLOTS, check_picture
     from .plots import plot
 
     output = output or file.with_suffix(".png")
+    check_picture(output, PLOTS)
     plot(open_database(file), output)
     print(output)
     return 0
@@ -123,7 +128,7 @@ def main(arguments=None):
         print(f"{name}: {' '.join(str(error).split())}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print(f"{name}: interrupted", file=sys.stderr)
+        print(f"{name}: interrupted; what was solved is stored, the same command goes on", file=sys.stderr)
         return 130
 
 
@@ -166,6 +171,7 @@ def _run(scene, output, flags):
 
 
 def _write_mesh(raw, output):
+    from bem.database_file import check_place
     from meshing.files import write_mesh
 
     from .hull import make_hull
@@ -176,6 +182,7 @@ def _write_mesh(raw, output):
     if not set(raw["waves"]) - {"headings_deg"}:
         raw["waves"]["periods"] = [1000.0]
     scene = make_scene(raw)
+    check_place(output)
     hull = make_hull(scene, scene.omegas())
     write_mesh(hull.mesh, output)
     print(f"{output}: {hull.mesh!r}")

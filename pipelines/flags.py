@@ -23,7 +23,7 @@ class SceneFlags:
     period: Annotated[str | None, _flag("periods, s, instead of omega")] = None
     heading: Annotated[str | None, _flag("degrees the waves travel to (0: +x, 90: +y)")] = None
     tolerance: Annotated[float | None, _flag("relative error asked for [0.01]")] = None
-    panels: Annotated[int | None, _flag("panels on the whole hull, instead of tolerance")] = None
+    panels: Annotated[str | None, _flag("panels on the whole hull, instead of tolerance")] = None
     method: Annotated[str | None, _flag("auto or panel")] = None
     density: Annotated[float | None, _flag("of the water, kg/m³ [1025]")] = None
     gravity: Annotated[float | None, _flag("m/s² [9.80665]")] = None
@@ -71,7 +71,7 @@ def overlaid(raw, flags, body):
     _put(raw, method=flags.method, rotation_center=_triple("rotation_center", flags.rotation_center))
     if flags.tolerance is not None or flags.panels is not None:
         raw = {key: value for key, value in raw.items() if key not in ("tolerance", "panels")}
-        _put(raw, tolerance=flags.tolerance, panels=flags.panels)
+        _put(raw, tolerance=flags.tolerance, panels=_whole_number("panels", flags.panels))
     if flags.only is not None:
         raw["want"] = [word.strip() for word in flags.only.split(",") if word.strip()]
     return {**raw, "water": water, "waves": waves, "bodies": bodies}
@@ -97,6 +97,16 @@ def _table(key, value):
 
 def _put(table, **values):
     table.update({key: value for key, value in values.items() if value is not None})
+
+
+def _whole_number(key, text):
+    """The command line's own conversion would cut 2.5 down to 2."""
+    from .scene import SceneError
+
+    try:
+        return None if text is None else int(text)
+    except ValueError:
+        raise SceneError(f"--{key} is {text!r}; allowed: a whole number") from None
 
 
 def _triple(key, text):

@@ -53,15 +53,17 @@ def make_hull(scene, omegas):
     """Panels and lid of the scene's body.
 
     omegas : (n,) rad/s, for the length of the shortest wave
-    Raises SceneError if the frequencies ask for more panels than can be solved.
+    Raises SceneError if the frequencies ask for more panels than can be solved, or the mesh cannot be used.
     """
+    wave = shortest_wave(scene, omegas)
     if scene.body.shape == "mesh":
         mesh = read_mesh(scene.body.file)
     elif scene.panels is not None:
         mesh = _meshed(scene.body, scene.panels)
     else:
-        mesh = _fine_enough(scene, shortest_wave(scene, omegas))
-    return Hull(mesh, make_lid(scene, mesh, shortest_wave(scene, omegas)))
+        mesh = _fine_enough(scene, wave)
+    _usable(scene, mesh, None, wave)  # a lid needs a waterline that closes
+    return Hull(mesh, make_lid(scene, mesh, wave))
 
 
 def make_lid(scene, mesh, wave):
@@ -91,12 +93,9 @@ def coarse_hull(scene, mesh):
 
 def inspected(hull, scene, omegas):
     """The hull with the remarks of the mesh check.  Raises SceneError if one of them is an error."""
-    found = findings(hull.mesh, scene.water.depth, shortest_wave(scene, omegas), hull.lid)
-    errors = [f.text for f in found if f.severity == "error"]
-    if errors:
-        more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
-        raise SceneError(f"mesh: {errors[0]}{more}")
-    return Hull(hull.mesh, hull.lid, tuple(f.text for f in found))
+    wave = shortest_wave(scene, omegas)
+    found = _usable(scene, hull.mesh, hull.lid, wave)
+    return Hull(hull.mesh, hull.lid, (*(f.text for f in found), *_lid_remarks(hull.lid, wave)))
 
 
 def body_properties(scene, mesh):
@@ -188,6 +187,16 @@ def remarks_on_body(scene, body):
     return remarks
 
 
+def _lid_remarks(lid, wave):
+    """The lid of a database that is extended to shorter waves stays what it was."""
+    largest = 0.0 if lid is None else lid.sizes.max()
+    if largest > wave / 3:
+        yield (
+            f"lid panels up to {largest:.3g} m are coarse for the shortest wave {wave:.3g} m; "
+            f"good: ≤ {wave / 3:.3g} m (a third); --fresh makes them anew"
+        )
+
+
 def _meshed(body, panels, longest=math.inf):
     if body.shape == "box":
         return box(body.length, body.beam, body.draft, panels=panels, longest=longest)
@@ -195,11 +204,34 @@ def _meshed(body, panels, longest=math.inf):
 
 
 def _fine_enough(scene, wave):
-    """A mesh of the panels the tolerance asks for, or more so that no edge is longer than a third of the wave."""
-    mesh = _meshed(scene.body, panels_for(scene.accuracy), wave / 3)
-    if mesh.total > MOST_PANELS:
+    """A mesh of the panels the tolerance asks for, or more so that no edge is longer than two sevenths of the wave."""
+    least = _wetted_area(scene.body) / (wave / 3.5) ** 2  # no panel is larger than the square of its edge
+    mesh = None if least > MOST_PANELS else _meshed(scene.body, panels_for(scene.accuracy), wave / 3.5)
+    if mesh is None or mesh.total > MOST_PANELS:
         raise SceneError(
-            f"tolerance {scene.accuracy:g} and the shortest wave {wave:.3g} m ask for {mesh.total} panels; "
+            f"tolerance {scene.accuracy:g} and the shortest wave {wave:.3g} m ask for "
+            f"{least if mesh is None else mesh.total:.0f} panels; "
             f"allowed: {MOST_PANELS}; leave out the highest frequencies or give panels (--panels)"
         )
     return mesh
+
+
+def _wetted_area(body):
+    if body.shape == "box":
+        return body.length * body.beam + 2 * (body.length + body.beam) * body.draft
+    return math.pi * body.radius * (body.radius + 2 * body.draft)
+
+
+def _usable(scene, mesh, lid, wave):
+    """The findings of the mesh check.  Raises SceneError if one is an error, or panels are longer than the wave."""
+    found, name = findings(mesh, scene.water.depth, wave, lid), scene.body.file or "mesh"
+    errors = [f.text for f in found if f.severity == "error"]
+    if errors:
+        more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
+        raise SceneError(f"{name}: {errors[0]}{more}")
+    if mesh.sizes.max() > wave:  # of two nodes along an edge, fewer than two a wave: nothing is left of it
+        raise SceneError(
+            f"{name}: panels up to {mesh.sizes.max():.3g} m cannot carry the shortest wave, {wave:.3g} m; "
+            "allowed: at most its length; ask for more panels or leave out the highest frequencies"
+        )
+    return found

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import os
 from pathlib import Path
 
 import numpy as np
@@ -58,20 +57,33 @@ def moor(study_path, database_path, output_path=None, quiet=False):
 
 
 def _checked_output(output, *inputs):
+    from bem.database_file import check_place
+
     for path in inputs:
         if output.exists() and output.samefile(path):
             raise StudyError(f"output {output} is an input of the study; give another name")
-    if not output.parent.is_dir() or output.is_dir() or not os.access(output.parent, os.W_OK):
-        raise StudyError(f"output {output} cannot be written; allowed: a file in a folder that exists")
+    check_place(output)
+    if output.exists() and not _is_study(output):
+        raise StudyError(f"output {output} is not the result of a study and is not replaced; give another name")
     return output
 
 
-def _write(output, result, text, database):
-    """Write under another name, then rename: the file exists only whole."""
+def _is_study(path):
     import h5py
 
-    partial = output.with_name(output.name + ".partial")
-    with h5py.File(partial, "w") as file:
+    try:
+        with h5py.File(path) as file:
+            return file.attrs.get("schema") == SCHEMA
+    except OSError:
+        return False
+
+
+def _write(output, result, text, database):
+    import h5py
+
+    from bem.database_file import beside
+
+    with beside(output) as file:
         file.attrs["schema"] = SCHEMA
         file.attrs["study"] = text
         file.attrs["database"] = str(database)
@@ -93,7 +105,6 @@ def _write(output, result, text, database):
         file.create_dataset("lines/name", data=result.layout.names, dtype=h5py.string_dtype())
         for name, (unit, value) in LINE_QUANTITIES.items():
             _put(file, f"lines/{name}", value(result), unit)
-    os.replace(partial, output)
 
 
 def _put(file, name, value, unit):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bem.schema import NEEDS_MOTION, QUANTITIES
+from bem.schema import NEEDS_MOTION, ONLY_BY_NAME, QUANTITIES
 
 GROUPS = {
     "radiation": ("added_mass", "radiation_damping"),
@@ -17,12 +17,12 @@ GROUPS = {
 def expand(want, motions_known):
     """Names of the database for a list of names and group words, in the order of its table.
 
-    want : list of str, or None for everything that can be made
+    want : list of str, or None for everything but `bem.schema.ONLY_BY_NAME`
     motions_known : whether the body's inertia is known; without it nothing is asked of its motions
     Raises ValueError for a word that nothing makes, and for motions asked for by name without inertia.
     """
     if want is None:
-        asked = set(QUANTITIES)
+        asked = set(QUANTITIES) - set(ONLY_BY_NAME)
     else:
         if not want:
             raise ValueError("want is an empty list; leave it out to get everything")

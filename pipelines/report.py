@@ -80,7 +80,8 @@ def print_outcome(console, outcome, db):
         _line(console, f"failed: {name}: {reason}")
     stored = f"{outcome.stored} of {outcome.total} frequencies stored in {outcome.path}"
     go_on = "" if outcome.exit_status == 0 else "; run the same command to go on"
-    _line(console, f"{stored}, {outcome.solved} by this run{go_on}")
+    by = f"{outcome.solved} by this run" if outcome.jobs else "nothing was left to do"
+    _line(console, f"{stored}, {by}{go_on}")
 
 
 def _line(console, text):

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+import numpy as np
+
 from bem.database import append, append_limit, create, extend, open_database, pending, writing
 from bem.database_file import check_place, check_replaceable
 
@@ -19,15 +21,21 @@ from .scene import SceneError, make_scene
 from .scene_text import difference, fixed_part, scene_hash, to_toml
 from .work import Here, limit_one, solve_one
 
+KOCHIN = {"kochin_radiation", "kochin_diffraction"}
+
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a run did: frequencies stored by it, all in the file, and those that failed with their reason."""
+    """What a run did: frequencies stored by it, all in the file, and those that failed with their reason.
+
+    jobs : frequencies and limits it had to do
+    """
 
     path: Path
     solved: int
     stored: int
     total: int
+    jobs: int
     failures: tuple[tuple[float | str, str], ...]
     remarks: tuple[str, ...]
     interrupted: bool = False
@@ -53,7 +61,7 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
     if output.exists() and not fresh:
         header = open_database(output).header
         _check_same(scene, header, output)
-        _check_angles(scene, header, omegas, output)
+        _check_angles(scene, header, output)
         hull = inspected(Hull(header.mesh, header.lid), scene, omegas)
         extend(output, omega=omegas, wave_direction=headings, names=names, scene=to_toml(scene))
     else:
@@ -77,7 +85,12 @@ def _check_same(scene, header, output):
     raise SceneError(f"{output} is of another scene: {what}; give --fresh to replace it or another --output")
 
 
-def _check_angles(scene, header, omegas, output):
+def _check_angles(scene, header, output):
+    """The angles of the Kochin functions stay what they are; mean drift has its own at every frequency."""
+    db = open_database(output)
+    if not KOCHIN & {*db.names, *scene.names()}:
+        return
+    omegas = np.array([*db.omega, *(row.omega for row in pending(output).rows), *scene.omegas()])
     needed = len(kochin_angles(scene, header.mesh, omegas))
     if needed > len(header.theta):
         raise SceneError(
@@ -107,9 +120,8 @@ def _fill(output, setup, theta, remarks, executor, console):
             interrupted = True
             executor.shutdown(wait=False, cancel_futures=True)
     rows = open_database(output).rows
-    return Outcome(
-        output, int(rows.sum()) - before, int(rows.sum()), len(rows), tuple(failures), tuple(remarks), interrupted
-    )
+    stored, jobs = int(rows.sum()), len(todo.rows) + len(todo.limits)
+    return Outcome(output, stored - before, stored, len(rows), jobs, tuple(failures), tuple(remarks), interrupted)
 
 
 @dataclass(frozen=True)
@@ -123,7 +135,7 @@ class Job:
 
 def _rows(file, setup, rows, theta):
     for row in rows:
-        call = (solve_one, setup, row.omega, row.headings, row.want, theta)
+        call = (solve_one, setup, row.omega, row.headings, row.want, theta if row.want & KOCHIN else None)
         yield Job(row.omega, call, partial(_store_row, file, row))
 
 

@@ -8,17 +8,21 @@ from __future__ import annotations
 
 import math
 import tomllib
+from functools import partial
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
 from . import products
+from .typed import typed
 
 SHAPES = {"box": ("length", "beam", "draft"), "buoy": ("radius", "draft"), "mesh": ("file",)}
 METHODS = ("auto", "panel")
 FREQUENCY_KEYS = ("omegas", "periods", "xi_B")
 MOST = 10_000  # frequencies or headings in one list
+EXTENT = 1e-3, 1e6  # m, sizes and places
+RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6)}
 
 
 class SceneError(ValueError):
@@ -157,10 +161,7 @@ def read_scene(path):
 
 def make_scene(raw):
     """A checked Scene of nested dictionaries as TOML gives them.  Raises SceneError."""
-    try:
-        scene = msgspec.convert(raw, Scene)
-    except msgspec.ValidationError as error:
-        raise SceneError(_plain(str(error))) from None
+    scene = typed(raw, Scene, SceneError)
     _check_water(scene.water)
     _check_body(scene)
     _check_waves(scene)
@@ -179,12 +180,6 @@ def numbers(key, text):
         raise SceneError(f"{key} is {text!r}; allowed: a,b,c or start:stop:count") from None
 
 
-def _plain(message):
-    what, _, where = message.partition(" - at ")
-    where = where.strip("`").removeprefix("$").removeprefix(".")
-    return f"scene: {where + ': ' if where else ''}{what[0].lower() + what[1:]}"
-
-
 def _listed(key, value):
     if not isinstance(value, Span):
         return [float(v) for v in value]
@@ -200,10 +195,19 @@ def _positive(key, value, infinite=False):
         raise SceneError(f"{key} is {value}; allowed: above 0" + (", or inf" if infinite else ", finite"))
 
 
+def _within(key, value, limits):
+    """Positive, and of a size that leaves room for products and powers of it"""
+    _positive(key, value)
+    if not limits[0] <= value <= limits[1]:
+        raise SceneError(f"{key} is {value}; allowed: {limits[0]:g} to {limits[1]:g}")
+
+
 def _check_water(water):
     _positive("water.depth", water.depth, infinite=True)
-    _positive("water.density", water.density)
-    _positive("water.gravity", water.gravity)
+    if math.isfinite(water.depth):
+        _within("water.depth", water.depth, EXTENT)
+    _within("water.density", water.density, (1e-3, 1e6))
+    _within("water.gravity", water.gravity, (1e-3, 1e3))
 
 
 def _check_body(scene):
@@ -220,7 +224,7 @@ def _check_body(scene):
         if key not in own and value is not None:
             raise SceneError(f"bodies[0].{key} is {value!r}; a {body.shape} has {', '.join(own)}")
         if key in own and key != "file":
-            _positive(f"bodies[0].{key}", value)
+            _within(f"bodies[0].{key}", value, EXTENT)
     if body.shape != "mesh" and body.draft >= scene.water.depth:
         raise SceneError(
             f"bodies[0].draft is {body.draft} in water {scene.water.depth} m deep; allowed: below the depth"
@@ -228,15 +232,15 @@ def _check_body(scene):
     if body.shape == "mesh" and not Path(body.file).is_file():
         raise SceneError(f"bodies[0].file is {body.file!r}; there is no such file")
     if body.mass is not None:
-        _positive("bodies[0].mass", body.mass)
+        _within("bodies[0].mass", body.mass, (1e-9, 1e18))
     for value in body.gyration or ():
-        _positive("bodies[0].gyration", value)
+        _within("bodies[0].gyration", value, EXTENT)
     _check_point("bodies[0].center_of_gravity", body.center_of_gravity)
 
 
 def _check_point(key, point):
-    if not all(map(math.isfinite, point)):
-        raise SceneError(f"{key} is {list(point)}; allowed: three finite numbers")
+    if not all(abs(x) <= EXTENT[1] for x in point):
+        raise SceneError(f"{key} is {list(point)}; allowed: three numbers from {-EXTENT[1]:g} to {EXTENT[1]:g}")
 
 
 def _check_waves(scene):
@@ -246,7 +250,7 @@ def _check_waves(scene):
     key = given[0]
     if key == "xi_B" and scene.body.shape == "mesh":
         raise SceneError("waves.xi_B needs a beam, a body from a mesh file has none; give omegas or periods")
-    _check_list(f"waves.{key}", getattr(scene.waves, key), _positive)
+    _check_list(f"waves.{key}", getattr(scene.waves, key), partial(_within, limits=RANGES[key]))
     _check_list("waves.headings_deg", scene.waves.headings_deg, _check_heading)
     _check_once("waves.headings_deg", [heading % 360 for heading in _listed("", scene.waves.headings_deg)])
 
@@ -279,6 +283,8 @@ def _check_rest(scene):
         raise SceneError(f"tolerance is {scene.tolerance}; allowed: 1e-5 to 0.2")
     if scene.panels is not None and not 8 <= scene.panels <= 100_000:
         raise SceneError(f"panels is {scene.panels}; allowed: 8 to 100000")
+    if scene.panels is not None and scene.body.shape == "mesh":
+        raise SceneError(f"panels is {scene.panels}, but {scene.body.file} has its own; leave panels out")
     if scene.method not in METHODS:
         raise SceneError(f"method is {scene.method!r}; allowed: {', '.join(METHODS)}")
     _check_point("rotation_center", scene.rotation_center)

@@ -16,7 +16,7 @@ _prepared = {}
 def solve_one(setup, omega, headings, want, theta):
     """`bem.frequency.solve_frequency` for a setup.
 
-    omega : rad/s; headings : (m,) rad; want : names; theta : (t,) rad
+    omega : rad/s; headings : (m,) rad; want : names; theta : (t,) rad, or None
     """
     from bem.frequency import solve_frequency
 
@@ -46,32 +46,55 @@ class Here:
         """Nothing to do; here for the interface."""
 
 
-def executor_of(text):
-    """`local` or `processes:N`.  Raises ValueError for anything else.
+class Processes(ProcessPoolExecutor):
+    """Spawned processes, because a fork after numba has started its threads hangs; they end with their parent."""
 
-    The processes are spawned, because a fork after numba has started its threads hangs; each gets its share
-    of the cores.
-    """
+    def __init__(self, count):
+        import multiprocessing
+        import os
+
+        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+        super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, cores // count),))
+
+    def shutdown(self, wait=True, *, cancel_futures=False):
+        """Without waiting the processes are ended: nobody is left to take what they are at.
+
+        Otherwise the interpreter waits for them at its end, and a Ctrl-C there leaves it waiting for ever.
+        """
+        for process in () if wait else list((self._processes or {}).values()):  # public from Python 3.14 on
+            process.terminate()
+        super().shutdown(wait=True, cancel_futures=cancel_futures)
+
+
+def executor_of(text):
+    """`local` or `processes:N`, each with its share of the cores.  Raises ValueError for anything else."""
     kind, _, count = text.partition(":")
     if text == "local":
         return Here()
     if kind != "processes" or not count.isdigit() or not 1 <= int(count) <= 256:
         raise ValueError(f"executor is {text!r}; allowed: local, processes:N with N from 1 to 256")
-    import multiprocessing
-    import os
-
-    share = max(1, len(os.sched_getaffinity(0)) // int(count)) if hasattr(os, "sched_getaffinity") else 1
-    context = multiprocessing.get_context("spawn")
-    return ProcessPoolExecutor(int(count), context, _limit_threads, (share,))
+    return Processes(int(count))
 
 
-def _limit_threads(count):
+def _start(threads):
     import os
     import signal
+    import threading
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides what Ctrl-C means
+    threading.Thread(target=_end_with_parent, daemon=True).start()
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"):
-        os.environ[name] = str(count)
+        os.environ[name] = str(threads)
+
+
+def _end_with_parent():
+    """A killed parent cannot end its processes, which would wait for work for ever."""
+    import multiprocessing
+    import os
+    from multiprocessing.connection import wait
+
+    wait([multiprocessing.parent_process().sentinel])
+    os._exit(1)
 
 
 def _prepare(setup):

@@ -30,7 +30,7 @@ class MadeUp:
     """
 
     def __init__(self, failing=(), stopping=None):
-        self.failing, self.stopping, self.asked = failing, stopping, []
+        self.failing, self.stopping, self.asked, self.angles = failing, stopping, [], []
 
     def submit(self, function, setup, *arguments):
         future = Future()
@@ -48,11 +48,13 @@ class MadeUp:
             return np.eye(6)
         headings, want, theta = rest
         self.asked.append((round(first, 6), tuple(np.round(np.degrees(headings), 6)), want))
+        self.angles.append(theta)
         if first == self.stopping:
             raise KeyboardInterrupt
         if any(abs(first - w) < 1e-9 for w in self.failing):
             raise ZeroDivisionError("nothing\nto divide by")
-        size = {"wave_direction": len(headings), "theta": len(theta), "drift_dof": 3}
+        angles = 0 if theta is None else len(theta)
+        size = {"wave_direction": len(headings), "theta": angles, "drift_dof": 3}
         shapes = {name: [size.get(axis, 6) for axis in QUANTITIES[name][0][1:]] for name in want}
         return {name: np.full(shape, first, QUANTITIES[name][2]) for name, shape in shapes.items()}
 
@@ -155,6 +157,28 @@ def test_the_database_knows_the_body(tmp_path):
     np.testing.assert_allclose(db.mass, 1025 * 4000.0, rtol=1e-12)
     np.testing.assert_allclose(np.diag(db.inertia_matrix)[:4] / db.mass, [1, 1, 1, 36], rtol=1e-9)
     assert "length = 40.0" in db.attributes["scene"]
+
+
+def test_kochin_functions_have_the_angles_of_the_file_and_drift_its_own(tmp_path):
+    drift, kochin = MadeUp(), MadeUp()
+    solve(scene(), tmp_path / "drift.h5", executor=drift)
+    assert drift.angles == [None] * 3
+    solve(scene(want=["kochin"]), tmp_path / "kochin.h5", executor=kochin)
+    theta = open_database(tmp_path / "kochin.h5")["theta"]
+    assert all(np.array_equal(angles, theta) for angles in kochin.angles)
+
+
+def test_only_stored_kochin_functions_hold_a_file_to_its_angles(tmp_path):
+    long = {"bodies": [{"shape": "box", "length": 1000.0, "beam": 20.0, "draft": 5.0}], "panels": 4000}
+    short = {**long, "waves": {"omegas": [1.2, 1.8], "headings_deg": [0, 90]}}
+    for want, fits in ((["radiation", "drift"], True), (["kochin"], False)):
+        path = tmp_path / f"{want[0]}.h5"
+        solve(scene(**long, want=want), path, executor=MadeUp())
+        if fits:
+            assert solve(scene(**short, want=want), path, executor=MadeUp()).exit_status == 0
+        else:
+            with pytest.raises(ValueError, match=r"ω = 1.8 rad/s needs \d+; give --fresh"):
+                solve(scene(**short, want=want), path, executor=MadeUp())
 
 
 def test_executors_are_local_or_a_number_of_processes():

@@ -33,12 +33,12 @@ headings_deg = [0, 45]
 
 # what is replaced by what, and words the one line must have
 FAULTS = {
-    "unknown key": ("depth = 20.0", "deepth = 20.0", ("deepth", "water")),
-    "text for a number": ("depth = 20.0", 'depth = "deep"', ("water.depth", "float")),
+    "unknown key": ("depth = 20.0", "deepth = 20.0", ("water.deepth is unknown", "depth, density, gravity")),
+    "text for a number": ("depth = 20.0", 'depth = "deep"', ("water.depth is 'deep'", "a number")),
     "negative depth": ("depth = 20.0", "depth = -20.0", ("water.depth", "-20.0", "above 0")),
     "zero depth": ("depth = 20.0", "depth = 0.0", ("water.depth", "0.0", "above 0")),
     "depth is NaN": ("depth = 20.0", "depth = nan", ("water.depth", "nan")),
-    "no depth": ("depth = 20.0", "", ("water", "depth")),
+    "no depth": ("depth = 20.0", "", ("water.depth is missing",)),
     "aground": ("depth = 20.0", "depth = 10.0", ("draft", "10.0", "below the depth")),
     "negative density": ("depth = 20.0", "depth = 20.0\ndensity = -1.0", ("water.density", "-1.0")),
     "infinite gravity": ("depth = 20.0", "depth = 20.0\ngravity = inf", ("water.gravity", "inf")),

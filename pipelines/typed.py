@@ -1,0 +1,71 @@
+"""Tables of TOML as typed values, and one line on the first thing in them that cannot be."""
+
+from __future__ import annotations
+
+import re
+import typing
+
+import msgspec
+
+WORDS = {
+    "float": "a number",
+    "int": "a whole number",
+    "str": "text",
+    "bool": "true or false",
+    "array": "a list",
+    "object": "a table",
+    "null": "nothing",
+}
+
+
+def typed(raw, kind, error):
+    """`raw` as a value of the msgspec.Struct `kind`.
+
+    raw : nested dictionaries as TOML gives them; error : class raised with key, value and what is allowed
+    """
+    try:
+        return msgspec.convert(raw, kind)
+    except msgspec.ValidationError as fault:
+        raise error(_line(str(fault), raw, kind)) from None
+
+
+def _line(message, raw, kind):
+    what, _, where = message.partition(" - at ")
+    path = where.strip("`").removeprefix("$").removeprefix(".")
+    named = re.match(r"Object (contains unknown|missing required) field `(.+)`", what)
+    if named:
+        keys = [field.encode_name for field in msgspec.structs.fields(_table(kind, path))]
+        state = "is unknown" if named[1] == "contains unknown" else "is missing"
+        return f"{path + '.' if path else ''}{named[2]} {state}; allowed: {', '.join(keys)}"
+    expected, _, got = what.removeprefix("Expected ").partition(", got ")
+    expected = " or ".join(_words(part) for part in expected.split(" | ") if "null" not in part)
+    return f"{path or 'the file'} is {_value(raw, path, got)}; allowed: {expected}"
+
+
+def _words(text):
+    """`array` of length 3 → a list of length 3"""
+    return re.sub(r"\w+", lambda word: WORDS.get(word[0], word[0]), text.replace("`", ""))
+
+
+def _value(raw, path, got):
+    """What stands at the path; where the path goes through names chosen by the writer, only its kind."""
+    try:
+        for part in re.findall(r"[^.\[\]]+", path):
+            raw = raw[int(part)] if isinstance(raw, list) else raw[part]
+    except (LookupError, ValueError, TypeError):
+        return _words(got)
+    return repr(raw)
+
+
+def _table(kind, path):
+    """The Struct that describes the table at a path"""
+    for name in re.findall(r"\w+", re.sub(r"\[.*?\]", "", path)):
+        kind = next(_tables(typing.get_type_hints(kind)[name]))
+    return kind
+
+
+def _tables(kind):
+    if isinstance(kind, type) and issubclass(kind, msgspec.Struct):
+        yield kind
+    for part in typing.get_args(kind):
+        yield from _tables(part)
