@@ -18,13 +18,13 @@ ERROR_ORDER = 1.16
 
 def check(run):
     """{name: largest relative violation}; NaN where what was computed allows no test"""
-    out = dict.fromkeys(("reciprocity", "haskind", "energy", "residual", "estimated_error"), np.nan)
+    out = dict.fromkeys(("reciprocity", "Haskind", "energy", "residual", "estimated_error"), np.nan)
     out["residual"] = run.residual
     energy = []
     if run.radiates:
         out["reciprocity"] = reciprocity(run)
     if run.radiates and run.diffracts:
-        out["haskind"] = haskind(run)
+        out["Haskind"] = haskind(run)
     if run.radiates and run.far_field:
         energy.append(radiated_energy(run))
     if run.diffracts and run.far_field:

@@ -59,7 +59,7 @@ BODY = {
     "transverse_metacentric_height": ((), "m", float),
     "longitudinal_metacentric_height": ((), "m", float),
 }
-CHECKS = ("reciprocity", "haskind", "energy", "residual", "estimated_error")
+CHECKS = ("reciprocity", "Haskind", "energy", "residual", "estimated_error")
 
 LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)
 NEEDS_MOTION = ("rao", "drift_force")

@@ -8,7 +8,7 @@ import numpy as np
 
 CHECKED = {
     "reciprocity": "A and B symmetric",
-    "haskind": "forces by radiation",
+    "Haskind": "forces by radiation",
     "energy": "waves carried away",
     "residual": "linear system",
     "estimated_error": "two meshes",

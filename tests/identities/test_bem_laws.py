@@ -48,7 +48,7 @@ def test_reciprocity_haskind_and_energy_fall_with_refinement(depth):
         [solve_frequency(body(c, depth), w, HEADINGS, WANT)["checks"] for w in (0.2, 0.6, 1.0)]
         for c in ((4, 3, 2), (8, 6, 4))
     )
-    for name in ("reciprocity", "haskind", "energy"):
+    for name in ("reciprocity", "Haskind", "energy"):
         worst = [max(c[name] for c in run) for run in (coarse, fine)]
         assert worst[1] < 0.01, (name, worst)  # the default tolerance
         assert worst[1] < worst[0] / 2.5, (name, worst)
