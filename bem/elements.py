@@ -14,7 +14,7 @@ import numpy as np
 
 
 class Elements(NamedTuple):
-    """All panels of a mesh; n panels with p nodes each, q integration points each."""
+    """All panels of a mesh; n panels with p nodes each."""
 
     origins: np.ndarray  # (n, 3) m centroid
     axes: np.ndarray  # (n, 3, 3) rows: x, y and the normal
@@ -35,7 +35,10 @@ class Quadrature(NamedTuple):
 
 
 def elements(mesh, per_panel=4):
-    """Boundary elements of a PanelMesh with 4 (bilinear) or 1 (constant) nodes a panel."""
+    """Boundary elements of a PanelMesh.
+
+    per_panel : 4 nodes (bilinear) or 1 (constant)
+    """
     v = mesh.flat_vertices
     x = v[:, 1] + v[:, 2] - v[:, 0] - v[:, 3]
     y = np.cross(mesh.normals, x)

@@ -165,7 +165,6 @@ class _Wave:
             self.node, self.weight = _panels(_graded(0, far, far / 20, far / 20))
         else:
             self.node, self.weight = self._around(k, max(2 * k, far))
-        self.tail_start = max(2 * k, 2 * K)
         self.modes = _evanescent(K, depth, 0.5 * depth)
 
     def _around(self, pole, end):
