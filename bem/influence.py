@@ -72,7 +72,7 @@ class Geometry:
         signs = np.array([self.signs(c) for c in self.classes])
         bed = np.isfinite(self.depth)
         shift = -2 * self.depth if bed else 0.0
-        return _rankine_classes(e.nodes, e.origins, e.axes, e.corners, e.inverse, self.images, signs, bed, shift)
+        return _rankine_classes(e, self.images, signs, bed, shift)
 
 
 def _stacked(mesh, lid):
@@ -84,25 +84,26 @@ def _stacked(mesh, lid):
 
 
 @kernel(parallel=True)
-def _rankine_classes(nodes, origins, axes, corners, inverse, images, signs, bed, shift):
-    n, c = len(nodes), len(signs)
+def _rankine_classes(e, images, signs, bed, shift):
+    nodes, n, c = e.nodes, len(e.nodes), len(signs)
     s, d, s1, d1 = np.zeros((c, n, n)), np.zeros((c, n, n)), np.zeros((c, n, n)), np.zeros((c, n, n))
     for i in prange(n):
         for m in range(len(images)):
             # reflecting the point instead of the panel leaves the integrals as they are
             x, y, z = images[m, 0] * nodes[i, 0], images[m, 1] * nodes[i, 1], nodes[i, 2]
-            _add_row(x, y, z, origins, axes, corners, inverse, signs[:, m], s[:, i], d[:, i])
+            _add_row(x, y, z, e, signs[:, m], s[:, i], d[:, i])
             if bed:
-                _add_row(x, y, shift - z, origins, axes, corners, inverse, signs[:, m], s[:, i], d[:, i])
-            _add_row(x, y, -z, origins, axes, corners, inverse, signs[:, m], s1[:, i], d1[:, i])
+                _add_row(x, y, shift - z, e, signs[:, m], s[:, i], d[:, i])
+            _add_row(x, y, -z, e, signs[:, m], s1[:, i], d1[:, i])
         s[:, i] += s1[:, i]
         d[:, i] += d1[:, i]
     return s, d, s1, d1
 
 
 @kernel()
-def _add_row(x, y, z, origins, axes, corners, inverse, signs, s, d):
+def _add_row(x, y, z, e, signs, s, d):
     """Integrals of all panels at one point, added to the rows (classes, n) of s and d."""
+    origins, axes, corners, inverse = e.origins, e.axes, e.corners, e.inverse
     p = inverse.shape[2]
     S, D = np.empty(p), np.empty(p)
     for j in range(len(origins)):
@@ -143,7 +144,7 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities):
         s, d = s + (mirror - 1) * s1, d + (mirror - 1) * d1
     length = min(1 / table.k if table.k > 0 else np.inf, g.depth)
     return _assemble(
-        e.nodes, g.panels.normals, e.origins, e.sizes, g.hull, g.images, np.array([g.signs(c) for c in classes]),
+        e, g.hull, g.images, np.array([g.signs(c) for c in classes]),
         s, d, g.coarse_points, g.fine_points, depth_values(g.coarse_points.points[..., 2]),
         depth_values(g.fine_points.points[..., 2]), depth_values(e.nodes[:, 2])[:, 0].copy(),
         e.sizes > COARSE * length, table, sides,
@@ -152,9 +153,15 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities):
 
 @kernel(parallel=True)
 def _assemble(
-    nodes, normals, centers, sizes, hull, images, signs, s_exact, d_exact, coarse, fine, coarse_z, fine_z, node_z,
+    e, hull, images, signs, s_exact, d_exact, coarse, fine, coarse_z, fine_z, node_z,
     always_fine, table, velocities,
 ):  # fmt: skip
+    """A (c, n, n) and b (c, n, r) of `assembled`; row by row, so that S never has to be kept.
+
+    s_exact, d_exact : (c, n, n) integrals of 1/r and its images; coarse, fine : Quadrature, with Z and Z′ there in
+    coarse_z, fine_z (panels, q, 2); node_z : (n,) Z; always_fine : (panels,) bool; velocities : (c, hull, r)
+    """
+    nodes, axes, centers, sizes = e.nodes, e.axes, e.origins, e.sizes
     n, c, r = len(nodes), len(signs), velocities.shape[2]
     p = coarse.shape.shape[2]
     A = np.empty((c, n, n), np.complex128)
@@ -162,13 +169,13 @@ def _assemble(
     for i in prange(n):
         S, D = np.zeros((c, n), np.complex128), np.zeros((c, n), np.complex128)
         work = np.empty((4, c))
-        for j in range(len(normals)):
+        for j in range(len(axes)):
             part = slice(p * j, p * j + p)
             if always_fine[j] or _close(nodes[i], centers[j], NEAR * sizes[j], images):
-                _panel(nodes[i], normals[j], images, signs, fine.points[j], fine.weights[j], fine.shape[j], fine_z[j],
+                _panel(nodes[i], axes[j, 2], images, signs, fine.points[j], fine.weights[j], fine.shape[j], fine_z[j],
                        node_z[i], table, work, S[:, part], D[:, part])  # fmt: skip
             else:
-                _panel(nodes[i], normals[j], images, signs, coarse.points[j], coarse.weights[j], coarse.shape[j],
+                _panel(nodes[i], axes[j, 2], images, signs, coarse.points[j], coarse.weights[j], coarse.shape[j],
                        coarse_z[j], node_z[i], table, work, S[:, part], D[:, part])  # fmt: skip
         side = -1.0 if i < hull else 1.0
         for q in range(c):
