@@ -23,7 +23,7 @@ def check(run):
     energy = []
     if run.radiates:
         out["reciprocity"] = reciprocity(run)
-    if run.radiates and run.diffracts:
+    if run.radiates and run.diffracts and run.haskind is not None:
         out["Haskind"] = haskind(run)
     if run.radiates and run.far_field:
         energy.append(radiated_energy(run))
@@ -93,5 +93,5 @@ def excitation_scale(run):
     """
     size = np.maximum(np.abs(run.excitation), np.abs(run.diffraction)).max(axis=0)
     force = 0.2 * size[:3].max()
-    floor = np.repeat([force, max(0.2 * size[3:].max(), 0.5 * force * run.geometry.radius)], 3)
+    floor = np.repeat([force, max(0.2 * size[3:].max(), 0.5 * force * run.prepared.radius)], 3)
     return np.where(run.prepared.displacing, np.maximum(size, floor), np.inf)[run.dofs]

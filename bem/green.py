@@ -18,8 +18,8 @@ import math
 
 import numpy as np
 
-from ._jit import kernel
 from .green_tables import wave_table
+from .jit import kernel
 from .waves import depth_factor, depth_factor_slope
 
 

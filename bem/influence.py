@@ -22,9 +22,10 @@ from functools import cached_property
 import numpy as np
 from numba import prange
 
-from ._jit import kernel
 from .elements import elements, quadrature
 from .green import levels, wave_part
+from .jit import kernel
+from .modes import class_of, normal_velocities
 from .rankine import panel_moments
 
 # the wave part of a panel is integrated with 4 × 4 instead of 2 × 2 points where its surface image is closer than
@@ -33,10 +34,19 @@ NEAR, COARSE = 1.0, 2.2
 
 
 class Geometry:
-    """Everything that depends on the mesh and the depth only: nodes, images, exact 1/r integrals."""
+    """Everything that depends on the mesh and the depth only: nodes, images, exact 1/r integrals.
 
-    def __init__(self, mesh, lid, depth, per_panel=4):
-        self.mesh, self.depth = mesh, depth
+    wall : y in m of a vertical wall that reflects all waves, along x; None for open water.  The wall takes the place
+    of the mirror plane y = 0: the mesh is shifted by `origin`, what lies behind the wall is the image of the body,
+    and flow is even about it.
+    """
+
+    def __init__(self, mesh, lid, depth, per_panel=4, wall=None):
+        self.wall, self.depth = wall, depth
+        self.origin = np.array([0.0, 0.0 if wall is None else -wall, 0.0])
+        if wall is not None:
+            mesh, lid = (_before_wall(part, wall) for part in (mesh, lid))
+        self.mesh = mesh
         self.panels = mesh if lid is None else _stacked(mesh, lid)
         self.elements = elements(self.panels, per_panel)
         self.hull = len(mesh) * per_panel
@@ -44,7 +54,10 @@ class Geometry:
         self.fine_points = quadrature(self.panels, self.elements, 4)
         self.images = np.array(mesh.reflections(), float)
         ones = {True: (1, -1), False: (1,)}
-        self.classes = tuple((x, y) for y in ones["y" in mesh.symmetry] for x in ones["x" in mesh.symmetry])
+        self.classes = tuple(
+            (x, y) for y in ones["y" in mesh.symmetry and wall is None] for x in ones["x" in mesh.symmetry]
+        )
+        self.copies = len(self.images) // (1 if wall is None else 2)
 
     @cached_property
     def reach(self):
@@ -53,13 +66,25 @@ class Geometry:
         low, high = xy.min(axis=0), xy.max(axis=0)
         for axis in range(2):
             if "xy"[axis] in self.mesh.symmetry:
+                high[axis] = max(high[axis], -low[axis])
                 low[axis] = -high[axis]
         return float(np.hypot(*(high - low)))
 
     @cached_property
     def radius(self):
         """m, largest distance of the hull from the vertical axis through the origin"""
-        return float(np.hypot(*self.panels.points[:, :2].T).max())
+        return float(np.hypot(*(self.panels.points - self.origin)[:, :2].T).max())
+
+    @property
+    def modes(self):
+        """(hull nodes, 6) normal velocities of unit motions about the body's origin"""
+        n = self.hull
+        return normal_velocities(self.elements.nodes[:n] - self.origin, self.elements.normals[:n])
+
+    def members(self, cls):
+        """Degrees of freedom that a symmetry class holds."""
+        symmetry = self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
+        return [d for d in range(6) if class_of(d, symmetry) == cls]
 
     def signs(self, cls):
         """(images,) ±1: the potential of each image in a class"""
@@ -73,6 +98,16 @@ class Geometry:
         bed = np.isfinite(self.depth)
         shift = -2 * self.depth if bed else 0.0
         return _rankine_classes(e, self.images, signs, bed, shift)
+
+
+def _before_wall(mesh, wall):
+    """The mesh with the wall in y = 0, on whose other side its image is."""
+    if mesh is None:
+        return None
+    if "y" in mesh.symmetry:
+        mesh = replace(replace(mesh, symmetry="y").whole(), symmetry=mesh.symmetry.replace("y", ""))
+    points = mesh.points - np.array([0.0, wall, 0.0])
+    return replace(mesh, points=points, symmetry=mesh.symmetry + "y")
 
 
 def _stacked(mesh, lid):
@@ -125,15 +160,16 @@ def _add_row(x, y, z, e, signs, s, d):
                 d[c, p * j + b] += signs[c] * v
 
 
-def assembled(geometry, classes, mirror, table, depth_values, velocities):
+def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=None):
     """Matrices (c, n, n) and right-hand sides (c, n, columns) of the given symmetry classes.
 
     mirror : factor of the 1/r₁ part (1 for waves, −1 at infinite frequency); table : wave part of G
     depth_values : z → (…, 2) of Z and Z′; velocities : per class (columns, hull nodes), shorter lists are
-    filled up with zeros
+    filled up with zeros; hull : nodes that are hull, the others are lid
     """
     g, e = geometry, geometry.elements
-    sides = np.zeros((len(classes), g.hull, max(len(v) for v in velocities)), complex)
+    hull = g.hull if hull is None else hull
+    sides = np.zeros((len(classes), hull, max(len(v) for v in velocities)), complex)
     for i, v in enumerate(velocities):
         sides[i, :, : len(v)] = v.T
     s, d, s1, d1 = g.rankine
@@ -144,7 +180,7 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities):
         s, d = s + (mirror - 1) * s1, d + (mirror - 1) * d1
     length = min(1 / table.k if table.k > 0 else np.inf, g.depth)
     return _assemble(
-        e, g.hull, g.images, np.array([g.signs(c) for c in classes]),
+        e, hull, g.images, np.array([g.signs(c) for c in classes]),
         s, d, g.coarse_points, g.fine_points, depth_values(g.coarse_points.points[..., 2]),
         depth_values(g.fine_points.points[..., 2]), depth_values(e.nodes[:, 2])[:, 0].copy(),
         e.sizes > COARSE * length, table, sides,

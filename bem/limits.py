@@ -10,7 +10,6 @@ import numpy as np
 
 from .green_tables import limit_table
 from .influence import assembled
-from .modes import class_of
 from .threads import blas_threads
 
 
@@ -28,32 +27,40 @@ def added_mass_limit(prepared, which):
 def _limit(prepared, which):
     from scipy.linalg import solve
 
-    g, setup, T = prepared.geometry, prepared.setup, prepared.transform
+    g, setup = prepared.geometry, prepared.setup
     table = limit_table(which, setup.depth, g.reach, g.mesh.draft)
-    members = {c: [d for d in range(6) if class_of(d, setup.mesh.symmetry) == c] for c in g.classes}
-    velocities = [prepared.modes[:, members[c]].T.astype(complex) for c in g.classes]
+    velocities = [g.modes[:, g.members(c)].T.astype(complex) for c in g.classes]
     # without waves the lid is not needed, and its density decouples because K = 0
-    A, b = assembled(
-        g, g.classes, 1.0 if which == "zero" else -1.0, table, lambda z: np.ones((*z.shape, 2)), velocities
-    )
-    weights = g.elements.weights[: g.hull, None] * len(g.images)
+    mirror = 1.0 if which == "zero" else -1.0
+    A, b = assembled(g, g.classes, mirror, table, unit_depth_values, velocities)
+    potentials = [
+        solve(A[i, : g.hull, : g.hull].real, b[i, : g.hull, : len(v)].real).T for i, v in enumerate(velocities)
+    ]
+    return added_mass_of(prepared, potentials, which)
+
+
+def unit_depth_values(z):
+    """Z and Z′ where there is no wave: what they multiply is zero"""
+    return np.ones((*z.shape, 2))
+
+
+def added_mass_of(prepared, potentials, which):
+    """(6, 6) about the rotation centre from the potentials (dofs of the class, n) of each symmetry class."""
+    g, setup, T = prepared.geometry, prepared.setup, prepared.setup.transform
+    modes = g.modes * g.elements.weights[: g.hull, None] * g.copies
     out = np.zeros((6, 6))
-    for i, c in enumerate(g.classes):
-        n = len(members[c])
-        phi = solve(A[i, : g.hull, : g.hull].real, b[i, : g.hull, :n].real)
-        out[np.ix_(members[c], members[c])] = -setup.density * (phi.T @ (prepared.modes[:, members[c]] * weights)).T
+    for cls, phi in zip(g.classes, potentials, strict=True):
+        members = g.members(cls)
+        out[np.ix_(members, members)] = -setup.density * (phi @ modes[:, members]).T
     out = T @ out @ T.T
     if which == "zero" and np.isfinite(setup.depth):
-        out = _with_net_flux(out, T @ (prepared.modes * weights).sum(axis=0) * _even(members), weights.sum())
+        even = [1.0 if d in g.members((1, 1)) else 0.0 for d in range(6)]  # mirror planes leave no net flux in others
+        out = with_net_flux(out, T @ modes.sum(axis=0) * even, g.elements.weights[: g.hull].sum() * g.copies)
     return out
 
 
-def _even(members):
-    """1 for the modes whose net flux the mirror planes leave, 0 for the others."""
-    return np.array([1.0 if d in members[(1, 1)] else 0.0 for d in range(6)])
-
-
-def _with_net_flux(added_mass, flux, area):
+def with_net_flux(added_mass, flux, area):
+    """`added_mass` with infinite entries between modes whose net flux (6,) m² is more than rounding of `area` m²."""
     product = np.outer(flux, flux)
     significant = np.abs(product) > 1e-9 * area * area
     return np.where(significant, np.copysign(np.inf, product), added_mass)

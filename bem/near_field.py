@@ -18,7 +18,7 @@ from .waves import incident_wave
 def near_field_drift(run, moving):
     """(m, 3) as `bem.drift.mean_drift`, about the rotation centre, from the potentials of a solved frequency.
 
-    run : the quantities of one frequency (`bem.frequency.FrequencyRun`) of a mesh with four nodes a panel
+    run : the quantities of one frequency (`bem.panel_run.PanelRun`) of a mesh with four nodes a panel
     moving : freely floating instead of fixed
     """
     setup = run.setup

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 
-from ._jit import kernel
+from .jit import kernel
 
 
 @kernel()

@@ -2,35 +2,41 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
+from .body import Body
 from .influence import Geometry
-from .modes import normal_velocities, reference_change
+from .limits import added_mass_limit
+from .panel_run import PanelRun
+from .zero_draft import ZeroDraftRun, flattened, rigid_surface_limit
 
 
 @dataclass(frozen=True, eq=False)
-class Setup:
-    """A floating body in water: everything a frequency needs except the frequency.
+class Setup(Body):
+    """A floating body in water for the panel method: everything a frequency needs except the frequency.
 
     mesh : hull panels; lid : interior free-surface panels or None
     coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
-    depth : m, may be inf; nodes_per_panel : 4 (bilinear) or 1 (constant)
-    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`; None leaves the body without motions
+    nodes_per_panel : 4 (bilinear) or 1 (constant)
+    wall : y in m of a vertical wall along x that reflects all waves; None for open water
+    zero_draft : the flat bottom of the hull laid into the water surface, `bem.zero_draft`
     """
 
     mesh: object
     lid: object = None
     coarse: tuple | None = None
-    depth: float = np.inf
-    density: float = 1025.0
-    gravity: float = 9.80665
-    rotation_center: tuple = (0.0, 0.0, 0.0)
     nodes_per_panel: int = 4
-    inertia_matrix: np.ndarray | None = None
-    hydrostatic_stiffness: np.ndarray | None = None
+    wall: float | None = None
+    zero_draft: bool = False
+
+    def prepared(self):
+        """The work that depends on geometry only"""
+        coarse = self.coarse and replace(self, mesh=self.coarse[0], lid=self.coarse[1], coarse=None).prepared()
+        mesh, lid = (flattened(self.mesh), None) if self.zero_draft else (self.mesh, self.lid)
+        return Prepared(self, Geometry(mesh, lid, self.depth, self.nodes_per_panel, self.wall), coarse)
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,8 +45,12 @@ class Prepared:
 
     setup: Setup
     geometry: Geometry
-    modes: np.ndarray = field(repr=False)
     coarse: Prepared | None = None
+
+    @cached_property
+    def modes(self):
+        """(hull nodes, 6) normal velocities of unit motions about the origin"""
+        return self.geometry.modes
 
     @cached_property
     def displacing(self):
@@ -51,7 +61,7 @@ class Prepared:
         is two per cent of that of its arms.
         """
         e, n = self.geometry.elements, self.geometry.hull
-        w, (x, y, z) = e.weights[:n], e.nodes[:n].T
+        w, (x, y, z) = e.weights[:n], (e.nodes[:n] - self.geometry.origin).T
         arms = np.stack([np.ones(n)] * 3 + [y * y + z * z, z * z + x * x, x * x + y * y], axis=1)
         share = (w @ self.modes**2) / (w @ arms)
         return share > np.array([1e-6] * 3 + [0.02] * 3)
@@ -62,14 +72,19 @@ class Prepared:
         return self.setup.mesh.total / self.coarse.setup.mesh.total
 
     @property
-    def transform(self):
-        """(6, 6) from generalized normals about the origin to those about the rotation centre"""
-        return reference_change(self.setup.rotation_center)
+    def radius(self):
+        """m, largest distance of the hull from the vertical axis through the origin"""
+        return self.geometry.radius
+
+    def run(self, *question):
+        """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
+        return (ZeroDraftRun if self.setup.zero_draft else PanelRun)(self, *question)
+
+    def added_mass_limit(self, which):
+        """`bem.limits.added_mass_limit`"""
+        return (rigid_surface_limit if self.setup.zero_draft else added_mass_limit)(self, which)
 
 
 def prepare(setup):
-    """The geometry-only part of a Setup; its exact 1/r integrals follow when the first frequency needs them."""
-    geometry = Geometry(setup.mesh, setup.lid, setup.depth, setup.nodes_per_panel)
-    e, n = geometry.elements, geometry.hull
-    coarse = prepare(replace(setup, mesh=setup.coarse[0], lid=setup.coarse[1], coarse=None)) if setup.coarse else None
-    return Prepared(setup, geometry, normal_velocities(e.nodes[:n], e.normals[:n]), coarse)
+    """The geometry-only part of a setup of any method; what is expensive in it follows with the first frequency."""
+    return setup.prepared()

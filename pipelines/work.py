@@ -25,9 +25,7 @@ def solve_one(setup, omega, headings, want, theta):
 
 def limit_one(setup, name):
     """`added_mass_zero` or `added_mass_infinity` (6, 6) of a setup."""
-    from bem.limits import added_mass_limit
-
-    return added_mass_limit(_prepare(setup), name.removeprefix("added_mass_"))
+    return _prepare(setup).added_mass_limit(name.removeprefix("added_mass_"))
 
 
 class Here:

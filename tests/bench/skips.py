@@ -14,7 +14,8 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import numpy as np
 
 from bem import DOFS
-from bem.frequency import FrequencyRun, solve_frequency
+from bem.frequency import solve_frequency
+from bem.panel_run import PanelRun
 from bem.setup import Setup, prepare
 from meshing.lid import lid
 from meshing.shapes import box, box_counts
@@ -57,7 +58,7 @@ def main():
     for symmetry, prepared in bodies.items():
         for name, degrees, want, dofs in CASES if symmetry == "xy" else CASES[:1]:
             headings, theta = np.radians(degrees), 2 * np.pi * np.arange(120) / 120
-            run = FrequencyRun(prepared, 0.6, headings, want, theta, dofs)
+            run = PanelRun(prepared, 0.6, headings, want, theta, dofs)
             run.result()
             sides = sum(len(moving) + len(waves) for moving, waves in run.columns.values())
             ms = 1e3 * best(lambda: solve_frequency(prepared, 0.6, headings, want, theta, dofs))  # noqa: B023

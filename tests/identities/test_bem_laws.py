@@ -5,12 +5,13 @@ import pytest
 
 from bem import DOFS
 from bem.elements import elements
-from bem.frequency import FrequencyRun, solve_frequency
+from bem.frequency import solve_frequency
 from bem.green import green_function
 from bem.green_tables import wave_table
 from bem.influence import Geometry, assembled
 from bem.limits import added_mass_limit
 from bem.near_field import near_field_drift
+from bem.panel_run import PanelRun
 from bem.setup import Setup, prepare
 from bem.waves import depth_factor, depth_factor_slope, group_factor, incident_wave, wavenumber
 from meshing.lid import lid
@@ -163,7 +164,7 @@ def test_damping_is_what_the_waves_carry_away():
 
 
 def test_slope_of_the_far_field_matches_its_own_fourier_derivative():
-    run = FrequencyRun(body(), 0.8, HEADINGS, WANT, None, DOFS)
+    run = PanelRun(body(), 0.8, HEADINGS, WANT, None, DOFS)
     t = len(run.theta)
     (_, _), (H, slope) = run.kochin
     order = np.fft.fftfreq(t, 1 / t)
@@ -186,7 +187,7 @@ def test_near_and_far_field_drift_of_a_fixed_pile_converge_to_each_other():
     gaps = []
     for n in (4, 8):
         mesh = buoy(10, 15, counts=(n, 1, n), bottom=False)
-        run = FrequencyRun(prepare(Setup(mesh, lid(mesh), depth=15.0)), 0.8, [0.0], WANT, None, DOFS)
+        run = PanelRun(prepare(Setup(mesh, lid(mesh), depth=15.0)), 0.8, [0.0], WANT, None, DOFS)
         gaps.append(abs(near_field_drift(run, False)[0, 0] / run.drift(False)[0, 0] - 1))
     # the velocity at the corners of the polygon leaves a first-order gap
     assert gaps[1] < 0.02, gaps
@@ -201,7 +202,7 @@ def test_near_and_far_field_drift_of_a_floating_hemisphere_converge_to_each_othe
     for n in (5, 10):
         mesh = half_sphere(n)
         p = prepare(Setup(mesh, lid(mesh), depth=3.0, inertia_matrix=inertia, hydrostatic_stiffness=stiffness))
-        run = FrequencyRun(p, np.sqrt(g * 1.0), [0.0], WANT | {"rao", "drift_force"}, None, DOFS)
+        run = PanelRun(p, np.sqrt(g * 1.0), [0.0], WANT | {"rao", "drift_force"}, None, DOFS)
         gaps.append(abs(near_field_drift(run, True)[0, 0] / run.drift(True)[0, 0] - 1))
     assert gaps[1] < 0.65 * gaps[0], gaps
 
@@ -210,7 +211,7 @@ def test_near_and_far_field_drift_of_a_floating_hemisphere_converge_to_each_othe
 def test_near_field_drift_of_the_box_approaches_the_far_field(moving):
     gaps = []
     for counts in ((4, 3, 2), (8, 6, 4)):
-        run = FrequencyRun(free_body(counts, 20.0), 0.5, np.radians([0, 90]), WANT | {"rao", "drift_force"}, None, DOFS)
+        run = PanelRun(free_body(counts, 20.0), 0.5, np.radians([0, 90]), WANT | {"rao", "drift_force"}, None, DOFS)
         near, far = near_field_drift(run, moving), run.drift(moving)
         gaps.append(max(abs(near[0, 0] / far[0, 0] - 1), abs(near[1, 1] / far[1, 1] - 1)))
     # velocities are singular like r^(−1/3) at the edges: the gap closes slowly
@@ -243,14 +244,14 @@ def test_flow_of_a_source_inside_the_body_is_recovered(depth, omega):
     "want, classes", [({"added_mass"}, 4), ({"Froude_Krylov_force"}, 0), ({"excitation_force"}, 2)]
 )
 def test_only_what_is_wanted_is_solved(want, classes):
-    run = FrequencyRun(body((2, 2, 2)), 0.5, [0.0], want, None, DOFS)
+    run = PanelRun(body((2, 2, 2)), 0.5, [0.0], want, None, DOFS)
     result = run.result()
     assert len(run.columns) == classes
     assert set(result) - {"checks", "wall_time"} == want
 
 
 def test_degrees_of_freedom_left_out_are_not_solved():
-    run = FrequencyRun(body((2, 2, 2)), 0.5, [0.0], {"added_mass", "excitation_force"}, None, ("Surge", "Heave"))
+    run = PanelRun(body((2, 2, 2)), 0.5, [0.0], {"added_mass", "excitation_force"}, None, ("Surge", "Heave"))
     result = run.result()
     assert set(run.columns) == {(1, 1), (-1, 1)}
     assert np.isnan(result["added_mass"][1, 1]) and np.isfinite(result["added_mass"][0, 0])

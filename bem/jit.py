@@ -1,35 +1,37 @@
 """The one way to compile a kernel: numba with a cache that notices every change of any kernel.
 
 numba stamps a cached function with its own file only: a callee edited in another file would go on returning
-its old values.  The cache folder therefore carries a hash of all sources of this package.
+its old values.  The cache folder therefore carries a hash of all sources beside the kernel and of those of
+`bem`.  A kernel calls kernels of these two folders only.
 """
 
 from __future__ import annotations
 
 import hashlib
 import os
+from functools import cache
 from pathlib import Path
 
 import numba
 from numba.core import config
 
-
-def _source_hash():
-    digest = hashlib.sha256()
-    for file in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(file.name.encode() + file.read_bytes())
-    return digest.hexdigest()[:16]
+HERE = Path(__file__).parent
 
 
-def cache_folder():
-    """Where compiled kernels are kept; HAKOBUNE_CACHE or XDG_CACHE_HOME move it."""
+@cache
+def cache_folder(beside=HERE):
+    """Where the kernels of the folder `beside` are kept compiled; HAKOBUNE_CACHE or XDG_CACHE_HOME move it."""
     base = os.environ.get("HAKOBUNE_CACHE")
     if base is None:
         base = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "hakobune"
-    return Path(base) / _source_hash()
+    return Path(base) / _source_hash({HERE, beside})
 
 
-_FOLDER = cache_folder()
+def _source_hash(folders):
+    digest = hashlib.sha256()
+    for file in sorted(file for folder in folders for file in folder.glob("*.py")):
+        digest.update(file.name.encode() + file.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 def kernel(parallel=False):
@@ -37,7 +39,7 @@ def kernel(parallel=False):
 
     def compile_later(function):
         kept = config.CACHE_DIR
-        config.CACHE_DIR = str(_FOLDER)
+        config.CACHE_DIR = str(cache_folder(Path(function.__code__.co_filename).parent))
         try:
             # contract and reassoc only: NaN and infinity must stay visible
             return numba.njit(

@@ -1,0 +1,244 @@
+"""The panel method at one frequency: potentials on the hull and what follows from them."""
+
+from __future__ import annotations
+
+import time
+from functools import cached_property
+
+import numpy as np
+
+from . import DOFS
+from .checks import estimated_error
+from .frequency import FrequencyRun
+from .green_tables import wave_table
+from .influence import assembled
+from .kochin import far_field_integrals
+from .threads import blas_threads
+from .waves import depth_factor, depth_factor_slope, incident_wave
+
+
+class PanelRun(FrequencyRun):
+    """Only symmetry classes that hold a wanted degree of freedom or a wave are assembled and solved."""
+
+    def __init__(self, prepared, omega, headings, want, theta, dofs):
+        super().__init__(prepared, omega, headings, want, theta, dofs)
+        if self.far_field and prepared.setup.wall is not None:
+            raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
+        self.geometry = prepared.geometry
+        self.whole_field = "pressure" in self.want
+
+    @property
+    def solves(self):
+        """Whether any equations have to be solved"""
+        return bool(self.columns)
+
+    @property
+    def froude_krylov(self):
+        return self.incident[1]
+
+    @cached_property
+    def residual(self):
+        """Largest residual of the linear equations, relative to the right-hand sides"""
+        _ = self.potentials
+        return self._residual
+
+    def estimated_error(self):
+        """`bem.checks.estimated_error` against the coarser mesh; NaN without one"""
+        coarse = self.prepared.coarse
+        if coarse is None:
+            return np.nan
+        rough = coarse.run(self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked])
+        return estimated_error(self, rough, self.prepared.refinement)
+
+    def depth_values(self, z):
+        """(q, 2) Z and Z′"""
+        h = self.setup.depth
+        return np.stack([depth_factor(z, self.k, h), depth_factor_slope(z, self.k, h)], axis=-1)
+
+    @cached_property
+    def hull(self):
+        """Nodes, weights and normals of the hull (without the lid)."""
+        e, n = self.geometry.elements, self.geometry.hull
+        return e.nodes[:n], e.weights[:n], e.normals[:n]
+
+    @cached_property
+    def incident(self):
+        """{class: φ_I and ∂φ_I/∂n at the nodes, each (m, n)} and the Froude–Krylov force (m, 6) about the origin"""
+        g = self.geometry
+        nodes, weights, normals = self.hull
+        phi, flux = np.empty((2, len(g.images), len(self.headings), len(weights)), complex)
+        for i, (x, y) in enumerate(g.images):
+            mirror = np.array([x, y, 1.0])
+            for j, beta in enumerate(self.headings):
+                phi[i, j], gradient = incident_wave(
+                    nodes * mirror - g.origin, beta, self.omega, self.k, self.setup.depth, self.setup.gravity
+                )
+                flux[i, j] = np.einsum("qi,qi->q", gradient, normals * mirror)
+        out, force = {}, np.zeros((len(self.headings), 6), complex)
+        for cls in g.classes:
+            out[cls] = tuple(np.tensordot(g.signs(cls), f, 1) / g.copies for f in (phi, flux))
+            mine = self.geometry.members(cls)
+            force[:, mine] = out[cls][0] @ self.weighted_modes[:, mine]
+        return out, -1j * self.setup.density * self.omega * force
+
+    @cached_property
+    def weighted_modes(self):
+        """(n, 6) generalized normal times area of the node and its images"""
+        return self.prepared.modes * self.hull[1][:, None] * self.geometry.copies
+
+    @cached_property
+    def columns(self):
+        """{class: (its radiating dofs, its headings)}, empty classes left out."""
+        table = {}
+        for cls in self.geometry.classes:
+            mine = self.geometry.members(cls)
+            moving = [d for d in mine if d in self.dofs] if self.radiates else []
+            waves = []
+            if self.diffracts and (self.far_field or self.whole_field or any(d in self.dofs for d in mine)):
+                velocity = self.incident[0][cls][1]
+                largest = max(np.abs(v).max() for _, v in self.incident[0].values())
+                waves = [j for j in range(len(self.headings)) if np.abs(velocity[j]).max() > 1e-12 * largest]
+            if moving or waves:
+                table[cls] = moving, waves
+        return table
+
+    def velocities(self, cls):
+        """(columns, n) normal velocities: unit motions, then minus the incident waves"""
+        moving, waves = self.columns[cls]
+        parts = [self.prepared.modes[:, moving].T.astype(complex)]
+        if waves:
+            parts.append(-self.incident[0][cls][1][waves])
+        return np.concatenate(parts)
+
+    @cached_property
+    def potentials(self):
+        """{class: potentials (columns, n) on the hull}"""
+        with blas_threads(len(self.geometry.elements.nodes)):
+            return self._solved()
+
+    def _solved(self):
+        from scipy.linalg import lu_factor, lu_solve
+
+        start = time.perf_counter()
+        classes = list(self.columns)
+        velocities = {c: self.velocities(c) for c in classes}
+        self._timed("incident", start)
+        start = time.perf_counter()
+        _ = self.geometry.rankine
+        self._timed("rankine", start)
+        start = time.perf_counter()
+        g = self.geometry
+        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.mesh.draft)
+        self._timed("table", start)
+        start = time.perf_counter()
+        matrices, sides = self.equations(classes, table, [velocities[c] for c in classes])
+        self._timed("assemble", start)
+        start = time.perf_counter()
+        out, self._residual = {}, 0.0
+        for cls, A, b in zip(classes, matrices, sides, strict=True):
+            b = b[:, : len(velocities[cls])]
+            # LAPACK wants columns: the transposed view is factored and solved transposed, nothing is copied twice
+            x = lu_solve(lu_factor(A.T, check_finite=False), b, trans=1, check_finite=False)
+            if not np.all(np.isfinite(x)):
+                raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
+            scale = np.maximum(np.abs(b).max(axis=0), 1e-300)
+            self._residual = max(self._residual, float((np.abs(A @ x - b).max(axis=0) / scale).max()))
+            out[cls] = self.on_hull(x, velocities[cls])
+        self._timed("solve", start)
+        return out
+
+    def equations(self, classes, table, velocities):
+        """Matrices (c, n, n) and right-hand sides (c, n, columns) of the classes"""
+        return assembled(self.geometry, classes, 1.0, table, self.depth_values, velocities)
+
+    def on_hull(self, solution, velocities):
+        """Potentials (columns, hull nodes) of a solution (n, columns)"""
+        return np.ascontiguousarray(solution[: self.geometry.hull].T)
+
+    @cached_property
+    def radiation(self):
+        """Complex A + iB/ω (6, 6) about the origin, zero where a degree of freedom was left out"""
+        out = np.zeros((6, 6), complex)
+        for cls, (moving, _) in self.columns.items():
+            if moving:
+                phi = self.potentials[cls][: len(moving)]
+                out[np.ix_(moving, moving)] = -self.setup.density * (phi @ self.weighted_modes[:, moving]).T
+        return out
+
+    @cached_property
+    def diffraction(self):
+        """Diffraction force (m, 6) about the origin"""
+        out = np.zeros((len(self.headings), 6), complex)
+        for cls, (moving, waves) in self.columns.items():
+            mine = self.geometry.members(cls)
+            phi = self.potentials[cls][len(moving) :]
+            out[np.ix_(waves, mine)] = -1j * self.setup.density * self.omega * (phi @ self.weighted_modes[:, mine])
+        return out
+
+    @cached_property
+    def haskind(self):
+        """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)"""
+        waves, force = self.incident
+        out = np.zeros(force.shape, complex)
+        areas = self.hull[1] * self.geometry.copies
+        for cls, (moving, _) in self.columns.items():
+            if moving:
+                phi = self.potentials[cls][: len(moving)]
+                scattered = 1j * self.setup.density * self.omega * (waves[cls][1] * areas) @ phi.T
+                out[:, moving] = force[:, moving] + scattered
+        return out
+
+    @cached_property
+    def kochin(self):
+        """H and H′ at `theta` and at the headings: radiation (6, t+m), diffraction (m, t+m); about the origin"""
+        start = time.perf_counter()
+        g = self.geometry
+        nodes, weights, normals = self.hull
+        at = np.concatenate([self.theta, self.headings])
+        radiation = np.zeros((2, 6, len(at)), complex)
+        diffraction = np.zeros((2, len(self.headings), len(at)), complex)
+        factor = -(self.k**2) / (4 * self.group_factor * self.omega)
+        for cls, (moving, waves) in self.columns.items():
+            both = far_field_integrals(
+                at, self.k, nodes, weights, normals, self.depth_values(nodes[:, 2]),
+                g.images, g.signs(cls), self.potentials[cls], self.velocities(cls),
+            )  # fmt: skip
+            for i in range(2):
+                radiation[i, moving] = -1j * self.omega * factor * both[i][: len(moving)]
+                diffraction[i, waves] += factor * both[i][len(moving) :]
+        self._timed("far field", start)
+        return radiation, diffraction
+
+    def disturbance(self, heading, moving):
+        """{class: φ_D + Σ(−iωX)φ at the nodes (n,)}, and the matching normal velocity"""
+        g = self.geometry
+        X = -1j * self.omega * self.setup.transform.T @ self.rao[heading] if moving else np.zeros(6, complex)
+        out = {}
+        for cls in g.classes:
+            phi, velocity = np.zeros((2, g.hull), complex)
+            if cls in self.columns:
+                moved, waves = self.columns[cls]
+                solved, given = self.potentials[cls], self.velocities(cls)
+                for i, d in enumerate(moved):
+                    phi, velocity = phi + X[d] * solved[i], velocity + X[d] * given[i]
+                if heading in waves:
+                    i = len(moved) + waves.index(heading)
+                    phi, velocity = phi + solved[i], velocity + given[i]
+            out[cls] = phi, velocity
+        return out
+
+    def pressure(self):
+        """(m, panels of the whole hull) mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude
+
+        Of the freely floating body where its inertia is known, else of the fixed one; panels as in `mesh.whole()`.
+        """
+        g, (_, weights, _) = self.geometry, self.hull
+        shares = weights.reshape(len(g.mesh), -1)
+        shares = shares / shares.sum(axis=1, keepdims=True)
+        out = np.empty((len(self.headings), g.copies, len(shares)), complex)
+        for j in range(len(self.headings)):
+            phi = {c: p + self.incident[0][c][0][j] for c, (p, _) in self.disturbance(j, self.free).items()}
+            for i in range(g.copies):
+                total = sum(g.signs(c)[i] * p for c, p in phi.items())
+                out[j, i] = np.sum(total.reshape(shares.shape) * shares, axis=1)
+        return 1j * self.omega * self.setup.density * out.reshape(len(self.headings), -1)

@@ -1,0 +1,127 @@
+"""Viscous damping of heave, roll and pitch that depends on the amplitude of the motion.
+
+A law gives the linear damping that takes the same energy out of a cycle.  For a drag N₂ |v| v on a motion
+of amplitude a at frequency ω, and in irregular motion with standard deviation σ,
+
+    N = (8/3π) ω a N₂,      N = √(8/π) σ_v N₂       (equal for a = EQUIVALENT_AMPLITUDE · σ)
+
+The SR179 report (1982), section 2.1.4, adds to the wave damping, in heave and in roll,
+
+    N̂ = b ξ_B,   N̂ = N √(B/2g) / (ρBdL),  roll: N √(B/2g) / (ρBdL B²),   ξ_B = ω²B/2g        (2.1.4.6, 2.1.4.7)
+
+with b(a) from forced oscillation.  Its roll normalisation is lost in print; that of Himeno (1981) is taken.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import DOFS
+from .motions import response
+
+EQUIVALENT_AMPLITUDE = (3 * np.pi / 8) * np.sqrt(8 / np.pi)  # 1.880
+LOSS = 8 / (3 * np.pi)
+
+# b_R √ξ_B at a roll amplitude of 1°, theory of Yamashita and Katagiri (1980) for deep water as printed in the SR179
+# report (1982), section 2.1.4: b_R 0.031 … 0.0103 at B/d = 5, 0.055 … 0.0185 at 10 for ξ_B = 0.25 … 2.25
+YAMASHITA = {5.0: 0.0155, 10.0: 0.0276}
+
+
+@dataclass(frozen=True)
+class Quadratic:
+    """N₂ of a drag N₂ |v| v: N s²/m², for rotations N m s²."""
+
+    drag: float
+
+    def equivalent(self, omega, amplitude):
+        """N s/m, N m s at `amplitude` m or rad"""
+        return LOSS * omega * amplitude * self.drag
+
+
+@dataclass(frozen=True)
+class Tabulated:
+    """N = scale ω² b(a): b at rising amplitudes (m, rad), zero at none and constant beyond the last.
+
+    scale : ρBdL √(B/2g) in heave, times B² in roll
+    """
+
+    scale: float
+    amplitudes: tuple
+    values: tuple
+
+    def __post_init__(self):
+        a, b = np.asarray(self.amplitudes, float), np.asarray(self.values, float)
+        if a.ndim != 1 or a.shape != b.shape or not (len(a) and a[0] > 0 and np.all(np.diff(a) > 0) and np.all(b >= 0)):
+            raise ValueError("viscous damping: amplitudes have to rise from above 0, with one b ≥ 0 for each")
+
+    def equivalent(self, omega, amplitude):
+        """N s/m, N m s at `amplitude` m or rad"""
+        b = np.interp(amplitude, (0.0, *self.amplitudes), (0.0, *self.values))
+        return self.scale * omega**2 * b
+
+
+@dataclass(frozen=True)
+class Viscous:
+    """Laws by degree of freedom, about the rotation centre, and the wave amplitude (m) they are linearised in.
+
+    wave_amplitude : of a regular wave
+    """
+
+    laws: dict
+    wave_amplitude: float
+
+    def damping(self, omega, amplitudes):
+        """(6, 6) for motion amplitudes (6,) m, rad"""
+        out = np.zeros((6, 6))
+        for dof, law in self.laws.items():
+            i = DOFS.index(dof)
+            out[i, i] = law.equivalent(omega, amplitudes[i])
+        return out
+
+
+def yamashita_roll(length, beam, draft, density):
+    """`Quadratic` roll damping of a box in deep water, for B/d from 5 to 10, linear between.
+
+    raises : ValueError outside
+    """
+    ratio = beam / draft
+    known = sorted(YAMASHITA)
+    if not known[0] * (1 - 1e-9) <= ratio <= known[-1] * (1 + 1e-9):
+        raise ValueError(f"B/d = {ratio:.4g} is outside Yamashita's roll damping (5 to 10); give b_R")
+    at_one_degree = np.interp(ratio, known, [YAMASHITA[r] for r in known])
+    # N = ρ∇B² (b_R √ξ_B) ω at 1°, in proportion to the amplitude
+    return Quadratic(density * length * beam * draft * beam**2 * at_one_degree / (LOSS * np.radians(1.0)))
+
+
+def report_scale(dof, length, beam, draft, density, gravity):
+    """`Tabulated.scale` of the report's b for "Heave" or "Roll"; pitch like roll, with length and beam exchanged"""
+    if dof == "Pitch":
+        length, beam = beam, length
+    return density * length * beam * draft * np.sqrt(beam / (2 * gravity)) * (1 if dof == "Heave" else beam**2)
+
+
+def linearised_response(omega, added_mass, damping, excitation, inertia, stiffness, viscous, most=200):
+    """Motion amplitudes (headings, 6) per unit wave amplitude in waves of `viscous.wave_amplitude`, and B' (m, 6, 6).
+
+    The amplitude that the damping is taken at and the amplitude that it leads to move opposite ways; their
+    geometric mean is the answer at once where the damping alone limits the motion, and converges elsewhere.
+    raises : FloatingPointError if it does not
+    """
+    motions, equivalent = [], []
+    size = np.diag(stiffness) + omega**2 * np.diag(inertia + added_mass)
+    for force in excitation:
+        assumed = viscous.wave_amplitude * np.abs(force) / size
+        for _ in range(most):
+            extra = viscous.damping(omega, assumed)
+            X = response(omega, added_mass, damping + extra, force[None], inertia, stiffness)[0]
+            found = viscous.wave_amplitude * np.abs(X)
+            if np.all(np.abs(found - assumed) <= 1e-10 * found.max()):
+                break
+            assumed = np.sqrt(assumed * found)
+        else:
+            raise FloatingPointError(f"ω = {omega:.6g} rad/s: equivalent viscous damping not found in {most} steps")
+        motions.append(X)
+        equivalent.append(extra)
+    return np.array(motions), np.array(equivalent)
