@@ -15,14 +15,14 @@ from functools import cached_property
 
 import numpy as np
 
-from .box_drag import DragTable, about
 from .catenary import LineSolution, State
-from .current import current_force
 from .equilibrium import Equilibrium, displaced, find_equilibrium, mooring_load
 from .layout import Layout
+from .loads.box_current import box_table, current_force
+from .loads.box_drag import DragTable, about
+from .loads.box_wind import AIR_DENSITY, BOX, wind_force
 from .natural_periods import NaturalPeriods, natural_periods
 from .sea import between_frequencies, between_headings, mean_drift, motion_amplitudes
-from .wind import AIR_DENSITY, BOX, wind_force
 
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
 ROLLING = 1e-4  # rad per m of wave amplitude; less is rounding in waves that do not roll the body
@@ -135,6 +135,7 @@ def multi_point(db, layout, hull, conditions, depth, allowable=0.4) -> MultiPoin
     raises : ValueError naming what does not fit or has no solution
     """
     _check(db, layout, hull, depth, allowable)
+    conditions = _with_coefficients(conditions, hull, depth)
     center = np.asarray(db.rotation_center, float)
     rest = mooring_load(layout, (0.0, 0.0, 0.0), center, "raise")
     at_rest = _periods(db, rest.stiffness)
@@ -203,7 +204,9 @@ def fairlead_displacements(layout, equilibrium, amplitudes, center):
 
 def findings(result, db):
     """What a reader of the result has to know: one line each, with the number and its limit."""
-    waves = result.conditions.waves
+    waves, current = result.conditions.waves, result.conditions.current
+    if current:
+        yield from current.table.notes
     if waves:
         yield from _interpolated(db, waves)
         yield from resonances(result, waves.period)
@@ -228,6 +231,14 @@ def _check(db, layout, hull, depth, allowable):
         raise ValueError(f"allowable fraction is {allowable:g}; allowed: above 0, at most 1")
     if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
         raise ValueError("the database has no inertia of the body; give --gyration kxx,kyy,kzz and solve again")
+
+
+def _with_coefficients(conditions, hull, depth):
+    """The same conditions; a current without coefficients gets those of the box tests."""
+    if conditions.current is None or conditions.current.table is not None:
+        return conditions
+    table = box_table(hull.length, hull.beam, hull.draft, depth)
+    return replace(conditions, current=replace(conditions.current, table=table))
 
 
 def _periods(db, stiffness):

@@ -10,6 +10,7 @@ from typing import Annotated
 from cyclopts import App, CycloptsError, Parameter
 
 from .flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
+from .sea_command import sea
 
 app = App(
     name="hakobune",
@@ -20,6 +21,9 @@ app = App(
 )
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the flags are laid over")]
+
+
+app.command(sea)
 
 
 @app.command

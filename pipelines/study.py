@@ -15,8 +15,8 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from mooring.box_drag import drag_table
 from mooring.layout import Layout, Line, corner_spread, pretensioned
+from mooring.loads.box_drag import drag_table
 from mooring.multi_point import Conditions, Current, Hull, Waves, Wind
 
 from .typed import typed
@@ -78,8 +78,12 @@ class WavesTable(_Table):
 
 
 class LineType(_Table):
-    """Submerged weight, axial stiffness EA and breaking load, each in one of its units; EA left out: inextensible"""
+    """Submerged weight, axial stiffness EA and breaking load, each in one of its units; EA left out: inextensible
 
+    catalogue : a name such as "R3 studless 76 mm", for what is not given
+    """
+
+    catalogue: str | None = None
     weight_kg_per_m: float | None = None
     weight_N_per_m: float | None = None
     axial_stiffness_tonf: float | None = None
@@ -192,16 +196,23 @@ class Study(_Table):
     def _properties(self, where, name):
         if name not in self.types:
             raise StudyError(f"{where}.type is {name!r}; allowed: {', '.join(self.types)}")
-        kind, where = self.types[name], f"types.{name}"
-        weight = _one(where, kind, {"weight_kg_per_m": KGF, "weight_N_per_m": 1.0}, required=True)
-        if not (kind.bed_friction >= 0 and math.isfinite(kind.bed_friction)):
-            raise StudyError(f"{where}.bed_friction is {kind.bed_friction:g}; allowed: at least 0")
-        return {
-            "weight": weight,
-            "axial_stiffness": _force(where, kind, "axial_stiffness") or math.inf,
-            "bed_friction": kind.bed_friction,
-            "breaking_load": _force(where, kind, "breaking_load") or math.inf,
-        }
+        return line_properties(f"types.{name}", self.types[name])
+
+
+def line_properties(where, kind, density=1025.0):
+    """weight, axial_stiffness, bed_friction and breaking_load of a LineType, in SI; density : kg/m³ of the water"""
+    from mooring.lines.catalogue import line_type
+
+    known = None if kind.catalogue is None else line_type(kind.catalogue, density)
+    weight = _one(where, kind, {"weight_kg_per_m": KGF, "weight_N_per_m": 1.0}, required=known is None)
+    if not (kind.bed_friction >= 0 and math.isfinite(kind.bed_friction)):
+        raise StudyError(f"{where}.bed_friction is {kind.bed_friction:g}; allowed: at least 0")
+    return {
+        "weight": weight or known.weight,
+        "axial_stiffness": _force(where, kind, "axial_stiffness") or (known.axial_stiffness if known else math.inf),
+        "bed_friction": kind.bed_friction,
+        "breaking_load": _force(where, kind, "breaking_load") or (known.breaking_load if known else math.inf),
+    }
 
 
 def read_study(path):

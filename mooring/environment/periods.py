@@ -1,0 +1,53 @@
+"""Kinds of wave period, and what each is of a spectrum with moments m_n = ∫ ωⁿ S dω.
+
+    T01 = 2π m₀/m₁    T02 = 2π √(m₀/m₂)    Te = 2π m₋₁/m₀    Tp = 2π/ω_p    T1/3: mean period of the highest third
+
+The first four follow from the spectrum.  T1/3 belongs to a record; a family of spectra knows it only where its
+authors tie it to the peak.
+"""
+
+from __future__ import annotations
+
+from .allowed import positive
+
+KINDS = {
+    "mean_period": "T01",
+    "zero_crossing_period": "T02",
+    "energy_period": "Te",
+    "peak_period": "Tp",
+    "significant_period": "T_significant",
+}
+WORDS = {
+    "T01": "T01, mean",
+    "T02": "T02, zero crossings",
+    "Te": "Te, energy",
+    "Tp": "Tp, peak",
+    "T_significant": "T1/3, significant",
+}
+
+
+def the_one_period(family, periods):
+    """Kind and value (s) of the one period given to a family of spectra.
+
+    periods : {kind: s or None} with the names of `KINDS`
+    Raises ValueError for an unknown kind, for none or several, and for a period that is not above 0.
+    """
+    unknown = [kind for kind in periods if kind not in KINDS]
+    if unknown:
+        raise ValueError(f"{family}: {unknown[0]} is no kind of period; allowed: {', '.join(KINDS)}")
+    given = {kind: value for kind, value in periods.items() if value is not None}
+    if len(given) != 1:
+        state = " and ".join(given) + " are given" if given else "no period is given"
+        raise ValueError(f"{family}: {state}; allowed: one of {', '.join(KINDS)}")
+    ((kind, value),) = given.items()
+    return kind, positive(kind.replace("_", " "), value, "s")
+
+
+def period_of(spectrum, kind):
+    """s; the period of that kind of a spectrum.  Raises ValueError where the spectrum has none."""
+    if kind not in KINDS:
+        raise ValueError(f"{kind!r} is no kind of period; allowed: {', '.join(KINDS)}")
+    value = getattr(spectrum, KINDS[kind])
+    if value is None:
+        raise ValueError(f"{spectrum.name} spectrum: significant period is not known of its shape; give another kind")
+    return value

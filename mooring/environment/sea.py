@@ -1,0 +1,209 @@
+"""A sea state: a spectrum, its mean direction, its spreading; and its parts: shares per heading, or wave components.
+
+    η(x, y, t) = Σ aᵢ cos{ωᵢ t − kᵢ (x cos βᵢ + y sin βᵢ) − εᵢ}
+
+Every component has a direction of its own.  Several directions at one frequency would be locked in phase, and the
+height of the sea would differ from place to place (Jefferys 1987, Applied Ocean Research 9).  Neighbours in frequency
+take directions spread over the circle by multiples of the golden ratio, so that any narrow band holds all of them.
+"""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from mooring.sea import WIDEST_GAP, between_headings
+
+from .allowed import row_of_numbers
+from .spectrum import Spectrum
+from .spreading import ANGLES, Spreading
+
+BAND = (1e-5, 1 - 1e-3)  # shares of the energy between which components lie unless limits are given
+MOST_MISSED = 0.01  # share of the energy
+NEAREST = 0.3  # of a band
+GOLDEN = 0.5 * (np.sqrt(5) - 1)
+
+
+class Components(NamedTuple):
+    """Wave components, each (n,): rad/s, m, phase lag at the origin in rad, direction travelled to in rad."""
+
+    omega: np.ndarray
+    amplitude: np.ndarray
+    phase: np.ndarray
+    direction: np.ndarray
+
+
+@dataclass(frozen=True)
+class Sea:
+    """A sea state.
+
+    spectrum : Spectrum; direction : rad, mean direction travelled to; spreading : Spreading, None for long crests
+    """
+
+    spectrum: Spectrum
+    direction: float = 0.0
+    spreading: Spreading | None = None
+
+    def __post_init__(self):
+        if not np.isfinite(self.direction):
+            raise ValueError(f"direction of the sea is {self.direction}; allowed: finite, rad")
+
+    def directional(self, headings, omega=None):
+        """Shares of the energy per heading, such that Σ share f(heading) is the mean of a response f over directions.
+
+        headings : (m,) rad travelled to, in any order; f is taken as straight between neighbours, at most 45° apart
+        omega : (n,) rad/s, or None
+        returns : (m,) of the whole sea, or (n, m) at the frequencies; rows sum to 1
+        Raises ValueError if more than 1 % of the energy travels outside the headings; less is scaled away.
+        """
+        headings = row_of_numbers("heading", headings)
+        if self.spreading is None:
+            share = _shares_of_one(headings, self.direction)
+            return share if omega is None else np.tile(share, (len(np.atleast_1d(omega)), 1))
+        hats = _hats(headings, self.direction + ANGLES)
+        if not self.spreading.depends_on_frequency:
+            share = _scaled(self.spreading.shares() @ hats, headings)
+            return share if omega is None else np.tile(share, (len(np.atleast_1d(omega)), 1))
+        if omega is not None:
+            return _scaled(self.spreading.shares(omega) @ hats, headings)
+        middles = self.spectrum.quantile((np.arange(200) + 0.5) / 200)  # of equal energy
+        return _scaled(np.mean(self.spreading.shares(middles) @ hats, axis=0), headings)
+
+    def components(self, count, seed, *, frequencies="equal_step", amplitudes="deterministic", low=None, high=None):
+        """Components of one realisation.
+
+        count : their number; seed : whole number, the same seed gives the same sea
+        frequencies : "equal_step", bands of equal width; "equal_energy", bands of equal energy.  The frequency lies
+            by chance in its band, so that no record repeats; a component carries the energy of its band.
+        amplitudes : "deterministic", √(2 m₀) of the band, which holds the energy of a record near that of the
+            spectrum; "random", Rayleigh-distributed with that energy as the mean, which lets it vary as in nature
+            if no two components are further apart than 2π over the length of the record
+        low, high : rad/s; by default 0.1 % of the energy lies outside.  Warns if more than 1 % does.
+        returns : Components, rising in omega
+        """
+        count, rng = _whole_number("count", count, 1), np.random.default_rng(_whole_number("seed", seed, 0))
+        low, high = self._band(low, high)
+        omega, energy = _chosen(FREQUENCIES, "frequencies", frequencies)(self.spectrum, low, high, count, rng)
+        amplitude = _chosen(AMPLITUDES, "amplitudes", amplitudes)(energy, rng)
+        phase = rng.uniform(-np.pi, np.pi, count)
+        return Components(omega, amplitude, phase, self._directions(omega, rng))
+
+    def _band(self, low, high):
+        ends = self.spectrum.quantile(BAND)
+        low, high = ends[0] if low is None else low, ends[1] if high is None else high
+        if not 0 <= low < high < np.inf:
+            raise ValueError(f"components from {low:g} to {high:g} rad/s; allowed: 0 ≤ low < high, finite")
+        missed = 1 - self.spectrum.moment(0, low, high) / self.spectrum.moment(0)
+        if missed > MOST_MISSED:
+            warnings.warn(
+                f"components from {low:.4g} to {high:.4g} rad/s miss {100 * missed:.1f} % of the energy; "
+                f"allowed: {100 * MOST_MISSED:g} %; widen low and high",
+                stacklevel=3,
+            )
+        return low, high
+
+    def _directions(self, omega, rng):
+        if self.spreading is None:
+            return np.full(len(omega), float(self.direction))
+        share = np.mod(rng.uniform() + GOLDEN * np.arange(len(omega)), 1.0)
+        return self.direction + self.spreading.quantile(share, omega)
+
+
+def joined(*components):
+    """Components of several seas at once, as wind sea and swell."""
+    return Components(*map(np.concatenate, zip(*components, strict=True)))
+
+
+def _equal_step(spectrum, low, high, count, rng):
+    edges = np.linspace(low, high, count + 1)
+    omega = edges[:-1] + _places(count, rng) * np.diff(edges)
+    return omega, spectrum.moment(0, edges[:-1], edges[1:])
+
+
+def _equal_energy(spectrum, low, high, count, rng):
+    energy, total = spectrum.moment(0, 0.0, np.array([low, high])), spectrum.moment(0)
+    below = (np.arange(count) + _places(count, rng)) / count
+    omega = spectrum.quantile((energy[0] + below * (energy[1] - energy[0])) / total)
+    return omega, np.full(count, (energy[1] - energy[0]) / count)
+
+
+def _places(count, rng):
+    """(n,) 0 to 1, by chance, in the bands; drawn again where neighbours would be nearer than `NEAREST` bands.
+
+    Two that nearly coincide beat so slowly that a record holds their sum or their difference: without this the energy
+    of three hours of swell (500 components) was off by more than 2 % in 5 % of the seeds, with it in none of 200.
+    """
+    place = rng.uniform(size=count)
+    while True:
+        near = np.flatnonzero(1 + np.diff(place) < NEAREST)
+        if not len(near):
+            return place
+        again = np.union1d(near, near + 1)
+        place[again] = rng.uniform(size=len(again))
+
+
+def _deterministic(energy, rng):
+    return np.sqrt(2 * energy)
+
+
+def _random(energy, rng):
+    """|X + iY| of two normal variables of the band's energy"""
+    return np.sqrt(energy) * np.hypot(*rng.standard_normal((2, len(energy))))
+
+
+FREQUENCIES = {"equal_step": _equal_step, "equal_energy": _equal_energy}
+AMPLITUDES = {"deterministic": _deterministic, "random": _random}
+
+
+def _chosen(table, thing, word):
+    if word not in table:
+        raise ValueError(f"{thing} is {word!r}; allowed: {', '.join(table)}")
+    return table[word]
+
+
+def _whole_number(thing, value, least):
+    if value != int(value) or value < least:
+        raise ValueError(f"{thing} is {value}; allowed: a whole number, at least {least}")
+    return int(value)
+
+
+def _shares_of_one(headings, direction):
+    m, n, t = between_headings(headings, direction)
+    share = np.zeros(len(headings))
+    share[m] += 1 - t
+    share[n] += t
+    return share
+
+
+def _hats(headings, angles):
+    """(c, m) weights of the headings at angles on the circle; rows of angles between none of them are 0"""
+    ring = np.mod(headings, 2 * np.pi)
+    order = np.argsort(ring)
+    start = ring[order]
+    if np.any(np.diff(start) < 1e-9):
+        twice = np.rad2deg(start[np.argmin(np.diff(start))])
+        raise ValueError(f"heading {twice:g}° is given twice; allowed: once")
+    gap = np.diff(start, append=start[0] + 2 * np.pi)
+    angle = np.mod(angles, 2 * np.pi)
+    i = np.searchsorted(start, angle, side="right") - 1  # −1: the gap across 0
+    t = np.mod(angle - start[i], 2 * np.pi) / gap[i]
+    covered = gap[i] <= WIDEST_GAP * (1 + 1e-9)
+    hats, rows = np.zeros((len(angles), len(headings))), np.arange(len(angles))
+    hats[rows, order[i]] += (1 - t) * covered
+    hats[rows, order[(i + 1) % len(order)]] += t * covered
+    return hats
+
+
+def _scaled(share, headings):
+    total = share.sum(axis=-1, keepdims=True)
+    missed = 1 - total.min()
+    if missed > MOST_MISSED:
+        given = ", ".join(f"{np.rad2deg(b):g}" for b in headings)
+        raise ValueError(
+            f"{100 * missed:.1f} % of the energy travels outside the headings {given}°, or between two more than "
+            f"45° apart; allowed: {100 * MOST_MISSED:g} %; add headings, or narrow the spreading"
+        )
+    return share / total

@@ -1,0 +1,82 @@
+"""Tables of numbers from text files: `#` lines are left out, one row of names may stand first."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+
+class TableError(ValueError):
+    """A file cannot be read as a table; one line names the file, the place and what is allowed."""
+
+
+def read_table(path, blank=None):
+    """Names (a list, or None) and values (n, m) of a file whose columns are parted by commas, semicolons or blanks.
+
+    blank : value of an empty place; None allows none
+    Raises TableError.
+    """
+    path = Path(path)
+    rows = [(number, _parted(line)) for number, line in enumerate(_text(path).splitlines(), 1) if _counts(line)]
+    if not rows:
+        raise TableError(f"{path} has no rows")
+    names = None if _is_number(rows[0][1][0]) else rows.pop(0)[1]
+    width = len(names or (rows[0][1] if rows else ()))
+    for number, row in rows:
+        if len(row) != width:
+            raise TableError(f"{path}: line {number} has {len(row)} columns; allowed: {width}, as the first")
+    if not rows:
+        raise TableError(f"{path} has no rows of numbers")
+    values = [[_number(path, number, word, blank) for word in row] for number, row in rows]
+    return names, np.array(values)
+
+
+def column_of(path, names, wanted):
+    """Place of a named column.  Raises TableError."""
+    if names is None or wanted not in names:
+        have = "has no names of columns" if names is None else f"has the columns {', '.join(names)}"
+        raise TableError(f"{path} {have}; allowed: {wanted}")
+    return names.index(wanted)
+
+
+def _text(path):
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except FileNotFoundError:
+        raise TableError(f"{path} does not exist") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise TableError(f"{path} cannot be read: {getattr(error, 'strerror', None) or 'not text'}") from None
+
+
+def _counts(line):
+    return line.strip() and not line.lstrip().startswith("#")
+
+
+def _parted(line):
+    line = line.strip()
+    for mark in (";", ","):
+        if mark in line:
+            return [word.strip() for word in line.split(mark)]
+    return re.split(r"\s+", line)
+
+
+def _is_number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _number(path, line, word, blank):
+    if word == "" and blank is not None:
+        return blank
+    try:
+        value = float(word)
+    except ValueError:
+        value = np.nan
+    if not np.isfinite(value):
+        raise TableError(f"{path}: line {line} has {word!r}; allowed: finite numbers")
+    return value

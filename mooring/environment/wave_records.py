@@ -1,0 +1,109 @@
+"""Records of wave elevation: made from components, written to a file, read from one.
+
+    η(t) = Re Σ aᵢ exp{i(kᵢ (x cos βᵢ + y sin βᵢ) + εᵢ − ωᵢ t)},    ω² = g k tanh kh
+
+On equal steps exp(−iω(t₀ + pΔ + qδ)) is a product of a coarse and a fine phase, so that a record of n values takes
+2√n exponentials for each component and one product of matrices, exact to rounding.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.waves import wavenumber
+
+from .allowed import positive, row_of_numbers
+from .tables import TableError, column_of, read_table
+
+UNEVEN = 0.01  # of a step, that a time in a file may lie off
+AT_ONCE = 2**21  # phases kept in memory for times on unequal steps
+
+
+class Record(NamedTuple):
+    """elevation (n,) m; step : s; start : s"""
+
+    elevation: np.ndarray
+    step: float
+    start: float = 0.0
+
+    @property
+    def time(self):
+        """(n,) s"""
+        return self.start + self.step * np.arange(len(self.elevation))
+
+
+def elevation(components, t, x=0.0, y=0.0, depth=np.inf, gravity=9.80665):
+    """Elevation (n,) m at one point.
+
+    components : sea.Components; t : (n,) s; x, y : m; depth : m, may be inf; gravity : m/s²
+    """
+    t = row_of_numbers("time", t)
+    if not (np.isfinite(x) and np.isfinite(y)):
+        raise ValueError(f"point is ({x}, {y}) m; allowed: finite")
+    if not depth > 0:
+        raise ValueError(f"water depth is {depth:g} m; allowed: above 0, or inf")
+    omega, a, phase, direction = components
+    k = wavenumber(omega, depth, positive("gravity", gravity, "m/s²"))
+    X = a * np.exp(1j * (k * (x * np.cos(direction) + y * np.sin(direction)) + phase))
+    return real_sum(X, omega, t)
+
+
+def real_sum(amplitude, omega, t):
+    """Re Σ Xᵢ exp(−iωᵢt) → (n,); amplitude : (c,) complex, omega : (c,) rad/s, t : (n,) s"""
+    n = len(t)
+    step = (t[-1] - t[0]) / max(n - 1, 1)
+    if np.all(np.abs(t - (t[0] + step * np.arange(n))) <= 4 * np.finfo(float).eps * np.abs(t).max()):
+        return _on_equal_steps(amplitude, omega, t[0], step, n)
+    rows = max(1, AT_ONCE // len(omega))
+    parts = [np.exp(-1j * np.outer(t[i : i + rows], omega)) @ amplitude for i in range(0, n, rows)]
+    return np.concatenate(parts).real
+
+
+def _on_equal_steps(amplitude, omega, start, step, n):
+    block = int(np.ceil(np.sqrt(n)))
+    coarse = amplitude * np.exp(-1j * np.outer(start + step * block * np.arange(-(-n // block)), omega))
+    fine = np.exp(-1j * np.outer(omega, step * np.arange(block)))
+    return (np.hstack([coarse.real, -coarse.imag]) @ np.vstack([fine.real, fine.imag])).ravel()[:n]
+
+
+def write_record(path, record, comment=""):
+    """Write time_s,elevation_m as CSV; `comment` goes before them in # lines."""
+    rows = [f"# {line}" for line in comment.splitlines()] + ["time_s,elevation_m"]
+    rows += [f"{t:.6f},{value:.6g}" for t, value in zip(record.time, record.elevation, strict=True)]
+    Path(path).write_text("\n".join(rows) + "\n", encoding="utf-8")
+
+
+def read_record(path, step=None, column=None):
+    """Record of a text file: times and elevations in columns, or elevations alone.
+
+    step : s, where the file has no column of times, which otherwise is its first
+    column : name of the column of elevations, by default the second (the only one)
+    Raises TableError for what is no table, for times that do not step evenly, for a step given twice or not at all.
+    """
+    names, values = read_table(path)
+    if len(values) < 2:
+        raise TableError(f"{path} has one row; allowed: at least 2")
+    timed = values.shape[1] > 1
+    place = column_of(path, names, column) if column else int(timed)
+    if timed and step is not None:
+        raise TableError(f"{path} has a column of times; a step of {step:g} s is given too; leave it out")
+    if not timed and step is None:
+        raise TableError(f"{path} has one column and no times; give the step (s)")
+    if timed:
+        return Record(values[:, place], *_even_steps(path, values[:, 0]))
+    return Record(values[:, place], positive("step", step, "s"))
+
+
+def _even_steps(path, t):
+    step = (t[-1] - t[0]) / (len(t) - 1)
+    off = np.abs(t - (t[0] + step * np.arange(len(t))))
+    if not step > 0 or off.max() > UNEVEN * step:
+        i = int(np.argmax(np.abs(np.diff(t) - np.median(np.diff(t)))))
+        raise TableError(
+            f"{path}: time goes from {t[i]:g} to {t[i + 1]:g} s where the step is {np.median(np.diff(t)):g} s; "
+            "allowed: equal steps; fill the gap, or cut the record there"
+        )
+    return float(step), float(t[0])

@@ -1,0 +1,105 @@
+"""Mean wind speed at a height above the sea.
+
+    U(z) = C_H U₁₀,   U(z) = U₁₀ (z/10)^α                    SR179 report (1982), chapter 4, section 3.3 and table 1
+    U(z) = U₀ [1 + C ln(z/10)] [1 − 0.41 I(z) ln(T/T₀)]      NORSOK N-003 and API RP 2A-WSD (Frøya measurements)
+    C = 0.0573 √(1 + 0.15 U₀),   I = 0.06 (1 + 0.043 U₀) (z/10)^−0.22,   T₀ = 1 h
+
+U₁₀ is a 10-minute and U₀ a one-hour mean, both 10 m above the sea.  C_H multiplies the speed, not the pressure: it is
+the square root of the height coefficient of classification rules.  It is a table of steps, each height from the
+lower bound of a band to below its upper bound; in the middle of the bands α goes from 1/17 at 23 m to 1/11 above 130 m
+(the report says about 1/12 to 1/14).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .allowed import positive, within
+
+BANDS = np.array(
+    [
+        0.0,
+        15.3,
+        30.5,
+        46.0,
+        61.0,
+        76.0,
+        91.5,
+        106.5,
+        122.0,
+        137.0,
+        152.5,
+        167.5,
+        183.0,
+        198.0,
+        213.5,
+        228.5,
+        244.0,
+        259.0,
+    ]
+)  # m, lower bounds
+C_H = np.array(
+    [
+        1.0,
+        1.049,
+        1.095,
+        1.14,
+        1.17,
+        1.196,
+        1.217,
+        1.233,
+        1.249,
+        1.265,
+        1.277,
+        1.292,
+        1.304,
+        1.311,
+        1.323,
+        1.33,
+        1.338,
+        1.342,
+    ]
+)
+HOUR = 3600.0
+AVERAGING = (1.0, HOUR)  # s, of the Frøya formula: gusts to the mean it starts from
+
+
+def speed_at(height, speed_10, exponent=None):
+    """(…) m/s at heights (…) m above the sea from the mean `speed_10` m/s at 10 m.
+
+    exponent : α of the power law, 1/15 over smooth sea to 1/3 over rough land; without it the table C_H
+    raises : ValueError for heights not above 0, speeds below 0, exponents outside 0 to 0.5
+    """
+    height = _heights(height)
+    within("wind speed at 10 m", speed_10, 0.0, 200.0, "m/s")
+    if exponent is None:
+        return C_H[np.searchsorted(BANDS, height, side="right") - 1] * speed_10
+    return speed_10 * (height / 10.0) ** within("exponent of the wind profile", exponent, 0.0, 0.5)
+
+
+def froya_speed_at(height, hourly_speed, averaging=HOUR):
+    """(…) m/s, largest mean over `averaging` seconds in the hour at heights (…) m, from the one-hour mean at 10 m.
+
+    raises : ValueError for heights not above 0, speeds below 0, averaging times outside 1 s to one hour
+    """
+    height = _heights(height)
+    within("one-hour wind speed at 10 m", hourly_speed, 0.0, 200.0, "m/s")
+    within("averaging time", averaging, *AVERAGING, "s")
+    shear = 0.0573 * np.sqrt(1 + 0.15 * hourly_speed)
+    mean = hourly_speed * (1 + shear * np.log(height / 10.0))
+    gust = 1 - 0.41 * froya_intensity(height, hourly_speed) * np.log(averaging / HOUR)
+    return np.maximum(mean, 0.0) * gust
+
+
+def froya_intensity(height, hourly_speed):
+    """(…) standard deviation of the wind within the hour over its mean, at heights (…) m"""
+    positive("one-hour wind speed at 10 m", hourly_speed, "m/s")
+    return 0.06 * (1 + 0.043 * hourly_speed) * (_heights(height) / 10.0) ** -0.22
+
+
+def _heights(height):
+    height = np.asarray(height, float)
+    if not np.all((height > 0) & (height < np.inf)):
+        wrong = height[~((height > 0) & (height < np.inf))].flat[0]
+        raise ValueError(f"height above the sea is {wrong:g} m; allowed: above 0, finite")
+    return height

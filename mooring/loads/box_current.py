@@ -1,0 +1,175 @@
+"""Steady current force on a box.
+
+SR179 report (1982), section 2.2: tank tests of a fixed box in uniform current, C_x on B d, C_y on L d, for
+length/beam L/B = 2 with B/d = 5 … 20 and depth/draft H/d from 1.2 (tables 2.2.3.2, 2.2.3.3, 2.2.3.5, 2.2.3.6), and for
+L/B = 1.2 with B/d = 10, H/d from 1.05, and 15 in deep water (2.2.3.1, 2.2.3.4).  For L/B = 2
+
+    C_x(χ) = C_x(0°) S_x(χ),   C_y(χ) = C_y(90°) S_y(χ)
+
+where C_x(0°), C_y(90°) over B/d and H/d are interpolated along their crest (see `crest`) and the shapes S between the
+three depths at which all angles were tested.  A sea deeper than the tank is taken as deep as the tank.
+The moment is not tabulated; the report's text gives the lever 0.09 (sin 2χ)^1.2 of the length for L/B = 2.
+"""
+
+from __future__ import annotations
+
+import warnings
+from functools import cache
+
+import numpy as np
+
+from .box_drag import DragTable, box_drag, check_positive, stream_pressure
+from .crest import CrestSurface, Point
+from .smooth import parabolic, smooth
+from .table_file import read_table
+
+DEGREES = ("0", "15", "30", "45", "60", "75", "90")
+ANGLES = np.deg2rad([float(a) for a in DEGREES])
+TANK = {1.2: 1.4, 2.0: 1.8}  # depth of the tank in beams, for each L/B
+SAME = 0.025  # of L/B or B/d: nearer to a tested proportion it counts as that proportion
+
+
+def box_table(length, beam, draft, depth):
+    """DragTable of a box, sizes in m.
+
+    Its `notes` name what is a guess: printed values that break the trend of their neighbours, a length/beam between
+    those tested, and the moment of anything but L/B = 2, where the lever is taken 0.09 (L/B − 1) (sin 2χ)^1.2: 0 for a
+    square, which has no long side, and the report's value at 2; its turning tests give 0.058 at 1.5 and 0.091 at 2.
+    raises : ValueError outside the tests, where coefficients have to be given
+    """
+    check_positive(length=length, beam=beam, draft=draft)
+    if not depth > 0:
+        raise ValueError(f"depth is {depth:g}; allowed: above 0")
+    slender, wide, relative = length / beam, beam / draft, depth / draft
+    _require("L/B", slender, 1.2 * (1 - SAME), 2.0 * (1 + SAME))
+    slender = next((s for s in TANK if abs(slender / s - 1) <= SAME), slender)
+    share = (slender - 1.2) / 0.8
+    series = {1.2: 1 - share, 2.0: share}
+    x, y = sum(part * np.array(SERIES[ratio](wide, relative)) for ratio, part in series.items() if part > 0)
+    lever = 0.09 * (slender - 1) * np.maximum(np.sin(2 * ANGLES), 0.0) ** 1.2
+    notes = [note for ratio, part in series.items() if part > 0 for note in _suspects(ratio, wide, relative)]
+    return DragTable(ANGLES, x, y, lever, (*notes, *_guesses(slender)))
+
+
+def current_force(speed, direction, length, beam, draft, density=1025.0, table=None, depth=np.inf):
+    """(…, 3) F_x, F_y in N and M_z in N m about the middle of the box.
+
+    speed : (…) m/s; direction : (…) rad, the current flows to
+    table : DragTable; without it that of `box_table` at the water depth `depth`, its notes as warnings
+    """
+    check_positive(length=length, beam=beam, draft=draft)
+    if table is None:
+        table = box_table(length, beam, draft, depth)
+        for note in table.notes:
+            warnings.warn(note, stacklevel=2)
+    pressure = stream_pressure("current", speed, density)
+    return box_drag(direction, pressure, beam * draft, length * draft, length, table)
+
+
+def _require(name, value, low, high, where=""):
+    if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
+        span = f"{low:g} to {high:g}" if high > low else f"{low:g}"
+        raise ValueError(
+            f"{name} = {value:.4g} is outside the current force tests{where} ({span}); give current coefficients"
+        )
+
+
+def _slender(wide, relative):
+    """C_x, C_y (7,) of L/B = 2"""
+    _require("B/d", wide, 5.0, 20.0)
+    _require("H/d", relative, 1.2, np.inf)
+    deepest = min(relative, TANK[2.0] * wide)
+    return [_crest(name)(wide, deepest) * _shape(name, wide, relative) for name in ("C_x", "C_y")]
+
+
+def _broad(wide, relative):
+    """C_x, C_y (7,) of L/B = 1.2"""
+    where = " of L/B = 1.2"
+    if abs(wide / 10.0 - 1) <= SAME:
+        _require("H/d", relative, 1.05, np.inf, where)
+        return [_over_depth(name, relative) for name in ("C_x", "C_y")]
+    _require("B/d", wide, 10.0, 15.0, where)
+    _require("H/d", relative, TANK[1.2] * wide, np.inf, f"{where} with B/d above 10")
+    deep = [[_rows(name, 1.2)[b, TANK[1.2] * b] for b in (10.0, 15.0)] for name in ("C_x", "C_y")]
+    return [smooth([10.0, 15.0], values)(wide) for values in deep]
+
+
+SERIES = {1.2: _broad, 2.0: _slender}
+
+
+def _over_depth(name, relative):
+    """(7,) coefficients of L/B = 1.2, B/d = 10, a curve over d/H"""
+    rows = sorted((1 / h, values) for (b, h), values in _rows(name, 1.2).items() if b == 10.0)
+    x, values = [r[0] for r in rows], [r[1] for r in rows]
+    return smooth(x, values, flat=[0])(max(1 / relative, x[0]))
+
+
+def _shape(name, wide, relative):
+    """(7,) coefficients of L/B = 2 over that at 0° (C_x) or 90° (C_y): curves over B/d, then over d/H"""
+    rows, beams = _rows(name, 2.0), (5.0, 10.0, 15.0, 20.0)
+    largest = 0 if name == "C_x" else -1
+
+    def at(depths):
+        values = np.array([rows[b, h] for b, h in zip(beams, depths, strict=True)])
+        return smooth(beams, values / values[:, [largest]])(wide)
+
+    x = [1 / (TANK[2.0] * wide), 1 / 1.6, 1 / 1.2]
+    values = [at([TANK[2.0] * b for b in beams]), at([1.6] * 4), at([1.2] * 4)]
+    return parabolic(x, values, flat=[0])(max(1 / relative, x[0]))
+
+
+@cache
+def _rows(name, slender):
+    """{(B/d, H/d): (7,) coefficients} at all angles"""
+    return {
+        (float(r["beam_over_draft"]), float(r["depth_over_draft"])): np.array([float(r[a]) for a in DEGREES])
+        for r in read_table("current_angles.csv")
+        if r["coefficient"] == name and float(r["length_over_beam"]) == slender
+    }
+
+
+@cache
+def _crest(name):
+    points = [
+        Point(float(r["beam_over_draft"]), float(r["depth_over_draft"]), float(r["value"]), r["crest"] == "1")
+        for r in read_table("current_depths.csv")
+        if r["coefficient"] == name
+    ]
+    return CrestSurface(points, TANK[2.0])
+
+
+def _suspects(slender, wide, relative):
+    """One line for each printed value out of trend among the tests next to these proportions"""
+    for r in read_table("current_angles.csv"):
+        if not r["suspect"] or float(r["length_over_beam"]) != slender:
+            continue
+        name, b, h = r["coefficient"], float(r["beam_over_draft"]), float(r["depth_over_draft"])
+        tests = _rows(name, slender)
+        beams, depths = {key[0] for key in tests}, {_column(slender, *key) for key in tests}
+        if _next_to(wide, b, beams) and _next_to(_column(slender, wide, relative), _column(slender, b, h), depths):
+            yield (
+                f"current force: {name} = {r[r['suspect']]} at L/B = {slender:g}, B/d = {b:g}, H/d = {h:g}, "
+                f"{r['suspect']}° of the report is out of line with its neighbours and used as printed"
+            )
+
+
+def _column(slender, b, h):
+    """H/d, infinite from the depth of the tank on"""
+    return h if h < TANK[slender] * b * (1 - 1e-9) else np.inf
+
+
+def _next_to(value, node, nodes):
+    """Whether no other node lies between a value and this one, or at the value"""
+    low, high = min(value, node), max(value, node)
+    return not any(low <= n <= high for n in nodes - {node})
+
+
+def _guesses(slender):
+    if slender == 2.0:
+        return
+    if slender > 1.2:
+        yield f"current force: L/B = {slender:.4g} lies between the tested 1.2 and 2; a linear guess"
+    yield (
+        f"current moment of L/B = {slender:.4g} is a guess, lever {0.09 * (slender - 1):.2g} L at 45°; "
+        "only that of L/B = 2 is printed; give current coefficients"
+    )

@@ -1,0 +1,90 @@
+"""Force of moving water on slender members, after Morison, O'Brien, Johnson and Schaaf (1950).
+
+    f = ½ρ C_D D |w| w + ρ (V + A) a − ρ A a_b,   w = u − u_b,   V + A = C_M × reference volume
+
+per metre, all vectors normal to the axis: u velocity of the water, waves and current together, a its acceleration,
+u_b, a_b those of the member, V the volume displaced and A that of the added mass, per metre.
+SR179 report (1982), chapter 4, section 5.3 (there for a member at rest); the drag takes waves and current as one
+velocity, since |w| w of a sum is not a sum.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Section(NamedTuple):
+    """width : D in m, across the flow; C_D on it; displaced, added : V and A in m² (m³ per metre)"""
+
+    width: float
+    C_D: float
+    displaced: float
+    added: float
+
+
+def circular(diameter, C_D, C_M=2.0):
+    """Section of a circular cylinder; C_M on π/4 D², 2 in potential flow.  Raises ValueError."""
+    return _solid(diameter, C_D, np.pi / 4 * diameter**2, C_M)
+
+
+def square(side, C_D, C_M=2.19):
+    """Section of a square prism moved along a side; C_M on D², 2.19 in potential flow.  Raises ValueError."""
+    return _solid(side, C_D, side**2, C_M)
+
+
+def plate(width, C_D, C_M=1.0):
+    """Section of a flat plate across the flow; C_M on π/4 D², 1 in potential flow, all of it added mass."""
+    _check(width, C_D, C_M, 0.0)
+    return Section(width, C_D, 0.0, C_M * np.pi / 4 * width**2)
+
+
+def force_per_metre(section, axis, velocity, acceleration, own_velocity=0.0, own_acceleration=0.0, density=1025.0):
+    """(…, 3) N/m on a member along `axis` (3,), from velocity and acceleration of the water (…, 3) m/s, m/s².
+
+    own_velocity, own_acceleration : (…, 3) of the member
+    """
+    across = _normal(axis)
+    w = (np.asarray(velocity, float) - own_velocity) @ across
+    a, own = np.asarray(acceleration, float) @ across, (own_acceleration + np.zeros(3)) @ across
+    drag = 0.5 * section.C_D * section.width * np.linalg.norm(w, axis=-1, keepdims=True) * w
+    return density * (drag + (section.displaced + section.added) * a - section.added * own)
+
+
+def member_force(section, start, end, flow, density=1025.0, points=8):
+    """(6,) N and N m about the origin on a straight member at rest from `start` to `end`, (3,) m, wholly in the water.
+
+    flow : function of positions (n, 3) m that gives velocity and acceleration of the water, two (n, 3)
+    points : of Gauss quadrature; 8 are exact for polynomials of degree 15 along the member
+    """
+    start, end = np.asarray(start, float), np.asarray(end, float)
+    length = np.linalg.norm(end - start)
+    if not 0 < length < np.inf:
+        raise ValueError(f"member from {start} to {end} is {length:g} m long; allowed: above 0")
+    x, weight = np.polynomial.legendre.leggauss(points)
+    places = start + 0.5 * (1 + x)[:, None] * (end - start)
+    force = 0.5 * length * weight[:, None] * force_per_metre(section, end - start, *flow(places), density=density)
+    return np.concatenate([force.sum(axis=0), np.cross(places, force).sum(axis=0)])
+
+
+def _normal(axis):
+    """(3, 3) projector on the plane normal to an axis"""
+    axis = np.asarray(axis, float)
+    size = np.linalg.norm(axis)
+    if not 0 < size < np.inf:
+        raise ValueError(f"axis of a member is {axis}; allowed: a vector with a direction")
+    return np.eye(3) - np.outer(axis, axis) / size**2
+
+
+def _solid(width, C_D, volume, C_M):
+    _check(width, C_D, C_M, 1.0)
+    return Section(width, C_D, volume, (C_M - 1) * volume)
+
+
+def _check(width, C_D, C_M, least):
+    if not 0 < width < np.inf:
+        raise ValueError(f"width of a member is {width:g} m; allowed: above 0")
+    for name, value, low in (("C_D", C_D, 0.0), ("C_M", C_M, least)):
+        if not low <= value < np.inf:
+            raise ValueError(f"{name} of a member is {value:g}; allowed: at least {low:g}")

@@ -1,0 +1,200 @@
+"""Records of waves: the sum itself, its statistics against theory, files."""
+
+import time
+
+import numpy as np
+import pytest
+from scipy.stats import kstest
+
+from mooring.environment.sea import Components, Sea
+from mooring.environment.spectra import issc, jonswap
+from mooring.environment.spectrum_estimate import estimate
+from mooring.environment.spreading import HalfCosinePower
+from mooring.environment.tables import TableError
+from mooring.environment.wave_records import Record, elevation, read_record, write_record
+
+WIND_SEA, SWELL = issc(3.0, mean_period=8.0), jonswap(2.0, peak_period=12.0)
+THREE_HOURS = 0.5 * np.arange(21600)
+
+
+def one_wave(omega, amplitude=1.0, phase=0.0, direction=0.0):
+    return Components(*(np.array([value]) for value in (omega, amplitude, phase, direction)))
+
+
+def test_a_record_is_the_sum_of_its_cosines():
+    components = Sea(WIND_SEA, 0.4, HalfCosinePower(5)).components(60, 1)
+    k = components.omega**2 / 9.80665
+    x, y = 31.0, -12.0
+    lag = components.phase + k * (x * np.cos(components.direction) + y * np.sin(components.direction))
+    uneven = np.sort(np.random.default_rng(2).uniform(-500, 9000, 300))
+    for t in (1e4 + 0.37 * np.arange(1001), np.array([3.0]), -5.0 + 0.1 * np.arange(7), uneven):
+        found = elevation(components, t, x, y)
+        cosines = np.cos(lag - np.outer(t, components.omega)) @ components.amplitude
+        assert np.abs(found - cosines).max() < 1e-11
+
+
+def test_a_wave_reaches_its_crest_by_its_phase_lag_and_travels_towards_its_direction():
+    omega, depth, direction = 0.6, 20.0, np.deg2rad(120)
+    t = np.linspace(0, 10, 2001)
+    assert abs(t[np.argmax(elevation(one_wave(omega, 1.0, 0.9), t))] - 0.9 / omega) < 0.005
+    k = omega  # from the dispersion equation, by halving
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        k = 0.5 * (low + high)
+        low, high = (k, high) if 9.80665 * k * np.tanh(k * depth) < omega**2 else (low, k)
+    start = elevation(one_wave(omega, 1.0, 0.9, direction), t, depth=depth)
+    r = 50.0
+    there = elevation(
+        one_wave(omega, 1.0, 0.9, direction), t + r * k / omega, r * np.cos(direction), r * np.sin(direction), depth
+    )
+    np.testing.assert_allclose(there, start, atol=1e-12)
+
+
+def test_an_hour_at_two_hertz_of_500_components_takes_less_than_a_tenth_of_a_second():
+    components, t, times = Sea(WIND_SEA).components(500, 1), 0.5 * np.arange(7200), []
+    for _ in range(5):
+        begun = time.perf_counter()
+        elevation(components, t)
+        times.append(time.perf_counter() - begun)
+    assert min(times) < 0.1
+
+
+@pytest.mark.parametrize("spectrum", [WIND_SEA, SWELL], ids=str)
+@pytest.mark.parametrize("spreading", [None, HalfCosinePower(10)], ids=["long crests", "short crests"])
+def test_three_hours_hold_the_energy_of_the_spectrum_at_every_point(spectrum, spreading):
+    sea = Sea(spectrum, 0.3, spreading)
+    for seed in range(10):
+        components = sea.components(500, seed)
+        for x, y in ((0.0, 0.0), (170.0, -60.0), (3000.0, 2000.0)):
+            record = elevation(components, THREE_HOURS, x, y, depth=30.0)
+            assert abs(np.var(record) / spectrum.moment(0) - 1) < 0.02
+
+
+def share_inside(spectrum, record):
+    """Share of the frequencies that hold the energy at which the spectrum is inside the 95 % band; their number"""
+    estimated = estimate(record, 0.5)
+    low, high = estimated.confidence(0.95)
+    ends = spectrum.quantile([0.02, 0.95])
+    held = (estimated.omega > ends[0]) & (estimated.omega < ends[1])
+    true = spectrum.density(estimated.omega[held])
+    return np.mean((low[held] < true) & (true < high[held])), np.count_nonzero(held)
+
+
+@pytest.mark.parametrize("spectrum", [WIND_SEA, SWELL], ids=str)
+@pytest.mark.parametrize("frequencies", ["equal_step", "equal_energy"])
+def test_the_spectrum_lies_in_the_confidence_band_of_its_records(spectrum, frequencies):
+    """Amplitudes that are not random scatter less than χ²: at least 95 % lie inside."""
+    found = [
+        share_inside(spectrum, elevation(Sea(spectrum).components(500, seed, frequencies=frequencies), THREE_HOURS))
+        for seed in range(6)
+    ]
+    assert np.mean([share for share, _ in found]) > 0.95
+
+
+def test_random_amplitudes_scatter_as_the_confidence_band_says():
+    """Components as close as three hours resolve; windowed neighbours share two thirds, so a third count as one."""
+    shares, counts = [], []
+    for seed in range(6):
+        components = Sea(WIND_SEA).components(6500, seed, amplitudes="random")
+        share, count = share_inside(WIND_SEA, elevation(components, THREE_HOURS))
+        shares.append(share)
+        counts.append(count / 3)
+    assert abs(np.mean(shares) - 0.95) < 3 * np.sqrt(0.95 * 0.05 / np.sum(counts))
+
+
+@pytest.mark.parametrize("amplitudes", ["deterministic", "random"])
+def test_elevations_are_normally_distributed(amplitudes):
+    """One value of each of many seas is independent of the others: Kolmogorov-Smirnov at the level 0.1 %."""
+    sea = Sea(WIND_SEA, 0.0, HalfCosinePower(10))
+    t, values = np.array([0.0, 1000.0, 2000.0, 3000.0]), []
+    for seed in range(400):
+        values.append(elevation(sea.components(100, seed, amplitudes=amplitudes), t, 20.0, 5.0))
+    z = np.concatenate(values) / np.sqrt(WIND_SEA.moment(0))
+    assert kstest(z, "norm").pvalue > 1e-3
+    n = len(z)
+    assert abs(np.mean(z**3)) < 4 * np.sqrt(15 / n)
+    assert abs(np.mean(z**4) - 3) < 4 * np.sqrt(96 / n)
+
+
+@pytest.mark.parametrize("frequencies", ["equal_step", "equal_energy"])
+def test_no_record_repeats(frequencies):
+    """A lag at which it did would have correlation 1.
+
+    Chance gives one of variance π∫S²dω/(T m₀²) from the length of the record, and Σeᵢ²/2m₀² from n cosines of energy
+    eᵢ; 0.09 here, five times that at most.  Cosines of exactly equal spacing Δω repeat after 2π/Δω, 970 s here.
+    """
+    components = Sea(WIND_SEA).components(500, 3, frequencies=frequencies)
+    record = elevation(components, THREE_HOURS)
+    record = record - record.mean()
+    n, lags = len(record), np.arange(600, 14400, dtype=int)
+    power = np.abs(np.fft.rfft(record, 2 * n)) ** 2
+    correlation = np.fft.irfft(power)[:n] / (np.arange(n, 0, -1) * record.var())
+    omega = np.linspace(0.01, 4, 4000)
+    roughness = np.sum(WIND_SEA.density(omega) ** 2) * (omega[1] - omega[0]) / WIND_SEA.moment(0) ** 2
+    few = 0.5 * np.sum((0.5 * components.amplitude**2) ** 2) / WIND_SEA.moment(0) ** 2
+    chance = np.sqrt(np.pi * roughness / (0.5 * (n - lags)) + few)
+    assert chance.max() < 0.1
+    assert np.all(np.abs(correlation[lags]) < 5 * chance)
+
+
+def test_a_record_comes_back_from_its_file(tmp_path):
+    made = Record(elevation(Sea(SWELL).components(50, 1), 5 + 0.25 * np.arange(200)), 0.25, 5.0)
+    write_record(tmp_path / "waves.csv", made, "of a swell\nsecond line")
+    read = read_record(tmp_path / "waves.csv")
+    assert (read.step, read.start) == (0.25, 5.0)
+    np.testing.assert_allclose(read.elevation, made.elevation, rtol=1e-5)
+    np.testing.assert_allclose(read.time, made.time)
+
+
+@pytest.mark.parametrize("text", ["t;eta\n0;1\n2;3\n4;1\n", "0 1\n2 3\n4 1", "# x\n0\t1\n2\t3\n4\t1\n\n"])
+def test_columns_may_be_parted_by_any_usual_mark(tmp_path, text):
+    (tmp_path / "a.txt").write_text(text, encoding="utf-8")
+    read = read_record(tmp_path / "a.txt")
+    assert read.step == 2.0 and read.elevation.tolist() == [1, 3, 1]
+
+
+def test_a_column_is_found_by_its_name_and_a_lone_one_needs_its_step(tmp_path):
+    (tmp_path / "a.csv").write_text("t,heave,eta\n0,9,1\n1,9,3\n2,9,1\n", encoding="utf-8")
+    assert read_record(tmp_path / "a.csv", column="eta").elevation.tolist() == [1, 3, 1]
+    (tmp_path / "b.csv").write_text("1\n3\n1\n", encoding="utf-8")
+    assert read_record(tmp_path / "b.csv", step=0.2).time.tolist() == pytest.approx([0, 0.2, 0.4])
+
+
+@pytest.mark.parametrize(
+    ("text", "step", "words"),
+    [
+        ("t,eta\n0,1\n1,2\n3,1\n4,2\n", None, "time goes from 1 to 3 s where the step is 1 s"),
+        ("t,eta\n0,1\n1,\n2,1\n", None, "line 3 has ''; allowed: finite numbers"),
+        ("t,eta\n0,1\n1,nan\n", None, "line 3 has 'nan'"),
+        ("t,eta\n0,1\n1,2,3\n", None, "line 3 has 3 columns; allowed: 2"),
+        ("t,eta\n0,1\n1,2\n", 0.5, "a step of 0.5 s is given too"),
+        ("1\n2\n", None, "give the step"),
+        ("t,eta\n", None, "no rows of numbers"),
+        ("", None, "has no rows"),
+        ("t,eta\n1,2\n", None, "has one row"),
+        ("t,eta\n2,2\n1,2\n0,1\n", None, "allowed: equal steps"),
+    ],
+)
+def test_what_is_no_record_is_refused(tmp_path, text, step, words):
+    (tmp_path / "bad.csv").write_text(text, encoding="utf-8")
+    with pytest.raises(TableError, match=words):
+        read_record(tmp_path / "bad.csv", step)
+
+
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(TableError, match=r"none\.csv does not exist"):
+        read_record(tmp_path / "none.csv")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (([0.0, np.nan],), "time is nan at place 1"),
+        (([0.0, 1.0], np.inf), "point is"),
+        (([0.0, 1.0], 0.0, 0.0, -5.0), "water depth is -5 m"),
+        (([0.0, 1.0], 0.0, 0.0, 5.0, 0.0), "gravity is 0"),
+    ],
+)
+def test_what_cannot_be_is_refused_by_name(arguments, words):
+    with pytest.raises(ValueError, match=words):
+        elevation(one_wave(0.5), *arguments)

@@ -1,0 +1,84 @@
+"""`hakobune sea` as a person runs it."""
+
+import numpy as np
+import pytest
+
+from mooring.environment.spectra import issc, read_spectrum
+from mooring.environment.wave_records import read_record
+from pipelines.cli import main
+
+SEA = ["sea", "--height", "3", "--mean-period", "8"]
+
+
+def test_a_spectrum_is_told_with_every_moment_and_period(capsys):
+    assert main(SEA) == 0
+    said = capsys.readouterr().out
+    spectrum = issc(3, mean_period=8)
+    for value in (spectrum.moment(-1), spectrum.moment(2), spectrum.T02, spectrum.Te, spectrum.Tp, 3.0032):
+        assert f"{value:.5g}" in said
+
+
+def test_a_record_is_written_read_again_and_has_its_spectrum(tmp_path, capsys):
+    waves, made, found = (tmp_path / name for name in ("waves.csv", "made.csv", "found.csv"))
+    record = ["--duration", "5400", "--step", "0.5", "--seed", "3", "--point", "100,-20", "--depth", "30"]
+    spread = ["--direction", "45", "--spreading", "cosine:4"]
+    assert main([*SEA, "--record", str(waves), *record, *spread, "--output", str(made)]) == 0
+    assert main(["sea", str(waves), "--output", str(found), "--plot", str(tmp_path / "found.png")]) == 0
+    assert len(read_record(waves).elevation) == 10800
+    assert (tmp_path / "found.png").stat().st_size > 10_000
+    # an hour and a half holds the energy to 3 %; the rows written leave out 1e-4 of it
+    assert abs(read_spectrum(found).moment(0) / 0.5625 - 1) < 0.03
+    assert abs(read_spectrum(made).moment(0) / 0.5625 - 1) < 2e-4
+    low, high = np.loadtxt(found, delimiter=",", comments="#", skiprows=3, usecols=(2, 3)).T
+    assert np.all(low < high)
+    assert "waves" in capsys.readouterr().out
+
+
+def test_a_table_that_was_written_is_taken_as_a_spectrum(tmp_path, capsys):
+    assert main([*SEA, "--output", str(tmp_path / "a.csv")]) == 0
+    assert main(["sea", "--table", str(tmp_path / "a.csv"), "--plot", str(tmp_path / "a.svg")]) == 0
+    assert "10.38" in capsys.readouterr().out.split("a.csv")[-1]
+    assert "m² s/rad" in (tmp_path / "a.svg").read_text(encoding="utf-8")
+
+
+def test_the_same_seed_writes_the_same_file(tmp_path):
+    for name, seed in (("a", "4"), ("b", "4"), ("c", "5")):
+        assert main([*SEA, "--record", str(tmp_path / name), "--duration", "600", "--seed", seed]) == 0
+    a, b, c = ((tmp_path / name).read_text(encoding="utf-8") for name in "abc")
+    assert a == b and a != c
+
+
+def test_steps_too_long_for_the_waves_are_warned_of(tmp_path, capsys):
+    assert main([*SEA, "--record", str(tmp_path / "a.csv"), "--step", "3"]) == 0
+    assert "warning: step 3 s is longer than half the period of" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["sea"], "nothing says what sea"),
+        (["sea", "--height", "3"], "no period is given"),
+        (["sea", "--height", "-3", "--mean-period", "8"], "wave height is -3 m; allowed: above 0"),
+        ([*SEA, "--peak-period", "9"], "mean_period and peak_period are given"),
+        ([*SEA, "--gamma", "2"], "--gamma is given for issc"),
+        ([*SEA, "--spectrum", "pierson"], "--spectrum is 'pierson'; allowed: issc"),
+        ([*SEA, "--duration", "100"], "--duration has no effect, no --record is given"),
+        ([*SEA, "--segment", "100"], "--segment has no effect, no record file is given"),
+        (["sea", "--wind-speed", "20"], "--fetch is missing"),
+        (["sea", "--wind-speed", "20", "--fetch", "1e5", "--height", "3"], "--height has no effect"),
+        ([*SEA, "--record", "r.csv", "--seed", "1.5"], "--seed is '1.5'; allowed: a whole number"),
+        ([*SEA, "--record", "r.csv", "--point", "3"], "--point is '3'; allowed: two numbers x,y"),
+        ([*SEA, "--record", "r.csv", "--spreading", "cos"], "--spreading is 'cos'; allowed: cosine:N"),
+        ([*SEA, "--record", "r.csv", "--duration", "-1"], "--duration is -1"),
+        ([*SEA, "--record", "r.csv", "--output", "r.csv"], "r.csv is named twice"),
+        ([*SEA, "--plot", "a.txt"], "suffix '.txt'"),
+        (["sea", "none.csv"], "none.csv does not exist"),
+        (["sea", "none.csv", "--height", "3"], "--height has no effect, a record file is given"),
+    ],
+)
+def test_a_fault_is_one_line_and_leaves_no_file(words, said, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(words) == 2
+    error = capsys.readouterr().err
+    assert said in error and error.count("\n") == 1
+    assert not list(tmp_path.iterdir())
