@@ -10,6 +10,7 @@ from typing import Annotated
 from cyclopts import App, CycloptsError, Parameter
 
 from .flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
+from .response_command import response
 from .sea_command import sea
 
 app = App(
@@ -24,6 +25,7 @@ SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the fl
 
 
 app.command(sea)
+app.command(response)
 
 
 @app.command

@@ -16,8 +16,9 @@ import pipelines
 from bem.database import open_database
 from pipelines.cli import main
 
+STUDIES = ("moor", "response")
 SCENES = sorted(
-    path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith("moor")
+    path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith(STUDIES)
 )
 WORDS = shlex.split(
     "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.55,29.44,32.28 "

@@ -1,0 +1,149 @@
+"""A body in a climate: every response in every cell of a table of heights and periods, and its long-term extremes.
+
+In one family of spectra σ is proportional to the height, so that a column of the table costs one integral.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..environment.sea import Sea
+from . import drift as drifts
+from .findings import MISSED
+from .linear import frequencies, over_headings
+from .long_term import LongTerm, long_term
+from .points import transfer_functions
+from .sea_state import TINY
+from .seas import directions, energy_outside
+
+UNIT = 0.01  # m, height of the sea of each column: so low that no sea is too steep
+
+
+@dataclass(frozen=True, eq=False)
+class Climate:
+    """Responses (c,) in sea states (s,): height m, period s, direction rad, probability.
+
+    m0, m2 : (s, c); drift : (s, 3) mean drift N, N, N m, or None without drift in the database
+    """
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    height: np.ndarray
+    period: np.ndarray
+    direction: np.ndarray
+    probability: np.ndarray
+    m0: np.ndarray
+    m2: np.ndarray
+    drift: np.ndarray | None
+    warnings: tuple[str, ...]
+
+    def __repr__(self):
+        return f"<Climate {len(self.height)} sea states, {len(self.names)} responses>"
+
+    def long_term(self, name) -> LongTerm:
+        """LongTerm of one response; ValueError for a name there is not, or a response that is zero"""
+        if name not in self.names:
+            raise ValueError(f"no response is called {name!r}; allowed: {', '.join(self.names)}")
+        i = self.names.index(name)
+        return long_term(self.m0[:, i], self.m2[:, i], self.probability)
+
+    @property
+    def excited(self):
+        """(c,) whether a response is more than rounding"""
+        largest = {unit: max(self.m0[:, i].max() for i, u in enumerate(self.units) if u == unit) for unit in self.units}
+        return self.m0.max(axis=0) > TINY**2 * np.array([largest[unit] for unit in self.units])
+
+    @property
+    def mean_drift(self):
+        """(3,) N, N, N m, mean over all time"""
+        return None if self.drift is None else self.probability @ self.drift
+
+
+class _Column(NamedTuple):
+    """Moments (c,), drift (3,) and share of missed energy in a sea of unit height and one period"""
+
+    m0: np.ndarray
+    m2: np.ndarray
+    drift: np.ndarray
+    missed: float
+
+
+def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreading=None, points=(), **shape) -> Climate:
+    """A Body in all cells of a Scatter.
+
+    family : of `environment.spectra.FAMILIES`, called with height and period of the kind of the table, and `shape`
+    directions_and_shares : pairs of rad travelled to and share of time; each has the same table
+    spreading : None, or a function of the spectrum that gives its Spreading
+    raises : ValueError for shares that do not sum to 1, RangeError outside the stored headings
+    """
+    total = sum(share for _, share in directions_and_shares)
+    if any(share < 0 for _, share in directions_and_shares) or abs(total - 1) > 1e-6:
+        raise ValueError(f"shares of the directions sum to {total:.6g}; allowed: each at least 0, sum 1")
+    spectra = {
+        int(j): family(UNIT, **{scatter.period_kind: scatter.periods[j]}, **shape)
+        for j in np.flatnonzero(scatter.probability.any(axis=0))
+    }
+    powers = _Powers(body, frequencies(body, lambda w: sum(s.density(w) for s in spectra.values())), points)
+    states, columns = [], []
+    for j, spectrum in spectra.items():
+        for beta, share in directions_and_shares:
+            column = _column(powers, Sea(spectrum, beta, spreading and spreading(spectrum)))
+            for i in np.flatnonzero(scatter.probability[:, j]):
+                states.append((scatter.heights[i], scatter.periods[j], beta, scatter.probability[i, j] * share))
+                columns.append(column)
+    height, period, direction, probability = np.transpose(states)
+    scale = (height[:, None] / UNIT) ** 2
+    m0, m2, drift = (scale * np.array([getattr(c, name) for c in columns]) for name in ("m0", "m2", "drift"))
+    missed = np.array([c.missed for c in columns])
+    return Climate(
+        powers.names, powers.units, height, period, direction, probability, m0, m2, drift if powers.drifts else None,
+        tuple(_findings(body, probability, missed)),
+    )  # fmt: skip
+
+
+class _Powers:
+    """|X|² (q, p, c) and drift (q, p, 3) by headings, each computed once"""
+
+    def __init__(self, body, omega, points):
+        self.body, self.omega, self.points, self.known = body, omega, points, {}
+        self.drifts = body.drift is not None or drifts.can_rebuild(body)
+        self.names = self.units = ()
+
+    def at(self, heading):
+        key = tuple(np.round(np.mod(heading, 2 * np.pi), 9))
+        if key not in self.known:
+            transfer = transfer_functions(self.body, self.omega, heading, self.points)
+            self.names, self.units = transfer.names, transfer.units
+            shape = (len(self.omega), len(heading), 3)
+            force = drifts.drift(self.body, self.omega, heading) if self.drifts else np.zeros(shape)
+            self.known[key] = np.abs(transfer.value) ** 2, force
+        return self.known[key]
+
+
+def _column(powers, sea):
+    omega, spectrum = powers.omega, sea.spectrum
+    heading, weights = directions(sea, omega)
+    power, force = (over_headings(values, weights) for values in powers.at(heading))
+    density = spectrum.density(omega)[:, None]
+    low, high = energy_outside(powers.body, spectrum)
+    beyond = spectrum.moment(0) * (low * force[0] + high * force[-1])
+    return _Column(
+        np.trapezoid(power * density, omega, axis=0),
+        np.trapezoid(power * omega[:, None] ** 2 * density, omega, axis=0),
+        2 * (np.trapezoid(force * density, omega, axis=0) + beyond),
+        low + high,
+    )
+
+
+def _findings(body, probability, missed):
+    poor = missed > MISSED
+    if poor.any():
+        low, high = (2 * np.pi / body.omega[i] for i in (-1, 0))
+        time = probability[poor].sum() / probability.sum()
+        yield (
+            f"in {100 * time:.0f} % of the time more than {100 * MISSED:g} % of the wave energy is beyond the stored "
+            f"{low:.3g} to {high:.3g} s, at most {100 * missed.max():.0f} %; add periods to the scene and solve again"
+        )

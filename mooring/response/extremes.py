@@ -1,0 +1,185 @@
+"""Statistics of maxima of a Gaussian response of any bandwidth, and of the peaks of a record.
+
+A process with moments m₀, m₂, m₄ has maxima x = ησ of density (Cartwright and Longuet-Higgins 1956)
+
+    Q(η) = P(maximum > η) = Φ(−η/ε) + √(1−ε²) exp(−η²/2) Φ(η√(1−ε²)/ε),    ε² = 1 − m₂²/m₀m₄ = 1 − (T_pp/T_zero)²
+
+with T_zero = 2π√(m₀/m₂) between upward zero crossings and T_pp = 2π√(m₂/m₄) between maxima.  ε = 0 is Rayleigh's
+distribution, ε = 1 the normal one.  SR179 report (1982), eqs 3.5.1.3 to 3.5.1.6:
+
+    X̄_1/3 = C(ε) σ,    X_max = σ {s + γ_E/s},  s = √(2 ln(n√(1−ε²))),  n = duration / T_pp,  γ_E = 0.5772
+
+n√(1−ε²) is the number of zero crossings, so X_max needs no fourth moment.  Amplitudes throughout, not heights.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+EULER = 0.5772156649015329
+FEWEST = 30  # peaks below which no distribution is fitted
+
+
+def bandwidth(m0, m2, m4):
+    """ε from moments; 0 for one frequency.  Raises ValueError for moments that no spectrum has."""
+    m0, m2, m4 = (np.asarray(m, float) for m in (m0, m2, m4))
+    if np.any(m0 <= 0) or np.any(m2 <= 0) or np.any(m2**2 > m0 * m4 * (1 + 1e-9)):
+        raise ValueError("moments are not those of a spectrum; allowed: above 0 and m2² at most m0 m4")
+    return np.sqrt(np.maximum(1 - m2**2 / (m0 * m4), 0.0))
+
+
+def bandwidth_of_periods(peak_to_peak, zero_crossing):
+    """ε from the mean periods between maxima and between upward zero crossings, s."""
+    ratio = np.asarray(peak_to_peak, float) / zero_crossing
+    if np.any(~(ratio > 0)) or np.any(ratio > 1):
+        raise ValueError(f"period between maxima is {np.max(ratio):.4g} of that of zero crossings; allowed: 0 to 1")
+    return np.sqrt(1 - ratio**2)
+
+
+def exceedance(eta, epsilon):
+    """Probability that a maximum is above η standard deviations; both broadcast."""
+    from scipy.special import ndtr
+
+    eta, eps = np.asarray(eta, float), _checked_bandwidth(epsilon)
+    narrow, safe = np.sqrt(1 - eps**2), np.maximum(eps, 1e-12)
+    return ndtr(-eta / safe) + narrow * np.exp(-0.5 * eta**2) * ndtr(eta * narrow / safe)
+
+
+def mean_of_highest(share, epsilon):
+    """Mean of the highest `share` of all maxima in standard deviations: C(ε) for a third, E[max of all] for 1.
+
+    η₀ + (1/p) ∫ Q dη above η₀, where Q(η₀) = p.
+    """
+    from scipy.integrate import quad
+    from scipy.optimize import brentq
+
+    if not 0 < share <= 1:
+        raise ValueError(f"share of the maxima is {share:g}; allowed: above 0, at most 1")
+    eps = float(_checked_bandwidth(epsilon))
+    low, high = -10.0, 40.0
+    if share >= exceedance(low, eps):
+        threshold = low
+    else:
+        threshold = brentq(lambda eta: exceedance(eta, eps) - share, low, high, xtol=1e-12)
+    above, _ = quad(exceedance, threshold, high, args=(eps,), epsabs=1e-12, limit=200)
+    return threshold + above / share
+
+
+def significant_factor(epsilon):
+    """C(ε), mean of the highest third of the maxima over the standard deviation; 2.00 for a narrow spectrum"""
+    return mean_of_highest(1 / 3, epsilon)
+
+
+def crossings(duration, zero_crossing):
+    """Number of upward zero crossings in `duration` s, n√(1−ε²); ValueError where it is too few for an extreme."""
+    count = np.asarray(duration, float) / zero_crossing
+    if np.any(~(count > np.e)):
+        raise ValueError(f"the duration has {np.min(count):.3g} zero crossings; allowed: above 3")
+    return count
+
+
+def expected_maximum(sigma, duration, zero_crossing):
+    """Mean of the largest value in `duration` s, eq. 3.5.1.5; `zero_crossing` is the mean period T_zero, s."""
+    s = np.sqrt(2 * np.log(crossings(duration, zero_crossing)))
+    return sigma * (s + EULER / s)
+
+
+def maximum_not_exceeded(sigma, duration, zero_crossing, probability):
+    """Value that the largest in `duration` s stays below with `probability`: exp(−N exp(−x²/2σ²)) = p."""
+    p = np.asarray(probability, float)
+    if np.any(~((p > 0) & (p < 1))):
+        raise ValueError(f"probability is {probability}; allowed: between 0 and 1")
+    return sigma * np.sqrt(2 * np.log(np.maximum(crossings(duration, zero_crossing) / -np.log(p), 1.0)))
+
+
+class Weibull(NamedTuple):
+    """P(peak > x) = exp(−((x−location)/scale)^shape) of the peaks of a record; shape 2 is Rayleigh's.
+
+    count : peaks it was fitted to; covariance : (2, 2) of ln scale and shape
+    """
+
+    location: float
+    scale: float
+    shape: float
+    count: int
+    covariance: np.ndarray
+
+    def exceedance(self, x):
+        """(…,) probability that a peak is above x"""
+        return np.exp(-(np.maximum((np.asarray(x, float) - self.location) / self.scale, 0.0) ** self.shape))
+
+    def expected_maximum(self, count):
+        """Mean of the largest of `count` peaks, exact to terms of order 1/(ln count)²"""
+        return self.most_probable_maximum(count) + EULER * self._slope(count)
+
+    def most_probable_maximum(self, count):
+        """Value that one of `count` peaks exceeds on average"""
+        return self.location + self.scale * np.log(count) ** (1 / self.shape)
+
+    def interval(self, count, confidence=0.9):
+        """(low, high) of `most_probable_maximum` by the scatter of the fit alone"""
+        from scipy.special import ndtri
+
+        level = np.log(count)
+        x = self.most_probable_maximum(count) - self.location
+        gradient = np.array([x, -x * np.log(level) / self.shape**2])
+        half = ndtri(0.5 + 0.5 * confidence) * np.sqrt(gradient @ self.covariance @ gradient)
+        return self.location + x - half, self.location + x + half
+
+    def _slope(self, count):
+        level = np.log(count)
+        return self.scale / self.shape * level ** (1 / self.shape - 1)
+
+
+def fit_weibull(peaks, location=0.0) -> Weibull:
+    """Weibull's distribution of peaks above `location`, by maximum likelihood.
+
+    peaks : (n,), e.g. from `record_peaks`; those at or below `location` are left out
+    raises : ValueError with fewer than 30 of them, or where all are equal
+    """
+    from scipy.optimize import brentq
+
+    x = np.asarray(peaks, float) - location
+    x = x[x > 0]
+    if len(x) < FEWEST:
+        raise ValueError(f"{len(x)} peaks above {location:g}; allowed: at least {FEWEST} for a distribution")
+    if np.ptp(x) <= 1e-9 * x.max():
+        raise ValueError("all peaks are equal; there is no distribution to fit")
+    log = np.log(x / x.max())
+
+    def balance(shape):
+        weight = np.exp(shape * log)
+        return weight @ log / weight.sum() - 1 / shape - log.mean()
+
+    shape = brentq(balance, 1e-2, 1e3, xtol=1e-12)
+    scale = x.max() * np.mean(np.exp(shape * log)) ** (1 / shape)
+    return Weibull(float(location), float(scale), float(shape), len(x), _weibull_covariance(shape, len(x)))
+
+
+def record_peaks(record):
+    """Largest value between each upward crossing of the mean and the next, less the mean: (n,)"""
+    record = np.asarray(record, float)
+    if record.ndim != 1 or not np.all(np.isfinite(record)):
+        raise ValueError("a record is one row of finite numbers")
+    y = record - record.mean()
+    up = np.flatnonzero((y[:-1] <= 0) & (y[1:] > 0)) + 1
+    if len(up) < 2:
+        raise ValueError(f"the record has {len(up)} upward crossings of its mean; allowed: at least 2")
+    return np.maximum.reduceat(y[: up[-1]], up[:-1])
+
+
+def _weibull_covariance(shape, count):
+    """(2, 2) of ln scale and shape, from the expected information"""
+    information = count * np.array(
+        [[shape**2, -(1 - EULER)], [-(1 - EULER), (np.pi**2 / 6 + (1 - EULER) ** 2) / shape**2]]
+    )
+    return np.linalg.inv(information)
+
+
+def _checked_bandwidth(epsilon):
+    eps = np.asarray(epsilon, float)
+    if np.any(~((eps >= 0) & (eps <= 1))):
+        raise ValueError(f"bandwidth ε is {epsilon}; allowed: 0 to 1")
+    return eps

@@ -1,0 +1,69 @@
+"""Long-term distribution of a response over all sea states of a climate.
+
+    N(x) = Σ_s p_s ν_s exp(−x²/2σ_s²)     upward crossings of the level x per second
+    Q(x) = N(x) / N(0)                    share of all maxima above x
+    P(largest in a time t < x) = exp(−t N(x))
+
+p_s is the share of time of state s (height, period, direction), σ_s = √m₀ and ν_s = 1/T_zero those of the response in
+it.  Maxima are those of a narrow spectrum, which for wide ones is on the safe side in Q and exact in N for high x.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+YEAR = 365.25 * 86400.0  # s
+
+
+class LongTerm(NamedTuple):
+    """Standard deviation (s,), mean zero-crossing frequency (s,) Hz and share of time (s,) of every sea state."""
+
+    sigma: np.ndarray
+    rate: np.ndarray
+    probability: np.ndarray
+
+    def crossing_rate(self, x):
+        """(…,) upward crossings of x per second"""
+        x = np.asarray(x, float)[..., None]
+        sigma = np.where(self.sigma > 0, self.sigma, 1.0)
+        return np.sum(np.where(self.sigma > 0, self.probability * self.rate, 0.0) * np.exp(-0.5 * (x / sigma) ** 2), -1)
+
+    def exceedance(self, x):
+        """(…,) share of all maxima above x"""
+        return self.crossing_rate(x) / self.crossing_rate(0.0)
+
+    def level(self, time):
+        """Value exceeded once on average in `time` s.  Raises ValueError where it is exceeded by no state so rarely."""
+        from scipy.optimize import brentq
+
+        if not self.crossing_rate(0.0) * time > 1:
+            raise ValueError(f"{time:.3g} s hold {self.crossing_rate(0.0) * time:.3g} cycles; allowed: more than 1")
+        high = self.sigma.max() * np.sqrt(2 * np.log(self.crossing_rate(0.0) * time)) + self.sigma.max()
+        return brentq(lambda x: np.log(self.crossing_rate(x) * time), 0.0, high, xtol=1e-12 * high)
+
+    def not_exceeded(self, x, time):
+        """(…,) probability that the largest value in `time` s stays below x, crossings taken as independent"""
+        return np.exp(-time * self.crossing_rate(x))
+
+    def contributions(self, x):
+        """(s,) share of each sea state in the crossings of x: which storms make the design value"""
+        each = [LongTerm(*(v[i : i + 1] for v in self)).crossing_rate(x) for i in range(len(self.sigma))]
+        return np.array(each) / self.crossing_rate(x)
+
+
+def long_term(m0, m2, probability) -> LongTerm:
+    """The LongTerm of responses with moments m0, m2 (s,) in sea states of share `probability` (s,) of the time.
+
+    The shares may sum to less than 1, the rest is calm; raises ValueError above 1 or for a negative one.
+    """
+    m0, m2, p = (np.asarray(v, float).ravel() for v in (m0, m2, probability))
+    if not len(m0) == len(m2) == len(p) > 0:
+        raise ValueError(f"moments and shares have {len(m0)}, {len(m2)}, {len(p)} values; allowed: one each per state")
+    if np.any(p < 0) or p.sum() > 1 + 1e-6:
+        raise ValueError(f"shares of time sum to {p.sum():.6g}, least {p.min():.3g}; allowed: at least 0, sum up to 1")
+    if not np.any((m0 > 0) & (p > 0)):
+        raise ValueError("the response is zero in every sea state")
+    rate = np.sqrt(m2 / np.where(m0 > 0, m0, 1.0)) / (2 * np.pi)
+    return LongTerm(np.sqrt(m0), rate, p)

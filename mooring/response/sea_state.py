@@ -1,0 +1,183 @@
+"""A body in one sea state: standard deviations, extremes and drift, and what a reader has to know about them.
+
+The spectrum is integrated over the stored frequencies only.  What lies outside is estimated with each transfer
+function held at its end, and named where it is more than 1 %.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..sea import RangeError
+from . import drift as drifts
+from . import findings
+from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor
+from .linear import Moments, frequencies, moments, over_headings, response_spectrum
+from .points import Point, relative_name, transfer_functions
+from .seas import directions
+from .slow_drift import force_spectrum, held_beyond
+from .wave_drift_damping import damping_coefficients, mean_damping
+
+TINY = 1e-6  # of the largest standard deviation of its unit: rounding of what symmetry makes zero
+DIFFERENCES = np.linspace(0.0, 0.2, 81)  # rad/s, of the spectrum of the slow force
+
+
+@dataclass(frozen=True, eq=False)
+class SlowForces:
+    """Second order in one sea state: N, N, N m.
+
+    drift : (3,) mean; beyond : (2, 3) of it from waves below and above the stored band, D held at its ends
+    difference : (d,) rad/s; spectrum : (d, 3) of the slow drift force, N² s/rad, D held above the stored band
+    damping : (3, 2) N s/m, N s: wave drift damping of velocities along x and y, waves within the stored band;
+    None where drift has no slope over the headings, because the direction has no stored neighbours
+    """
+
+    drift: np.ndarray
+    beyond: np.ndarray
+    difference: np.ndarray
+    spectrum: np.ndarray
+    damping: np.ndarray | None
+
+    @property
+    def sigma(self):
+        """(3,) standard deviation of the slow drift force, of differences up to the last"""
+        return np.sqrt(np.trapezoid(self.spectrum, self.difference, axis=0))
+
+
+@dataclass(frozen=True, eq=False)
+class SeaState:
+    """Result of `sea_state`; arrays follow `names` (c,).
+
+    duration : s; spectrum : (q, c) at omega (q,), unit² s/rad; moments : Moments of it, each (c,)
+    slow : SlowForces, None where the database has no drift
+    """
+
+    sea: object
+    duration: float
+    points: tuple[Point, ...]
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    omega: np.ndarray
+    spectrum: np.ndarray
+    moments: Moments
+    slow: SlowForces | None
+    warnings: tuple[str, ...]
+
+    def __repr__(self):
+        height = self.sea.spectrum.significant_height
+        return f"<SeaState {height:.3g} m, {len(self.names)} responses, {len(self.warnings)} warnings>"
+
+    @property
+    def sigma(self):
+        """(c,) standard deviation"""
+        return np.sqrt(self.moments.m0)
+
+    @property
+    def zero_period(self):
+        """(c,) s, mean between upward zero crossings; nan for a response that is zero"""
+        return _ratio(self.moments.m0, self.moments.m2)
+
+    @property
+    def peak_period(self):
+        """(c,) s, mean between maxima"""
+        return _ratio(self.moments.m2, self.moments.m4)
+
+    @property
+    def bandwidth(self):
+        """(c,) ε; nan for a response that is zero"""
+        return self._each(lambda m, _: float(bandwidth(m.m0, m.m2, m.m4)))
+
+    @property
+    def significant(self):
+        """(c,) mean of the highest third of the maxima, C(ε) σ"""
+        return self._each(lambda m, _: significant_factor(float(bandwidth(m.m0, m.m2, m.m4))) * np.sqrt(m.m0))
+
+    @property
+    def expected_maximum(self):
+        """(c,) mean of the largest value in `duration`"""
+        return self._each(lambda m, T: expected_maximum(np.sqrt(m.m0), self.duration, T))
+
+    def not_exceeded(self, probability):
+        """(c,) value that the largest in `duration` stays below with `probability`"""
+        return self._each(lambda m, T: maximum_not_exceeded(np.sqrt(m.m0), self.duration, T, probability))
+
+    def air_gaps(self):
+        """{name of point: (clearance, air gap left by the expected largest rise, probability that water reaches it)}
+
+        m, m, 1; of points with a clearance.  Undisturbed incident waves only, see `points`.
+        """
+        gaps = {}
+        for point in (p for p in self.points if p.clearance is not None):
+            i = self.names.index(relative_name(point))
+            sigma, cycles = self.sigma[i], self.duration / self.zero_period[i]
+            reached = -np.expm1(-cycles * np.exp(-0.5 * (point.clearance / sigma) ** 2))
+            gaps[point.name] = (point.clearance, point.clearance - self.expected_maximum[i], float(reached))
+        return gaps
+
+    def _each(self, function):
+        """(c,) of function(moments, zero period) of each response that is not zero, nan for the others"""
+        parts = zip(*self.moments, self.zero_period, strict=True)
+        values = [function(Moments(*m), T) if np.isfinite(T) else np.nan for *m, T in parts]
+        return np.where(np.isfinite(self.zero_period), values, 0.0)
+
+
+def sea_state(body, sea, duration, points=()) -> SeaState:
+    """A Body in a Sea for `duration` s.
+
+    points : of `Point`.  raises : ValueError for a duration that is no time, RangeError outside the stored headings
+    """
+    if not 0 < duration < np.inf:
+        raise ValueError(f"duration is {duration:g} s; allowed: above 0, finite")
+    omega = frequencies(body, sea.spectrum.density)
+    heading, weights = directions(sea, omega)
+    transfer = transfer_functions(body, omega, heading, points)
+    spectrum = response_spectrum(transfer.value, sea.spectrum.density(omega), weights)
+    found = _without_rounding(moments(omega, spectrum), transfer.units)
+    warnings = [
+        *findings.waves_outside(body, sea.spectrum),
+        *findings.responses_outside(body, sea.spectrum, transfer, weights, found.m0),
+        *findings.between_headings(body, sea),
+    ]
+    slow, inside = None, None
+    if body.drift is not None or drifts.can_rebuild(body):
+        slow = slow_forces(body, sea, omega, heading, weights)
+        inside = slow.drift - slow.beyond.sum(axis=0)
+        warnings += findings.drift_outside(body, inside, slow.beyond)
+    warnings += findings.between_frequencies(body, sea, found.m0[:6], inside)
+    return SeaState(
+        sea, float(duration), tuple(points), transfer.names, transfer.units, omega, spectrum, found, slow,
+        tuple(warnings),
+    )  # fmt: skip
+
+
+def slow_forces(body, sea, omega, heading, weights) -> SlowForces:
+    """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it."""
+    density = sea.spectrum.density(omega)
+    value = drifts.drift(body, omega, heading)
+    ends = weights if weights.ndim == 1 else weights[[0, -1]]
+    beyond = drifts.mean_in_sea_beyond(body, sea.spectrum, heading, ends)
+    try:
+        damping = mean_damping(omega, damping_coefficients(body, omega, heading), density, weights)
+    except RangeError:
+        damping = None
+    return SlowForces(
+        drifts.mean_in_sea(omega, value, density, weights) + beyond.sum(axis=0),
+        beyond,
+        DIFFERENCES,
+        force_spectrum(sea.spectrum, *held_beyond(omega, over_headings(value, weights), sea.spectrum), DIFFERENCES),
+        damping,
+    )
+
+
+def _without_rounding(found, units):
+    """Moments with those of responses that symmetry makes zero set to 0"""
+    largest = {unit: max(m for m, u in zip(found.m0, units, strict=True) if u == unit) for unit in units}
+    real = found.m0 > TINY**2 * np.array([largest[unit] for unit in units])
+    return Moments(*(np.where(real, m, 0.0) for m in found))
+
+
+def _ratio(above, below):
+    """2π√(above/below), nan where below is 0"""
+    return np.where(below > 0, 2 * np.pi * np.sqrt(above / np.where(below > 0, below, 1.0)), np.nan)

@@ -1,0 +1,23 @@
+"""A sea as the response sees it: headings with their shares, and the energy beyond the stored frequencies."""
+
+from __future__ import annotations
+
+import numpy as np
+
+STEP = np.deg2rad(10.0)  # between directions of a short-crested sea
+
+
+def directions(sea, omega):
+    """Headings (p,) rad and shares of the energy (p,) or (q, p) at omega (q,); 10° apart in a short-crested sea."""
+    if sea.spreading is None:
+        return np.array([sea.direction]), np.ones(1)
+    heading = sea.direction + STEP * np.arange(-18, 18)
+    weights = sea.directional(heading, omega)
+    kept = weights.max(axis=0) > 1e-6
+    return heading[kept], weights[:, kept] / weights[:, kept].sum(axis=1, keepdims=True)
+
+
+def energy_outside(body, spectrum):
+    """Shares of the wave energy below and above the stored frequencies."""
+    total = spectrum.moment(0)
+    return spectrum.moment(0, 0.0, body.omega[0]) / total, spectrum.moment(0, body.omega[-1], np.inf) / total

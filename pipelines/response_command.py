@@ -1,0 +1,96 @@
+"""`hakobune response`: a body of a database in a sea or a climate → tables, CSV or HDF5, picture."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+TABLES = (".csv", ".h5")
+
+
+def response(
+    study: Path,
+    /,
+    *,
+    database: Path,
+    output: Annotated[Path | None, Parameter(help=".csv or .h5")] = None,
+    plot: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
+):
+    """Motions, accelerations, air gap and drift of a body in a sea state, or their extremes in a climate.
+
+    The study (TOML) says which sea or scatter diagram, and which points of the body.
+    """
+    from bem.database import open_database
+    from mooring.response.body import read_body
+
+    from .response_study import read_response_study
+    from .study import StudyError
+
+    read, text = read_response_study(study)
+    scatter = [study.parent / read.climate.scatter] if read.climate else []
+    _check_places(output, plot, study, database, *scatter)
+    points = read.places()
+    body = read.restrained(read_body(open_database(database)))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            result = _in_sea(read, body, points) if read.sea else _in_climate(read, body, points, study)
+        except TypeError as error:
+            raise StudyError(f"{study}: {error}") from None
+    warned = [str(w.message) for w in caught] + list(result.warnings)
+    _write(read, result, points, warned, text, database, output, plot)
+    return 0
+
+
+def _in_sea(read, body, points):
+    from mooring.response.sea_state import sea_state
+
+    from .response_study import sea_of
+    from .study import _positive
+
+    return sea_state(body, sea_of(read.sea), 3600 * _positive("sea.duration_hours", read.sea.duration_hours), points)
+
+
+def _in_climate(read, body, points, study):
+    from mooring.response.climate import climate
+
+    from .response_study import climate_of
+
+    return climate(body, **climate_of(read.climate, study), points=points)
+
+
+def _write(read, result, points, warned, text, database, output, plot):
+    from . import response_output, response_report
+
+    years = read.climate and read.climate.years
+    rows = response_report.sea_rows(result) if read.sea else response_report.climate_rows(result, years)
+    if output is not None and output.suffix == ".csv":
+        response_output.write_csv(output, rows, response_report.notes(result, years) + warned)
+    elif output is not None:
+        response_output.write_h5(output, result, rows, text, database, warned)
+    if plot is not None:
+        from .response_plot import draw
+
+        draw(result, plot)
+    response_report.show(result, rows, points, years, warned, [path for path in (output, plot) if path])
+
+
+def _check_places(output, plot, *inputs):
+    from bem.database_file import check_place
+
+    from .picture import PLOTS, check_picture
+    from .study import StudyError
+
+    if output is not None:
+        if output.suffix not in TABLES:
+            raise StudyError(f"{output} has the suffix {output.suffix!r}; allowed: {', '.join(TABLES)}")
+        check_place(output)
+    if plot is not None:
+        check_picture(plot, PLOTS)
+    for path in (path for path in (output, plot) if path is not None):
+        for given in inputs:
+            if path.exists() and given.exists() and path.samefile(given):
+                raise StudyError(f"{path} is an input of the study; give another name")

@@ -1,0 +1,48 @@
+"""What points of the body feel."""
+
+import numpy as np
+from made_up_body import made_up_body
+
+from bem.waves import wavenumber
+from mooring.response.linear import motions
+from mooring.response.points import Point, acceleration, displacement, relative_elevation, transfer_functions, velocity
+
+
+def test_displacement_is_that_of_the_rotation_matrix_to_first_order():
+    """Re[X e^(−iωt)] at one instant, as a small rigid motion of the point; the second order is below 1e-6."""
+    from scipy.spatial.transform import Rotation
+
+    motion = np.array([[[0.1, -0.2, 0.3, 2e-4, -3e-4, 4e-4]]])
+    center, position = np.array([1.0, 2.0, -3.0]), np.array([50.0, -25.0, 10.0])
+    turned = Rotation.from_rotvec(motion[0, 0, 3:]).apply(position - center) + center - position
+    assert np.allclose(displacement(motion, position, center)[0, 0], motion[0, 0, :3] + turned, atol=2e-5)
+
+
+def test_velocity_and_acceleration_are_time_derivatives():
+    w, X, t, dt = 0.7, 0.4 - 0.3j, 1.3, 1e-4
+    x = [np.real(X * np.exp(-1j * w * (t + s * dt))) for s in (-1, 0, 1)]
+    v, a = velocity(np.array([w]), np.array([[X]])), acceleration(np.array([w]), np.array([[X]]))
+    assert np.isclose(np.real(v[0, 0] * np.exp(-1j * w * t)), (x[2] - x[0]) / (2 * dt), rtol=1e-6)
+    assert np.isclose(np.real(a[0, 0] * np.exp(-1j * w * t)), (x[2] - 2 * x[1] + x[0]) / dt**2, rtol=1e-5)
+
+
+def test_water_stays_at_its_mark_on_a_body_that_follows_it():
+    """A point that heaves with the wave at its place sees no relative elevation; one that stays sees the wave."""
+    omega, heading, position = np.array([0.3, 0.6]), np.radians([20.0, 200.0]), (40.0, -20.0, 5.0)
+    k = wavenumber(omega, 20.0)
+    along = position[0] * np.cos(heading) + position[1] * np.sin(heading)
+    following = np.zeros((2, 2, 3), complex)
+    following[..., 2] = np.exp(1j * k[:, None] * along)
+    assert np.allclose(relative_elevation(omega, heading, following, position, 20.0, 9.80665), 0)
+    assert np.allclose(np.abs(relative_elevation(omega, heading, 0 * following, position, 20.0, 9.80665)), 1)
+
+
+def test_table_of_transfer_functions_holds_motions_first_and_names_every_point():
+    body, omega, heading = made_up_body(), np.array([0.5, 0.7]), np.radians([10.0, 200.0])
+    table = transfer_functions(body, omega, heading, [Point("bow", (50.0, 0.0, 10.0))])
+    assert table.value.shape == (2, 2, 16) and len(table.names) == len(table.units) == 16
+    assert np.array_equal(table.value[..., :6], motions(body, omega, heading))
+    x = table.value[..., table.names.index("bow displacement z")]
+    assert np.allclose(x, table.value[..., 2] - 50.0 * table.value[..., 4])
+    a = table.value[..., table.names.index("bow acceleration z")]
+    assert np.allclose(a, -(omega[:, None] ** 2) * x)
