@@ -12,6 +12,7 @@ from cyclopts import App, CycloptsError, Parameter
 from .flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .response_command import response
 from .sea_command import sea
+from .sections_command import sections
 
 app = App(
     name="hakobune",
@@ -26,6 +27,7 @@ SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the fl
 
 app.command(sea)
 app.command(response)
+app.command(sections)
 
 
 @app.command

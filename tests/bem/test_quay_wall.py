@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from bem.frequency import solve_frequency
+from bem.quay import force_before_wall
+from bem.sections import section
 from bem.setup import Setup, prepare
 from meshing.lid import lid
 from meshing.shapes import box
@@ -66,3 +68,20 @@ def test_far_field_quantities_are_refused_beside_a_wall():
     mesh = box(60, 30, 8, counts=(2, 2, 2))
     with pytest.raises(ValueError, match="wall"):
         solve_frequency(prepare(Setup(mesh, depth=DEPTH, wall=-25.0)), OMEGA, [0.0], {"drift_force_fixed"})
+
+
+def test_a_long_box_before_the_wall_bears_what_its_section_does_with_repeated_reflection():
+    """Ends let waves past: the gap closes as the box grows longer; the report's single reflection stays off."""
+    beam, draft, wall, omega = 50.0, 10.0, 50.0, 0.65
+    part = section(beam, draft, DEPTH, omega)
+    dofs = ("Sway", "Heave", "Roll")
+    gaps = []
+    for length, panels in ((200.0, 400), (800.0, 800)):
+        mesh = box(length, beam, draft, panels=panels)
+        body = prepare(Setup(mesh, lid(mesh, 12.0), depth=DEPTH, wall=wall))
+        force = solve_frequency(body, omega, [np.pi / 2], {"excitation_force"}, None, dofs)["excitation_force"][0, 1:4]
+        gaps.append(np.abs(force / length - force_before_wall(part, wall)) / np.abs(part.excitation))
+    single = np.abs(force / length - force_before_wall(part, wall, repeated=False)) / np.abs(part.excitation)
+    assert np.all(gaps[1] < 0.04), gaps
+    assert np.all(gaps[1] < gaps[0] / 3), gaps
+    assert np.all(single > 2 * gaps[1]), (single, gaps)

@@ -1,0 +1,22 @@
+"""First-order quantities of one frequency, whichever method found them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class FirstOrder(NamedTuple):
+    """About the origin at the centre of the waterplane, SI, signs as in `bem`; zero where not asked for.
+
+    m headings, t angles; Kochin functions come as H and dH/dθ, per metre or radian of motion and of wave amplitude.
+    """
+
+    radiation: np.ndarray  # (6, 6) complex A + iB/ω
+    froude_krylov: np.ndarray  # (m, 6) complex N/m, N m/m
+    diffraction: np.ndarray  # (m, 6) complex
+    haskind: np.ndarray  # (m, 6) complex, excitation from the radiation potentials
+    kochin_radiation: np.ndarray  # (2, 6, t) complex m/m, m/rad
+    kochin_diffraction: np.ndarray  # (2, m, t) complex
+    residual: float  # of the linear systems, relative
