@@ -3,7 +3,7 @@
 The line is uniform, hangs in a vertical plane, and may lie on a straight bed through its anchor with Coulomb
 friction pulling against the fairlead.  Bending, current on the line and history of friction are neglected.
 Each line is sorted into one of four states, solved in closed form up to one monotone scalar equation
-(`suspended`, `grounded`), and its geometry is recomputed from its forces before it is returned.
+(kernels in `lines.hanging.uniform`), and its geometry is recomputed from its forces before it is returned.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import NamedTuple
 import numpy as np
 
 from . import grounded, suspended
-from .grounded import Bed, free_span, hanging_load
+from .grounded import Bed, free_span
 
-TOLERANCE = 1e-9  # of the line length, on the recomputed fairlead position
+TOLERANCE = 1e-10  # of the line length, on the recomputed fairlead position
 
 
 class LineError(ValueError):
@@ -104,45 +104,21 @@ def solve_lines(
     All broadcast.  returns : LineSolution
     raises : LineError naming the first line without a solution; ValueError for impossible input
     """
+    from .lines.hanging.uniform import solve_uniform_lines
+
     if beyond_reach not in ("raise", "mark"):
         raise ValueError(f"beyond_reach is {beyond_reach!r}; allowed: 'raise', 'mark'")
     lines, shape = _lines(x, z, length, weight, axial_stiffness, bed_friction, bed_slope, bed)
-    H, V, H_anchor, V_anchor, lying = np.zeros((5, lines.x.size))
-    k = np.zeros((lines.x.size, 2, 2))
-    status, hung = _sorted(lines, bed)
-
-    chosen = status == State.BEYOND_REACH
-    if np.any(chosen) and beyond_reach == "raise":
-        raise _failure(lines.some(chosen), "cannot be reached by an inextensible line")
-    H[chosen], V[chosen], H_anchor[chosen], V_anchor[chosen], k[chosen] = np.inf, np.inf, np.inf, np.inf, np.nan
-
-    chosen = status == State.SLACK
-    some = lines.some(chosen)
-    V[chosen], lying[chosen], k[chosen] = _slack(some)
-    end, _ = grounded.anchor_tension(0.0, lying[chosen], some.weight, some.bed)
-    H_anchor[chosen], V_anchor[chosen] = end * np.cos(some.slope), end * np.sin(some.slope)
-
-    chosen = status == State.SUSPENDED
-    some, form = lines.some(chosen), suspended.Shape(*(value[chosen] for value in hung))
-    H[chosen], V[chosen] = suspended.forces(form, some.length, some.weight)
-    H_anchor[chosen], V_anchor[chosen] = H[chosen], V[chosen] - some.weight * some.length
-    k[chosen] = suspended.stiffness(form, *some.properties)
-
-    chosen = status == State.GROUNDED
-    some = lines.some(chosen)
-    if np.any(chosen):
-        found = grounded.solve_grounded(some.x, some.z, *some.properties, some.bed)
-        H[chosen] = found.horizontal
-        V[chosen] = found.horizontal * np.tan(some.slope) + some.weight * found.free_length
-        H_anchor[chosen] = found.anchor_tension * np.cos(some.slope)
-        V_anchor[chosen] = found.anchor_tension * np.sin(some.slope)
-        lying[chosen] = some.length - found.free_length
-        k[chosen] = grounded.stiffness(found, *some.properties, some.bed)
-
-    reached = status != State.BEYOND_REACH
-    _check(lines.some(reached), H[reached], V[reached], lying[reached], status[reached])
+    found = solve_uniform_lines(np.stack(lines, axis=-1), bed)
+    H, V, H_anchor, V_anchor, lying = found[:, :5].T
+    status = found[:, 9].astype(int)
+    lost = status == State.BEYOND_REACH
+    if np.any(lost) and beyond_reach == "raise":
+        raise _failure(lines.some(lost), "cannot be reached by an inextensible line")
+    _check(lines.some(~lost), H[~lost], V[~lost], lying[~lost], status[~lost])
     values = (H, V, H_anchor, V_anchor, lying)
-    return LineSolution(*(v.reshape(shape) for v in values), k.reshape(*shape, 2, 2), status.reshape(shape))
+    k = found[:, 5:9].reshape(*shape, 2, 2)
+    return LineSolution(*(v.reshape(shape) for v in values), k, status.reshape(shape))
 
 
 def span_at_tension(
@@ -227,35 +203,6 @@ def _lines(x, z, length, weight, axial_stiffness, friction, slope, bed):
             raise ValueError(f"line {name} is {value:g}; allowed: {allowed}")
     flat = [v.ravel() for v in (x, z, length, weight, 1.0 / axial_stiffness, friction, slope)]
     return _Lines(*flat), x.shape
-
-
-def _sorted(lines, bed):
-    """State of every line, and the shape it has when nothing touches the bed.
-
-    A line whose free shape would leave its anchor below the bed's slope lies on the bed; if it is long
-    enough to reach the point below its fairlead lying and then hang plumb, it is slack.
-    """
-    hung = suspended.shape_between(lines.x, lines.z, *lines.properties)
-    status = np.where(np.isinf(hung.t), State.BEYOND_REACH, State.SUSPENDED)
-    if bed:
-        plumb = hanging_load(_clearance(lines), lines.weight, lines.flexibility) / lines.weight
-        H, V = suspended.forces(hung, lines.length, lines.weight)
-        with np.errstate(invalid="ignore"):
-            sags = V - lines.weight * lines.length < H * np.tan(lines.slope)
-        lying = grounded.lying_span(0.0, np.maximum(lines.length - plumb, 0.0), *lines.properties[1:], lines.bed)
-        slack = (lines.length >= plumb) & (lying >= lines.x / np.cos(lines.slope))
-        status = np.where(sags & (status != State.BEYOND_REACH), State.GROUNDED, status)
-        status = np.where(slack, State.SLACK, status)
-    return status, hung
-
-
-def _slack(lines):
-    """V, grounded length and stiffness of lines that hang plumb above a heap on the bed."""
-    load = hanging_load(_clearance(lines), lines.weight, lines.flexibility)
-    rate = lines.weight / (1 + lines.flexibility * load)
-    zero = np.zeros_like(rate)
-    k = np.stack([zero, zero, -np.tan(lines.slope) * rate, rate], axis=-1).reshape(-1, 2, 2)
-    return load, lines.length - load / lines.weight, k
 
 
 def _free_length_at(H, lines, bed):

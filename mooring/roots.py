@@ -31,19 +31,3 @@ def falling_root(function, low, high, start):
         if np.all(settled):
             break
     return q
-
-
-def asinh_excess(s):
-    """asinh s − s/√(1+s²) without cancellation; s³/3 for small s.
-
-    s : (...,) ≥ 0
-    """
-    s = np.asarray(s, float)
-    small = np.minimum(s, 0.1)
-    u = small * small
-    # Σ (−1)ⁿ⁺¹ aₙ 2n/(2n+1) s²ⁿ⁺¹ with aₙ = (2n)!/(4ⁿ n!²); the term left out is below 1e-15 of the sum at s = 0.1
-    coefficients = (1 / 3, -3 / 10, 15 / 56, -35 / 144, 315 / 1408, -693 / 3328, 3003 / 15360, -6435 / 34816)
-    series = small * u * np.polynomial.polynomial.polyval(u, coefficients)
-    with np.errstate(over="ignore", invalid="ignore"):
-        direct = np.arcsinh(s) - np.where(np.isinf(s), 1.0, s / np.sqrt(1 + s * s))
-    return np.where(s < 0.1, series, direct)

@@ -10,6 +10,7 @@ from typing import Annotated
 from cyclopts import App, CycloptsError, Parameter
 
 from .flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
+from .lines_flags import line, lines
 from .response_command import response
 from .sea_command import sea
 from .sections_command import sections
@@ -28,6 +29,8 @@ SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the fl
 app.command(sea)
 app.command(response)
 app.command(sections)
+app.command(line)
+app.command(lines)
 
 
 @app.command

@@ -203,7 +203,10 @@ def line_properties(where, kind, density=1025.0):
     """weight, axial_stiffness, bed_friction and breaking_load of a LineType, in SI; density : kg/m³ of the water"""
     from mooring.lines.catalogue import line_type
 
-    known = None if kind.catalogue is None else line_type(kind.catalogue, density)
+    try:
+        known = None if kind.catalogue is None else line_type(kind.catalogue, density)
+    except ValueError as error:
+        raise StudyError(f"{where}.catalogue: {error}") from None
     weight = _one(where, kind, {"weight_kg_per_m": KGF, "weight_N_per_m": 1.0}, required=known is None)
     if not (kind.bed_friction >= 0 and math.isfinite(kind.bed_friction)):
         raise StudyError(f"{where}.bed_friction is {kind.bed_friction:g}; allowed: at least 0")

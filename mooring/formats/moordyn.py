@@ -1,0 +1,233 @@
+"""MoorDyn input files, read and written: tables of text under headings of dashes.
+
+Columns are found by the names in the table's first line, so files of version 1 and 2 are both read; where these
+names are not known the order of version 2 is taken.  What is read is kept as it stands, also what the statics of
+`mooring.lines` cannot use: `moordyn_system` makes a System of it, or says why not.
+MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
+"""
+
+from __future__ import annotations
+
+import typing
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from .fault import FormatError, fault, read_text
+from .moordyn_rows import SECTIONS, BodyRow, FailureRow, LineRow, LineTypeRow, PointRow, RodRow, RodTypeRow
+
+
+@dataclass(frozen=True)
+class MoorDynFile:
+    """All sections of a file; options : {name: value as text}; outputs : channel names"""
+
+    title: tuple[str, ...] = ()
+    line_types: tuple[LineTypeRow, ...] = ()
+    rod_types: tuple[RodTypeRow, ...] = ()
+    bodies: tuple[BodyRow, ...] = ()
+    rods: tuple[RodRow, ...] = ()
+    points: tuple[PointRow, ...] = ()
+    lines: tuple[LineRow, ...] = ()
+    failures: tuple[FailureRow, ...] = ()
+    options: dict[str, str] = field(default_factory=dict)
+    outputs: tuple[str, ...] = ()
+
+    def __repr__(self):
+        return f"<MoorDynFile {len(self.lines)} lines, {len(self.points)} points, {len(self.bodies)} bodies>"
+
+    def option(self, *names, default=None):
+        """The value of the first of some option names that is given, whatever its case."""
+        given = {name.lower(): value for name, value in self.options.items()}
+        return next((given[name.lower()] for name in names if name.lower() in given), default)
+
+
+FORCES = ("fx", "fy", "fz")  # of points, version 1: only nought is understood
+
+
+def read_moordyn(path) -> MoorDynFile:
+    """The MoorDynFile of a path.  Raises FormatError with line and section."""
+    return parse_moordyn(read_text(path), path)
+
+
+def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
+    """The MoorDynFile of a text; `path` is what errors call it."""
+    title, found, key, first = [], {}, None, 0
+    lines = text.splitlines()
+    for number, line in enumerate(lines, 1):
+        if line.lstrip().startswith("---"):
+            if key is None and "FILE" in line.upper():
+                title.append(line.rstrip())
+                continue
+            key = _section_of(line, number, path)
+            if key == "end":
+                break
+            if key in found:
+                raise fault(path, number, SECTIONS[key].title, f"is there twice, first at line {first}")
+            first = number
+            found[key] = []
+        elif line.strip():
+            title.append(line.rstrip()) if key is None else found[key].append((number, line))
+    if "lines" not in found:
+        raise fault(path, None, None, "there is no section LINES; this is no MoorDyn input file")
+    made = {key: _rows(key, rows, path) for key, rows in found.items() if SECTIONS[key].row is not None}
+    options = _options(found.get("options", []), path)
+    outputs = tuple(name for _, line in found.get("outputs", []) for name in line.split("#")[0].split())
+    checked = MoorDynFile(tuple(title), options=options, outputs=outputs, **made)
+    _check_references(checked, found, path)
+    return checked
+
+
+def _section_of(line, number, path):
+    words = " ".join(line.replace("-", " ").upper().split())
+    for key, section in SECTIONS.items():
+        if any(words.startswith(word) or f" {word}" in f" {words}" for word in section.words):
+            return key
+    if words.startswith(("END", "NEED THIS LINE")) or not words:
+        return "end"
+    known = ", ".join(section.title for section in SECTIONS.values())
+    raise fault(path, number, words, f"is not a section; allowed: {known}, END")
+
+
+def _fields(key):
+    """Names of the columns in lower case → field of the row"""
+    section = SECTIONS[key]
+    own = dict(zip((name.lower() for name, _ in section.columns), section.row._fields, strict=True))
+    # x0, y0 (a position) and y0 (an angle) differ in MoorDyn's heading by case only
+    return own | section.aliases
+
+
+def _rows(key, rows, path):
+    section = SECTIONS[key]
+    if len(rows) < 2:
+        raise fault(path, rows[0][0] if rows else None, section.title, "a line of names and a line of units are needed")
+    fields = _columns(key, rows[0][1].split())
+    made = tuple(_row(key, fields, number, line.split(), path) for number, line in rows[2:])
+    seen = set()
+    for (number, _), row in zip(rows[2:], made, strict=True):
+        if row[0] in seen:
+            raise fault(path, number, section.title, f"{row._fields[0]} {row[0]} is used twice; allowed: once")
+        seen.add(row[0])
+    return made
+
+
+def _columns(key, names):
+    """Fields in the order of a file's columns; None for the forces on points of version 1"""
+    known = _fields(key)
+    names = [name.lower() for name in names]
+    if key == "bodies" or not all(name in known or name in FORCES for name in names):
+        return SECTIONS[key].row._fields
+    return [known.get(name) for name in names]
+
+
+def _row(key, fields, number, words, path):
+    section = SECTIONS[key]
+    kinds = typing.get_type_hints(section.row)
+    values = {}
+    if len(words) > len(fields):
+        if fields[-1] != "outputs":
+            raise fault(path, number, section.title, f"{len(words)} entries; allowed: {len(fields)}")
+        words = [*words[: len(fields) - 1], "".join(words[len(fields) - 1 :])]
+    for name, word in zip(fields, words, strict=False):
+        if name is None:
+            if _number(word) != 0:
+                raise fault(path, number, section.title, f"a force of {word} kN on a point is not read; allowed: 0")
+            continue
+        values[name] = _value(kinds[name], name, word, number, section, path)
+    needed = [name for name in section.row._fields if name not in section.row._field_defaults and name not in values]
+    if needed:
+        raise fault(path, number, section.title, f"{len(words)} entries, {needed[0]} is missing")
+    return section.row(**values)
+
+
+def _value(kind, name, word, number, section, path):
+    if kind is str:
+        return word
+    value = _number(word)
+    if value is None:
+        raise fault(path, number, section.title, f"{name} is {word!r}; allowed: a number")
+    if kind is int:
+        if value != int(value):
+            raise fault(path, number, section.title, f"{name} is {word}; allowed: a whole number")
+        return int(value)
+    return value
+
+
+def _number(word):
+    """A finite number, also with Fortran's exponent; None for anything else"""
+    try:
+        value = float(word.lower().replace("d", "e"))
+    except ValueError:
+        return None
+    return value if abs(value) < float("inf") else None
+
+
+def _options(rows, path):
+    """{name: value}; a table may open with a line of names and one of units"""
+    made = {}
+    for number, line in rows:
+        words = line.split()
+        if words[0].lower() == "option" or words[0].startswith("("):
+            continue
+        if len(words) < 2:
+            raise fault(path, number, "OPTIONS", f"{line.strip()!r} is not a value and a name")
+        made[words[1]] = words[0]
+    return made
+
+
+def _check_references(file, found, path):
+    types = [row.name for row in file.line_types]
+    points = {row.id.lower().removeprefix("p").removeprefix("oint") for row in file.points}
+    places = [number for number, _ in found["lines"][2:]]
+    for number, row in zip(places, file.lines, strict=True):
+        if row.type not in types:
+            what = f"line {row.id}: type {row.type!r} is unknown; allowed: {', '.join(types)}"
+            raise fault(path, number, "LINES", what)
+        for end in (row.a, row.b):
+            plain = end.lower().removeprefix("point").removeprefix("p").removeprefix("connection").removeprefix("c")
+            if plain.isdigit() and plain not in points:
+                raise fault(path, number, "LINES", f"line {row.id}: its end {end} is no point of the file")
+
+
+def moordyn_text(file: MoorDynFile) -> str:
+    """The text of a MoorDyn v2 input file."""
+    out = list(file.title) or ["MoorDyn input file"]
+    for key, section in SECTIONS.items():
+        value = getattr(file, key)
+        if not value and key not in ("line_types", "points", "lines", "options"):
+            continue
+        out.append(f"{'-' * 22} {section.title} {'-' * max(1, 60 - len(section.title))}")
+        if section.row is not None:
+            out += _table(section, value)
+        elif key == "options":
+            out += [f"{text:<16} {name}" for name, text in value.items()]
+        else:
+            out += list(value)
+    return "\n".join([*out, f"{'-' * 22} END {'-' * 57}", ""])
+
+
+def _table(section, rows):
+    """Lines of a table; columns that no row fills are left out"""
+    used = [
+        i
+        for i, name in enumerate(section.row._fields)
+        if name not in section.row._field_defaults
+        or section.row._field_defaults[name] is not None
+        or any(row[i] is not None for row in rows)
+    ]
+    cells = [[section.columns[i][0] for i in used], [section.columns[i][1] for i in used]]
+    cells += [[_cell(row[i]) for i in used] for row in rows]
+    widths = [max(len(line[i]) for line in cells) for i in range(len(used))]
+    return ["  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in cells]
+
+
+def _cell(value):
+    if value is None:
+        return "0"
+    return repr(value) if isinstance(value, float) else str(value)
+
+
+def write_moordyn(file: MoorDynFile, path):
+    """Write a MoorDyn v2 input file, replacing what is there.  Raises FormatError."""
+    try:
+        Path(path).write_text(moordyn_text(file), encoding="utf-8")
+    except OSError as error:
+        raise FormatError(f"{path} cannot be written: {error.strerror}") from None

@@ -1,0 +1,266 @@
+"""What stands in the tables of a MoorDyn file: one row type for each section, and the names of its columns.
+
+MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).  Values keep MoorDyn's units.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class LineTypeRow(NamedTuple):
+    """diameter : m; mass : kg/m; EA, BA : number, a|b, or the name of a file"""
+
+    name: str
+    diameter: float
+    mass: float
+    EA: str
+    BA: str
+    EI: str = "0"
+    Cd: float = 0.0
+    Ca: float = 0.0
+    CdAx: float = 0.0
+    CaAx: float = 0.0
+    Cl: float | None = None
+    dF: float | None = None
+    cF: float | None = None
+
+
+class RodTypeRow(NamedTuple):
+    name: str
+    diameter: float
+    mass: float
+    Cd: float = 0.0
+    Ca: float = 0.0
+    CdEnd: float = 0.0
+    CaEnd: float = 0.0
+
+
+class BodyRow(NamedTuple):
+    """x0 … yaw0 : m and degrees; mass : kg; CG, inertia, CdA, Ca : number, or numbers joined by |; volume : m³"""
+
+    id: str
+    attachment: str
+    x0: float
+    y0: float
+    z0: float
+    roll0: float
+    pitch0: float
+    yaw0: float
+    mass: float
+    CG: str
+    inertia: str
+    volume: float
+    CdA: str
+    Ca: str
+
+
+class RodRow(NamedTuple):
+    id: str
+    type: str
+    attachment: str
+    xa: float
+    ya: float
+    za: float
+    xb: float
+    yb: float
+    zb: float
+    segments: int
+    outputs: str = "-"
+
+
+class PointRow(NamedTuple):
+    """position : m; mass : kg; volume : m³; CdA : m²"""
+
+    id: str
+    attachment: str
+    x: float
+    y: float
+    z: float
+    mass: float = 0.0
+    volume: float = 0.0
+    CdA: float = 0.0
+    Ca: float = 0.0
+
+
+class LineRow(NamedTuple):
+    """a, b : points (or ends of rods) at the anchor's and at the fairlead's end; length : m, unstretched"""
+
+    id: str
+    type: str
+    a: str
+    b: str
+    length: float
+    segments: int
+    outputs: str = "-"
+
+
+class FailureRow(NamedTuple):
+    id: str
+    point: str
+    lines: str
+    time: float
+    tension: float
+
+
+class Section(NamedTuple):
+    """Heading, row type (None where a section is no table), columns as written, further names of columns → field"""
+
+    title: str
+    words: tuple[str, ...]  # any of these in the heading
+    row: type | None
+    columns: tuple[tuple[str, str], ...]  # as written: name, unit
+    aliases: dict[str, str]  # further names of columns, lower case → field
+
+
+SECTIONS = {
+    "line_types": Section(
+        "LINE TYPES",
+        ("LINE TYPES", "LINE DICTIONARY", "LINE TYPE"),
+        LineTypeRow,
+        (
+            ("TypeName", "(name)"),
+            ("Diam", "(m)"),
+            ("Mass/m", "(kg/m)"),
+            ("EA", "(N)"),
+            ("BA/-zeta", "(N-s/-)"),
+            ("EI", "(N-m^2)"),
+            ("Cd", "(-)"),
+            ("Ca", "(-)"),
+            ("CdAx", "(-)"),
+            ("CaAx", "(-)"),
+            ("Cl", "(-)"),
+            ("dF", "(-)"),
+            ("cF", "(-)"),
+        ),
+        {
+            "name": "name",
+            "linetype": "name",
+            "massden": "mass",
+            "massdeninair": "mass",
+            "ba": "BA",
+            "cdn": "Cd",
+            "can": "Ca",
+            "cdt": "CdAx",
+            "cat": "CaAx",
+        },
+    ),
+    "rod_types": Section(
+        "ROD TYPES",
+        ("ROD TYPES", "ROD DICTIONARY", "ROD TYPE"),
+        RodTypeRow,
+        (
+            ("TypeName", "(name)"),
+            ("Diam", "(m)"),
+            ("Mass/m", "(kg/m)"),
+            ("Cd", "(-)"),
+            ("Ca", "(-)"),
+            ("CdEnd", "(-)"),
+            ("CaEnd", "(-)"),
+        ),
+        {"name": "name", "rodtype": "name", "massden": "mass"},
+    ),
+    "bodies": Section(
+        "BODIES",
+        ("BODIES", "BODY LIST", "BODY PROPERTIES"),
+        BodyRow,
+        (
+            ("ID", "(#)"),
+            ("Attachment", "(-)"),
+            ("X0", "(m)"),
+            ("Y0", "(m)"),
+            ("Z0", "(m)"),
+            ("r0", "(deg)"),
+            ("p0", "(deg)"),
+            ("y0", "(deg)"),
+            ("Mass", "(kg)"),
+            ("CG*", "(m)"),
+            ("I*", "(kg-m^2)"),
+            ("Volume", "(m^3)"),
+            ("CdA*", "(m^2)"),
+            ("Ca*", "(-)"),
+        ),
+        {},
+    ),
+    "rods": Section(
+        "RODS",
+        ("RODS", "ROD LIST", "ROD PROPERTIES"),
+        RodRow,
+        (
+            ("ID", "(#)"),
+            ("RodType", "(name)"),
+            ("Attachment", "(-)"),
+            ("Xa", "(m)"),
+            ("Ya", "(m)"),
+            ("Za", "(m)"),
+            ("Xb", "(m)"),
+            ("Yb", "(m)"),
+            ("Zb", "(m)"),
+            ("NumSegs", "(-)"),
+            ("RodOutputs", "(-)"),
+        ),
+        {},
+    ),
+    "points": Section(
+        "POINTS",
+        ("POINTS", "POINT LIST", "POINT PROPERTIES", "CONNECTION PROPERTIES", "CONNECTIONS", "NODE PROPERTIES"),
+        PointRow,
+        (
+            ("ID", "(#)"),
+            ("Attachment", "(-)"),
+            ("X", "(m)"),
+            ("Y", "(m)"),
+            ("Z", "(m)"),
+            ("Mass", "(kg)"),
+            ("Volume", "(m^3)"),
+            ("CdA", "(m^2)"),
+            ("Ca", "(-)"),
+        ),
+        {
+            "node": "id",
+            "point": "id",
+            "connection": "id",
+            "type": "attachment",
+            "attach": "attachment",
+            "m": "mass",
+            "v": "volume",
+            "vol": "volume",
+        },
+    ),
+    "lines": Section(
+        "LINES",
+        ("LINES", "LINE LIST", "LINE PROPERTIES"),
+        LineRow,
+        (
+            ("ID", "(#)"),
+            ("LineType", "(name)"),
+            ("AttachA", "(#)"),
+            ("AttachB", "(#)"),
+            ("UnstrLen", "(m)"),
+            ("NumSegs", "(-)"),
+            ("LineOutputs", "(-)"),
+        ),
+        {
+            "line": "id",
+            "type": "type",
+            "nodea": "a",
+            "nodeb": "b",
+            "nodeanch": "a",
+            "nodefair": "b",
+            "enda": "a",
+            "endb": "b",
+            "flags/outputs": "outputs",
+            "outputs": "outputs",
+            "outs": "outputs",
+        },
+    ),
+    "failures": Section(
+        "FAILURE",
+        ("FAILURE",),
+        FailureRow,
+        (("FailureID", "(#)"), ("Point", "(#)"), ("Line(s)", "(#)"), ("FailTime", "(s)"), ("FailTen", "(N)")),
+        {},
+    ),
+    "options": Section("OPTIONS", ("OPTIONS",), None, (), {}),
+    "outputs": Section("OUTPUTS", ("OUTPUTS", "OUTPUT"), None, (), {}),
+}

@@ -1,0 +1,109 @@
+"""MoorPy's YAML, also inside a RAFT design (`mooring:`), as a System of lines.
+
+Keys: water_depth (depth), water_density (rho), line_types, points, lines; mass_density is mass per metre, so the
+submerged weight is (mass_density − ρ π/4 diameter²) g.  Points of type fixed are anchors, vessel and fairlead belong
+to one body "vessel" at the origin, body1 … to "body 1" …, free and connection move.  anchor_types and costs
+are passed over.  NREL/MoorPy 1.3, `System.parseYAML`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from ..lines.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
+from ..lines.system import System
+from .fault import FormatError, read_text
+from .moordyn_system import read_moordyn_system
+from .yaml_subset import parse_yaml
+
+KNOWN = {
+    "line_types": {"name", "diameter", "mass_density", "stiffness", "breaking_load", "cost", "transverse_added_mass",
+                   "tangential_added_mass", "transverse_drag", "tangential_drag"},
+    "points": {"name", "type", "location", "mass", "volume", "anchor_type"},
+    "lines": {"name", "endA", "endB", "type", "length"},
+}  # fmt: skip
+
+
+def read_moorpy(path, depth=None) -> System:
+    """The System of a MoorPy or RAFT file; depth : m, for files that leave it to the program."""
+    return system_of_moorpy(parse_yaml(read_text(path), path), path, depth)
+
+
+def system_of_moorpy(data, path="YAML file", depth=None) -> System:
+    """The System of nested dictionaries.  Raises FormatError naming table and key."""
+    if isinstance(data, dict) and isinstance(data.get("mooring"), dict):
+        data = {**data.get("site", {}), **data["mooring"]} if isinstance(data.get("site"), dict) else data["mooring"]
+    if not isinstance(data, dict):
+        raise FormatError(f"{path}: the file is not a table of keys; this is no MoorPy file")
+    if data.get("file"):
+        return read_moordyn_system(Path(path).parent / data["file"])
+    if data.get("bodies"):
+        raise FormatError(f"{path}: bodies is not read, MoorPy does not define it yet; use points of type vessel")
+    density = _number(data, ("water_density", "rho"), path, "the file", 1025.0)
+    depth = _number(data, ("water_depth", "depth"), path, "the file", depth)
+    tables = {key: _table(data, key, path) for key in KNOWN}
+    types = {row["name"]: _type(row, density, path) for row in tables["line_types"]}
+    points = [_point(row, path) for row in tables["points"]]
+    bodies = sorted({point.body for point in points if isinstance(point, Fairlead)})
+    lines = [_line(row, types, path) for row in tables["lines"]]
+    return System(depth, lines, points, [Body(name) for name in bodies], density)
+
+
+def _table(data, key, path):
+    rows = data.get(key)
+    if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
+        raise FormatError(f"{path}: {key} is {type(rows).__name__}; allowed: a list of tables")
+    for i, row in enumerate(rows):
+        where = f"{key}[{i}]"
+        unknown = set(row) - KNOWN[key]
+        if unknown:
+            raise FormatError(f"{path}: {where}.{min(unknown)} is unknown; allowed: {', '.join(sorted(KNOWN[key]))}")
+        if row.get("name") is None:
+            raise FormatError(f"{path}: {where}.name is missing; allowed: text")
+        row["name"] = str(row["name"])
+    return rows
+
+
+def _number(row, keys, path, where, default=None):
+    value = next((row[key] for key in keys if row.get(key) is not None), default)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        state = "missing" if value is None else repr(value)
+        raise FormatError(f"{path}: {keys[0]} of {where} is {state}; allowed: a number")
+    return float(value)
+
+
+def _type(row, density, path):
+    where = f"line type {row['name']}"
+    diameter, mass, stiffness = (_number(row, (key,), path, where) for key in ("diameter", "mass_density", "stiffness"))
+    breaking = _number(row, ("breaking_load",), path, where, 0.0) or np.inf
+    weight = (mass - density * np.pi / 4 * diameter**2) * 9.80665
+    return LineType(row["name"], weight, stiffness, mass, diameter, breaking, source=str(path))
+
+
+def _point(row, path):
+    name, place, kind = row["name"], row.get("location"), str(row.get("type", "")).lower()
+    if not isinstance(place, list) or len(place) != 3 or not all(isinstance(v, int | float) for v in place):
+        raise FormatError(f"{path}: location of point {name} is {place!r}; allowed: [x, y, z] in m")
+    place = tuple(map(float, place))
+    if "anch" in kind or "fix" in kind:
+        return Anchor(name, place)
+    if "body" in kind:
+        return Fairlead(name, f"body {''.join(filter(str.isdigit, kind)) or 1}", place)
+    if "fair" in kind or "ves" in kind:
+        return Fairlead(name, "vessel", place)
+    if "con" in kind or "free" in kind:
+        where = f"point {name}"
+        return FreePoint(
+            name, place, _number(row, ("mass",), path, where, 0.0), _number(row, ("volume",), path, where, 0.0)
+        )
+    raise FormatError(f"{path}: type of point {name} is {row.get('type')!r}; allowed: fixed, vessel, body1 …, free")
+
+
+def _line(row, types, path):
+    where = f"line {row['name']}"
+    if str(row.get("type")) not in types:
+        raise FormatError(f"{path}: type of {where} is {row.get('type')!r}; allowed: {', '.join(types)}")
+    length = _number(row, ("length",), path, where)
+    return SystemLine(row["name"], types[str(row["type"])], length, str(row.get("endA")), str(row.get("endB")))

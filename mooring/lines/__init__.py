@@ -1,0 +1,1 @@
+"""Mooring lines in detail: static lines of many parts, their dynamics, and the loads on them."""

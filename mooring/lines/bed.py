@@ -1,0 +1,81 @@
+"""The sea bed under a line: a polyline in the vertical plane through anchor and fairlead."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Bed:
+    """Straight facets between points, the last one going on for ever; Coulomb friction.
+
+    points : (k, 2) m, x from the anchor towards the fairlead, rising strictly, and z; the anchor lies on the first
+    friction : ≥ 0
+    """
+
+    points: np.ndarray
+    friction: float = 0.0
+
+    def __post_init__(self):
+        points = np.asarray(self.points, float)
+        if points.ndim != 2 or points.shape[1] != 2 or len(points) < 2 or not np.all(np.isfinite(points)):
+            raise ValueError(f"bed points have the shape {points.shape}; allowed: (k, 2) finite numbers, k at least 2")
+        if not np.all(np.diff(points[:, 0]) > 0):
+            step = np.diff(points[:, 0]).min()
+            raise ValueError(f"bed points step {step:g} m in x; allowed: above 0, no vertical walls or overhangs")
+        if not (np.isfinite(self.friction) and self.friction >= 0):
+            raise ValueError(f"bed friction is {self.friction:g}; allowed: finite, at least 0")
+        object.__setattr__(self, "points", points - points[0])
+
+    @classmethod
+    def sloping(cls, slope=0.0, friction=0.0):
+        """A plane bed; slope in rad, positive where it rises towards the fairlead."""
+        if not abs(slope) < 1.5:
+            raise ValueError(f"bed slope is {slope:g} rad; allowed: between −1.5 and 1.5")
+        return cls(np.array([[0.0, 0.0], [1.0, np.tan(slope)]]), friction)
+
+    @classmethod
+    def under(cls, x, y, z, anchor, fairlead, friction=0.0):
+        """The section of a gridded bed under a line, with a point wherever the line crosses a line of the grid.
+
+        x : (n,), y : (m,) rising, m; z : (n, m) m, bilinear in between; anchor, fairlead : (x, y) m
+        The section ends at the edge of the grid beyond the fairlead; it has to contain both ends.
+        """
+        x, y, z = (np.asarray(v, float) for v in (x, y, z))
+        if z.shape != (len(x), len(y)) or np.any(np.diff(x) <= 0) or np.any(np.diff(y) <= 0):
+            raise ValueError(f"bed grid z has the shape {z.shape}; allowed: {(len(x), len(y))}, x and y rising")
+        anchor, fairlead = np.asarray(anchor, float)[:2], np.asarray(fairlead, float)[:2]
+        span = np.hypot(*(fairlead - anchor))
+        if span == 0:
+            raise ValueError("the fairlead stands above the anchor; a section needs a direction")
+        for name, point in (("anchor", anchor), ("fairlead", fairlead)):
+            if not (x[0] <= point[0] <= x[-1] and y[0] <= point[1] <= y[-1]):
+                raise ValueError(f"{name} at ({point[0]:g}, {point[1]:g}) m is off the bed grid; extend the grid")
+        way = (fairlead - anchor) / span
+        crossings = [np.array([0.0, span])]
+        for axis, lines in enumerate((x, y)):
+            if way[axis] != 0:
+                crossings.append((lines - anchor[axis]) / way[axis])
+        d = np.unique(np.concatenate(crossings))
+        d = d[(d >= 0) & np.append(np.diff(d) > 1e-9 * span, True)]
+        at = anchor + d[:, None] * way
+        inside = np.all(
+            (at >= [x[0] - 1e-9 * span, y[0] - 1e-9 * span]) & (at <= [x[-1] + 1e-9 * span, y[-1] + 1e-9 * span]),
+            axis=1,
+        )
+        return cls(np.column_stack([d, _bilinear(x, y, z, at)])[inside], friction)
+
+    def depth_below(self, x, z):
+        """Height of points above the bed, m."""
+        px, pz = self.points.T
+        last = (pz[-1] - pz[-2]) / (px[-1] - px[-2])
+        return z - np.where(x > px[-1], pz[-1] + last * (x - px[-1]), np.interp(x, px, pz))
+
+
+def _bilinear(x, y, z, at):
+    i = np.clip(np.searchsorted(x, at[:, 0]) - 1, 0, len(x) - 2)
+    j = np.clip(np.searchsorted(y, at[:, 1]) - 1, 0, len(y) - 2)
+    a, b = (at[:, 0] - x[i]) / (x[i + 1] - x[i]), (at[:, 1] - y[j]) / (y[j + 1] - y[j])
+    return (1 - a) * ((1 - b) * z[i, j] + b * z[i, j + 1]) + a * ((1 - b) * z[i + 1, j] + b * z[i + 1, j + 1])

@@ -1,0 +1,257 @@
+"""A mooring line for dynamics as a value: segments, bodies between them, the anchor and the bed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from .lumped.system import System
+
+SOFT = 1e-2  # damping fades in up to this part of the strain under the line's own weight
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A uniform part of a line in `elements` straight elements.
+
+    length : m, unstretched; mass : kg/m in air; weight : N/m in water; diameter : m, of the displaced volume
+    axial_stiffness : EA in N; structural_damping : BA in N s, or None for `damping_ratio`, the part of the critical
+    damping of one element, ℓ√(EA m)
+    drag_normal on D, drag_tangential on πD (the report's coefficient, on D, is π times larger)
+    added_normal, added_tangential : times the displaced mass
+    """
+
+    length: float
+    mass: float
+    weight: float
+    diameter: float
+    axial_stiffness: float
+    elements: int = 20
+    damping_ratio: float = 1.0
+    structural_damping: float | None = None
+    drag_normal: float = 1.2
+    drag_tangential: float = 0.1
+    added_normal: float = 1.0
+    added_tangential: float = 0.0
+
+    def __post_init__(self):
+        for name in ("length", "mass", "diameter", "axial_stiffness"):
+            _check(f"segment {name}", getattr(self, name), 0.0, strict=True)
+        for name in ("damping_ratio", "drag_normal", "drag_tangential", "added_normal", "added_tangential"):
+            _check(f"segment {name}", getattr(self, name), 0.0)
+        if self.structural_damping is not None:
+            _check("segment structural_damping", self.structural_damping, 0.0)
+        if not np.isfinite(self.weight):
+            raise ValueError(f"segment weight is {self.weight:g} N/m; allowed: finite")
+        if int(self.elements) != self.elements or self.elements < 1:
+            raise ValueError(f"segment elements is {self.elements}; allowed: whole numbers from 1")
+
+    @property
+    def size(self):
+        """m, unstretched length of an element"""
+        return self.length / self.elements
+
+    @property
+    def damping(self):
+        """N s, BA"""
+        critical = self.size * np.sqrt(self.axial_stiffness * self.mass)
+        return self.damping_ratio * critical if self.structural_damping is None else self.structural_damping
+
+
+@dataclass(frozen=True)
+class Body:
+    """A buoy or a clump between two segments, with its own inertia.
+
+    mass : kg; volume : m³, a sphere where it meets the surface; drag_area : C_d A in m²
+    added_mass : times the displaced mass
+    """
+
+    mass: float
+    volume: float = 0.0
+    drag_area: float = 0.0
+    added_mass: float = 0.5
+
+    def __post_init__(self):
+        for name in ("mass", "volume", "drag_area", "added_mass"):
+            _check(f"body {name}", getattr(self, name), 0.0)
+
+
+@dataclass(frozen=True)
+class Bed:
+    """A plane under the anchor.
+
+    slope : rad, upwards towards `uphill` (rad, 0 → +x); below : m, depth of the bed under the anchor
+    stiffness : Pa/m and damping : Pa s/m, times diameter and length; a line at rest lies on the plane itself
+    friction : Coulomb coefficient; slip : m, displacement that mobilises it (elastic before, sliding after)
+    """
+
+    slope: float = 0.0
+    uphill: float = 0.0
+    below: float = 0.0
+    stiffness: float = 3e5
+    damping: float = 3e4
+    friction: float = 0.0
+    slip: float = 1e-3
+
+    def __post_init__(self):
+        if not abs(self.slope) < 1.0:
+            raise ValueError(f"bed slope is {self.slope:g} rad; allowed: between −1 and 1")
+        for name in ("stiffness", "slip"):
+            _check(f"bed {name}", getattr(self, name), 0.0, strict=True)
+        for name in ("below", "damping", "friction"):
+            _check(f"bed {name}", getattr(self, name), 0.0)
+
+    @property
+    def normal(self):
+        """(3,) upward unit vector"""
+        s = np.sin(self.slope)
+        return np.array([-s * np.cos(self.uphill), -s * np.sin(self.uphill), np.cos(self.slope)])
+
+
+@dataclass(frozen=True)
+class DynamicLine:
+    """Segments from the anchor to the fairlead; `bodies[i]`, or None, sits between segments i and i + 1.
+
+    anchor : (3,) m; bed : Bed, or None for a line over deep water; density : kg/m³; gravity : m/s²
+    The line counts as under water all along; bodies feel the surface.
+    """
+
+    segments: tuple[Segment, ...]
+    anchor: tuple[float, float, float]
+    bodies: tuple[Body | None, ...] = ()
+    bed: Bed | None = field(default_factory=Bed)
+    density: float = 1025.0
+    gravity: float = 9.80665
+
+    def __post_init__(self):
+        segments = (self.segments,) if isinstance(self.segments, Segment) else tuple(self.segments)
+        if not segments:
+            raise ValueError("a line has 0 segments; allowed: 1 or more")
+        bodies = tuple(self.bodies) or (None,) * (len(segments) - 1)
+        if len(bodies) != len(segments) - 1:
+            raise ValueError(f"a line of {len(segments)} segments has {len(bodies)} bodies; allowed: one less, or none")
+        anchor = np.asarray(self.anchor, float)
+        if anchor.shape != (3,) or not np.all(np.isfinite(anchor)):
+            raise ValueError(f"anchor is {self.anchor}; allowed: three finite numbers, m")
+        _check("density", self.density, 0.0)
+        _check("gravity", self.gravity, 0.0, strict=True)
+        if sum(s.elements for s in segments) < 2:
+            raise ValueError("a line has 1 element; allowed: 2 or more")
+        object.__setattr__(self, "segments", segments)
+        object.__setattr__(self, "bodies", bodies)
+        object.__setattr__(self, "anchor", tuple(map(float, anchor)))
+
+    def __repr__(self):
+        return f"<DynamicLine {self.length:.6g} m, {self.elements} elements, {len(self.segments)} segments>"
+
+    @property
+    def length(self):
+        """m, unstretched"""
+        return sum(s.length for s in self.segments)
+
+    @property
+    def elements(self):
+        """number of elements"""
+        return sum(s.elements for s in self.segments)
+
+    @cached_property
+    def nodes(self):
+        """(N + 1,) m, unstretched distance from the anchor"""
+        return np.concatenate([[0.0], np.cumsum(self._each(lambda s: s.size))])
+
+    def with_elements(self, factor):
+        """The same line with the elements of every segment times `factor`, at least 1 each and 2 in all."""
+        counts = [max(1, round(s.elements * factor)) for s in self.segments]
+        if sum(counts) < 2:
+            counts[0] = 2
+        return replace(self, segments=tuple(replace(s, elements=n) for s, n in zip(self.segments, counts, strict=True)))
+
+    @cached_property
+    def system(self):
+        """Arrays for the kernels."""
+        half, area = 0.5 * self._each(lambda s: s.size), self._each(lambda s: np.pi / 4 * s.diameter**2)
+        D, displaced = self._each(lambda s: s.diameter), self.density * area * half
+        added = displaced * self._each(lambda s: s.added_normal)
+        body = self._bodies()
+        half_mass = half * self._each(lambda s: s.mass)
+        line_weight = _to_nodes(half * self._each(lambda s: s.weight))
+        weight = line_weight + self.gravity * body["mass"]
+        mass = _to_nodes(half_mass) + body["mass"]
+        EA = self._each(lambda s: s.axial_stiffness)
+        load = np.abs(weight).sum()
+        return System(
+            length=2 * half,
+            stiffness=EA,
+            damping=self._each(lambda s: s.damping),
+            soft_strain=SOFT * load / EA,
+            half_mass=half_mass,
+            half_drag_normal=0.5 * self.density * D * half * self._each(lambda s: s.drag_normal),
+            half_drag_tangential=0.5 * self.density * np.pi * D * half * self._each(lambda s: s.drag_tangential),
+            half_added_normal=added,
+            half_added_tangential=displaced * self._each(lambda s: s.added_tangential),
+            half_displaced=displaced,
+            weight=weight,
+            mass=mass,
+            inertia=mass + _to_nodes(added) + body["added"],
+            body_nodes=np.flatnonzero(body["mass"] + body["displaced"]),
+            body_buoyancy=body["displaced"] * self.gravity,
+            body_radius=body["radius"],
+            body_drag=body["drag"],
+            body_added=body["added"],
+            body_displaced=body["displaced"],
+            **self._bed(_to_nodes(D * half), line_weight, weight - body["displaced"] * self.gravity),
+        )
+
+    def _bed(self, area, line_weight, weight):
+        """Contact of nodes; under a body it is as much stiffer as the node is heavier."""
+        if self.bed is None:
+            none = np.zeros_like(area)
+            return dict(
+                bed_stiffness=none,
+                bed_damping=none,
+                bed_thickness=none,
+                bed_normal=np.array([0.0, 0.0, 1.0]),
+                bed_level=0.0,
+                bed_friction=0.0,
+                bed_slip=1.0,
+            )
+        bed, heavier = self.bed, np.maximum(1.0, weight / np.where(line_weight > 0, line_weight, np.inf))
+        k = bed.stiffness * area * heavier
+        least = 1e-3 * self._each(lambda s: s.diameter).min()
+        return dict(
+            bed_stiffness=k,
+            bed_damping=bed.damping * area * heavier,
+            bed_thickness=np.maximum(2 * weight * bed.normal[2] / k, least),
+            bed_normal=bed.normal,
+            bed_level=float(bed.normal @ (np.array(self.anchor) - [0.0, 0.0, bed.below])),
+            bed_friction=float(bed.friction),
+            bed_slip=float(bed.slip),
+        )
+
+    def _each(self, value):
+        """(N,) a property of each element's segment"""
+        return np.concatenate([np.full(s.elements, value(s), float) for s in self.segments])
+
+    def _bodies(self):
+        found = {name: np.zeros(self.elements + 1) for name in ("mass", "displaced", "radius", "drag", "added")}
+        at = np.cumsum([s.elements for s in self.segments])[:-1]
+        for node, body in zip(at, self.bodies, strict=True):
+            if body is not None:
+                found["mass"][node] = body.mass
+                found["displaced"][node] = self.density * body.volume
+                found["radius"][node] = (0.75 * body.volume / np.pi) ** (1 / 3)
+                found["drag"][node] = 0.5 * self.density * body.drag_area
+                found["added"][node] = body.added_mass * self.density * body.volume
+        return found
+
+
+def _to_nodes(half):
+    """(N + 1,) sum of the halves on both sides of each node"""
+    return np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half])
+
+
+def _check(name, value, low, strict=False):
+    if not (np.isfinite(value) and (value > low if strict else value >= low)):
+        raise ValueError(f"{name} is {value:g}; allowed: finite, {'above' if strict else 'at least'} {low:g}")

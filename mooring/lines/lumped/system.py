@@ -1,0 +1,87 @@
+"""What the kernels know of a line: arrays per element, per node, and of the bed, the water and the fairlead's motion.
+
+N elements join nodes 0 (anchor) to N (fairlead).  Each element gives half of its length to either end node.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class System(NamedTuple):
+    """Per element (N,), with "half" meaning half an element; per node (N + 1,); bed as scalars and a vector."""
+
+    length: np.ndarray  # m, unstretched
+    stiffness: np.ndarray  # EA, N
+    damping: np.ndarray  # BA, N s
+    soft_strain: np.ndarray  # strain below which damping fades out
+    half_mass: np.ndarray  # kg
+    half_drag_normal: np.ndarray  # ½ρ C D ℓ/2, kg/m
+    half_drag_tangential: np.ndarray
+    half_added_normal: np.ndarray  # kg
+    half_added_tangential: np.ndarray
+    half_displaced: np.ndarray  # kg of water
+    weight: np.ndarray  # N, submerged weight of the line plus dry weight of the body at the node
+    mass: np.ndarray  # kg, line and body, without water
+    inertia: np.ndarray  # kg, with all added mass: scale of the error estimate
+    body_nodes: np.ndarray  # (b,) where the bodies are
+    body_buoyancy: np.ndarray  # N, wholly under water
+    body_radius: np.ndarray  # m, of the sphere of its volume
+    body_drag: np.ndarray  # ½ρ C_d A, kg/m
+    body_added: np.ndarray  # kg
+    body_displaced: np.ndarray  # kg of water
+    bed_stiffness: np.ndarray  # N/m; 0 without a bed
+    bed_damping: np.ndarray  # N s/m
+    bed_thickness: np.ndarray  # m, penetration of the node at rest
+    bed_normal: np.ndarray  # (3,)
+    bed_level: float  # n·r of the bed, where a line rests
+    bed_friction: float
+    bed_slip: float  # m, displacement at which friction is fully mobilised
+
+
+class Water(NamedTuple):
+    """Current at levels (k,), (k, 2) m/s, and waves: (w,) or (w, 2); depth may be inf."""
+
+    level: np.ndarray
+    current: np.ndarray
+    amplitude: np.ndarray
+    omega: np.ndarray
+    wavenumber: np.ndarray
+    heading: np.ndarray  # (w, 2) unit vectors
+    phase: np.ndarray  # rad, lag
+    depth: float
+    ramp: float  # s
+
+
+class Motion(NamedTuple):
+    """r(t) = piecewise cubics + ramp · Re Σ X exp(−iωt)."""
+
+    knots: np.ndarray  # (k + 1,) s
+    cubics: np.ndarray  # (k, 4, 3) coefficients of 1, τ, τ², τ³ with τ from the knot
+    omega: np.ndarray  # (m,)
+    real: np.ndarray  # (m, 3)
+    imag: np.ndarray  # (m, 3)
+    ramp: float  # s
+
+
+class Control(NamedTuple):
+    """Tolerances and step limits of a run."""
+
+    tolerance: float
+    tension: float  # N, least scale of tension
+    distance: float  # m, scale of position
+    longest: float  # s
+    shortest: float  # s
+
+
+class State(NamedTuple):
+    """Everything a run goes on from; arrays (N + 1, 3)."""
+
+    time: float
+    position: np.ndarray
+    velocity: np.ndarray
+    acceleration: np.ndarray
+    slip: np.ndarray  # m, elastic displacement of the bed friction
+    step: float

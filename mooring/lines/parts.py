@@ -1,0 +1,134 @@
+"""What a system of lines is made of: kinds of line, lines, anchors, fairleads, free points and floating bodies.
+
+All values SI, all frozen.  A `Fairlead` is given in the axes of its body, everything else in space.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from bem import DOFS
+
+
+class LineSystemError(ValueError):
+    """A system that cannot be: the message names the part, its value and what is allowed."""
+
+
+@dataclass(frozen=True)
+class LineType:
+    """What a line is made of.
+
+    weight : N/m submerged, below 0 where it floats; axial_stiffness : EA, N, may be inf
+    mass : kg/m in air; diameter : m, of a cylinder of the same volume; breaking_load, proof_load : N
+    """
+
+    name: str
+    weight: float
+    axial_stiffness: float = np.inf
+    mass: float | None = None
+    diameter: float | None = None
+    breaking_load: float = np.inf
+    proof_load: float | None = None
+    source: str = ""
+
+    def __post_init__(self):
+        _check(f"line type {self.name}: weight", self.weight, self.weight != 0, "finite, not 0 N/m")
+        for name in ("axial_stiffness", "breaking_load"):
+            value = getattr(self, name)
+            if not value > 0:
+                raise LineSystemError(f"line type {self.name}: {name} is {value:g} N; allowed: above 0")
+
+
+@dataclass(frozen=True)
+class SystemLine:
+    """A uniform line between two points, named by their names.  length : m, unstretched"""
+
+    name: str
+    type: LineType
+    length: float
+    a: str
+    b: str
+    bed_friction: float = 0.0
+
+    def __post_init__(self):
+        _check(f"line {self.name}: length", self.length, self.length > 0, "finite, above 0 m")
+        _check(f"line {self.name}: bed_friction", self.bed_friction, self.bed_friction >= 0, "finite, at least 0")
+
+
+@dataclass(frozen=True)
+class Anchor:
+    """A point that never moves: an anchor on the bed, a pile, a bollard.  position : (3,) m in space"""
+
+    name: str
+    position: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Fairlead:
+    """A point of a body.  position : (3,) m in the body's axes"""
+
+    name: str
+    body: str
+    position: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class FreePoint:
+    """A joint, sinker or buoy that goes where forces send it.
+
+    position : (3,) m, where the search for its place begins; mass : kg; volume : m³
+    height : m over which it comes out of the water, that of a sphere if not given; it may rest on the bed
+    """
+
+    name: str
+    position: tuple[float, float, float]
+    mass: float = 0.0
+    volume: float = 0.0
+    height: float | None = None
+
+    def __post_init__(self):
+        _check(f"point {self.name}: mass", self.mass, self.mass >= 0, "finite, at least 0 kg")
+        _check(f"point {self.name}: volume", self.volume, self.volume >= 0, "finite, at least 0 m³")
+        if self.height is not None:
+            _check(f"point {self.name}: height", self.height, self.height > 0, "finite, above 0 m")
+
+    @property
+    def emersion_height(self):
+        """m from just submerged to just out of the water"""
+        return self.height or (6 * self.volume / np.pi) ** (1 / 3) or 1.0
+
+
+@dataclass(frozen=True)
+class Body:
+    """A floating body.
+
+    position : (6,) m and rad at rest: x, y, z of its axes' origin, then roll, pitch and yaw, R = Rz Ry Rx
+    freedom : names of the motions that forces may cause, others are held
+    hydrostatic_stiffness : (6, 6) about the origin; heave, roll and pitch are used
+    load : (6,) N and N m, steady, in space axes about the moving origin
+    """
+
+    name: str
+    position: tuple[float, ...] = (0.0,) * 6
+    freedom: tuple[str, ...] = ("Surge", "Sway", "Yaw")
+    hydrostatic_stiffness: np.ndarray | None = field(default=None, compare=False)
+    load: tuple[float, ...] = (0.0,) * 6
+
+    def __post_init__(self):
+        unknown = set(self.freedom) - set(DOFS)
+        if unknown:
+            raise LineSystemError(f"body {self.name}: freedom {min(unknown)!r} is unknown; allowed: {', '.join(DOFS)}")
+        for name in ("position", "load"):
+            value = np.asarray(getattr(self, name), float)
+            if value.shape != (6,) or not np.all(np.isfinite(value)):
+                raise LineSystemError(f"body {self.name}: {name} is {getattr(self, name)}; allowed: six finite numbers")
+        stiffness = self.hydrostatic_stiffness
+        if stiffness is not None and np.shape(stiffness) != (6, 6):
+            raise LineSystemError(f"body {self.name}: hydrostatic_stiffness is {np.shape(stiffness)}; allowed: (6, 6)")
+
+
+def _check(what, value, good, allowed):
+    if not (np.isfinite(value) and good):
+        raise LineSystemError(f"{what} is {value:g}; allowed: {allowed}")

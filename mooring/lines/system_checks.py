@@ -1,0 +1,61 @@
+"""Whether the parts of a system fit together: names, ends, places; the first fault is one line."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .parts import Fairlead, LineSystemError
+
+ON_BED = 1e-6  # m: an anchor this close to the bed lies on it
+
+
+def check_system(system):
+    for name, allowed in (("depth", "m"), ("density", "kg/m³"), ("gravity", "m/s²")):
+        value = getattr(system, name)
+        if not 0 < value < np.inf:
+            raise LineSystemError(f"{name} is {value:g} {allowed}; allowed: above 0, finite")
+    _check_names("line", system.lines)
+    _check_names("point", system.points)
+    _check_names("body", system.bodies)
+    if not system.lines:
+        raise LineSystemError("the system has no lines; allowed: at least one")
+    _check_points(system)
+    _check_ends(system)
+
+
+def _check_names(what, parts):
+    seen = set()
+    for part in parts:
+        if part.name in seen:
+            raise LineSystemError(f"{what} name {part.name!r} is used twice; allowed: once")
+        seen.add(part.name)
+
+
+def _check_points(system):
+    bodies = {body.name for body in system.bodies}
+    for point in system.points:
+        if np.shape(point.position) != (3,) or not np.all(np.isfinite(point.position)):
+            raise LineSystemError(f"point {point.name}: position is {point.position}; allowed: three finite numbers")
+        if isinstance(point, Fairlead):
+            if point.body not in bodies:
+                known = ", ".join(sorted(bodies)) or "none, the system has no body"
+                raise LineSystemError(f"point {point.name}: body {point.body!r} is unknown; allowed: {known}")
+        elif point.position[2] < -system.depth - ON_BED:
+            raise LineSystemError(
+                f"point {point.name}: z is {point.position[2]:g} m; allowed: at or above the bed, {-system.depth:g} m"
+            )
+
+
+def _check_ends(system):
+    names = {point.name for point in system.points}
+    used = set()
+    for line in system.lines:
+        for end in (line.a, line.b):
+            if end not in names:
+                raise LineSystemError(f"line {line.name}: its end {end!r} is no point of the system")
+        if line.a == line.b:
+            raise LineSystemError(f"line {line.name}: both ends are at {line.a!r}; allowed: two different points")
+        used |= {line.a, line.b}
+    loose = [point.name for point in system.free_points if point.name not in used]
+    if loose:
+        raise LineSystemError(f"point {loose[0]!r} is free and no line holds it; allowed: at least one line")

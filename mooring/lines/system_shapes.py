@@ -1,0 +1,46 @@
+"""The shape of every line of a system at rest, for pictures and checks.
+
+From end a, with s the unstretched length, the vertical part of the tension is N(s) = −v_a + w s where the line
+hangs and 0 on the bed, and  dx/ds = H/T (1 + T/EA),  dz/ds = N/T (1 + T/EA):
+
+    x = (H/w) [asinh N/H] + H s/EA,    z = [T]/w + [N²]/2wEA.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def line_shapes(state, points=80):
+    """One (points, 3) m array for each line, from end a to end b of a SystemEquilibrium."""
+    return [_shape(state, i, points) for i in range(len(state.system.lines))]
+
+
+def _shape(state, i, count):
+    system, forces, line = state.system, state.lines, state.system.lines[i]
+    a, b = state.points[system.arrays[4][i]]
+    away = (b - a)[:2]
+    span = np.hypot(*away)
+    outward = away / span if span > 0 else np.array([1.0, 0.0])
+    w, flexibility = line.type.weight, 1 / line.type.axial_stiffness
+    if forces.status[i] == 2:
+        s = np.linspace(0, line.length, count)
+        x, z = _hung(forces.horizontal_b[i], -forces.vertical_a[i], s, w, flexibility)
+    else:
+        # a free piece at each end and the bed between their lift-off points
+        Sa, Sb = forces.vertical_a[i] / w, forces.vertical_b[i] / w
+        low = max(int(0.3 * count), 2)
+        xa, za = _hung(forces.horizontal_a[i], -forces.vertical_a[i], np.linspace(0, Sa, low), w, flexibility)
+        xb, zb = _hung(forces.horizontal_b[i], 0.0, np.linspace(0, Sb, count - low), w, flexibility)
+        x = np.concatenate([xa, span - xb[-1] + xb])
+        z = np.concatenate([za, b[2] - a[2] - zb[-1] + zb])
+    return np.column_stack([a[:2] + x[:, None] * outward, a[2] + z])
+
+
+def _hung(H, N0, s, weight, flexibility):
+    """x and z from the start of a free piece whose vertical tension starts at N0."""
+    N = N0 + weight * s
+    z = (np.hypot(H, N) - np.hypot(H, N0)) / weight + 0.5 * flexibility * (N * N - N0 * N0) / weight
+    if H <= 0:
+        return np.zeros_like(s), z
+    return H / weight * (np.arcsinh(N / H) - np.arcsinh(N0 / H)) + flexibility * H * s, z

@@ -1,0 +1,336 @@
+"""MoorDyn and MoorPy files: what is written is read back equal, and faults are named with line and section."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mooring.formats.fault import FormatError
+from mooring.formats.moordyn import MoorDynFile, moordyn_text, parse_moordyn, read_moordyn, write_moordyn
+from mooring.formats.moordyn_system import moordyn_of_system, renamed, system_of_moordyn
+from mooring.formats.moorpy import read_moorpy, system_of_moorpy
+from mooring.formats.results import channels_of_rest, read_channels, read_frames, write_channels
+from mooring.formats.yaml_subset import parse_yaml
+from mooring.lines.catalogue import line_type
+from mooring.lines.parts import Anchor, Body, Fairlead, FreePoint, SystemLine
+from mooring.lines.system import System
+from mooring.lines.system_equilibrium import rest
+
+VERSION_2 = """\
+--------------------- MoorDyn Input File ------------------------------------
+three lines, one with a clump and a bridle
+---------------------- LINE TYPES --------------------------------------------
+TypeName   Diam     Mass/m     EA           BA/-zeta     EI         Cd     Ca     CdAx   CaAx
+(name)     (m)      (kg/m)     (N)          (N-s/-)      (N-m^2)    (-)    (-)    (-)    (-)
+chain      0.1378   122.54     653.3E6      -0.8         0          1.37   1.0    0.64   0.5
+rope       0.12     12.0       2.5E7|4.0E7  1e5|2e5      0          1.2    1.0    0.0    0.0
+---------------------- ROD TYPES ---------------------------------------------
+TypeName   Diam     Mass/m     Cd     Ca     CdEnd    CaEnd
+(name)     (m)      (kg/m)     (-)    (-)    (-)      (-)
+---------------------- BODIES ------------------------------------------------
+ID   Attachment  X0     Y0    Z0     r0    p0    y0    Mass   CG*    I*    Volume   CdA*   Ca*
+(#)  (-)         (m)    (m)   (m)    (deg) (deg) (deg) (kg)   (m)    (kg-m^2) (m^3) (m^2)  (-)
+1    Coupled     0      0     0      0     0     30    0      0      0     0        0      0
+---------------------- POINTS ------------------------------------------------
+ID   Attachment  X       Y       Z       Mass    Volume  CdA    Ca
+(#)  (-)         (m)     (m)     (m)     (kg)    (m^3)   (m^2)  (-)
+1    Fixed       -300    0       -70     0       0       0      0
+2    Free        -60     0       -30     2.5d3   0.4     0      0
+3    Body1       -20     5       -4      0       0       0      0
+4    Body1       -20     -5      -4      0       0       0      0
+5    Anchor      280     160     -70     0       0       0      0
+6    B1          20      0       -4      0       0       0      0
+7    Fixed       280     -160    -70     0       0       0      0
+---------------------- LINES -------------------------------------------------
+ID   LineType  AttachA  AttachB  UnstrLen  NumSegs  LineOutputs
+(#)  (name)    (#)      (#)      (m)       (-)      (-)
+1    chain     1        2        250.5     25       p
+2    rope      2        3        52        10       -
+3    rope      P2       Point4   52        10       p t
+4    chain     5        6        315       30       -
+5    chain     7        6        315       30       -
+---------------------- FAILURE -----------------------------------------------
+FailureID  Point  Line(s)  FailTime  FailTen
+()         ()     (,)      (s)       (N)
+1          2      1        0         2e6
+---------------------- OPTIONS -----------------------------------------------
+0.001    dtM      time step to use in mooring integration (s)
+3.0e6    kBot
+3.0e5    cBot
+70       WtrDpth  water depth (m)
+1000     rhoW
+---------------------- OUTPUTS -----------------------------------------------
+FairTen1
+AnchTen1 Point2pz
+--------------------- need this line ------------------------------------------
+"""
+VERSION_1 = """\
+MoorDyn file of version 1
+True  Echo
+------------------------- LINE TYPES --------------------------------------------------
+LineType  Diam   MassDen   EA        BA/-zeta   Can   Cat   Cdn   Cdt
+(-)       (m)    (kg/m)    (N)       (Pa-s/-)   (-)   (-)   (-)   (-)
+nylon     0.124  13.76     2515288.0 -0.8       1.0   0.0   1.6   0.05
+----------------------- CONNECTION PROPERTIES -----------------------------------------
+Node   Type    X      Y     Z     M    V    FX   FY   FZ   CdA   Ca
+(-)    (-)     (m)    (m)   (m)   (kg) (m3) (kN) (kN) (kN) (m2)  (-)
+1      Fix     -60.   0.    -40.  0    0    0    0    0    0     0
+2      Vessel  -5.    0.    0.    0    0    0    0    0    0     0
+3      Connect -30.   0.    -20.  150  0.1  0    0    0    0     0
+-------------------------- LINE PROPERTIES --------------------------------------------
+Line   LineType   UnstrLen   NumSegs   NodeAnch   NodeFair   Flags/Outputs
+(-)    (-)        (m)        (-)       (-)        (-)        (-)
+1      nylon      38.0       20        1          3          p
+2      nylon      32.0       20        3          2          p
+-------------------------- SOLVER OPTIONS ---------------------------------------------
+40      WtrDpth
+-------------------------- OUTPUTS ----------------------------------------------------
+FairTen2
+------------------------- need this line ------------------------------------------
+"""
+YAML = """\
+# a taut leg, as MoorPy writes it
+water_depth: 200   # m
+water_density: 1025.0
+line_types:
+  - name: poly
+    diameter: 0.14
+    mass_density: 23.2      # kg/m
+    stiffness: 1.4e8
+    breaking_load: 7.0e+06
+  -   {name: 'chain 84', diameter: 0.151, mass_density: 141, stiffness: 6.0E8}
+points:
+  - name: anchor1
+    type: fixed
+    location: [-800, 0, -200]
+    anchor_type: drag
+  - name: joint
+    type: free
+    location: [ -300.5,
+                0, -120 ]
+    mass: 500
+  - {name: fair, type: vessel, location: [-20, 0, -14]}
+lines:
+- name: lower
+  endA: anchor1
+  endB: joint
+  type: "chain 84"
+  length: 520
+- name: upper
+  endA: joint
+  endB: fair
+  type: poly
+  length: 315
+anchor_types:
+  - name: drag
+    mass: 1000
+"""
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        VERSION_2.replace("--------------------- need this line", "--- END"),
+        VERSION_1.replace("------------------------- need this line", "--- END"),
+    ],
+)
+def test_a_moordyn_file_read_written_and_read_again_is_the_same(tmp_path, text):
+    first = parse_moordyn(text)
+    write_moordyn(first, tmp_path / "lines.txt")
+    again = read_moordyn(tmp_path / "lines.txt")
+    assert replace(again, title=()) == replace(first, title=())
+    assert moordyn_text(again) == moordyn_text(first)
+
+
+def test_version_2_says_what_it_says():
+    file = parse_moordyn(VERSION_2)
+    assert file.line_types[1].EA == "2.5E7|4.0E7" and file.points[1].mass == 2500.0
+    assert file.lines[2].b == "Point4" and file.lines[2].outputs == "pt"
+    assert file.options["WtrDpth"] == "70" and file.outputs == ("FairTen1", "AnchTen1", "Point2pz")
+    assert file.failures[0].tension == 2e6 and file.bodies[0].yaw0 == 30.0
+
+
+def test_version_1_columns_are_found_by_their_names():
+    file = parse_moordyn(VERSION_1)
+    kind = file.line_types[0]
+    assert (kind.Ca, kind.CaAx, kind.Cd, kind.CdAx) == (1.0, 0.0, 1.6, 0.05)
+    assert file.points[2].attachment == "Connect" and file.points[2].volume == 0.1
+    assert (file.lines[0].a, file.lines[0].b, file.lines[0].length) == ("1", "3", 38.0)
+
+
+def test_the_system_of_a_file_comes_to_rest():
+    for text in (VERSION_1, VERSION_2):
+        system = system_of_moordyn(parse_moordyn(text))
+        state = rest(system)
+        assert np.abs(state.residual).max() < 1e-9 * state.tension.sum()
+
+
+def test_submerged_weight_is_mass_less_the_water_that_the_line_takes_the_place_of():
+    system = system_of_moordyn(parse_moordyn(VERSION_2))
+    weight = system.lines[0].type.weight
+    assert weight == pytest.approx((122.54 - 1000 * np.pi / 4 * 0.1378**2) * 9.80665)
+    assert system_of_moorpy(parse_yaml(YAML)).lines[1].type.weight == pytest.approx(
+        (23.2 - 1025 * np.pi / 4 * 0.14**2) * 9.80665
+    )
+
+
+def bridle():
+    chain, rope = line_type("R3 studless 76 mm"), line_type("polyester 120 mm")
+    return System(
+        60.0,
+        [SystemLine("chain", chain, 180.0, "anchor", "buoy", 0.4), SystemLine("bow", rope, 40.0, "buoy", "bow", 0.4)],
+        [
+            Anchor("anchor", (220.0, 10.0, -60.0)),
+            FreePoint("buoy", (70.0, 0.0, -2.0), 5e3, 20.0),
+            Fairlead("bow", "barge", (30.0, 1.0, 1.0)),
+        ],
+        [Body("barge", (0.0, 0.0, 0.0, 0.0, 0.0, 0.1), load=(-5e4, 0, 0, 0, 0, 0))],
+    )
+
+
+def test_a_system_written_for_moordyn_and_read_back_has_the_same_forces():
+    system = bridle()
+    again = system_of_moordyn(parse_moordyn(moordyn_text(moordyn_of_system(system))))
+    plain = renamed(system)
+    assert [(line.name, line.a, line.b, line.length) for line in again.lines] == [
+        (line.name, line.a, line.b, line.length) for line in plain.lines
+    ]
+    assert np.allclose(again.load().stiffness, system.load().stiffness, rtol=1e-9)
+    assert np.allclose(again.load().force, system.load().force, rtol=1e-9)
+
+
+FAULTS = [
+    ("122.54     653.3E6", "abc     653.3E6",
+     "line 6, section LINE TYPES: mass is 'abc'; allowed: a number"),
+    ("1        2        250.5     25       p", "1        9        250.5     25       p",
+     "section LINES: line 1: its end 9 is no point"),
+    ("1    chain     1 ", "1    chane     1 ", "section LINES: line 1: type 'chane' is unknown; allowed: chain, rope"),
+    ("250.5     25 ", "250.5     2.5 ", "segments is 2.5; allowed: a whole number"),
+    ("2    Free        -60     0       -30     2.5d3   0.4     0      0", "2  Free",
+     "section POINTS: 2 entries, x is missing"),
+    ("2    Free  ", "1    Free  ", "section POINTS: id 1 is used twice"),
+    ("- LINES -", "- LNIES -", "section LNIES"),
+    ("- OUTPUTS -", "- LINES -", "section LINES: is there twice"),
+    ("70       WtrDpth  water depth (m)", "70", "section OPTIONS: '70' is not a value and a name"),
+    ("- LINES -", "- OUTPUTS -", "is there twice"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "message"), FAULTS)
+def test_a_faulty_file_names_line_and_section(tmp_path, old, new, message):
+    (tmp_path / "bad.txt").write_text(VERSION_2.replace(old, new, 1))
+    with pytest.raises(FormatError) as fault:
+        read_moordyn(tmp_path / "bad.txt")
+    assert message in str(fault.value) and "bad.txt line" in str(fault.value) and "\n" not in str(fault.value)
+
+
+REFUSED = [
+    ("70       WtrDpth", "bathy.txt WtrDpth", "WtrDpth is 'bathy.txt'; allowed: a number"),
+    ("70       WtrDpth  water depth (m)\n", "", "WtrDpth is missing"),
+    ("653.3E6 ", "table.txt ", "EA of chain is 'table.txt'"),
+    ("3    Body1 ", "3    Turbine1 ", "attachment of point 3 is 'Turbine1'"),
+    ("0      0     0      0     0     30 ", "0      0     0      5     0     30 ", "2 angles that are not 0"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "message"), REFUSED)
+def test_what_statics_cannot_represent_is_refused_by_name(old, new, message):
+    with pytest.raises(FormatError, match="allowed") as fault:
+        system_of_moordyn(parse_moordyn(VERSION_2.replace(old, new, 1)))
+    assert message in str(fault.value)
+
+
+def test_an_empty_or_missing_file_is_one_line(tmp_path):
+    (tmp_path / "empty.txt").write_text("")
+    for path, message in (("empty.txt", "no section LINES"), ("none.txt", "does not exist"), (".", "cannot be read")):
+        with pytest.raises(FormatError, match=message):
+            read_moordyn(tmp_path / path)
+
+
+def test_yaml_of_moorpy_is_understood(tmp_path):
+    (tmp_path / "leg.yaml").write_text(YAML)
+    system = read_moorpy(tmp_path / "leg.yaml")
+    assert (system.depth, len(system.lines), system.points[1].position) == (200.0, 2, (-300.5, 0.0, -120.0))
+    assert system.lines[0].type.name == "chain 84" and system.lines[1].type.breaking_load == 7e6
+    state = rest(system)
+    assert np.abs(state.residual).max() < 1e-9 * state.tension.sum()
+
+
+def test_the_mooring_of_a_raft_design_is_found_inside_it():
+    data = parse_yaml(YAML)
+    assert system_of_moorpy({"site": {"water_depth": 1}, "mooring": data}).depth == 200
+
+
+def test_yaml_scalars_and_collections():
+    text = "a: 1\nb: 1e3\nc: -.5\nd: 'x: y'\ne: true\nf:\ng: [1, [2, {h: 3}], \"t, u\"]\nh: word with blanks # note\n"
+    assert parse_yaml(text) == {
+        "a": 1,
+        "b": 1000.0,
+        "c": -0.5,
+        "d": "x: y",
+        "e": True,
+        "f": None,
+        "g": [1, [2, {"h": 3}], "t, u"],
+        "h": "word with blanks",
+    }
+    assert parse_yaml("- 1\n- - 2\n  - 3\n-\n  a: 4\n") == [1, [2, 3], {"a": 4}]
+    assert parse_yaml("") is None
+
+
+YAML_FAULTS = [
+    ("a: &x 1", "line 1: '&x' is YAML that is not read here"),
+    ("a: 1\na: 2", "line 2: key 'a' is there twice"),
+    ("a: [1, 2", "line 1: a bracket is opened and not closed"),
+    ("a: 1\n   b: 2", "line 2: is indented differently"),
+    ("a:\n  - b: 1\n    c", "line 3: 'c' is not a key and its value"),
+    ("a: |\n  text", "line 1: '|' is YAML that is not read here"),
+    ("a: 'x", "a quotation mark is opened"),
+]
+
+
+@pytest.mark.parametrize(("text", "message"), YAML_FAULTS)
+def test_yaml_outside_the_subset_is_refused_with_its_line(text, message):
+    with pytest.raises(FormatError) as fault:
+        parse_yaml(text)
+    assert message in str(fault.value)
+
+
+MOORPY_FAULTS = [
+    ("stiffness: 1.4e8", "stiffness: soft", "stiffness of line type poly is 'soft'; allowed: a number"),
+    ("length: 315", "lenght: 315", "lines[1].lenght is unknown; allowed: endA"),
+    ("type: poly", "type: silk", "type of line upper is 'silk'; allowed: poly, chain 84"),
+    ("location: [-800, 0, -200]", "location: [-800, 0]", "location of point anchor1 is [-800, 0]"),
+    ("water_depth: 200", "depht: 200", "water_depth of the file is missing"),
+    ("type: free", "type: loose", "type of point joint is 'loose'"),
+    ("endB: joint", "endB: knee", "its end 'knee' is no point of the system"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "message"), MOORPY_FAULTS)
+def test_a_faulty_moorpy_file_names_what_is_wrong(old, new, message):
+    with pytest.raises(ValueError) as fault:
+        system_of_moorpy(parse_yaml(YAML.replace(old, new, 1)))
+    assert message in str(fault.value) and "\n" not in str(fault.value)
+
+
+def test_channels_are_stored_under_moordyns_names(tmp_path):
+    state = rest(bridle())
+    path = tmp_path / "rest.h5"
+    frames = (np.arange(3.0), np.zeros((3, 5, 3)))
+    write_channels(path, 0.0, channels_of_rest(state), {"lines": state.system.line_names}, frames)
+    found = read_channels(path)
+    assert found["FairTen1"][0] == state.lines.tension_b[0] and found["AnchTen2"][0] == state.lines.tension_a[1]
+    assert found["Point2PZ"][0] == state.pose.free[0, 2] and found["Body1PX"][0] == state.position[0, 0]
+    assert np.array_equal(read_frames(path)[1], frames[1])
+    with pytest.raises(FormatError, match="FairTen1 has 1 values; allowed: 4"):
+        write_channels(path, np.arange(4), channels_of_rest(state))
+    (tmp_path / "mine.txt").write_text("kept")
+    with pytest.raises(FormatError, match="is not replaced"):
+        write_channels(tmp_path / "mine.txt", 0.0, {})
+    assert (tmp_path / "mine.txt").read_text() == "kept"
+
+
+def test_an_unknown_type_of_file_has_no_lines():
+    with pytest.raises(FormatError, match="no section LINES"):
+        parse_moordyn("hello\nworld")
+    assert MoorDynFile().option("g") is None

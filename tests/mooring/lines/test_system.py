@@ -1,0 +1,612 @@
+"""Systems of lines: published stiffnesses, exact tangents, equilibrium, supports, loss of a line."""
+
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from bem import DOFS
+from mooring.equilibrium import find_equilibrium, mooring_load
+from mooring.layout import Layout, Line
+from mooring.lines.bodies import angles, cross_matrix, heading, hydrostatic_load, rotation, turned
+from mooring.lines.parts import Anchor, Body, Fairlead, FreePoint, LineSystemError, LineType, SystemLine
+from mooring.lines.system import System, system_of_layout
+from mooring.lines.system_equilibrium import EquilibriumError, held_at, moved, rest
+from mooring.lines.system_shapes import line_shapes
+from mooring.lines.system_studies import (
+    about_body_axes,
+    balanced,
+    moored_periods,
+    mooring_stiffness,
+    offset_curve,
+    one_line_broken,
+)
+
+ROOT = Path(__file__).parents[3]
+CHAIN = LineType("chain", 1000.0, 5e8, breaking_load=4e6)
+ROPE = LineType("rope", 60.0, 2e7, breaking_load=2e6)
+
+
+def turbine(depth, anchor_radius, fairlead_radius, fairlead_z, length, weight, stiffness, headings_deg):
+    """Three equal lines of a floating wind turbine, fairleads about the point at still water on its axis."""
+    angle = np.radians(headings_deg)
+    kind = LineType("line", weight, stiffness)
+    points, lines = [], []
+    for i, (c, s) in enumerate(zip(np.cos(angle), np.sin(angle), strict=True)):
+        points.append(Anchor(f"A{i}", (anchor_radius * c, anchor_radius * s, -depth)))
+        points.append(Fairlead(f"F{i}", "platform", (fairlead_radius * c, fairlead_radius * s, fairlead_z)))
+        lines.append(SystemLine(f"L{i}", kind, length, f"A{i}", f"F{i}"))
+    return System(depth, lines, points, (Body("platform", freedom=DOFS),))
+
+
+OC3 = turbine(320.0, 853.87, 5.2, -70.0, 902.2, 698.094, 384.243e6, (180, 60, 300))
+# the definition prints 835.5 m; the published matrix is that of 835.35 m, the length in the files of the model
+OC4 = turbine(200.0, 837.6, 40.868, -14.0, 835.35, 108.63 * 9.80665, 753.6e6, (60, 180, 300))
+SHIFT, TURN = 0.2 * np.pi / 180 / 0.01, 2 * np.pi / 180  # perturbations of FAST v7's linearization
+
+
+def central_differences(system, pose, shift, turn, at_angle):
+    """(N, N) −Δforce/2Δ; at_angle(turn) is the angle that a rotation coordinate of that value stands for."""
+    load = system.total_load(pose)
+    size = len(load.force)
+    bodies = 6 * len(system.bodies)
+    K = np.zeros((size, size))
+    for j in range(size):
+        rotates = j < bodies and j % 6 > 2
+        value = turn if rotates else shift
+        step = np.zeros(size)
+        step[j] = at_angle(value) if rotates else value
+        forces = [system.total_load(moved(system, pose, sign * step)).force for sign in (1, -1)]
+        K[:, j] = -(forces[0] - forces[1]) / (2 * value)
+    return K
+
+
+def fourth_order(system, pose, h=2e-3):
+    """(N, N) stiffness by differences of fourth order"""
+    scale = max([np.linalg.norm(p.position) for p in system.points if isinstance(p, Fairlead)] + [1.0])
+    fine, coarse = (central_differences(system, pose, step, step / scale, lambda angle: angle) for step in (h, 2 * h))
+    return (4 * fine - coarse) / 3
+
+
+def assert_prints(value, printed, digits):
+    """The value rounds to the printed figure."""
+    unit = 10.0 ** (np.floor(np.log10(abs(printed))) + 1 - digits)
+    assert round(value / unit) == round(printed / unit), (value, printed)
+
+
+# Published: Jonkman, Definition of the Floating System for Phase IV of OC3, NREL/TP-500-47535 (2010), eq. 5-3, without
+# its additional yaw spring; Robertson et al., Definition of the Semisubmersible Floating System for Phase II of OC4,
+# NREL/TP-5000-60601 (2014), section 5.  Both come out of FAST v7's central differences, 2 deg and 0.349 m, of angles
+# taken through its orthonormal small-rotation matrix (tan), about still water on the axis: hence column 5 of row 1 is
+# not row 5 of column 1.  digits: as printed.
+PUBLISHED = [
+    (OC3, 4, {(0, 0): 41180, (1, 1): 41180, (2, 2): 11940, (3, 3): 3.111e8, (4, 4): 3.111e8, (5, 5): 1.156e7}),
+    (OC3, 4, {(0, 4): -2.821e6, (1, 3): 2.821e6, (3, 1): 2.816e6, (4, 0): -2.816e6}),
+    (OC4, 3, {(0, 0): 7.08e4, (1, 1): 7.08e4, (2, 2): 1.91e4, (3, 3): 8.73e7, (4, 4): 8.73e7, (5, 5): 1.17e8}),
+    (OC4, 3, {(0, 4): -1.08e5, (1, 3): 1.08e5}),
+]
+
+
+@pytest.mark.parametrize(("system", "digits", "printed"), PUBLISHED)
+def test_published_stiffness_is_reproduced_to_every_printed_digit(system, digits, printed):
+    K = central_differences(system, system.pose, SHIFT, TURN, np.arctan)
+    for place, value in printed.items():
+        assert_prints(K[place], value, digits)
+
+
+def test_preload_of_oc3_is_the_published_one():
+    assert_prints(OC3.load().force[2], -1_607_000, 4)
+
+
+@pytest.mark.parametrize("system", [OC3, OC4])
+def test_stiffness_without_friction_and_at_rest_is_symmetric(system):
+    K = system.load().stiffness
+    unit = np.sqrt(np.abs(np.diag(K)))
+    assert np.abs((K - K.T) / np.outer(unit, unit)).max() < 1e-12
+
+
+@pytest.mark.parametrize("system", [OC3, OC4])
+def test_stiffness_is_the_limit_of_the_published_differences(system):
+    K, scale = system.load().stiffness, np.sqrt(np.abs(np.diag(system.load().stiffness)))
+    wrong = []
+    for part in (1.0, 0.5, 0.25):
+        D = central_differences(system, system.pose, part * SHIFT, part * TURN, np.arctan)
+        wrong.append(np.abs((D - K) / np.outer(scale, scale)).max())
+    orders = np.log2(np.divide(wrong[:-1], wrong[1:]))
+    assert np.all(np.abs(orders - 2) < 0.1), orders
+
+
+def eight_lines(freedom=DOFS, load=(2e5, 1e5, 1e6, 0.0, 0.0, 2e6)):
+    points, lines = [], []
+    for i, a in enumerate(np.radians([20, 60, 120, 160, 200, 240, 300, 340])):
+        points.append(Anchor(f"A{i}", (600 * np.cos(a), 600 * np.sin(a), -100.0)))
+        points.append(Fairlead(f"F{i}", "ship", (50 * np.cos(a), 20 * np.sin(a), -5.0)))
+        lines.append(SystemLine(f"L{i}", CHAIN, 595.0, f"A{i}", f"F{i}"))
+    C = np.zeros((6, 6))
+    C[2:5, 2:5] = [[3e7, 0, 1e7], [0, 5e9, 0], [1e7, 0, 3e10]]
+    return System(100.0, lines, points, (Body("ship", freedom=freedom, hydrostatic_stiffness=C, load=load),))
+
+
+def catalogue_of_systems():
+    """Bridle on a buoy, chain with sinker and hawser, two bodies side by side on a shared buoy."""
+    bridle = System(
+        60.0,
+        [
+            SystemLine("chain", CHAIN, 180.0, "anchor", "buoy"),
+            SystemLine("port", ROPE, 40.0, "buoy", "port bow"),
+            SystemLine("starboard", ROPE, 40.0, "buoy", "starboard bow"),
+            SystemLine("stern", CHAIN, 260.0, "stern anchor", "stern"),
+        ],
+        [
+            Anchor("anchor", (220.0, 10.0, -60.0)),
+            FreePoint("buoy", (70.0, 0.0, -2.0), mass=5e3, volume=20.0),
+            Fairlead("port bow", "barge", (30.0, 10.0, 1.0)),
+            Fairlead("starboard bow", "barge", (30.0, -10.0, 1.0)),
+            Fairlead("stern", "barge", (-30.0, 0.0, 1.0)),
+            Anchor("stern anchor", (-270.0, 0.0, -60.0)),
+        ],
+        [Body("barge", load=(-5e4, 2e4, 0, 0, 0, 0))],
+    )
+    two = System(
+        80.0,
+        [
+            SystemLine("west", CHAIN, 300.0, "W", "west ship"),
+            SystemLine("between", ROPE, 70.0, "west in", "float"),
+            SystemLine("between too", ROPE, 70.0, "float", "east in"),
+            SystemLine("down", CHAIN, 75.0, "sinker", "float"),
+            SystemLine("guy", CHAIN, 90.0, "G", "sinker"),
+            SystemLine("east", CHAIN, 300.0, "east ship", "E"),
+            SystemLine("north", CHAIN, 300.0, "west north", "NW"),
+            SystemLine("north too", CHAIN, 300.0, "east north", "NE"),
+        ],
+        [
+            Anchor("W", (-360.0, -60.0, -80.0)),
+            Anchor("E", (360.0, -70.0, -80.0)),
+            Anchor("NW", (-200.0, 250.0, -80.0)),
+            Anchor("NE", (200.0, 250.0, -80.0)),
+            Anchor("G", (0.0, -90.0, -80.0)),
+            Fairlead("west ship", "west hull", (-20.0, 0.0, 0.0)),
+            Fairlead("west in", "west hull", (20.0, 0.0, 0.0)),
+            Fairlead("west north", "west hull", (0.0, 10.0, 0.0)),
+            Fairlead("east ship", "east hull", (20.0, 0.0, 0.0)),
+            Fairlead("east in", "east hull", (-20.0, 0.0, 0.0)),
+            Fairlead("east north", "east hull", (0.0, 10.0, 0.0)),
+            FreePoint("float", (0.0, 0.0, -5.0), mass=1e4, volume=60.0),
+            FreePoint("sinker", (0.0, -20.0, -78.0), mass=3e4, volume=4.0),
+        ],
+        [Body("west hull", (-80.0, 0, 0, 0, 0, 0)), Body("east hull", (80.0, 0, 0, 0, 0, 0.1))],
+    )
+    return {"eight lines": eight_lines(), "bridle": bridle, "two bodies": two}
+
+
+SYSTEMS = catalogue_of_systems()
+
+
+@pytest.fixture(scope="module", params=SYSTEMS)
+def at_rest(request):
+    return rest(SYSTEMS[request.param])
+
+
+def test_nothing_is_left_at_rest(at_rest):
+    assert np.abs(at_rest.residual).max() < 1e-9 * at_rest.tension.sum()
+    again = at_rest.system.total_load(at_rest.pose).force
+    assert np.abs(again[at_rest.moving]).max() < 1e-9 * at_rest.tension.sum()
+
+
+def test_all_forces_on_the_system_together_vanish(at_rest):
+    """Weight, buoyancy, bed and anchors hold what the loads pull: summed from the ends of the lines alone."""
+    system, lines = at_rest.system, at_rest.lines
+    ends = system.arrays[4]
+    away = (at_rest.points[ends[:, 1]] - at_rest.points[ends[:, 0]])[:, :2]
+    away /= np.linalg.norm(away, axis=1)[:, None]
+    held = {i for i, p in enumerate(system.points) if isinstance(p, Anchor)}
+    at_anchor = sum(
+        (h * sign * u for (a, b), u, ha, hb in zip(ends, away, lines.horizontal_a, lines.horizontal_b, strict=True)
+         for end, h, sign in ((a, ha, 1), (b, hb, -1)) if end in held),
+        np.zeros(2),
+    )  # fmt: skip
+    loads = sum((np.asarray(body.load[:2]) for body in system.bodies), np.zeros(2))
+    assert np.allclose(at_anchor, loads, atol=1e-8 * at_rest.tension.sum())
+
+
+def test_stiffness_is_that_of_finite_differences_to_1e6(at_rest):
+    K = at_rest.stiffness
+    D = fourth_order(at_rest.system, at_rest.pose)
+    # a point held on the bed cannot be pushed below it, and its own height is no freedom
+    free = at_rest.moving | (np.arange(len(K)) < 6 * len(at_rest.system.bodies))
+    scale = np.sqrt(np.abs(np.diag(K))) + 1.0
+    wrong = np.abs((D - K) / np.outer(scale, scale))[np.ix_(free, free)]
+    assert wrong.max() < 1e-6
+
+
+def test_condensed_stiffness_is_the_force_of_a_small_motion_with_everything_else_at_rest_anew(at_rest):
+    system = at_rest.system
+    for i, body in enumerate(system.bodies):
+        K = mooring_stiffness(at_rest, body.name)
+        own = slice(6 * i, 6 * i + 6)
+
+        def force(j, step, i=i, own=own):
+            whole = np.zeros(len(at_rest.force))
+            whole[6 * i + j] = step
+            pose = moved(system, at_rest.pose, whole)
+            held = replace(
+                system, bodies=[replace(b, freedom=() if n == i else b.freedom) for n, b in enumerate(system.bodies)]
+            )
+            found = rest(held, pose)
+            return held.load(found.pose).force[own]
+
+        scale = np.sqrt(np.abs(np.diag(K))) + 1.0
+        for j in range(6):
+            h = 2e-2 if j < 3 else 1e-3
+            column = -(8 * (force(j, h) - force(j, -h)) - (force(j, 2 * h) - force(j, -2 * h))) / (12 * h)
+            assert np.abs((column - K[:, j]) / scale / scale[j]).max() < 1e-6, DOFS[j]
+
+
+def asymmetry(system, pose):
+    """Largest part of K − K' that the moments of the lines do not explain, as a share of the stiffness.
+
+    Forces from an energy have K − K' = S(M) in the rotations of a body about space axes, and no more.
+    """
+    load = system.load(pose)
+    D = load.stiffness - load.stiffness.T
+    for i in range(len(system.bodies)):
+        turns = slice(6 * i + 3, 6 * i + 6)
+        D[turns, turns] -= cross_matrix(load.force[turns])
+    scale = np.sqrt(np.abs(np.diag(load.stiffness))) + 1.0
+    return np.abs(D / np.outer(scale, scale)).max()
+
+
+def test_stiffness_without_friction_is_reciprocal_also_with_free_buoys(at_rest):
+    assert asymmetry(at_rest.system, at_rest.pose) < 1e-10
+
+
+def test_friction_on_the_bed_leaves_the_stiffness_of_inextensible_lines_reciprocal_and_of_others_not():
+    def with_friction(axial_stiffness):
+        kind = replace(CHAIN, axial_stiffness=axial_stiffness)
+        lines = tuple(replace(line, bed_friction=0.5, type=kind) for line in eight_lines().lines)
+        return replace(eight_lines(), lines=lines)
+
+    assert asymmetry(*(lambda s: (s.system, s.pose))(rest(with_friction(np.inf)))) < 1e-10
+    assert asymmetry(*(lambda s: (s.system, s.pose))(rest(with_friction(5e7)))) > 1e-6
+
+
+def test_the_layout_of_one_body_gives_the_same_forces_and_equilibrium():
+    lines = [
+        Line(
+            f"L{i}",
+            (500 * np.cos(a), 450 * np.sin(a), -90.0),
+            (40 * np.cos(a), 15 * np.sin(a), -3.0),
+            490.0,
+            800.0,
+            3e8,
+            0.3,
+        )
+        for i, a in enumerate(np.radians([30, 75, 140, 200, 250, 320]))
+    ]
+    layout, force = Layout(lines), np.array([3e5, -2e5, 4e6])
+    system = system_of_layout(layout, 90.0)
+    one = mooring_load(layout, (1.0, -2.0, 0.05), (0.0, 0.0, 0.0))
+    other = held_at(system, {"body": (1.0, -2.0, 0, 0, 0, 0.05)}).load()
+    assert np.allclose(one.force, other.force, rtol=1e-10, atol=1e-3)
+    assert np.allclose(one.stiffness, other.stiffness, rtol=1e-8, atol=1e-3)
+    expected = find_equilibrium(layout, force)
+    found = rest(system.with_loads({"body": (*force[:2], 0, 0, 0, force[2])}))
+    assert np.allclose(found.position[0, [0, 1, 5]], expected.position, rtol=1e-8, atol=1e-10)
+
+
+def test_a_sinker_too_light_is_lifted_and_one_too_heavy_rests_on_the_bed():
+    def chain_with(mass, ship):
+        return System(
+            50.0,
+            [
+                SystemLine("ground", CHAIN, 100.0, "anchor", "sinker"),
+                SystemLine("riser", CHAIN, 70.0, "sinker", "ship"),
+            ],
+            [
+                Anchor("anchor", (0.0, 0.0, -50.0)),
+                FreePoint("sinker", (100.0, 0.0, -49.0), mass=mass),
+                Fairlead("ship", "ship", (0.0, 0.0, 0.0)),
+            ],
+            [Body("ship", (ship, 0, 0, 0, 0, 0), freedom=())],
+        )
+
+    light, heavy = rest(chain_with(1e3, 158.0)), rest(chain_with(2e5, 145.0))
+    assert not light.on_bed[0] and light.pose.free[0, 2] > -50.0 and light.bed_reaction[0] == 0
+    assert heavy.on_bed[0] and heavy.pose.free[0, 2] == -50.0
+    weight, pulled = 2e5 * 9.80665, -heavy.lines.vertical_a[1]
+    assert heavy.bed_reaction[0] == pytest.approx(weight - pulled, rel=1e-9) and pulled > 0
+    assert heavy.lines.horizontal_b[0] == pytest.approx(heavy.lines.horizontal_a[1], rel=1e-9)
+
+
+def test_a_buoy_floats_where_its_volume_carries_its_weight_and_its_chain():
+    mooring = System(
+        40.0,
+        [SystemLine("chain", CHAIN, 45.0, "anchor", "buoy")],
+        [Anchor("anchor", (0.0, 0.0, -40.0)), FreePoint("buoy", (1.0, 0.0, 0.0), mass=2e3, volume=20.0, height=2.0)],
+    )
+    found = rest(mooring)
+    z = found.pose.free[0, 2]
+    under = 20.0 * (0.5 - z / 2.0) * 1025 * 9.80665
+    assert -1 < z < 1
+    assert under == pytest.approx(2e3 * 9.80665 + found.lines.vertical_b[0], rel=1e-9)
+    assert 40 + z == pytest.approx(
+        found.lines.vertical_b[0] / 1000 + found.lines.vertical_b[0] ** 2 / 2000 / 5e8, rel=1e-9
+    )
+
+
+def test_a_deep_buoy_on_a_short_chain_stays_under_water():
+    mooring = System(
+        40.0,
+        [SystemLine("chain", CHAIN, 25.0, "anchor", "buoy")],
+        [Anchor("anchor", (0.0, 0.0, -40.0)), FreePoint("buoy", (3.0, 0.0, -20.0), mass=2e3, volume=20.0)],
+    )
+    found = rest(mooring)
+    assert np.allclose(found.pose.free[0, :2], 0, atol=1e-6)
+    net = 20.0 * 1025 * 9.80665 - 2e3 * 9.80665
+    assert found.lines.vertical_b[0] == pytest.approx(net, rel=1e-10)
+    # stretched by its own weight and by what is left of the buoyancy below it
+    assert found.pose.free[0, 2] == pytest.approx(-40 + 25 * (1 + (net - 0.5 * 25e3) / 5e8), abs=1e-8)
+
+
+def test_offset_curve_has_the_slope_of_the_condensed_stiffness_and_passes_through_zero():
+    state = rest(SYSTEMS["bridle"])
+    offsets = np.linspace(-1.0, 1.0, 21)
+    for direction in (0.0, 1.0):
+        curve = offset_curve(state, "barge", direction, offsets)
+        load = np.asarray(state.system.bodies[0].load)
+        toward = np.array([np.cos(direction), np.sin(direction), 0, 0, 0, 0])
+        assert curve.restoring[10] == pytest.approx(load @ toward, abs=1e-6 * state.tension.max())
+        slope = np.gradient(curve.restoring, offsets, edge_order=2)[10]
+        expected = toward @ mooring_stiffness(state, "barge") @ toward
+        assert slope == pytest.approx(expected, rel=1e-3)
+
+
+def test_every_line_can_break_and_the_rest_holds():
+    state = rest(SYSTEMS["eight lines"])
+    broken = one_line_broken(state)
+    assert list(broken) == state.system.line_names
+    for name, left in broken.items():
+        assert len(left.system.lines) == 7 and name not in left.system.line_names
+        assert np.abs(left.residual).max() < 1e-9 * left.tension.sum()
+        # the system gives way to where the lost line did not pull
+        lost = state.system.line_names.index(name)
+        anchor, fairlead = state.points[state.system.arrays[4][lost]]
+        pull = (anchor - fairlead) * [1, 1, 0] / np.hypot(*(anchor - fairlead)[:2]) * state.lines.horizontal_b[lost]
+        pull[2] = -state.lines.vertical_b[lost]
+        arm = fairlead - state.pose.place[0]
+        given = left.position[0] - state.position[0]
+        assert given[:3] @ pull + given[5] * np.cross(arm, pull)[2] < 0
+
+
+def test_the_loss_of_a_line_takes_what_hangs_loose_with_it():
+    left = SYSTEMS["bridle"].without("chain")
+    assert {line.name for line in left.lines} == {"port", "starboard", "stern"}
+    left = SYSTEMS["two bodies"].without("down")
+    assert "guy" not in left.line_names and all(p.name != "sinker" for p in left.points)
+
+
+def test_no_line_left_to_hold_a_load_is_an_error_that_names_what_is_left():
+    hawser = System(
+        20.0,
+        [SystemLine("bow", ROPE, 30.0, "pile", "bow")],
+        [Anchor("pile", (0.0, 0.0, 2.0)), Fairlead("bow", "ship", (0.0, 0.0, 1.0))],
+        [Body("ship", (20.0, 0, 0, 0, 0, 0), freedom=("Surge",), load=(-1e30, 0, 0, 0, 0, 0))],
+    )
+    with pytest.raises(EquilibriumError, match="ship surge"):
+        rest(hawser, steps=5)
+
+
+def test_balanced_bodies_float_where_they_were_given():
+    system = replace(OC4, bodies=(replace(OC4.bodies[0], hydrostatic_stiffness=np.diag([0, 0, 4e6, 1e9, 1e9, 0])),))
+    assert rest(system).position[0, 2] < -0.3
+    assert np.allclose(rest(balanced(system)).position[0], 0, atol=1e-9)
+
+
+def test_rotations_compose_and_come_back():
+    rng = np.random.default_rng(2)
+    for roll, pitch, yaw in rng.uniform(-1.2, 1.2, (20, 3)):
+        R = rotation(roll, pitch, yaw)
+        assert np.allclose(R @ R.T, np.eye(3)) and np.linalg.det(R) == pytest.approx(1)
+        assert np.allclose(angles(R), (roll, pitch, yaw))
+        assert np.allclose(turned(turned(R, np.array([0, 0, 0.7])), np.array([0, 0, -0.7])), R)
+    assert np.allclose(turned(np.eye(3), np.array([0.0, 0.0, 1.1])), rotation(0, 0, 1.1))
+    assert heading(rotation(0.0, 0.0, 2.5)) == pytest.approx(2.5)
+
+
+def test_hydrostatics_turn_with_the_heading_and_their_stiffness_is_exact():
+    C = np.zeros((6, 6))
+    C[2:5, 2:5] = [[3e7, 1e6, 1e7], [1e6, 5e9, 2e8], [1e7, 2e8, 3e10]]
+    R = turned(rotation(0, 0, 2.0), np.array([0.05, -0.08, 0.0]))
+    force, K = hydrostatic_load(C, 0.7, R)
+    for j in range(6):
+        h, columns = 1e-4, []
+        for s in (1, -1, 2, -2):
+            step = np.zeros(6)
+            step[j] = s * h
+            columns.append(hydrostatic_load(C, 0.7 + step[2], turned(R, step[3:]))[0])
+        difference = -(8 * (columns[0] - columns[1]) - (columns[2] - columns[3])) / (12 * h)
+        assert np.abs(difference - K[:, j]).max() < 1e-8 * np.abs(K).max()
+    turn = np.kron(np.eye(2), rotation(0, 0, 2.0))
+    upright, _ = hydrostatic_load(C, 0.7, turned(np.eye(3), rotation(0, 0, -2.0) @ np.array([0.05, -0.08, 0.0])))
+    assert np.allclose(force, turn @ upright)
+
+
+def test_stiffness_about_another_point_is_that_of_fairleads_measured_from_it():
+    center, state = np.array([3.0, -2.0, 4.0]), rest(SYSTEMS["eight lines"])
+    K = about_body_axes(
+        state.system.load(state.pose).stiffness, state.system.load(state.pose).force[:3], state.pose.turn[0], center
+    )
+    points = [
+        replace(p, position=tuple(np.asarray(p.position) - center)) if isinstance(p, Fairlead) else p
+        for p in state.system.points
+    ]
+    place, turn = state.pose.place[0] + state.pose.turn[0] @ center, state.pose.turn[0]
+    other = (
+        replace(state.system, points=tuple(points))
+        .load(state.pose._replace(place=place[None], turn=turn[None]))
+        .stiffness
+    )
+    axes = np.kron(np.eye(2), turn)
+    assert np.allclose(K, axes.T @ other @ axes, rtol=1e-9, atol=1e-6 * np.abs(K).max())
+
+
+WRONG = [
+    (lambda: SystemLine("x", CHAIN, -3.0, "a", "b"), "line x: length is -3; allowed: finite, above 0 m"),
+    (lambda: LineType("t", 0.0), "line type t: weight is 0; allowed: finite, not 0 N/m"),
+    (lambda: Body("b", freedom=("Jump",)), "body b: freedom 'Jump' is unknown"),
+    (lambda: FreePoint("p", (0, 0, 0), mass=-1.0), "point p: mass is -1; allowed: finite, at least 0 kg"),
+    (lambda: replace(OC3, depth=0.0), "depth is 0 m; allowed: above 0, finite"),
+    (lambda: replace(OC3, lines=()), "the system has no lines"),
+    (lambda: replace(OC3, bodies=()), "body 'platform' is unknown; allowed: none"),
+    (lambda: replace(OC3, depth=100.0), "allowed: at or above the bed, -100 m"),
+    (lambda: replace(OC3, lines=[replace(OC3.lines[0], a="nowhere")]), "its end 'nowhere' is no point of the system"),
+    (lambda: OC3.without("L9"), "line 'L9' is unknown; allowed: L0, L1, L2"),
+    (lambda: OC3.with_loads({"hull": (0,) * 6}), "body 'hull' is unknown; allowed: platform"),
+    (lambda: mooring_stiffness(rest(SYSTEMS["bridle"]), "ship"), "body 'ship' is unknown; allowed: barge"),
+]
+
+
+@pytest.mark.parametrize(("make", "message"), WRONG)
+def test_what_cannot_be_is_named_in_one_line(make, message):
+    with pytest.raises(LineSystemError) as fault:
+        make()
+    assert message in str(fault.value) and "\n" not in str(fault.value)
+
+
+def test_an_inextensible_line_that_cannot_reach_is_named():
+    lines = [replace(line, type=LineType("stiff", 700.0)) for line in OC3.lines]
+    with pytest.raises(EquilibriumError, match="line L0, inextensible"):
+        rest(replace(OC3, lines=tuple(lines), bodies=(replace(OC3.bodies[0], position=(500.0, 0, 0, 0, 0, 0)),)))
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_shapes_of_lines_join_their_points_and_stay_above_the_bed(name):
+    state = rest(SYSTEMS[name])
+    for ends, line, shape in zip(state.system.arrays[4], state.system.lines, line_shapes(state), strict=True):
+        assert np.allclose(shape[[0, -1]], state.points[ends], atol=1e-8 * line.length)
+        assert shape[:, 2].min() > -state.system.depth - 1e-8 * line.length
+        steps = np.linalg.norm(np.diff(shape, axis=0), axis=1).sum()
+        assert steps < line.length * (1 + state.tension.max() / line.type.axial_stiffness) * (1 + 1e-9)
+
+
+def test_a_light_line_that_would_float_is_warned_of():
+    light = LineType("light", -40.0, 5e6)
+    hung = System(
+        50.0, [SystemLine("x", light, 90.0, "a", "b")], [Anchor("a", (0, 0, -2.0)), Anchor("b", (80.0, 0, -2.0))]
+    )
+    with pytest.warns(UserWarning, match="line x floats and its middle would be .* m above the water"):
+        rest(hung)
+
+
+def ground_chain(friction, turned=False):
+    """A ship on two chains; turned: the lines named from the ship to the anchor"""
+    ends = [("A1", "bow"), ("A2", "stern")]
+    lines = [
+        SystemLine(f"L{i}", CHAIN, 240.0, *(pair[::-1] if turned else pair), friction) for i, pair in enumerate(ends)
+    ]
+    return System(
+        40.0,
+        lines,
+        [
+            Anchor("A1", (270.0, 0.0, -40.0)),
+            Anchor("A2", (-270.0, 0.0, -40.0)),
+            Fairlead("bow", "ship", (50.0, 0.0, 0.0)),
+            Fairlead("stern", "ship", (-50.0, 0.0, 0.0)),
+        ],
+        [Body("ship", load=(2e5, 0, 0, 0, 0, 0))],
+    )
+
+
+def test_friction_takes_tension_from_the_fairlead_to_the_anchor_whichever_end_is_named_first():
+    one, other = rest(ground_chain(0.4)), rest(ground_chain(0.4, turned=True))
+    assert np.allclose(one.position, other.position, atol=1e-9)
+    lost = one.lines.horizontal_b - one.lines.horizontal_a
+    assert np.allclose(lost, np.minimum(0.4 * 1000 * one.lines.grounded_length, one.lines.horizontal_b))
+    assert np.allclose(other.lines.horizontal_a - other.lines.horizontal_b, lost) and lost.min() > 0
+
+
+def test_friction_between_free_points_is_not_counted_and_that_is_said():
+    leg = System(
+        50.0,
+        [
+            SystemLine("ground", CHAIN, 100.0, "anchor", "sinker", 0.5),
+            SystemLine("riser", CHAIN, 120.0, "sinker", "ship", 0.5),
+        ],
+        [
+            Anchor("anchor", (0.0, 0.0, -50.0)),
+            FreePoint("sinker", (100.0, 0.0, -50.0), mass=1e5),
+            Fairlead("ship", "ship", (0.0, 0.0, 0.0)),
+        ],
+        [Body("ship", (200.0, 0, 0, 0, 0, 0), freedom=())],
+    )
+    with pytest.warns(UserWarning, match="bed friction is not counted on riser"):
+        assert rest(leg).lines.grounded_length[1] > 1.0
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_legs_of_many_pieces_come_to_rest_from_a_rough_start(seed):
+    """Joints, sinkers and buoys strewn about the straight line from anchor to fairlead."""
+    rng = np.random.default_rng(seed)
+    depth, points, lines = rng.uniform(30, 300), [], []
+    for i in range(rng.integers(3, 5)):
+        angle, radius = 2 * np.pi * i / 4 + rng.uniform(-0.3, 0.3), depth * rng.uniform(1.2, 6)
+        start = np.array([radius * np.cos(angle), radius * np.sin(angle), -depth])
+        end = np.array([20 * np.cos(angle), 20 * np.sin(angle), -3.0])
+        points += [Anchor(f"A{i}", tuple(start)), Fairlead(f"F{i}", "hull", tuple(end))]
+        pieces, names = rng.integers(1, 5), [f"A{i}"]
+        for j in range(1, pieces):
+            place = start + (end - start) * j / pieces + rng.normal(size=3) * 4
+            place[2] = max(place[2], -depth + 0.5)
+            mass, volume = [(0.0, 0.0), (rng.uniform(1e3, 3e4), 0.0), (500.0, rng.uniform(2, 15))][rng.integers(0, 3)]
+            points.append(FreePoint(f"P{i}{j}", tuple(place), mass, volume))
+            names.append(f"P{i}{j}")
+        names.append(f"F{i}")
+        length = np.linalg.norm(end - start) * rng.uniform(1.0, 1.15) / pieces
+        for j in range(pieces):
+            kind = LineType(f"T{i}{j}", 10 ** rng.uniform(1.5, 3.7), 10 ** rng.uniform(7, 9.3))
+            lines.append(SystemLine(f"L{i}{j}", kind, length, names[j], names[j + 1]))
+    state = rest(System(depth, lines, points, [Body("hull", load=(*rng.normal(size=2) * 2e5, 0, 0, 0, 1e5))]))
+    assert np.abs(state.residual).max() < 1e-8 * state.tension.sum()
+    assert np.all(state.pose.free[:, 2] >= -depth) and np.all(state.bed_reaction >= 0)
+
+
+class SmallDatabase:
+    """Just enough of an opened database: constant added mass."""
+
+    rotation_center = (0.0, 0.0, 0.0)
+    omega = np.array([0.1, 1.0, 3.0])
+    names = ("added_mass",)
+    inertia_matrix = np.diag([3e7, 3e7, 3e7, 1e10, 3e10, 3e10])
+    hydrostatic_stiffness = np.diag([0.0, 0.0, 4e7, 6e9, 3e10, 0.0])
+
+    def require(self, name):
+        assert name in self.names
+
+    def __getitem__(self, name):
+        return np.broadcast_to(np.diag([2e6, 1e7, 3e7, 3e9, 1e10, 1e10]), (3, 6, 6))
+
+
+def test_natural_periods_are_those_of_the_stiffness_in_the_axes_of_the_body():
+    """A system turned as a whole about the vertical has the same periods."""
+    system, db = eight_lines(load=(0.0,) * 6), SmallDatabase()
+    periods = moored_periods(rest(system), "ship", db)
+    angle = 0.8
+    c, s = np.cos(angle), np.sin(angle)
+    R = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])
+    points = [replace(p, position=tuple(R @ p.position)) if isinstance(p, Anchor) else p for p in system.points]
+    turned_body = replace(system.bodies[0], position=(0, 0, 0, 0, 0, angle))
+    again = moored_periods(rest(replace(system, points=tuple(points), bodies=(turned_body,))), "ship", db)
+    assert np.allclose(again.period, periods.period, rtol=1e-7)
+    K = mooring_stiffness(rest(system), "ship")
+    single = 2 * np.pi * np.sqrt((3e7 + 3e7) / (4e7 + K[2, 2]))
+    assert periods.period[2] == pytest.approx(single, rel=1e-3)
+
+
+def test_systems_and_files_load_no_compiler_before_something_is_solved():
+    modules = "mooring.lines.system_studies, mooring.lines.catalogue, mooring.formats.moorpy, mooring.formats.results"
+    code = f"import sys, {modules}; print('numba' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout.strip() == "False"
