@@ -12,6 +12,7 @@ from __future__ import annotations
 import contextlib
 import json
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import h5py
@@ -210,6 +211,21 @@ class Database:
         unsolved = [name for name in names if name in LIMITS and not self._stored(name)]
         if unsolved:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
+
+    @cached_property
+    def between(self):
+        """`bem.between.Between`: the stored rows as functions of frequency, with estimated errors"""
+        from .between import between
+
+        self.require()
+        return between(self)
+
+    def at(self, omega, name):
+        """A quantity at omega (q,) rad/s between the stored ones: value (q, …) as stored, estimated error (q, …).
+
+        raises : `bem.between.BetweenError`, a ValueError, outside the stored band and for what does not follow
+        """
+        return self.between.at(omega, name)
 
     def checks(self):
         """{name: (n,)} of `schema.CHECKS` for the solved frequencies; NaN where a check did not apply."""

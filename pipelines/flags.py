@@ -19,12 +19,13 @@ class SceneFlags:
     """What every body has in common."""
 
     depth: Annotated[float | None, _flag("water depth, m; inf for deep water")] = None
-    omega: Annotated[str | None, _flag("frequencies, rad/s: a,b,c or start:stop:count")] = None
+    omega: Annotated[str | None, _flag("frequencies, rad/s: a,b,c or start:stop:count, or auto:from:to to --tolerance")] = None
     period: Annotated[str | None, _flag("periods, s, instead of omega")] = None
     heading: Annotated[str | None, _flag("degrees the waves travel to (0: +x, 90: +y)")] = None
     tolerance: Annotated[float | None, _flag("relative error asked for [0.01]")] = None
     panels: Annotated[str | None, _flag("panels on the whole hull, instead of tolerance")] = None
-    method: Annotated[str | None, _flag("auto or panel")] = None
+    method: Annotated[str | None, _flag("auto, panel, contour, pressure, strip or inverse-strip")] = None
+    wall: Annotated[float | None, _flag("y of a wall along x that reflects all waves, m")] = None
     density: Annotated[float | None, _flag("of the water, kg/m³ [1025]")] = None
     gravity: Annotated[float | None, _flag("m/s² [9.80665]")] = None
     mass: Annotated[float | None, _flag("kg [that of the displaced water]")] = None
@@ -51,7 +52,7 @@ def overlaid(raw, flags, body):
     raw : nested dictionaries, as `read_scene` gives them; body : {key: value} of the body, without None
     Raises SceneError for lists that cannot be read.
     """
-    from .scene import SceneError, numbers
+    from .scene import SceneError, band, numbers
 
     raw = dict(raw)
     water, waves = _table("water", raw.get("water", {})), _table("waves", raw.get("waves", {}))
@@ -62,13 +63,16 @@ def overlaid(raw, flags, body):
     for key, flag, text in (("omegas", "omega", flags.omega), ("periods", "period", flags.period)):
         if text is not None:
             waves = {kept: value for kept, value in waves.items() if kept == "headings_deg"}
-            waves[key] = numbers(f"--{flag}", text)
+            if key == "omegas" and text.startswith("auto"):
+                waves["band"] = band(f"--{flag}", text)
+            else:
+                waves[key] = numbers(f"--{flag}", text)
     if flags.heading is not None:
         waves["headings_deg"] = numbers("--heading", flags.heading)
     _put(bodies[0], mass=flags.mass, **body)
     for key in ("center_of_gravity", "gyration"):
         _put(bodies[0], **{key: _triple(key, getattr(flags, key))})
-    _put(raw, method=flags.method, rotation_center=_triple("rotation_center", flags.rotation_center))
+    _put(raw, method=flags.method, wall=flags.wall, rotation_center=_triple("rotation_center", flags.rotation_center))
     if flags.tolerance is not None or flags.panels is not None:
         raw = {key: value for key, value in raw.items() if key not in ("tolerance", "panels")}
         _put(raw, tolerance=flags.tolerance, panels=_whole_number("panels", flags.panels))

@@ -11,6 +11,7 @@ from bem.checks import ERROR_ORDER
 from bem.database_file import Header
 from bem.kochin import angles
 from bem.setup import Setup
+from bem.shape_setup import ShapeSetup
 from bem.waves import wavenumber
 from meshing.files import read_mesh
 from meshing.hydrostatics import hydrostatics, inertia_matrix
@@ -19,10 +20,13 @@ from meshing.panels import PanelMesh
 from meshing.quality import findings
 from meshing.shapes import box, buoy
 
+from .methods import METHODS
 from .scene import SceneError
 from .scene_text import fixed_part, scene_hash, to_toml
+from .viscous_table import viscous_of
 
 MOST_PANELS, FEWEST_PANELS = 20_000, 24
+FOR_SHOW = 500  # panels where none is computed with
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 
 
@@ -56,6 +60,8 @@ def make_hull(scene, omegas):
     Raises SceneError if the frequencies ask for more panels than can be solved, or the mesh cannot be used.
     """
     wave = shortest_wave(scene, omegas)
+    if not panels_matter(scene):
+        return Hull(_meshed(scene.body, FOR_SHOW), None)
     if scene.body.shape == "mesh":
         mesh = read_mesh(scene.body.file)
     elif scene.panels is not None:
@@ -64,6 +70,11 @@ def make_hull(scene, omegas):
         mesh = _fine_enough(scene, wave)
     _usable(scene, mesh, None, wave)  # a lid needs a waterline that closes
     return Hull(mesh, make_lid(scene, mesh, wave))
+
+
+def panels_matter(scene):
+    """Whether anything wanted is computed with panels; if not, they are there to be looked at."""
+    return METHODS[scene.chosen_method].panels or "pressure" in scene.names()
 
 
 def make_lid(scene, mesh, wave):
@@ -93,6 +104,8 @@ def coarse_hull(scene, mesh):
 
 def inspected(hull, scene, omegas):
     """The hull with the remarks of the mesh check.  Raises SceneError if one of them is an error."""
+    if not panels_matter(scene):
+        return hull
     wave = shortest_wave(scene, omegas)
     found = _usable(scene, hull.mesh, hull.lid, wave)
     return Hull(hull.mesh, hull.lid, (*(f.text for f in found), *_lid_remarks(hull.lid, wave)))
@@ -147,23 +160,35 @@ def make_header(scene, hull, omegas):
         dimensions=scene.dimensions,
         scene=to_toml(scene),
         scene_hash=scene_hash(fixed_part(scene)),
-        attributes={"tolerance": scene.accuracy, "method": scene.method},
+        attributes={"tolerance": scene.accuracy, "method": scene.chosen_method},
     )
 
 
 def setup_of(header, scene):
     """What the solver takes, from the header of a database and the scene."""
-    return Setup(
-        mesh=header.mesh,
-        lid=header.lid,
-        coarse=coarse_hull(scene, header.mesh),
-        depth=header.water_depth,
-        density=header.density,
-        gravity=header.gravity,
-        rotation_center=tuple(float(x) for x in header.rotation_center),
-        inertia_matrix=header.body.get("inertia_matrix"),
-        hydrostatic_stiffness=header.body.get("hydrostatic_stiffness"),
+    body = {
+        "depth": header.water_depth,
+        "density": header.density,
+        "gravity": header.gravity,
+        "rotation_center": tuple(float(x) for x in header.rotation_center),
+        "inertia_matrix": header.body.get("inertia_matrix"),
+        "hydrostatic_stiffness": header.body.get("hydrostatic_stiffness"),
+        "viscous": viscous_of(scene),
+    }
+    method = scene.chosen_method
+    if METHODS[method].panels:
+        return _panel_setup(header, scene, body)
+    sizes = tuple(scene.dimensions.values())
+    panels = _panel_setup(header, scene, body) if "pressure" in scene.names() else None
+    return ShapeSetup(
+        method=method, shape=scene.body.shape, sizes=sizes, tolerance=scene.accuracy, panels=panels, **body
     )
+
+
+def _panel_setup(header, scene, body):
+    coarse, draftless = coarse_hull(scene, header.mesh), scene.chosen_method == "pressure"
+    lid = header.lid or make_lid(scene, header.mesh, shortest_wave(scene, scene.omegas()))
+    return Setup(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, **body)
 
 
 def remarks_on_body(scene, body):

@@ -11,7 +11,7 @@ CHECKED = {
     "Haskind": "forces by radiation",
     "energy": "waves carried away",
     "residual": "linear system",
-    "estimated_error": "two meshes",
+    "estimated_error": "two resolutions",
 }
 RESIDUAL = 1e-6  # of a linear system; four digits below the finest tolerance that makes sense
 

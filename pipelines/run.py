@@ -14,6 +14,7 @@ import numpy as np
 from bem.database import append, append_limit, create, extend, open_database, pending, writing
 from bem.database_file import check_place, check_replaceable
 
+from .adaptive import filled_band
 from .hull import Hull, inspected, kochin_angles, make_header, make_hull, remarks_on_body, setup_of
 from .interrupt import ctrl_c
 from .progress import Progress
@@ -72,7 +73,8 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
     remarks = (*hull.remarks, *remarks_on_body(scene, header.body))
     if console:
         console.print(f"{output}: {hull.mesh!r}", highlight=False, markup=False)
-    return _fill(output, setup_of(header, scene), header.theta, remarks, executor or Here(), console)
+    fill = partial(_fill, output, setup_of(header, scene), header.theta, remarks, executor or Here(), console)
+    return fill() if scene.waves.band is None else filled_band(scene, output, fill, console)
 
 
 def _check_same(scene, header, output):

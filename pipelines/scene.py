@@ -15,14 +15,15 @@ import msgspec
 import numpy as np
 
 from . import products
+from .methods import check_method, chosen, names_given
 from .typed import typed
+from .viscous_table import ViscousTable, viscous_of
 
 SHAPES = {"box": ("length", "beam", "draft"), "buoy": ("radius", "draft"), "mesh": ("file",)}
-METHODS = ("auto", "panel")
-FREQUENCY_KEYS = ("omegas", "periods", "xi_B")
+FREQUENCY_KEYS = ("omegas", "periods", "xi_B", "band")
 MOST = 10_000  # frequencies or headings in one list
 EXTENT = 1e-3, 1e6  # m, sizes and places
-RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6)}
+RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6), "band": (1e-6, 1e4)}
 
 
 class SceneError(ValueError):
@@ -39,6 +40,13 @@ class Span(_Table):
     first: float = msgspec.field(name="from")
     last: float = msgspec.field(name="to")
     count: int
+
+
+class Band(_Table):
+    """rad/s, both ends included; which frequencies are solved in it `pipelines.adaptive` chooses."""
+
+    first: float = msgspec.field(name="from")
+    last: float = msgspec.field(name="to")
 
 
 class Water(_Table):
@@ -68,11 +76,15 @@ class Body(_Table):
 
 
 class Waves(_Table):
-    """omegas : rad/s, or periods : s, or xi_B = ω²B/2g; headings_deg : degrees the waves travel to"""
+    """omegas : rad/s, or periods : s, or xi_B = ω²B/2g; headings_deg : degrees the waves travel to
+
+    band : rad/s instead, in which as many frequencies are solved as the tolerance asks for
+    """
 
     omegas: list[float] | Span | None = None
     periods: list[float] | Span | None = None
     xi_B: list[float] | Span | None = None
+    band: Band | None = None
     headings_deg: list[float] | Span = msgspec.field(default_factory=lambda: [0.0])
 
 
@@ -80,7 +92,8 @@ class Scene(_Table):
     """tolerance : wanted relative error, or panels : on the whole hull; rotation_center : m
 
     want : names or groups of `pipelines.products`, left out: everything; lid : interior lid against
-    irregular frequencies
+    irregular frequencies; method : auto or one of `pipelines.methods`
+    wall : y in m of a vertical wall along x that reflects all waves
     """
 
     water: Water
@@ -92,6 +105,8 @@ class Scene(_Table):
     method: str = "auto"
     rotation_center: tuple[float, float, float] = (0.0, 0.0, 0.0)
     lid: bool = True
+    wall: float | None = None
+    viscous: ViscousTable | None = None
 
     @property
     def body(self):
@@ -115,7 +130,7 @@ class Scene(_Table):
         return self.body.gyration is not None
 
     def omegas(self):
-        """(n,) rad/s ascending"""
+        """(n,) rad/s ascending; of a band its ends"""
         key = next(key for key in FREQUENCY_KEYS if getattr(self.waves, key) is not None)
         values = np.array(_listed(f"waves.{key}", getattr(self.waves, key)))
         if key == "periods":
@@ -130,7 +145,12 @@ class Scene(_Table):
 
     def names(self):
         """Names of the database that are wanted."""
-        return products.expand(self.want, self.motions_known)
+        return names_given(self, products.expand(self.want, self.motions_known), self.want or ())
+
+    @property
+    def chosen_method(self):
+        """The method that solves the scene"""
+        return chosen(self)
 
     def _beam(self):
         return self.body.beam if self.body.shape == "box" else 2 * self.body.radius
@@ -180,7 +200,22 @@ def numbers(key, text):
         raise SceneError(f"{key} is {text!r}; allowed: a,b,c or start:stop:count") from None
 
 
+def band(key, text):
+    """`auto:from:to` as the table of a band.  Raises SceneError."""
+    try:
+        word, first, last = text.split(":")
+        if word == "auto":
+            return {"from": float(first), "to": float(last)}
+    except ValueError:
+        pass
+    raise SceneError(f"{key} is {text!r}; allowed: auto:from:to in rad/s, as auto:0.1:2.0")
+
+
 def _listed(key, value):
+    if isinstance(value, Band):
+        if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
+            raise SceneError(f"{key}: from {value.first} to {value.last}; allowed: finite, from below to")
+        return [value.first, value.last]
     if not isinstance(value, Span):
         return [float(v) for v in value]
     if not 2 <= value.count <= MOST:
@@ -246,7 +281,7 @@ def _check_point(key, point):
 def _check_waves(scene):
     given = [key for key in FREQUENCY_KEYS if getattr(scene.waves, key) is not None]
     if len(given) != 1:
-        raise SceneError(f"waves has {' and '.join(given) or 'no frequencies'}; give one of omegas, periods, xi_B")
+        raise SceneError(f"waves has {' and '.join(given) or 'no frequencies'}; give one of {', '.join(FREQUENCY_KEYS)}")
     key = given[0]
     if key == "xi_B" and scene.body.shape == "mesh":
         raise SceneError("waves.xi_B needs a beam, a body from a mesh file has none; give omegas or periods")
@@ -285,10 +320,22 @@ def _check_rest(scene):
         raise SceneError(f"panels is {scene.panels}; allowed: 8 to 100000")
     if scene.panels is not None and scene.body.shape == "mesh":
         raise SceneError(f"panels is {scene.panels}, but {scene.body.file} has its own; leave panels out")
-    if scene.method not in METHODS:
-        raise SceneError(f"method is {scene.method!r}; allowed: {', '.join(METHODS)}")
     _check_point("rotation_center", scene.rotation_center)
+    _check_wall(scene)
     try:
+        check_method(scene)
+        viscous_of(scene)
         scene.names()
     except ValueError as error:
         raise SceneError(str(error)) from None
+
+
+def _check_wall(scene):
+    if scene.wall is None:
+        return
+    _check_point("wall", (scene.wall,))
+    half = 0.0 if scene.body.shape == "mesh" else scene._beam() / 2
+    if abs(scene.wall) <= half:
+        raise SceneError(
+            f"wall is {scene.wall:g} m from the middle of the body; allowed: more than half its beam, {half:g}"
+        )

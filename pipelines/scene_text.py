@@ -13,8 +13,9 @@ def to_toml(scene):
     raw = msgspec.to_builtins(scene)
     plain = {key: value for key, value in raw.items() if not isinstance(value, dict) and key != "bodies"}
     lines = _pairs(plain, {"method": "auto", "lid": True})
-    for table in ("water", "waves"):
-        lines += ["", f"[{table}]", *_pairs(raw[table], {})]
+    for table in ("water", "waves", "viscous"):
+        if raw[table] is not None:
+            lines += ["", f"[{table}]", *_pairs(raw[table], {})]
     for body in raw["bodies"]:
         lines += ["", "[[bodies]]", *_pairs(body, {})]
     return "\n".join(lines).strip() + "\n"
@@ -55,7 +56,7 @@ def _toml(value):
     if isinstance(value, str):
         return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key} = {_toml(part)}" for key, part in value.items()) + " }"
+        return "{ " + ", ".join(f"{key} = {_toml(part)}" for key, part in value.items() if part is not None) + " }"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(map(_toml, value)) + "]"
     return repr(value)

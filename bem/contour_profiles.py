@@ -1,0 +1,64 @@
+"""Velocity profiles in the gap: what of the functions of `gap` a computer can tell apart.
+
+The three families are nearly dependent: with nine functions the eigenvalues of ⟨U, Σ cos l_qζ cos l_qζ / l_q U⟩
+reach down to 1e-13, below the error of the mode sums (1e-9 with a hundred modes per length).  Combinations that are
+small in this norm are left out, the others are made orthonormal.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .gap import Gap, mode_sum
+
+
+@dataclass(frozen=True)
+class Profiles:
+    """e orthonormal profiles made of the functions of a `Gap`; rows r = e + 2 as there.
+
+    smallest : eigenvalue that is kept, of the norm of functions that have norm one each
+    """
+
+    gap: Gap
+    smallest: float
+
+    @property
+    def height(self):
+        """s, m"""
+        return self.gap.height
+
+    @cached_property
+    def combinations(self):
+        """(r, f + 2) from rows of functions to rows of profiles; the last two stay as they are"""
+        modes, f = self.gap.inner_modes(800), len(self.gap.mean)
+        norm = mode_sum(modes.rows, self.gap.inner_decays, 2 / self.height / modes.wavenumbers)[:f, :f]
+        norm += np.outer(self.gap.mean, self.gap.mean)
+        size = np.sqrt(np.diag(norm))
+        value, vector = np.linalg.eigh(norm / np.outer(size, size))
+        keep = value > self.smallest
+        out = np.zeros((keep.sum() + 2, f + 2))
+        out[:-2, :f] = (vector[:, keep] / np.sqrt(value[keep]) / size[:, None]).T
+        out[-2:, f:] = np.eye(2)
+        return out
+
+    @cached_property
+    def mean(self):
+        """∫ u dζ, (e,)"""
+        return self.combinations[:-2, :-2] @ self.gap.mean
+
+    @cached_property
+    def second_moment(self):
+        """∫ ζ² u dζ, (e,)"""
+        return self.combinations[:-2, :-2] @ self.gap.second_moment
+
+    @cached_property
+    def mean_rows(self):
+        """⟨·, 1⟩ of the profiles and of 1 and ζ², (r,)"""
+        return self.combinations @ self.gap.mean_rows()
+
+    def products(self, values):
+        """(r, r, c) from values (f + 2, f + 2, c) of pairs of rows"""
+        return np.einsum("ai,ijc,bj->abc", self.combinations, values, self.combinations, optimize=True)

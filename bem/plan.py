@@ -1,0 +1,39 @@
+"""What the plan of a vertical-sided body hands to the depth modes: nodes on its contour and maps on it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+CLASSES = ((1, 1), (-1, 1), (1, -1), (-1, -1))
+
+
+class Contour(NamedTuple):
+    """Nodes (m,) on the quarter x > 0, y > 0 of a contour, outward normal, and length of contour they stand for."""
+
+    x: np.ndarray  # m
+    y: np.ndarray  # m
+    nx: np.ndarray
+    ny: np.ndarray
+    weights: np.ndarray  # m
+
+
+class WaveMap(NamedTuple):
+    """Plane waves outside one plan, in one symmetry class of n functions ψ."""
+
+    weak: np.ndarray  # (n, n) complex, m: ∮ ψᵢ N ψⱼ ds, N from ∂φ/∂n to φ
+    potential: np.ndarray  # (m, n) complex, m: N ψⱼ at the nodes
+    wall: np.ndarray  # (m, b) complex: the waves exp(ik(x cosβ + y sinβ)) in front of a rigid wall, at the nodes
+
+
+def area_moment(contour, a, b):
+    """∬ xᵃ yᵇ dA over the whole plan, a and b even, m^(2+a+b)"""
+    c = contour
+    return 4 * np.sum(c.weights * c.nx * c.x ** (a + 1) * c.y**b) / (a + 1)
+
+
+def class_part(values, cls):
+    """The part of `values` (4, …), given on the images of `CLASSES`, that has the symmetry `cls`."""
+    signs = [(cls[0] if ix < 0 else 1) * (cls[1] if iy < 0 else 1) for ix, iy in CLASSES]
+    return np.tensordot(signs, values, 1) / 4

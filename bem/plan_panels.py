@@ -1,0 +1,197 @@
+"""Panels on the quarter contour of a rectangle, and points on them for integrals that are singular or nearly so.
+
+At the corner, 270° wide in water, potentials go like r^(2/3), r^(4/3) … with r the distance from it.  The panel at
+the corner is therefore parametrised by r = c t³, which makes all of them smooth in t; the next ones are linear in t
+and grow away from it.  A density is given at the Gauss points in t of each panel.
+
+Integrals over panels that are near a target are split until every piece is as far from the target as it is long;
+the pieces that end at the target take t = t₀ + (t₁ − t₀) v⁴, which makes a logarithm harmless.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .jit import kernel
+from .plan import CLASSES, Contour
+
+IMAGES = np.array(CLASSES, float)
+
+
+class Panels(NamedTuple):
+    """p panels, r the distance from the corner; a panel's point is (x, y) = corner + r · direction."""
+
+    start: np.ndarray  # (p,) m, r at t = 0
+    length: np.ndarray  # (p,) m
+    power: np.ndarray  # (p,) r = start + length · t^power
+    corner: np.ndarray  # (2,) m
+    direction: np.ndarray  # (p, 2)
+    normal: np.ndarray  # (p, 2)
+    t: np.ndarray  # (g,) Gauss points in 0 < t < 1
+    weights: np.ndarray  # (g,)
+
+    @property
+    def contour(self):
+        """`Contour` of the p · g nodes, panel by panel"""
+        r = self.start[:, None] + self.length[:, None] * self.t ** self.power[:, None]
+        ds = self.length[:, None] * self.power[:, None] * self.t ** (self.power[:, None] - 1) * self.weights
+        points = self.corner + r[..., None] * self.direction[:, None]
+        nx, ny = np.repeat(self.normal, len(self.t), axis=0).T
+        return Contour(points[..., 0].ravel(), points[..., 1].ravel(), nx, ny, ds.ravel())
+
+
+class Points(NamedTuple):
+    """q integration points of targets near panels."""
+
+    target: np.ndarray  # (q,) index
+    panel: np.ndarray  # (q,) index
+    image: np.ndarray  # (q,) index into IMAGES
+    t: np.ndarray  # (q,)
+    distance: np.ndarray  # (q,) m, to the target
+    along: np.ndarray  # (q,) component along the panel's normal of (point − target) / distance²
+    weights: np.ndarray  # (q,) m
+
+
+def quarter_panels(half_length, half_beam, corner_length, longest, gauss):
+    """Panels of the end x = half_length, then of the side y = half_beam.
+
+    corner_length, longest : (2,) m for end and side; gauss : nodes per panel
+    """
+    start, length, power, direction, normal = [], [], [], [], []
+    for side, extent in enumerate((half_beam, half_length)):
+        edges = _edges(extent, min(corner_length[side], extent), longest[side])
+        start += list(edges[:-1])
+        length += list(np.diff(edges))
+        power += [3] + [1] * (len(edges) - 2)
+        direction += [(0.0, -1.0) if side == 0 else (-1.0, 0.0)] * (len(edges) - 1)
+        normal += [(1.0, 0.0) if side == 0 else (0.0, 1.0)] * (len(edges) - 1)
+    t, w = gauss_rule(gauss)
+    return Panels(
+        np.array(start), np.array(length), np.array(power, float), np.array([half_length, half_beam]),
+        np.array(direction), np.array(normal), t, w,
+    )  # fmt: skip
+
+
+def _edges(extent, first, longest):
+    """Ends of panels from 0 to `extent`: the first as given, each next one at most twice as long."""
+    edges, step = [0.0, first], first
+    while extent - edges[-1] > 1e-9 * extent:
+        rest = extent - edges[-1]
+        step = min(2 * step, longest)
+        count = int(np.ceil(rest / step - 1e-9))
+        if step == longest or count == 1:
+            return np.append(edges[:-1], np.linspace(edges[-1], extent, count + 1))
+        edges.append(edges[-1] + min(step, rest))
+    return np.array(edges)
+
+
+def gauss_rule(count):
+    """Gauss points and weights on (0, 1)"""
+    x, w = np.polynomial.legendre.leggauss(count)
+    return (x + 1) / 2, w / 2
+
+
+def interpolation(nodes, t):
+    """(t, g) values at t of the polynomials that are one at a node and zero at the others"""
+    gaps = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
+    scale = 1 / gaps.prod(axis=1)
+    distance = np.subtract.outer(t, nodes)
+    hit = np.abs(distance) < 1e-15
+    table = scale / np.where(hit, 1.0, distance)
+    table = np.where(hit.any(axis=1)[:, None], hit, table)
+    return table / table.sum(axis=1, keepdims=True)
+
+
+def is_far(panels, x, y):
+    """(targets, images, p) whether a panel's image is as far from the target as it is long"""
+    return _is_far(x, y, _flat(panels), IMAGES)
+
+
+def near_points(panels, x, y, own, far, count, smallest):
+    """`Points` of targets (x, y) on all panels that are not far.
+
+    own : node number of each target, −1 for a target that is none; far : as of `is_far`
+    count : Gauss points per piece; smallest : m, pieces that end at the target are halved down to this length
+    """
+    v, w = gauss_rule(count + 4)
+    rules = np.array(gauss_rule(count)), np.array([v**4, 4 * v**3 * w])
+    panel = np.where(own < 0, -1, own // len(panels.t))
+    t = np.where(own < 0, 0.0, panels.t[own % len(panels.t)])
+    return Points(*_near_points(x, y, panel, t, _flat(panels), IMAGES, far, *rules, smallest))
+
+
+def _flat(panels):
+    """(p, 9) start, length, power, corner, direction, normal"""
+    corner = np.broadcast_to(panels.corner, panels.direction.shape)
+    return np.column_stack([panels.start, panels.length, panels.power, corner, panels.direction, panels.normal])
+
+
+@kernel()
+def _distance(x, y, panel, image, r0, r1):
+    """From the target to the piece r0 < r < r1 of a panel's image"""
+    dx, dy = image[0] * x - panel[3], image[1] * y - panel[4]
+    r = min(max(dx * panel[5] + dy * panel[6], r0), r1)
+    return np.hypot(dx - r * panel[5], dy - r * panel[6])
+
+
+@kernel()
+def _is_far(x, y, panels, images):
+    far = np.empty((len(x), len(images), len(panels)), np.bool_)
+    for i in range(len(x)):
+        for g in range(len(images)):
+            for p in range(len(panels)):
+                r0, r1 = panels[p, 0], panels[p, 0] + panels[p, 1]
+                far[i, g, p] = _distance(x[i], y[i], panels[p], images[g], r0, r1) >= panels[p, 1]
+    return far
+
+
+@kernel()
+def _near_points(x, y, own, own_t, panels, images, far, smooth, singular, smallest):
+    targets, sources, mirrors = [0 for _ in range(0)], [0 for _ in range(0)], [0 for _ in range(0)]
+    ts, rs, cs, ws = [0.0 for _ in range(0)], [0.0 for _ in range(0)], [0.0 for _ in range(0)], [0.0 for _ in range(0)]
+    for i in range(len(x)):
+        for g in range(len(images)):
+            for p in range(len(panels)):
+                if far[i, g, p]:
+                    continue
+                panel, image = panels[p], images[g]
+                pieces = [(0.0, 1.0, 0)]
+                if g == 0 and p == own[i]:
+                    pieces = [(own_t[i], 1.0, 1), (own_t[i], 0.0, 1)]
+                while len(pieces) > 0:
+                    t0, t1, ends_here = pieces.pop()
+                    a = panel[0] + panel[1] * min(t0, t1) ** panel[2]
+                    b = panel[0] + panel[1] * max(t0, t1) ** panel[2]
+                    rule = singular if ends_here else smooth
+                    if ends_here:
+                        split = b - a > smallest
+                    else:
+                        # a bound for the halving where a target lies on the end of a piece
+                        split = b - a > max(_distance(x[i], y[i], panel, image, a, b), 1e-13 * panel[1])
+                    if split:
+                        middle = 0.5 * (t0 + t1)
+                        pieces.append((t0, middle, ends_here))
+                        pieces.append((middle, t1, 0))
+                        continue
+                    for q in range(rule.shape[1]):
+                        step = (t1 - t0) * rule[0, q]
+                        t = t0 + step
+                        r = panel[0] + panel[1] * t ** panel[2]
+                        dx = image[0] * (panel[3] + r * panel[5]) - x[i]
+                        dy = image[1] * (panel[4] + r * panel[6]) - y[i]
+                        d = np.hypot(dx, dy)
+                        if ends_here:  # on the target's own line, without cancellation
+                            stretch = t * t + t * t0 + t0 * t0 if panel[2] > 1 else 1.0
+                            d = panel[1] * abs(step) * stretch
+                        targets.append(i)
+                        sources.append(p)
+                        mirrors.append(g)
+                        ts.append(t)
+                        rs.append(d)
+                        cs.append((dx * image[0] * panel[7] + dy * image[1] * panel[8]) / (d * d))
+                        ws.append(abs(t1 - t0) * rule[1, q] * panel[1] * panel[2] * t ** (panel[2] - 1))
+    return (
+        np.array(targets), np.array(sources), np.array(mirrors), np.array(ts), np.array(rs), np.array(cs), np.array(ws)
+    )  # fmt: skip

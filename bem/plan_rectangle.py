@@ -1,0 +1,194 @@
+"""Plane problems outside and inside a rectangle, for the depth modes of a box; see `plan_circle` for the maps.
+
+Velocity is expanded in Legendre polynomials over each side, P_m(2y/B) on the ends and P_m(2x/L) on the sides: in
+the gap under the keel it is smooth along a side up to the corner of the box.  The potentials that answer are not
+(r^(2/3) at the corner) and are found at the nodes of `plan_panels` by integral equations of the direct kind,
+
+    outside  (½ − D) φ = −S ∂φ/∂n        inside  (½ + D) φ = S ∂φ/∂n        wall  (½ − D) φ = exp(ik·x)
+
+Outside, waves have an answer more where k is an eigenvalue of the inside (φ = 0 on the contour, for instance
+k² = π²(1/L² + 1/B²)).  The potential outside continues as zero into the inside: this is asked for at some points
+there, in the sense of least squares (Schenck 1968).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from scipy.special import eval_legendre
+
+from .contour_waves import plane_waves
+from .plan import CLASSES, Contour, WaveMap
+from .plan_layers import Layers, decaying, laplace, layers, radiating
+from .plan_panels import gauss_rule, quarter_panels
+
+
+@dataclass(frozen=True)
+class Rectangle:
+    """A rectangle `length` along x, `beam` along y, m.
+
+    nodes : Gauss nodes per panel; count : of a piece of a panel near a target
+    extra : polynomials per side and class beyond those that waves need
+    """
+
+    length: float
+    beam: float
+    nodes: int
+    count: int
+    extra: int
+
+    @classmethod
+    def to_digits(cls, length, beam, digits):
+        """What tests/bench/contour.py found to be enough for a relative error of 10^(−digits)"""
+        nodes, count, extra = round(1.6 * digits + 1), round(1.6 * digits + 0.5), round(1.4 * digits - 1)
+        return cls(float(length), float(beam), nodes, count, max(extra, 1))
+
+    def to(self, digits):
+        """The same plan for another number of digits"""
+        return Rectangle.to_digits(self.length, self.beam, digits)
+
+    @property
+    def shares(self):
+        """α of `contour_motions` in heave, roll and pitch: ψ curved across the body rather than along it"""
+        return (self.beam**2 / (self.length**2 + self.beam**2),) * 3
+
+    @property
+    def reach(self):
+        """Largest distance from the origin, m"""
+        return np.hypot(self.length, self.beam) / 2
+
+    @property
+    def scale(self):
+        """Length over which waves must be short for κN to take its limit, m"""
+        return min(self.length, self.beam) / 2
+
+    def degree(self, waves, tolerance):
+        """(end, side) highest polynomials; `waves` rad/m get under the keel.
+
+        What happens near a corner extends over the shorter side; polynomials resolve a length δ at the end of a
+        side with a degree like δ^(−1/2).
+        """
+        shorter = min(self.length, self.beam)
+        need = [waves * e / 2 + 2 * self.extra * np.sqrt(e / shorter) for e in (self.beam, self.length)]
+        return tuple(int(4 * np.ceil(d / 4)) for d in need)
+
+    def polynomial_contour(self, degree):
+        """Gauss nodes that integrate products of polynomials of `degree` and of the rigid motions exactly."""
+        (t, w), (s, v) = (gauss_rule(d + 4) for d in degree) if np.ndim(degree) else [gauss_rule(degree + 4)] * 2
+        a, b = self.length / 2, self.beam / 2
+        zero, one = np.zeros(len(t)), np.ones(len(t))
+        none, ones = np.zeros(len(s)), np.ones(len(s))
+        return Contour(
+            np.concatenate([a * one, a * s]), np.concatenate([b * t, b * ones]), np.concatenate([one, none]),
+            np.concatenate([zero, ones]), np.concatenate([b * w, a * v]),
+        )  # fmt: skip
+
+    def basis(self, cls, degree, contour):
+        """(m, n) ψ at nodes: end then side, each with its polynomials of the class in increasing order"""
+        columns = []
+        for side, (sign, extent) in enumerate(((cls[1], self.beam), (cls[0], self.length))):
+            here = (contour.nx > 0.5) if side == 0 else (contour.ny > 0.5)
+            along = 2 * (contour.y if side == 0 else contour.x) / extent
+            m = np.arange(0 if sign == 1 else 1, degree[side] + 1, 2)
+            columns.append(here[:, None] * np.sqrt((2 * m + 1) / (2 * extent)) * eval_legendre(m, along[:, None]))
+        return np.hstack(columns)
+
+    def panels(self, k, degree):
+        """Panels that resolve waves of `k` rad/m and polynomials up to `degree`"""
+        corner, longest = [], []
+        for d, extent in zip(degree, (self.beam / 2, self.length / 2), strict=True):
+            phase = 0.7 * self.nodes  # rad on a panel; polynomials turn by d √(2r / extent) near their end
+            corner.append(min(self.scale, phase / max(k, 1e-300), extent * (phase / d) ** 2 / 2))
+            longest.append(phase / max(k, d / extent))
+        return quarter_panels(self.length / 2, self.beam / 2, corner, longest, self.nodes)
+
+    def wave_layout(self, k, degree):
+        """`Layout` for waves of k rad/m; the same for all k between two powers of 1.2, and for all long waves."""
+        shortest = self.nodes / (self.length + self.beam)
+        step = np.ceil(np.log(max(k / shortest, 1.0)) / np.log(1.2))
+        return _wave_layout(self, shortest * 1.2**step, degree)
+
+    def contour(self, k, degree, tolerance):
+        """`Contour` of the nodes for waves of k rad/m"""
+        return self.wave_layout(k, degree).contour
+
+    def layers(self, panels, smallest):
+        c = panels.contour
+        return layers(panels, c.x, c.y, np.arange(len(c.x)), self.count, smallest)
+
+    def maps(self, degree, kappa):
+        """{class: κ times the maps outside and inside, two (c, n, n)} at `kappa` (c,) rad/m"""
+        panels = self.panels(0.0, degree)
+        on = self.layers(panels, 3 / kappa[-1])
+        bases = {cls: self.basis(cls, degree, panels.contour) for cls in CLASSES}
+        weak = {cls: 4 * (bases[cls] * on.weights[:, None]).T for cls in CLASSES}
+        half = np.eye(len(on.weights)) / 2
+        out = {cls: ([], []) for cls in CLASSES}
+        for value in kappa:
+            for cls, S, D in zip(CLASSES, *on.matrices(decaying(value), CLASSES), strict=True):
+                source = value * S @ bases[cls]
+                out[cls][0].append(-weak[cls] @ np.linalg.solve(half - D, source))
+                out[cls][1].append(weak[cls] @ np.linalg.solve(half + D, source))
+        return {cls: tuple(np.array(m) for m in pair) for cls, pair in out.items()}
+
+    def laplace(self, degree):
+        """{class: the maps outside and inside for κ = 0, two (n, n)}, of zero mean where a constant is free"""
+        panels = self.panels(0.0, degree)
+        on = self.layers(panels, np.inf)
+        half, w, out = np.eye(len(on.weights)) / 2, on.weights / on.weights.sum(), {}
+        for cls, S, D in zip(CLASSES, *on.matrices(laplace, CLASSES), strict=True):
+            basis = self.basis(cls, degree, panels.contour)
+            weak = 4 * (basis * on.weights[:, None]).T
+            free = np.outer(np.ones(len(w)), w) if cls == (1, 1) else 0.0
+            source = S @ (basis - free @ basis if cls == (1, 1) else basis)
+            inner = np.linalg.solve(half + D + free, source)
+            inner = inner - free @ inner if cls == (1, 1) else inner
+            outer = np.linalg.solve(half - D, source) if cls != (1, 1) else inner * np.nan
+            out[cls] = -weak @ outer, weak @ inner
+        return out
+
+    def waves(self, classes, degree, k, contour, beta):
+        """{class: `WaveMap`} for waves of `k` rad/m and incident ones towards `beta` (b,)"""
+        at = self.wave_layout(k, degree)
+        kernels, half, out = radiating(k), np.eye(len(contour.x)) / 2, {}
+        S, D = at.on.matrices(kernels, classes)
+        S_in, D_in = at.within.matrices(kernels, classes)
+        for c, cls in enumerate(classes):
+            basis = self.basis(cls, degree, contour)
+            matrix = np.vstack([half - D[c], -D_in[c]])
+            velocity = -np.vstack([S[c], S_in[c]]) @ basis
+            known = [plane_waves(cls, place, k, beta).value for place in (contour, at.inside)]
+            answer = _least_squares(matrix, np.hstack([velocity, np.vstack(known)]))
+            potential, wall = np.split(answer, [basis.shape[1]], axis=1)
+            out[cls] = WaveMap(4 * (basis * contour.weights[:, None]).T @ potential, potential, wall)
+        return out
+
+
+class Layout(NamedTuple):
+    """Nodes on the contour, points inside, and the `Layers` of both as targets."""
+
+    contour: Contour
+    inside: Contour
+    on: Layers
+    within: Layers
+
+
+@lru_cache(maxsize=8)
+def _wave_layout(rectangle, k, degree):
+    panels = rectangle.panels(k, degree)
+    n = np.arange(1, int(8 + k * np.hypot(rectangle.length, rectangle.beam) / 4) + 1)
+    x = 0.45 * rectangle.length * ((n * (np.sqrt(5) - 1) / 2) % 1.0)  # irrational steps: no nodal line holds many
+    y = 0.45 * rectangle.beam * ((n * (np.sqrt(2) - 1)) % 1.0)
+    within = layers(panels, x, y, np.full(len(n), -1), rectangle.count, 3 / k)
+    return Layout(panels.contour, Contour(x, y, 0 * x, 0 * x, 0 * x), rectangle.layers(panels, 3 / k), within)
+
+
+def _least_squares(matrix, right):
+    """x of smallest |matrix x − right|; the equations are consistent and well conditioned, so normal equations do."""
+    from scipy.linalg import cho_factor, cho_solve
+
+    conjugate = matrix.conj().T
+    return cho_solve(cho_factor(conjugate @ matrix, check_finite=False), conjugate @ right, check_finite=False)

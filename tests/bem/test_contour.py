@@ -1,0 +1,76 @@
+"""What the contour method promises at its door: refusals, only what is asked for, honest errors."""
+
+import numpy as np
+import pytest
+
+from bem.contour import prepare_box, prepare_cylinder
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ((0, 50, 10, 20), "length is 0 m; allowed: above 0"),
+        ((100, np.nan, 10, 20), "beam is nan m"),
+        ((100, 50, -1, 20), "draft is -1 m"),
+        ((100, 50, 10, 10), "depth is 10 m; allowed: above the draft"),
+        ((100, 50, 10, np.inf), "panel method"),
+        ((100, 50, 10, 1200), "allowed: up to 1010 m"),
+        ((100, 50, 10, 20, 1e-9), "tolerance is 1e-09; allowed"),
+    ],
+)
+def test_what_it_cannot_compute_is_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        prepare_box(*arguments)
+
+
+def test_wrong_questions_are_refused():
+    body = prepare_cylinder(5, 5, 20)
+    with pytest.raises(ValueError, match="omega is 0"):
+        body.first_order(0.0)
+    with pytest.raises(ValueError, match="not finite"):
+        body.first_order(0.5, [np.nan])
+    with pytest.raises(ValueError, match="limit is 'low'"):
+        body.added_mass_limit("low")
+    with pytest.raises(ValueError, match="radius is -1 m"):
+        prepare_cylinder(-1, 5, 20)
+
+
+def test_only_the_symmetry_classes_that_are_asked_for_are_solved():
+    body = prepare_box(100, 50, 10, 20)
+    full = body.first_order(0.6, [0.4])
+    some = body.first_order(0.6, [0.4], dofs=(2, 4))
+    inside = np.ix_([2, 4], [2, 4])
+    np.testing.assert_allclose(some.radiation[inside], full.radiation[inside], rtol=1e-12, atol=1e-3)
+    assert np.count_nonzero(some.radiation) == np.count_nonzero(some.radiation[inside])
+    assert np.all(some.diffraction[:, [0, 1, 3, 5]] == 0) and np.all(some.diffraction[:, [2, 4]] != 0)
+    solved = {key[1] for key in body.kept if key[0] == "beneath"}
+    lone = prepare_box(100, 50, 10, 20)
+    lone.first_order(0.6, [0.4], dofs=(2,))
+    assert {key[1] for key in lone.kept if key[0] == "beneath"} == {(1, 1)} < solved
+
+
+def test_no_headings_and_no_angles_give_empty_arrays():
+    r = prepare_box(100, 50, 10, 20).first_order(0.6)
+    assert r.diffraction.shape == (0, 6) and r.kochin_radiation.shape == (2, 6, 0)
+
+
+def test_density_and_gravity_scale_as_they_should():
+    body = prepare_cylinder(5, 5, 20)
+    plain = body.first_order(0.8, [0.1], [0.3], density=1000.0, gravity=9.81)
+    heavy = body.first_order(0.8, [0.1], [0.3], density=2000.0, gravity=9.81)
+    np.testing.assert_allclose(heavy.radiation, 2 * plain.radiation, rtol=1e-13)
+    np.testing.assert_allclose(heavy.diffraction, 2 * plain.diffraction, rtol=1e-13)
+    faster = body.first_order(0.8 * np.sqrt(2), [0.1], [0.3], density=1000.0, gravity=2 * 9.81)
+    np.testing.assert_allclose(faster.radiation, plain.radiation, rtol=1e-10, atol=1e-6)
+    np.testing.assert_allclose(faster.kochin_radiation, plain.kochin_radiation, rtol=1e-10, atol=1e-13)
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4])
+@pytest.mark.parametrize("dimensions", [(100, 50, 10, 12), (100, 50, 10, 100), (300, 40, 5, 20)])
+def test_estimated_error_bounds_the_error(dimensions, tolerance):
+    body, fine = prepare_box(*dimensions, tolerance=tolerance), prepare_box(*dimensions, tolerance=1e-6)
+    for omega in (0.3, 0.9):
+        ours, exact = body.first_order(omega, [0.5]), fine.first_order(omega, [0.5])
+        size = np.sqrt(np.abs(np.diag(exact.radiation)))
+        error = np.max(np.abs(ours.radiation - exact.radiation) / np.outer(size, size))
+        assert error < min(tolerance, body.estimated_error(omega, [0.5]))

@@ -1,0 +1,171 @@
+"""Plane problems on a contour: manufactured solutions, closed forms and what a table keeps of them."""
+
+import numpy as np
+import pytest
+from scipy.special import hankel1, k0, k1
+
+from bem.contour_sums import Nodes, collapsed
+from bem.contour_waves import froude_krylov, plane_waves
+from bem.plan import CLASSES, area_moment
+from bem.plan_circle import Circle
+from bem.plan_layers import decaying, laplace, radiating
+from bem.plan_rectangle import Rectangle
+
+LENGTH, BEAM = 100.0, 50.0
+DEGREE = (12, 16)
+
+
+def images(cls, x, y):
+    """Four sources of strength ±1 that make a field of the symmetry `cls`"""
+    for ix, iy in CLASSES:
+        yield (cls[0] if ix < 0 else 1) * (cls[1] if iy < 0 else 1), ix * x, iy * y
+
+
+def field_of_sources(contour, cls, x, y, radial):
+    """Potential and normal velocity on the contour; radial : function of R for both φ and R dφ/dR"""
+    value, flux = 0.0, 0.0
+    for sign, sx, sy in images(cls, x, y):
+        dx, dy = contour.x - sx, contour.y - sy
+        R2 = dx**2 + dy**2
+        f, slope = radial(np.sqrt(R2))
+        value = value + sign * f
+        flux = flux + sign * slope * (dx * contour.nx + dy * contour.ny) / R2
+    return value, flux
+
+
+def worst(digits, kappa, inside):
+    """Largest relative error of the potential that answers the normal velocity of sources across the contour"""
+    plan = Rectangle.to_digits(LENGTH, BEAM, digits)
+    panels = plan.panels(0.0, DEGREE)
+    contour, on = panels.contour, plan.layers(panels, 3 / kappa)
+    source = (70.0, 40.0) if inside else (30.0, 12.0)
+    errors = []
+    for cls, S, D in zip(CLASSES, *on.matrices(decaying(kappa), CLASSES), strict=True):
+        value, flux = field_of_sources(contour, cls, *source, lambda R: (k0(kappa * R), -kappa * R * k1(kappa * R)))
+        sign = 1 if inside else -1
+        answer = np.linalg.solve(np.eye(len(value)) / 2 + sign * D, sign * S @ flux)
+        errors.append(np.abs(answer - value).max() / np.abs(value).max())
+    return max(errors)
+
+
+@pytest.mark.parametrize("inside", [True, False])
+@pytest.mark.parametrize("kappa", [0.002, 0.05])
+def test_sources_across_the_contour_are_answered_better_with_every_digit(kappa, inside):
+    errors = [worst(digits, kappa, inside) for digits in (3, 5, 7)]
+    assert errors[0] < 1e-3 and errors[1] < 1e-5 and errors[2] < 1e-7, errors
+
+
+def test_double_layer_of_one_is_minus_half_inside():
+    """Gauss: ∮ ∂G/∂n ds = −½ on the contour for Laplace's equation"""
+    plan = Rectangle.to_digits(LENGTH, BEAM, 6)
+    _, D = plan.layers(plan.panels(0.0, DEGREE), np.inf).matrices(laplace, [(1, 1)])
+    assert np.abs(D[0].sum(axis=1) + 0.5).max() < 1e-9
+
+
+@pytest.mark.parametrize("turns", [(1, 1), (2, 1), (1, 2), (4, 3)])
+def test_waves_have_one_answer_at_the_resonances_of_the_inside(turns):
+    """k = π√((m/L)² + (n/B)²), where the integral equation alone has many"""
+    k = np.pi * np.hypot(turns[0] / LENGTH, turns[1] / BEAM)
+    plan = Rectangle.to_digits(LENGTH, BEAM, 6)
+    contour = plan.contour(k, DEGREE, 1e-6)
+    at = plan.wave_layout(k, DEGREE)
+    _, D = at.on.matrices(radiating(k), CLASSES)
+    waves = plan.waves(CLASSES, DEGREE, k, contour, [0.4])
+    alone = []
+    for c, cls in enumerate(CLASSES):
+        value, flux = field_of_sources(
+            contour, cls, 30.0, 12.0, lambda R: (hankel1(0, k * R), -k * R * hankel1(1, k * R))
+        )
+        # Green with the total field in front of a wall: ∮ wall ∂φ/∂n = ∮ (wave ∂φ/∂n − φ ∂wave/∂n), φ outgoing
+        wave = plane_waves(cls, contour, k, np.array([0.4]))
+        left = np.sum(contour.weights * waves[cls].wall[:, 0] * flux)
+        right = np.sum(contour.weights * (wave.value[:, 0] * flux - value * wave.flux[:, 0]))
+        assert abs(left - right) < 1e-7 * np.abs(contour.weights * flux).sum()
+        alone.append(np.linalg.cond(np.eye(len(value)) / 2 - D[c]))
+    assert max(alone) > 1e4  # that there was something to treat
+
+
+def test_inner_map_of_a_cosine_is_a_hyperbolic_cotangent():
+    """cos(2πx/L) cosh μy, μ² = κ² + (2π/L)²: no flow through the ends, ratio coth(μB/2)/μ on the sides"""
+    plan, kappa = Rectangle.to_digits(LENGTH, BEAM, 7), 0.05
+    degree = (4, 24)
+    contour = plan.polynomial_contour(degree)
+    basis = plan.basis((1, 1), degree, contour)
+    inner = plan.maps(degree, np.array([kappa]))[(1, 1)][1][0] / kappa
+    mu = np.hypot(kappa, 2 * np.pi / LENGTH)
+    side = contour.ny > 0.5
+    velocity = np.where(side, mu * np.sinh(mu * BEAM / 2) * np.cos(2 * np.pi * contour.x / LENGTH), 0.0)
+    value = np.cos(2 * np.pi * contour.x / LENGTH) * np.cosh(mu * contour.y)
+    weigh = 4 * (basis * contour.weights[:, None]).T
+    assert np.abs(inner @ (weigh @ velocity) - weigh @ value).max() < 1e-7 * np.abs(weigh @ value).max()
+
+
+@pytest.mark.parametrize("plan", [Rectangle.to_digits(LENGTH, BEAM, 6), Circle(20.0)])
+def test_maps_are_symmetric_and_tend_to_their_limits(plan):
+    degree = plan.degree(0.0, 1e-6)
+    for outer, inner in plan.maps(degree, np.array([0.05, 1e4])).values():
+        one = np.eye(outer.shape[1])
+        for matrix in (outer[0], inner[0]):
+            assert np.abs(matrix - matrix.T).max() < 1e-7
+        assert np.abs(outer[1] + one).max() < 2e-3 and np.abs(inner[1] - one).max() < 2e-3
+
+
+@pytest.mark.parametrize("plan", [Rectangle.to_digits(LENGTH, BEAM, 5), Circle(20.0)])
+def test_functions_of_the_contour_are_orthonormal(plan):
+    degree = plan.degree(0.1, 1e-5)
+    contour = plan.polynomial_contour(degree)
+    for cls in CLASSES:
+        basis = plan.basis(cls, degree, contour)
+        gram = 4 * (basis * contour.weights[:, None]).T @ basis
+        assert np.abs(gram - np.eye(len(gram))).max() < 1e-12
+
+
+def test_far_waves_of_a_cylinder_are_hankel_functions_of_any_order():
+    """1 / Hₘ for orders whose Hankel functions overflow"""
+    waves = Circle(1.0).waves(CLASSES, 60, 1e-4, Circle(1.0).contour(1e-4, 60, 1e-3), [0.0])
+    assert all(np.all(np.isfinite(w.weak)) and np.all(np.isfinite(w.wall)) for w in waves.values())
+    ratio = waves[(1, 1)].weak[2, 2]  # order 4 of a small circle: −R/m
+    assert ratio == pytest.approx(-1 / 4, rel=1e-6)
+
+
+def test_a_table_keeps_a_function_of_log_kappa_and_its_tail():
+    def f(kappa):
+        return k0(kappa) / k1(kappa) * -1.0
+
+    errors = []
+    for count in (10, 20, 40):
+        nodes = Nodes(0.05, 60.0, count)
+        kappa = np.geomspace(0.05, 1e5, 400)
+        kept = nodes.weights(kappa) @ np.append(f(nodes.kappa), -1.0)
+        errors.append(np.abs(kept - np.where(kappa < 300, f(np.minimum(kappa, 300)), -1 + 0.5 / kappa)).max())
+    assert errors[1] < errors[0] / 10 and errors[2] < 1e-5, errors
+
+
+def test_collapsed_sum_is_the_sum():
+    """Σ 1/n² · M(n) with M = 1 + 1/n: ζ(3)-like sums to infinity from forty modes"""
+    from scipy.special import zeta
+
+    n = np.arange(1.0, 201)
+    rows, nodes = (n**-0.5)[None], Nodes(0.5, 100.0, 25)
+    total = collapsed(rows, np.array([0.5]), 1 / n, nodes.weights(n))[0, 0]
+    values = np.append(1 + 1 / nodes.kappa, 1.0)
+    assert total @ values == pytest.approx(zeta(2) + zeta(3), rel=1e-8)
+
+
+def test_area_moments_are_those_of_the_figure():
+    box = Rectangle.to_digits(LENGTH, BEAM, 3).polynomial_contour((8, 8))
+    assert area_moment(box, 2, 2) == pytest.approx(LENGTH**3 * BEAM**3 / 144, rel=1e-13)
+    circle = Circle(3.0).polynomial_contour(6)
+    assert area_moment(circle, 4, 0) == pytest.approx(np.pi * 3**6 / 8, rel=1e-13)
+
+
+@pytest.mark.parametrize("k", [1e-5, 0.03, 0.8])
+def test_froude_krylov_forces_of_a_box_are_products_of_sines(k):
+    plan, beta = Rectangle.to_digits(LENGTH, BEAM, 7), np.array([0.0, 0.7, np.pi / 2])
+    one, z, keel = 9.0, -40.0, 0.8  # any numbers in place of the integrals over depth
+    force = froude_krylov(plan.contour(k, DEGREE, 1e-7), k, beta, (one, z), keel)
+    a, b = k * np.cos(beta) * LENGTH / 2, k * np.sin(beta) * BEAM / 2
+    sa, sb = np.sinc(a / np.pi), np.sinc(b / np.pi)
+    surge = -2j * np.sin(a) * BEAM * sb * one
+    np.testing.assert_allclose(force[:, 0], surge, rtol=1e-8, atol=1e-8 * np.abs(surge).max())
+    np.testing.assert_allclose(force[:, 2], keel * LENGTH * BEAM * sa * sb, rtol=1e-8, atol=1e-8 * LENGTH * BEAM)
