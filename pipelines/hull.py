@@ -26,6 +26,7 @@ from .scene_text import fixed_part, scene_hash, to_toml
 from .viscous_table import viscous_of
 
 MOST_PANELS, FEWEST_PANELS = 20_000, 24
+MOST_WAVES = 200  # along the body, without panels
 FOR_SHOW = 500  # panels where none is computed with
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 
@@ -61,6 +62,7 @@ def make_hull(scene, omegas):
     """
     wave = shortest_wave(scene, omegas)
     if not panels_matter(scene):
+        _check_waves_across(scene, wave)
         return Hull(_meshed(scene.body, FOR_SHOW), None)
     if scene.body.shape == "mesh":
         mesh = read_mesh(scene.body.file)
@@ -70,6 +72,17 @@ def make_hull(scene, omegas):
         mesh = _fine_enough(scene, wave)
     _usable(scene, mesh, None, wave)  # a lid needs a waterline that closes
     return Hull(mesh, make_lid(scene, mesh, wave))
+
+
+def _check_waves_across(scene, wave):
+    """Methods without panels know no other limit than the patience of their user: a hundred waves take a second."""
+    body = scene.body
+    across = 2 * body.radius if body.shape == "buoy" else max(body.length, body.beam)
+    if across > MOST_WAVES * wave:
+        raise SceneError(
+            f"the shortest wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
+            f"{across / MOST_WAVES:.3g} m; leave out the highest frequencies"
+        )
 
 
 def panels_matter(scene):
@@ -104,9 +117,10 @@ def coarse_hull(scene, mesh):
 
 def inspected(hull, scene, omegas):
     """The hull with the remarks of the mesh check.  Raises SceneError if one of them is an error."""
-    if not panels_matter(scene):
-        return hull
     wave = shortest_wave(scene, omegas)
+    if not panels_matter(scene):
+        _check_waves_across(scene, wave)
+        return hull
     found = _usable(scene, hull.mesh, hull.lid, wave)
     return Hull(hull.mesh, hull.lid, (*(f.text for f in found), *_lid_remarks(hull.lid, wave)))
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from mooring.response.long_term import YEAR
 
-from .response_report import RAD
+from .response_report import RAD, sea_in_words
 from .study import TONF
 
 COLUMNS = 3
@@ -29,7 +29,8 @@ def draw(result, path):
             axis.spines[["top", "right"]].set_visible(False)
         for axis in grid.flat[len(panels) :]:
             axis.set_axis_off()
-        figure.suptitle(repr(result).strip("<>"), x=0.01, ha="left", fontsize=11)
+        title = f"exceedance in {len(result.height)} sea states" if climate else f"spectra: {sea_in_words(result)}"
+        figure.suptitle(title, x=0.01, ha="left", fontsize=11)
         figure.savefig(path, dpi=130)
     return figure
 

@@ -115,12 +115,19 @@ def _units(units):
     return [RAD.get(u, (u, 1.0))[0] for u in units], np.array([RAD.get(u, (u, 1.0))[1] for u in units])
 
 
-def _sea_line(result):
+def sea_in_words(result):
+    """Spectrum, direction and duration of a SeaState"""
     s = result.sea.spectrum
     crests = "long-crested" if result.sea.spreading is None else repr(result.sea.spreading)
     return (
         f"{s.name} spectrum, {s.significant_height:.4g} m, T01 {s.T01:.4g} s, travelling to "
-        f"{np.degrees(result.sea.direction) % 360:.4g}°, {crests}, {result.duration / 3600:.3g} h; amplitudes: "
+        f"{np.degrees(result.sea.direction) % 360:.4g}°, {crests}, {result.duration / 3600:.3g} h"
+    )
+
+
+def _sea_line(result):
+    return (
+        f"{sea_in_words(result)}; amplitudes: "
         "standard deviation, mean of the highest third, largest expected and not exceeded with 90 %; periods in s"
     )
 

@@ -17,7 +17,8 @@ from meshing.shapes import box
 from pipelines.cli import main
 
 STUDY = (Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml").read_text()
-BODY = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 24"
+BOX = "box --length 100 --beam 50 --draft 10"
+BODY = f"{BOX} --depth 20 --panels 24"
 MASS = "--gyration 15.6,29.4,32.3"
 DATABASES = {
     "full": f"{MASS} --omega 0.3,0.6,0.9 --heading 0,210,240",
@@ -56,7 +57,26 @@ WAVES = {
     f"{BODY} --period 0": ("waves.periods is 0.0", "above 0"),
     f"{BODY} --omega 1 --heading 400": ("headings_deg has 400.0", "-360 to 360"),
     f"{BODY} --omega 1 --heading 0,360": ("headings_deg", "twice"),
-    "box --length 100 --beam 50 --draft 10 --depth 20 --omega 1e4": ("panels; allowed: 20000", "highest"),
+    f"{BOX} --depth 20 --omega 1e4": (
+        "6.16e-07 m",
+        "allowed: at least 0.5 m",
+        "highest",
+    ),
+    f"{BOX} --depth 20 --omega 1e4 --method panel": (
+        "panels; allowed: 20000",
+        "highest",
+    ),
+    f"{BOX} --depth inf --omega 1 --method contour": ("finite water depth", "panel"),
+    "box --length 100 --beam 50 --draft 1 --depth 200 --omega 1 --method contour": ("up to 100 times", "panel"),
+    "buoy --radius 10 --draft 10 --depth 20 --omega 1 --method strip": ("'buoy'", "panel or contour"),
+    f"{BOX} --depth 20 --omega 1 --method strip --only drift_force_fixed": ("strip does not give", "panel or contour"),
+    f"{BOX} --depth 20 --omega 1 --method strip --only drift": ("gives nothing",),
+    f"{BOX} --depth 20 --omega 1 --method pressure --only added_mass_infinity": ("pressure does not give", "panel"),
+    f"{BOX} --depth 20 --omega 1 --method contour --wall -40": ("knows no wall", "panel or pressure"),
+    f"{BOX} --depth 20 --omega 1 --wall -20": ("wall is -20", "half its beam, 25"),
+    f"{BOX} --depth 20 --omega 1 --wall -40 --only kochin_diffraction": ("beside a wall", "leave it out"),
+    f"{BOX} --depth 20 --omega 1 --method contour --panels 300": ("no panels", "leave panels out"),
+    f"{BOX} --depth 20 --omega 1 --method guess": ("method is 'guess'", "inverse-strip"),
 }
 MESHES = {
     "solve --mesh hole.gdf --depth 20 --omega 0.5": ("hole.gdf: the hull is open along 2 edges", "close it"),
