@@ -136,8 +136,8 @@ def test_panels_agree_within_their_own_error():
     Z = theirs["added_mass"] + 1j * theirs["radiation_damping"] / omega
     ours = Solved(prepare_box(length, beam, draft, depth, 1e-4), omega)
     estimate = theirs["checks"]["estimated_error"]
-    assert estimate < 5e-3
-    assert ours.error(Z, theirs["excitation_force"], theirs["drift_force_fixed"]) < 2 * estimate
+    assert estimate < 6e-3
+    assert ours.error(Z, theirs["excitation_force"], theirs["drift_force_fixed"]) < estimate
 
 
 def test_nothing_happens_at_the_resonances_of_the_plan():
