@@ -1,15 +1,17 @@
-# make demo    two databases, pictures, a mooring study; into demo/
+# make demo    two databases, pictures, a sea state, a mooring study; into demo/
 # make test    ruff and all tests
+# make bench   error against time beside capytaine and HAMS, into bench/ (a quarter of an hour; QUICK=1 a minute)
 # make lint    ruff alone
 # make venv    .venv with everything installed (done by the others when needed)
 
 PYTHON ?= python3
 BIN := .venv/bin
 STAMP := .venv/.installed
+PEERS := .venv-peers
 SCENES := pipelines/scenes
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 
-.PHONY: demo test lint venv format clean
+.PHONY: demo test bench lint venv format clean
 .DELETE_ON_ERROR:
 
 venv: $(STAMP)
@@ -31,7 +33,19 @@ demo: venv
 	$(BIN)/hakobune plot demo/box_12m.h5 --output demo/box_12m.png
 	$(BIN)/hakobune solve $(SCENES)/series_box_20m.toml --output demo/box_20m.h5
 	$(BIN)/hakobune plot demo/box_20m.h5 --output demo/box_20m.png
+	$(BIN)/hakobune response $(SCENES)/response_box_20m.toml --database demo/box_20m.h5 \
+	  --output demo/response.csv --plot demo/response.png
 	$(BIN)/hakobune moor $(SCENES)/moor_chain_12.toml --database demo/box_20m.h5 --output demo/moor.h5
+
+bench: venv $(PEERS)/.installed
+	$(BIN)/hakobune bench --peer $(PEERS)/bin/python --output bench $(if $(QUICK),--quick)
+
+$(PEERS)/.installed:
+	@test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
+	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check capytaine==3.0.0
+	@$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --only-binary :all: pyhams==1.3.1 || \
+	  echo "make: pyhams does not install here; the bench goes on without it" >&2
+	@touch $@
 
 lint: venv
 	$(BIN)/ruff check .
@@ -45,4 +59,4 @@ format: venv
 	$(BIN)/ruff format .
 
 clean:
-	rm -rf demo build *.egg-info
+	rm -rf demo bench build *.egg-info

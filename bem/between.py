@@ -84,10 +84,11 @@ class Between:
     def _relative(self, error, name):
         stored = np.abs(self.quantities[name])
         if name in RADIATION:
-            scale = np.sqrt(np.einsum("nii->ni", stored).max(axis=0))
+            scale = _seen(np.sqrt(np.einsum("nii->ni", stored).max(axis=0)))
             scale = np.outer(scale, scale)
         else:
             scale = stored.max(axis=tuple(range(stored.ndim - 1)))
+            scale = _seen(scale) if len(scale) == 6 else scale
         return np.max(error / np.where(scale > 0, scale, np.inf), axis=tuple(range(1, error.ndim)))
 
     def _inside(self, omega):
@@ -210,6 +211,12 @@ class Between:
             for H, dH, f, df, q, n in rows
         ]
         return about(np.array(out), self.rotation_center)
+
+
+def _seen(scale):
+    """(6,) infinite for motions that move no water, as yaw of a buoy: what is left of them is rounding"""
+    largest = np.repeat([scale[:3].max(), scale[3:].max()], 3)
+    return np.where(scale > 1e-4 * largest, scale, np.inf)
 
 
 def between(db):

@@ -26,6 +26,7 @@ import numpy as np
 from .waves import wavenumber
 
 NUGGET = 1e-9  # of the kernel's diagonal: keeps its inverse to about seven digits
+ROUNDING = 30 * NUGGET  # variance, relative, that is not distinguished from none: nodes have as much
 
 
 class Abscissa(NamedTuple):
@@ -35,9 +36,12 @@ class Abscissa(NamedTuple):
     phase: np.ndarray
 
 
-
 class Member(NamedTuple):
-    """A kernel of the family: ℓ, at most `nodes` mean distances of the nodes; delays dⱼ in lengths of the body with their weights aⱼ; share of `lead` taken out"""
+    """A kernel of the family.
+
+    reach : ℓ, but at most `nodes` mean distances of the nodes; delays : dⱼ in lengths of the body, with their
+    weights aⱼ; lead : share of the `lead` that is taken out
+    """
 
     reach: float
     nodes: float
@@ -65,9 +69,11 @@ _ROWS = (
     *(_echoes(0.5, ratio, 2.0) for ratio in (0.2, 0.4)),
     *(_echoes(0.1, np.exp(-0.1 / decay), 2.5) for decay in (0.1, 0.2)),
 )
-_REACHES = ((1.2, 3.2), (1.8, 4.8), (2.5, 6.7), (3.5, 9.3))  # wider ones cost digits and gain nothing
+_REACHES = ((1.2, 4.8), (1.8, 7.2), (2.5, 10.0), (3.5, 14.0))  # wider ones cost digits and gain nothing
 FAMILY = tuple(Member(*reach, *row, lead) for reach in _REACHES for row in _ROWS for lead in (1.0, 0.7))
-SPREAD = Member(1.2, np.inf, *_echoes(0.1, np.exp(-0.1 / 0.12), 2.5), 1.0)  # by which nodes are spread, knowing no value
+SPREAD = Member(
+    1.2, np.inf, *_echoes(0.1, np.exp(-0.1 / 0.12), 2.5), 1.0
+)  # by which nodes are spread, knowing no value
 
 
 def abscissa(omega, depth, gravity, length):
@@ -91,7 +97,7 @@ class Interpolant:
         for member, (weight, coefficients, scale, inverse) in zip(FAMILY, self._members, strict=True):
             row = self._kernel(member, y, self.x)
             guess = (row @ coefficients) * np.conj(self._turn(member, y))
-            left = np.maximum(1 - np.einsum("mn,nk,mk->m", row, inverse, row.conj(), optimize=True).real, 0)
+            left = np.maximum(1 - np.einsum("mn,nk,mk->m", row, inverse, row.conj(), optimize=True).real - ROUNDING, 0)
             value = value + weight * guess
             square = square + weight * np.abs(guess) ** 2
             deviation = deviation + weight * np.sqrt(np.outer(left, scale))
@@ -137,14 +143,14 @@ def unknown(x, y):
 def chosen(x, y, count):
     """Indices of `count` of the points y (m,) to be known next, one after the other, when x are known.
 
-    It is where `unknown` is largest; when it is within a thousand times the nugget, which it cannot tell from
+    It is where `unknown` is largest; when that is the nugget, which it cannot tell from
     nothing, where the next known point is farthest away.
     """
     new = []
     for _ in range(count):
         known = Abscissa(*(np.concatenate([a, b[new]]) for a, b in zip(x, y, strict=True)))
         left_open = unknown(known, y)
-        if left_open.max() < 1e3 * NUGGET:
+        if left_open.max() < 2 * NUGGET:
             left_open = np.abs(y.smooth[:, None] - known.smooth).min(axis=1)
         new.append(int(np.argmax(left_open)))
     return new

@@ -9,8 +9,10 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
+from .bench_command import bench
+from .compare_command import compare
 from .flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
-from .lines_flags import line, lines
+from .lines_flags import line, line_dynamics, lines
 from .response_command import response
 from .sea_command import sea
 from .sections_command import sections
@@ -24,13 +26,6 @@ app = App(
 )
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the flags are laid over")]
-
-
-app.command(sea)
-app.command(response)
-app.command(sections)
-app.command(line)
-app.command(lines)
 
 
 @app.command
@@ -128,10 +123,20 @@ def moor(study: Path, /, *, database: Path, output: Path | None = None):
     return 0
 
 
+app.command(sea)
+app.command(response)
+app.command(sections)
+app.command(compare)
+app.command(bench)
+app.command(line)
+app.command(lines)
+app.command(line_dynamics)
+
+
 def main(arguments=None):
     """Run a command; every fault is one line on stderr.  Returns the exit status."""
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    command = arguments[0] if arguments and arguments[0].isalpha() else ""
+    command = arguments[0] if arguments and arguments[0].replace("-", "").isalpha() and arguments[0][0] != "-" else ""
     name = f"hakobune {command}".strip()
     try:
         return app(arguments, exit_on_error=False, print_error=False) or 0

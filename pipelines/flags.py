@@ -19,7 +19,7 @@ class SceneFlags:
     """What every body has in common."""
 
     depth: Annotated[float | None, _flag("water depth, m; inf for deep water")] = None
-    omega: Annotated[str | None, _flag("frequencies, rad/s: a,b,c or start:stop:count, or auto:from:to to --tolerance")] = None
+    omega: Annotated[str | None, _flag("rad/s: a,b,c or start:stop:count, or auto:from:to (to --tolerance)")] = None
     period: Annotated[str | None, _flag("periods, s, instead of omega")] = None
     heading: Annotated[str | None, _flag("degrees the waves travel to (0: +x, 90: +y)")] = None
     tolerance: Annotated[float | None, _flag("relative error asked for [0.01]")] = None

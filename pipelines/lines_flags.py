@@ -1,4 +1,4 @@
-"""The flags of `hakobune line` and `hakobune lines`.  Heavy imports happen inside."""
+"""The flags of `hakobune line`, `lines` and `line-dynamics`.  Heavy imports happen inside."""
 
 from __future__ import annotations
 
@@ -59,6 +59,21 @@ def lines(
     load = _numbers("--force", force) if force else None
     directions = _numbers("--direction", direction) if direction else [0.0, 90.0]
     return lines(file, body, load, depth, offset, directions, broken, database, output, picture, moordyn)
+
+
+def line_dynamics(
+    study: Path,
+    /,
+    *,
+    duration: Annotated[float | None, Parameter(help="s, in place of the study's")] = None,
+    tolerance: Annotated[float | None, Parameter(help="error of a time step, of the largest tension")] = None,
+    output: Annotated[Path | None, Parameter(help="histories and frames, .h5")] = None,
+    picture: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
+):
+    """Tension, slack and work of one mooring line whose fairlead moves (TOML), beside its quasi-static tension."""
+    from .line_dynamics_command import line_dynamics
+
+    return line_dynamics(study, duration, tolerance, output, picture)
 
 
 def _numbers(flag, text):

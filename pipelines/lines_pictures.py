@@ -84,7 +84,7 @@ def draw_frames(time, nodes, path, count=12):
     """
     from matplotlib.figure import Figure
 
-    plane = _plane(nodes)
+    plane = line_plane(nodes)
     if path.suffix.lower() == ".gif":
         return _film(time, plane, path)
     chosen = np.unique(np.linspace(0, len(time) - 1, min(count, len(time))).round().astype(int))
@@ -104,7 +104,7 @@ def draw_frames(time, nodes, path, count=12):
     return None
 
 
-def _plane(nodes):
+def line_plane(nodes):
     """(f, k, 2) m: along the horizontal line through both ends at the start, and z"""
     along = nodes[0, -1, :2] - nodes[0, 0, :2]
     size = np.linalg.norm(along)

@@ -281,7 +281,8 @@ def _check_point(key, point):
 def _check_waves(scene):
     given = [key for key in FREQUENCY_KEYS if getattr(scene.waves, key) is not None]
     if len(given) != 1:
-        raise SceneError(f"waves has {' and '.join(given) or 'no frequencies'}; give one of {', '.join(FREQUENCY_KEYS)}")
+        found = " and ".join(given) or "no frequencies"
+        raise SceneError(f"waves has {found}; give one of {', '.join(FREQUENCY_KEYS)}")
     key = given[0]
     if key == "xi_B" and scene.body.shape == "mesh":
         raise SceneError("waves.xi_B needs a beam, a body from a mesh file has none; give omegas or periods")

@@ -38,11 +38,11 @@ def channels_of_line(result, line=1):
     return {f"FairTen{line}": (fair, "N"), f"AnchTen{line}": (anchor, "N")}
 
 
-def write_channels(path, time, channels, names=None, frames=None):
+def write_channels(path, time, channels, names=None, frames=None, attributes=None):
     """Write channels to an HDF5 file, replacing a file of the same kind.
 
     time : (n,) s; channels : {name: ((n,) or one value, unit)}; names : {"lines": […], "points": […], "bodies": […]}
-    frames : (frame time (f,), nodes (f, k, 3) m) of line 1
+    frames : (frame time (f,), nodes (f, k, 3) m) of line 1; attributes : {name: value} of the file
     raises : FormatError for channels of another length, or a file of another kind in the way
     """
     import h5py
@@ -54,7 +54,7 @@ def write_channels(path, time, channels, names=None, frames=None):
     if path.exists() and not is_channels(path):
         raise FormatError(f"{path} is not a file of channels and is not replaced; give another name")
     with beside(path) as file:
-        file.attrs["schema"] = SCHEMA
+        file.attrs.update({**(attributes or {}), "schema": SCHEMA})
         _put(file, "Time", time, "s")
         for name, (value, unit) in channels.items():
             value = np.atleast_1d(np.asarray(value, float))

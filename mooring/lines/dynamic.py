@@ -52,6 +52,7 @@ def simulate(
     start=None,
     check_mesh=True,
     mesh_tolerance=0.02,
+    progress=None,
 ):
     """Motion and tension of `line` while its fairlead follows `motion`, from rest or from the end of another run.
 
@@ -62,6 +63,7 @@ def simulate(
     start : State, the `end` of a run before, which the fairlead goes on from (then the mesh is not checked)
     check_mesh : run half as many elements too, estimate the error of the largest tension by the square of the
     element length, and warn above `mesh_tolerance`
+    progress : called with the time reached (s) after every thousand steps of "esdirk"
     returns : Result
     raises : ValueError for impossible input, LineError without a static shape, DynamicLineError for a run that stops
     """
@@ -70,7 +72,7 @@ def simulate(
     rest = at_rest(line, motion.at(0.0)[0], water) if start is None else start
     _check_joint(motion, rest, start is None)
     _check_above_bed(line, motion, rest.time, duration)
-    case = Case(line, motion, water, duration, tolerance, longest_step, frames, stations)
+    case = Case(line, motion, water, duration, tolerance, longest_step, frames, stations, progress)
     result = (run_esdirk if method == "esdirk" else run_houbolt)(case, rest)
     if start is None and check_mesh:
         result = replace(result, mesh_error=_mesh_error(case, result, mesh_tolerance))

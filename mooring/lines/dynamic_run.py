@@ -95,7 +95,7 @@ class Result:
 
 
 class Case(NamedTuple):
-    """Input of a run, checked; times in s, stations are node numbers."""
+    """Input of a run, checked; times in s, stations are node numbers; progress : called with the time reached, s."""
 
     line: DynamicLine
     motion: FairleadMotion
@@ -105,6 +105,7 @@ class Case(NamedTuple):
     longest_step: float
     frames: int
     stations: tuple
+    progress: object = None
 
 
 class _Pictures(NamedTuple):
@@ -168,6 +169,8 @@ def run_esdirk(case, state):
         parts.append(rows[again:used])
         marks.append(station_rows[again:used])
         state = state._replace(time=time, step=step)
+        if case.progress is not None:
+            case.progress(float(time))
     pictures.nodes[drawn:] = state.position
     return _result(np.concatenate(parts), np.concatenate(marks), pictures, counts, state)
 

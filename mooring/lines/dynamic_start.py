@@ -9,18 +9,26 @@ from .lumped import system as lumped
 
 LIGHTEST = 1e-6  # of all weights: a line of less is taken to hang with this, for the first guess only
 SOFT = 1e4  # times the weight: axial stiffness that Newton's method takes from the first guess
+LOOSE = 1e6  # times the slip that mobilises friction: it then acts as a force, not as a spring
 LEAST_PACKED = 0.5  # of its length; slack elements on the bed start no shorter
 
 
 def start(line, fairlead, water):
     """State of a line at rest with its fairlead at (3,) m, in still water or a current.
 
+    Friction is what a line keeps that was pulled out from slack: from the touch-down on it holds all it can.
     raises : LineError where no equilibrium was found
     """
     fairlead = np.asarray(fairlead, float)
-    q, slip = _guess(line, fairlead)
+    q, slip = _guess(line, fairlead), np.zeros((line.elements + 1, 3))
     q[0], q[-1] = line.anchor, fairlead
-    if not _settled(line.system, water, q, slip):
+    # with its true stiffness friction would keep the nodes where the guess has them
+    loose = line.system._replace(bed_slip=LOOSE * line.system.bed_slip)
+    good = _settled(loose, water, q, slip)
+    if good and loose.bed_friction > 0:
+        slip = _mobilised(line.system, q)
+        good = _settled(loose, water, q, LOOSE * slip)
+    if not good:
         raise LineError(
             f"no static shape found for {line!r} with its fairlead at x = {fairlead[0]:.6g}, y = {fairlead[1]:.6g}, "
             f"z = {fairlead[2]:.6g} m; give more elements, or start where the line hangs freely"
@@ -40,10 +48,27 @@ def _settled(system, water, q, slip):
     return settle(system, water, q, slip) > 0
 
 
+def _mobilised(system, q):
+    """(N + 1, 3) m, slip of nodes at rest at q: from the highest one on the bed down, as far as there is tension."""
+    along = np.diff(q, axis=0)
+    length = np.linalg.norm(along, axis=1)
+    tension = np.maximum(system.stiffness * (length / system.length - 1), 0.0)
+    p, h = system.bed_level + system.bed_thickness - q @ system.bed_normal, system.bed_thickness
+    reaction = system.bed_stiffness * np.where(p < h, 0.5 * np.maximum(p, 0.0) ** 2 / h, p - 0.5 * h)
+    held, slip = 0.0, np.zeros_like(q)
+    for j in range(len(q) - 2, 0, -1):
+        most = system.bed_friction * reaction[j]
+        if most > 0:
+            force = min(max(tension[j - 1] - held, 0.0), most)
+            held += force
+            slip[j] = system.bed_slip * force / most * along[j - 1] / length[j - 1]
+    return slip
+
+
 def _guess(line, fairlead):
-    """Nodes (N + 1, 3) on the catenary of a uniform line of the same weight, and the friction it leaves on the bed."""
+    """Nodes (N + 1, 3) on the catenary of a uniform line of the same weight."""
     away = fairlead - line.anchor
-    span, slip = np.hypot(*away[:2]), np.zeros((line.elements + 1, 3))
+    span = np.hypot(*away[:2])
     heading = away[:2] / span if span > 0 else np.array([1.0, 0.0])
     s, system = line.nodes, line.system
     weight = (system.weight - system.body_buoyancy).sum() / line.length
@@ -60,9 +85,7 @@ def _guess(line, fairlead):
         found = solve_lines(*given)
         if found.status == State.SLACK:
             x, z = _folded(x, z, s, float(found.grounded_length), span, slope)
-        elif friction > 0 and uniform:
-            slip = _mobilised(found, s, line, heading, slope)
-    return line.anchor + np.column_stack([x * heading[0], x * heading[1], up * z]), slip
+    return line.anchor + np.column_stack([x * heading[0], x * heading[1], up * z])
 
 
 def _folded(x, z, s, lying, span, slope):
@@ -81,15 +104,3 @@ def _along(line, heading):
         return 0.0, 0.0, False
     up = heading @ [np.cos(line.bed.uphill), np.sin(line.bed.uphill)]
     return float(np.arctan(np.tan(line.bed.slope) * up)), line.bed.friction, True
-
-
-def _mobilised(solution, s, line, heading, slope):
-    """(N + 1, 3) m: friction pulls against the fairlead with all it has, as far as there is tension to hold."""
-    lying = float(solution.grounded_length)
-    rate = line.segments[0].weight * (np.sin(slope) + line.bed.friction * np.cos(slope))
-    lift = float(solution.horizontal_fairlead) / np.cos(slope)
-    size = line.segments[0].size
-    # of the tension left at a node its friction takes as much as it can
-    share = np.clip((lift - rate * (lying - s)) / (rate * size) + 0.5, 0.0, 1.0) * (s < lying)
-    along = np.array([np.cos(slope) * heading[0], np.cos(slope) * heading[1], np.sin(slope)])
-    return line.bed.slip * share[:, None] * along

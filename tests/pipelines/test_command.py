@@ -16,7 +16,7 @@ import pipelines
 from bem.database import open_database
 from pipelines.cli import main
 
-STUDIES = ("moor", "response")
+STUDIES = ("moor", "response", "line")
 SCENES = sorted(
     path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith(STUDIES)
 )

@@ -1,0 +1,100 @@
+"""What the coefficients should be, and how far a result is from it.
+
+    error of c = max over ω |c − c_ref| / max over ω |c_ref|,        c of A_ij, B_ij, X_i
+
+The worst coefficient counts.  Those that are small beside others of their kind are left out: A_ij and B_ij below a
+hundredth of √(A_ii A_jj), X_i below a hundredth of the largest (moments by the body's reach).
+The table is made, and checked, by tests/bench/solver_references.py: cylinders exactly, boxes by the contour method.
+"""
+
+from __future__ import annotations
+
+import csv
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from .cases import CASES, PAIRS
+
+FILE = Path(__file__).with_name("references.csv")
+COLUMNS = tuple(letter + pair for letter in "AB" for pair in PAIRS) + tuple(
+    f"X{i}_{part}" for i in range(1, 7) for part in ("re", "im")
+)
+NEGLIGIBLE = 0.01
+
+
+class Coefficients(NamedTuple):
+    """A, B : (n, 6, 6) kg …, kg/s …; X : (n, 6) N/m …, complex, at n frequencies"""
+
+    A: np.ndarray
+    B: np.ndarray
+    X: np.ndarray
+
+    def named(self):
+        """{A11: (n,), …, X1: (n,), …}"""
+        out = {
+            letter + pair: values[:, int(pair[0]) - 1, int(pair[1]) - 1]
+            for letter, values in (("A", self.A), ("B", self.B))
+            for pair in PAIRS
+        }
+        return out | {f"X{i + 1}": self.X[:, i] for i in range(6)}
+
+
+class Error(NamedTuple):
+    """The worst relative error and the coefficient that has it"""
+
+    value: float
+    of: str
+
+
+@cache
+def references():
+    """{case: {A11: (n,), …}} at the case's frequencies"""
+    with FILE.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    out = {}
+    for case in CASES.values():
+        mine = [row for row in rows if row["case"] == case.name]
+        if tuple(float(row["omega"]) for row in mine) != case.omega:
+            raise ValueError(f"{FILE} does not have the frequencies of {case.name}; make it again")
+        values = {name: np.array([float(row[name]) for row in mine]) for name in COLUMNS}
+        force = {f"X{i}": values.pop(f"X{i}_re") + 1j * values.pop(f"X{i}_im") for i in range(1, 7)}
+        out[case.name] = values | force
+    return out
+
+
+def compared(case, reference):
+    """{name: largest over the frequencies} of the coefficients that are not negligible"""
+    reach = case.sizes.get("radius") or np.hypot(case.sizes["length"], case.sizes["beam"]) / 2
+    arms = np.repeat([1.0, reach], 3)
+    largest = {name: float(np.abs(values).max()) for name, values in reference.items()}
+    force = max(largest[f"X{i + 1}"] / arms[i] for i in range(6))
+    out = {}
+    for name, value in largest.items():
+        i = int(name[1]) - 1
+        if name.startswith("X"):
+            scale = force * arms[i]
+        else:
+            j = int(name[2]) - 1
+            kind = [largest[f"{name[0]}{d}{d}"] / arms[d - 1] ** 2 for d in range(1, 7)]
+            own = np.sqrt(largest[f"{name[0]}{i + 1}{i + 1}"] * largest[f"{name[0]}{j + 1}{j + 1}"])
+            scale = own if min(kind[i], kind[j]) > NEGLIGIBLE**2 * max(kind) else np.inf
+        if value > NEGLIGIBLE * scale:
+            out[name] = value
+    return out
+
+
+def error(case, found):
+    """`Error` of `Coefficients` at the case's frequencies.  Raises ValueError if one is not finite."""
+    reference, ours = references()[case.name], found.named()
+    errors = {
+        name: float(np.abs(ours[name] - reference[name]).max()) / size
+        for name, size in compared(case, reference).items()
+    }
+    bad = [name for name, value in errors.items() if not np.isfinite(value)]
+    if bad:
+        raise ValueError(f"{', '.join(bad)} not finite")
+    worst = max(errors, key=errors.get)
+    return Error(errors[worst], worst)

@@ -1,0 +1,144 @@
+"""What a bench writes: a CSV of every row, and a Markdown page with the tables that are read."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import os
+
+from .cases import CASES, HEADING
+from .measure import PASSES, Row
+
+LEVELS = (0.03, 0.01, 0.003, 0.001, 1e-4, 1e-5)
+NOTES = (
+    "error: largest of added mass, damping and excitation, relative to the largest value of that coefficient over "
+    "the frequencies; coefficients below a hundredth of their kind left out; worst: which",
+    "reference: cylinders exact, boxes by the contour method at 1e-7 (panels carried on to infinitely many agree to "
+    "2e-4 to 4e-4)",
+    f"ms: mean of five frequencies after the first, least of up to {PASSES} passes: six radiating modes and one heading "
+    f"of {HEADING:g} degrees; cpu: the same in processor time of all threads",
+    "first: from the start of the process to the end of the first frequency, with what programs keep on disk there "
+    "(cache full) or not (cache empty); body: that first frequency once everything is loaded",
+    "memory: the most the process has held",
+    "panels: on the whole hull; a lid besides, in every program; meshes of other programs are made beforehand",
+    "busy: load of the machine in the minute before, of which one is the bench's own; times are worth little above 1.5",
+)
+
+
+def write_csv(path, rows, heading):
+    """All rows, `heading` in # lines; an interrupted run leaves the old file"""
+    text = io.StringIO()
+    text.writelines(f"# {line}\n" for line in (*heading, *NOTES))
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(Row._fields)
+    writer.writerows([_cell(value) for value in row] for row in rows)
+    _replaced(path, text.getvalue())
+
+
+def read_csv(path):
+    """The rows of `write_csv`, values as text"""
+    with path.open(encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def write_page(path, rows, heading, picture):
+    """The Markdown page"""
+    parts = ["# Error against time", "\n".join(f"- {line}" for line in (*heading, *NOTES)), f"![curves]({picture})"]
+    parts += ["## ms per frequency until within", _table(*_reached(rows))]
+    cold = [row for row in rows if row.cache == "empty" and not row.note]
+    if cold:
+        parts += ["## First frequency with nothing on disk", _table(*_cold(cold, rows))]
+    for case in CASES.values():
+        mine = [row for row in rows if row.case == case.name and row.cache == "full" and not row.note]
+        if mine:
+            parts += [f"## {case.title[0].upper()}{case.title[1:]}", _table(*_measured(mine))]
+    failed = [f"- {row.case}, {row.program} {row.settings}, {_asked(row)}: {row.note}" for row in rows if row.note]
+    parts += ["## Failed", "\n".join(failed)] if failed else []
+    _replaced(path, "\n\n".join(parts) + "\n")
+
+
+def least_ms(rows, level):
+    """Smallest ms per frequency among rows within an error; None where no row is"""
+    within = [row.warm_ms for row in rows if row.error <= level]
+    return min(within, default=None)
+
+
+def per_cent(value):
+    return "" if math.isnan(value) else f"{100 * value:.2g}" if value >= 1e-3 else f"{100 * value:.0e}"
+
+
+def _reached(rows):
+    """Header and lines: the best settings of every program, at each level"""
+    rows = [row for row in rows if row.cache == "full" and not row.note]
+    groups = sorted({(_place(row.case), row.threads, *_program(row), row.case) for row in rows})
+    header = ("case", "threads", "program", *(f"{per_cent(level)} %" for level in LEVELS))
+    lines = []
+    for _, threads, order, name, case in groups:
+        mine = [r for r in rows if (r.case, r.threads, _program(r)) == (case, threads, (order, name))]
+        lines.append((case, threads, name, *(_ms(least_ms(mine, level)) for level in LEVELS)))
+    return header, lines
+
+
+def _cold(cold, rows):
+    header = ("case", "program", "settings", "asked", "first s, cache empty", "cache full", "MB, cache empty")
+    lines = []
+    for row in cold:
+        same = [r for r in rows if r[:4] == row[:4] and r.threads == row.threads and r.cache == "full"]
+        warm = f"{same[0].first_s:.2f}" if same else ""
+        lines.append((row.case, row.program, row.settings, _asked(row), f"{row.first_s:.1f}", warm,
+                      f"{row.memory_mb:.0f}"))  # fmt: skip
+    return header, lines
+
+
+def _measured(rows):
+    header = ("program", "settings", "asked", "panels", "threads", "error %", "of", "estimate %", "ms", "cpu ms",
+              "body ms", "first s", "MB")  # fmt: skip
+    lines = [
+        (
+            *(row.program, row.settings, _asked(row), row.panels or "", row.threads),
+            *(per_cent(row.error), row.worst, per_cent(row.estimate)),
+            *(_ms(value) for value in (row.warm_ms, row.cpu_ms, row.body_ms)),
+            *(f"{row.first_s:.2f}", f"{row.memory_mb:.0f}"),
+        )
+        for row in sorted(rows, key=lambda r: (r.threads, *_program(r), r.settings))
+    ]
+    return header, lines
+
+
+def _program(row):
+    """(place, name) of a curve: our two methods stand apart"""
+    if row.program == "hakobune":
+        return ("contour", "panel").index(row.settings), f"hakobune {row.settings}"
+    return 2, row.program
+
+
+def _place(case):
+    return list(CASES).index(case)
+
+
+def _asked(row):
+    return f"{row.fineness:g}"
+
+
+def _ms(value):
+    if value is None or math.isnan(value):
+        return ""
+    return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
+
+
+def _table(header, lines):
+    rows = [header, ["---"] * len(header), *lines]
+    return "\n".join("| " + " | ".join(map(str, row)) + " |" for row in rows)
+
+
+def _cell(value):
+    if value is None:
+        return ""
+    return f"{value:.4g}" if isinstance(value, float) else value
+
+
+def _replaced(path, text):
+    partial = path.with_name(path.name + ".partial")
+    partial.write_text(text, encoding="utf-8")
+    os.replace(partial, path)

@@ -1,0 +1,36 @@
+"""The sets of comparisons by name, and how one is made."""
+
+from __future__ import annotations
+
+from ..scene import SceneError, numbers
+from .databases import solved
+from .models import Models
+from .series import DepthSeries, LengthSeries, Motions, Sections
+
+SETS = {one.name: one for one in (DepthSeries(), LengthSeries(), Sections(), Motions(), Models())}
+
+
+def make(one, folder, console, xi=None, fresh=False):
+    """Databases, tables and pictures of a set in `folder`; returns 0, or 1 without tables if a frequency failed.
+
+    one : of `SETS`; console : rich console; xi : frequencies as text, left out: those of the set
+    raises : SceneError for frequencies that are none; ValueError for a folder that holds something else
+    """
+    if folder.exists() and not folder.is_dir():
+        raise SceneError(f"output is {folder}, which is a file; allowed: a folder, or a new name")
+    cases = one.cases(None if xi is None else numbers("--xi", xi))
+    found = solved(cases, folder / "databases", console, fresh)
+    for line in found.failures:
+        _say(console, f"failed: {line}")
+    if found.failures:
+        _say(console, "no tables and pictures are made; the same command tries again, --xi leaves frequencies out")
+        return 1
+    for line in one.summary(found.results):
+        _say(console, line)
+    for path in one.write(found.results, folder):
+        _say(console, path)
+    return 0
+
+
+def _say(console, line):
+    console.print(f"{line}", highlight=False, markup=False, soft_wrap=True)

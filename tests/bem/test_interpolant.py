@@ -1,0 +1,109 @@
+"""Functions of frequency from few values: a known function of waves, and the box of the series calculations."""
+
+import numpy as np
+import pytest
+
+from bem.between import Between, BetweenError
+from bem.database import open_database
+from bem.interpolant import Abscissa, Interpolant, abscissa, chosen
+from bem.setup import prepare
+from bem.waves import wavenumber
+from pipelines.hull import setup_of
+from pipelines.run import solve
+from pipelines.scene import make_scene
+
+LENGTH, GRAVITY = 100.0, 9.80665
+
+
+def echoing(omega, depth=20.0):
+    """A damped mode, the same heard once more after the length of the body, and a constant (q, 2)"""
+    k = wavenumber(omega, depth, GRAVITY)
+    smooth = 1 / (0.8 - 0.4j - omega)
+    return np.stack([smooth * (1 + 0.1 * np.exp(1j * k * LENGTH)), np.full_like(smooth, 2.0)], axis=1)
+
+
+def fitted(count, depth=20.0):
+    omega = np.linspace(0.1, 2.0, 300)
+    places = abscissa(omega, depth, GRAVITY, LENGTH)
+    ends = Abscissa(*(a[[0, -1]] for a in places))
+    nodes = np.sort([0, 299, *chosen(ends, places, count - 2)])
+    x = Abscissa(*(a[nodes] for a in places))
+    value, deviation = Interpolant(x, echoing(omega[nodes]), np.zeros(2))(places)
+    return np.abs(value - echoing(omega)), deviation, nodes
+
+
+def test_at_its_nodes_it_has_their_values():
+    error, deviation, nodes = fitted(20)
+    assert error[nodes].max() < 1e-4 and deviation[nodes].max() < 1e-3  # of values up to 2.5; the nugget's share
+
+
+def test_the_error_falls_faster_than_the_eighth_power_of_the_number_of_nodes():
+    coarse, fine = fitted(14)[0].max(), fitted(28)[0].max()
+    assert fine < coarse / 2**8
+
+
+@pytest.mark.parametrize("count", [14, 18, 22, 26])
+def test_the_largest_deviation_is_not_less_than_half_the_largest_error(count):
+    error, deviation, _ = fitted(count)
+    assert deviation.max() > 0.5 * error.max()
+
+
+def test_nodes_are_chosen_apart_and_once():
+    for count in (12, 24, 60):
+        nodes = fitted(count)[2]
+        assert len(set(nodes)) == count
+
+
+def band_scene(**changes):
+    raw = {
+        "water": {"depth": 20.0},
+        "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "gyration": [17, 29, 29]}],
+        "waves": {"band": {"from": 0.1, "to": 2.0}, "headings_deg": [0, 45, 90]},
+        "tolerance": 0.005,
+        "want": ["radiation", "diffraction", "motions"],
+    }
+    return make_scene({**raw, **changes})
+
+
+@pytest.fixture(scope="module")
+def solved(tmp_path_factory):
+    path = tmp_path_factory.mktemp("band") / "box.h5"
+    return solve(band_scene(), path), open_database(path)
+
+
+def direct(db, omega, names):
+    body = prepare(setup_of(db.header, band_scene()))
+    rows = [body.run(w, db.wave_direction, set(names), None, tuple(db["influenced_dof"])).result() for w in omega]
+    return {name: np.array([row[name] for row in rows]) for name in names}
+
+
+def test_fewer_than_25_solves_give_the_series_box_from_0p1_to_2_to_half_a_per_cent(solved):
+    outcome, db = solved
+    assert outcome.exit_status == 0 and len(db.omega) == outcome.solved < 25
+    omega = np.linspace(0.1, 2.0, 400)[5::9]  # of the 400 of tests/bench/band.py
+    exact = direct(db, omega, ("added_mass", "radiation_damping", "excitation_force", "rao"))
+    for name in ("added_mass", "radiation_damping"):
+        scale = np.sqrt(np.einsum("nii->ni", db[name]).max(axis=0))
+        assert np.max(np.abs(db.at(omega, name)[0] - exact[name]) / np.outer(scale, scale)) < 0.005
+    for name in ("excitation_force", "rao"):
+        scale = np.abs(db[name]).max(axis=(0, 1))
+        assert np.max(np.abs(db.at(omega, name)[0] - exact[name]) / scale) < 0.005
+
+
+def test_a_band_within_tolerance_asks_for_nothing_more(solved):
+    _, db = solved
+    again = solve(band_scene(), db.path)
+    assert again.jobs == 0 and again.total == len(db.omega) and again.exit_status == 0
+
+
+def test_outside_the_stored_band_and_without_what_it_follows_from_nothing_is_guessed(solved):
+    _, db = solved
+    with pytest.raises(BetweenError, match=r"omega is 2.2 rad/s; stored: 0.1 to 2"):
+        db.at(2.2, "added_mass")
+    with pytest.raises(BetweenError, match="kochin_radiation, kochin_diffraction must be stored"):
+        db.at(1.0, "drift_force")
+    with pytest.raises(BetweenError, match="no function of frequency"):
+        db.at(1.0, "mesh")
+    few = Between(db.omega[:3], {}, 20.0, GRAVITY, 1025.0, np.zeros(1), np.zeros(1), np.eye(2), np.zeros(3))
+    with pytest.raises(BetweenError, match="3 frequencies are stored"):
+        few.at(0.15, "added_mass")
