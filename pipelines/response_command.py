@@ -33,11 +33,12 @@ def response(
     scatter = [study.parent / read.climate.scatter] if read.climate else []
     _check_places(output, plot, study, database, *scatter)
     points = read.places()
-    body = read.restrained(read_body(open_database(database)))
+    db = open_database(database)
+    body = read.restrained(read_body(db))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
-            result = _in_sea(read, body, points) if read.sea else _in_climate(read, body, points, study)
+            result = _in_sea(read, body, db, points) if read.sea else _in_climate(read, body, points, study)
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
     warned = [str(w.message) for w in caught] + list(result.warnings)
@@ -45,16 +46,34 @@ def response(
     return 0
 
 
-def _in_sea(read, body, points):
+def _in_sea(read, body, db, points):
+    from bem import DOFS
     from mooring.response.sea_state import sea_state
+    from mooring.response.viscous import linearised
 
     from .response_study import sea_of
     from .study import _positive
+    from .viscous_table import laws_of
 
-    return sea_state(body, sea_of(read.sea), 3600 * _positive("sea.duration_hours", read.sea.duration_hours), points)
+    sea = sea_of(read.sea)
+    if read.body.viscous is not None:
+        box = db.dimensions if "beam" in db.dimensions else {}
+        laws = laws_of("body.viscous", read.body.viscous, box, db.density, db.gravity)
+        body, damping = linearised(body, sea, laws)
+        for dof in laws:
+            i = DOFS.index(dof)
+            share = damping[i, i] / body.critical_damping(i)
+            warnings.warn(
+                f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical", stacklevel=2
+            )
+    return sea_state(body, sea, 3600 * _positive("sea.duration_hours", read.sea.duration_hours), points)
 
 
 def _in_climate(read, body, points, study):
+    from .study import StudyError
+
+    if read.body.viscous is not None:
+        raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a climate")
     from mooring.response.climate import climate
 
     from .response_study import climate_of

@@ -9,6 +9,7 @@
 
     [body]
     damping_ratio = { roll = 0.02 }      # of critical, beyond radiation
+    viscous = { roll = "Yamashita" }     # or laws as in a scene, linearised in the sea; not in a climate
 
     [[points]]
     name = "bow"
@@ -31,6 +32,7 @@ from bem import DOFS
 
 from .study import StudyError, _direction, _positive, _Table
 from .typed import typed
+from .viscous_table import Laws
 
 
 class SeaTable(_Table):
@@ -78,8 +80,12 @@ class PointTable(_Table):
 
 
 class BodyTable(_Table):
-    """damping_ratio : of critical, by motion, beyond radiation; damping, stiffness : 6 × 6 in SI units, added"""
+    """damping_ratio : of critical, by motion, beyond radiation; damping, stiffness : 6 × 6 in SI units, added
 
+    viscous : damping that grows with the motion
+    """
+
+    viscous: Laws | None = None
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
     damping: list[list[float]] | None = None
     stiffness: list[list[float]] | None = None

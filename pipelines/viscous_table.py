@@ -30,13 +30,18 @@ class Law(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True)
     amplitudes_deg: list[float] | None = None
 
 
-class ViscousTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """wave_height : m, of the regular waves in which the damping is linearised"""
+class Laws(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """Laws by motion; at least one"""
 
-    wave_height: float
     heave: Law | None = None
     roll: Law | str | None = None
     pitch: Law | None = None
+
+
+class ViscousTable(Laws, frozen=True, kw_only=True):
+    """wave_height : m, of the regular waves in which the damping is linearised"""
+
+    wave_height: float
 
 
 def viscous_of(scene):
@@ -48,34 +53,43 @@ def viscous_of(scene):
         raise ValueError(f"viscous.wave_height is {table.wave_height:g} m; allowed: above 0, finite")
     if not scene.motions_known:
         raise ValueError("viscous damping needs motions; give gyration (--gyration)")
+    box = scene.dimensions if scene.body.shape == "box" else {}
+    return Viscous(laws_of("viscous", table, box, scene.water.density, scene.water.gravity), 0.5 * table.wave_height)
+
+
+def laws_of(where, table, box, density, gravity):
+    """{degree of freedom: law} of a table of `Laws`.
+
+    where : the table's name, for messages; box : {"length", "beam", "draft"} m, empty for other bodies
+    Raises ValueError, one line.
+    """
     given = {mode: getattr(table, mode) for mode in MODES if getattr(table, mode) is not None}
     if not given:
-        raise ValueError("viscous has no law; give heave, roll or pitch")
-    laws = {mode.capitalize(): _law(scene, mode, law) for mode, law in given.items()}
-    return Viscous(laws, 0.5 * table.wave_height)
+        raise ValueError(f"{where} has no law; give heave, roll or pitch")
+    return {mode.capitalize(): _law(f"{where}.{mode}", mode, law, box, density, gravity) for mode, law in given.items()}
 
 
-def _law(scene, mode, law):
+def _law(where, mode, law, box, density, gravity):
     if isinstance(law, str):
         if law != "Yamashita":
-            raise ValueError(f"viscous.{mode} is {law!r}; allowed: Yamashita, or a table of drag or b")
-        return yamashita_roll(*_box(scene, mode), scene.water.density)
+            raise ValueError(f"{where} is {law!r}; allowed: Yamashita, or a table of drag or b")
+        return yamashita_roll(*_sizes(where, box), density)
     if (law.drag is None) == (law.b is None):
-        raise ValueError(f"viscous.{mode}: give one of drag, b")
+        raise ValueError(f"{where}: give one of drag, b")
     if law.drag is not None:
         if not 0 <= law.drag < math.inf:
-            raise ValueError(f"viscous.{mode}.drag is {law.drag:g}; allowed: at least 0, finite")
+            raise ValueError(f"{where}.drag is {law.drag:g}; allowed: at least 0, finite")
         return Quadratic(law.drag)
     wanted, other = ("amplitudes", "amplitudes_deg") if mode == "heave" else ("amplitudes_deg", "amplitudes")
     amplitudes = getattr(law, wanted)
     if amplitudes is None or getattr(law, other) is not None:
-        raise ValueError(f"viscous.{mode}.b needs {wanted}, and nothing else")
+        raise ValueError(f"{where}.b needs {wanted}, and nothing else")
     amplitudes = np.radians(amplitudes) if mode != "heave" else amplitudes
-    scale = report_scale(mode.capitalize(), *_box(scene, mode), scene.water.density, scene.water.gravity)
+    scale = report_scale(mode.capitalize(), *_sizes(where, box), density, gravity)
     return Tabulated(scale, tuple(amplitudes), tuple(law.b))
 
 
-def _box(scene, mode):
-    if scene.body.shape != "box":
-        raise ValueError(f"viscous.{mode}: b is made dimensionless by length, beam and draft; give drag")
-    return scene.body.length, scene.body.beam, scene.body.draft
+def _sizes(where, box):
+    if not box:
+        raise ValueError(f"{where}: b is made dimensionless by length, beam and draft of a box; give drag")
+    return box["length"], box["beam"], box["draft"]

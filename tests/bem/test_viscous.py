@@ -78,10 +78,20 @@ def test_yamashita_gives_the_printed_b_at_one_degree():
                                      (10, 2.25, 0.0185, 1e-4)):  # fmt: skip
         omega = np.sqrt(2 * g * xi / B)
         N = yamashita_roll(L, B, B / ratio, rho).equivalent(omega, np.radians(1.0))
-        b = N * np.sqrt(B / (2 * g)) / (rho * L * B * (B / ratio) * B**2) / xi
+        b = N * np.sqrt(B / (2 * g)) / (rho * L * B * (B / ratio) * (B / 2) ** 2) / xi
         assert abs(b - printed) <= last
         scale = report_scale("Roll", L, B, B / ratio, rho, g)
         assert Tabulated(scale, (np.radians(1.0),), (b,)).equivalent(omega, np.radians(1.0)) == pytest.approx(N)
+
+
+def test_yamashitas_damping_is_of_the_size_that_the_model_in_irregular_waves_had():
+    """M3B, L × B × d = 3.872 × 1.936 × 0.194 m: Table 2.4.4.1 has k_xx 0.674 m and T 1.78 s; appendix 1 has rolls of
+    2° (σ 1.06°) that two per cent of critical damping explain.  A factor of two is what its scatter leaves."""
+    L, B, d, rho, g = 3.872, 1.936, 0.194, 1000.0, 9.80665
+    omega, mass = 2 * np.pi / 1.78, rho * L * B * d
+    inertia = mass * 0.674**2 + 0.566 * mass * (B / 2) ** 2  # added inertia of section 2.4.4
+    damping = yamashita_roll(L, B, d, rho).equivalent(omega, np.radians(2.0))
+    assert 0.01 < damping / (2 * inertia * omega) < 0.04
 
 
 def test_boxes_outside_the_theory_are_refused():

@@ -1,0 +1,51 @@
+"""Viscous damping in irregular waves by equivalent linearisation.
+
+A law of `bem.viscous` gives the linear damping that takes the energy of a regular motion of amplitude a at ω.  In
+irregular motion with standard deviations σ and σ_v it is taken at ω = σ_v/σ and a = 1.88 σ, which for quadratic drag
+N₂ is √(8/π) σ_v N₂: the least mean square difference of a Gaussian motion (Borgman 1969).  The motion follows from
+the damping and the damping from the motion; their passes close in on each other.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem import DOFS
+from bem.viscous import EQUIVALENT_AMPLITUDE
+
+from .linear import frequencies, moments, motions, response_spectrum
+from .seas import directions
+
+FIRST = 0.05  # m, rad, of the first guess
+CLOSE = 1e-6
+MOST = 60
+
+
+def linearised(body, sea, laws):
+    """The Body with the damping that viscosity has in a Sea, and that damping (6, 6).
+
+    laws : {degree of freedom: law of `bem.viscous`}
+    raises : ValueError where no damping is found that agrees with its own motion
+    """
+    middle = 2 * np.pi / sea.spectrum.T01
+    damping = np.array([laws[d].equivalent(middle, FIRST) if d in laws else 0.0 for d in DOFS])
+    for _ in range(MOST):
+        found = _damping(body.restrained(damping=np.diag(damping)), sea, laws)
+        if np.all(np.abs(found - damping) <= CLOSE * np.maximum(found, damping)):
+            return body.restrained(damping=np.diag(found)), np.diag(found)
+        damping = np.sqrt(damping * found)
+    raise ValueError(f"viscous damping and the motion it leaves do not agree after {MOST} passes; give linear damping")
+
+
+def _damping(body, sea, laws):
+    """(6,) damping at the motion of a body that has some already"""
+    omega = frequencies(body, sea.spectrum.density)
+    heading, weights = directions(sea, omega)
+    spectrum = response_spectrum(motions(body, omega, heading), sea.spectrum.density(omega), weights)
+    found = moments(omega, spectrum)
+    out = np.zeros(6)
+    for i, dof in enumerate(DOFS):
+        if dof in laws and found.m0[i] > 0:
+            frequency = np.sqrt(found.m2[i] / found.m0[i])
+            out[i] = laws[dof].equivalent(frequency, EQUIVALENT_AMPLITUDE * np.sqrt(found.m0[i]))
+    return out
