@@ -1,8 +1,8 @@
 """Static lines of any number of segments and point loads over an uneven bed with friction, below a sea surface.
 
-Free spans are elastic catenaries in closed form, the line on a facet of the bed in closed form too (`hanging.pieces`:
-equations, signs, sources).  Which parts touch what follows from one walk down the line for a given tension
-(`hanging.walk`), positions and forces from Newton's method on the equations of that walk (`hanging.newton`).
+Free spans are elastic catenaries in closed form (`hanging.free_span`), the line on a facet of the bed in closed form
+too (`hanging.friction`).  Which parts touch follows from one walk down the line for a given tension (`hanging.walk`),
+positions and forces from Newton's method on the equations of that walk (`hanging.equations`).
 SR179 report (1982), section 3.1, with these differences: no nodes and no finite differences; on a slope only T is
 propagated; friction acts at knuckles too, and only as far as it is needed.
 
@@ -12,9 +12,8 @@ and down with V.  Bending, current on the line and the weight of the line above 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -22,6 +21,7 @@ from mooring.catenary import LineError
 
 from .bed import Bed
 from .segments import PointLoad, Segment
+from .static_solution import LineState, StaticSolution
 
 __all__ = ["Bed", "LineState", "PointLoad", "Segment", "StaticLine", "StaticSolution"]
 
@@ -29,112 +29,7 @@ FLAT = Bed.sloping()
 LEAST = 1e-11  # of the line's weight: the pull below which a line is called slack
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
-STATUS = ("on its way", "beyond reach", "slack", "not found")
-
-
-class LineState(NamedTuple):
-    """What a line remembers: (k, 4) rows of s₀, s₁ (m from the anchor), T₀, T₁ (N) on the bed, downwards."""
-
-    pieces: np.ndarray
-
-
-@dataclass(frozen=True)
-class StaticSolution:
-    """A solved line, or the same line at many positions, all of one shape (...).
-
-    horizontal_fairlead, vertical_fairlead : N, pull on the fairlead towards the anchor and down
-    horizontal_anchor, vertical_anchor : N, pull on the anchor towards the fairlead and up
-    stiffness : (..., 2, 2) N/m, ∂(H, V at the fairlead)/∂(x, z)
-    slack : whether the line hangs plumb with its rest in a heap
-    residual : largest error of an equation over the line length
-    loads : states of the point loads, "submerged", "floating" or "emerged"; pieces : see `profile`; one position only
-    """
-
-    line: StaticLine
-    x: np.ndarray
-    z: np.ndarray
-    horizontal_fairlead: np.ndarray
-    vertical_fairlead: np.ndarray
-    horizontal_anchor: np.ndarray
-    vertical_anchor: np.ndarray
-    stiffness: np.ndarray
-    slack: np.ndarray
-    residual: np.ndarray
-    loads: tuple = ()
-    pieces: np.ndarray = field(default=None, repr=False)
-
-    @property
-    def tension_fairlead(self):
-        """(...,) N"""
-        return np.hypot(self.horizontal_fairlead, self.vertical_fairlead)
-
-    @property
-    def tension_anchor(self):
-        """(...,) N"""
-        return np.hypot(self.horizontal_anchor, self.vertical_anchor)
-
-    @property
-    def anchor_uplift(self):
-        """(...,) rad, angle of the pull on the anchor above the bed there; 0 where the line lies on the bed"""
-        up = np.arctan2(self.vertical_anchor, self.horizontal_anchor)
-        beta = self.line.anchor_slope
-        lifted = (self.tension_anchor > 0) & (up > beta + 1e-9)
-        return np.where(lifted, up - beta, 0.0)
-
-    @property
-    def anchor_holds(self):
-        """(...,) whether the uplift stays within the line's `uplift_limit`"""
-        return self.anchor_uplift <= self.line.uplift_limit
-
-    @property
-    def stiffness_in_space(self):
-        """(..., 3, 3) N/m along the line, across it and up: the plane's own stiffness, and H over the span across"""
-        k = np.zeros((*np.shape(self.x), 3, 3))
-        k[..., 0::2, 0::2] = self.stiffness
-        span = np.where(self.x > 0, self.x, 1.0)
-        k[..., 1, 1] = np.where(self.x > 0, self.horizontal_fairlead / span, self.stiffness[..., 0, 0])
-        return k
-
-    @cached_property
-    def _one(self):
-        if self.pieces is None:
-            raise ValueError(f"this needs one position; the solution holds {np.shape(self.x)}; solve one at a time")
-        return self.pieces
-
-    @cached_property
-    def state(self):
-        """LineState to give to the next `solve`: the friction the line keeps"""
-        p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
-        return LineState(_joined(np.column_stack([p[:, 1] - p[:, 2], p[:, 1], p[:, 5] - p[:, 6] * p[:, 2], p[:, 5]])))
-
-    @property
-    def grounded(self):
-        """(k, 2) m from the anchor: where the parts on the bed begin and end, from the anchor up"""
-        p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
-        spans = []
-        for top, length in p[:, 1:3]:
-            if spans and spans[-1][0] - top <= 1e-12 * self.line.length:
-                spans[-1][0] = top - length
-            else:
-                spans.append([top - length, top])
-        return np.maximum(np.array(spans[::-1]).reshape(-1, 2), 0.0)
-
-    @property
-    def grounded_length(self):
-        """m, unstretched length on the bed"""
-        return float(np.sum(np.diff(self.grounded, axis=1)))
-
-    def profile(self, points=101):
-        """The line, drawn: (points, 4) of s from the anchor, x, z (m) and tension (N), joints of pieces not included.
-
-        Where the line is slack the heap on the bed is drawn stretched out towards the anchor.
-        """
-        s = np.linspace(0.0, self.line.length, points)
-        p = self._one
-        top = p[:, 1]
-        index = np.clip(np.searchsorted(-top, -s, side="right") - 1, 0, len(p) - 1)
-        down = np.minimum(top[index] - s, p[index, 2])
-        return np.column_stack([s, _along(p[index], down)])
+SOLVED, BEYOND_REACH, SLACK = 0, 1, 2  # as `hanging.search` reports
 
 
 @dataclass(frozen=True)
@@ -194,14 +89,13 @@ class StaticLine:
         x, z = np.broadcast_arrays(np.asarray(x, float), np.asarray(z, float))
         self._check(x, z)
         data = self._data if state is None else self._data._replace(left=np.ascontiguousarray(state.pieces, float))
-        rows = np.empty((self._room(data), 11))
-        found = np.empty((x.size, 12))
         close = np.maximum(x.ravel(), 1e-9 * self.length)
-        from .hanging.newton import solve_positions
+        from .hanging.search import solve_positions
 
-        states = solve_positions(data, close, np.ascontiguousarray(z.ravel()), self.weight, rows, found)
-        self._judge(x, z, found)
-        return self._solution(x, z, found, states, rows)
+        room = self._room(data)
+        found, status, pieces, loads = solve_positions(data, close, np.ascontiguousarray(z.ravel()), self.weight, room)
+        self._judge(x, z, found, status)
+        return self._solution(x, z, found, status, loads, pieces)
 
     def path(self, x, z, state=None):
         """Solutions of positions (n,) visited one after another, each keeping the friction of the one before."""
@@ -211,8 +105,8 @@ class StaticLine:
             state = solutions[-1].state
         return solutions
 
-    def _solution(self, x, z, found, states, rows):
-        slack = found[:, 9] == STATUS.index("slack")
+    def _solution(self, x, z, found, status, loads, pieces):
+        slack = status == SLACK
         found[slack, 0] = 0.0
         found[slack, 5:7] = 0.0
         H, V, H_anchor, V_anchor = (column.reshape(x.shape)[()] for column in found[:, :4].T)
@@ -228,9 +122,9 @@ class StaticLine:
             V_anchor,
             found[:, 5:9].reshape(*x.shape, 2, 2),
             slack.reshape(x.shape)[()],
-            found[:, 10].reshape(x.shape)[()],
-            tuple(words[i] for i in states) if one else (),
-            rows[: int(found[0, 11])] if one else None,
+            found[:, 9].reshape(x.shape)[()],
+            tuple(words[i] for i in loads) if one else (),
+            pieces if one else None,
         )
 
     def _check(self, x, z):
@@ -245,80 +139,44 @@ class StaticLine:
         if not np.all(z <= self.surface) and self.loads:
             raise ValueError(f"line z is {z.max():g} m, above the sea surface at {self.surface:g} m; allowed: below it")
 
-    def _judge(self, x, z, found):
-        wrong = ~((found[:, 10] <= RESIDUAL) & np.isin(found[:, 9], (0, 2)))
+    def _judge(self, x, z, found, status):
+        wrong = ~((found[:, 9] <= RESIDUAL) & np.isin(status, (SOLVED, SLACK)))
         if np.any(wrong):
             i = int(np.argmax(wrong))
-            code = int(found[i, 9])
-            what = "cannot be reached" if code == 1 else f"was missed by {found[i, 10]:.3g} of the line length"
+            what = "cannot be reached" if status[i] == BEYOND_REACH else "is in reach, but no equilibrium was found"
             raise LineError(
                 f"{np.count_nonzero(wrong)} of {x.size} position(s): fairlead at x = {x.flat[i]:.6g} m, "
                 f"z = {z.flat[i]:.6g} m {what}: {self!r}"
             )
 
     def _room(self, data):
-        parts = data.joint.size + data.load_s.size + data.left.shape[0] + data.knot_tension.size
-        return 4 * parts + 8 * data.bed_x.size + 32
+        parts = len(data.segments) + len(data.loads) + len(data.left) + len(data.knots)
+        return 4 * parts + 8 * len(data.bed) + 32
 
     @cached_property
     def _data(self):
         """The line as the kernels read it."""
-        from .hanging.pieces import LineData
+        from .hanging.line_data import LineData
 
         tables = [segment.strain_table for segment in self.segments]
-        knots = np.concatenate(tables)
-        wet = np.array([load.weight for load in self.loads], float)
+        ends = np.concatenate([[0.0], np.cumsum([segment.length for segment in self.segments])])
+        loads = np.array([(load.position, load.weight, load.weight_in_air) for load in self.loads], float)
+        loads = loads.reshape(-1, 3)
         points = np.array([[0.0, 0.0], [1.0, 0.0]]) if self.bed is None else self.bed.points
         slopes = np.diff(points[:, 1]) / np.diff(points[:, 0])
-        buoys = np.flatnonzero(wet < 0)
+        buoys = np.flatnonzero(loads[:, 1] < 0)
         return LineData(
-            np.concatenate([[0.0], np.cumsum([segment.length for segment in self.segments])]),
-            np.array([segment.weight for segment in self.segments], float),
+            np.column_stack([ends[:-1], [segment.weight for segment in self.segments]]),
+            float(ends[-1]),
             np.concatenate([[0], np.cumsum([len(table) for table in tables])]),
-            *(np.ascontiguousarray(column) for column in knots.T),
-            np.array([load.position for load in self.loads], float),
-            wet,
-            np.array([load.weight_in_air for load in self.loads], float),
-            int(buoys[0]) if buoys.size else len(wet),
+            np.concatenate(tables),
+            loads,
+            int(buoys[0]) if buoys.size else len(loads),
             float(self.surface),
             SOFT * self.length,
-            np.ascontiguousarray(points[:-1, 0]),
-            np.ascontiguousarray(points[:-1, 1]),
-            np.arctan(slopes),
-            np.minimum.accumulate(slopes),
+            np.column_stack([points[:-1], np.arctan(slopes), np.minimum.accumulate(slopes)]),
             self.bed is None,
             0.0 if self.bed is None else float(self.bed.friction),
             LEAST * self.weight,
             np.empty((0, 4)),
         )
-
-
-def _joined(pieces):
-    """Pieces whose tensions lie on one straight line made one, so that a long history stays short."""
-    joined = []
-    for s0, s1, t0, t1 in pieces:
-        if joined:
-            above = joined[-1]
-            slope = (above[3] - above[2]) / (above[1] - above[0])
-            size = 1e-12 * (abs(above[2]) + abs(above[3]))
-            meets = above[0] - s1 <= 1e-12 * above[1] and abs(above[2] - t1) <= size
-            if meets and abs(above[2] - slope * (above[0] - s0) - t0) <= size:
-                above[0], above[2] = s0, t0
-                continue
-        joined.append([s0, s1, t0, t1])
-    return np.array(joined).reshape(-1, 4)
-
-
-def _along(p, down):
-    """x, z and tension a length `down` below the tops of pieces `p` (n, 11)."""
-    from mooring.grounded import free_span
-
-    _, _, _, x, z, first, second, weight, factor, flexibility, angle = p.T
-    on_bed = p[:, 0] == 1
-    H, V = np.where(on_bed, 1.0, first), np.where(on_bed, 0.0, second)
-    dx, dz = free_span(H, V - weight * down, down, weight, flexibility / factor)
-    slid = down * (factor + flexibility * (first - 0.5 * second * down))
-    dx = np.where(on_bed, slid * np.cos(angle), factor * dx)
-    dz = np.where(on_bed, slid * np.sin(angle), factor * dz)
-    tension = np.where(on_bed, first - second * down, np.hypot(H, V - weight * down))
-    return np.column_stack([x - dx, z - dz, tension])

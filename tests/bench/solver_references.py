@@ -94,10 +94,8 @@ def apart(case, one, two):
 def row(case, omega, values):
     cells = []
     for name in COLUMNS:
-        value = (
-            values[name] if "_" not in name else getattr(values[name[:2]], "real" if name.endswith("re") else "imag")
-        )
-        cells.append(f"{value:.12g}")
+        value = values[name.split("_")[0]]
+        cells.append(f"{value.imag if name.endswith('im') else value.real:.12g}")
     return ",".join((case.name, f"{omega:g}", *cells))
 
 

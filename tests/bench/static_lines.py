@@ -139,23 +139,27 @@ def composite():
 
 
 def uneven(count):
-    """Random lines with a sinker and a buoy over random beds: how many are not found."""
-    rng = np.random.default_rng(5)
-    lost = 0
-    for _ in range(count):
-        bx = np.cumsum(np.append(0.0, rng.uniform(10, 40, 4)))
-        bed = Bed(np.column_stack([bx, np.append(0.0, rng.uniform(-8, 8, 4))]), rng.choice([0.0, 0.5]))
+    """Random lines with a sinker, a buoy and sometimes a third load over random beds: which are not found."""
+    rng = np.random.default_rng(7)
+    lost = []
+    for number in range(count):
+        facets = rng.integers(1, 5)
+        bx = np.cumsum(np.append(0.0, rng.uniform(10, 40, facets)))
+        bz = np.append(0.0, rng.uniform(-8, 8, facets))
+        bed = Bed(np.column_stack([bx, bz]), rng.choice([0.0, 0.3, 0.5, 1.0]))
         x = rng.uniform(0.6, 1.0) * bx[-1]
         z = -float(bed.depth_below(x, 0.0)) + rng.uniform(10, 30)
         length = np.hypot(x, z) * rng.uniform(1.02, 1.3)
         loads = [
             PointLoad(length * rng.uniform(0.2, 0.9), weight) for weight in (rng.uniform(0, 300), -rng.uniform(0, 300))
         ]
+        if rng.uniform() < 0.4:
+            loads.append(PointLoad(length * rng.uniform(0.1, 0.95), rng.uniform(-300, 300)))
         try:
             StaticLine([Segment(length, 10.0, 1e6)], loads, bed, surface=z + 2).solve(x, z)
         except LineError:
-            lost += 1
-    print(f"{count} lines with sinker and buoy over five-point beds: {lost} not found, each with an error")
+            lost.append(number)
+    print(f"{count} lines with sinker and buoy over beds of up to five points: not found, with an error: {lost}")
 
 
 def beside(python, count):
@@ -179,7 +183,7 @@ def main():
     options = parser.parse_args()
     many(options.lines)
     composite()
-    uneven(200)
+    uneven(2000)
     if options.peer:
         beside(options.peer, options.compare)
 
