@@ -87,7 +87,7 @@ def test_yamashita_gives_the_printed_b_at_one_degree():
 def test_yamashitas_damping_is_of_the_size_that_the_model_in_irregular_waves_had():
     """M3B, L × B × d = 3.872 × 1.936 × 0.194 m: Table 2.4.4.1 has k_xx 0.674 m and T 1.78 s; appendix 1 has rolls of
     2° (σ 1.06°) that two per cent of critical damping explain.  A factor of two is what its scatter leaves."""
-    L, B, d, rho, g = 3.872, 1.936, 0.194, 1000.0, 9.80665
+    L, B, d, rho = 3.872, 1.936, 0.194, 1000.0
     omega, mass = 2 * np.pi / 1.78, rho * L * B * d
     inertia = mass * 0.674**2 + 0.566 * mass * (B / 2) ** 2  # added inertia of section 2.4.4
     damping = yamashita_roll(L, B, d, rho).equivalent(omega, np.radians(2.0))
