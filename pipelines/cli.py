@@ -23,6 +23,7 @@ app = App(
     version=lambda: metadata.version("hakobune"),
     result_action="return_value",
     suppress_keyboard_interrupt=False,
+    help_format="plaintext",  # without the 0.1 s that a reader of Markdown takes to load
 )
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 SceneFile = Annotated[Path | None, Parameter(help="scene file (TOML) that the flags are laid over")]

@@ -7,13 +7,10 @@ that names key, value and what is allowed.
 
 from __future__ import annotations
 
-import tomllib
-from pathlib import Path
-
 import msgspec
 
 from .study import StudyError
-from .typed import typed
+from .typed import read_toml, typed
 
 
 class _Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
@@ -152,16 +149,7 @@ class LineDynamicsStudy(_Table):
 
 def read_line_dynamics(path):
     """The LineDynamicsStudy of a TOML file and its text.  Raises StudyError."""
-    path = Path(path)
-    try:
-        text = path.read_text(encoding="utf-8")
-        raw = tomllib.loads(text)
-    except FileNotFoundError:
-        raise StudyError(f"{path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise StudyError(f"{path} cannot be read: {getattr(error, 'strerror', None) or 'not text'}") from None
-    except tomllib.TOMLDecodeError as error:
-        raise StudyError(f"{path} is not TOML: {error}") from None
+    raw, text = read_toml(path, "a study", StudyError)
     return make_line_dynamics(raw), text
 
 

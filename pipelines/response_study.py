@@ -22,7 +22,6 @@ Directions have either `direction_deg`, travelled to, or `incidence_deg`, the an
 from __future__ import annotations
 
 import math
-import tomllib
 from pathlib import Path
 
 import msgspec
@@ -31,7 +30,7 @@ import numpy as np
 from bem import DOFS
 
 from .study import StudyError, _direction, _positive, _Table
-from .typed import typed
+from .typed import read_toml, typed
 from .viscous_table import Laws
 
 
@@ -131,17 +130,7 @@ class ResponseStudy(_Table):
 
 def read_response_study(path):
     """The ResponseStudy of a TOML file and its text.  Raises StudyError."""
-    path = Path(path)
-    try:
-        text = path.read_text(encoding="utf-8")
-        raw = tomllib.loads(text)
-    except FileNotFoundError:
-        raise StudyError(f"{path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or "not text"
-        raise StudyError(f"{path} cannot be read as a study: {reason}") from None
-    except tomllib.TOMLDecodeError as error:
-        raise StudyError(f"{path} is not TOML: {error}") from None
+    raw, text = read_toml(path, "a study", StudyError)
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"

@@ -7,7 +7,6 @@ and what is allowed.  Angles are degrees here, as everywhere in this package and
 from __future__ import annotations
 
 import math
-import tomllib
 from functools import partial
 from pathlib import Path
 
@@ -16,7 +15,7 @@ import numpy as np
 
 from . import products
 from .methods import check_method, chosen, names_given
-from .typed import typed
+from .typed import read_toml, typed
 from .viscous_table import ViscousTable, viscous_of
 
 SHAPES = {"box": ("length", "beam", "draft"), "buoy": ("radius", "draft"), "mesh": ("file",)}
@@ -162,16 +161,7 @@ def read_scene(path):
     Raises SceneError if the file is not there or not TOML.
     """
     path = Path(path)
-    try:
-        raw = tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise SceneError(f"{path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise SceneError(
-            f"{path} cannot be read as a scene: {getattr(error, 'strerror', None) or 'not text'}"
-        ) from None
-    except tomllib.TOMLDecodeError as error:
-        raise SceneError(f"{path} is not TOML: {error}") from None
+    raw, _ = read_toml(path, "a scene", SceneError)
     bodies = raw.get("bodies")
     for body in bodies if isinstance(bodies, list) else ():
         if isinstance(body, dict) and isinstance(body.get("file"), str):

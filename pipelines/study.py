@@ -8,9 +8,7 @@ ahead: direction = incidence + 180°.  Every fault is one line that names key, v
 from __future__ import annotations
 
 import math
-import tomllib
 from dataclasses import replace
-from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -19,7 +17,7 @@ from mooring.layout import Layout, Line, corner_spread, pretensioned
 from mooring.loads.box_drag import drag_table
 from mooring.multi_point import Conditions, Current, Hull, Waves, Wind
 
-from .typed import typed
+from .typed import read_toml, typed
 
 KNOT = 1852 / 3600  # m/s
 TONF = 9806.65  # N
@@ -220,17 +218,7 @@ def line_properties(where, kind, density=1025.0):
 
 def read_study(path):
     """The Study of a TOML file and its text.  Raises StudyError."""
-    path = Path(path)
-    try:
-        text = path.read_text(encoding="utf-8")
-        raw = tomllib.loads(text)
-    except FileNotFoundError:
-        raise StudyError(f"{path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or "not text"
-        raise StudyError(f"{path} cannot be read as a study: {reason}") from None
-    except tomllib.TOMLDecodeError as error:
-        raise StudyError(f"{path} is not TOML: {error}") from None
+    raw, text = read_toml(path, "a study", StudyError)
     return make_study(raw), text
 
 

@@ -7,7 +7,6 @@ TOML, in m, kg and degrees, with [water], [types.<name>] as in a mooring study, 
 from __future__ import annotations
 
 import math
-import tomllib
 from pathlib import Path
 
 import msgspec
@@ -17,7 +16,7 @@ from mooring.lines.system import System
 
 from .study import LineType as TypeTable
 from .study import StudyError, line_properties
-from .typed import typed
+from .typed import read_toml, typed
 
 YAML, TOML = (".yaml", ".yml"), (".toml",)
 
@@ -97,7 +96,7 @@ def read_system(path, depth=None) -> System:
     """
     path = Path(path)
     if path.suffix.lower() in TOML:
-        return make_system(_toml(path))
+        return make_system(read_toml(path, "a system", StudyError)[0])
     if path.suffix.lower() in YAML:
         from mooring.formats.moorpy import read_moorpy
 
@@ -143,16 +142,3 @@ def _line(line, table, kinds):
         raise StudyError(f"line {line.name}: type is {line.type!r}; allowed: {', '.join(kinds)}")
     friction = table.types[line.type].bed_friction
     return SystemLine(line.name, kinds[line.type], line.length, line.start, line.end, friction)
-
-
-def _toml(path):
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise StudyError(f"{path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise StudyError(
-            f"{path} cannot be read as a system: {getattr(error, 'strerror', None) or 'not text'}"
-        ) from None
-    except tomllib.TOMLDecodeError as error:
-        raise StudyError(f"{path} is not TOML: {error}") from None

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+import tomllib
 import typing
+from pathlib import Path
 
 import msgspec
 
@@ -16,6 +18,24 @@ WORDS = {
     "object": "a table",
     "null": "nothing",
 }
+
+
+def read_toml(path, what, error):
+    """Nested dictionaries of a TOML file, and its text.
+
+    what : "a study", for messages; error : class raised with one line
+    """
+    path = Path(path)
+    try:
+        text = path.read_text(encoding="utf-8")
+        return tomllib.loads(text), text
+    except FileNotFoundError:
+        raise error(f"{path} does not exist") from None
+    except (OSError, UnicodeDecodeError) as fault:
+        reason = getattr(fault, "strerror", None) or "not text"
+        raise error(f"{path} cannot be read as {what}: {reason}") from None
+    except tomllib.TOMLDecodeError as fault:
+        raise error(f"{path} is not TOML: {fault}") from None
 
 
 def typed(raw, kind, error):
