@@ -26,8 +26,10 @@ from .gap import Gap
 from .modes import class_of
 from .plan_circle import Circle
 from .plan_rectangle import Rectangle
+from .threads import blas_threads
 
 TOLERANCES = (1e-7, 0.1)
+SMALL = 100  # unknowns of a class and of a plane problem, a few hundred at most
 HIGHEST_GAP = 100  # times the smaller of draft and half the plan's width; errors were measured up to there
 
 
@@ -113,7 +115,8 @@ class ContourBody:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
         if not (np.all(np.isfinite(headings)) and np.all(np.isfinite(theta))):
             raise ValueError("headings or theta hold a value that is not finite; allowed: angles in rad")
-        return ContourFrequency(self, omega, headings, theta, dofs, density, gravity).result()
+        with blas_threads(SMALL):
+            return ContourFrequency(self, omega, headings, theta, dofs, density, gravity).result()
 
     def added_mass_limit(self, which, density=1025.0):
         """(6, 6) added mass for `which` "zero" or "infinity" of the frequency, about the origin; kg, kg m, kg m²
@@ -122,7 +125,8 @@ class ContourBody:
         """
         if which not in ("zero", "infinity"):
             raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
-        return density * (zero_frequency(self) if which == "zero" else infinite_frequency(self))
+        with blas_threads(SMALL):
+            return density * (zero_frequency(self) if which == "zero" else infinite_frequency(self))
 
     def estimated_error(self, omega, headings=(), dofs=range(6), density=1025.0, gravity=9.80665):
         """Largest relative difference of A + iB/ω and excitation from `coarser`: the error of that body.

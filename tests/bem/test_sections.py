@@ -71,11 +71,13 @@ def test_the_tolerance_is_kept(shape, tolerance):
 
 @pytest.mark.parametrize("shape", SHAPES + DEEP)
 def test_damping_is_the_energy_of_the_radiated_waves(shape):
-    """B = 2ρg (n/kω) |η|²; the integral equation of deep water keeps it to its tolerance only."""
+    """B = 2ρg (n/kω) |η|², to the rounding of ωA + iB, of which it is the small part; the integral equation of deep
+    water keeps it to its tolerance only."""
     s = of(shape, tolerance=1e-7)
     power = 2 * RHO * G * float(group_factor(s.k, s.depth)) / (s.k * s.omega)
     limit = 1e-10 if np.isfinite(s.depth) else 1e-7
-    assert s.damping.diagonal() == pytest.approx(power * np.abs(s.radiated) ** 2, rel=limit)
+    whole = np.hypot(s.omega * s.added_mass.diagonal(), s.damping.diagonal())
+    assert np.all(np.abs(s.damping.diagonal() - power * np.abs(s.radiated) ** 2) <= limit * whole)
 
 
 @pytest.mark.parametrize("shape", SHAPES)
