@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -10,43 +12,45 @@ from cyclopts import Parameter
 from .flags import _flag
 
 
+def _plain(text):
+    return Parameter(help=text, negative="")
+
+
 def bench(
     *,
     output: Annotated[Path, _flag("folder, made if it is not there")] = Path("bench"),
-    peer: Annotated[list[Path] | None, _flag("a Python that has capytaine or pyhams; may be given again")] = None,
-    threads: Annotated[str, _flag("numbers of threads a,b; the first with every case")] = "1,2",
+    peer: Annotated[list[Path] | None, _plain("a Python with capytaine or pyhams; may be given again")] = None,
+    threads: Annotated[str | None, _flag("a,b; the first with every case [1,2; with --quick 1]")] = None,
     only: Annotated[str | None, _flag("cases a,b: cylinder-15, -30, -100, box-12, -20, -100 [all]")] = None,
-    quick: Annotated[bool, Parameter(help="few settings on two bodies", negative="")] = False,
+    quick: Annotated[bool, _plain("few settings on two bodies, with what is compiled already")] = False,
 ):
     """Error against time of one frequency, cold and warm, with peak memory; every job in a process of its own.
 
     Cylinder of radius and draft 10 m (exact reference), box 100 x 50 x 10 m (contour method at 1e-7), in three depths
     each.  Writes bench.csv, bench.md and bench.png.  `make bench` installs the other programs and runs it.
     """
-    from rich.console import Console
-
     from .bench.plan import PROGRAMS, plan
     from .bench.run import FILES
     from .bench.run import bench as run
 
     peers = _peers(peer or [])
-    numbers = _threads(threads)
+    numbers = _threads(threads or ("1" if quick else "1,2"))
     jobs = plan(["hakobune", *(name for name in PROGRAMS if name in peers)], numbers, quick)
     jobs = _of_cases(jobs, only)
-    console = Console()
-    if not peers:
-        console.print("no --peer: other programs are left out", highlight=False)
+    if output.exists() and not output.is_dir():
+        raise ValueError(f"--output {output} is a file; allowed: a folder")
     output.mkdir(parents=True, exist_ok=True)
-    rows = []
+    if not peers:
+        print("no --peer: other programs are left out")
     try:
-        rows = run(jobs, peers, output, console)
+        rows = run(jobs, peers, output, partial(print, flush=True), own_caches=quick)
     except KeyboardInterrupt:
-        console.print(f"interrupted; what was measured is in {output / FILES[0]}; the next run begins anew")
+        print(f"interrupted; what was measured is in {output}, the same command begins anew", file=sys.stderr)
         return 130
+    print(*(output / name for name in FILES), sep="\n")
     failed = sum(1 for row in rows if row.note)
-    console.print("\n".join(str(output / name) for name in FILES), highlight=False, markup=False)
     if failed:
-        console.print(f"{failed} of {len(rows)} failed; see the end of {output / FILES[1]}", highlight=False)
+        print(f"{failed} of {len(rows)} failed: they stand at the end of {output / FILES[1]}", file=sys.stderr)
     return 1 if failed else 0
 
 
@@ -82,7 +86,6 @@ def _of_cases(jobs, only):
         raise ValueError(f"--only has {unknown[0]!r}; allowed: {', '.join(CASES)}")
     chosen = [job for job in jobs if job.case in names]
     if not chosen:
-        raise ValueError(
-            f"--only leaves nothing of this bench; it has {', '.join(dict.fromkeys(j.case for j in jobs))}"
-        )
+        there = ", ".join(dict.fromkeys(job.case for job in jobs))
+        raise ValueError(f"--only {only} leaves nothing to do; allowed with --quick: {there}")
     return chosen

@@ -6,6 +6,7 @@ are excited.
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 DENSITY, GRAVITY, HEADING = 1025.0, 9.80665, 30.0  # kg/m³, m/s², degrees
@@ -26,6 +27,11 @@ class Case(NamedTuple):
         size = " × ".join(f"{value:g}" for value in self.sizes.values())
         kind = "box" if self.shape == "box" else "cylinder, radius × draft"
         return f"{kind} {size} m, depth {self.depth:g} m"
+
+    @property
+    def reach(self):
+        """m, largest distance of the hull from the vertical axis"""
+        return self.sizes.get("radius") or math.hypot(self.sizes["length"], self.sizes["beam"]) / 2
 
 
 def _cylinder(depth):

@@ -6,7 +6,6 @@ import json
 import math
 import os
 import subprocess
-import sys
 import time
 from pathlib import Path
 from typing import NamedTuple
@@ -55,26 +54,19 @@ class Row(NamedTuple):
 def measured(job, pythons, caches):
     """`Row` of a `Job`; a fault of the program is its note.
 
-    pythons : {program: interpreter}; caches : folder for what programs keep on disk
+    pythons : {program: interpreter}; caches : folder for what programs keep on disk, None for their own
     """
-    key = {"hakobune": job.settings}.get(job.program, "").replace(" ", "-")
-    folder = Path(caches) / f"{job.program}{key}{'-empty' * job.empty_cache}"
     question, panels = _question(job)
     load = _load()
     row = Row(job.case, job.program, job.settings, job.fineness, panels, job.threads,
               "empty" if job.empty_cache else "full", load=load)  # fmt: skip
     try:
-        found = _answer(job, question, pythons[job.program], folder)
+        found = _answer(job, question, pythons[job.program], _cache(job, caches))
         worst = error(CASES[job.case], _coefficients(found))
     except (_Failed, ValueError) as fault:
         return row._replace(note=" ".join(str(fault).split())[-200:])
     kept = {name: found[name] for name in Row._fields if name in found and found[name] is not None}
     return row._replace(error=worst.value, worst=worst.of, **kept)
-
-
-def warmed(job, pythons, caches):
-    """Run the job for what it leaves on disk"""
-    measured(job, pythons, caches)
 
 
 class _Failed(Exception):
@@ -97,13 +89,21 @@ def _question(job):
     return {**common, **water, **mesh, **options}, panels
 
 
-def _answer(job, question, python, folder):
+def _cache(job, caches):
+    """Environment variables of the place where a program keeps what it compiled or tabulated"""
+    if caches is None:
+        return {}
+    method = job.settings if job.program == "hakobune" else ""
+    folder = caches / "-".join(filter(None, (job.program, method, "empty" * job.empty_cache)))
+    folder.mkdir(exist_ok=True)
+    return dict.fromkeys(("HAKOBUNE_CACHE", "CAPYTAINE_CACHE_DIR"), str(folder))
+
+
+def _answer(job, question, python, cache):
     command = [python, "-m", "pipelines.bench.ours"]
     if job.program != "hakobune":
         command = [python, "-W", "ignore", SCRIPTS[job.program]]
-    environment = {**os.environ, **dict.fromkeys(THREADS, str(job.threads))}
-    environment |= {"HAKOBUNE_CACHE": str(folder), "CAPYTAINE_CACHE_DIR": str(folder)}
-    folder.mkdir(parents=True, exist_ok=True)
+    environment = {**os.environ, **dict.fromkeys(THREADS, str(job.threads)), **cache}
     try:
         done = subprocess.run(
             list(map(str, command)),
@@ -151,7 +151,3 @@ def peers_of(python):
     if not found:
         raise ValueError(f"--peer {python} has neither capytaine nor pyhams; `make bench` installs them")
     return found
-
-
-def python_of_this():
-    return sys.executable

@@ -13,7 +13,7 @@ LID = 0.5  # panels of the lid for one of the hull: with a third the box in 20 m
 
 
 def part(case, panels, graded, symmetry):
-    """{"hull", "lid", "symmetry", "panels"} of at most about `panels` on the whole hull
+    """{"hull", "lid", "symmetry", "panels"} of at most `panels` on the whole hull
 
     symmetry : "xy" or "y", the mirror planes; "rotation": a wedge, with "copies"
     """
@@ -35,19 +35,26 @@ def _uniform(case, panels):
     """Counts of panels that are as square as they can be"""
     draft = case.sizes["draft"]
     if case.shape == "box":
-        a, b = case.sizes["length"] / 2, case.sizes["beam"] / 2
-        extents, area = (a, b, draft), 4 * (a * b + (a + b) * draft)
-    else:
-        r = case.sizes["radius"]
-        extents, area = (math.pi / 2 * r, r, draft), math.pi * r * (r + 2 * draft)
-    size = math.sqrt(area / panels)
-    return tuple(max(1, round(extent / size)) for extent in extents)
+        extents = (case.sizes["length"] / 2, case.sizes["beam"] / 2, draft)
+        return _fitted(extents, lambda n: 4 * (n[0] * n[1] + (n[0] + n[1]) * n[2]), panels)
+    radius = case.sizes["radius"]
+    return _fitted((math.pi / 2 * radius, radius, draft), lambda n: 4 * n[0] * (n[1] + n[2]), panels)
+
+
+def _fitted(extents, total, panels):
+    """Counts in proportion to `extents`, as many as `panels` allow"""
+    size = max(extents)
+    counts = [1] * len(extents)
+    while total(finer := [max(1, round(extent / size)) for extent in extents]) <= panels:
+        counts, size = finer, 0.99 * size
+    return tuple(counts)
 
 
 def _wedge(case, panels, graded):
     """One of `copies` wedges about the x axis: the bottom from its centre, the wall, and the lid"""
     radius, draft = case.sizes["radius"], case.sizes["draft"]
-    around, n_bottom, n_wall = _around(radius, draft, panels)
+    extents = (2 * math.pi * radius, radius, draft)
+    around, n_bottom, n_wall = _fitted(extents, lambda n: n[0] * (n[1] + n[2]), panels)
     step = 2 * math.pi / around
     rim = radius * math.sqrt(step / math.sin(step))  # polygon of equal area
     i, k = np.arange(n_bottom + 1) / n_bottom, np.arange(n_wall + 1) / n_wall
@@ -63,12 +70,6 @@ def _wedge(case, panels, graded):
         "copies": around,
         "panels": around * (n_bottom + n_wall),
     }
-
-
-def _around(radius, draft, panels):
-    """Copies of the wedge, panels on the bottom and on the wall in it: as square as they can be in the mean"""
-    size = math.sqrt(math.pi * radius * (radius + 2 * draft) / panels)
-    return tuple(max(n, round(e / size)) for n, e in ((8, 2 * math.pi * radius), (2, radius), (2, draft)))
 
 
 def _swept(profile, step):

@@ -37,9 +37,9 @@ class Job:
 def plan(programs, threads, quick=False):
     """The jobs of a bench, in the order in which they run
 
-    programs : of PROGRAMS; threads : numbers of threads, the first with every case
+    programs : of PROGRAMS; threads : numbers of threads, the first with every case; quick : a few of them
     """
-    jobs = [job for program in programs for job in COLD[program](threads[0])]
+    jobs = [] if quick else [job for program in programs for job in COLD[program](threads[0])]
     for number in threads:
         cases = ALL if number == threads[0] and not quick else CHOSEN
         jobs += [job for program in programs for case in cases for job in WARM[program](case, number, quick)]
@@ -55,14 +55,14 @@ def _ours(case, threads, quick):
 
 def _capytaine(case, threads, quick):
     """The direct method on a graded mesh is the best of its settings throughout; a cylinder has rotation, too"""
-    worse = not quick and threads == 1
-    large = (2000,) * (worse and case in CHOSEN)
+    every = not quick and threads == 1
+    large = (2000,) * (every and case in CHOSEN)
     for panels in (240,) if quick else (240, 960, *large):
         yield _of_capytaine(case, threads, panels)
     if case.startswith("cylinder"):
         for panels in (960,) if quick else (240, 960, 2500):
             yield _of_capytaine(case, threads, panels, symmetry="rotation")
-    for panels in (240, 960) if worse else ():
+    for panels in (240, 960) if every else ():
         yield _of_capytaine(case, threads, panels, graded=False)
         yield _of_capytaine(case, threads, panels, quadrature=GAUSS)
         if case in CHOSEN:

@@ -16,13 +16,14 @@ NOTES = (
     "the frequencies; coefficients below a hundredth of their kind left out; worst: which",
     "reference: cylinders exact, boxes by the contour method at 1e-7 (panels carried on to infinitely many agree to "
     "2e-4 to 4e-4)",
-    f"ms: mean of five frequencies after the first, least of up to {PASSES} passes: six radiating modes and one heading "
-    f"of {HEADING:g} degrees; cpu: the same in processor time of all threads",
+    f"ms: mean of five frequencies after the first, least of up to {PASSES} passes: six radiating modes and one "
+    f"heading of {HEADING:g} degrees; cpu: the same in processor time of all threads",
     "first: from the start of the process to the end of the first frequency, with what programs keep on disk there "
     "(cache full) or not (cache empty); body: that first frequency once everything is loaded",
     "memory: the most the process has held",
     "panels: on the whole hull; a lid besides, in every program; meshes of other programs are made beforehand",
-    "busy: load of the machine in the minute before, of which one is the bench's own; times are worth little above 1.5",
+    "jobs of one thread whose cpu is below 0.9 of their ms are measured again, up to twice: others had the core",
+    "load, in the CSV: of the machine in the minute before",
 )
 
 
@@ -64,15 +65,11 @@ def least_ms(rows, level):
     return min(within, default=None)
 
 
-def per_cent(value):
-    return "" if math.isnan(value) else f"{100 * value:.2g}" if value >= 1e-3 else f"{100 * value:.0e}"
-
-
 def _reached(rows):
     """Header and lines: the best settings of every program, at each level"""
     rows = [row for row in rows if row.cache == "full" and not row.note]
     groups = sorted({(_place(row.case), row.threads, *_program(row), row.case) for row in rows})
-    header = ("case", "threads", "program", *(f"{per_cent(level)} %" for level in LEVELS))
+    header = ("case", "threads", "program", *(f"{level:.0e}" for level in LEVELS))
     lines = []
     for _, threads, order, name, case in groups:
         mine = [r for r in rows if (r.case, r.threads, _program(r)) == (case, threads, (order, name))]
@@ -92,12 +89,12 @@ def _cold(cold, rows):
 
 
 def _measured(rows):
-    header = ("program", "settings", "asked", "panels", "threads", "error %", "of", "estimate %", "ms", "cpu ms",
+    header = ("program", "settings", "asked", "panels", "threads", "error", "of", "estimate", "ms", "cpu ms",
               "body ms", "first s", "MB")  # fmt: skip
     lines = [
         (
             *(row.program, row.settings, _asked(row), row.panels or "", row.threads),
-            *(per_cent(row.error), row.worst, per_cent(row.estimate)),
+            *(f"{row.error:.1e}", row.worst, "" if math.isnan(row.estimate) else f"{row.estimate:.1e}"),
             *(_ms(value) for value in (row.warm_ms, row.cpu_ms, row.body_ms)),
             *(f"{row.first_s:.2f}", f"{row.memory_mb:.0f}"),
         )

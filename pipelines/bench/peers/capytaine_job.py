@@ -1,8 +1,9 @@
 """Capytaine's side of the bench: a job on standard input, one line of JSON on standard output.
 
 The job: hull and lid ({"vertices", "faces"}; lid may be null), symmetry ("xy": a quarter is given; "rotation": one of
-`copies` wedges; "": everything), depth, omega, heading (rad), density, gravity, method ("direct" or "indirect"), green
-("Delhommeau" or "FinGreen3D"), quadrature (name or null), and what `repeated` takes.
+`copies` wedges; "": everything), depth, omega, heading (rad), density, gravity, method ("direct" or "indirect"),
+quadrature (name or null), and what `repeated` takes.  The Green function is the default one: the other one for finite
+depth, FinGreen3D, gives NaN on lids, and with a quadrature roll damping of the box 100 % off.
 """
 
 import numpy as np
@@ -28,8 +29,7 @@ def make(job):
     lid = mesh(job["lid"], job) if job["lid"] else None
     dofs = cpt.rigid_body_dofs(rotation_center=(0, 0, 0))
     body = cpt.FloatingBody(mesh(job["hull"], job), dofs=dofs, lid_mesh=lid, center_of_mass=(0, 0, 0))
-    green = {"Delhommeau": cpt.Delhommeau, "FinGreen3D": cpt.FinGreen3D}[job["green"]]()
-    return body, cpt.BEMSolver(green_function=green, method=job["method"])
+    return body, cpt.BEMSolver(method=job["method"])
 
 
 def solve(made, omega, job):
