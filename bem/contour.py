@@ -118,6 +118,10 @@ class ContourBody:
         with blas_threads(SMALL):
             return ContourFrequency(self, omega, headings, theta, dofs, density, gravity).result()
 
+    def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
+        """(m, 6) force of the undisturbed waves alone, N/m and N m/m; arguments as of `first_order`"""
+        return ContourFrequency(self, omega, headings, (), dofs, density, gravity).froude_krylov()
+
     def added_mass_limit(self, which, density=1025.0):
         """(6, 6) added mass for `which` "zero" or "infinity" of the frequency, about the origin; kg, kg m, kg m²
 

@@ -94,16 +94,19 @@ class ShapeRun(FrequencyRun):
         """`bem.first_order.FirstOrder` at the angles `theta` followed by the headings"""
         at = np.concatenate([self.theta, self.headings]) if self.far_field else ()
         return self.prepared.solver.first_order(
-            self.omega, self.headings, at, self.dofs if self.radiates else [], self.setup.density, self.setup.gravity
+            self.omega, self.waves, at, self.dofs, self.setup.density, self.setup.gravity
         )
+
+    @property
+    def waves(self):
+        """(m,) headings, none where nothing is wanted of waves"""
+        return self.headings if self.diffracts else np.empty(0)
 
     def estimated_error(self):
         """Of the contour method against itself with fewer digits; NaN for strips, whose error is that of their idea"""
         if self.setup.method != "contour":
             return np.nan
-        return self.prepared.solver.estimated_error(
-            self.omega, self.headings if self.diffracts else (), self.dofs if self.radiates else ()
-        )
+        return self.prepared.solver.estimated_error(self.omega, self.waves, self.dofs)
 
     @property
     def radiation(self):
@@ -111,7 +114,10 @@ class ShapeRun(FrequencyRun):
 
     @property
     def froude_krylov(self):
-        return self.first_order.froude_krylov
+        if self.diffracts:
+            return self.first_order.froude_krylov
+        setup = self.setup
+        return self.prepared.solver.froude_krylov(self.omega, self.headings, self.dofs, setup.density, setup.gravity)
 
     @property
     def diffraction(self):

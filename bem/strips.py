@@ -64,9 +64,14 @@ class Strips:
             flow = section_flow(row.beam, self.draft, self.depth, omega, gravity=gravity, tolerance=self.tolerance)
             impedance += row.impedance(radiation(flow, density))
             scattered += row.diffraction(flow, density, headings)
+        incident = self.froude_krylov(omega, headings, dofs, density, gravity)
+        return FirstOrder(impedance, incident, scattered, None, None, None, np.nan)
+
+    def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
+        """(m, 6) force of the undisturbed waves on the whole box, N/m and N m/m; arguments as of `first_order`"""
         k = float(wavenumber(omega, self.depth, gravity))
-        incident = box_incident_force(self.length, self.beam, self.draft, self.depth, k, headings)
-        return FirstOrder(impedance, density * gravity * incident, scattered, None, None, None, np.nan)
+        force = box_incident_force(self.length, self.beam, self.draft, self.depth, k, np.asarray(headings, float))
+        return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)
 
     def added_mass_limit(self, which, density=1025.0):
         """A (6, 6) about the origin for `which` "zero" or "infinity" of the frequency.  Raises ValueError."""
