@@ -234,5 +234,5 @@ def between(db):
         db.rotation_center,
         db.inertia_matrix,
         db.hydrostatic_stiffness,
-        "[viscous]" not in db.header.scene,
+        not db.has_viscous_motions,
     )

@@ -212,6 +212,11 @@ class Database:
         if unsolved:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
 
+    @property
+    def has_viscous_motions(self):
+        """Whether stored motions and drift of the free body hold viscous damping, which belongs to one wave height"""
+        return "[viscous]" in self.header.scene
+
     @cached_property
     def between(self):
         """`bem.between.Between`: the stored rows as functions of frequency, with estimated errors"""

@@ -210,7 +210,10 @@ def findings(result, db):
     if waves:
         yield from _interpolated(db, waves)
         yield from resonances(result, waves.period)
-        yield from _rolling(result, waves)
+        if db.has_viscous_motions:
+            yield "motions and drift hold the viscous damping of the wave height in the database's scene"
+        else:
+            yield from _rolling(result, waves)
         yield from _stiff_modes(result, np.asarray(db.hydrostatic_stiffness, float))
     yield from _held(result.at_rest)
     yield from _outside_the_method(result, db.water_depth)

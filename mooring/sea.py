@@ -103,6 +103,11 @@ def _response(db, period, direction):
     """(6,) complex motion per unit wave amplitude from coefficients and excitation at a wave period (s)."""
     from bem.motions import response
 
+    if db.has_viscous_motions:
+        raise RangeError(
+            f"motions at period {period:g} s: the database has viscous damping in them, which is known at stored "
+            "periods only; add the period to the scene and solve again"
+        )
     coefficients = [_known(_at_period(db, n, period), n, period) for n in ("added_mass", "radiation_damping")]
     force = at_wave(db, "excitation_force", period, direction)
     return response(2 * np.pi / period, *coefficients, force[None, :], db.inertia_matrix, db.hydrostatic_stiffness)[0]

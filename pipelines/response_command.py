@@ -37,6 +37,11 @@ def response(
     body = read.restrained(read_body(db))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
+        if db.has_viscous_motions and read.body.viscous is None:
+            warnings.warn(
+                "viscous damping of the database's scene is that of one regular wave and is left out here; "
+                "give it to the study as body.viscous", stacklevel=2
+            )  # fmt: skip
         try:
             result = _in_sea(read, body, db, points) if read.sea else _in_climate(read, body, points, study)
         except TypeError as error:

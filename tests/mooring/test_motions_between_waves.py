@@ -16,6 +16,7 @@ class Body:
     omega = np.array([0.5, 0.55, 0.65, 0.8])
     wave_direction = np.radians([0.0, 30.0])
     inertia_matrix, hydrostatic_stiffness = INERTIA, STIFFNESS
+    has_viscous_motions = False
 
     def require(self, *names):
         pass
@@ -64,3 +65,13 @@ def test_frequency_that_failed_is_named():
     assert np.all(np.isfinite(motion_amplitudes(Failed(), 2.0, 2 * np.pi / 0.7, 0.0)))
     with pytest.raises(RangeError, match="added_mass is not known at period"):
         motion_amplitudes(Failed(), 2.0, 2 * np.pi / 0.6, 0.0)
+
+
+def test_motions_with_viscous_damping_are_not_made_between_stored_periods():
+    """What is stored has a damping that depends on the wave; without it resonances would be far too high."""
+
+    class Viscous(Body):
+        has_viscous_motions = True
+
+    with pytest.raises(RangeError, match="add the period to the scene"):
+        motion_amplitudes(Viscous(), 2.0, 2 * np.pi / 0.6, 0.0)

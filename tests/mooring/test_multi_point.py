@@ -68,6 +68,7 @@ class StandIn:
     water_depth, density, gravity = 20.0, 1025.0, 9.80665
     rotation_center = np.zeros(3)
     inertia_matrix, hydrostatic_stiffness = INERTIA, STIFFNESS
+    has_viscous_motions = False
 
     def require(self, *names):
         pass
