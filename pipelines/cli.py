@@ -16,6 +16,7 @@ from .lines_flags import line, line_dynamics, lines
 from .response_command import response
 from .sea_command import sea
 from .sections_command import sections
+from .stress_command import stress
 
 app = App(
     name="hakobune",
@@ -129,6 +130,7 @@ app.command(response)
 app.command(sections)
 app.command(compare)
 app.command(bench)
+app.command(stress)
 app.command(line)
 app.command(lines)
 app.command(line_dynamics)

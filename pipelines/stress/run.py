@@ -1,0 +1,56 @@
+"""A campaign from its first scene to its last: rows written as they come, failures told at once, time left."""
+
+from __future__ import annotations
+
+import time
+
+from bem.database_file import check_place
+
+from ..interrupt import ctrl_c
+from ..progress import duration
+from ..work import Here
+from .campaign import row_of
+from .table import Writer, summary
+
+EVERY = 5.0  # s between lines of progress
+AHEAD = 8  # scenes that processes are given before the first of them is back
+
+
+def run(questions, output, executor, say):
+    """(rows, whether Ctrl-C ended it) of questions, the arguments of `row_of`; rows go into the CSV `output`
+
+    say : takes each line of progress
+    """
+    check_place(output)
+    rows, told = [], time.perf_counter()
+    start = told
+    with output.open("w", newline="", encoding="utf-8") as file, ctrl_c(say) as stop:
+        writer = Writer(file, ["seed {0}, method {2}, tolerance {3:g}, at most {4:g} waves".format(*questions[0])])
+        for row in _answers(questions, executor):
+            rows.append(row)
+            writer.write(row)
+            if row.verdict:
+                say(f"scene {row.number}: {row.verdict}\n  {row.command}")
+            now = time.perf_counter()
+            if now - told > EVERY:
+                told, left = now, (now - start) / len(rows) * (len(questions) - len(rows))
+                failed = sum(1 for row in rows if row.verdict)
+                say(f"{len(rows)}/{len(questions)}  {failed} failed  {duration(left)} left")
+            if stop.asked:
+                break
+    for line in summary(rows):
+        say(line)
+    return rows, len(rows) < len(questions)
+
+
+def _answers(questions, executor):
+    """Rows in the order of the questions"""
+    if isinstance(executor, Here):
+        yield from (row_of(*question) for question in questions)
+        return
+    waiting = []
+    for question in questions:
+        waiting.append(executor.submit(row_of, *question))
+        if len(waiting) >= AHEAD:
+            yield waiting.pop(0).result()
+    yield from (future.result() for future in waiting)

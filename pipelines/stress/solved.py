@@ -1,0 +1,76 @@
+"""A scene solved the way the commands do it: scene, mesh, lid, method, one frequency; nothing is stored."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bem import DOFS
+from bem.frequency import solve_frequency
+from bem.schema import LIMITS
+from bem.setup import prepare
+
+from ..hull import inspected, make_header, make_hull, setup_of
+from ..methods import METHODS
+from ..scene import make_scene
+
+QUANTITIES = ("added_mass", "radiation_damping", "excitation_force")
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Z = A + iB/ω (6, 6) and excitation X (m, 6), and their sizes as in `bem.checks`.
+
+    panels : on the whole hull, 0 where none is computed with; result : all that came back
+    """
+
+    method: str
+    panels: int
+    Z: np.ndarray
+    X: np.ndarray
+    sizes: tuple
+    result: dict
+
+    @property
+    def estimate(self):
+        """Relative error of A, B and X that is stored with the result"""
+        return self.result["checks"].get("estimated_error", np.nan)
+
+    def relative(self, Z, X):
+        """Coefficients of a like scene, divided by the sizes of this one"""
+        return Z / self.sizes[0], X / self.sizes[1]
+
+
+def solved(scene, method="auto", tolerance=0.01):
+    """`Solved` of a `StressScene`.  Raises what the commands report: ValueError, FloatingPointError."""
+    checked = make_scene(scene.tables(method, tolerance))
+    omegas, names = checked.omegas(), set(checked.names()) - set(LIMITS)
+    hull = inspected(make_hull(checked, omegas), checked, omegas)
+    header = make_header(checked, hull, omegas)
+    prepared = prepare(setup_of(header, checked))
+    # the order in which they were drawn, not the ascending one of a database
+    result = solve_frequency(prepared, omegas[0], np.radians(scene.headings), names, header.theta)
+    panels = hull.mesh.total if METHODS[checked.chosen_method].panels else 0
+    return scaled(checked.chosen_method, panels, prepared, omegas[0], result)
+
+
+def scaled(method, panels, prepared, omega, result):
+    """`Solved` of a result"""
+    Z, X = result["added_mass"] + 1j * result["radiation_damping"] / omega, result["excitation_force"]
+    sizes = radiation_sizes(Z, prepared.displacing), excitation_sizes(X, result["diffraction_force"], prepared)
+    return Solved(method, panels, Z, X, sizes, result)
+
+
+def radiation_sizes(Z, displacing):
+    """(6, 6) √|Zᵢᵢ Zⱼⱼ|, infinite for modes that move no water"""
+    size = np.where(displacing, np.sqrt(np.abs(np.diag(Z))), np.inf)
+    return np.outer(size, size)
+
+
+def excitation_sizes(excitation, diffraction, prepared):
+    """(6,) as `bem.checks.excitation_scale`"""
+    size = np.maximum(np.abs(excitation), np.abs(diffraction)).max(axis=0)
+    force = 0.2 * size[:3].max()
+    least = np.repeat([force, max(0.2 * size[3:].max(), 0.5 * force * prepared.radius)], len(DOFS) // 2)
+    return np.where(prepared.displacing, np.maximum(size, least), np.inf)
