@@ -15,6 +15,7 @@ its images, their potentials equal or opposite.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cached_property
 
@@ -28,6 +29,8 @@ from .rankine import panel_moments
 from .wave_blocks import Sources, wave_blocks
 
 ROWS = 256  # of the matrices made at once
+# 1/r is integrated with 2 × 2 points beyond FAR sizes of a panel: 1e-6 of a smooth potential is lost
+FAR = 5.0
 
 
 class Geometry:
@@ -141,12 +144,23 @@ def _rankine_rows(points, e, images, signs, bed, shift):
 @kernel()
 def _add_row(x, y, z, e, signs, s, d):
     """Integrals of all panels at one point, added to the rows (classes, n) of s and d."""
-    origins, axes, corners, inverse = e.origins, e.axes, e.corners, e.inverse
-    p = inverse.shape[2]
+    origins, axes, corners, inverse, nodes, weights = e.origins, e.axes, e.corners, e.inverse, e.nodes, e.weights
+    sizes, p = e.sizes, inverse.shape[2]
     S, D = np.empty(p), np.empty(p)
     for j in range(len(origins)):
         dx, dy, dz = x - origins[j, 0], y - origins[j, 1], z - origins[j, 2]
         a = axes[j]
+        far = FAR * sizes[j]
+        if p > 1 and dx * dx + dy * dy + dz * dz > far * far:
+            for m in range(p * j, p * j + p):  # the nodes are Gauss points
+                dx, dy, dz = x - nodes[m, 0], y - nodes[m, 1], z - nodes[m, 2]
+                inverse_square = 1 / (dx * dx + dy * dy + dz * dz)
+                u = weights[m] * math.sqrt(inverse_square)
+                v = (a[2, 0] * dx + a[2, 1] * dy + a[2, 2] * dz) * inverse_square * u
+                for c in range(len(signs)):
+                    s[c, m] += signs[c] * u
+                    d[c, m] += signs[c] * v
+            continue
         panel_moments(
             a[0, 0] * dx + a[0, 1] * dy + a[0, 2] * dz,
             a[1, 0] * dx + a[1, 1] * dy + a[1, 2] * dz,

@@ -26,7 +26,7 @@ LARGEST = 1_000_000  # pairs of nodes at once
 PROXIES = 200  # nodes away from the surface from which waves are sampled
 STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are
 WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
-LID = 0.1  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
+LID = 0.02  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
 
 
 class WaveSpace(NamedTuple):
@@ -52,7 +52,7 @@ def wave_space(geometry, band, gravity, accuracy):
     """
     g, cases, allowed = geometry, _Cases(geometry, band, gravity), 2 * np.pi * accuracy
     root, of_column = cases.root, cases.of_column
-    crests, Z = _skeleton(cases.waves, g.hull, allowed)
+    crests, Z = _skeleton(cases.waves, g.hull, 0.2 * allowed)  # few columns, and forces are differences of them
     Z *= root[crests] / root[: g.hull, None]
     velocities = tuple(np.concatenate([g.modes[:, g.members(c)], Z], axis=1) for c in g.classes)
     points, X = _skeleton(cases.at_all_points, len(root), allowed)
