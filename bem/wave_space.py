@@ -26,7 +26,7 @@ LARGEST = 1_000_000  # pairs of nodes at once
 PROXIES = 200  # nodes away from the surface from which waves are sampled
 STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are
 WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
-LID = 0.02  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
+LID = 0.1  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
 
 
 class WaveSpace(NamedTuple):
