@@ -46,4 +46,5 @@ def announced(setup, limits, console):
         console.print(
             f"{total} panels: about {needed.memory / 1e9:.1f} GB, about {before} before the first frequency{last}",
             highlight=False,
+            soft_wrap=True,
         )

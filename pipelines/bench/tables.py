@@ -107,7 +107,7 @@ def _program(row):
     """(place, name) of a curve: our two methods stand apart"""
     if row.program == "hakobune":
         return ("contour", "panel", "panel, band").index(row.settings), f"hakobune {row.settings}"
-    return 2, row.program
+    return 3, row.program
 
 
 def _place(case):
