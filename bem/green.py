@@ -1,4 +1,4 @@
-"""Wave part of the Green function of a source under a free surface, any depth, with its gradient.
+"""Green function of a source under a free surface, any depth, with its gradient.
 
     G = 1/r + 1/r₂ + 1/r₁ + g₁(R, Y) + g₂(R, V) + i C Z(z) Z(ζ) J₀(kR),    time factor exp(−iωt)
 
@@ -8,162 +8,210 @@ Z(z) = cosh k(z+h)/cosh kh and C = 2πk²/((k²−K²)h + K).  With (SR179 repor
     f(R, V) = PV∫ (μ+K) e^(−μh) cosh μV / (μ sinh μh − K cosh μh) J₀(μR) dμ
     g₁(R, Y) = f(R, 2h−Y) − 1/√(R²+Y²),    g₂(R, V) = f(R, V)
 
-both are tables of one frequency (`bem.green_tables`).  Near r₁ = 0 the logarithm of g₁ would defeat a table: there the
-deep-water function is summed as a series and only the smooth rest is looked up.
+Where R < h/2, 2K F(KR, KY) of `bem.green_deep` is taken off g₁; beyond, the wave −C Z(z) Z(ζ) Y₀(kR) is taken off
+g₁ + g₂.  What is left is smooth and comes from the tables of `bem.green_tables`.
 """
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
-from .green_tables import wave_table
+from .green_deep import bessel as bessel_functions
+from .green_deep import deep_water
+from .green_pieces import address, look
+from .green_tables import TABLE_ONLY, WITH_IMAGES, whole_table
 from .jit import kernel
-from .waves import depth_factor, depth_factor_slope
+
+
+class Layout(NamedTuple):
+    """A Table with the addresses of its arrays, which must be alive as long as this is used."""
+
+    K: float
+    k: float
+    per_metre: float
+    double_depth: float
+    entries: int
+    beyond: int
+    net: float
+    mirror: float
+    pieces: object
+    zones: object
+    deep: object
+    bessel: object
 
 
 @kernel()
-def logarithmic(X, Y):
-    """F and ∂F/∂X of the deep-water function by its series about the origin, for X² + Y² ≤ 1 to 1e-9.
-
-    e^Y F = −J₀(X)(ln ½(r+Y) + γ) − Σ hₘ(−1)^(m+1)(X/2)²ᵐ/m!² − Σ Iₙ/n!, where Iₙ is ∫₀^Y tⁿ/√(X²+t²) dt without its
-    logarithm and its odd powers of X: those cancel against J₀ and Struve's function and never appear.
-    """
-    square = X * X
-    r = math.sqrt(square + Y * Y)
-    inverse = 1 / r
-    log = math.log(0.5 * (r + Y)) + 0.5772156649015329
-    quarter = 0.25 * square
-    # J₀ and the regular part of ½πY₀, with their derivatives divided by X
-    j0, dj0, y0, dy0 = 1.0, 0.0, 0.0, 0.0
-    term, slope, harmonic = 1.0, 1.0, 0.0
-    for m in range(1, 7):
-        over = 1.0 / m
-        slope = -0.5 * over * term  # derivative of the next term divided by X
-        term *= -quarter * over * over
-        harmonic += over
-        j0 += term
-        y0 -= harmonic * term
-        dj0 += slope
-        dy0 -= harmonic * slope
-    total = -j0 * log - y0
-    dtotal = -dj0 * log - j0 * inverse / (r + Y) - dy0  # divided by X as well
-    # Iₙ = (Yⁿ⁻¹ r − (n−1) X² Iₙ₋₂)/n
-    past, dpast, now, dnow = 0.0, 0.0, r, inverse
-    power, share = 1.0, 1.0
-    for n in range(1, 13):
-        total -= share * now
-        dtotal -= share * dnow
-        power *= Y
-        over = 1.0 / (n + 1)
-        share *= over
-        following = over * (power * r - n * square * past)
-        dfollowing = over * (power * inverse - n * (2 * past + square * dpast))
-        past, dpast, now, dnow = now, dnow, following, dfollowing
-    decay = math.exp(-Y)
-    return decay * total, decay * X * dtotal
+def layout_of(t):
+    return Layout(
+        t.K, t.k, t.per_metre, t.double_depth, t.entries, t.beyond, t.net, t.mirror,
+        address(t.pieces), address(t.zones), address(t.deep), address(t.bessel),
+    )  # fmt: skip
 
 
 @kernel()
-def cubic_weights(x, count):
-    """First of four neighbouring grid numbers about x and the cubic Lagrange weights."""
-    i = min(max(int(x) - 1, 0), count - 4)
-    a = x - i
-    b, c, d = a - 1, a - 2, a - 3
-    return i, -b * c * d * (1 / 6), a * c * d * 0.5, -a * b * d * 0.5, a * b * c * (1 / 6)
+def levels(z, zeta):
+    """Y, V and the sign of ζ − z, the same for every horizontal distance."""
+    return -(z + zeta), abs(z - zeta), 1.0 if zeta > z else -1.0
 
 
 @kernel()
-def _look(table, i, w0, w1, w2, w3, j, v0, v1, v2, v3):
-    f, fr, fy = 0.0, 0.0, 0.0
-    for a in range(4):
-        w = w0 if a == 0 else (w1 if a == 1 else (w2 if a == 2 else w3))
-        t = table[i + a]
-        f += w * (v0 * t[j, 0] + v1 * t[j + 1, 0] + v2 * t[j + 2, 0] + v3 * t[j + 3, 0])
-        fr += w * (v0 * t[j, 1] + v1 * t[j + 1, 1] + v2 * t[j + 2, 1] + v3 * t[j + 3, 1])
-        fy += w * (v0 * t[j, 2] + v1 * t[j + 1, 2] + v2 * t[j + 2, 2] + v3 * t[j + 3, 2])
-    return f, fr, fy
-
-
-@kernel()
-def levels(z, zeta, spacing, surface_count, bed_count):
-    """What a pair of depths needs of the tables, the same for every horizontal distance."""
-    Y, V = -(z + zeta), abs(z - zeta)
-    surface = cubic_weights(Y / spacing, surface_count)
-    bed = cubic_weights(V / spacing, bed_count)
-    return Y, 1.0 if zeta > z else -1.0, surface, bed
-
-
-@kernel()
-def wave_part(R, level, K, spacing, radius, surface, rest, bed, bessel):
+def wave_part(R, level, wave, slope, layout):
     """g₁ + g₂ and ∂/∂R, ∂/∂ζ of it, with J₀(kR) and its ∂/∂R; all real.
 
-    level : from `levels`.  The arrays of a Table come one by one: taken out of the tuple for every pair, their
-    reference counts would cost 50 ns on top of 35.
+    level : from `levels`; wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; layout : `layout_of` the Table
     """
-    Y, upwards, (j, v0, v1, v2, v3), (l, u0, u1, u2, u3) = level
-    x = R / spacing
-    i, w0, w1, w2, w3 = cubic_weights(x, len(bessel))
-    square = R * R + Y * Y
-    if square > radius * radius:
-        f, fr, fy = _look(surface, i, w0, w1, w2, w3, j, v0, v1, v2, v3)
-    else:
-        f, fr, fy = _inside(R, Y, math.sqrt(square), x, rest, spacing, K)
-    b, br, bv = _look(bed, i, w0, w1, w2, w3, l, u0, u1, u2, u3)
-    j0 = w0 * bessel[i, 0] + w1 * bessel[i + 1, 0] + w2 * bessel[i + 2, 0] + w3 * bessel[i + 3, 0]
-    j1 = w0 * bessel[i, 1] + w1 * bessel[i + 1, 1] + w2 * bessel[i + 2, 1] + w3 * bessel[i + 3, 1]
-    return f + b, fr + br, upwards * bv - fy, j0, j1
+    Y, V, upwards = level
+    g, gr, gz = 0.0, 0.0, 0.0
+    K, n = layout.K, int(R * layout.per_metre)
+    if layout.double_depth > 0.0:
+        if n < layout.entries:
+            g, gr, gz = _tabulated(R, Y, V, upwards, layout.pieces, layout.zones, 9 * n)
+        elif layout.beyond != TABLE_ONLY:
+            g, gr, gz = _beyond(R, Y, V, upwards, layout)
+    explicit = n > 0
+    if K > 0.0 and not explicit:
+        X = K * R
+        F, FX, sink, far = deep_water(X, K * Y, layout.deep)
+        g += 2 * K * F
+        gr += 2 * K * K * FX
+        gz += 2 * K * K * sink
+        explicit = far > 0.0 and X > 1.0  # on the axis of the far range the wave is below 1e-13
+    j0, j1 = 1.0, 0.0
+    if K > 0.0:
+        j0, y0, j1, y1 = bessel_functions(layout.k * R, layout.bessel, explicit)
+        j1 *= layout.k
+        if explicit:
+            g -= wave * y0
+            gr -= wave * layout.k * y1
+            gz -= slope * y0
+    return g, gr, gz, j0, j1
 
 
 @kernel()
-def _inside(R, Y, r, x, rest, spacing, K):
-    """g₁ close to the image in the surface: the logarithm summed, the smooth rest looked up."""
-    i, w0, w1, w2, w3 = cubic_weights(x, len(rest))
-    j, v0, v1, v2, v3 = cubic_weights(Y / spacing, rest.shape[1])
-    f, fr, fy = _look(rest, i, w0, w1, w2, w3, j, v0, v1, v2, v3)
-    if K > 0.0:
-        F, FX = logarithmic(K * R, K * Y)
-        f += 2 * K * F
-        fr += 2 * K * K * FX
-        fy -= 2 * K * (K * F + 1 / r)
-    return f, fr, fy
+def _tabulated(R, Y, V, upwards, pieces, zones, n):
+    columns, surface_rows, bed_rows = zones[n + 1], zones[n + 2], zones[n + 3]
+    x, y, v = (R - zones[n]) * columns, Y * surface_rows, V * bed_rows
+    i, j, l = min(int(x), int(zones[n + 6])), min(int(y), int(zones[n + 7])), min(int(v), int(zones[n + 8]))
+    count = int(zones[n + 6]) + 1
+    f, fr, fy = look(pieces, int(zones[n + 4]) + j * count + i, 2 * (x - i) - 1, 2 * (y - j) - 1)
+    b, br, bv = look(pieces, int(zones[n + 5]) + l * count + i, 2 * (x - i) - 1, 2 * (v - l) - 1)
+    return f + b, 2 * columns * (fr + br), 2 * (upwards * bed_rows * bv - surface_rows * fy)
+
+
+@kernel()
+def _beyond(R, Y, V, upwards, layout):
+    """g₁ + g₂ without the wave beyond the tables, where G without it is zero; NaN where the tables ended before."""
+    if layout.beyond != WITH_IMAGES:
+        return math.nan, math.nan, math.nan
+    g, gr, gz = 2 * layout.net * math.log(layout.double_depth / R), -2 * layout.net / R, 0.0
+    for height, sign, along in (
+        (layout.double_depth - Y, 1.0, 1.0), (Y, layout.mirror, -1.0), (V, 1.0, upwards),
+    ):  # fmt: skip
+        inverse = sign / math.sqrt(R * R + height * height)
+        cube = inverse / (R * R + height * height)
+        g -= inverse
+        gr += R * cube
+        gz += along * height * cube
+    return g, gr, gz
+
+
+@kernel()
+def wave_factors(Y, V, upwards, C, k, q):
+    """C Z(z) Z(ζ) and its ∂/∂ζ from the sum and difference of the depths; q = e^(−2kh)."""
+    a, b = max(math.exp(-k * Y), 1e-300), max(math.exp(-k * V), 1e-300)
+    share = C / ((1 + q) * (1 + q))
+    down, up = q * q / a, q / b
+    return share * (a + down + up + q * b), share * k * (a - down + upwards * (up - q * b))
 
 
 @kernel()
 def pair(R, z, zeta, t):
-    """`wave_part` of one pair of depths and a Table."""
-    level = levels(z, zeta, t.spacing, t.surface.shape[1], t.bed.shape[1])
-    return wave_part(R, level, t.K, t.spacing, t.radius, t.surface, t.rest, t.bed, t.bessel)
+    """`wave_part` of one pair and a Table."""
+    level = levels(z, zeta)
+    q = math.exp(-t.k * t.double_depth) if t.double_depth > 0.0 else 0.0
+    wave, slope = wave_factors(level[0], level[1], level[2], t.C, t.k, q)
+    return wave_part(R, level, wave, slope, layout_of(t))
 
 
 @kernel()
-def _pairs(R, z, zeta, t):
-    out = np.empty((5, len(R)))
-    for i in range(len(R)):
-        out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = pair(R[i], z, zeta[i], t)
-    return out
+def _pairs(R, z, zeta, t, whole, G):
+    """G, ∂G/∂R and ∂G/∂z into G (3, n)."""
+    layout = layout_of(t)
+    q = math.exp(-t.k * layout.double_depth) if layout.double_depth > 0.0 else 0.0
+    for n in range(len(R)):
+        # G is symmetric: the derivative by the source's depth with the two exchanged is the one wanted
+        level = levels(zeta[n], z[n])
+        Y, V, upwards = level[0], level[1], level[2]
+        wave, slope = wave_factors(Y, V, upwards, t.C, t.k, q)
+        g, gr, gz, j0, j1 = wave_part(R[n], level, wave, slope, layout)
+        if not (whole and int(R[n] * layout.per_metre) > 0):
+            square = R[n] * R[n]
+            one, two = 1 / math.sqrt(square + V * V), 1 / math.sqrt(square + Y * Y)
+            cubes, heights = one**3 + two**3, upwards * V * one**3 - Y * two**3
+            g += one + two
+            if layout.double_depth > 0.0:
+                height = layout.double_depth - Y
+                three = 1 / math.sqrt(square + height * height)
+                g += three
+                cubes += three**3
+                heights += height * three**3
+            gr -= R[n] * cubes
+            gz -= heights
+        G[0, n] = complex(g, wave * j0)
+        G[1, n] = complex(gr, wave * j1)
+        G[2, n] = complex(gz, slope * j0)
+
+
+def green(R, z, zeta, omega, depth, gravity=9.80665):
+    """G of a unit source 1/r at depth `zeta`, seen from depth `z` at the horizontal distance R, with its gradient.
+
+    R, z, zeta : m, arrays of one shape or numbers; R ≥ 0, −depth ≤ z, zeta ≤ 0; omega : rad/s; depth : m, may be inf
+    returns : G in 1/m, ∂G/∂R and ∂G/∂z in 1/m²; complex, of the shape of the arguments
+    raises : ValueError for points outside the water or on each other
+
+    Error below 1e-8 of |G| and of |∇G| for 1e-4 ≤ kh ≤ 200 and 1e-3 ≤ R/h ≤ 1e3, as long as they are not less than
+    1e-6 of 1/r and its gradient.  The first call of a frequency takes some milliseconds, then a pair 60 ns.
+    """
+    R, z, zeta = np.broadcast_arrays(*(np.asarray(a, float) for a in (R, z, zeta)))
+    _check(R, z, zeta, omega, depth, gravity)
+    G = table_pairs(whole_table(float(omega), float(depth), float(gravity)), R.ravel(), z.ravel(), zeta.ravel(), True)
+    return tuple(G.reshape(3, *R.shape))
+
+
+def table_pairs(table, R, z, zeta, whole=False):
+    """G, ∂G/∂R and ∂G/∂z of pairs (n,) through a table; complex (3, n).  whole : it is one of `whole_table`."""
+    G = np.empty((3, len(R)), complex)
+    _pairs(R, z, zeta, table, whole, G)
+    return G
+
+
+def _check(R, z, zeta, omega, depth, gravity):
+    for name, value in (("omega", omega), ("depth", depth), ("gravity", gravity)):
+        if not value > 0 or (name != "depth" and np.isinf(value)):
+            raise ValueError(f"{name} is {value}; allowed: above 0")
+    lowest = -depth * (1 + 1e-12)
+    for name, values, low, high in (("R", R, 0.0, np.inf), ("z", z, lowest, 0.0), ("zeta", zeta, lowest, 0.0)):
+        bad = ~((values >= low) & (values <= high) & np.isfinite(values))
+        if np.any(bad):
+            n = np.flatnonzero(bad)[0]
+            allowed = "0 or more" if name == "R" else f"{-depth:g} to 0"
+            raise ValueError(f"{name} is {values.flat[n]} m at pair {n}; allowed: {allowed}")
+    same = (R == 0) & (z == zeta)
+    if np.any(same):
+        raise ValueError(f"pair {np.flatnonzero(same)[0]}: R is 0 and z is zeta; the Green function is infinite there")
 
 
 def green_function(points, source, omega, depth, gravity=9.80665):
-    """G and ∇G at `points` of a unit source 1/r at `source`, both below the surface.
+    """G and ∇G at `points` of a unit source 1/r at `source`, both below the surface; as exact as `green`.
 
     points : (n, 3) m, source : (3,) m
     returns : G (n,) 1/m, ∇G (n, 3) 1/m²; complex
     """
     d = points - source
     R = np.hypot(d[:, 0], d[:, 1])
-    table = wave_table(omega, depth, gravity, R.max(), -min(points[:, 2].min(), source[2]))
-    # G is symmetric: the derivative by the source's depth with the two exchanged is the one wanted
-    g, gr, gz, j0, j1 = _pairs(R, float(source[2]), points[:, 2].copy(), table)
-    Z, slope = depth_factor(points[:, 2], table.k, depth), depth_factor_slope(points[:, 2], table.k, depth)
-    C = 1j * table.C * depth_factor(source[2], table.k, depth)
-    value, radial, vertical = g + C * Z * j0, gr + C * Z * j1, gz + C * slope * j0
-    images = [d[:, 2], points[:, 2] + source[2]]
-    if np.isfinite(depth):
-        images.append(points[:, 2] + source[2] + 2 * depth)
-    for height in images:
-        r = np.hypot(R, height)
-        value, radial, vertical = value + 1 / r, radial - R / r**3, vertical - height / r**3
+    value, radial, vertical = green(R, points[:, 2], source[2], omega, depth, gravity)
     along = radial / np.where(R > 0, R, 1.0)
     return value, np.stack([along * d[:, 0], along * d[:, 1], vertical], axis=-1)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import prange
 
-from .green import levels, wave_part
+from .green import layout_of, levels, wave_part
 from .jit import kernel
 
 # the wave part of a panel is integrated with 4 × 4 instead of 2 × 2 points where its surface image is closer than
@@ -104,17 +104,18 @@ def _close(point, center, distance, images):
 def _panel(point, normal, images, signs, points, weights, shape, depth_z, node_z, table, work, S, D):
     """Wave part of one panel, all images and classes, added to S and D (classes, p); work : (4, classes) scratch."""
     x, y, z = point[0], point[1], point[2]
-    K, spacing, radius = table.K, table.spacing, table.radius
-    surface, rest, bed, bessel = table.surface, table.rest, table.bed, table.bessel
+    layout = layout_of(table)
     c, p = S.shape
     at_nodes = p > 1 and len(weights) == p  # 2 × 2 points of a bilinear panel are its nodes: shape is the identity
     for q in range(len(weights)):
-        level = levels(z, points[q, 2], spacing, surface.shape[1], bed.shape[1])
+        level = levels(z, points[q, 2])
+        amplitude = table.C * node_z
+        wave, wave_slope = amplitude * depth_z[q, 0], amplitude * depth_z[q, 1]
         work[:] = 0.0
         for m in range(len(images)):
             dx, dy = images[m, 0] * points[q, 0] - x, images[m, 1] * points[q, 1] - y
             R = math.sqrt(dx * dx + dy * dy)
-            g, gr, gz, j0, j1 = wave_part(R, level, K, spacing, radius, surface, rest, bed, bessel)
+            g, gr, gz, j0, j1 = wave_part(R, level, wave, wave_slope, layout)
             along = (images[m, 0] * normal[0] * dx + images[m, 1] * normal[1] * dy) / (R + 1e-300)
             flux = gr * along + gz * normal[2]
             slope = depth_z[q, 0] * j1 * along + depth_z[q, 1] * j0 * normal[2]
