@@ -16,6 +16,7 @@ from functools import cached_property, wraps
 
 import numpy as np
 
+from .contour_accuracy import Accuracy, accuracy, finer
 from .contour_frequency import ContourFrequency, combined
 from .contour_limits import infinite_frequency, zero_frequency
 from .contour_motions import bottom_integral, motion
@@ -29,6 +30,7 @@ from .plan_rectangle import Rectangle
 from .threads import blas_threads
 
 TOLERANCES = (1e-7, 0.1)
+MARGIN = 0.5  # digits more than asked for
 SMALL = 100  # unknowns of a class and of a plane problem, a few hundred at most
 HIGHEST_GAP = 100  # times the smaller of draft and half the plan's width; errors were measured up to there
 
@@ -66,14 +68,8 @@ def _prepared(plan, draft, depth, tolerance):
         raise ValueError(
             f"depth is {depth} m; allowed: up to {draft + highest:.6g} m, beyond that use the panel method"
         )
-    digits = working_digits(plan, draft, depth, tolerance)
-    return ContourBody(plan.to(digits), float(draft), float(depth), float(tolerance), digits)
-
-
-def working_digits(plan, draft, depth, tolerance):
-    """Digits to work with: under a high gap the particular solution is subtracted again, and costs some."""
-    high = max((depth - draft) / (4 * plan.scale), 1.0)
-    return float(-np.log10(tolerance) + 2 * np.log10(high))
+    fine = accuracy(MARGIN - np.log10(tolerance), draft, depth - draft, plan.scale)
+    return ContourBody(plan.to(fine), float(draft), float(depth), fine)
 
 
 def once(method):
@@ -93,15 +89,13 @@ def once(method):
 class ContourBody:
     """A body of constant plan from z = −draft to the surface.
 
-    plan : `Circle` or `Rectangle`; draft, depth : m; tolerance : relative error aimed at
-    digits : that everything is worked out to
+    plan : `Circle` or `Rectangle`; draft, depth : m; accuracy : of its parts
     """
 
     plan: object
     draft: float
     depth: float
-    tolerance: float
-    digits: float
+    accuracy: Accuracy
     kept: dict = field(default_factory=dict, repr=False)
 
     def first_order(self, omega, headings=(), theta=(), dofs=range(6), density=1025.0, gravity=9.80665):
@@ -132,51 +126,21 @@ class ContourBody:
         with blas_threads(SMALL):
             return density * (zero_frequency(self) if which == "zero" else infinite_frequency(self))
 
-    def estimated_error(self, omega, headings=(), dofs=range(6), density=1025.0, gravity=9.80665):
-        """Largest relative difference of A + iB/ω and excitation from `coarser`: the error of that body.
-
-        Measured on cylinders and boxes (H/d 1.02 … 10, L/B 1 … 8, tolerances 1e-2 … 1e-6) the error of this one was
-        smaller, usually tenfold; in a few cases far below the tolerance it was up to six times larger.  A + iB/ω is
-        measured by √|Zᵢᵢ Zⱼⱼ|, forces by their largest over the headings, none less than a fifth of the largest.
-        """
-        ours, rough = (b.first_order(omega, headings, (), dofs, density, gravity) for b in (self, self.coarser))
-        size = np.sqrt(np.abs(np.diag(ours.radiation)))
-        size = np.where(size > 1e-6 * size.max(), size, np.inf)
-        errors = [np.abs(ours.radiation - rough.radiation) / np.outer(size, size)]
-        if len(ours.diffraction):
-            force, other = (r.froude_krylov + r.diffraction for r in (ours, rough))
-            arms = np.repeat([1.0, self.plan.reach], 3)
-            largest = np.abs(force / arms).max(axis=0)
-            errors.append(np.abs(force - other) / arms / np.maximum(largest, 0.2 * largest.max()))
-        return float(max(e.max() for e in errors))
-
     @cached_property
-    def coarser(self):
-        """The same body with a digit less, and fewer functions in the gap where there are several"""
-        digits = self.digits - 1
-        if self.terms > 1:
-            digits = min(digits, (self.terms - 1) / self.terms_per_digit)
-        tolerance = self.tolerance * 10 ** (self.digits - digits)
-        return ContourBody(self.plan.to(digits), self.draft, self.depth, tolerance, digits)
+    def finer(self):
+        """The same body with a digit more, against which the error of this one is seen"""
+        fine = finer(self.accuracy, self.draft, self.depth - self.draft, self.plan.scale)
+        return ContourBody(self.plan.to(fine), self.draft, self.depth, fine)
 
     @property
-    def terms_per_digit(self):
-        """Functions in each family of the gap; one high against draft or plan holds more than one length scale."""
-        return 0.25 + 0.13 * np.log2(1 + (self.depth - self.draft) / min(self.draft, self.plan.scale))
-
-    @property
-    def terms(self):
-        return int(np.ceil(self.digits * self.terms_per_digit - 1e-9))
+    def tolerance(self):
+        """Relative error of the parts"""
+        return 10**-self.accuracy.digits
 
     @cached_property
     def profiles(self):
         """`Profiles` of the gap"""
-        return Profiles(Gap(self.draft, self.depth, self.terms), 10 ** (-3 - self.digits))
-
-    @property
-    def modes(self):
-        """Evanescent modes per smallest length"""
-        return 15 * self.digits
+        return Profiles(Gap(self.draft, self.depth, self.accuracy.terms), self.accuracy.smallest)
 
     @cached_property
     def nodes(self):
@@ -185,9 +149,9 @@ class ContourBody:
         Their nearest singularities lie at arg κ = ±π/2: Chebyshev's error falls by a factor of ten for every
         0.73 nodes per factor e in κ.  One digit and a half go to the size of κT in long waves.
         """
-        first = np.pi / (2 * self.depth)
-        last = 10 ** (self.digits / 3 + 0.1) * max(1 / self.plan.scale, first)
-        return Nodes(first, last, int(np.ceil(0.8 * (self.digits + 1.5) * np.log(last / first))) + 2)
+        first, digits = np.pi / (2 * self.depth), self.accuracy.kappa
+        last = 10 ** (digits / 3 + 0.1) * max(1 / self.plan.scale, first)
+        return Nodes(first, last, int(np.ceil(0.8 * (digits + 1.5) * np.log(last / first))) + 2)
 
     @once
     def maps(self, degree):
@@ -212,7 +176,7 @@ class ContourBody:
     @once
     def inner_weights(self):
         gap = self.profiles.gap
-        count = int(np.ceil(2 * self.modes * max(1.0, gap.height / self.plan.scale)))
+        count = int(np.ceil(2 * self.accuracy.modes * max(1.0, gap.height / self.plan.scale)))
         inner = gap.inner_modes(count)
         return self.collapsed(inner.rows, inner.wavenumbers, gap.height / 2, gap.inner_decays)
 

@@ -29,9 +29,10 @@ class ContourFrequency:
         self.headings, self.theta = (np.atleast_1d(np.asarray(a, float)) for a in (headings, theta))
         self.dofs = sorted(dofs)
         gap = body.profiles.gap
-        count = gap.mode_count(omega**2 / gravity, body.modes, body.plan.scale)
+        count = gap.mode_count(omega**2 / gravity, body.accuracy.modes, body.plan.scale)
         self.modes = gap.outer_modes(self.omega, count, gravity)
         self.k = self.modes.k
+        self.flows = {}  # of the classes that are solved: their dofs, `WaveMap`, motions and `Flow`
         # waves that die before they reach the keel need no resolution in the gap
         self.degree = body.plan.degree(min(self.k, -np.log(body.tolerance) / body.draft), body.tolerance)
         self.contour = body.plan.contour(self.k, self.degree, body.tolerance)
@@ -96,6 +97,7 @@ class ContourFrequency:
         system = self.system(cls, wave)
         motions = [body.motion(d, self.degree) for d in dofs]
         flow = solved(system, motions, drive[:-2])
+        self.flows[cls] = dofs, wave, motions, flow
         loads = body.loads(system, flow, self.degree, dofs, drive[-2:])
         velocity = np.tensordot(rows[:-2], flow.velocity, 1)  # ⟨u + v, Z₀⟩, (n, columns)
         for j, m in enumerate(motions):

@@ -37,7 +37,8 @@ def zero_frequency(body):
 def _fill(body, out, cls, shift, rows, single):
     """Added mass of one class, kₙ = (n + shift)π/h and a mode of its own with `rows` and map `single`"""
     gap, degree = body.profiles.gap, body.plan.degree(0.0, body.tolerance)
-    wavenumbers = (np.arange(1, gap.mode_count(0.0, body.modes, body.plan.scale) + 1) + shift) * np.pi / body.depth
+    count = gap.mode_count(0.0, body.accuracy.modes, body.plan.scale)
+    wavenumbers = (np.arange(1, count + 1) + shift) * np.pi / body.depth
     weights = body.collapsed(gap.outer_rows(wavenumbers), wavenumbers, body.depth / 2, gap.outer_decays)
     maps = body.maps(degree)[cls][0]
     system = body.system(cls, degree, combined(weights, maps, rows, single(maps.shape[1])))

@@ -19,7 +19,7 @@ import h5py
 import numpy as np
 
 from .database_file import DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
-from .schema import BODY, CHECKS, COORDINATES, DERIVED, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
+from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
 
 SAME = 1e-9  # relative in omega, rad in heading: closer than any two a person asks for, wider than rounding
 
@@ -87,7 +87,7 @@ def append(file, omega, headings, result):
     """Store what was computed for one frequency, then mark it.
 
     file : from `writing`; omega : rad/s; headings : (m,) rad, the order of the heading axis in `result`
-    result : {name: array}, and "checks", "wall_time" as `solve_frequency` returns them
+    result : {name: array}, and "checks", "estimated_error", "wall_time" as `solve_frequency` returns them
     Raises DatabaseError, and marks nothing, if a value has the wrong shape or is not finite.
     """
     (i,) = _places(file, [omega], "omega")
@@ -98,11 +98,10 @@ def append(file, omega, headings, result):
         shape = ((len(columns),) if by_heading else ()) + file[name].shape[2 if by_heading else 1 :]
         cells[name] = _checked(name, result[name], shape, f"omega = {omega:.6g} rad/s")
     for name, value in cells.items():
-        if "wave_direction" in cell_axes(name):
-            for column, part in zip(columns, value, strict=True):
-                file[name][i, column] = part
-        else:
-            file[name][i] = value
+        _put(file[name], _cells(name, i, columns), value)
+    for name, value in result.get("estimated_error", {}).items():
+        if name in cells and _estimate(name) in file:
+            _put(file[_estimate(name)], _cells(name, i, columns), value)
     for name, value in result.get("checks", {}).items():
         if name in CHECKS:
             file["checks"][name][i] = np.fmax(file["checks"][name][i], value)
@@ -112,13 +111,24 @@ def append(file, omega, headings, result):
     file["wall_time"][i] = steps_text(seconds)
     file.flush()
     for name in cells:
-        if "wave_direction" in cell_axes(name):
-            for column in columns:
-                file["stored"][name][i, column] = 1
-        else:
-            file["stored"][name][i] = 1
+        for cell in _cells(name, i, columns):
+            file["stored"][name][cell] = 1
     _mark_whole_rows(file)
     file.flush()
+
+
+def _estimate(name):
+    return f"estimated_error/{name}"
+
+
+def _cells(name, i, columns):
+    """Indices of what is filled at once: one for each heading, or one"""
+    return [(i, column) for column in columns] if "wave_direction" in cell_axes(name) else [(i,)]
+
+
+def _put(dataset, cells, value):
+    for cell, part in zip(cells, value if len(cells[0]) > 1 else [value], strict=True):
+        dataset[cell] = part
 
 
 def append_limit(file, name, value):
@@ -237,6 +247,20 @@ class Database:
         with opened(self.path) as file:
             return {name: file["checks"][name][()][self.rows] for name in CHECKS}
 
+    def estimated_errors(self):
+        """{name: (n, …)} of `schema.ESTIMATES` that are here: absolute errors in the unit and on the axes of each.
+
+        NaN where the method gives no estimate, and in a file of a time before there were any.
+        """
+        names = [name for name in ESTIMATES if name in self.names]
+        with opened(self.path) as file:
+            return {
+                name: file[_estimate(name)][()][self.rows]
+                if _estimate(name) in file
+                else np.full((self.rows.sum(), *file[name].shape[1:]), np.nan)
+                for name in names
+            }
+
     def wall_times(self):
         """(n,) dictionaries {step: s} of the solved frequencies."""
         with opened(self.path) as file:
@@ -299,7 +323,7 @@ def _take_over(old, new):
     j = _places(new, old["wave_direction"], "wave_direction")
     for name in (name for name in QUANTITIES if name in old):
         axes = cell_axes(name)
-        for path in (name, f"stored/{name}"):
+        for path in (p for p in (name, f"stored/{name}", _estimate(name)) if p in old and p in new):
             value = np.asarray(new[path])
             value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = old[path][()]
             new[path][...] = value

@@ -15,7 +15,7 @@ import numpy as np
 import bem
 from meshing.panels import PanelMesh
 
-from .schema import BODY, CHECKS, COORDINATES, DERIVED, FORMAT, LABELS, QUANTITIES, SCHEMA_VERSION, cell_axes
+from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, FORMAT, LABELS, QUANTITIES, SCHEMA_VERSION, cell_axes
 from .waves import wavenumber
 
 
@@ -157,6 +157,8 @@ def lay_out(file, header, omega, wave_direction, names):
         _dataset(file, name, axes, unit, nothing)
         marks = np.zeros([lengths[axis] for axis in cell_axes(name)], np.uint8)
         _dataset(file, f"stored/{name}", cell_axes(name), "", marks)
+        if name in ESTIMATES:
+            _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan))
     for name in (name for name in BODY if header.body.get(name) is not None):
         axes, unit, _ = BODY[name]
         _dataset(file, name, axes, unit, np.asarray(header.body[name], float))

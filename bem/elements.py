@@ -97,17 +97,6 @@ def _gauss(v, count):
     return np.einsum("aq,nai->nqi", shape, v), w * np.linalg.norm(np.cross(along, across), axis=-1)
 
 
-def gradients(element):
-    """(n, p, 3, p) matrix from node values on a panel to the tangential gradient at its nodes; p is 4."""
-    n, p = element.inverse.shape[:2]
-    local = np.einsum("nij,nqj->nqi", element.axes[:, :2], element.nodes.reshape(n, p, 3) - element.origins[:, None])
-    x, y = local[..., 0], local[..., 1]
-    zero, one = np.zeros_like(x), np.ones_like(x)
-    along = np.stack([zero, one, zero, y], axis=-1) @ element.inverse
-    across = np.stack([zero, zero, one, x], axis=-1) @ element.inverse
-    return np.einsum("nqb,ni->nqib", along, element.axes[:, 0]) + np.einsum("nqb,ni->nqib", across, element.axes[:, 1])
-
-
 def line_points(element, panel, a, b):
     """Two Gauss points on each line a → b (w, 3) lying in panels `panel` (w,).
 

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from . import DOFS
-from .checks import check
+from .checks import check, largest_error
 from .drift import about, mean_drift
 from .kochin import angles
 from .motions import response
@@ -26,13 +26,15 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
     prepared : from `bem.setup.prepare`
     omega : rad/s, headings : (m,) rad towards which the waves travel, want : names of datasets
     theta : (t,) rad equally spaced, angles of the Kochin functions; dofs : degrees of freedom that are needed
-    returns : arrays over 6 degrees of freedom (NaN where not in `dofs`), "checks" and "wall_time" (s)
+    returns : arrays over 6 degrees of freedom (NaN where not in `dofs`), "checks", "wall_time" (s) and, where the
+        method has one, "estimated_error" of names in `schema.ESTIMATES`
     """
     run = prepared.run(omega, headings, want, theta, dofs)
     result = run.result()
     if run.solves:
         start = time.perf_counter()
         result["checks"]["estimated_error"] = run.estimated_error()
+        result["estimated_error"] = run.estimated_errors()
         result["wall_time"]["error estimate"] = time.perf_counter() - start
     return result
 
@@ -41,7 +43,8 @@ class FrequencyRun:
     """The quantities of one frequency, each computed once and only when asked for; a method adds how.
 
     A method gives `radiation`, `froude_krylov`, `diffraction`, `haskind`, `kochin` and `residual` as in
-    `bem.first_order.FirstOrder` (`kochin` at `theta` and at the headings), `solves` and `estimated_error()`.
+    `bem.first_order.FirstOrder` (`kochin` at `theta` and at the headings), `solves` and `errors`: what is estimated
+    to be wrong with `radiation` (6, 6) and `excitation` (m, 6), or None.
     """
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
@@ -102,6 +105,23 @@ class FrequencyRun:
         out = np.full_like(values, np.nan)
         out[..., self.asked] = values[..., self.asked]
         return out
+
+    def estimated_error(self):
+        """The largest relative one, `bem.checks.largest_error`; NaN without an estimate"""
+        return np.nan if self.errors is None else largest_error(self, *self.errors)
+
+    def estimated_errors(self):
+        """{name: absolute errors} of `schema.ESTIMATES` that are wanted, about the rotation centre"""
+        if self.errors is None:
+            return {}
+        (radiation, excitation), T = self.errors, self.setup.transform
+        Z = self.asked_only(self.asked_only(T @ radiation @ T.T).T).T
+        out = {
+            "added_mass": np.abs(Z.real),
+            "radiation_damping": self.omega * np.abs(Z.imag),
+            "excitation_force": np.abs(self.asked_only(excitation @ T.T)),
+        }
+        return {name: value for name, value in out.items() if name in self.want}
 
     def result(self):
         T, want = self.setup.transform, self.want

@@ -1,119 +1,56 @@
-"""Mean drift from the pressure on the hull: an independent check of the far-field result.
+"""Mean drift from the pressure on the hull, where a method knows it: an independent check of the far field.
 
-    F = −½ρg ∮ ζ_r² n dl + ½ρ ∬ |∇φ|² n dS + ρ ∬ (X·∇φ_t) n dS + α × (M Ẍ_G),    mean over a period
+    F = −½ρg ∮ ζ_r² n dl + ½ρ ∬ |∇φ|² n dS + ρ ∬ (X·∇φ_t) n dS + α × F₁,        M alike, and α × M₁ + X_c × F₁
 
-(Pinkster 1980), n out of the body, ζ_r the wave elevation relative to the hull, X the displacement of a point of it,
-α the rotations.  Moments are taken about the centre of gravity.  At sharp edges |∇φ|² is singular: the
-sum converges slower than the far field.
+mean over a period (Pinkster 1980), n out of the body, ζ_r the wave elevation relative to the hull, X the displacement
+of a point of it, X_c that of the rotation centre, α the rotations; F₁ and M₁ the first-order load of water and weight
+about the rotation centre, inertia times acceleration where nothing else holds the body.
+
+What is wrong with the pressures is wrong with the drift as a part of ρgζ² times the breadth, however small the drift
+is: in long waves nothing is left of it.
+
+A surface in the water around the hull would be no check: every flow by Green's theorem or by eigenfunctions carries
+the same momentum through it as far away, right or wrong.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from .elements import gradients, line_points
-from .waves import incident_wave
-
 
 def near_field_drift(run, moving):
     """(m, 3) as `bem.drift.mean_drift`, about the rotation centre, from the potentials of a solved frequency.
 
-    run : the quantities of one frequency (`bem.panel_run.PanelRun`) of a mesh with four nodes a panel
+    run : the quantities of one frequency of a mesh with four nodes a panel (`bem.panel_run.PanelRun`) or of the
+        contour method (`bem.shape_setup.ShapeRun`), which wants the drift by the far field too
     moving : freely floating instead of fixed
+    raises : ValueError for a method without pressures on the hull, or a run that wants too little
     """
-    setup = run.setup
-    center = np.asarray(setup.rotation_center, float)
-    arm, inertia = _about_gravity(setup.inertia_matrix, center) if moving else (center, None)
-    hull, line = _Hull(run), _Waterline(run)
-    force = np.zeros((len(run.headings), 3))
-    for j in range(len(run.headings)):
-        motion = run.rao[j] if moving else np.zeros(6, complex)
-        alpha = motion[3:]
-        X = motion[:3] + np.cross(alpha, arm - center)
-        parts = run.disturbance(j, moving)
-        total = np.zeros(6)
-        for sample, density in (hull, _hull_density), (line, _waterline_density):
-            for x, n, weight, phi, gradient in sample.images(parts, j):
-                load = density(run, phi, gradient, X + np.cross(alpha, x - arm)) * weight
-                total += np.concatenate([load @ n, load @ np.cross(x - arm, n)])
-        if moving:
-            momentum = inertia @ np.concatenate([X, alpha]) * -(run.omega**2)
-            total[:3] += 0.5 * np.cross(alpha.conj(), momentum[:3]).real
-            total[3:] += 0.5 * np.cross(alpha.conj(), momentum[3:]).real
-        total[3:] += np.cross(arm - center, total[:3])
-        force[j] = total[[0, 1, 5]]
-    return force
+    if not (run.far_field and run.diffracts and (run.free or not moving)):
+        name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
+        raise ValueError(f"near-field drift from a run that wants {', '.join(sorted(run.want))}; it has to want {name}")
+    motions = run.rao @ run.setup.transform if moving else np.zeros((len(run.headings), 6), complex)
+    force = _method(run)(run, motions)
+    return force + turned(run) if moving else force
 
 
-def _hull_density(run, phi, gradient, displacement):
-    carried = np.sum(displacement.conj() * (-1j * run.omega) * gradient, axis=1).real
-    return run.setup.density * (0.25 * np.sum(np.abs(gradient) ** 2, axis=1) + 0.5 * carried)
+def _method(run):
+    if hasattr(run, "geometry"):
+        from .panel_near_field import panel_drift
+
+        return panel_drift
+    if run.setup.method != "contour":
+        raise ValueError(f"near-field drift by method {run.setup.method}; allowed: panel, contour")
+    from .contour_near_field import contour_drift
+
+    return contour_drift
 
 
-def _waterline_density(run, phi, gradient, displacement):
-    relative = 1j * run.omega / run.setup.gravity * phi - displacement[:, 2]
-    return -0.25 * run.setup.density * run.setup.gravity * np.abs(relative) ** 2
-
-
-def _about_gravity(M, center):
-    """Centre of gravity and the 6 × 6 inertia about it, from the inertia M about `center`."""
-    mass = M[0, 0]
-    a, b, c = offset = np.array([M[1, 5], M[2, 3], M[0, 4]]) / mass
-    S = np.array([[0, -c, b], [c, 0, -a], [-b, a, 0]])
-    out = np.zeros((6, 6))
-    out[:3, :3] = mass * np.eye(3)
-    out[3:, 3:] = M[3:, 3:] + mass * S @ S
-    return center + offset, out
-
-
-class _Hull:
-    """Total first-order flow at the nodes of the hull and of its images."""
-
-    def __init__(self, run):
-        self.run = run
-        self.points, self.weights, self.normals = run.hull
-        panels = run.geometry.hull // run.geometry.elements.inverse.shape[-1]
-        self.gradients = gradients(run.geometry.elements)[:panels]
-
-    def disturbance(self, phi, velocity):
-        """φ and ∇φ at the points from node values of φ and ∂φ/∂n"""
-        n, p = self.gradients.shape[:2]
-        along = np.einsum("nqib,nb->nqi", self.gradients, phi.reshape(n, p)).reshape(-1, 3)
-        return phi, along + velocity[:, None] * self.normals
-
-    def images(self, parts, heading):
-        """For each mirror image: points, normals, weights, total φ and ∇φ per unit wave amplitude"""
-        run = self.run
-        flow = {cls: self.disturbance(*values) for cls, values in parts.items()}
-        for i, (x, y) in enumerate(run.geometry.images):
-            mirror = np.array([x, y, 1.0])
-            at = self.points * mirror
-            phi, gradient = incident_wave(
-                at, run.headings[heading], run.omega, run.k, run.setup.depth, run.setup.gravity
-            )
-            for cls, (p, g) in flow.items():
-                sign = run.geometry.signs(cls)[i]
-                phi, gradient = phi + sign * p, gradient + sign * g * mirror
-            yield at, self.normals * mirror, self.weights, phi, gradient
-
-
-class _Waterline(_Hull):
-    """The same on the edges in the water surface; the gradient is not needed there."""
-
-    def __init__(self, run):
-        self.run = run
-        mesh = run.geometry.mesh
-        v, level = mesh.vertices, 1e-6 * mesh.draft
-        wet = v[:, :, 2] > -level
-        panel, first = np.nonzero(wet & np.roll(wet, -1, axis=1))
-        a, b = v[panel, first], v[panel, (first + 1) % 4]
-        long = np.linalg.norm(b - a, axis=1) > 0
-        self.panel, self.points, self.weights, self.shape = line_points(
-            run.geometry.elements, panel[long], a[long], b[long]
-        )
-        n = mesh.normals[self.panel]
-        self.normals = n / np.sqrt(1 - n[:, 2:] ** 2)  # the wetted strip of an inclined side is wider
-
-    def disturbance(self, phi, velocity):
-        node = phi.reshape(-1, self.shape.shape[1])[self.panel]
-        return np.sum(self.shape * node, axis=1), np.zeros((len(self.panel), 3))
+def turned(run):
+    """(m, 3) mean surge, sway and yaw of the first-order loads, which turn with the body, about the rotation centre"""
+    T, X, stiffness = run.setup.transform, run.rao, run.setup.hydrostatic_stiffness
+    load = run.excitation @ T.T + X @ (run.omega**2 * T @ run.radiation @ T.T - stiffness).T
+    moved, alpha = X[:, :3].conj(), X[:, 3:].conj()
+    force = np.cross(alpha, load[:, :3])
+    moment = np.cross(alpha, load[:, 3:]) + np.cross(moved, load[:, :3])
+    return 0.5 * np.column_stack([force[:, :2], moment[:, 2]]).real

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from . import DOFS
-from .checks import estimated_error
+from .checks import estimate
 from .frequency import FrequencyRun
 from .green_tables import wave_table
 from .influence import assembled
@@ -42,13 +42,14 @@ class PanelRun(FrequencyRun):
         _ = self.potentials
         return self._residual
 
-    def estimated_error(self):
-        """`bem.checks.estimated_error` against the coarser mesh; NaN without one"""
+    @cached_property
+    def errors(self):
+        """`bem.checks.estimate` against the coarser mesh; None without one"""
         coarse = self.prepared.coarse
         if coarse is None:
-            return np.nan
+            return None
         rough = coarse.run(self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked])
-        return estimated_error(self, rough, self.prepared.refinement)
+        return estimate(self, rough, self.prepared.refinement)
 
     def depth_values(self, z):
         """(q, 2) Z and Z′"""

@@ -42,8 +42,8 @@ class Circle:
         """Largest distance from the origin, m"""
         return self.radius
 
-    def to(self, digits):
-        """The same plan for another number of digits; its maps are exact"""
+    def to(self, accuracy):
+        """The same plan for another `contour_accuracy.Accuracy`; its maps are exact"""
         return self
 
     def degree(self, waves, tolerance):

@@ -13,7 +13,7 @@ there, in the sense of least squares (Schenck 1968).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -23,7 +23,7 @@ from scipy.special import eval_legendre
 from .contour_waves import plane_waves
 from .plan import CLASSES, Contour, WaveMap
 from .plan_layers import Layers, decaying, laplace, layers, radiating
-from .plan_panels import gauss_rule, quarter_panels
+from .plan_panels import Panels, gauss_rule, quarter_panels
 
 
 @dataclass(frozen=True)
@@ -32,6 +32,7 @@ class Rectangle:
 
     nodes : Gauss nodes per panel; count : of a piece of a panel near a target
     extra : polynomials per side and class beyond those that waves need
+    further : as many more on the shorter side, and in proportion on the longer one, after rounding
     """
 
     length: float
@@ -39,6 +40,7 @@ class Rectangle:
     nodes: int
     count: int
     extra: int
+    further: int = 0
 
     @classmethod
     def to_digits(cls, length, beam, digits):
@@ -46,9 +48,11 @@ class Rectangle:
         nodes, count, extra = round(1.6 * digits + 1), round(1.6 * digits + 0.5), round(1.4 * digits - 1)
         return cls(float(length), float(beam), nodes, count, max(extra, 1))
 
-    def to(self, digits):
-        """The same plan for another number of digits"""
-        return Rectangle.to_digits(self.length, self.beam, digits)
+    def to(self, accuracy):
+        """The same plan for a `contour_accuracy.Accuracy`"""
+        return replace(
+            Rectangle.to_digits(self.length, self.beam, accuracy.plan), extra=accuracy.extra, further=accuracy.further
+        )
 
     @property
     def shares(self):
@@ -71,9 +75,10 @@ class Rectangle:
         What happens near a corner extends over the shorter side; polynomials resolve a length δ at the end of a
         side with a degree like δ^(−1/2).
         """
-        shorter = min(self.length, self.beam)
-        need = [waves * e / 2 + 2 * self.extra * np.sqrt(e / shorter) for e in (self.beam, self.length)]
-        return tuple(int(4 * np.ceil(d / 4)) for d in need)
+        sides = np.array([self.beam, self.length])
+        reach = np.sqrt(sides / sides.min())
+        need = 4 * np.ceil((waves * sides / 2 + 2 * self.extra * reach) / 4)
+        return tuple(int(d) for d in need + 2 * self.further * np.ceil(reach))
 
     def polynomial_contour(self, degree):
         """Gauss nodes that integrate products of polynomials of `degree` and of the rigid motions exactly."""
@@ -168,8 +173,9 @@ class Rectangle:
 
 
 class Layout(NamedTuple):
-    """Nodes on the contour, points inside, and the `Layers` of both as targets."""
+    """Panels, their nodes on the contour, points inside, and the `Layers` of both as targets."""
 
+    panels: Panels
     contour: Contour
     inside: Contour
     on: Layers
@@ -183,7 +189,7 @@ def _wave_layout(rectangle, k, degree):
     x = 0.45 * rectangle.length * ((n * (np.sqrt(5) - 1) / 2) % 1.0)  # irrational steps: no nodal line holds many
     y = 0.45 * rectangle.beam * ((n * (np.sqrt(2) - 1)) % 1.0)
     within = layers(panels, x, y, np.full(len(n), -1), rectangle.count, 3 / k)
-    return Layout(panels.contour, Contour(x, y, 0 * x, 0 * x, 0 * x), rectangle.layers(panels, 3 / k), within)
+    return Layout(panels, panels.contour, Contour(x, y, 0 * x, 0 * x, 0 * x), rectangle.layers(panels, 3 / k), within)
 
 
 def _least_squares(matrix, right):

@@ -59,6 +59,7 @@ BODY = {
     "transverse_metacentric_height": ((), "m", float),
     "longitudinal_metacentric_height": ((), "m", float),
 }
+ESTIMATES = ("added_mass", "radiation_damping", "excitation_force")  # with an error each, in /estimated_error
 CHECKS = ("reciprocity", "Haskind", "energy", "residual", "estimated_error")
 
 LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)

@@ -102,11 +102,17 @@ class ShapeRun(FrequencyRun):
         """(m,) headings, none where nothing is wanted of waves"""
         return self.headings if self.diffracts else np.empty(0)
 
-    def estimated_error(self):
-        """Of the contour method against itself with fewer digits; NaN for strips, whose error is that of their idea"""
+    @cached_property
+    def errors(self):
+        """Of the contour method, against a finer body; None for strips, whose error is that of their idea"""
         if self.setup.method != "contour":
-            return np.nan
-        return self.prepared.solver.estimated_error(self.omega, self.waves, self.dofs)
+            return None
+        ours, setup = self.first_order, self.setup
+        fine = self.prepared.solver.finer.first_order(
+            self.omega, self.waves, (), self.dofs, setup.density, setup.gravity
+        )
+        force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
+        return ours.radiation - fine.radiation, force - better
 
     @property
     def radiation(self):

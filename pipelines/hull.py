@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.checks import ERROR_ORDER
 from bem.database_file import Header
 from bem.kochin import angles
 from bem.setup import Setup
@@ -22,11 +21,12 @@ from meshing.shapes import box, buoy
 
 from .large import shared_band
 from .methods import METHODS
+from .panel_counts import coarse_counts, fine_counts, meshed, sizes
 from .scene import SceneError
 from .scene_text import fixed_part, scene_hash, to_toml
 from .viscous_table import viscous_of
 
-MOST_PANELS, FEWEST_PANELS = 20_000, 24
+MOST_PANELS = 20_000
 MOST_WAVES = 200  # along the body, without panels
 FOR_SHOW = 500  # panels where none is computed with
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
@@ -39,15 +39,6 @@ class Hull:
     mesh: PanelMesh
     lid: PanelMesh | None
     remarks: tuple[str, ...] = ()
-
-
-def panels_for(tolerance):
-    """Panels on the whole hull for a relative error of the coefficients.
-
-    250 at one per cent, where the box of the series calculations and a buoy as deep as its radius keep all of
-    them within 0.9 %; the error falls like the power −1.16 of the number.  `make_hull` takes more in short waves.
-    """
-    return math.ceil(250 * (0.01 / tolerance) ** (1 / ERROR_ORDER))
 
 
 def shortest_wave(scene, omegas):
@@ -106,14 +97,15 @@ def make_lid(scene, mesh, wave):
 
 
 def coarse_hull(scene, mesh):
-    """(mesh, lid) with half as many panels, against which the error is estimated; None for mesh files.
+    """(mesh, lid) with about half as many panels, against which the error is estimated.
 
-    On the series box the estimate is 1.0 to 1.4 times the error; with a quarter of the panels up to 25 times.
+    None for mesh files, and where the mesh itself is so coarse that half of it would tell nothing.
     """
-    if scene.body.shape == "mesh" or mesh.total // 2 < FEWEST_PANELS:
+    counts = None if scene.body.shape == "mesh" else coarse_counts(scene.body, mesh)
+    if counts is None:
         return None
-    coarse = _meshed(scene.body, mesh.total // 2)
-    return coarse, lid(coarse) if scene.lid else None
+    coarse = meshed(scene.body, counts)
+    return coarse, make_lid(scene, coarse, shortest_wave(scene, scene.omegas()))
 
 
 def inspected(hull, scene, omegas):
@@ -238,16 +230,14 @@ def _lid_remarks(lid, wave):
         )
 
 
-def _meshed(body, panels, longest=math.inf):
-    if body.shape == "box":
-        return box(body.length, body.beam, body.draft, panels=panels, longest=longest)
-    return buoy(body.radius, body.draft, panels=panels, longest=longest)
+def _meshed(body, panels):
+    return (box if body.shape == "box" else buoy)(*sizes(body), panels=panels)
 
 
 def _fine_enough(scene, wave):
     """A mesh of the panels the tolerance asks for, or more so that no edge is longer than two sevenths of the wave."""
     least = _wetted_area(scene.body) / (wave / 3.5) ** 2  # no panel is larger than the square of its edge
-    mesh = None if least > MOST_PANELS else _meshed(scene.body, panels_for(scene.accuracy), wave / 3.5)
+    mesh = None if least > MOST_PANELS else meshed(scene.body, fine_counts(scene.body, scene.accuracy, wave / 3.5))
     if mesh is None or mesh.total > MOST_PANELS:
         raise SceneError(
             f"tolerance {scene.accuracy:g} and the shortest wave {wave:.3g} m ask for "

@@ -155,7 +155,7 @@ def _store_row(file, row, result):
     missing = sorted(row.want - set(result))
     if missing:
         raise ValueError(f"no {', '.join(missing)} came back")
-    kept = {*row.want, "checks", "wall_time"}
+    kept = {*row.want, "checks", "estimated_error", "wall_time"}
     append(file, row.omega, row.headings, {name: value for name, value in result.items() if name in kept})
 
 

@@ -21,7 +21,7 @@ from bem.database import (
     pending,
     writing,
 )
-from bem.schema import CHECKS, DRIFT_DOFS, QUANTITIES
+from bem.schema import CHECKS, DRIFT_DOFS, ESTIMATES, QUANTITIES
 from bem.waves import wavenumber
 from meshing.panels import PanelMesh
 
@@ -56,7 +56,7 @@ def number(name, omega, heading):
 
 
 def result(omega, headings, names):
-    made = {"checks": {"energy": omega / 100}, "wall_time": {"factor": 0.25}}
+    made = {"checks": {"energy": omega / 100}, "wall_time": {"factor": 0.25}, "estimated_error": {}}
     for name in names:
         axes, _, kind = QUANTITIES[name]
         if "omega" not in axes:
@@ -68,6 +68,8 @@ def result(omega, headings, names):
         else:
             value = np.full(shape, number(name, omega, 0), kind)
         made[name] = value * (1 + 2j) if kind is complex else value
+        if name in ESTIMATES:
+            made["estimated_error"][name] = value.real / 1000
     return made
 
 
@@ -97,8 +99,10 @@ def assert_right(path, omegas, headings, names):
         if "omega" not in QUANTITIES[name][0]:
             continue
         for i, w in enumerate(db.omega):
-            made = result(w, db.wave_direction, [name])[name]
-            np.testing.assert_array_equal(value[i], made, err_msg=name)
+            made = result(w, db.wave_direction, [name])
+            np.testing.assert_array_equal(value[i], made[name], err_msg=name)
+            for estimated, error in made["estimated_error"].items():
+                np.testing.assert_array_equal(db.estimated_errors()[estimated][i], error, err_msg=name)
 
 
 def test_what_was_appended_is_read_back(path):
@@ -116,6 +120,34 @@ def test_what_was_appended_is_read_back(path):
     assert db.wall_times()[0] == {"factor": 0.25}
     np.testing.assert_allclose(db["wavenumber"], wavenumber(OMEGAS, 20.0))
     np.testing.assert_allclose(db["period"], 2 * np.pi / np.array(OMEGAS))
+
+
+def test_errors_are_kept_for_what_is_there_and_absent_where_there_is_no_estimate(path):
+    todo = pending(path).rows
+    with writing(path) as file:
+        for row in todo:
+            made = result(row.omega, row.headings, row.want)
+            if row.omega == OMEGAS[1]:
+                del made["estimated_error"]
+            append(file, row.omega, row.headings, made)
+    errors = open_database(path).estimated_errors()
+    assert set(errors) == {"added_mass", "excitation_force"}
+    assert errors["excitation_force"].shape == (3, 2, 6) and errors["added_mass"].dtype == float
+    for error in errors.values():
+        assert np.isnan(error[1]).all() and np.isfinite(error[[0, 2]]).all()
+
+
+def test_a_file_without_estimated_errors_is_read_finished_and_extended(path):
+    with h5py.File(path, "r+") as file:
+        del file["estimated_error"]
+    fill(path)
+    db = open_database(path)
+    assert db.complete and all(np.isnan(error).all() for error in db.estimated_errors().values())
+    assert db.estimated_errors()["excitation_force"].shape == (3, 2, 6)
+    assert extend(path, omega=(0.6,))
+    fill(path)
+    error = open_database(path).estimated_errors()["added_mass"]
+    assert np.isfinite(error[1]).all() and np.isnan(error[[0, 2, 3]]).all()
 
 
 def test_infinite_depth_survives(tmp_path):
@@ -224,6 +256,9 @@ def test_xarray_shows_labelled_data_with_units(path):
     with xarray.open_dataset(path, engine="h5netcdf", group="checks") as data:
         assert set(CHECKS) <= set(data)
         assert data["energy"].dims == ("omega",)
+    with xarray.open_dataset(path, engine="h5netcdf", group="estimated_error") as data:
+        axes, unit, _ = QUANTITIES["excitation_force"]
+        assert data["excitation_force"].dims == axes and data["excitation_force"].attrs["units"] == unit
     with xarray.open_dataset(path, engine="h5netcdf", group="mesh") as data:
         assert data["points"].attrs["units"] == "m"
 

@@ -70,7 +70,8 @@ def row(name, prepare, reference, dimensions, tolerance):
         laws.append(max(ours.defects().values()))
         seconds.append(times(body, omega))
     whole, waves, modes = 1e3 * np.median(seconds, axis=0)
-    estimate = body.estimated_error(frequency(1.0, body.depth), [0.6])
+    one, fine = (Solved(b, frequency(1.0, body.depth)) for b in (body, body.finer))
+    estimate = one.error(fine.Z, fine.force, fine.drift)
     size = " × ".join(f"{d:g}" for d in dimensions)
     print(
         f"| {name} {size} | {tolerance:.0e} | {max(errors):.1e} | {estimate:.1e} | {max(laws):.1e} | {prepared:.2f} "

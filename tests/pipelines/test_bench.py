@@ -181,7 +181,7 @@ def test_what_was_measured_is_written_when_a_bench_is_interrupted(tmp_path):
 
 
 def test_the_command_measures_what_tolerances_and_panels_promise(tmp_path, capsys):
-    """Panels as `pipelines.hull.panels_for` counts them: 250 for one per cent"""
+    """Panels as `pipelines.panel_counts.panels_for` counts them for a buoy: 250 for one per cent"""
     words = ["bench", "--quick", "--only", "cylinder-30", "--output", str(tmp_path / "made")]
     assert main(words) == 0
     assert "other programs are left out" in capsys.readouterr().out

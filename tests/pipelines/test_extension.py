@@ -129,3 +129,23 @@ def test_xarray_selects_pressures_and_checks_by_label(grown):
         assert checks["residual"].dims == ("omega",) and float(checks["residual"].max()) < 1e-9
     with xarray.open_dataset(grown[0], engine="h5netcdf", group="mesh") as mesh:
         np.testing.assert_array_equal(mesh["points"], db.mesh.points)
+
+
+def test_errors_of_coefficients_grow_with_the_database_and_are_those_of_one_made_at_once(tmp_path):
+    def errors(name, *steps):
+        for omegas, headings, want in steps:
+            body = {"shape": "box", "length": 40.0, "beam": 20.0, "draft": 5.0}
+            waves = {"omegas": omegas, "headings_deg": headings}
+            scene = make_scene({"water": {"depth": 20.0}, "bodies": [body], "waves": waves, "want": want})
+            assert scene.chosen_method == "contour"
+            assert solve(scene, tmp_path / name, executor=Here()).exit_status == 0
+        return open_database(tmp_path / name).estimated_errors()
+
+    whole = errors("whole.h5", ([0.4, 0.6], [0, 30], ["radiation", "excitation_force"]))
+    steps = ([0.4], [0], ["radiation"]), ([0.4, 0.6], [0], ["excitation_force"]), ([0.4], [30], ["excitation_force"])
+    grown = errors("grown.h5", *steps)
+    assert set(whole) == {"added_mass", "radiation_damping", "excitation_force"}
+    for name, error in whole.items():
+        assert np.isfinite(error).all() and error.max() > 0
+        # differences of nearly equal numbers: rounding of these shows in them
+        np.testing.assert_allclose(grown[name], error, rtol=1e-6, atol=1e-6 * error.max(), err_msg=name)

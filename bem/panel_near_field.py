@@ -1,0 +1,118 @@
+"""Mean drift from the pressure on the panels of a hull, by the formula of `near_field`; at edges see `panel_edges`."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .drift import about
+from .elements import line_points
+from .panel_edges import samples, sharp_sides
+from .waves import incident_wave
+
+
+def panel_drift(run, motions):
+    """(m, 3) mean surge, sway and yaw of the pressure on the hull, about the rotation centre; N/m², N m/m².
+
+    run : `bem.panel_run.PanelRun` of a mesh with four nodes a panel; motions : (m, 6) about the origin
+    raises : ValueError for constant panels and for zero draft
+    """
+    _check(run)
+    parts, loads = ((_Hull(run), _hull_density), (_Waterline(run), _waterline_density)), np.zeros((len(motions), 6))
+    for j, motion in enumerate(motions):
+        phi = _on_images(run, run.disturbance(j, bool(motion.any())))
+        for sample, density in parts:
+            for x, n, weight, value, gradient in sample.images(phi, j, motion):
+                load = density(run, value, gradient, n, displacement(motion, x)) * weight
+                loads[j] += np.concatenate([load @ n, load @ np.cross(x, n)])
+    return about(loads[:, [0, 1, 5]], run.setup.rotation_center)
+
+
+def displacement(motion, x):
+    """(…, 3) of the points x (…, 3), motion (6,) about the origin"""
+    return motion[:3] + np.cross(motion[3:], x)
+
+
+def _on_images(run, parts):
+    """(images, nodes) φ without the incident waves, from its symmetry classes"""
+    return sum(np.multiply.outer(run.geometry.signs(cls), phi) for cls, (phi, _) in parts.items())
+
+
+def _check(run):
+    setup = run.setup
+    if setup.nodes_per_panel != 4:
+        raise ValueError(f"near-field drift with {setup.nodes_per_panel} node a panel; allowed: 4")
+    if setup.zero_draft:
+        raise ValueError("near-field drift at zero draft; allowed: a hull with sides, the far field is right without")
+
+
+def _hull_density(run, phi, gradient, normal, moved):
+    speed = -1j * run.omega * np.sum(moved * normal, axis=1)
+    gradient = gradient + speed[:, None] * normal
+    carried = np.sum(moved.conj() * (-1j * run.omega) * gradient, axis=1).real
+    return run.setup.density * (0.25 * np.sum(np.abs(gradient) ** 2, axis=1) + 0.5 * carried)
+
+
+def _waterline_density(run, phi, gradient, normal, moved):
+    relative = 1j * run.omega / run.setup.gravity * phi - moved[:, 2]
+    return -0.25 * run.setup.density * run.setup.gravity * np.abs(relative) ** 2
+
+
+class _Hull:
+    """Total first-order flow at points of the hull and of its images, velocity along the panels alone."""
+
+    def __init__(self, run):
+        self.run, self.mesh = run, run.geometry.mesh
+        exponents = sharp_sides(self.mesh)
+        points, weights, self.shape, self.gradient = samples(self.mesh, exponents)
+        self.points, self.weights = points.reshape(-1, 3), weights.ravel()
+        self.normals = np.repeat(self.mesh.normals, points.shape[1], axis=0)
+        self.sharp = (exponents < 1).any(axis=1)
+
+    def images(self, phi, heading, motion):
+        """For each mirror image: points, normals, weights, total φ and ∇φ along the panel per unit wave amplitude
+
+        φ without the waves is interpolated between the nodes; next to an edge, where r^μ is to be all there is, the
+        whole of φ but a uniform flow that goes with the hull.
+        """
+        run, q = self.run, self.shape.shape[1]
+        for node, mirror in zip(phi, np.column_stack([run.geometry.images, np.ones(len(phi))]), strict=True):
+            nodes, at, normal = run.hull[0] * mirror, self.points * mirror, self.normals * mirror
+            uniform = -1j * run.omega * displacement(motion, self.mesh.centroids * mirror) * self.sharp[:, None]
+            carried = [np.sum(uniform.repeat(m, axis=0) * x, axis=1) for m, x in ((4, nodes), (q, at))]
+            whole = node + np.where(self.sharp.repeat(4), self.incident(nodes, heading)[0] - carried[0], 0)
+            whole = whole.reshape(-1, 4)
+            wave, velocity = self.incident(at, heading)
+            smooth = ~self.sharp.repeat(q)
+            value = np.einsum("nqa,na->nq", self.shape, whole).ravel() + np.where(smooth, wave, carried[1])
+            slope = np.einsum("nqia,na->nqi", self.gradient, whole).reshape(-1, 3) * mirror
+            known = np.where(smooth[:, None], velocity, uniform.repeat(q, axis=0))
+            known -= np.sum(known * normal, axis=1, keepdims=True) * normal
+            yield at, normal, self.weights, value, slope + known
+
+    def incident(self, at, heading):
+        run = self.run
+        return incident_wave(at, run.headings[heading], run.omega, run.k, run.setup.depth, run.setup.gravity)
+
+
+class _Waterline(_Hull):
+    """The same on the edges in the water surface; the gradient is not needed there."""
+
+    def __init__(self, run):
+        self.run, mesh = run, run.geometry.mesh
+        v, level = mesh.vertices, 1e-6 * mesh.draft
+        wet = v[:, :, 2] > -level
+        panel, first = np.nonzero(wet & np.roll(wet, -1, axis=1))
+        a, b = v[panel, first], v[panel, (first + 1) % 4]
+        long = np.linalg.norm(b - a, axis=1) > 0
+        self.panel, self.points, self.weights, self.shape = line_points(
+            run.geometry.elements, panel[long], a[long], b[long]
+        )
+        n = mesh.normals[self.panel]
+        self.normals = n / np.sqrt(1 - n[:, 2:] ** 2)  # the wetted strip of an inclined side is wider
+
+    def images(self, phi, heading, motion):
+        run = self.run
+        for node, mirror in zip(phi, np.column_stack([run.geometry.images, np.ones(len(phi))]), strict=True):
+            at = self.points * mirror
+            value = np.sum(self.shape * node.reshape(-1, 4)[self.panel], axis=1) + self.incident(at, heading)[0]
+            yield at, self.normals * mirror, self.weights, value, np.zeros((len(at), 3))

@@ -1,0 +1,74 @@
+"""How many panels a box or buoy takes for a tolerance, and the coarser mesh beside it that shows its error.
+
+The error of all coefficients falls like the power −1.16 of the number of panels as long as no direction is left with
+a panel or two; the counts of `meshing.shapes` are over half the length, half the beam and the draft of a box, and
+over a quarter of the circumference, the radius and the draft of a buoy.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from bem.checks import ERROR_ORDER
+from meshing.shapes import box, box_counts, buoy, buoy_counts
+
+LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3)}  # a buoy of twelve sides has a yaw of its own
+COARSE = 0.71  # of the counts: about half as many panels
+FEWEST = 2  # in a direction of the coarse mesh
+TOO_CLOSE = 0.8  # of the panels: a coarse mesh that is hardly coarser says nothing
+
+
+def panels_for(body, tolerance):
+    """Panels on the whole hull of a box or buoy for a relative error of the coefficients.
+
+    At one per cent 250 for a buoy; for a box 290, and up to 385 where the draft is about half the breadth: such a
+    section rolls without moving much water, and its added moment is small against what the panels lose.  Of the scenes
+    of tests/bench/tolerance.py 95 % then keep the tolerance.  `fine_counts` takes more in short waves.
+    """
+    most = 250.0
+    if body.shape == "box":
+        breadth = min(body.length, body.beam)
+        most = 290 + 95 / (1 + (4 * math.log10(breadth / (1.8 * body.draft))) ** 2)
+    return math.ceil(most * (0.01 / tolerance) ** (1 / ERROR_ORDER))
+
+
+def fine_counts(body, tolerance, longest):
+    """Counts for a tolerance with no edge above `longest` (m), and in no direction below `LEAST`"""
+    counts = (box_counts if body.shape == "box" else buoy_counts)(
+        *sizes(body), panels=panels_for(body, tolerance), longest=longest
+    )  # fmt: skip
+    return tuple(max(pair) for pair in zip(counts, LEAST[body.shape], strict=True))
+
+
+def coarse_counts(body, mesh):
+    """Counts of about half as many panels as a mesh of the body has, in the same proportion; None where it has few"""
+    fine = counts_of(body, mesh)
+    coarse = tuple(max(FEWEST, round(COARSE * n)) for n in fine)
+    coarser = all(c <= n for c, n in zip(coarse, fine, strict=True))
+    return coarse if coarser and _total(body, coarse) <= TOO_CLOSE * _total(body, fine) else None
+
+
+def counts_of(body, mesh):
+    """The counts that a quarter of the hull was meshed with"""
+    levels = [len(np.unique(np.round(column / np.ptp(column), 6))) - 1 for column in mesh.points.T]
+    if body.shape == "box":
+        return tuple(levels)
+    rim = int(np.sum(mesh.points[:, 2] > -1e-6 * body.draft)) - 1
+    return rim, len(mesh) // rim - levels[2], levels[2]
+
+
+def meshed(body, counts):
+    """PanelMesh with these counts"""
+    return (box if body.shape == "box" else buoy)(*sizes(body), counts=counts)
+
+
+def sizes(body):
+    """m, as the meshes of `meshing.shapes` take them"""
+    return (body.length, body.beam, body.draft) if body.shape == "box" else (body.radius, body.draft)
+
+
+def _total(body, counts):
+    along, across, down = counts
+    return along * across + (along + across) * down if body.shape == "box" else along * (across + down)

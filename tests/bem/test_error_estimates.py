@@ -1,0 +1,97 @@
+"""Estimated errors on random scenes: shares that a bad rule would not reach, and what an estimate is made of.
+
+A fair share p leaves at most so many of n scenes as a binomial variable exceeds once in a thousand times.
+"""
+
+import numpy as np
+import pytest
+from bench.tolerance import NEGLIGIBLE, RANGES, Ranges, campaign, right
+from scipy.stats import binom
+
+from bem import DOFS
+from bem.contour_accuracy import accuracy, finer
+from bem.frequency import solve_frequency
+from bem.shape_setup import ShapeSetup
+
+EVERYTHING = {"added_mass", "radiation_damping", "excitation_force"}
+CAMPAIGNS = {
+    "contour": (16, Ranges((1, 4), (0.5, 30), (0.05, 10), (0.5, 20), (1e-3, 1e-2))),
+    "panel": (10, RANGES["panel"]._replace(tolerances=(0.02, 0.02))),
+}
+
+
+@pytest.fixture(scope="module", params=CAMPAIGNS)
+def outcomes(request):
+    """Outcomes of scenes that are solved in a few seconds"""
+    count, ranges = CAMPAIGNS[request.param]
+    return campaign(count, 7, request.param, ranges)
+
+
+def allowed_failures(count, share):
+    return binom.ppf(0.999, count, 1 - share)
+
+
+def test_nineteen_of_twenty_scenes_meet_their_tolerance(outcomes):
+    missed = [o for o in outcomes if o.error > o.scene.tolerance]
+    assert len(missed) <= allowed_failures(len(outcomes), 0.95), "\n".join(map(str, missed))
+
+
+def test_nine_of_ten_estimates_are_within_a_factor_of_three(outcomes):
+    wrong = [o for o in outcomes if not right(o.ratio)]
+    assert len(wrong) <= allowed_failures(len(outcomes), 0.9), "\n".join(map(str, wrong))
+
+
+def test_nine_of_ten_coefficients_have_an_error_within_a_factor_of_three(outcomes):
+    """Coefficients of a scene fail together: scenes are counted in which more than a tenth of them does"""
+    poor = [o for o in outcomes if np.mean(right(o.ratios)) < 0.9]
+    ratios = np.concatenate([o.ratios for o in outcomes])
+    assert len(poor) <= allowed_failures(len(outcomes), 0.75) and np.mean(right(ratios)) > 0.85
+    assert len(ratios) > 10 * len(outcomes)  # that many are above `NEGLIGIBLE`
+    assert NEGLIGIBLE <= 1e-3
+
+
+def body(method="contour", **changes):
+    values = dict(method=method, shape="box", sizes=(100.0, 50.0, 10.0), depth=20.0, tolerance=1e-2)
+    return ShapeSetup(**{**values, **changes}).prepared()
+
+
+def test_errors_of_coefficients_are_absolute_and_about_the_rotation_centre():
+    """A moment about a point below is the one about the origin and the arm times the force, and so are their errors"""
+    headings, arm = [0.4], 7.0
+    here = solve_frequency(body(), 0.6, headings, EVERYTHING)["estimated_error"]
+    run = body(rotation_center=(0.0, 0.0, -arm)).run(0.6, headings, EVERYTHING, None, DOFS)
+    below = run.estimated_errors()
+    assert set(here) == EVERYTHING
+    for name, error in here.items():
+        assert np.all(error >= 0) and error.dtype == float
+        forces = np.s_[:3, :3] if error.shape == (6, 6) else np.s_[:, :3]
+        np.testing.assert_allclose(below[name][forces], error[forces], rtol=1e-6, err_msg=name)
+    force = run.errors[1][0]
+    assert below["excitation_force"][0, 4] == pytest.approx(abs(force[4] + arm * force[0]), rel=1e-6)
+    assert below["excitation_force"][0, 4] != pytest.approx(here["excitation_force"][0, 4], rel=1e-2)
+
+
+def test_errors_are_given_for_what_is_wanted_only():
+    some = solve_frequency(body(), 0.6, [0.4], {"added_mass"}, dofs=("Heave",))
+    (name, error), *more = some["estimated_error"].items()
+    assert name == "added_mass" and not more
+    assert error[2, 2] > 0 and np.all(np.isnan(np.delete(error.ravel(), 14)))
+    none = solve_frequency(body(), 0.6, [0.4], {"Froude_Krylov_force"})
+    assert "estimated_error" not in none
+
+
+def test_a_method_without_an_estimate_says_so():
+    strips = solve_frequency(body("strip"), 0.6, [0.4], EVERYTHING)
+    assert np.isnan(strips["checks"]["estimated_error"]) and strips["estimated_error"] == {}
+
+
+@pytest.mark.parametrize("gap", [0.3, 5.0, 100.0, 2000.0])
+@pytest.mark.parametrize("digits", [1.5, 3.5, 5.5, 7.5])
+def test_no_part_of_a_finer_body_is_coarser(gap, digits):
+    coarse = accuracy(digits, 10.0, gap, 25.0)
+    fine, more = finer(coarse, 10.0, gap, 25.0), accuracy(digits + 0.1, 10.0, gap, 25.0)
+    for one, other in ((coarse, fine), (coarse, more)):
+        for part in ("terms", "modes", "kappa", "plan", "extra"):
+            assert getattr(other, part) >= getattr(one, part), part
+        assert other.smallest <= one.smallest
+    assert fine.kappa > coarse.kappa and fine.plan > coarse.plan and fine.further > coarse.further

@@ -1,0 +1,93 @@
+"""Mean drift of the series box by pressure on the hull beside the far field, over depths, headings, frequencies.
+
+    python tests/bench/drift.py [contour | panel]
+
+Largest of surge, sway and yaw at half the length, as parts of the largest force on the fixed box; `error` is what a
+tenth of the tolerance, or twice the panels, changes in the two together; of panels a third of the error at most, for
+that of the flow at an edge falls like the square root of their number.  Times are the least of three, of the
+motions, forces and far-field drift with their own error estimate, and of the near field of all headings.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+sys.path[:0] = [str(Path(__file__).parents[2])]
+
+import numpy as np
+
+from bem import DOFS
+from bem.near_field import near_field_drift
+from bem.setup import Setup
+from bem.shape_setup import ShapeSetup
+from meshing.lid import lid
+from meshing.shapes import box
+
+RHO, G = 1025.0, 9.80665
+SIZES = LENGTH, BEAM, DRAFT = 100.0, 50.0, 10.0
+MASS = RHO * LENGTH * BEAM * DRAFT
+FLOATING = {
+    "inertia_matrix": MASS * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2]),
+    "hydrostatic_stiffness": G * np.diag([0, 0, RHO * LENGTH * BEAM, 15.83 * MASS, 78.33 * MASS, 0]),
+}
+WANT = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed", "drift_force", "rao"}
+HEADINGS = np.radians([0, 15, 30, 45, 60, 75, 90])
+OMEGAS = (0.3, 0.5, 0.7, 0.9, 1.1, 1.5)
+ARMS = np.array([1, 1, LENGTH / 2])
+
+
+def contour(depth, tolerance):
+    return ShapeSetup(
+        method="contour", shape="box", sizes=SIZES, depth=depth, tolerance=tolerance, **FLOATING
+    ).prepared()
+
+
+def panel(depth, panels):
+    mesh = box(*SIZES, panels=panels)
+    return Setup(mesh, lid(mesh), depth=depth, **FLOATING).prepared()
+
+
+def drifts(body, omega):
+    """(2, 2, m, 3) near and far, fixed and floating, and seconds of the first order and of the near field"""
+    seconds = []
+    for _ in range(3):
+        start = time.perf_counter()
+        run = body.run(omega, HEADINGS, WANT, None, DOFS)
+        far = [run.drift(moving) for moving in (False, True)]
+        run.estimated_error()
+        middle = time.perf_counter()
+        near = [near_field_drift(run, True)]
+        seconds.append((middle - start, time.perf_counter() - middle))
+    near.insert(0, near_field_drift(run, False))
+    return np.array([near, far]) / ARMS, np.min(seconds, axis=0)
+
+
+def rows(name, depth, rough, fine, omegas=OMEGAS):
+    for omega in omegas:
+        ours, seconds = drifts(rough, omega)
+        better, _ = drifts(fine, omega)
+        scale = np.abs(ours[1, 0, :, :2]).max()
+        gap = np.abs(ours[0] - ours[1]).max(axis=-1) / scale  # fixed and floating, headings
+        error = np.abs(ours - better).max(axis=(2, 3)).sum(axis=0) / scale
+        worst = np.degrees(HEADINGS[gap.argmax(axis=1)])
+        print(
+            f"| {name} | {depth:g} | {omega} | {gap[0].max():.1e} ({worst[0]:.0f}°) | {error[0]:.1e} "
+            f"| {gap[1].max():.1e} ({worst[1]:.0f}°) | {error[1]:.1e} | {seconds[0]:.3f} | {seconds[1]:.3f} |",
+            flush=True,
+        )
+
+
+def main(methods):
+    print("| method | depth m | ω rad/s | fixed: near − far (heading) | error | floating | error | far s | near s |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for depth in (12.0, 20.0, 100.0):
+        for tolerance in (1e-2, 1e-3, 1e-4) if "contour" in methods else ():
+            bodies = contour(depth, tolerance), contour(depth, tolerance / 10)
+            rows(f"contour {tolerance:g}", depth, *bodies)
+    for depth in (12.0, 20.0, 100.0, np.inf):
+        for panels in (100, 400) if "panel" in methods else ():
+            rows(f"{panels} panels", depth, panel(depth, panels), panel(depth, 2 * panels), (0.5, 0.9))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:] or ("contour", "panel"))
