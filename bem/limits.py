@@ -9,8 +9,9 @@ from __future__ import annotations
 import numpy as np
 
 from .green_tables import limit_table
-from .influence import assembled
+from .influence import ROWS
 from .threads import blas_threads
+from .wave_blocks import Sources, wave_blocks
 
 
 def added_mass_limit(prepared, which):
@@ -28,15 +29,31 @@ def _limit(prepared, which):
     from scipy.linalg import solve
 
     g, setup = prepared.geometry, prepared.setup
+    velocities = [g.modes[:, g.members(c)] for c in g.classes]
+    # without waves the lid is not needed
     table = limit_table(which, setup.depth, g.reach, g.mesh.draft)
-    velocities = [g.modes[:, g.members(c)].T.astype(complex) for c in g.classes]
-    # without waves the lid is not needed, and its density decouples because K = 0
-    mirror = 1.0 if which == "zero" else -1.0
-    A, b = assembled(g, g.classes, mirror, table, unit_depth_values, velocities)
-    potentials = [
-        solve(A[i, : g.hull, : g.hull].real, b[i, : g.hull, : len(v)].real).T for i, v in enumerate(velocities)
-    ]
+    matrices, sides = _equations(g, 1.0 if which == "zero" else -1.0, table, velocities)
+    potentials = []
+    while matrices:  # in place, and given back one by one: they may be most of the memory
+        potentials.append(solve(matrices.pop(0).T, sides.pop(0), transposed=True, overwrite_a=True).T)
     return added_mass_of(prepared, potentials, which)
+
+
+def _equations(geometry, mirror, table, velocities):
+    """Real matrices (n, n) and right-hand sides (n, columns) of the hull, lists over the classes"""
+    g, n = geometry, geometry.hull
+    matrices, sides = [np.empty((n, n)) for _ in velocities], [np.empty(v.shape) for v in velocities]
+    hull = Sources.of(np.arange(n), g.elements.inverse.shape[2])
+    for start in range(0, n, ROWS):
+        rows = np.arange(start, min(start + ROWS, n))
+        s, d, s1, d1 = g.rankine_rows(g.elements.nodes[rows])
+        S, D = wave_blocks(g, rows, hull, table, unit_depth_values)
+        for i, v in enumerate(velocities):
+            matrices[i][rows] = -(d + (mirror - 1) * d1)[i, :, :n] - D[i].real
+            sides[i][rows] = -((s + (mirror - 1) * s1)[i, :, :n] + S[i].real) @ v
+    for A in matrices:
+        A.flat[:: n + 1] += 2 * np.pi
+    return matrices, sides
 
 
 def unit_depth_values(z):

@@ -11,6 +11,7 @@ from .body import Body
 from .influence import Geometry
 from .limits import added_mass_limit
 from .panel_run import PanelRun
+from .reduced_run import ReducedRun
 from .zero_draft import ZeroDraftRun, flattened, rigid_surface_limit
 
 
@@ -23,6 +24,7 @@ class Setup(Body):
     nodes_per_panel : 4 (bilinear) or 1 (constant)
     wall : y in m of a vertical wall along x that reflects all waves; None for open water
     zero_draft : the flat bottom of the hull laid into the water surface, `bem.zero_draft`
+    band : (low, high) rad/s, where many frequencies will be asked for: they then share the work of `bem.reduced`
     """
 
     mesh: object
@@ -31,6 +33,7 @@ class Setup(Body):
     nodes_per_panel: int = 4
     wall: float | None = None
     zero_draft: bool = False
+    band: tuple | None = None
 
     def prepared(self):
         """The work that depends on geometry only"""
@@ -66,6 +69,14 @@ class Prepared:
         share = (w @ self.modes**2) / (w @ arms)
         return share > np.array([1e-6] * 3 + [0.02] * 3)
 
+    @cached_property
+    def reduced(self):
+        """`bem.reduced.Reduced` equations of the setup's band"""
+        from .reduced import reduced, sufficient_accuracy
+
+        setup = self.setup
+        return reduced(self.geometry, setup.band, setup.gravity, sufficient_accuracy(setup.mesh.total))
+
     @property
     def refinement(self):
         """How many panels the mesh has for one of the coarse mesh."""
@@ -78,7 +89,14 @@ class Prepared:
 
     def run(self, *question):
         """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
-        return (ZeroDraftRun if self.setup.zero_draft else PanelRun)(self, *question)
+        if self.setup.zero_draft:
+            return ZeroDraftRun(self, *question)
+        return (ReducedRun if self.in_band(question[0]) else PanelRun)(self, *question)
+
+    def in_band(self, omega):
+        """Whether a frequency lies in the setup's band, but for rounding"""
+        band = self.setup.band
+        return band is not None and band[0] * (1 - 1e-9) <= omega <= band[1] * (1 + 1e-9)
 
     def added_mass_limit(self, which):
         """`bem.limits.added_mass_limit`"""

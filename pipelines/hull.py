@@ -19,6 +19,7 @@ from meshing.panels import PanelMesh
 from meshing.quality import findings
 from meshing.shapes import box, buoy
 
+from .large import shared_band
 from .methods import METHODS
 from .panel_counts import coarse_counts, fine_counts, meshed, sizes
 from .scene import SceneError
@@ -194,7 +195,8 @@ def setup_of(header, scene):
 def _panel_setup(header, scene, body):
     coarse, draftless = coarse_hull(scene, header.mesh), scene.chosen_method == "pressure"
     lid = header.lid or make_lid(scene, header.mesh, shortest_wave(scene, scene.omegas()))
-    return Setup(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, **body)
+    band = None if draftless else shared_band(scene, header.mesh)
+    return Setup(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, band=band, **body)
 
 
 def remarks_on_body(scene, body):

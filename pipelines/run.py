@@ -13,10 +13,12 @@ import numpy as np
 
 from bem.database import append, append_limit, create, extend, open_database, pending, writing
 from bem.database_file import check_place, check_replaceable
+from bem.schema import LIMITS
 
 from .adaptive import filled_band
 from .hull import Hull, inspected, kochin_angles, make_header, make_hull, remarks_on_body, setup_of
 from .interrupt import ctrl_c
+from .large import announced
 from .progress import Progress
 from .scene import SceneError, make_scene
 from .scene_text import difference, fixed_part, scene_hash, to_toml
@@ -65,10 +67,13 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
         _check_angles(scene, header, output)
         hull = inspected(Hull(header.mesh, header.lid), scene, omegas)
         extend(output, omega=omegas, wave_direction=headings, names=names, scene=to_toml(scene))
+        if pending(output).rows:
+            announced(setup_of(header, scene), len(pending(output).limits), console)
     else:
         check_replaceable(output)
         hull = inspected(make_hull(scene, omegas), scene, omegas)
         header = make_header(scene, hull, omegas)
+        announced(setup_of(header, scene), len(set(LIMITS) & set(names)), console)
         create(output, header, omegas, headings, names)
     remarks = (*hull.remarks, *remarks_on_body(scene, header.body))
     if console:

@@ -2,8 +2,9 @@
 
     python -m pipelines.bench.ours
 
-The job: case (name), method ("contour" or "panel"), tolerance or panels, and what `peers.repeated` takes.  The body is
-prepared from a scene, as the commands do; the estimate of the error is made, and timed, after everything else.
+The job: case (name), method ("contour" or "panel"), tolerance or panels, and what `peers.repeated` takes; with "band"
+the frequencies share their work as many of them do (`bem.reduced`).  The body is prepared from a scene, as the
+commands do; the estimate of the error is made, and timed, after everything else.
 """
 
 from __future__ import annotations
@@ -44,7 +45,11 @@ def make(case, asked):
     omegas = scene.omegas()
     hull = make_hull(scene, omegas)
     setup = setup_of(make_header(scene, hull, omegas), scene)
-    return scene, prepare(setup if "panels" in asked else replace(setup, tolerance=asked["tolerance"]))
+    if "tolerance" in asked:
+        setup = replace(setup, tolerance=asked["tolerance"])
+    if asked.get("band"):
+        setup = replace(setup, band=(float(omegas.min()), float(omegas.max())))
+    return scene, prepare(setup)
 
 
 def solve(made, omega):

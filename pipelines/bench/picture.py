@@ -7,6 +7,7 @@ from .cases import CASES
 STYLES = {
     ("hakobune", "contour"): ("C3", "o"),
     ("hakobune", "panel"): ("C0", "s"),
+    ("hakobune", "panel, band"): ("C1", "D"),
     ("capytaine", "direct, graded, 2 planes"): ("C2", "^"),
     ("capytaine", "direct, graded, rotation"): ("C8", "v"),
     ("capytaine", "direct, uniform, 2 planes"): ("0.35", "<"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 TOLERANCES, PANELS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6), (60, 120, 250, 500, 1000)
+SHARED = (250, 1000, 4000)  # panels of frequencies that share their work
 ALL = ("cylinder-15", "cylinder-30", "cylinder-100", "box-12", "box-20", "box-100")
 CHOSEN = ("cylinder-30", "box-20")  # with two threads too, and with the settings that do worse
 PROGRAMS = ("hakobune", "capytaine", "pyhams")
@@ -51,6 +52,8 @@ def _ours(case, threads, quick):
         yield Job(case, "hakobune", "contour", tolerance, threads, {"method": "contour"})
     for panels in PANELS[1:3] if quick else PANELS:
         yield Job(case, "hakobune", "panel", panels, threads, {"method": "panel"})
+    for panels in (500,) if quick else SHARED if case in CHOSEN else SHARED[:2]:
+        yield Job(case, "hakobune", "panel, band", panels, threads, {"method": "panel", "band": True})
 
 
 def _capytaine(case, threads, quick):

@@ -106,8 +106,8 @@ def _measured(rows):
 def _program(row):
     """(place, name) of a curve: our two methods stand apart"""
     if row.program == "hakobune":
-        return ("contour", "panel").index(row.settings), f"hakobune {row.settings}"
-    return 2, row.program
+        return ("contour", "panel", "panel, band").index(row.settings), f"hakobune {row.settings}"
+    return 3, row.program
 
 
 def _place(case):

@@ -186,7 +186,7 @@ def test_the_command_measures_what_tolerances_and_panels_promise(tmp_path, capsy
     assert main(words) == 0
     assert "other programs are left out" in capsys.readouterr().out
     rows = read_csv(tmp_path / "made" / "bench.csv")
-    assert [row["settings"] for row in rows] == ["contour", "contour", "panel", "panel"]
+    assert [row["settings"] for row in rows] == ["contour", "contour", "panel", "panel", "panel, band"]
     for row in rows:
         fineness = float(row["fineness"])
         promised = fineness if row["settings"] == "contour" else 0.01 * (250 / fineness) ** ERROR_ORDER

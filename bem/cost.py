@@ -1,0 +1,64 @@
+"""What a large panel problem will take, said before it starts: memory by counting, time by two short trials."""
+
+from __future__ import annotations
+
+import time
+from typing import NamedTuple
+
+import numpy as np
+
+TRIALS, TRIAL_ROWS, TRIAL_SIZE = 3, 16, 1500
+OTHER = 400e6  # bytes of the interpreter, its libraries and tables
+SPACE = 600  # nodes that stand for all where waves are concerned, a generous guess (`bem.wave_space`)
+
+
+class Cost(NamedTuple):
+    """Bytes at the peak, and seconds before the first frequency."""
+
+    memory: float
+    seconds: float
+
+
+def cost(geometry):
+    """`Cost` of `bem.reduced.reduced` for a `bem.influence.Geometry`."""
+    n, classes = geometry.hull, len(geometry.classes)
+    lid = len(geometry.elements.nodes) - n
+    columns = SPACE + 2 * lid
+    matrices = 8.0 * classes * (n * n + 2 * n * columns) + 8.0 * n * columns
+    rows = _seconds_of_rows(geometry)
+    factor = _seconds_of_factor() * (n / TRIAL_SIZE) ** 3
+    solve = _seconds_of_factor() * 3 * columns * n**2 / TRIAL_SIZE**3
+    return Cost(matrices + OTHER, rows * (n + lid) + classes * (factor + solve))
+
+
+def _seconds_of_rows(geometry):
+    """Seconds for a row of the exact matrices"""
+    nodes = geometry.elements.nodes
+    some = nodes[:: max(len(nodes) // TRIAL_ROWS, 1)]
+    return _seconds(lambda: geometry.rankine_rows(some)) / len(some)
+
+
+def _seconds_of_factor():
+    from scipy.linalg import lu_factor
+
+    A = np.random.default_rng(0).standard_normal((TRIAL_SIZE, TRIAL_SIZE))
+    return _seconds(lambda: lu_factor(A, check_finite=False))
+
+
+def _seconds(work):
+    """The shortest of some trials: the first compiles, and the machine has other things to do"""
+    times = []
+    for _ in range(TRIALS + 1):
+        start = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - start)
+    return min(times[1:])
+
+
+def available_memory():
+    """Bytes that can be had without swapping; infinite where the system does not tell"""
+    try:
+        with open("/proc/meminfo", encoding="ascii") as file:
+            return next(1024.0 * int(line.split()[1]) for line in file if line.startswith("MemAvailable"))
+    except (OSError, StopIteration):
+        return np.inf

@@ -1,0 +1,91 @@
+"""The integral equations of a band of frequencies, with waves between few nodes only.
+
+With f on the hull and g on the lid the equations of `bem.influence`, those of the lid with the other sign, are
+
+    2πφ − D₀φ − K S₀φ' = f,    −4πφ' − K S₀φ' − D₀φ = g,    (f, g) = X m − S₀V v
+    m = W[points, sources] α − S_w[points, monopoles] M v,    α = Y (φ, φ')
+
+of which only W and S_w are of the frequency, and complex (`bem.wave_space`).  2π − D₀ is factored once for each
+symmetry class; with T = S₀ + D₀ (2π − D₀)⁻¹ S₀ on the lid, K φ' = −(4π/K + T)⁻¹ (g + D₀ (2π − D₀)⁻¹ f) is real
+algebra of the size of the lid, and what remains is a complex system of the size of the space (Sherman, Morrison &
+Woodbury).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .checks import ERROR_ORDER
+from .influence import ROWS
+from .wave_space import wave_space
+
+
+class ReducedClass(NamedTuple):
+    """One symmetry class; n hull nodes, l lid nodes, r points, q sources, v given normal velocities, u = r + v + l."""
+
+    response: np.ndarray  # (n, u) (2π − D₀)⁻¹ [X, S₀V, S₀ of the lid]
+    at_sources: np.ndarray  # (q, u) Y of it
+    on_lid: np.ndarray  # (l, u) D₀ of it on the lid, plus [X, S₀V, S₀] there: the last part is T
+    from_lid: np.ndarray  # (q, l) Y of the lid
+    M: np.ndarray  # (h, v)
+
+
+class Reduced(NamedTuple):
+    """The space of a band of frequencies, and what each symmetry class makes of it."""
+
+    band: tuple
+    accuracy: float
+    space: object  # `WaveSpace`
+    classes: dict  # {class: ReducedClass}
+
+
+def sufficient_accuracy(panels):
+    """A twentieth of the error that so many panels leave (`bem.checks.ERROR_ORDER`, one per cent at 250)"""
+    return float(np.clip(0.05 * 0.01 * (250 / panels) ** ERROR_ORDER, 2e-5, 1e-4))
+
+
+def reduced(geometry, band, gravity, accuracy):
+    """`Reduced` equations of a `bem.influence.Geometry` for frequencies band = (low, high) rad/s."""
+    space = wave_space(geometry, band, gravity, accuracy)
+    matrices, on_lid, sides = _exact(geometry, space.velocities)
+    classes = {}
+    for i, cls in enumerate(geometry.classes):
+        classes[cls] = _reduced_class(matrices.pop(0), on_lid[i], sides[i], space, space.M[i])
+    return Reduced(tuple(band), accuracy, space, classes)
+
+
+def _exact(geometry, velocities):
+    """Lists over the classes: 2π − D₀ (n, n), D₀ of the lid (l, n), [S₀V, S₀ of the lid] (n + l, v + l)"""
+    g, n = geometry, geometry.hull
+    nodes = g.elements.nodes
+    lid = len(nodes) - n
+    matrices = [np.empty((n, n)) for _ in velocities]
+    on_lid = [np.empty((lid, n)) for _ in velocities]
+    sides = [np.empty((n + lid, v.shape[1] + lid)) for v in velocities]
+    for start in range(0, n + lid, ROWS):
+        stop = min(start + ROWS, n + lid)
+        s, d, _, _ = g.rankine_rows(nodes[start:stop])
+        hull = max(min(stop, n) - start, 0)
+        for i, v in enumerate(velocities):
+            np.negative(d[i, :hull, :n], out=matrices[i][start : start + hull])
+            on_lid[i][max(start - n, 0) : max(stop - n, 0)] = d[i, hull:, :n]
+            sides[i][start:stop, : v.shape[1]] = s[i, :, :n] @ v
+            sides[i][start:stop, v.shape[1] :] = s[i, :, n:]
+    for A in matrices:
+        A.flat[:: n + 1] += 2 * np.pi
+    return matrices, on_lid, sides
+
+
+def _reduced_class(matrix, on_lid, sides, space, M):
+    from scipy.linalg import lu_factor, lu_solve
+
+    n = len(matrix)
+    # LAPACK wants columns: the transposed view is factored in place and solved transposed
+    factors = lu_factor(matrix.T, overwrite_a=True, check_finite=False)
+    known = np.concatenate([space.X, sides], axis=1)
+    response = np.ascontiguousarray(lu_solve(factors, known[:n], trans=1, check_finite=False))
+    return ReducedClass(
+        response, space.Y[:, :n] @ response, on_lid @ response + known[n:], np.ascontiguousarray(space.Y[:, n:]), M
+    )

@@ -1,0 +1,167 @@
+"""Few nodes that stand for all where waves are concerned.
+
+What the free surface adds to 1/r and its image is smooth on hull and lid, but for a strip along the waterline.  Put
+together as they act on the unknowns, W = [D_w, K S_w] with the columns of the hull and of the lid, the wave parts of
+all frequencies of a band and of all symmetry classes lie in one space that is far smaller than the number of nodes,
+
+    W ≈ X W[points, sources] Y,    S_w V ≈ X S_w[points, monopoles] M,    ∂φ_I/∂n ≈ Z ∂φ_I/∂n[crests]
+
+where V are the normal velocities of motions and the columns of Z.  It is found from the integrals themselves at a few
+frequencies, rows and columns weighted as in the L² norm.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .green_tables import wave_table
+from .skeleton import SEED, Sketch, chosen_rows, least_squares
+from .wave_blocks import Sources, wave_blocks
+from .waves import depth_factor, depth_factor_slope, incident_wave, wavenumber
+
+WITNESSES = 4
+LARGEST = 1_000_000  # pairs of nodes at once
+PROXIES = 200  # nodes away from the surface from which waves are sampled
+STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are
+WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
+LID = 0.1  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
+
+
+class WaveSpace(NamedTuple):
+    """n nodes, those of the hull, then those of the lid; r points, q sources, t crests are some of these.
+
+    The h sources on the hull, which come first, are the monopoles too.
+    """
+
+    points: np.ndarray  # (r,)
+    sources: np.ndarray  # (q,)
+    crests: np.ndarray  # (t,)
+    X: np.ndarray  # (n, r)
+    Y: np.ndarray  # (q, n)
+    velocities: tuple  # V of each class, (hull nodes, v): its motions, then Z
+    M: tuple  # of each class, (h, v)
+    witnesses: np.ndarray  # nodes of the hull, at which every frequency is tested
+
+
+def wave_space(geometry, band, gravity, accuracy):
+    """`WaveSpace` of a `bem.influence.Geometry` for frequencies band = (low, high) rad/s.
+
+    accuracy : of W relative to 2π, of S_w and of ∂φ_I/∂n relative to their norms
+    """
+    g, cases, allowed = geometry, _Cases(geometry, band, gravity), 2 * np.pi * accuracy
+    root, of_column = cases.root, cases.of_column
+    crests, Z = _skeleton(cases.waves, g.hull, 0.2 * allowed)  # few columns, and forces are differences of them
+    Z *= root[crests] / root[: g.hull, None]
+    velocities = tuple(np.concatenate([g.modes[:, g.members(c)], Z], axis=1) for c in g.classes)
+    points, X = _skeleton(cases.at_all_points, len(root), allowed)
+    sources, Y = _skeleton(lambda sketch: cases.of_all_sources(sketch, points), len(root), allowed)
+    M = cases.monopoles(points, sources[sources < g.hull], velocities, accuracy)
+    X *= root[points] / root[:, None]
+    Y = np.ascontiguousarray((Y * of_column[:, None] / of_column[sources]).T)
+    return WaveSpace(points, sources, crests, X, Y, velocities, M, cases.witnesses())
+
+
+def _skeleton(fill, rows, allowed):
+    """`chosen_rows` of what `fill` puts into a sketch, wide enough for the rank that it has"""
+    width = FIRST_WIDTH
+    while True:
+        sketch = Sketch(rows, min(width, WIDTH * rows))
+        fill(sketch)
+        chosen, X = chosen_rows(sketch.sums, allowed)
+        if WIDTH * len(chosen) <= sketch.sums.shape[1] or width >= WIDTH * rows:
+            return chosen, X
+        width = max(2 * width, 2 * WIDTH * len(chosen))
+
+
+class _Cases:
+    """Wave parts at the frequencies that span a band."""
+
+    def __init__(self, geometry, band, gravity):
+        self.geometry, self.gravity = geometry, gravity
+        low, high = (float(wavenumber(omega, geometry.depth, gravity)) for omega in band)
+        # what is in between is spanned by neighbours, and by log K
+        count = 3 + int(np.ceil(high * geometry.radius / 4)) if high > low else 1
+        self.wavenumbers = low + (high - low) * np.linspace(0, 1, count) ** 2
+        self.root = np.sqrt(geometry.elements.weights)
+        self.of_column = self.root / np.where(np.arange(len(self.root)) < geometry.hull, 1.0, LID)
+
+    def blocks(self, points, sources):
+        """K, and S and D (c, points, sources), of each frequency"""
+        g = self.geometry
+        grouped = Sources.of(sources, g.elements.inverse.shape[2])
+        for k in self.wavenumbers:
+            omega = float(np.sqrt(self.gravity * k * np.tanh(k * g.depth)))
+            table = wave_table(omega, g.depth, self.gravity, g.reach, g.mesh.draft)
+            yield table.K, *wave_blocks(g, points, grouped, table, depth_values(k, g.depth))
+
+    def proxies(self):
+        """Nodes (m,) of the hull: all near the surface and a share of the others; and those of the lid"""
+        g, n = self.geometry, self.geometry.hull
+        sizes = np.repeat(g.elements.sizes, g.elements.inverse.shape[2])[:n]
+        near = -g.elements.nodes[:n, 2] < STRIP * sizes
+        some = np.random.default_rng(SEED).permutation(np.flatnonzero(~near))[:PROXIES]
+        return np.concatenate([np.union1d(np.flatnonzero(near), some), np.arange(n, len(self.root))])
+
+    def witnesses(self):
+        """Nodes (w,) of the hull by chance, one in the strip at the surface"""
+        n, generator = self.geometry.hull, np.random.default_rng(SEED + 1)
+        areas = self.root[:n] ** 2
+        chosen = generator.choice(n, size=min(WITNESSES, n), replace=False, p=areas / areas.sum())
+        return np.union1d(chosen, np.argmax(self.geometry.elements.nodes[:n, 2]))
+
+    def at_all_points(self, sketch):
+        """W of the proxies at all nodes, and S in the length of the hull"""
+        proxies, hull = self.proxies(), self.geometry.hull
+        length = np.linalg.norm(self.root[:hull]) * np.sqrt(self.geometry.copies)
+        for part in np.array_split(proxies, int(np.ceil(len(proxies) * len(self.root) / LARGEST))):
+            scale, count = self.root[:, None] / self.of_column[part], np.count_nonzero(part < hull)
+            for K, S, D in self.blocks(np.arange(len(self.root)), part):
+                for s, d in zip(S, D, strict=True):
+                    sketch.add(acting(s, d, count, K) * scale)
+                    sketch.add(s[:, :count] * scale[:, :count] / length)
+
+    def of_all_sources(self, sketch, points):
+        """W at `points`, transposed"""
+        scale = self.root[points][:, None] / self.of_column
+        for K, S, D in self.blocks(points, np.arange(len(self.root))):
+            for s, d in zip(S, D, strict=True):
+                sketch.add((acting(s, d, self.geometry.hull, K) * scale).T)
+
+    def monopoles(self, points, sources, velocities, accuracy):
+        """M of each class: what S at `sources` has to be multiplied with to give S of all times V"""
+        scale = self.root[points][:, None]
+        few, of_all = [[] for _ in velocities], [[] for _ in velocities]
+        for _, S, _ in self.blocks(points, np.arange(self.geometry.hull)):
+            for i, (s, v) in enumerate(zip(S, velocities, strict=True)):
+                for part in (s.real, s.imag):
+                    few[i].append(part[:, sources] * scale)
+                    of_all[i].append(part @ v * scale)
+        return tuple(
+            least_squares(np.concatenate(a), np.concatenate(b), 0.1 * accuracy)
+            for a, b in zip(few, of_all, strict=True)
+        )
+
+    def waves(self, sketch):
+        """∂φ_I/∂n at all nodes of the hull, from all sides, of every class"""
+        g, n = self.geometry, self.geometry.hull
+        for k in self.wavenumbers:
+            for beta in np.arange(0, 0.5 * np.pi, np.pi / (8 + 4 * k * g.radius)):
+                flux = np.empty((len(g.images), n), complex)
+                for i, (x, y) in enumerate(g.images):
+                    mirror = np.array([x, y, 1.0])
+                    _, gradient = incident_wave(g.elements.nodes[:n] * mirror - g.origin, beta, 1.0, k, g.depth)
+                    flux[i] = np.einsum("qi,qi->q", gradient, g.elements.normals[:n] * mirror)
+                flux = g.all_signs @ flux * self.root[:n]
+                sketch.add(flux.T * (2 * np.pi / np.linalg.norm(flux)))
+
+
+def acting(S, D, hull, K):
+    """W (r, m) as it acts on the unknowns: D of the first `hull` sources, K S of the others, which are lid"""
+    return np.concatenate([D[:, :hull], K * S[:, hull:]], axis=1)
+
+
+def depth_values(k, depth):
+    """z → (…, 2) of Z and Z′"""
+    return lambda z: np.stack([depth_factor(z, k, depth), depth_factor_slope(z, k, depth)], axis=-1)
