@@ -7,6 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .green_tables import wave_table
+from .wave_blocks import Sources, wave_blocks
+from .wave_space import Cases, depth_values
+
 TRIALS, TRIAL_ROWS, TRIAL_SIZE = 3, 16, 1500
 OTHER = 400e6  # bytes of the interpreter, its libraries and tables
 SPACE = 600  # nodes that stand for all where waves are concerned, a generous guess (`bem.wave_space`)
@@ -19,16 +23,25 @@ class Cost(NamedTuple):
     seconds: float
 
 
-def cost(geometry):
-    """`Cost` of `bem.reduced.reduced` for a `bem.influence.Geometry`."""
+def cost(geometry, band, gravity):
+    """`Cost` of `bem.reduced.reduced`; arguments as there."""
     n, classes = geometry.hull, len(geometry.classes)
     lid = len(geometry.elements.nodes) - n
     columns = SPACE + 2 * lid
     matrices = 8.0 * classes * (n * n + 2 * n * columns) + 8.0 * n * columns
-    rows = _seconds_of_rows(geometry)
-    factor = _seconds_of_factor() * (n / TRIAL_SIZE) ** 3
-    solve = _seconds_of_factor() * 3 * columns * n**2 / TRIAL_SIZE**3
-    return Cost(matrices + OTHER, rows * (n + lid) + classes * (factor + solve))
+    cases = Cases(geometry, band, gravity)
+    waves = len(cases.wavenumbers) * (len(cases.proxies()) + SPACE) * _seconds_of_waves(geometry, band[1], gravity)
+    exact = (n + lid) * _seconds_of_rows(geometry)
+    factor = _seconds_of_factor() * ((n / TRIAL_SIZE) ** 3 + 3 * columns * n**2 / TRIAL_SIZE**3)
+    return Cost(matrices + OTHER, waves + exact + classes * factor)
+
+
+def _seconds_of_waves(geometry, omega, gravity):
+    """Seconds for a row of the wave parts"""
+    g, nodes = geometry, np.arange(len(geometry.elements.nodes))
+    some, sources = nodes[:: max(len(nodes) // TRIAL_ROWS, 1)], Sources.of(nodes, g.elements.inverse.shape[2])
+    table = wave_table(omega, g.depth, gravity, g.reach, g.mesh.draft)
+    return _seconds(lambda: wave_blocks(g, some, sources, table, depth_values(table.k, g.depth))) / len(some)
 
 
 def _seconds_of_rows(geometry):

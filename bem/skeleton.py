@@ -17,18 +17,24 @@ class Sketch:
     """Random sums of columns (n, width) of a matrix that comes block by block."""
 
     def __init__(self, rows, width):
-        self.sums, self.generator = np.zeros((rows, width)), np.random.default_rng(SEED)
+        self.transposed, self.generator = np.zeros((width, rows)), np.random.default_rng(SEED)
+
+    @property
+    def sums(self):
+        """(n, width)"""
+        return self.transposed.T
 
     def add(self, block):
         """Columns (n, m), real or complex; complex ones count as two"""
         from scipy.sparse import csr_matrix
 
-        m, width = block.shape[1], self.sums.shape[1]
+        m, width = block.shape[1], len(self.transposed)
         for part in (block.real, block.imag) if np.iscomplexobj(block) else (block,):
             into = self.generator.integers(0, width, m * SIGNS)
             sign = self.generator.choice([-1.0, 1.0], m * SIGNS) / np.sqrt(SIGNS)
-            scatter = csr_matrix((sign, (into, np.repeat(np.arange(m), SIGNS))), (width, m))
-            self.sums += (scatter @ part.T).T
+            touched, place = np.unique(into, return_inverse=True)
+            scatter = csr_matrix((sign, (place, np.repeat(np.arange(m), SIGNS))), (len(touched), m))
+            self.transposed[touched] += scatter @ np.ascontiguousarray(part.T)
 
 
 def chosen_rows(sums, allowed):

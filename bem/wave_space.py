@@ -22,7 +22,7 @@ from .wave_blocks import Sources, wave_blocks
 from .waves import depth_factor, depth_factor_slope, incident_wave, wavenumber
 
 WITNESSES = 4
-LARGEST = 1_000_000  # pairs of nodes at once
+LARGEST = 2_000_000  # pairs of nodes at once
 PROXIES = 200  # nodes away from the surface from which waves are sampled
 STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are
 WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
@@ -50,7 +50,7 @@ def wave_space(geometry, band, gravity, accuracy):
 
     accuracy : of W relative to 2π, of S_w and of ∂φ_I/∂n relative to their norms
     """
-    g, cases, allowed = geometry, _Cases(geometry, band, gravity), 2 * np.pi * accuracy
+    g, cases, allowed = geometry, Cases(geometry, band, gravity), 2 * np.pi * accuracy
     root, of_column = cases.root, cases.of_column
     crests, Z = _skeleton(cases.waves, g.hull, 0.2 * allowed)  # few columns, and forces are differences of them
     Z *= root[crests] / root[: g.hull, None]
@@ -75,7 +75,7 @@ def _skeleton(fill, rows, allowed):
         width = max(2 * width, 2 * WIDTH * len(chosen))
 
 
-class _Cases:
+class Cases:
     """Wave parts at the frequencies that span a band."""
 
     def __init__(self, geometry, band, gravity):

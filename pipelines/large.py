@@ -23,28 +23,29 @@ def shared_band(scene, mesh):
     return None
 
 
-def announced(setup, limits, console):
+def announced(setup, limits, console, processes=1):
     """Say what a large problem will take.  Raises SceneError if the memory is not there.
 
-    limits : how many limits of the frequency are still to be computed
+    limits : how many limits of the frequency are still to be computed; processes : that each prepare the body
     """
     panels = setup.panels if isinstance(setup, ShapeSetup) else setup
-    if not isinstance(panels, Setup) or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
+    if not isinstance(panels, Setup) or panels.band is None or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
         return
     from bem.cost import available_memory, cost
 
     total, free = panels.mesh.total, available_memory()
-    needed = cost(panels.prepared().geometry)
-    if needed.memory > free:
+    needed = cost(panels.prepared().geometry, panels.band, panels.gravity)
+    memory = processes * needed.memory
+    if memory > free:
         raise SceneError(
-            f"{total} panels need about {needed.memory / 1e9:.1f} GB, {free / 1e9:.1f} GB are free; "
-            "give fewer panels (--panels) or a larger tolerance"
+            f"{total} panels need about {memory / 1e9:.1f} GB, {free / 1e9:.1f} GB are free; "
+            "give fewer panels (--panels)" + (" or fewer processes (--executor)" if processes > 1 else "")
         )
     if console:
         before, after = duration(needed.seconds), duration(limits * needed.seconds)
         last = f", about {after} for added mass at the limits" if limits else ""
         console.print(
-            f"{total} panels: about {needed.memory / 1e9:.1f} GB, about {before} before the first frequency{last}",
+            f"{total} panels: about {memory / 1e9:.1f} GB, about {before} before the first frequency{last}",
             highlight=False,
             soft_wrap=True,
         )

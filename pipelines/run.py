@@ -58,7 +58,7 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
     console : rich console, or None for silence
     Raises ValueError, leaving the file as it was, if scene and file do not go together.
     """
-    output = Path(output)
+    output, count = Path(output), getattr(executor, "count", 1)
     check_place(output)
     omegas, headings, names = scene.omegas(), scene.headings(), scene.names()
     if output.exists() and not fresh:
@@ -68,12 +68,12 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
         hull = inspected(Hull(header.mesh, header.lid), scene, omegas)
         extend(output, omega=omegas, wave_direction=headings, names=names, scene=to_toml(scene))
         if pending(output).rows:
-            announced(setup_of(header, scene), len(pending(output).limits), console)
+            announced(setup_of(header, scene), len(pending(output).limits), console, count)
     else:
         check_replaceable(output)
         hull = inspected(make_hull(scene, omegas), scene, omegas)
         header = make_header(scene, hull, omegas)
-        announced(setup_of(header, scene), len(set(LIMITS) & set(names)), console)
+        announced(setup_of(header, scene), len(set(LIMITS) & set(names)), console, count)
         create(output, header, omegas, headings, names)
     remarks = (*hull.remarks, *remarks_on_body(scene, header.body))
     if console:

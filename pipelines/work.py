@@ -31,6 +31,8 @@ def limit_one(setup, name):
 class Here:
     """An executor without processes: the work is done in the call of `submit`."""
 
+    count = 1
+
     def submit(self, function, *arguments):
         """A future that is already done.  KeyboardInterrupt passes through."""
         future = Future()
@@ -52,6 +54,7 @@ class Processes(ProcessPoolExecutor):
         import os
 
         cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+        self.count = count
         super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, cores // count),))
 
     def shutdown(self, wait=True, *, cancel_futures=False):

@@ -1,0 +1,66 @@
+"""Large panel problems: which share their work, what is said of them first, what is refused."""
+
+import numpy as np
+import pytest
+
+from bem import cost
+from bem.cost import Cost
+from bem.influence import Geometry
+from bem.setup import Setup
+from meshing.lid import lid
+from meshing.shapes import box
+from pipelines import large
+from pipelines.large import announced, shared_band
+from pipelines.scene import SceneError, make_scene
+
+
+def scene(**waves):
+    return make_scene(
+        {
+            "water": {"depth": 20.0},
+            "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0}],
+            "waves": waves,
+            "method": "panel",
+        }
+    )
+
+
+def test_many_frequencies_on_many_panels_share_their_work():
+    many, few = {"from": 0.2, "to": 1.0, "count": 10}, {"from": 0.2, "to": 1.0, "count": 9}
+    fine, coarse = box(100, 50, 10, panels=600), box(100, 50, 10, panels=104)
+    assert shared_band(scene(omegas=many), fine) == pytest.approx((0.2, 1.0))
+    assert shared_band(scene(omegas=few), fine) is None
+    assert shared_band(scene(omegas=many), coarse) is None
+
+
+def test_a_single_frequency_takes_few_nodes_where_all_would_not_fit(monkeypatch):
+    monkeypatch.setattr(large, "ONLY_SHARED", 300)
+    assert shared_band(scene(omegas=[0.5]), box(100, 50, 10, panels=600)) == (0.5, 0.5)
+
+
+def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
+    mesh = box(100, 50, 10, panels=120)
+    setup = Setup(mesh, lid(mesh), depth=20.0, band=(0.5, 0.5))
+    monkeypatch.setattr(large, "WORTH_TELLING", 100)
+    monkeypatch.setattr(cost, "cost", lambda *_: Cost(5e9, 60.0))
+    monkeypatch.setattr(cost, "available_memory", lambda: 8e9)
+    announced(setup, 0, None)
+    with pytest.raises(SceneError, match=r"need about 10.0 GB, 8.0 GB are free; give fewer panels .* fewer processes"):
+        announced(setup, 0, None, processes=2)
+    monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
+    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5.0 GB, 4.0 GB are free; give fewer panels"):
+        announced(setup, 0, None)
+
+
+def test_the_estimate_of_memory_counts_the_matrices_of_all_classes():
+    few, many = (Geometry(box(100, 50, 10, panels=n), None, 20.0) for n in (240, 944))
+    matrices = [8.0 * len(g.classes) * g.hull**2 for g in (few, many)]
+    needed = [cost.cost(g, (0.4, 0.6), 9.81) for g in (few, many)]
+    # twice the nodes to a class: four times the matrices, and what goes with the first power
+    assert all(n.memory > m for n, m in zip(needed, matrices, strict=True))
+    assert needed[1].memory - needed[0].memory >= matrices[1] - matrices[0]
+    assert 0 < needed[0].seconds < needed[1].seconds < np.inf
+
+
+def test_free_memory_is_known_or_without_limit():
+    assert cost.available_memory() > 1e6
