@@ -30,7 +30,7 @@ def cost(geometry, band, gravity):
     columns = SPACE + 2 * lid
     matrices = 8.0 * classes * (n * n + 2 * n * columns) + 8.0 * n * columns
     cases = Cases(geometry, band, gravity)
-    waves = len(cases.wavenumbers) * (len(cases.proxies()) + SPACE) * _seconds_of_waves(geometry, band[1], gravity)
+    waves = len(cases.wavenumbers) * (len(cases.proxies()[0]) + SPACE) * _seconds_of_waves(geometry, band[1], gravity)
     exact = (n + lid) * _seconds_of_rows(geometry)
     factor = _seconds_of_factor() * ((n / TRIAL_SIZE) ** 3 + 3 * columns * n**2 / TRIAL_SIZE**3)
     return Cost(matrices + OTHER, waves + exact + classes * factor)

@@ -22,9 +22,10 @@ from .wave_blocks import Sources, wave_blocks
 from .waves import depth_factor, depth_factor_slope, incident_wave, wavenumber
 
 WITNESSES = 4
+FEW = 1000  # nodes up to which the accuracy asked for is that of every row
 LARGEST = 2_000_000  # pairs of nodes at once
-PROXIES = 200  # nodes away from the surface from which waves are sampled
-STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are
+PROXIES = 200  # nodes at any depth from which waves are sampled
+STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are, and a share of those below
 WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
 LID = 0.1  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
 
@@ -50,14 +51,17 @@ def wave_space(geometry, band, gravity, accuracy):
 
     accuracy : of W relative to 2π, of S_w and of ∂φ_I/∂n relative to their norms
     """
-    g, cases, allowed = geometry, Cases(geometry, band, gravity), 2 * np.pi * accuracy
+    g, cases = geometry, Cases(geometry, band, gravity)
+    # of a row; what all rows lose together goes with the root of their number
+    allowed = 2 * np.pi * accuracy * min(1.0, np.sqrt(FEW / g.hull))
     root, of_column = cases.root, cases.of_column
     crests, Z = _skeleton(cases.waves, g.hull, 0.2 * allowed)  # few columns, and forces are differences of them
     Z *= root[crests] / root[: g.hull, None]
     velocities = tuple(np.concatenate([g.modes[:, g.members(c)], Z], axis=1) for c in g.classes)
     points, X = _skeleton(cases.at_all_points, len(root), allowed)
-    sources, Y = _skeleton(lambda sketch: cases.of_all_sources(sketch, points), len(root), allowed)
-    M = cases.monopoles(points, sources[sources < g.hull], velocities, accuracy)
+    weights = root[points] * np.linalg.norm(X, axis=0)  # what is lost at a point is lost at all that it stands for
+    sources, Y = _skeleton(lambda sketch: cases.of_all_sources(sketch, points, weights), len(root), allowed)
+    M = cases.monopoles(points, weights, sources[sources < g.hull], velocities, accuracy)
     X *= root[points] / root[:, None]
     Y = np.ascontiguousarray((Y * of_column[:, None] / of_column[sources]).T)
     return WaveSpace(points, sources, crests, X, Y, velocities, M, cases.witnesses())
@@ -97,12 +101,16 @@ class Cases:
             yield table.K, *wave_blocks(g, points, grouped, table, depth_values(k, g.depth))
 
     def proxies(self):
-        """Nodes (m,) of the hull: all near the surface and a share of the others; and those of the lid"""
+        """Nodes (m,) and for how many each stands: hull, the more the nearer to the surface, then lid
+
+        Waves change over the distance from the surface, where all nodes are taken.
+        """
         g, n = self.geometry, self.geometry.hull
         sizes = np.repeat(g.elements.sizes, g.elements.inverse.shape[2])[:n]
-        near = -g.elements.nodes[:n, 2] < STRIP * sizes
-        some = np.random.default_rng(SEED).permutation(np.flatnonzero(~near))[:PROXIES]
-        return np.concatenate([np.union1d(np.flatnonzero(near), some), np.arange(n, len(self.root))])
+        share = np.minimum((STRIP * sizes / g.elements.nodes[:n, 2]) ** 2 + PROXIES / n, 1.0)
+        hull = np.flatnonzero(np.random.default_rng(SEED).random(n) < share)
+        lid = np.arange(n, len(self.root))
+        return np.concatenate([hull, lid]), np.concatenate([1 / share[hull], np.ones(len(lid))])
 
     def witnesses(self):
         """Nodes (w,) of the hull by chance, one in the strip at the surface"""
@@ -113,25 +121,26 @@ class Cases:
 
     def at_all_points(self, sketch):
         """W of the proxies at all nodes, and S in the length of the hull"""
-        proxies, hull = self.proxies(), self.geometry.hull
+        (proxies, represented), hull = self.proxies(), self.geometry.hull
         length = np.linalg.norm(self.root[:hull]) * np.sqrt(self.geometry.copies)
-        for part in np.array_split(proxies, int(np.ceil(len(proxies) * len(self.root) / LARGEST))):
-            scale, count = self.root[:, None] / self.of_column[part], np.count_nonzero(part < hull)
+        for some in np.array_split(np.arange(len(proxies)), int(np.ceil(len(proxies) * len(self.root) / LARGEST))):
+            part, count = proxies[some], np.count_nonzero(proxies[some] < hull)
+            scale = self.root[:, None] / self.of_column[part] * np.sqrt(represented[some])
             for K, S, D in self.blocks(np.arange(len(self.root)), part):
                 for s, d in zip(S, D, strict=True):
                     sketch.add(acting(s, d, count, K) * scale)
                     sketch.add(s[:, :count] * scale[:, :count] / length)
 
-    def of_all_sources(self, sketch, points):
-        """W at `points`, transposed"""
-        scale = self.root[points][:, None] / self.of_column
+    def of_all_sources(self, sketch, points, weights):
+        """W at `points` (r,) times `weights` (r,), transposed"""
+        scale = weights[:, None] / self.of_column
         for K, S, D in self.blocks(points, np.arange(len(self.root))):
             for s, d in zip(S, D, strict=True):
                 sketch.add((acting(s, d, self.geometry.hull, K) * scale).T)
 
-    def monopoles(self, points, sources, velocities, accuracy):
+    def monopoles(self, points, weights, sources, velocities, accuracy):
         """M of each class: what S at `sources` has to be multiplied with to give S of all times V"""
-        scale = self.root[points][:, None]
+        scale = weights[:, None]
         few, of_all = [[] for _ in velocities], [[] for _ in velocities]
         for _, S, _ in self.blocks(points, np.arange(self.geometry.hull)):
             for i, (s, v) in enumerate(zip(S, velocities, strict=True)):

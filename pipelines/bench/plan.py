@@ -59,7 +59,7 @@ def _ours(case, threads, quick):
 def _capytaine(case, threads, quick):
     """The direct method on a graded mesh is the best of its settings throughout; a cylinder has rotation, too"""
     every = not quick and threads == 1
-    large = (2000,) * (every and case in CHOSEN)
+    large = () if quick or case not in CHOSEN else (2000,) if threads == 1 else (4000,)  # 7 GB
     for panels in (240,) if quick else (240, 960, *large):
         yield _of_capytaine(case, threads, panels)
     if case.startswith("cylinder"):
