@@ -70,6 +70,16 @@ def estimate(run, rough, refinement):
     return share * (run.radiation - rough.radiation), share * (run.excitation - rough.excitation)
 
 
+def at_least_haskind(error, excitation, haskind, dofs):
+    """Errors of excitation (m, 6), in `dofs` no less than what two ways to the same force differ by.
+
+    error : the errors that are known of otherwise; excitation, haskind : (m, 6) of diffraction and of radiation
+    """
+    out, gap = np.array(error), excitation - haskind
+    out[:, dofs] = np.where(np.abs(gap) > np.abs(error), gap, error)[:, dofs]
+    return out
+
+
 def largest_error(run, radiation, excitation):
     """The largest of errors of radiation (6, 6) and excitation (m, 6), relative"""
     out = []

@@ -31,8 +31,9 @@ from .threads import blas_threads
 
 TOLERANCES = (1e-7, 0.1)
 MARGIN = 0.5  # digits more than asked for
+ALONG = 0.25  # of the shortest wave along the contour that counts in the table in κ
 SMALL = 100  # unknowns of a class and of a plane problem, a few hundred at most
-HIGHEST_GAP = 100  # times the smaller of draft and half the plan's width; errors were measured up to there
+HIGHEST_GAP = 1400  # times the smaller of draft and half the plan's width; errors were measured up to there
 
 
 def prepare_cylinder(radius, draft, depth, tolerance=1e-3):
@@ -142,15 +143,17 @@ class ContourBody:
         """`Profiles` of the gap"""
         return Profiles(Gap(self.draft, self.depth, self.accuracy.terms), self.accuracy.smallest)
 
-    @cached_property
-    def nodes(self):
-        """κ at which the maps of the plan are known, from below the first mode of either region.
+    @once
+    def nodes(self, degree):
+        """κ at which the maps of functions up to `degree` are known, from below the first mode of either region.
 
         Their nearest singularities lie at arg κ = ±π/2: Chebyshev's error falls by a factor of ten for every
-        0.73 nodes per factor e in κ.  One digit and a half go to the size of κT in long waves.
+        0.73 nodes per factor e in κ.  One digit and a half go to the size of κT in long waves.  A wave of m rad/m
+        along a wall has κN = −κ / √(κ² + m²): the limit −1 is far until κ is larger than all of them.
         """
         first, digits = np.pi / (2 * self.depth), self.accuracy.kappa
-        last = 10 ** (digits / 3 + 0.1) * max(1 / self.plan.scale, first)
+        shortest = max(1 / self.plan.scale, first, ALONG * self.plan.finest(degree))
+        last = 10 ** (digits / 3 + 0.1) * shortest
         return Nodes(first, last, int(np.ceil(0.8 * (digits + 1.5) * np.log(last / first))) + 2)
 
     @once
@@ -160,7 +163,7 @@ class ContourBody:
         def with_limit(values, limit):
             return np.concatenate([values, limit * np.eye(values.shape[1])[None]])
 
-        tables = self.plan.maps(degree, self.nodes.kappa)
+        tables = self.plan.maps(degree, self.nodes(degree).kappa)
         return {cls: (with_limit(outer, -1), with_limit(inner, 1)) for cls, (outer, inner) in tables.items()}
 
     @once
@@ -168,24 +171,24 @@ class ContourBody:
         """{class: the maps outside and inside for κ = 0, two (n, n)}"""
         return self.plan.laplace(degree)
 
-    def collapsed(self, rows, wavenumbers, norms, decays):
+    def collapsed(self, degree, rows, wavenumbers, norms, decays):
         """(r, r, c + 1) what each node of the table weighs in the sum over modes of ⟨·, Zₙ⟩⟨·, Zₙ⟩ N(kₙ) / norm"""
-        sums = collapsed(rows, decays, 1 / (norms * wavenumbers), self.nodes.weights(wavenumbers))
+        sums = collapsed(rows, decays, 1 / (norms * wavenumbers), self.nodes(degree).weights(wavenumbers))
         return self.profiles.products(sums)
 
     @once
-    def inner_weights(self):
+    def inner_weights(self, degree):
         gap = self.profiles.gap
         count = int(np.ceil(2 * self.accuracy.modes * max(1.0, gap.height / self.plan.scale)))
         inner = gap.inner_modes(count)
-        return self.collapsed(inner.rows, inner.wavenumbers, gap.height / 2, gap.inner_decays)
+        return self.collapsed(degree, inner.rows, inner.wavenumbers, gap.height / 2, gap.inner_decays)
 
     @once
     def beneath(self, cls, degree):
         """`System.beneath`"""
         rows = self.profiles.mean_rows
         mean = np.multiply.outer(rows, rows) / self.profiles.height
-        return combined(self.inner_weights(), self.maps(degree)[cls][1], mean, self.laplace(degree)[cls][1])
+        return combined(self.inner_weights(degree), self.maps(degree)[cls][1], mean, self.laplace(degree)[cls][1])
 
     def system(self, cls, degree, outside):
         return System(self.profiles, outside, self.beneath(cls, degree), self.unit(cls, degree))

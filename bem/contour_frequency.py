@@ -56,7 +56,7 @@ class ContourFrequency:
     @cached_property
     def outer_weights(self):
         m = self.modes
-        return self.body.collapsed(m.rows, m.wavenumbers, m.norms, self.body.profiles.gap.outer_decays)
+        return self.body.collapsed(self.degree, m.rows, m.wavenumbers, m.norms, self.body.profiles.gap.outer_decays)
 
     def system(self, cls, wave):
         rows = np.multiply.outer(self.wave_rows, self.wave_rows) / self.modes.wave_norm

@@ -39,7 +39,7 @@ def _fill(body, out, cls, shift, rows, single):
     gap, degree = body.profiles.gap, body.plan.degree(0.0, body.tolerance)
     count = gap.mode_count(0.0, body.accuracy.modes, body.plan.scale)
     wavenumbers = (np.arange(1, count + 1) + shift) * np.pi / body.depth
-    weights = body.collapsed(gap.outer_rows(wavenumbers), wavenumbers, body.depth / 2, gap.outer_decays)
+    weights = body.collapsed(degree, gap.outer_rows(wavenumbers), wavenumbers, body.depth / 2, gap.outer_decays)
     maps = body.maps(degree)[cls][0]
     system = body.system(cls, degree, combined(weights, maps, rows, single(maps.shape[1])))
     dofs = [d for d in range(6) if class_of(d, "xy") == cls]

@@ -76,7 +76,7 @@ def depth_sums(freq):
     modes = gap.outer_modes(freq.omega, MODES * len(freq.modes.wavenumbers), freq.gravity)
     z, w = _depths(gap.draft, 1 / modes.wavenumbers[-1], 1 / modes.k)
     (value, slope), (ends, _) = _on_side(modes, gap, z), _on_side(modes, gap, np.array([0.0, -gap.draft]))
-    spread, rows = _spread(body, modes), np.column_stack([modes.wave_rows[-2:], modes.rows[-2:]])
+    spread, rows = _spread(body, freq.degree, modes), np.column_stack([modes.wave_rows[-2:], modes.rows[-2:]])
     count, weights = len(modes.wavenumbers), extrapolation(CUTOFFS, POWERS)
     cuts = np.ones((len(CUTOFFS), count + 1))
     cuts[:, 1:] = smooth_cutoff(np.arange(1, count + 1) / (CUTOFFS[:, None] * count))
@@ -118,9 +118,9 @@ def _on_side(modes, gap, z):
     return value, np.column_stack([depth_factor_slope(z, k, h), -modes.wavenumbers * np.sin(turn)])
 
 
-def _spread(body, modes):
+def _spread(body, degree, modes):
     """(n + 1, a) from amplitudes of the wave and of every node of the table and row to fₙ"""
-    table = body.nodes.weights(modes.wavenumbers) / (modes.norms * modes.wavenumbers)[:, None]
+    table = body.nodes(degree).weights(modes.wavenumbers) / (modes.norms * modes.wavenumbers)[:, None]
     rows = body.profiles.combinations @ modes.rows
     out = np.zeros((len(table) + 1, 1 + table.shape[1] * len(rows)))
     out[0, 0] = 1

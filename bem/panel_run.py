@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from . import DOFS
-from .checks import estimate
+from .checks import at_least_haskind, estimate
 from .frequency import FrequencyRun
 from .green_tables import wave_table
 from .influence import assembled
@@ -44,12 +44,15 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def errors(self):
-        """`bem.checks.estimate` against the coarser mesh; None without one"""
+        """`bem.checks.estimate` against the coarser mesh, and Haskind of what radiates; None without one"""
         coarse = self.prepared.coarse
         if coarse is None:
             return None
         rough = coarse.run(self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked])
-        return estimate(self, rough, self.prepared.refinement)
+        radiation, excitation = estimate(self, rough, self.prepared.refinement)
+        if self.radiates and self.diffracts:
+            excitation = at_least_haskind(excitation, self.excitation, self.haskind, self.dofs)
+        return radiation, excitation
 
     def depth_values(self, z):
         """(q, 2) Z and Z′"""

@@ -20,6 +20,8 @@ from scipy.special import hankel1, ive, kve
 
 from .plan import CLASSES, Contour, WaveMap
 
+LOWEST = 3  # order that any velocity in the gap has
+
 
 @dataclass(frozen=True)
 class Circle:
@@ -48,7 +50,11 @@ class Circle:
 
     def degree(self, waves, tolerance):
         """Highest order that velocities in the gap need where `waves` rad/m of them get under the keel."""
-        return max(3, _last_order(waves * self.radius, tolerance))
+        return max(LOWEST, _last_order(waves * self.radius, tolerance))
+
+    def finest(self, degree):
+        """rad/m along the contour of the shortest waves that functions up to `degree` are made for"""
+        return (degree - LOWEST) / self.radius
 
     def contour(self, k, degree, tolerance):
         """`Contour` that resolves waves of `k` rad/m and functions up to `degree`; the quarter 0 < θ < π/2."""

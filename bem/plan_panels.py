@@ -115,7 +115,7 @@ def near_points(panels, x, y, own, far, count, smallest):
     own : node number of each target, −1 for a target that is none; far : as of `is_far`
     count : Gauss points per piece; smallest : m, pieces that end at the target are halved down to this length
     """
-    v, w = gauss_rule(count + 4)
+    v, w = gauss_rule(2 * count)
     rules = np.array(gauss_rule(count)), np.array([v**4, 4 * v**3 * w])
     panel = np.where(own < 0, -1, own // len(panels.t))
     t = np.where(own < 0, 0.0, panels.t[own % len(panels.t)])

@@ -25,6 +25,9 @@ from .plan import CLASSES, Contour, WaveMap
 from .plan_layers import Layers, decaying, laplace, layers, radiating
 from .plan_panels import Panels, gauss_rule, quarter_panels
 
+# nodes that a panel has more for κ = 0: the flow in a low gap makes much of the map's errors, and it is made once
+FURTHER = 3
+
 
 @dataclass(frozen=True)
 class Rectangle:
@@ -73,12 +76,18 @@ class Rectangle:
         """(end, side) highest polynomials; `waves` rad/m get under the keel.
 
         What happens near a corner extends over the shorter side; polynomials resolve a length δ at the end of a
-        side with a degree like δ^(−1/2).
+        side with a degree like δ^(−1/2).  The Legendre series of a wave turns from oscillation to decay at x = half
+        the side in radians, over a stretch like x^(1/3).
         """
         sides = np.array([self.beam, self.length])
         reach = np.sqrt(sides / sides.min())
-        need = 4 * np.ceil((waves * sides / 2 + 2 * self.extra * reach) / 4)
+        turns, digits = waves * sides / 2, -np.log10(tolerance)
+        need = 4 * np.ceil((turns + np.maximum(2 * self.extra * reach, (1 + digits / 2) * np.cbrt(turns))) / 4)
         return tuple(int(d) for d in need + 2 * self.further * np.ceil(reach))
+
+    def finest(self, degree):
+        """rad/m along the contour of the shortest waves that functions up to `degree` are made for"""
+        return max(2 * np.subtract(degree, self.degree(0.0, 1.0)) / (self.beam, self.length))
 
     def polynomial_contour(self, degree):
         """Gauss nodes that integrate products of polynomials of `degree` and of the rigid motions exactly."""
@@ -141,8 +150,9 @@ class Rectangle:
 
     def laplace(self, degree):
         """{class: the maps outside and inside for κ = 0, two (n, n)}, of zero mean where a constant is free"""
-        panels = self.panels(0.0, degree)
-        on = self.layers(panels, np.inf)
+        fine = replace(self, nodes=self.nodes + FURTHER, count=self.count + FURTHER)
+        panels = fine.panels(0.0, degree)
+        on = fine.layers(panels, np.inf)
         half, w, out = np.eye(len(on.weights)) / 2, on.weights / on.weights.sum(), {}
         for cls, S, D in zip(CLASSES, *on.matrices(laplace, CLASSES), strict=True):
             basis = self.basis(cls, degree, panels.contour)

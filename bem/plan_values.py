@@ -38,7 +38,7 @@ def plan_values(body, degree, k, contour):
 
 def _on_circle(body, degree, k, contour):
     plan, out = body.plan, {}
-    tables = plan.maps(degree, body.nodes.kappa)
+    tables = plan.maps(degree, body.nodes(degree).kappa)
     for cls in CLASSES:
         basis = plan.basis(cls, degree, contour)
         maps = [*(basis @ tables[cls][0]), -basis]
@@ -67,7 +67,7 @@ def _on_rectangle(body, degree, k, contour):
 def _tables(body, degree):
     """{class: (c, q, n) κN ψ at the nodes of the table's panels}, kept with the body"""
     if ("plan values", degree) not in body.kept:
-        plan, kappa = body.plan, body.nodes.kappa
+        plan, kappa = body.plan, body.nodes(degree).kappa
         panels = plan.panels(0.0, degree)
         on, half = plan.layers(panels, 3 / kappa[-1]), np.eye(len(panels.contour.x)) / 2
         bases = {cls: plan.basis(cls, degree, panels.contour) for cls in CLASSES}

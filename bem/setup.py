@@ -10,6 +10,7 @@ import numpy as np
 from .body import Body
 from .influence import Geometry
 from .limits import added_mass_limit
+from .modes import normal_velocities
 from .panel_run import PanelRun
 from .reduced_run import ReducedRun
 from .zero_draft import ZeroDraftRun, flattened, rigid_surface_limit
@@ -61,12 +62,16 @@ class Prepared:
 
         Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: a
         relative error of what they give says nothing.  A rotation counts if the mean square of its normal velocity
-        is two per cent of that of its arms.
+        is two per cent of that of its arms, both about the vertical axis through the middle of the hull's surface,
+        so that it does not matter where the mesh lies.
         """
-        e, n = self.geometry.elements, self.geometry.hull
-        w, (x, y, z) = e.weights[:n], (e.nodes[:n] - self.geometry.origin).T
+        g, n = self.geometry, self.geometry.hull
+        w, nodes = g.elements.weights[:n], g.elements.nodes[:n]
+        alone = np.mean(g.classes, axis=0)  # 0 along axes with a mirror image, where the middle lies on the plane
+        middle = g.origin + np.append(alone * (w @ (nodes - g.origin)[:, :2]) / w.sum(), 0.0)
+        modes, (x, y, z) = normal_velocities(nodes - middle, g.elements.normals[:n]), (nodes - middle).T
         arms = np.stack([np.ones(n)] * 3 + [y * y + z * z, z * z + x * x, x * x + y * y], axis=1)
-        share = (w @ self.modes**2) / (w @ arms)
+        share = (w @ modes**2) / (w @ arms)
         return share > np.array([1e-6] * 3 + [0.02] * 3)
 
     @cached_property

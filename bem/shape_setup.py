@@ -9,8 +9,10 @@ import numpy as np
 
 from . import DOFS
 from .body import Body
+from .checks import at_least_haskind
 from .frequency import FrequencyRun
 from .limits import with_net_flux
+from .raised_bed import SHARE, with_bed
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -19,7 +21,8 @@ class ShapeSetup(Body):
 
     method : contour, strip or inverse-strip; shape : box (length, beam, draft) or buoy (radius, draft)
     sizes : m, in that order; tolerance : relative error asked for
-    panels : `bem.setup.Setup` of the same body, for pressures on its panels; or None
+    panels : `bem.setup.Setup` of the same body, for pressures on its panels and limits over a raised bed; or None
+    bed : m, of `bem.raised_bed`, at most `depth`: the contour method works over it; None for the bed that there is
     """
 
     method: str
@@ -27,6 +30,7 @@ class ShapeSetup(Body):
     sizes: tuple
     tolerance: float = 1e-3
     panels: object = None
+    bed: float | None = None
 
     def prepared(self):
         """The work that depends on geometry only"""
@@ -44,9 +48,10 @@ class PreparedShape:
         """What solves a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
         s = self.setup
         if s.method == "contour":
-            from .contour import prepare_box, prepare_cylinder
+            from .contour import TOLERANCES, prepare_box, prepare_cylinder
 
-            return (prepare_box if s.shape == "box" else prepare_cylinder)(*s.sizes, s.depth, s.tolerance)
+            water = (s.depth, s.tolerance) if s.bed is None else (s.bed, max(SHARE * s.tolerance, TOLERANCES[0]))
+            return (prepare_box if s.shape == "box" else prepare_cylinder)(*s.sizes, *water)
         from .strips import Strips
 
         return Strips(*s.sizes, s.depth, s.tolerance, inverse=s.method == "inverse-strip")
@@ -74,7 +79,12 @@ class PreparedShape:
         return ShapeRun(self, *question)
 
     def added_mass_limit(self, which):
-        """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency"""
+        """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency
+
+        Not over a raised bed, where heave has another limit at zero, and no estimate tells what the bed does.
+        """
+        if self.setup.bed is not None:
+            return self.panels.added_mass_limit(which)
         T, about_origin = self.setup.transform, self.solver.added_mass_limit(which, self.setup.density)
         grows = np.isinf(about_origin[2, 2])
         finite = np.where(np.isinf(about_origin), 0.0, about_origin)
@@ -104,7 +114,7 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def errors(self):
-        """Of the contour method, against a finer body; None for strips, whose error is that of their idea"""
+        """Of the contour method, by a finer body and Haskind; None for strips, whose error is that of their idea"""
         if self.setup.method != "contour":
             return None
         ours, setup = self.first_order, self.setup
@@ -112,7 +122,8 @@ class ShapeRun(FrequencyRun):
             self.omega, self.waves, (), self.dofs, setup.density, setup.gravity
         )
         force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
-        return ours.radiation - fine.radiation, force - better
+        excitation = at_least_haskind(force - better, force, ours.haskind, self.dofs)
+        return with_bed(self, ours.radiation - fine.radiation, excitation)
 
     @property
     def radiation(self):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from bem.database_file import Header
 from bem.kochin import angles
+from bem.raised_bed import effect_of_bed
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
 from bem.waves import wavenumber
@@ -20,14 +21,14 @@ from meshing.quality import findings
 from meshing.shapes import box, buoy
 
 from .large import shared_band
-from .methods import METHODS
+from .methods import METHODS, bed_for_contour
 from .panel_counts import coarse_counts, fine_counts, meshed, sizes
 from .scene import SceneError
 from .scene_text import fixed_part, scene_hash, to_toml
 from .viscous_table import viscous_of
 
 MOST_PANELS = 20_000
-MOST_WAVES = 200  # along the body, without panels
+MOST_WAVES = {"box": 200, "buoy": 400}  # along the body, without panels; a box takes 30 s then, a buoy 10 s
 FOR_SHOW = 500  # panels where none is computed with
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 
@@ -67,13 +68,13 @@ def make_hull(scene, omegas):
 
 
 def _check_waves_across(scene, wave):
-    """Methods without panels know no other limit than the patience of their user: a hundred waves take a second."""
+    """Methods without panels know no other limit than the patience of their user and, from 400 waves on, his memory."""
     body = scene.body
     across = 2 * body.radius if body.shape == "buoy" else max(body.length, body.beam)
-    if across > MOST_WAVES * wave:
+    if across > MOST_WAVES[body.shape] * wave:
         raise SceneError(
             f"the shortest wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
-            f"{across / MOST_WAVES:.3g} m; leave out the highest frequencies"
+            f"{across / MOST_WAVES[body.shape]:.3g} m; leave out the highest frequencies"
         )
 
 
@@ -113,7 +114,7 @@ def inspected(hull, scene, omegas):
     wave = shortest_wave(scene, omegas)
     if not panels_matter(scene):
         _check_waves_across(scene, wave)
-        return hull
+        return replace(hull, remarks=tuple(_bed_remarks(scene)))
     found = _usable(scene, hull.mesh, hull.lid, wave)
     return Hull(hull.mesh, hull.lid, (*(f.text for f in found), *_lid_remarks(hull.lid, wave)))
 
@@ -167,7 +168,7 @@ def make_header(scene, hull, omegas):
         dimensions=scene.dimensions,
         scene=to_toml(scene),
         scene_hash=scene_hash(fixed_part(scene)),
-        attributes={"tolerance": scene.accuracy, "method": scene.chosen_method},
+        attributes={"tolerance": scene.accuracy, "method": scene.chosen_method, **_raised(scene)},
     )
 
 
@@ -185,11 +186,19 @@ def setup_of(header, scene):
     method = scene.chosen_method
     if METHODS[method].panels:
         return _panel_setup(header, scene, body)
-    sizes = tuple(scene.dimensions.values())
-    panels = _panel_setup(header, scene, body) if "pressure" in scene.names() else None
+    lengths = tuple(scene.dimensions.values())
+    bed = _bed_of(scene)
+    panels = None if bed is None else _limit_setup(scene, body)
+    if "pressure" in scene.names():
+        panels = _panel_setup(header, scene, body)
     return ShapeSetup(
-        method=method, shape=scene.body.shape, sizes=sizes, tolerance=scene.accuracy, panels=panels, **body
+        method=method, shape=scene.body.shape, sizes=lengths, tolerance=scene.accuracy, panels=panels, bed=bed, **body
     )
+
+
+def _limit_setup(scene, body):
+    """Panels for the limits of the frequency: without waves the tolerance alone tells how many"""
+    return Setup(meshed(scene.body, fine_counts(scene.body, scene.accuracy, math.inf)), **body)
 
 
 def _panel_setup(header, scene, body):
@@ -227,6 +236,26 @@ def _lid_remarks(lid, wave):
         yield (
             f"lid panels up to {largest:.3g} m are coarse for the shortest wave {wave:.3g} m; "
             f"good: ≤ {wave / 3:.3g} m (a third); --fresh makes them anew"
+        )
+
+
+def _bed_of(scene):
+    """m, of the bed that is raised for the contour method; None where none is"""
+    return bed_for_contour(scene) if scene.chosen_method == "contour" else None
+
+
+def _raised(scene):
+    """{"raised_bed": m} where it is above the bed that there is"""
+    bed = _bed_of(scene)
+    return {"raised_bed": bed} if bed is not None and bed < scene.water.depth else {}
+
+
+def _bed_remarks(scene):
+    for bed in _raised(scene).values():
+        effect = effect_of_bed(scene.body.shape, tuple(scene.dimensions.values()), bed)
+        yield (
+            f"waves too short to feel a bed at {bed:.4g} m: the contour method works over one, whose effect, at most "
+            f"{100 * effect:.2g} %, is in the estimated errors; added mass at the limits is by panels"
         )
 
 

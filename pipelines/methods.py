@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from bem.raised_bed import raised_bed
 from bem.schema import LIMITS, QUANTITIES
+from bem.waves import wavenumber
 
 FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force")
 
@@ -36,13 +38,23 @@ def chosen(scene):
     """Name of the method; `auto` takes contour where it can represent the scene and no panels are asked for.
 
     Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
-    a bed far below the keel it loses digits.
+    a bed far below the keel it loses digits, unless waves are so short that the bed can be raised (`bed_for_contour`).
     """
     if scene.method != "auto":
         return scene.method
-    if scene.panels is not None or _obstacles(scene, METHODS["contour"]) or _relative_gap(scene) > DEEPEST_GAP:
+    if scene.panels is not None or _obstacles(scene, METHODS["contour"]):
         return "panel"
-    return "contour"
+    return "contour" if _relative_gap(scene) <= DEEPEST_GAP or bed_for_contour(scene) is not None else "panel"
+
+
+def bed_for_contour(scene):
+    """m, the bed over which contour answers a scene of short waves alone in deep water (`bem.raised_bed`), or None"""
+    body, water = scene.body, scene.water
+    if body.shape == "mesh" or _relative_gap(scene) <= DEEPEST_GAP:
+        return None
+    longest = wavenumber(scene.omegas()[0], water.depth, water.gravity)
+    bed = raised_bed(body.shape, tuple(scene.dimensions.values()), scene.accuracy, float(longest))
+    return None if bed is None else min(bed, water.depth)
 
 
 def names_given(scene, names, named):
@@ -100,7 +112,7 @@ def _obstacles(scene, method):
     out = []
     if scene.body.shape not in method.shapes:
         out.append(f"cannot represent a body of shape {scene.body.shape!r}")
-    elif math.isfinite(method.highest_gap):
+    elif math.isfinite(method.highest_gap) and bed_for_contour(scene) is None:
         if math.isinf(scene.water.depth):
             out.append("needs a finite water depth")
         elif _relative_gap(scene) > method.highest_gap:

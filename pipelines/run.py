@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+import msgspec
 import numpy as np
 
 from bem.database import append, append_limit, create, extend, open_database, pending, writing
@@ -19,6 +20,7 @@ from .adaptive import filled_band
 from .hull import Hull, inspected, kochin_angles, make_header, make_hull, remarks_on_body, setup_of
 from .interrupt import ctrl_c
 from .large import announced
+from .methods import check_method
 from .progress import Progress
 from .scene import SceneError, make_scene
 from .scene_text import difference, fixed_part, scene_hash, to_toml
@@ -64,9 +66,10 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
     if output.exists() and not fresh:
         header = open_database(output).header
         _check_same(scene, header, output)
+        text, scene = to_toml(scene), _by_the_same_method(scene, header, output)
         _check_angles(scene, header, output)
         hull = inspected(Hull(header.mesh, header.lid), scene, omegas)
-        extend(output, omega=omegas, wave_direction=headings, names=names, scene=to_toml(scene))
+        extend(output, omega=omegas, wave_direction=headings, names=names, scene=text)
         if pending(output).rows:
             announced(setup_of(header, scene), len(pending(output).limits), console, count)
     else:
@@ -90,6 +93,21 @@ def _check_same(scene, header, output):
     with suppress(SceneError, OSError):
         what = difference(fixed_part(make_scene(tomllib.loads(header.scene))), fixed) or what
     raise SceneError(f"{output} is of another scene: {what}; give --fresh to replace it or another --output")
+
+
+def _by_the_same_method(scene, header, output):
+    """The scene with the method of its first frequencies, where it leaves the choice.  Raises SceneError."""
+    if scene.method != "auto":
+        return scene
+    same = msgspec.structs.replace(scene, method=header.attributes["method"])
+    try:
+        check_method(same)
+    except ValueError as error:
+        raise SceneError(
+            f"{output} is by method {same.method} so far, and {str(error).partition(';')[0]}; "
+            "give --fresh to replace it or another --output"
+        ) from None
+    return same
 
 
 def _check_angles(scene, header, output):

@@ -74,3 +74,25 @@ def test_the_difference_from_a_finer_body_is_the_error_within_a_factor_of_three(
         size = np.sqrt(np.abs(np.diag(right)))
         error, seen = (np.max(np.abs(ours - Z) / np.outer(size, size)) for Z in (right, finer))
         assert error < tolerance and error / 3 < seen < 3 * error, (error, seen)
+
+
+@pytest.mark.parametrize(
+    "dimensions, omega",
+    [((723.0, 234.0, 4.68, 5.67), 1.448), ((1021.4, 97.2, 7.0, 61.96), 1.18)],  # gaps of a fifth and of eight drafts
+)
+def test_forty_waves_along_a_body_are_within_its_tolerance(dimensions, omega):
+    """Waves of kd = 1, which reach the gap; against a body of three digits more"""
+    headings = np.radians([-131.0, -64.0])
+    ours, fine = (prepare_box(*dimensions, tolerance=t).first_order(omega, headings) for t in (1e-2, 1e-5))
+    size = np.sqrt(np.abs(np.diag(fine.radiation)))
+    force, exact = (r.froude_krylov + r.diffraction for r in (ours, fine))
+    largest = np.maximum(np.abs(exact).max(axis=0), np.repeat([0.2, 0.0], 3) * np.abs(exact[:, :3]).max())
+    assert np.max(np.abs(ours.radiation - fine.radiation) / np.outer(size, size)) < 1e-2
+    assert np.max(np.abs(force - exact) / largest) < 1e-2
+
+
+def test_the_limit_of_a_map_lies_beyond_all_waves_along_the_wall():
+    body = prepare_box(400, 50, 10, 20)
+    low, high = body.plan.degree(0.0, body.tolerance), body.plan.degree(0.5, body.tolerance)
+    assert body.plan.finest(low) == 0 and body.plan.finest(high) >= 0.5
+    assert body.nodes(high).last > body.nodes(low).last

@@ -9,9 +9,13 @@ from bench.tolerance import NEGLIGIBLE, RANGES, Ranges, campaign, right
 from scipy.stats import binom
 
 from bem import DOFS
+from bem.checks import at_least_haskind
 from bem.contour_accuracy import accuracy, finer
 from bem.frequency import solve_frequency
+from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
+from meshing.lid import lid
+from meshing.shapes import box, buoy
 
 EVERYTHING = {"added_mass", "radiation_damping", "excitation_force"}
 CAMPAIGNS = {
@@ -69,6 +73,47 @@ def test_errors_of_coefficients_are_absolute_and_about_the_rotation_centre():
     force = run.errors[1][0]
     assert below["excitation_force"][0, 4] == pytest.approx(abs(force[4] + arm * force[0]), rel=1e-6)
     assert below["excitation_force"][0, 4] != pytest.approx(here["excitation_force"][0, 4], rel=1e-2)
+
+
+def panels():
+    meshes = (box(100.0, 50.0, 10.0, panels=n) for n in (120, 60))
+    (mesh, cover), coarse = ((m, lid(m)) for m in meshes)
+    return Setup(mesh, cover, coarse=coarse, depth=20.0).prepared()
+
+
+@pytest.mark.parametrize("prepared, solved", [(body, True), (panels, False)])
+def test_the_error_of_excitation_is_no_less_than_that_between_two_ways_to_it(prepared, solved):
+    """Haskind's way is free where radiation is solved: for the wanted motions, with the contour method always"""
+    prepared = prepared()
+    for want, dofs, known in (
+        (EVERYTHING, DOFS, True),
+        (EVERYTHING, ("Heave",), True),
+        ({"excitation_force"}, DOFS, solved),
+    ):
+        run = prepared.run(0.9, [0.4, 1.3], want, None, dofs)
+        error = np.abs(run.errors[1])
+        if known:
+            gap = np.abs(run.haskind - run.excitation)
+            assert np.all(error[:, run.dofs] >= gap[:, run.dofs] * (1 - 1e-12))
+    everything, alone = (prepared.run(0.9, [0.4], w, None, DOFS).errors[1] for w in (EVERYTHING, {"excitation_force"}))
+    assert np.all(np.abs(alone) <= np.abs(everything) * (1 + 1e-9))
+
+
+def test_two_ways_to_the_excitation_raise_an_error_but_never_lower_it():
+    error, force = np.array([[3.0, 1.0, 1.0j]]), np.array([[5.0, 5.0j, 9.0]])
+    raised = at_least_haskind(error, force, np.array([[4.0, 2.0j, 0.0]]), [0, 1])
+    np.testing.assert_array_equal(raised, [[3.0, 3.0j, 1.0j]])
+
+
+def test_what_moves_water_does_not_depend_on_where_the_mesh_lies():
+    length = 3452.5
+    mesh = box(length, 261.6, 5.12, panels=200)
+    here, there = (Setup(m, depth=20.0).prepared().displacing for m in (mesh, mesh.moved(dx=length / 2, dy=80.0)))
+    np.testing.assert_array_equal(here, there)
+    assert here[5]
+    pile = buoy(5.0, 5.0, panels=400)
+    for m in (pile, pile.whole().moved(dx=40.0)):
+        np.testing.assert_array_equal(Setup(m, depth=20.0).prepared().displacing, [True] * 5 + [False])
 
 
 def test_errors_are_given_for_what_is_wanted_only():

@@ -96,7 +96,7 @@ def test_laws_hold_for_boxes(dimensions):
     body = prepare_box(*dimensions, tolerance=1e-6)
     for omega in (0.1, 0.5, 1.0):
         defects = Solved(body, omega).defects()
-        assert max(defects.values()) < 1e-7, defects  # they hold as far as the maps of the plan are right
+        assert max(defects.values()) < 1e-8, defects  # they hold as far as the maps of the plan are right
 
 
 def test_exciting_force_is_the_radiated_wave_by_haskind():

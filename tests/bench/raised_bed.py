@@ -1,0 +1,96 @@
+"""The contour method over a raised bed beside beds four times as deep and the panel method in endless depth.
+
+    python tests/bench/raised_bed.py [panels]
+
+Waves from the longest that `bem.raised_bed` takes to ten times shorter; tolerance 1 %.  Columns: differences of
+A + iB/ω and of the excitation (`bem.checks`) from the deeper bed at a tenth of the tolerance, the stored estimate and
+the bed's part of it, the same differences from so many panels (0: none) and their estimate, seconds of the two.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+sys.path[:0] = [str(Path(__file__).parents[2])]
+
+import numpy as np
+
+import bem.contour
+from bem import DOFS
+from bem.checks import excitation_scale, radiation_scale
+from bem.raised_bed import effect_of_bed, raised_bed
+from bem.setup import Setup
+from bem.shape_setup import ShapeSetup
+from meshing.lid import lid
+from meshing.shapes import box, buoy
+
+BODIES = [
+    (100, 1), (100, 5), (40, 10), (10, 10), (10, 20), (10, 50), (10, 100),
+    (40, 40, 2), (40, 40, 10), (100, 40, 12), (100, 50, 1), (300, 60, 20), (100, 10, 1), (200, 20, 10), (400, 20, 5),
+    (1000, 50, 1), (200, 40, 40), (20, 2, 2), (20, 2, 10), (1.04, 0.745, 3.73),
+]  # fmt: skip
+GRAVITY, TOLERANCE, MOST_WAVES = 9.80665, 0.01, 30
+WANT, HEADINGS = {"added_mass", "radiation_damping", "excitation_force"}, np.radians([0.0, 30.0, 77.0])
+
+
+bem.contour.HIGHEST_GAP = np.inf  # for the deeper beds
+
+
+def contour(shape, sizes, bed, tolerance=TOLERANCE, depth=np.inf):
+    return ShapeSetup(method="contour", shape=shape, sizes=sizes, tolerance=tolerance, depth=depth, bed=bed)
+
+
+def panels(shape, sizes, count):
+    make = box if shape == "box" else buoy
+    mesh, rough = (make(*sizes, panels=n) for n in (count, count // 2))
+    return Setup(mesh, lid(mesh), (rough, lid(rough)))
+
+
+def solved(setup, k, estimated=True):
+    """The run at k rad/m, and seconds"""
+    start = time.perf_counter()
+    run = setup.prepared().run(np.sqrt(GRAVITY * k), HEADINGS, WANT, None, DOFS)
+    _ = run.estimated_error() if estimated else run.radiation
+    return run, time.perf_counter() - start
+
+
+def difference(one, other):
+    radiation = np.abs(one.radiation - other.radiation) / radiation_scale(other)
+    return radiation.max(), (np.abs(one.excitation - other.excitation) / excitation_scale(other)).max()
+
+
+def longest_wave(shape, sizes):
+    """Smallest k that is answered over a bed, rad/m, to a per cent"""
+    k = 2 * np.pi / (max(sizes[:-1]) * (1 if shape == "box" else 2))
+    while raised_bed(shape, sizes, TOLERANCE, k) is None:
+        k *= 1.01
+    return k
+
+
+def main(count):
+    print("| body | waves | kd | A + iB/ω | excitation | estimate | bed | panels: A + iB/ω, X | estimate | s | s |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
+    for sizes in BODIES:
+        shape = "box" if len(sizes) == 3 else "buoy"
+        across, k0 = max(sizes[:-1]) * (1 if shape == "box" else 2), longest_wave(shape, sizes)
+        for k in (k0, 3 * k0, 10 * k0):
+            if k * across > 2 * np.pi * MOST_WAVES:
+                continue
+            bed = raised_bed(shape, sizes, TOLERANCE, k)
+            ours, seconds = solved(contour(shape, sizes, bed), k)
+            deep, _ = solved(contour(shape, sizes, sizes[-1] + 4 * (bed - sizes[-1]), TOLERANCE / 10), k, False)
+            row = [*difference(ours, deep), ours.estimated_error(), effect_of_bed(shape, sizes, bed)]
+            cells = [f"{v:.1e}" for v in row]
+            if count and k == k0:
+                other, slow = solved(panels(shape, sizes, count), k)
+                z, x = difference(ours, other)
+                cells += [f"{z:.1e}, {x:.1e}", f"{other.estimated_error():.1e}", f"{seconds:.2f}", f"{slow:.1f}"]
+            else:
+                cells += ["", "", f"{seconds:.2f}", ""]
+            name = " × ".join(map(str, sizes))
+            phase = k * sizes[-1]
+            print(f"| {name} | {k * across / 2 / np.pi:.1f} | {phase:.2g} | " + " | ".join(cells) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 0)
