@@ -12,9 +12,10 @@ from .green_tables import wave_table
 from .panel_run import PanelRun
 from .threads import blas_threads
 from .wave_blocks import Sources, wave_blocks
-from .wave_space import acting
+from .wave_space import FEW, acting
 
-ALLOWED = 30  # times the accuracy of the space, at single nodes
+# times the accuracy of the space, at a node of mean size: what a row may lose in the L² norm of `bem.wave_space`
+ALLOWED = FEW**0.5
 MOST_IN_FULL = 5000  # nodes of the hull
 
 
@@ -44,13 +45,16 @@ class ReducedRun(PanelRun):
         self._timed("assemble", start)
         start = time.perf_counter()
         out, self._residual, lost = {}, 0.0, 0.0
+        areas = g.elements.weights[: g.hull]
+        sizes = np.sqrt(areas[space.witnesses] / areas.mean())
         for cls in self.columns:
             i = g.classes.index(cls)
             part, given = reduced.classes[cls], self.given(cls, space.crests)
             flow = solved(part, acting(S[i], D[i], hull, table.K), S[i, :, :hull], table.K, given)
             whole = acting(s_all[i], d_all[i], g.hull, table.K) @ flow.potentials
             whole -= s_all[i, :, : g.hull] @ self.velocities(cls).T
-            lost = max(lost, shortfall(whole, space.X[space.witnesses] @ flow.wave, flow.potentials))
+            missing = (whole - space.X[space.witnesses] @ flow.wave) * sizes[:, None]
+            lost = max(lost, shortfall(missing, flow.potentials))
             self._residual = max(self._residual, flow.residual)
             out[cls] = self.on_hull(flow.potentials, None)
         self._timed("solve", start)
@@ -91,10 +95,10 @@ class Flow(NamedTuple):
     residual: float
 
 
-def shortfall(whole, interpolated, potentials):
-    """Largest part of the waves at the witnesses that few nodes miss, relative to 2πφ"""
+def shortfall(missing, potentials):
+    """Largest part of the waves that few nodes miss, relative to 2πφ"""
     size = 2 * np.pi * np.abs(potentials).max(axis=0)
-    return float((np.abs(whole - interpolated).max(axis=0) / size).max())
+    return float((np.abs(missing).max(axis=0) / size).max())
 
 
 def solved(part, W, S, K, given):

@@ -14,7 +14,7 @@ from bem.contour import prepare_box, prepare_cylinder
         ((100, 50, -1, 20), "draft is -1 m"),
         ((100, 50, 10, 10), "depth is 10 m; allowed: above the draft"),
         ((100, 50, 10, np.inf), "panel method"),
-        ((100, 50, 10, 1200), "allowed: up to 1010 m"),
+        ((100, 50, 10, 15000), "allowed: up to 14010 m"),
         ((100, 50, 10, 20, 1e-9), "tolerance is 1e-09; allowed"),
     ],
 )
