@@ -121,9 +121,7 @@ def test_a_space_too_small_is_noticed_and_all_nodes_are_taken(monkeypatch):
 
 
 def test_the_same_band_gives_the_same_bits():
-    prepared = body("buoy")
-    first, _ = both(prepared, 0.7)
-    prepared.__dict__["reduced"] = reduced(prepared.geometry, BAND, 9.80665, prepared.reduced.accuracy)
-    second, _ = both(prepared, 0.7)
+    first, _ = both(body.__wrapped__("buoy"), 0.7)
+    second, _ = both(body.__wrapped__("buoy"), 0.7)
     for name in WANT:
         np.testing.assert_array_equal(first[name], second[name])
