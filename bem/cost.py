@@ -9,7 +9,8 @@ import numpy as np
 
 from .green_tables import wave_table
 from .wave_blocks import Sources, wave_blocks
-from .wave_space import Cases, depth_values
+from .wave_space import Cases
+from .waves import depth_values
 
 TRIALS, TRIAL_ROWS, TRIAL_SIZE = 3, 16, 1500
 OTHER = 400e6  # bytes of the interpreter, its libraries and tables

@@ -14,7 +14,7 @@ from .green_tables import wave_table
 from .influence import assembled
 from .kochin import far_field_integrals
 from .threads import blas_threads
-from .waves import depth_factor, depth_factor_slope, incident_wave
+from .waves import depth_values, incident_wave
 
 
 class PanelRun(FrequencyRun):
@@ -54,10 +54,10 @@ class PanelRun(FrequencyRun):
             excitation = at_least_haskind(excitation, self.excitation, self.haskind, self.dofs)
         return radiation, excitation
 
-    def depth_values(self, z):
-        """(q, 2) Z and Z′"""
-        h = self.setup.depth
-        return np.stack([depth_factor(z, self.k, h), depth_factor_slope(z, self.k, h)], axis=-1)
+    @property
+    def depth_values(self):
+        """`bem.waves.depth_values` of this frequency"""
+        return depth_values(self.k, self.setup.depth)
 
     @cached_property
     def hull(self):

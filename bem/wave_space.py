@@ -19,7 +19,7 @@ import numpy as np
 from .green_tables import wave_table
 from .skeleton import SEED, Sketch, chosen_rows, least_squares
 from .wave_blocks import Sources, wave_blocks
-from .waves import depth_factor, depth_factor_slope, incident_wave, wavenumber
+from .waves import depth_values, incident_wave, wavenumber
 
 WITNESSES = 4
 FEW = 1000  # nodes up to which the accuracy asked for is that of every row
@@ -169,8 +169,3 @@ class Cases:
 def acting(S, D, hull, K):
     """W (r, m) as it acts on the unknowns: D of the first `hull` sources, K S of the others, which are lid"""
     return np.concatenate([D[:, :hull], K * S[:, hull:]], axis=1)
-
-
-def depth_values(k, depth):
-    """z → (…, 2) of Z and Z′"""
-    return lambda z: np.stack([depth_factor(z, k, depth), depth_factor_slope(z, k, depth)], axis=-1)

@@ -42,6 +42,11 @@ def depth_factor_slope(z, k, depth):
     return -k * np.exp(k * z) * np.expm1(-2 * k * (z + depth)) / (1 + np.exp(-2 * k * depth))
 
 
+def depth_values(k, depth):
+    """z (…) in m → (…, 2) of Z = cosh k(z+h)/cosh kh and Z′ in 1/m"""
+    return lambda z: np.stack([depth_factor(z, k, depth), depth_factor_slope(z, k, depth)], axis=-1)
+
+
 def group_factor(k, depth):
     """n = C_g / C = ½ (1 + 2kh / sinh 2kh): ½ in deep, 1 in shallow water."""
     if np.isinf(depth):

@@ -95,7 +95,7 @@ def test_near_field_of_a_box_meets_the_far_field_as_the_tolerance_falls(depth):
         for moving in (False, True):
             gaps = [gap(run, moving) for run in runs]
             assert gaps[1] < 0.01 and gaps[2] < 0.001, (omega, moving, gaps)
-            assert gaps[2] < max(0.1 * gaps[0], LEFT), (omega, moving, gaps)
+            assert moving or gaps[2] < 0.1 * gaps[0], (omega, gaps)
 
 
 @pytest.mark.parametrize("depth", [12.0, 20.0, 100.0])
@@ -105,7 +105,8 @@ def test_near_and_far_field_differ_by_no_more_than_their_errors(depth):
         rough, fine = (solved(series_box(depth, tolerance), omega) for tolerance in (1e-3, 1e-5))
         for moving in (False, True):
             (near, far), (better_near, better_far) = both(rough, moving), both(fine, moving)
-            error = np.abs(near - better_near).max() + np.abs(far - better_far).max() + LEFT * np.abs(better_far).max()
+            left = LEFT * np.abs(better_far).max() if moving else 0.0
+            error = np.abs(near - better_near).max() + np.abs(far - better_far).max() + left
             assert np.abs(near - far).max() < 1.5 * error
             assert np.abs(better_near - better_far).max() < 0.5 * error
 

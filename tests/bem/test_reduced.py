@@ -26,13 +26,14 @@ def body(name, band=BAND):
         "box in 20 m": (lambda: box(100, 50, 10, panels=104), {"depth": 20.0}),
         "box over a small gap": (lambda: box(100, 50, 10, panels=104), {"depth": 10.5}),
         "box in deep water": (lambda: box(100, 50, 10, panels=104), {"depth": np.inf}),
+        "box without lid": (lambda: box(100, 50, 10, panels=104), {"depth": 20.0}),
         "buoy": (lambda: buoy(10, 10, panels=96), {"depth": 30.0}),
         "box beside a wall": (lambda: box(100, 50, 10, panels=104), {"depth": 20.0, "wall": -40.0}),
         "turned box": (lambda: box(60, 30, 8, panels=100).whole().rotated(0.4).moved(3, 2, 0), {"depth": 25.0}),
     }
     make, options = shapes[name]
     mesh = make()
-    return prepare(Setup(mesh, lid(mesh), band=band, **options))
+    return prepare(Setup(mesh, None if name == "box without lid" else lid(mesh), band=band, **options))
 
 
 def both(prepared, omega, want=WANT, dofs=DOFS):
@@ -66,7 +67,16 @@ def drift_difference(one, other, width):
 
 @pytest.mark.parametrize("omega", [0.2, 0.63, 1.1])
 @pytest.mark.parametrize(
-    "name", ["box in 20 m", "box over a small gap", "box in deep water", "buoy", "box beside a wall", "turned box"]
+    "name",
+    [
+        "box in 20 m",
+        "box without lid",
+        "box over a small gap",
+        "box in deep water",
+        "buoy",
+        "box beside a wall",
+        "turned box",
+    ],
 )
 def test_few_nodes_give_what_all_nodes_give(name, omega):
     prepared = body(name)

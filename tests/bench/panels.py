@@ -22,8 +22,7 @@ from bem.panel_run import PanelRun
 from bem.reduced_run import ReducedRun
 from bem.setup import Setup, prepare
 from bem.wave_blocks import Sources, wave_blocks
-from bem.wave_space import depth_values
-from bem.waves import wavenumber
+from bem.waves import depth_values, wavenumber
 from meshing.lid import lid
 from meshing.shapes import box
 
