@@ -23,6 +23,7 @@ import numpy as np
 from numba import prange
 
 from .elements import elements, quadrature
+from .irregular import extent, lid_needed_from
 from .jit import kernel
 from .modes import class_of, normal_velocities
 from .rankine import panel_moments
@@ -42,6 +43,7 @@ class Geometry:
     """
 
     def __init__(self, mesh, lid, depth, per_panel=4, wall=None):
+        self.given, self.larger = (mesh, lid, depth, per_panel, wall), None
         self.wall, self.depth = wall, depth
         self.origin = np.array([0.0, 0.0 if wall is None else -wall, 0.0])
         if wall is not None:
@@ -60,20 +62,34 @@ class Geometry:
         self.copies = len(self.images) // (1 if wall is None else 2)
 
     @cached_property
+    def without_lid(self):
+        """The same without the lid, for low frequencies and limits"""
+        mesh, lid, *others = self.given
+        if lid is None:
+            return self
+        out = Geometry(mesh, None, *others)
+        out.larger = self
+        return out
+
+    def at(self, K):
+        """What is needed at K = ω²/g in 1/m: the lid only where irregular frequencies may be near"""
+        return self if self.lid_from < K else self.without_lid
+
+    @cached_property
+    def lid_from(self):
+        """K in 1/m from which the lid is needed, `bem.irregular`; infinite where there is none"""
+        mesh, lid, *_ = self.given
+        return np.inf if lid is None else lid_needed_from(mesh)
+
+    @cached_property
     def reach(self):
         """m, largest horizontal distance between two points of the whole hull"""
-        xy = self.panels.points[:, :2]
-        low, high = xy.min(axis=0), xy.max(axis=0)
-        for axis in range(2):
-            if "xy"[axis] in self.mesh.symmetry:
-                high[axis] = max(high[axis], -low[axis])
-                low[axis] = -high[axis]
-        return float(np.hypot(*(high - low)))
+        return float(np.hypot(*extent(self.mesh)))
 
     @cached_property
     def radius(self):
         """m, largest distance of the hull from the vertical axis through the origin"""
-        return float(np.hypot(*(self.panels.points - self.origin)[:, :2].T).max())
+        return float(np.hypot(*(self.mesh.points - self.origin)[:, :2].T).max())
 
     @property
     def modes(self):
@@ -103,6 +119,8 @@ class Geometry:
     @cached_property
     def rankine(self):
         """`rankine_rows` at all nodes"""
+        if self.larger is not None:
+            return tuple(a[:, : self.hull, : self.hull] for a in self.larger.rankine)
         return self.rankine_rows(self.elements.nodes)
 
 

@@ -21,16 +21,15 @@ def added_mass_limit(prepared, which):
     """
     if which not in ("zero", "infinity"):
         raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
-    with blas_threads(len(prepared.geometry.elements.nodes)):
+    with blas_threads(prepared.geometry.hull):
         return _limit(prepared, which)
 
 
 def _limit(prepared, which):
     from scipy.linalg import solve
 
-    g, setup = prepared.geometry, prepared.setup
+    g, setup = prepared.geometry.without_lid, prepared.setup  # without waves it is not needed
     velocities = [g.modes[:, g.members(c)] for c in g.classes]
-    # without waves the lid is not needed
     table = limit_table(which, setup.depth, g.reach, g.mesh.draft)
     matrices, sides = _equations(g, 1.0 if which == "zero" else -1.0, table, velocities)
     potentials = []

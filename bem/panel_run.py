@@ -24,7 +24,7 @@ class PanelRun(FrequencyRun):
         super().__init__(prepared, omega, headings, want, theta, dofs)
         if self.far_field and prepared.setup.wall is not None:
             raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
-        self.geometry = prepared.geometry
+        self.geometry = prepared.geometry.at(self.omega**2 / prepared.setup.gravity)
         self.whole_field = "pressure" in self.want
 
     @property

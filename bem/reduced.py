@@ -35,7 +35,7 @@ class ReducedClass(NamedTuple):
 class Reduced(NamedTuple):
     """The space of a band of frequencies, and what each symmetry class makes of it."""
 
-    band: tuple
+    geometry: object  # with or without lid
     accuracy: float
     space: object  # `WaveSpace`
     classes: dict  # {class: ReducedClass}
@@ -47,13 +47,32 @@ def sufficient_accuracy(panels):
 
 
 def reduced(geometry, band, gravity, accuracy):
-    """`Reduced` equations of a `bem.influence.Geometry` for frequencies band = (low, high) rad/s."""
-    space = wave_space(geometry, band, gravity, accuracy)
-    matrices, on_lid, sides = _exact(geometry, space.velocities)
-    classes = {}
+    """`Reduced` equations of a `bem.influence.Geometry` for frequencies band = (low, high) rad/s.
+
+    returns : one, or two of the frequencies without and with the lid, which share the exact part
+    """
+    parts = parted(geometry, band, gravity)
+    spaces = [wave_space(g, part, gravity, accuracy) for g, part in parts]
+    out = [Reduced(g, accuracy, space, {}) for (g, _), space in zip(parts, spaces, strict=True)]
+    velocities = [np.concatenate(v, axis=1) for v in zip(*(s.velocities for s in spaces), strict=True)]
+    matrices, on_lid, sides = _exact(parts[-1][0], velocities)
     for i, cls in enumerate(geometry.classes):
-        classes[cls] = _reduced_class(matrices.pop(0), on_lid[i], sides[i], space, space.M[i])
-    return Reduced(tuple(band), accuracy, space, classes)
+        factors = _factored(matrices.pop(0))
+        before = 0
+        for part in out:
+            count = part.space.velocities[i].shape[1]
+            mine = np.r_[before : before + count, velocities[i].shape[1] : sides[i].shape[1]]
+            part.classes[cls] = _reduced_class(factors, on_lid[i], sides[i][:, mine], part, i)
+            before += count
+    return tuple(out)
+
+
+def parted(geometry, band, gravity):
+    """[(geometry without lid, frequencies below those that need one), (geometry, the others)], without empty parts"""
+    low, high = band
+    border = float(np.sqrt(geometry.lid_from * gravity))
+    lower, upper = (geometry.without_lid, (low, min(high, border))), (geometry, (max(low, border), high))
+    return [part for part, there in ((lower, low <= border), (upper, border < high)) if there]
 
 
 def _exact(geometry, velocities):
@@ -78,14 +97,21 @@ def _exact(geometry, velocities):
     return matrices, on_lid, sides
 
 
-def _reduced_class(matrix, on_lid, sides, space, M):
-    from scipy.linalg import lu_factor, lu_solve
+def _factored(matrix):
+    from scipy.linalg import lu_factor
 
-    n = len(matrix)
     # LAPACK wants columns: the transposed view is factored in place and solved transposed
-    factors = lu_factor(matrix.T, overwrite_a=True, check_finite=False)
-    known = np.concatenate([space.X, sides], axis=1)
+    return lu_factor(matrix.T, overwrite_a=True, check_finite=False)
+
+
+def _reduced_class(factors, on_lid, sides, reduced, i):
+    """`ReducedClass` number i of a `Reduced`; on_lid and sides as of `_exact`, of the larger geometry"""
+    from scipy.linalg import lu_solve
+
+    space, n = reduced.space, reduced.geometry.hull
+    lid = len(reduced.geometry.elements.nodes) - n
+    columns = sides.shape[1] - (len(on_lid) - lid)
+    known = np.concatenate([space.X, sides[: n + lid, :columns]], axis=1)
     response = np.ascontiguousarray(lu_solve(factors, known[:n], trans=1, check_finite=False))
-    return ReducedClass(
-        response, space.Y[:, :n] @ response, on_lid @ response + known[n:], np.ascontiguousarray(space.Y[:, n:]), M
-    )
+    lid_rows = on_lid[:lid] @ response + known[n:]
+    return ReducedClass(response, space.Y[:, :n] @ response, lid_rows, np.ascontiguousarray(space.Y[:, n:]), space.M[i])

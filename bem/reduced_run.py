@@ -22,19 +22,24 @@ MOST_IN_FULL = 5000  # nodes of the hull
 class ReducedRun(PanelRun):
     """As `PanelRun`, at a cost that hardly grows with the number of panels."""
 
+    @property
+    def reduced(self):
+        """`bem.reduced.Reduced` of this frequency's part of the band"""
+        return next(part for part in self.prepared.reduced if part.geometry is self.geometry)
+
     @cached_property
     def potentials(self):
         """{class: potentials (columns, n) on the hull}"""
         start = time.perf_counter()
         with blas_threads(len(self.geometry.elements.nodes)):
-            space = self.prepared.reduced.space
+            space = self.reduced.space
         self._timed("reduction", start)
         with blas_threads(len(space.points)):
             return self._solved()
 
     def _solved(self):
         start = time.perf_counter()
-        reduced = self.prepared.reduced
+        reduced = self.reduced
         g, space = self.geometry, reduced.space
         table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.mesh.draft)
         self._timed("table", start)
@@ -72,7 +77,7 @@ class ReducedRun(PanelRun):
         if self.geometry.hull > MOST_IN_FULL:
             raise FloatingPointError(
                 f"ω = {self.omega:.6g} rad/s: {lost:.1e} of the waves is lost between few nodes; allowed: "
-                f"{ALLOWED * self.prepared.reduced.accuracy:.1e}; ask for a narrower band or fewer panels"
+                f"{ALLOWED * self.reduced.accuracy:.1e}; ask for a narrower band or fewer panels"
             )
         return super()._solved()
 

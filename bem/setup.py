@@ -76,7 +76,7 @@ class Prepared:
 
     @cached_property
     def reduced(self):
-        """`bem.reduced.Reduced` equations of the setup's band"""
+        """`bem.reduced.Reduced` equations of the setup's band, of its lower part without lid first"""
         from .reduced import reduced, sufficient_accuracy
 
         setup = self.setup

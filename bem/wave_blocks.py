@@ -62,77 +62,90 @@ def _blocks(
     c, p = len(signs), shape.shape[2]
     S, D = np.zeros((2, c, len(at), len(corners)), np.complex128)
     for i in prange(len(at)):
-        work = np.empty((4, c))
+        layout = layout_of(table)
+        work, near = np.empty((4, c)), np.empty(len(images), np.bool_)
         s, d = np.empty((2, c, p), np.complex128)
         for j in range(len(sizes)):
-            near = always_fine[j] or _close(at[i], centers[j], NEAR * sizes[j], images)
-            # a node of a bilinear panel is one of its 2 × 2 points, and may come alone
-            alone = p > 1 and not near and first[j + 1] - first[j] < p
-            if not alone:
+            near[:] = always_fine[j]
+            close = _mark_close(near, at, i, centers, j, NEAR * sizes[j], images)
+            begin, end = first[j], first[j + 1]
+            between = close > 0 or p == 1
+            if between:
                 s[:], d[:] = 0.0, 0.0
-                if near:
-                    _panel(at[i], normals[j], images, signs, fine_points[j], fine_weights[j], fine_shape[j],
-                           fine_z[j], at_depth[i], table, work, s, d)  # fmt: skip
-                else:
-                    _panel(at[i], normals[j], images, signs, points[j], weights[j], shape[j], depth_z[j],
-                           at_depth[i], table, work, s, d)  # fmt: skip
-            for m in range(first[j], first[j + 1]):
-                b = corners[m]
-                if alone:
-                    s[:, b], d[:, b] = 0.0, 0.0
-                    q = slice(b, b + 1)
-                    _panel(at[i], normals[j], images, signs, points[j, q], weights[j, q], shape[j, q], depth_z[j, q],
-                           at_depth[i], table, work, s, d)  # fmt: skip
-                for a in range(c):
-                    S[a, i, m], D[a, i, m] = s[a, b], d[a, b]
+                if close > 0:
+                    _add_points(at, i, at_depth[i], normals, j, images, signs, near, True, fine_points, fine_weights,
+                                fine_shape, fine_z, table.C, layout, work, s, d)  # fmt: skip
+                if close < len(images) and p == 1:
+                    _add_points(at, i, at_depth[i], normals, j, images, signs, near, False, points, weights, shape,
+                                depth_z, table.C, layout, work, s, d)  # fmt: skip
+                for m in range(begin, end):
+                    for a in range(c):
+                        S[a, i, m], D[a, i, m] = s[a, corners[m]], d[a, corners[m]]
+            if close < len(images) and p > 1:  # the 2 × 2 points are the nodes, and may come alone
+                for m in range(begin, end):
+                    q = corners[m]
+                    amplitude = table.C * at_depth[i]
+                    _sum_images(
+                        at, i, normals, j, images, signs, near, False, points, q, depth_z, amplitude, layout, work
+                    )
+                    w, imaginary = weights[j, q], weights[j, q] * amplitude
+                    for a in range(c):
+                        S[a, i, m] += complex(w * work[0, a], imaginary * depth_z[j, q, 0] * work[1, a])
+                        D[a, i, m] += complex(w * work[2, a], imaginary * work[3, a])
     return S, D
 
 
 @kernel()
-def _close(point, center, distance, images):
-    up = point[2] + center[2]
-    if -up > distance:
-        return False
-    for m in range(len(images)):
-        dx, dy = point[0] - images[m, 0] * center[0], point[1] - images[m, 1] * center[1]
-        if dx * dx + dy * dy + up * up < distance * distance:
-            return True
-    return False
+def _mark_close(near, at, i, centers, j, distance, images):
+    """Sets near (images,) where the surface's image of an image is closer than `distance`; how many are set"""
+    up = at[i, 2] + centers[j, 2]
+    if -up <= distance:
+        for m in range(len(images)):
+            dx, dy = at[i, 0] - images[m, 0] * centers[j, 0], at[i, 1] - images[m, 1] * centers[j, 1]
+            near[m] |= dx * dx + dy * dy + up * up < distance * distance
+    return np.count_nonzero(near)
 
 
 @kernel()
-def _panel(point, normal, images, signs, points, weights, shape, depth_z, node_z, table, work, S, D):
-    """Wave part of one panel, all images and classes, added to S and D (classes, p); work : (4, classes) scratch."""
-    x, y, z = point[0], point[1], point[2]
-    layout = layout_of(table)
+def _add_points(
+    at, i, at_depth, normals, j, images, signs, near, wanted, points, weights, shape, depth_z, C, layout, work, S, D
+):
+    """Wave part of panel j, integrated over `points`, added to S and D (classes, p)."""
     c, p = S.shape
-    at_nodes = p > 1 and len(weights) == p  # 2 × 2 points of a bilinear panel are its nodes: shape is the identity
-    for q in range(len(weights)):
-        level = levels(z, points[q, 2])
-        amplitude = table.C * node_z
-        wave, wave_slope = amplitude * depth_z[q, 0], amplitude * depth_z[q, 1]
-        work[:] = 0.0
-        for m in range(len(images)):
-            dx, dy = images[m, 0] * points[q, 0] - x, images[m, 1] * points[q, 1] - y
-            R = math.sqrt(dx * dx + dy * dy)
-            g, gr, gz, j0, j1 = wave_part(R, level, wave, wave_slope, layout)
-            along = (images[m, 0] * normal[0] * dx + images[m, 1] * normal[1] * dy) / (R + 1e-300)
-            flux = gr * along + gz * normal[2]
-            slope = depth_z[q, 0] * j1 * along + depth_z[q, 1] * j0 * normal[2]
-            for a in range(c):
-                sign = signs[a, m]
-                work[0, a] += sign * g
-                work[1, a] += sign * j0
-                work[2, a] += sign * flux
-                work[3, a] += sign * slope
-        w, C = weights[q], weights[q] * table.C * node_z
+    for q in range(weights.shape[1]):
+        _sum_images(at, i, normals, j, images, signs, near, wanted, points, q, depth_z, C * at_depth, layout, work)
+        w, imaginary = weights[j, q], weights[j, q] * C * at_depth
         for a in range(c):
-            s = complex(w * work[0, a], C * depth_z[q, 0] * work[1, a])
-            d = complex(w * work[2, a], C * work[3, a])
-            if at_nodes:
-                S[a, q] += s
-                D[a, q] += d
-            else:
-                for b in range(p):
-                    S[a, b] += shape[q, b] * s
-                    D[a, b] += shape[q, b] * d
+            s = complex(w * work[0, a], imaginary * depth_z[j, q, 0] * work[1, a])
+            d = complex(w * work[2, a], imaginary * work[3, a])
+            for b in range(p):
+                S[a, b] += shape[j, q, b] * s
+                D[a, b] += shape[j, q, b] * d
+
+
+@kernel()
+def _sum_images(at, i, normals, j, images, signs, near, wanted, points, q, depth_z, amplitude, layout, work):
+    """Real and imaginary part of G and ∂G/∂n of point q of panel j, summed over images into work (4, classes).
+
+    Images whose `near` is `wanted` count; the imaginary parts lack C Z(z), that of G lacks Z(ζ) too
+    """
+    x, y, z, px, py = at[i, 0], at[i, 1], at[i, 2], points[j, q, 0], points[j, q, 1]
+    nx, ny, nz = normals[j, 0], normals[j, 1], normals[j, 2]
+    value, slope = depth_z[j, q, 0], depth_z[j, q, 1]
+    level = levels(z, points[j, q, 2])
+    work[:] = 0.0
+    for m in range(len(images)):
+        if near[m] != wanted:
+            continue
+        dx, dy = images[m, 0] * px - x, images[m, 1] * py - y
+        R = math.sqrt(dx * dx + dy * dy)
+        g, gr, gz, j0, j1 = wave_part(R, level, amplitude * value, amplitude * slope, layout)
+        along = (images[m, 0] * nx * dx + images[m, 1] * ny * dy) / (R + 1e-300)
+        flux = gr * along + gz * nz
+        imaginary = value * j1 * along + slope * j0 * nz
+        for a in range(signs.shape[0]):
+            sign = signs[a, m]
+            work[0, a] += sign * g
+            work[1, a] += sign * j0
+            work[2, a] += sign * flux
+            work[3, a] += sign * imaginary

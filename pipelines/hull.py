@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bem.database_file import Header
+from bem.irregular import lid_needed_from
 from bem.kochin import angles
 from bem.raised_bed import effect_of_bed
 from bem.setup import Setup
@@ -204,6 +205,8 @@ def _limit_setup(scene, body):
 def _panel_setup(header, scene, body):
     coarse, draftless = coarse_hull(scene, header.mesh), scene.chosen_method == "pressure"
     lid = header.lid or make_lid(scene, header.mesh, shortest_wave(scene, scene.omegas()))
+    if np.max(scene.omegas()) ** 2 / scene.water.gravity <= lid_needed_from(header.mesh):
+        lid, coarse = None, coarse and (coarse[0], None)
     band = None if draftless else shared_band(scene, header.mesh)
     return Setup(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, band=band, **body)
 

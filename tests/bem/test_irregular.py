@@ -3,7 +3,13 @@
 import numpy as np
 import pytest
 from bench.irregular import contour, jump, panels
+from scipy.special import jn_zeros
 
+from bem import DOFS
+from bem.irregular import SHARE, lid_needed_from, lowest_irregular
+from bem.setup import Setup, prepare
+from meshing.lid import lid
+from meshing.shapes import box, buoy
 from pipelines.stress.scenes import irregular
 
 BOX = 100.0, 50.0, 10.0
@@ -40,3 +46,35 @@ def test_the_sweep_sees_what_a_missing_lid_does():
 def test_the_contour_method_is_smooth_through_irregular_frequencies_of_hull_and_plan(omega):
     left, estimate = jump(contour(BOX, 12.0), omega)
     assert left < min(estimate, DEFAULT / 100), (left, estimate)
+
+
+def test_the_lowest_irregular_frequency_of_a_box_is_its_own_and_a_bound_for_what_is_inside_it():
+    assert lowest_irregular(*BOX) == pytest.approx(HULL[0] ** 2 / 9.80665, rel=1e-12)
+    for radius, draft in ((10.0, 10.0), (3.0, 20.0), (50.0, 1.0)):
+        kappa = jn_zeros(0, 1)[0] / radius
+        assert lowest_irregular(2 * radius, 2 * radius, draft) < kappa / np.tanh(kappa * draft)
+
+
+BORDER = np.sqrt(9.80665 * lid_needed_from(box(*BOX, panels=104)))
+
+
+@pytest.mark.parametrize("symmetry", ["quarter", "whole", "beside a wall"])
+def test_low_frequencies_do_without_the_lid_and_high_ones_do_not(symmetry):
+    mesh = box(*BOX, panels=104)
+    mesh = mesh.whole() if symmetry == "whole" else mesh
+    prepared = prepare(Setup(mesh, lid(mesh), depth=20.0, wall=-30.0 if "wall" in symmetry else None))
+    below, above = (prepared.run(BORDER * (1 + s), [0.0], {"added_mass"}, None, DOFS) for s in (-1e-6, 1e-6))
+    assert len(below.geometry.elements.nodes) == below.geometry.hull == above.geometry.hull
+    assert len(above.geometry.elements.nodes) > above.geometry.hull
+
+
+def test_a_round_hull_is_taken_for_the_box_around_it():
+    mesh = buoy(10, 10, panels=96)
+    around = np.ptp(mesh.whole().points, axis=0)
+    assert lid_needed_from(mesh) == pytest.approx(SHARE * lowest_irregular(*around), rel=1e-12)
+
+
+@pytest.mark.parametrize("depth", [12.0, 100.0])
+def test_where_the_lid_is_left_out_the_step_is_below_the_estimate(depth):
+    left, estimate = jump(panels(BOX, depth, 104), BORDER)
+    assert left < min(estimate, DEFAULT), (left, estimate)

@@ -27,6 +27,7 @@ from meshing.lid import lid
 from meshing.shapes import box
 
 BAND, DEPTH, GRAVITY = (0.1, 1.2), 20.0, 9.80665
+OMEGAS = 0.6, 1.1  # solved without and with the lid
 WANT = {"added_mass", "radiation_damping", "excitation_force"}
 DIRECT = 1200  # panels up to which every frequency is solved on its own, too
 
@@ -72,14 +73,14 @@ def pair_times(prepared):
     return 1e9 * exact / pairs, 1e9 * waves / pairs, 1e3 * filling
 
 
-def frequency(run_class, prepared):
+def frequency(run_class, prepared, omega):
     """ms of a frequency and of its parts"""
-    took, run = least(lambda: _run(run_class, prepared))
+    took, run = least(lambda: _run(run_class, prepared, omega))
     return 1e3 * took, {name: round(1e3 * value, 1) for name, value in run.wall_time.items()}
 
 
-def _run(run_class, prepared):
-    run = run_class(prepared, 0.6, [0.5], WANT, None, DOFS)
+def _run(run_class, prepared, omega):
+    run = run_class(prepared, omega, [0.5], WANT, None, DOFS)
     run.result()
     return run
 
@@ -93,14 +94,16 @@ def main(counts):
         print(f"{prepared.setup.mesh.total} panels, {n} + {lid_nodes} unknowns to a class")
         print(f"  pair: 1/r {exact:.1f} ns, waves {waves:.1f} ns; table {filling:.1f} ms")
         start = time.perf_counter()
-        space = prepared.reduced.space
+        spaces = [part.space for part in prepared.reduced]
         took = time.perf_counter() - start
-        shared, parts = frequency(ReducedRun, prepared)
-        print(f"  band: {took:.2f} s to prepare, {len(space.points)} points, {len(space.sources)} sources")
-        print(f"  a frequency of it: {shared:.1f} ms {parts}")
-        if panels <= DIRECT:
-            alone, parts = frequency(PanelRun, prepared)
-            print(f"  a frequency alone: {alone:.1f} ms {parts}")
+        print(f"  band: {took:.2f} s to prepare")
+        for omega, space in zip(OMEGAS, spaces, strict=True):
+            shared, parts = frequency(ReducedRun, prepared, omega)
+            few = f"{len(space.points)} points, {len(space.sources)} sources"
+            print(f"  ω = {omega} of it: {few}, {shared:.1f} ms {parts}")
+            if panels <= DIRECT:
+                alone, parts = frequency(PanelRun, prepared, omega)
+                print(f"  ω = {omega} alone: {alone:.1f} ms {parts}")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,37 @@
+"""Where irregular frequencies begin, and with them the need for a lid.
+
+The direct equation of the outside has a false resonance wherever the water inside the hull, with φ = 0 on it, has one:
+
+    K = min ∭ |∇φ|² dV / ∬ φ² dS    over flows that are zero on the hull, dS on the water surface inside.
+
+Continued by zero, such a flow is one of the box around the hull as well, which can only have a lower minimum:
+
+    K ≥ κ coth κd,    κ² = π² (1/L² + 1/B²),    equal for a box of length L, beam B, draft d.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+# of the lowest bound, where a hull is as well off without a lid: 250 panels on the box 100 × 50 × 10 m in 12, 20 and
+# 100 m are 0.95, 0.82 and 0.7 % off with and without, forces 0.46 and 0.31 % in 12 m; from 0.7 on they are twice as far
+SHARE = 0.6
+
+
+def lowest_irregular(length, beam, draft):
+    """K = ω²/g in 1/m, below which no hull inside a box of these dimensions (m) has an irregular frequency"""
+    kappa = np.pi * np.hypot(1 / length, 1 / beam)
+    return float(kappa / np.tanh(kappa * draft))
+
+
+def lid_needed_from(mesh):
+    """K = ω²/g in 1/m up to which a hull is solved without a lid; mesh : PanelMesh, with or without mirror planes"""
+    return SHARE * lowest_irregular(*extent(mesh), mesh.draft)
+
+
+def extent(mesh):
+    """(2,) m along x and y of the whole hull"""
+    xy = mesh.points[:, :2]
+    low, high = xy.min(axis=0), xy.max(axis=0)
+    mirrored = np.array([axis in mesh.symmetry for axis in "xy"])
+    return np.where(mirrored, 2 * np.maximum(high, -low), high - low)
