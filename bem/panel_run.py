@@ -93,18 +93,23 @@ class PanelRun(FrequencyRun):
     @cached_property
     def columns(self):
         """{class: (its radiating dofs, its headings)}, empty classes left out."""
-        table = {}
+        table, arriving = {}, self.arriving if self.diffracts else {}
         for cls in self.geometry.classes:
             mine = self.geometry.members(cls)
             moving = [d for d in mine if d in self.dofs] if self.radiates else []
             waves = []
             if self.diffracts and (self.far_field or self.whole_field or any(d in self.dofs for d in mine)):
-                velocity = self.incident[0][cls][1]
-                largest = max(np.abs(v).max() for _, v in self.incident[0].values())
-                waves = [j for j in range(len(self.headings)) if np.abs(velocity[j]).max() > 1e-12 * largest]
+                waves = arriving[cls]
             if moving or waves:
                 table[cls] = moving, waves
         return table
+
+    @property
+    def arriving(self):
+        """{class: headings whose waves move anything in it}"""
+        sizes = {cls: np.abs(velocity).max(axis=1) for cls, (_, velocity) in self.incident[0].items()}
+        least = 1e-12 * max(size.max() for size in sizes.values())
+        return {cls: np.flatnonzero(size > least).tolist() for cls, size in sizes.items()}
 
     def velocities(self, cls):
         """(columns, n) normal velocities: unit motions, then minus the incident waves"""

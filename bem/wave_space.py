@@ -21,10 +21,11 @@ from .skeleton import SEED, Sketch, chosen_rows, least_squares
 from .wave_blocks import Sources, wave_blocks
 from .waves import depth_values, incident_wave, wavenumber
 
-WITNESSES = 4
+WITNESSES = 1  # and one at the surface: a space that lacks a frequency misses it nearly everywhere
 FEW = 1000  # nodes up to which the accuracy asked for is that of every row
 LARGEST = 2_000_000  # pairs of nodes at once
 PROXIES = 200  # nodes at any depth from which waves are sampled
+EVERY = 3  # a node sends every third frequency of a band: with all of them the error was the same, the time 1.7 times
 STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are, and a share of those below
 WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
 LID = 0.1  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
@@ -60,8 +61,11 @@ def wave_space(geometry, band, gravity, accuracy):
     velocities = tuple(np.concatenate([g.modes[:, g.members(c)], Z], axis=1) for c in g.classes)
     points, X = _skeleton(cases.at_all_points, len(root), allowed)
     weights = root[points] * np.linalg.norm(X, axis=0)  # what is lost at a point is lost at all that it stands for
-    sources, Y = _skeleton(lambda sketch: cases.of_all_sources(sketch, points, weights), len(root), allowed)
-    M = cases.monopoles(points, weights, sources[sources < g.hull], velocities, accuracy)
+    moved = [[] for _ in velocities]
+    sources, Y = _skeleton(
+        lambda sketch: cases.of_all_sources(sketch, points, weights, velocities, moved), len(root), allowed
+    )
+    M = cases.monopoles(points, weights, sources[sources < g.hull], moved, accuracy)
     X *= root[points] / root[:, None]
     Y = np.ascontiguousarray((Y * of_column[:, None] / of_column[sources]).T)
     return WaveSpace(points, sources, crests, X, Y, velocities, M, cases.witnesses())
@@ -91,11 +95,11 @@ class Cases:
         self.root = np.sqrt(geometry.elements.weights)
         self.of_column = self.root / np.where(np.arange(len(self.root)) < geometry.hull, 1.0, LID)
 
-    def blocks(self, points, sources):
-        """K, and S and D (c, points, sources), of each frequency"""
+    def blocks(self, points, sources, start=0, step=1):
+        """K, and S and D (c, points, sources), of each frequency or every `step`th"""
         g = self.geometry
         grouped = Sources.of(sources, g.elements.inverse.shape[2])
-        for k in self.wavenumbers:
+        for k in self.wavenumbers[start::step]:
             omega = float(np.sqrt(self.gravity * k * np.tanh(k * g.depth)))
             table = wave_table(omega, g.depth, self.gravity, g.reach, g.mesh.draft)
             yield table.K, *wave_blocks(g, points, grouped, table, depth_values(k, g.depth))
@@ -123,34 +127,33 @@ class Cases:
         """W of the proxies at all nodes, and S in the length of the hull"""
         (proxies, represented), hull = self.proxies(), self.geometry.hull
         length = np.linalg.norm(self.root[:hull]) * np.sqrt(self.geometry.copies)
-        for some in np.array_split(np.arange(len(proxies)), int(np.ceil(len(proxies) * len(self.root) / LARGEST))):
-            part, count = proxies[some], np.count_nonzero(proxies[some] < hull)
-            scale = self.root[:, None] / self.of_column[part] * np.sqrt(represented[some])
-            for K, S, D in self.blocks(np.arange(len(self.root)), part):
-                for s, d in zip(S, D, strict=True):
-                    sketch.add(acting(s, d, count, K) * scale)
-                    sketch.add(s[:, :count] * scale[:, :count] / length)
+        for start in range(EVERY):
+            few = np.arange(start, len(proxies), EVERY)
+            for some in np.array_split(few, int(np.ceil(len(few) * len(self.root) / LARGEST))):
+                part, count = proxies[some], np.count_nonzero(proxies[some] < hull)
+                scale = self.root[:, None] / self.of_column[part] * np.sqrt(EVERY * represented[some])
+                for K, S, D in self.blocks(np.arange(len(self.root)), part, start, EVERY):
+                    for s, d in zip(S, D, strict=True):
+                        sketch.add(acting(s, d, count, K) * scale)
+                        sketch.add(s[:, :count] * scale[:, :count] / length)
 
-    def of_all_sources(self, sketch, points, weights):
-        """W at `points` (r,) times `weights` (r,), transposed"""
-        scale = weights[:, None] / self.of_column
+    def of_all_sources(self, sketch, points, weights, velocities, moved):
+        """W at `points` (r,) times `weights` (r,), transposed; SV, each class its own, is put into the lists `moved`"""
+        scale, hull = weights[:, None], self.geometry.hull
+        for values in moved:
+            values.clear()
         for K, S, D in self.blocks(points, np.arange(len(self.root))):
-            for s, d in zip(S, D, strict=True):
-                sketch.add((acting(s, d, self.geometry.hull, K) * scale).T)
+            for s, d, v, values in zip(S, D, velocities, moved, strict=True):
+                sketch.add((acting(s, d, hull, K) * scale / self.of_column).T)
+                values.append(s[:, :hull] @ v * scale)
 
-    def monopoles(self, points, weights, sources, velocities, accuracy):
-        """M of each class: what S at `sources` has to be multiplied with to give S of all times V"""
-        scale = weights[:, None]
-        few, of_all = [[] for _ in velocities], [[] for _ in velocities]
-        for _, S, _ in self.blocks(points, np.arange(self.geometry.hull)):
-            for i, (s, v) in enumerate(zip(S, velocities, strict=True)):
-                for part in (s.real, s.imag):
-                    few[i].append(part[:, sources] * scale)
-                    of_all[i].append(part @ v * scale)
-        return tuple(
-            least_squares(np.concatenate(a), np.concatenate(b), 0.1 * accuracy)
-            for a, b in zip(few, of_all, strict=True)
-        )
+    def monopoles(self, points, weights, sources, moved, accuracy):
+        """M of each class: what S at `sources` has to be multiplied with to give `moved`, S of all times V"""
+        few = [[] for _ in moved]
+        for _, S, _ in self.blocks(points, sources):
+            for s, values in zip(S, few, strict=True):
+                values.append(s * weights[:, None])
+        return tuple(least_squares(_real(a), _real(b), 0.1 * accuracy) for a, b in zip(few, moved, strict=True))
 
     def waves(self, sketch):
         """∂φ_I/∂n at all nodes of the hull, from all sides, of every class"""
@@ -164,6 +167,12 @@ class Cases:
                     flux[i] = np.einsum("qi,qi->q", gradient, g.elements.normals[:n] * mirror)
                 flux = g.all_signs @ flux * self.root[:n]
                 sketch.add(flux.T * (2 * np.pi / np.linalg.norm(flux)))
+
+
+def _real(blocks):
+    """Rows of complex blocks, real and imaginary parts apart"""
+    rows = np.concatenate(blocks)
+    return np.concatenate([rows.real, rows.imag])
 
 
 def acting(S, D, hull, K):
