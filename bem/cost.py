@@ -8,8 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from .green_tables import wave_table
+from .reduced import parted
 from .wave_blocks import Sources, wave_blocks
-from .wave_space import Cases
+from .wave_space import EVERY, Cases
 from .waves import depth_values
 
 TRIALS, TRIAL_ROWS, TRIAL_SIZE = 3, 16, 1500
@@ -30,8 +31,11 @@ def cost(geometry, band, gravity):
     lid = len(geometry.elements.nodes) - n
     columns = SPACE + 2 * lid
     matrices = 8.0 * classes * (n * n + 2 * n * columns) + 8.0 * n * columns
-    cases = Cases(geometry, band, gravity)
-    waves = len(cases.wavenumbers) * (len(cases.proxies()[0]) + SPACE) * _seconds_of_waves(geometry, band[1], gravity)
+    rows = 0.0
+    for part in parted(geometry, band, gravity):
+        cases = Cases(*part, gravity)
+        rows += len(cases.wavenumbers) * (len(cases.proxies()[0]) / EVERY + SPACE)
+    waves = rows * _seconds_of_waves(geometry, band[1], gravity)
     exact = (n + lid) * _seconds_of_rows(geometry)
     factor = _seconds_of_factor() * ((n / TRIAL_SIZE) ** 3 + 3 * columns * n**2 / TRIAL_SIZE**3)
     return Cost(matrices + OTHER, waves + exact + classes * factor)
