@@ -21,8 +21,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy import special
 
-from .green_pieces import fitted, fitted_line, look, look_line, sample_points
+from .green_pieces import aligned, fitted, fitted_line, look, look_line, sample_points
 from .jit import kernel
+from .lanes import bits, from_bits
 
 FAR = 32.0  # where the asymptotic series is good to 24!/32²⁴ = 5e-13
 POLAR_RINGS, POLAR_SECTORS = 16, 8  # r of 0 … 4, c of 0 … 1
@@ -30,20 +31,24 @@ FAR_RINGS, FAR_SECTORS = 4, 4  # 32/r and c of 0 … 1
 COLUMNS, ROWS = 64, 32  # X by halves, Y by ones: only F_X is differentiated
 FAR_START = POLAR_RINGS * POLAR_SECTORS
 SQUARE_START = FAR_START + FAR_RINGS * FAR_SECTORS
-EULER = 0.5772156649015329
+# the Bessel functions' pieces: eighths of octaves from SMALLEST to 2, then halves
+FIRST_OCTAVE = -40
+SMALLEST, OCTAVE_PIECES = 2.0**FIRST_OCTAVE, 8 * (1 - FIRST_OCTAVE)
+# the bits of a number: FIRST_EIGHTH are exponent and first three of the fraction of SMALLEST, ONE all 64 of 1.0
+FIRST_EIGHTH, FRACTION, ONE = 8 * (1023 + FIRST_OCTAVE), (1 << 52) - 1, 1023 << 52
 
 
 class Universal(NamedTuple):
     """What holds for every frequency."""
 
     deep: np.ndarray  # (pieces, 8, 8): rings, the far range, the square
-    bessel: np.ndarray  # (64, 8, 2): J₀ and Y₀ of x by halves; below 4 without (2/π) J₀ ln x
+    bessel: np.ndarray  # (pieces, 4, 8): J₀, Y₀, −J₁, −Y₁
 
 
 @cache
 def universal():
     """The tables, made on first use (15 ms)."""
-    return Universal(np.concatenate([_polar(), _far(), _square()]), _bessel_lines())
+    return Universal(aligned(np.concatenate([_polar(), _far(), _square()])), aligned(_bessel_lines()))
 
 
 def exact(X, Y, order=24):
@@ -103,30 +108,34 @@ def _level_weights(y, order=16):
 
 
 def _bessel_lines():
-    x = sample_points(np.linspace(0, FAR, 65))
-    j0, y0 = special.j0(x), special.y0(x)
-    return fitted_line(np.stack([j0, y0 - np.where(x < 4, 2 / np.pi * j0 * np.log(x), 0.0)], axis=-1))
+    octaves = 2.0 ** np.arange(FIRST_OCTAVE, 1)[:, None] * (1 + np.arange(8) / 8)
+    x = sample_points(np.concatenate([octaves.ravel(), np.arange(4, 2 * FAR + 1) / 2]))
+    return fitted_line(np.stack([special.j0(x), special.y0(x), -special.j1(x), -special.y1(x)], axis=-1))
 
 
-@kernel()
-def bessel(x, lines, both):
-    """J₀, Y₀ and their derivatives −J₁, −Y₁ at x ≥ 0; unless `both`, the second two are without their logarithm."""
+@kernel(inline=True)
+def bessel(x, lines):
+    """J₀, Y₀ and their derivatives −J₁, −Y₁ at x ≥ 0; Y₀ and Y₁ from SMALLEST on.
+
+    Pieces that shrink with x hold Y₀ and Y₁ without their logarithm and 1/x: these cost 8 ns.
+    """
     if x < 32.0:
-        n = int(2 * x)
-        j, dj, y, dy = look_line(lines, n, 4 * x - 2 * n - 1)
-        dj, dy = 4 * dj, 4 * dy
-        if both and x < 4.0:
-            x = max(x, 1e-300)
-            log = 2 / math.pi * math.log(x)
-            y += log * j
-            dy += log * dj + 2 / math.pi * j / x
-        return j, y, dj, dy
+        if x < 2.0:
+            b = bits(max(x, SMALLEST))
+            n, a = (b >> 49) - FIRST_EIGHTH, 2 * from_bits((b << 3 & FRACTION) | ONE) - 3
+        else:
+            n = int(2 * x)
+            a = 4 * x - 2 * n - 1
+            n += OCTAVE_PIECES - 4
+        return look_line(lines, n, a)
     # Hankel's expansion (DLMF 10.17.3) with θ = x − π/4
     turns = math.floor(x * (2 / math.pi) + 0.5)
     a = x - turns * (0.5 * math.pi)
     a2 = a * a
-    sine = a * (1 - a2 * (1 / 6 - a2 * (1 / 120 - a2 * (1 / 5040 - a2 * (1 / 362880 - a2 / 39916800)))))
-    cosine = 1 - a2 * (0.5 - a2 * (1 / 24 - a2 * (1 / 720 - a2 * (1 / 40320 - a2 * (1 / 3628800 - a2 / 479001600)))))
+    sine = a * (1 - a2 * (1 / 6 - a2 * (1 / 120 - a2 * (1 / 5040 - a2 * (1 / 362880 - a2 * 2.505210838544172e-8)))))
+    cosine = 1 - a2 * (
+        0.5 - a2 * (1 / 24 - a2 * (1 / 720 - a2 * (1 / 40320 - a2 * (1 / 3628800 - a2 * 2.08767569878681e-9))))
+    )
     quarter = int(turns) & 3
     if quarter & 1:
         sine, cosine = cosine, -sine
@@ -163,8 +172,8 @@ def deep_water(X, Y, pieces):
         if square < 1.0:
             q = 0.25 * X * X
             decay = math.exp(-Y)
-            j0 = decay * (1 - q * (1 - q * (1 / 4 - q * (1 / 36 - q * (1 / 576 - q * (1 / 14400 - q / 518400))))))
-            j1 = 0.5 * decay * (1 - q * (1 / 2 - q * (1 / 12 - q * (1 / 144 - q * (1 / 2880 - q / 86400)))))
+            j0 = decay * (1 - q * (1 - q * (1 / 4 - q * (1 / 36 - q * (1 / 576 - q * (1 / 14400 - q * (1 / 518400)))))))
+            j1 = 0.5 * decay * (1 - q * (1 / 2 - q * (1 / 12 - q * (1 / 144 - q * (1 / 2880 - q * (1 / 86400))))))
             log = 0.5 * math.log(square)
             F -= j0 * log
             FX += X * (j1 * log - j0 * inverse * inverse)

@@ -17,7 +17,7 @@ from scipy import special
 
 from .green_deep import universal
 from .green_forms import Free, Rigid, Waves
-from .green_pieces import fitted, pieces_per_distance, sample_points
+from .green_pieces import aligned, fitted, pieces_per_distance, sample_points
 from .waves import propagating_factor, wavenumber
 
 FINEST, COARSEST = 1e-8, 1e-3  # accuracies that are built for
@@ -110,7 +110,7 @@ def _table(form, K, k, C, depth, reach, draft, accuracy, whole=False):
         row[4:6] = first, first + len(surface)
         first += len(surface) + len(bed)
         zones += [row] * (2 ** (n - 1) if n else 1)
-    pieces = np.concatenate([part for _, *both in parts for part in both])
+    pieces = aligned(np.concatenate([part for _, *both in parts for part in both]))
     beyond = TABLE_ONLY if whole else (WITH_IMAGES if wanted == octaves else NOTHING)
     layout = 1 / near, 2 * depth, len(zones), beyond, form.net, form.mirror
     return Table(K, k, C, *layout, pieces, np.array(zones), *constants)

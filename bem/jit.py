@@ -34,8 +34,11 @@ def _source_hash(folders):
     return digest.hexdigest()[:16]
 
 
-def kernel(parallel=False):
-    """Decorator: compile to machine code on the first call and keep the result on disk."""
+def kernel(parallel=False, inline=False):
+    """Decorator: compile to machine code on the first call and keep the result on disk.
+
+    inline : put into each kernel that calls it, however large; else as the compiler sees fit
+    """
 
     def compile_later(function):
         kept = config.CACHE_DIR
@@ -45,6 +48,7 @@ def kernel(parallel=False):
             return numba.njit(
                 cache=True,
                 parallel=parallel,
+                forceinline=inline,
                 error_model="numpy",
                 fastmath={"contract", "reassoc"},
                 nogil=True,

@@ -1,12 +1,14 @@
 """The finite-depth Green function: its tables' build time, its time per pair on one thread, and its error.
 
 Times are the least of several runs, on a body 100 × 50 × 10 m in 20 m of water unless said otherwise; errors are
-those of tests/published/green_finite_depth.csv.  A folder with an older package `oldbem` may be given to build its
-tables in the same run:  python tests/bench/green.py [folder]
+those of tests/published/green_finite_depth.csv.  A folder with an older package `oldbem` may be given to time it in
+turn with this one:  python tests/bench/green.py [folder].  What is compiled second in a process was seen to take up
+to a tenth longer: compare with the two exchanged.
 """
 
 import sys
 import time
+from importlib import import_module
 from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1]), *sys.argv[1:]]
@@ -14,7 +16,7 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1]), 
 import numpy as np
 from published.green_reference import by_frequency, by_table, errors, reference, wave_errors
 
-from bem.green import _pairs, green
+from bem.green import green
 from bem.green_tables import wave_table, whole_table
 
 G, DEPTH, LENGTH, BEAM, DRAFT = 9.80665, 20.0, 100.0, 50.0, 10.0
@@ -27,29 +29,34 @@ def frequency(kh, depth=DEPTH):
     return float(np.sqrt(G * kh / depth * np.tanh(kh)))
 
 
-def least(action, times=30):
-    best = np.inf
+PACKAGES = ["oldbem", "bem"] if len(sys.argv) > 1 else ["bem"]
+
+
+def least(*actions, times=30):
+    """Least seconds of each, taken in turn"""
+    best = np.full(len(actions), np.inf)
     for _ in range(times):
-        start = time.perf_counter()
-        action()
-        best = min(best, time.perf_counter() - start)
+        for n, action in enumerate(actions):
+            start = time.perf_counter()
+            action()
+            best[n] = min(best[n], time.perf_counter() - start)
     return best
+
+
+def maker(package, name):
+    return getattr(import_module(f"{package}.green_tables"), name)
 
 
 def builds():
     print("build of one table, ms")
-    makers = [("now 1e-5", lambda w: wave_table(w, DEPTH, G, REACH, DRAFT))]
-    if len(sys.argv) > 1:
-        from oldbem.green_tables import wave_table as old_table
-
-        makers.insert(0, ("before", lambda w: old_table(w, DEPTH, G, REACH, DRAFT)))
+    makers = [(p, lambda w, p=p: maker(p, "wave_table")(w, DEPTH, G, REACH, DRAFT)) for p in PACKAGES]
     for accuracy in (1e-6, 1e-8):
         makers.append((f"{accuracy:g}", lambda w, a=accuracy: wave_table(w, DEPTH, G, REACH, DRAFT, a)))
     makers.append(("any pair", lambda w: whole_table.__wrapped__(w, DEPTH, G)))
     print("   kh  " + "".join(f"{name:>10}" for name, _ in makers) + "   pieces at 1e-5, 1e-8")
     for kh in KH:
         w = frequency(kh)
-        times = [least(lambda make=make, w=w: make(w)) for _, make in makers]
+        times = [least(lambda make=make, w=w: make(w))[0] for _, make in makers]
         sizes = [len(wave_table(w, DEPTH, G, REACH, DRAFT, a).pieces) for a in (1e-5, 1e-8)]
         print(f"{kh:6g} " + "".join(f"{1e3 * t:10.2f}" for t in times), "  ", *sizes)
 
@@ -67,22 +74,26 @@ def far(n=20_000, seed=3):
     return DEPTH * 10 ** rng.uniform(-3, 3, n), -DEPTH * rng.random(n), -DEPTH * rng.random(n)
 
 
-def per_pair(table, pairs, whole):
-    out = np.empty((3, len(pairs[0])), complex)
-    return 1e9 * least(lambda: _pairs(*pairs, table, whole, out), 200) / len(pairs[0])
+def per_pair(name, settings, pairs, whole):
+    """ns of each package"""
+    out, actions = np.empty((3, len(pairs[0])), complex), []
+    for package in PACKAGES:
+        kernel, table = import_module(f"{package}.green")._pairs, maker(package, name)(*settings)
+        actions.append(lambda kernel=kernel, table=table: kernel(*pairs, table, whole, out))
+    times = 1e9 * least(*actions, times=100) / len(pairs[0])
+    return "".join(f"{t:9.1f}" for t in times)
 
 
 def pair_times():
-    print("ns per pair with gradient, all of G")
-    print("   kh        body 1e-5      body 1e-8      body any pair      R/h 1e-3 … 1e3 any pair")
+    print(f"ns per pair with gradient, all of G, {' and '.join(PACKAGES)}")
+    print("   kh | body 1e-5 | body 1e-8 | body any pair | R/h 1e-3 … 1e3 any pair")
     body, wide = cloud(), far()
     for kh in (*KH, 200.0):
         w = frequency(kh)
-        times = [per_pair(wave_table(w, DEPTH, G, REACH, DRAFT, a), body, False) for a in (1e-5, 1e-8)]
-        times += [per_pair(whole_table(w, DEPTH, G), pairs, True) for pairs in (body, wide)]
-        print(f"{kh:6g}" + "".join(f"{t:15.1f}" for t in times))
-    w = frequency(2.0)
-    print(f"infinite depth {per_pair(whole_table(w, np.inf, G), body, True):.1f}")
+        times = [per_pair("wave_table", (w, DEPTH, G, REACH, DRAFT, a), body, False) for a in (1e-5, 1e-8)]
+        times += [per_pair("whole_table", (w, DEPTH, G), pairs, True) for pairs in (body, wide)]
+        print(f"{kh:6g}", *times, sep=" |")
+    print("infinite depth |" + per_pair("whole_table", (frequency(2.0), np.inf, G), body, True))
 
 
 def report_errors():
