@@ -167,23 +167,22 @@ def _add_row(x, y, z, e, signs, s, d):
     S, D = np.empty(p), np.empty(p)
     for j in range(len(origins)):
         dx, dy, dz = x - origins[j, 0], y - origins[j, 1], z - origins[j, 2]
-        a = axes[j]
         far = FAR * sizes[j]
+        up = axes[j, 2, 0] * dx + axes[j, 2, 1] * dy + axes[j, 2, 2] * dz
         if p > 1 and dx * dx + dy * dy + dz * dz > far * far:
             for m in range(p * j, p * j + p):  # the nodes are Gauss points
                 dx, dy, dz = x - nodes[m, 0], y - nodes[m, 1], z - nodes[m, 2]
                 inverse_square = 1 / (dx * dx + dy * dy + dz * dz)
                 u = weights[m] * math.sqrt(inverse_square)
-                v = (a[2, 0] * dx + a[2, 1] * dy + a[2, 2] * dz) * inverse_square * u
+                v = up * inverse_square * u  # all nodes lie in the panel's plane
                 for c in range(len(signs)):
                     s[c, m] += signs[c] * u
                     d[c, m] += signs[c] * v
             continue
         panel_moments(
-            a[0, 0] * dx + a[0, 1] * dy + a[0, 2] * dz,
-            a[1, 0] * dx + a[1, 1] * dy + a[1, 2] * dz,
-            a[2, 0] * dx + a[2, 1] * dy + a[2, 2] * dz,
-            corners[j], S, D,
+            axes[j, 0, 0] * dx + axes[j, 0, 1] * dy + axes[j, 0, 2] * dz,
+            axes[j, 1, 0] * dx + axes[j, 1, 1] * dy + axes[j, 1, 2] * dz,
+            up, corners[j], S, D,
         )  # fmt: skip
         for b in range(p):
             u, v = 0.0, 0.0
