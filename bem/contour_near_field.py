@@ -5,35 +5,27 @@ motions, so that of φ = Σ fₙ(s) Zₙ(z) remain
 
     ∫ |∇φ|² dz = ∫ |Σ f'ₙ Zₙ|² + |Σ fₙ Z'ₙ|² + |∂φ/∂n|² dz,    ∫ X·∇φ dz,    ζ,        −d < z < 0
 
-|∇φ|² is singular at the keel like distance^(−2/3).  Summed with a smooth cut-off at N modes it lacks a series of
-powers N^(−1/3), N^(−2/3) …, of which several cut-offs remove the first.  Sums over modes and depth are taken once for
-the table in κ of `contour_sums`; a wave and a motion then cost little.
+which `contour_depth` integrates for the nodes of a table in κ; a wave and a motion then cost little.
 
 What this checks: every mode but the wave pushes on the side as it pulls in the gap, and nothing of it is seen far
 away, if both sides of the gap agree on the potential there.  The error is of first order in what they do not agree
-on, where that of forces and far field is of second: the flow is found anew with one function more in the gap.
+on, where that of forces and far field is of second: the flow is found anew with one function more in the gap and
+a finer table.  In resonant roll the drift is the small difference of pressures tens of times as large.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 
+from .contour_accuracy import DIGIT, KAPPA
+from .contour_depth import depth_sums
 from .contour_frequency import ContourFrequency
 from .drift import about
-from .gap import smooth_cutoff
 from .plan import CLASSES
-from .plan_panels import gauss_rule
 from .plan_values import plan_values
 from .threads import blas_threads
-from .waves import depth_factor, depth_factor_slope
-
-# of the first-order flow; the extrapolation then errs by 1e-4 of the drift of a fixed box and 4e-4 of a floating one;
-# more cut-offs enlarge the errors of the table more than they remove
-MODES = 4
-CUTOFFS, POWERS = 0.7 ** np.arange(4), np.array([1, 2, 3]) / 3
 
 
 def contour_drift(run, motions):
@@ -48,84 +40,12 @@ def contour_drift(run, motions):
 
 
 def sharper(body):
-    """The same `bem.contour.ContourBody` with one function more in each family of the gap"""
+    """The same `bem.contour.ContourBody`, a function more in each family of the gap, a digit more in the table in κ"""
     if "sharper" not in body.kept:
-        accuracy = body.accuracy._replace(terms=body.accuracy.terms + 1)
+        ours = body.accuracy
+        accuracy = ours._replace(terms=ours.terms + 1, kappa=ours.kappa + DIGIT / KAPPA)
         body.kept["sharper"] = replace(body, accuracy=accuracy, kept={})
     return body.kept["sharper"]
-
-
-class DepthSums(NamedTuple):
-    """Over the depth of a side, for amplitudes g (a,) of the wave and of the table's nodes and rows: φ = Σ g φ_g(z).
-
-    slopes, values : (a, a) of ∫ φ_s² dz and ∫ φ_z² dz; top, keel : (a,) φ at z = 0 and −d
-    one, z : (a,) ∫ φ dz and ∫ z φ dz
-    """
-
-    slopes: np.ndarray
-    values: np.ndarray
-    top: np.ndarray
-    keel: np.ndarray
-    one: np.ndarray
-    z: np.ndarray
-
-
-def depth_sums(freq):
-    """`DepthSums` of a solved `ContourFrequency`"""
-    body, gap = freq.body, freq.body.profiles.gap
-    modes = gap.outer_modes(freq.omega, MODES * len(freq.modes.wavenumbers), freq.gravity)
-    z, w = _depths(gap.draft, 1 / modes.wavenumbers[-1], 1 / modes.k)
-    (value, slope), (ends, _) = _on_side(modes, gap, z), _on_side(modes, gap, np.array([0.0, -gap.draft]))
-    spread, rows = _spread(body, freq.degree, modes), np.column_stack([modes.wave_rows[-2:], modes.rows[-2:]])
-    count, weights = len(modes.wavenumbers), extrapolation(CUTOFFS, POWERS)
-    cuts = np.ones((len(CUTOFFS), count + 1))
-    cuts[:, 1:] = smooth_cutoff(np.arange(1, count + 1) / (CUTOFFS[:, None] * count))
-    forms = (_squares(part[None] * cuts[:, None] @ spread, weights, w) for part in (value, slope))
-    return DepthSums(*forms, *((weights @ cuts * np.vstack([ends, rows])) @ spread))
-
-
-def extrapolation(cutoffs, powers):
-    """Weights of sums cut off at `cutoffs` times N that leave none of the errors N^(−power)"""
-    conditions = np.vstack([np.ones(len(cutoffs)), cutoffs[None] ** -powers[:, None]])
-    return np.linalg.solve(conditions, np.eye(len(cutoffs))[0])
-
-
-def _squares(values, shares, weights):
-    """(a, a) ∫ of products of values (cuts, q, a), the cuts with their shares"""
-    return sum(share * v.T @ (weights[:, None] * v) for share, v in zip(shares, values, strict=True))
-
-
-def _depths(draft, keel, surface):
-    """Points −draft < z < 0 and their weights, m; panels double away from `keel` and `surface`, the lengths there"""
-    ends = [_halved(draft / 2, length) for length in (keel, surface)]
-    edges = np.concatenate([ends[0] - draft, -ends[1][-2::-1]])
-    t, w = gauss_rule(10)
-    length = np.diff(edges)[:, None]
-    return (edges[:-1, None] + length * t).ravel(), (length * w).ravel()
-
-
-def _halved(longest, shortest):
-    """0, then longest / 2ⁿ … longest / 2, longest"""
-    count = max(0, int(np.ceil(np.log2(longest / shortest))))
-    return np.append(0.0, longest / 2.0 ** np.arange(count, -1, -1))
-
-
-def _on_side(modes, gap, z):
-    """Z and Z′ at z (q,), two (q, n + 1), the wave first"""
-    k, h = modes.k, gap.depth
-    turn = np.multiply.outer(z + h, modes.wavenumbers)
-    value = np.column_stack([depth_factor(z, k, h), np.cos(turn)])
-    return value, np.column_stack([depth_factor_slope(z, k, h), -modes.wavenumbers * np.sin(turn)])
-
-
-def _spread(body, degree, modes):
-    """(n + 1, a) from amplitudes of the wave and of every node of the table and row to fₙ"""
-    table = body.nodes(degree).weights(modes.wavenumbers) / (modes.norms * modes.wavenumbers)[:, None]
-    rows = body.profiles.combinations @ modes.rows
-    out = np.zeros((len(table) + 1, 1 + table.shape[1] * len(rows)))
-    out[0, 0] = 1
-    out[1:, 1:] = (table[:, :, None] * rows.T[:, None]).reshape(len(table), -1)
-    return out
 
 
 class _Sides:
@@ -150,12 +70,16 @@ class _Sides:
             g, slope = (sum(signs[cls] * flows[cls][i] for cls in CLASSES) for i in range(2))
             px, py, nx, ny, turn = x * c.x, y * c.y, x * c.nx, y * c.ny, x * y
             along = (-turn * ny, turn * nx)  # the slopes of an image run clockwise
-            q = c.weights * self.density(g, slope, _displacements(motion, px, py, (nx, ny), along))
+            moved = _displacements(motion, px, py, (nx, ny), along)
+            edge = -1j * self.freq.omega * np.array([moved[2], moved[0][1] + 0 * moved[2]])
+            # along the contour w and b add nothing that counts: φ_s is regular at the keel
+            g, slope = np.vstack([g, edge]), np.vstack([slope, 0 * edge])
+            q = c.weights * self.density(g, slope, moved)
             total += q @ nx, q @ ny, q @ (px * ny - py * nx)
         return total
 
     def flow(self, cls, heading, motion):
-        """Amplitudes of `DepthSums` at the nodes and their slopes, two (a, m)"""
+        """Amplitudes of `DepthSums` but those of the edge at the nodes and their slopes, two (a − 2, m)"""
         freq, (maps, slope) = self.freq, self.values[cls]
         dofs, wave, motions, flow = freq.flows[cls]
         speed = -1j * freq.omega * motion[dofs]

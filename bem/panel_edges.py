@@ -1,13 +1,7 @@
-"""Flow on panels that end at a sharp edge of the hull.
+"""Sharp edges of a hull, and which panels lie behind one another next to them.
 
 Where the hull turns by α, water of the angle π + α flows round an edge, and at a distance r from it the potential is
-
-    φ = c₀ + c₁ r^μ + …,    μ = π / (π + α)        (2/3 at the edges of a box)
-
-so that |∇φ|² is singular like r^(2μ−2).  Across a panel that ends there φ is interpolated by 1 and r^μ in place of
-1 and r, and integrated at points of r ~ t³, t those of Gauss, which makes the integrand smooth for μ = 2/3.
-Straight lines would miss 44 % of ∫ |∇φ|² dr on that panel.  In the rows behind r^μ gains nothing: what is left is the
-error of c₁, which the solution with straight lines has.
+a series of powers of r^μ, μ = π / (π + α): 2/3 at the edges of a box.
 """
 
 from __future__ import annotations
@@ -17,63 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 SHARP = np.pi / 3  # rad that the hull has to turn by: less is how panels draw a round hull
-POINTS = 4  # in each direction of a panel
-
-
-class Samples(NamedTuple):
-    """n panels with q points each; the potential is given at the four nodes of `elements`."""
-
-    points: np.ndarray  # (n, q, 3) m
-    weights: np.ndarray  # (n, q) m²
-    shape: np.ndarray  # (n, q, 4)
-    gradient: np.ndarray  # (n, q, 3, 4) 1/m, along the panel
-
-
-def samples(mesh, exponents):
-    """`Samples` of a PanelMesh; exponents : (n, 4) as of `sharp_sides`"""
-    s, t = (_line(exponents[:, a], exponents[:, b]) for a, b in ((3, 1), (0, 2)))
-    n, v = len(mesh), mesh.flat_vertices
-    corner_s, corner_t = np.array([-1, 1, 1, -1]), np.array([-1, -1, 1, 1])
-    S, T = s.at[:, :, None, None], t.at[:, None, :, None]
-    points = np.einsum("nija,nac->nijc", (1 + corner_s * S) * (1 + corner_t * T) / 4, v).reshape(n, -1, 3)
-    along = np.einsum("nja,nac->njc", corner_s * (1 + corner_t * t.at[:, :, None]) / 4, v)
-    across = np.einsum("nia,nac->nic", corner_t * (1 + corner_s * s.at[:, :, None]) / 4, v)
-    along, across = np.broadcast_arrays(along[:, None], across[:, :, None])
-    normal = np.cross(along, across)
-    area = np.linalg.norm(normal, axis=-1, keepdims=True)
-    normal = normal / area
-    # ∇ = (b × n ∂/∂s + n × a ∂/∂t) / |a × b|
-    shape = np.einsum("nia,njb->nijab", s.shape, t.shape)
-    d_s = np.einsum("nia,njb->nijab", s.slope, t.shape).reshape(*area.shape[:3], 1, 4)
-    d_t = np.einsum("nia,njb->nijab", s.shape, t.slope).reshape(*area.shape[:3], 1, 4)
-    up, left = (np.cross(*pair) / area for pair in ((across, normal), (normal, along)))
-    gradient = up[..., None] * d_s + left[..., None] * d_t
-    weights = s.weights[:, :, None] * t.weights[:, None] * area[..., 0]
-    return Samples(points, weights.reshape(n, -1), shape.reshape(n, -1, 4), gradient.reshape(n, -1, 3, 4))
-
-
-class Line(NamedTuple):
-    """q points between −1 and 1 on each of n lines and the two functions, one at one of the Gauss points ±1/√3."""
-
-    at: np.ndarray  # (n, q)
-    weights: np.ndarray  # (n, q)
-    shape: np.ndarray  # (n, q, 2)
-    slope: np.ndarray  # (n, q, 2)
-
-
-def _line(minus, plus):
-    """`Line` for exponents (n,) at the ends −1 and 1; a line with two sharp ends is treated as if it had none."""
-    x, w = np.polynomial.legendre.leggauss(POINTS)
-    both = (minus < 1) & (plus < 1)
-    mu = np.where(both, 1.0, np.minimum(minus, plus))[:, None]
-    end, power = np.where(plus < 1, 1, -1)[:, None], np.where(mu < 1, 3, 1)
-    u = (1 + x) / 2
-    r = u**power  # from the end, of the length of the line
-    nodes = ((1 - end * np.array([-1, 1]) / np.sqrt(3)) / 2) ** mu
-    first, second = nodes[:, :1], nodes[:, 1:]
-    shape = np.stack([second - r**mu, r**mu - first], axis=-1) / (second - first)[..., None]
-    slope = (mu * r ** (mu - 1) * -end / 2 / (second - first))[..., None] * np.array([-1, 1])
-    return Line(end * (1 - 2 * r), power * u ** (power - 1) * w, shape, slope)
+SIDES = (3, 1), (0, 2)  # of a panel, where s is −1 and 1, where t is
 
 
 def sharp_sides(mesh):
@@ -85,6 +23,82 @@ def sharp_sides(mesh):
     convex = np.sum((hull.centroids[b] - hull.centroids[a]) * hull.normals[a], axis=1) < 0
     out[one] = out[other] = np.where(convex & (turn > SHARP), np.pi / (np.pi + turn), 1.0)
     return out.reshape(-1, 4)[: len(mesh)]
+
+
+class Strips(NamedTuple):
+    """Where n panels lie across an edge, in one of their two directions.
+
+    Behind a panel with an edge at one end lie others; those without edges of their own make a strip with it.
+    """
+
+    place: np.ndarray  # (n,) 0 next to the edge, 1 behind, −1 farther away or without an edge
+    end: np.ndarray  # (n,) −1 or 1, the end towards the edge; −1 without
+    mu: np.ndarray  # (n,) exponent of the flow, 1 without an edge
+    chain: np.ndarray  # (n, 3) panels of the strip from the edge; the panel itself three times without an edge
+    count: np.ndarray  # (n,) of panels in the strip that are known, up to three
+    lengths: np.ndarray  # (n, 3) of the chain, m
+
+    def alone(self, where):
+        """The same without the panels behind those that are marked (n,)"""
+        own = np.arange(len(where))
+        far = where & (self.place != 0)
+        return Strips(
+            np.where(far, -1, self.place), np.where(far, -1, self.end), np.where(far, 1.0, self.mu),
+            np.where(where[:, None], own[:, None], self.chain), np.where(where, 1, self.count), self.lengths,
+        )  # fmt: skip
+
+
+def strips(mesh, exponents):
+    """`Strips` along s and t; exponents : (n, 4) as of `sharp_sides`
+
+    Panels that are not alike in the one direction do not make a strip in the other.
+    """
+    beside = _beside(mesh)
+    s, t = (_in_direction(mesh, exponents, beside, *sides) for sides in SIDES)
+    return s.alone(~_alike(s, t)), t.alone(~_alike(t, s))
+
+
+def _in_direction(mesh, exponents, beside, minus, plus):
+    one, two = exponents[:, minus], exponents[:, plus]
+    own, free = np.arange(len(mesh)), (one == 1) & (two == 1)
+    sharp = (one < 1) ^ (two < 1)  # between two edges straight lines are all that is left
+    end, mu = np.where(sharp & (two < 1), 1, -1), np.where(sharp, np.minimum(one, two), 1.0)
+    place, count, chain = np.where(sharp, 0, -1), np.ones(len(own), int), np.repeat(own[:, None], 3, axis=1)
+    known = sharp
+    for k in (1, 2):
+        after = np.where(end < 0, beside[chain[:, k - 1], plus], beside[chain[:, k - 1], minus])
+        known = known & (after >= 0) & free[after]
+        chain[known, k:] = after[known, None]
+        count[known] = k + 1
+    first = np.flatnonzero(count > 1)
+    second = chain[first, 1]
+    place[second] = 1
+    for part in (end, mu, chain, count):
+        part[second] = part[first]
+    middles = mesh.flat_vertices + np.roll(mesh.flat_vertices, -1, axis=1)
+    size = np.linalg.norm(middles[:, plus] - middles[:, minus], axis=1) / 2
+    return Strips(place, end, mu, chain, count, size[chain])
+
+
+def _alike(mine, across):
+    """(n,) whether the panels of each strip have the same places across it, in strips that run side by side"""
+    out = np.ones(len(mine.place), bool)
+    for panel in mine.chain.T:
+        for part in (across.place, across.end, across.mu, across.count):
+            out &= part == part[panel]
+    beside = mine.chain[across.chain]
+    return out & np.all(beside == across.chain[mine.chain].transpose(0, 2, 1), axis=(1, 2))
+
+
+def _beside(mesh):
+    """(n, 4) panel that continues a panel beyond each side, numbered alike and not round an edge; −1 where none"""
+    one, other = _neighbours(mesh)
+    smooth = np.sum(mesh.normals[one // 4] * mesh.normals[other // 4], axis=1) > np.cos(SHARP)
+    alike = smooth & (one % 4 == (other + 2) % 4)
+    out = np.full(4 * len(mesh), -1)
+    for a, b in ((one, other), (other, one)):
+        out[a[alike]] = b[alike] // 4
+    return out.reshape(-1, 4)
 
 
 def _neighbours(mesh):

@@ -6,7 +6,8 @@ import numpy as np
 
 from .drift import about
 from .elements import line_points
-from .panel_edges import samples, sharp_sides
+from .panel_edges import sharp_sides
+from .panel_samples import samples
 from .waves import incident_wave
 
 
@@ -62,32 +63,37 @@ class _Hull:
 
     def __init__(self, run):
         self.run, self.mesh = run, run.geometry.mesh
-        exponents = sharp_sides(self.mesh)
-        points, weights, self.shape, self.gradient = samples(self.mesh, exponents)
-        self.points, self.weights = points.reshape(-1, 3), weights.ravel()
-        self.normals = np.repeat(self.mesh.normals, points.shape[1], axis=0)
-        self.sharp = (exponents < 1).any(axis=1)
+        self.flow = samples(self.mesh, sharp_sides(self.mesh))
+        q = self.flow.points.shape[1]
+        self.points, self.weights = self.flow.points.reshape(-1, 3), self.flow.weights.ravel()
+        self.normals = np.repeat(self.mesh.normals, q, axis=0)
+        self.sharp = np.isfinite(self.flow.edge[:, 0])
 
     def images(self, phi, heading, motion):
         """For each mirror image: points, normals, weights, total φ and ∇φ along the panel per unit wave amplitude
 
-        φ without the waves is interpolated between the nodes; next to an edge, where r^μ is to be all there is, the
-        whole of φ but a uniform flow that goes with the hull.
+        φ without the waves is interpolated between the nodes; near an edge, where powers of r^μ are to be all there
+        is, with the uniform flow in which the waves meet the moving edge.
         """
-        run, q = self.run, self.shape.shape[1]
+        run, flow, q = self.run, self.flow, self.flow.points.shape[1]
         for node, mirror in zip(phi, np.column_stack([run.geometry.images, np.ones(len(phi))]), strict=True):
             nodes, at, normal = run.hull[0] * mirror, self.points * mirror, self.normals * mirror
-            uniform = -1j * run.omega * displacement(motion, self.mesh.centroids * mirror) * self.sharp[:, None]
-            carried = [np.sum(uniform.repeat(m, axis=0) * x, axis=1) for m, x in ((4, nodes), (q, at))]
-            whole = node + np.where(self.sharp.repeat(4), self.incident(nodes, heading)[0] - carried[0], 0)
-            whole = whole.reshape(-1, 4)
+            uniform = self.past_edge(flow.edge * mirror, heading, motion)
+            remainder = node[flow.nodes] + np.einsum("nc,nac->na", uniform, nodes[flow.nodes])
+            uniform = uniform.repeat(q, axis=0)
             wave, velocity = self.incident(at, heading)
-            smooth = ~self.sharp.repeat(q)
-            value = np.einsum("nqa,na->nq", self.shape, whole).ravel() + np.where(smooth, wave, carried[1])
-            slope = np.einsum("nqia,na->nqi", self.gradient, whole).reshape(-1, 3) * mirror
-            known = np.where(smooth[:, None], velocity, uniform.repeat(q, axis=0))
+            known = velocity - uniform
             known -= np.sum(known * normal, axis=1, keepdims=True) * normal
+            value = np.einsum("nqa,na->nq", flow.shape, remainder).ravel() + wave - np.sum(uniform * at, axis=1)
+            slope = np.einsum("nqia,na->nqi", flow.gradient, remainder).reshape(-1, 3) * mirror
             yield at, normal, self.weights, value, slope + known
+
+    def past_edge(self, edge, heading, motion):
+        """(n, 3) velocity of the waves relative to the edge, 0 on panels without"""
+        out = np.zeros((len(edge), 3), complex)
+        at = edge[self.sharp]
+        out[self.sharp] = self.incident(at, heading)[1] + 1j * self.run.omega * displacement(motion, at)
+        return out
 
     def incident(self, at, heading):
         run = self.run

@@ -7,14 +7,18 @@ import pytest
 from exact.truncated_cylinder import TruncatedCylinder
 
 from bem import DOFS
+from bem.contour_depth import _at_keel, _edge_functions
+from bem.drift import energy_defect
+from bem.elements import elements
 from bem.near_field import near_field_drift
-from bem.panel_edges import samples, sharp_sides
+from bem.panel_edges import sharp_sides, strips
+from bem.panel_samples import nodal_errors, samples
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
 from bem.viscous import Quadratic, Viscous
 from bem.waves import wavenumber
 from meshing.lid import lid
-from meshing.panels import structured
+from meshing.panels import PanelMesh, structured
 from meshing.shapes import box, buoy
 
 RHO, G = 1025.0, 9.80665
@@ -32,10 +36,6 @@ ARMS = np.array([1, 1, LENGTH / 2])
 def series_box(depth, tolerance):
     """The floating box of the contour method"""
     return contour_body(SIZES, depth, tolerance, **FLOATING)
-
-
-# of the far field of a free box that the near field misses at any tolerance: 1.5e-3 was measured at 0.6 rad/s
-LEFT = 4e-3
 
 
 def contour_body(sizes, depth, tolerance, **options):
@@ -94,21 +94,92 @@ def test_near_field_of_a_box_meets_the_far_field_as_the_tolerance_falls(depth):
         runs = [solved(series_box(depth, tolerance), omega) for tolerance in (1e-2, 1e-3, 1e-5)]
         for moving in (False, True):
             gaps = [gap(run, moving) for run in runs]
-            assert gaps[1] < 0.01 and gaps[2] < 0.001, (omega, moving, gaps)
-            assert moving or gaps[2] < 0.1 * gaps[0], (omega, gaps)
+            assert gaps[1] < 0.005 and gaps[2] < 1e-4, (omega, moving, gaps)
+            assert gaps[2] < 0.1 * gaps[0], (omega, moving, gaps)
+
+
+@pytest.mark.parametrize("depth", [20.0, 100.0])
+def test_a_box_in_resonant_roll_has_the_same_drift_near_and_far(depth):
+    """Pressures are tens of times as large as the drift that they leave"""
+    runs = [solved(series_box(depth, tolerance), 0.6, np.radians([45, 90])) for tolerance in (1e-2, 1e-3, 1e-5)]
+    assert BEAM / 2 * np.abs(runs[0].rao[:, 3]).max() > 5
+    gaps = [gap(run, True) for run in runs]
+    assert gaps[1] < 0.005 and gaps[2] < 0.1 * gaps[0] and gaps[2] < 3e-4, gaps
+
+
+def test_near_and_far_field_are_equal_in_motions_that_take_power_from_the_waves_or_give_it():
+    """Momentum is conserved whatever moves the box"""
+    rng = np.random.default_rng(1)
+    levers = np.array([1, 1, 1, BEAM / 2, LENGTH / 2, LENGTH / 2])
+    for depth, omega in ((12.0, 0.5), (20.0, 0.7)):
+        run = solved(series_box(depth, 1e-5), omega)
+        for _ in range(3):
+            run.rao = (rng.normal(size=run.rao.shape) + 1j * rng.normal(size=run.rao.shape)) / levers
+            near, far = both(run, True)
+            assert np.abs(near - far).max() < 1e-4 * np.abs(far).max()
+            radiated, scattered = (H[0] for H in run.kochin)
+            H, t = scattered + run.rao @ radiated, len(run.theta)
+            assert energy_defect(H[:, :t], np.diag(H[:, t:])).max() > 0.1
 
 
 @pytest.mark.parametrize("depth", [12.0, 20.0, 100.0])
 def test_near_and_far_field_differ_by_no_more_than_their_errors(depth):
-    """The error of each is what a hundredth of the tolerance changes"""
+    """The error of each is what a hundredth of the tolerance changes; less than that asks for means nothing"""
     for omega in (0.4, 0.6, 1.0):
         rough, fine = (solved(series_box(depth, tolerance), omega) for tolerance in (1e-3, 1e-5))
         for moving in (False, True):
             (near, far), (better_near, better_far) = both(rough, moving), both(fine, moving)
-            left = LEFT * np.abs(better_far).max() if moving else 0.0
-            error = np.abs(near - better_near).max() + np.abs(far - better_far).max() + left
+            error = np.abs(near - better_near).max() + np.abs(far - better_far).max()
             assert np.abs(near - far).max() < 1.5 * error
-            assert np.abs(better_near - better_far).max() < 0.5 * error
+            asked = 3e-5 * np.abs(fine.drift(False)[:, :2]).max() if moving else 0.0
+            assert np.abs(better_near - better_far).max() < max(0.5 * error, asked)
+
+
+class EdgeFlow:
+    """In place of the depth modes c + c₁ r^(2/3) + c₂ r^(4/3) + c₃ r² + wr + b (2/3π) r² ln r, and none of w and b"""
+
+    c, w, b = (0.7, 1.3, -0.4, 0.2), 0.9, -1.1
+
+    def flow(self, r):
+        out = np.zeros((2, len(r), 3))
+        out[:, :, 0] = self.exact(r)
+        return out
+
+    def exact(self, r):
+        c0, c1, c2, c3 = self.c
+        turn = 2 * self.b / (3 * np.pi)
+        value = c0 + c1 * r ** (2 / 3) + c2 * r ** (4 / 3) + (c3 + turn * np.log(r)) * r**2 + self.w * r
+        slope = c1 * 2 / 3 * r ** (-1 / 3) + c2 * 4 / 3 * r ** (1 / 3) + (2 * c3 + turn * (2 * np.log(r) + 1)) * r
+        return value, slope + self.w
+
+
+def test_flow_round_a_moving_keel_is_continued_exactly_to_its_edge():
+    edge = EdgeFlow()
+    (r, weights, value, slope), keel = _at_keel(edge, 0.1, 0.5)
+    g = np.array([1, edge.w, edge.b])
+    np.testing.assert_allclose(weights.sum(), 0.5)
+    np.testing.assert_allclose(keel @ g, edge.c[0], rtol=1e-12)
+    np.testing.assert_allclose([value @ g, slope @ g], edge.exact(r), rtol=1e-10)
+
+
+def test_a_side_that_turns_about_its_keel_moves_the_water_by_the_logarithm():
+    """Harmonic, and on both faces of the edge ∂φ/∂θ / r = b r: the side swings out, the bottom goes up"""
+    b = 1.3
+
+    def phi(r, theta):
+        turn = np.log(r) * np.cos(2 * theta) - theta * np.sin(2 * theta)
+        return b * r**2 * (2 / (3 * np.pi) * turn + np.sin(2 * theta) / 2)
+
+    r, h = np.array([0.3, 0.8]), 1e-4
+    for theta in (0.0, 3 * np.pi / 2):
+        np.testing.assert_allclose((phi(r, theta + h) - phi(r, theta - h)) / (2 * h * r), b * r, rtol=1e-6)
+    x, y = 0.4, -0.3
+    square = [(x + h, y), (x - h, y), (x, y + h), (x, y - h), (x, y)]
+    values = [phi(np.hypot(*p), np.arctan2(p[1], p[0]) % (2 * np.pi)) for p in square]
+    assert abs(sum(values[:4]) - 4 * values[4]) / h**2 < 1e-5
+    value, slope = (part[:, -1] for part in _edge_functions(r))
+    np.testing.assert_allclose(b * value, phi(r, 0.0))
+    np.testing.assert_allclose(b * slope, (phi(r + h, 0.0) - phi(r - h, 0.0)) / (2 * h), rtol=1e-6)
 
 
 def test_near_field_holds_about_any_rotation_centre():
@@ -155,12 +226,19 @@ def test_a_floating_box_does_not_drift_in_long_waves():
 
 @pytest.mark.parametrize("depth", [12.0, 20.0, 100.0, np.inf])
 def test_near_field_of_panels_approaches_the_far_field(depth):
+    """At first order in the size of the panels or better, floating as well as fixed"""
     bodies = [panel_body(n, depth, **FLOATING) for n in (100, 400)]
     for omega in (0.5, 0.9):
         runs = [solved(body, omega) for body in bodies]
         fixed, free = ([gap(run, moving) for run in runs] for moving in (False, True))
-        assert fixed[1] < 0.025, (omega, fixed)
-        assert free[1] < 0.75 * free[0], (omega, free)
+        assert fixed[1] < 0.02 and free[1] < 0.04, (omega, fixed, free)
+        assert fixed[1] < 0.5 * fixed[0] and free[1] < 0.5 * free[0], (omega, fixed, free)
+
+
+def test_panels_give_the_drift_of_a_box_in_resonant_roll():
+    run = solved(panel_body(400, 20.0, **FLOATING), 0.6, np.radians([45, 90]))
+    assert BEAM / 2 * np.abs(run.rao[:, 3]).max() > 5
+    assert gap(run, True) < 0.04
 
 
 def test_the_edges_of_a_box_are_sharp_and_only_they():
@@ -177,27 +255,63 @@ def test_the_edges_of_a_box_are_sharp_and_only_they():
     np.testing.assert_allclose(sharp_sides(barrel), np.where(keel & np.roll(keel, -1, axis=1), 2 / 3, 1), atol=1e-12)
 
 
+def sharp_plate(rows, side):
+    """A flat mesh of `rows` (m) behind a sharp edge on `side` of its panels, the exponents there, and that axis"""
+    axis, far = {0: (1, False), 1: (0, True), 2: (1, True), 3: (0, False)}[side]
+    across = np.append(0.0, np.cumsum(rows))
+    across = across if not far else across[-1] - across[::-1]
+    lines = [np.array([0.0, 1.0, 2.5])] * 2
+    lines[axis] = across
+    mesh = structured(np.stack([*np.meshgrid(*lines, indexing="ij"), np.zeros([len(a) for a in lines])], axis=-1))
+    middles = (mesh.vertices + np.roll(mesh.vertices, -1, axis=1))[..., axis] / 2
+    edge = across[-1] if far else 0.0
+    return mesh, np.where(np.isclose(middles, edge), 2 / 3, 1.0), axis, edge
+
+
 @pytest.mark.parametrize("side", range(4))
-def test_flow_round_an_edge_is_integrated_exactly(side):
-    """φ = r^(2/3) across a panel 2 m by 3 m: ∬ |∇φ|² = (4/9) ∫ r^(−2/3) dr · breadth"""
-    mesh = structured(np.array([[[0.0, 0, 0], [0, 3, 0]], [[2, 0, 0], [2, 3, 0]]]))
-    exponents = np.ones((1, 4))
-    exponents[0, side] = 2 / 3
-    s = samples(mesh, exponents)
-    v = mesh.vertices[0]
-    a, b, inwards = v[side], v[(side + 1) % 4], v[(side + 2) % 4] - v[(side + 1) % 4]
-    depth, breadth = np.linalg.norm(inwards), np.linalg.norm(b - a)
-    inwards = inwards / depth
-    nodes = np.array([[i, j] for i in (-1, 1) for j in (-1, 1)]) / np.sqrt(3)
-    across, up = nodes.T[:, :, None] * [[[-1, 1, 1, -1]], [[-1, -1, 1, 1]]]
-    shape = (1 + across) * (1 + up) / 4
-    phi = ((shape @ v - a) @ inwards) ** (2 / 3)
-    np.testing.assert_allclose(s.weights.sum(), 6)
-    np.testing.assert_allclose(s.shape[0] @ phi, ((s.points[0] - a) @ inwards) ** (2 / 3))
-    gradient = s.gradient[0] @ phi
-    np.testing.assert_allclose(gradient - (gradient @ inwards)[:, None] * inwards, 0, atol=1e-12)
-    square = s.weights[0] @ np.sum(gradient**2, axis=1)
-    np.testing.assert_allclose(square, 4 / 3 * depth ** (1 / 3) * breadth)
+@pytest.mark.parametrize("rows", [(2.0,), (0.5, 1.0), (0.5, 1.0, 1.7), (0.5, 1.0, 1.7, 2.0)])
+def test_flow_round_an_edge_is_integrated_exactly(side, rows):
+    """∬ |∇ r^(2/3)|² = (4/3) breadth · depth^(1/3), from the values that straight lines on the panels have"""
+    mesh, exponents, axis, edge = sharp_plate(rows, side)
+    s, r = samples(mesh, exponents), np.abs(elements(mesh).nodes[:, axis] - edge)
+    order = np.unique(r.round(9), return_inverse=True)[1]
+    missed = nodal_errors(np.array([rows[:3]]), np.array([2 / 3]))[0]
+    phi = r ** (2 / 3) * (1 + np.append(missed, [0, 0])[order])
+    depth = sum(rows[:2])  # of the rows on which φ is drawn from the edge
+    drawn = np.abs(mesh.centroids[:, axis] - edge) < depth
+    value, gradient = (np.einsum("n...a,na->n...", part, phi[s.nodes])[drawn] for part in (s.shape, s.gradient))
+    np.testing.assert_allclose(value, np.abs(s.points[drawn, :, axis] - edge) ** (2 / 3), rtol=1e-10)
+    np.testing.assert_allclose(np.delete(gradient, axis, axis=2), 0, atol=1e-10)
+    np.testing.assert_allclose(s.weights.sum(), 2.5 * sum(rows))
+    square = np.sum(s.weights[drawn] * np.sum(gradient**2, axis=2))
+    # exact next to the edge; Gauss with four points of r^(−2/3) on the row behind, 0.5 < r < 1.5, errs by 3e-6
+    np.testing.assert_allclose(square, 4 / 3 * 2.5 * depth ** (1 / 3), rtol=1e-10 if len(rows) == 1 else 1e-5)
+
+
+def test_what_straight_lines_miss_at_an_edge_is_a_flow_that_dies_away_from_it():
+    """The solution without sources beside r^μ is r^(−μ): relative errors fall like r^(−2μ)"""
+    for mu in (2 / 3, 0.8):
+        errors = nodal_errors(np.ones((1, 60)), np.array([mu]))[0]
+        assert errors[0] > 0.01
+        slope = np.log(errors[40] / errors[8]) / np.log(40 / 8)
+        assert abs(slope + 2 * mu) < 0.15, (mu, slope)
+
+
+def test_panels_that_lie_behind_one_another_make_a_strip_and_no_others():
+    mesh, exponents, *_ = sharp_plate((0.5, 1.0, 1.7), 3)
+    s, t = strips(mesh, exponents)
+    assert sorted(s.place) == [-1, -1, 0, 0, 1, 1] and np.all(s.count[s.place >= 0] == 3)
+    assert np.all(t.place == -1) and np.all(t.count == 1)
+    for first, second in zip(np.flatnonzero(s.place == 0), np.flatnonzero(s.place == 1), strict=True):
+        assert s.chain[first, 1] == second == s.chain[second, 1]
+
+    corners, sides, behind = mesh.corners.copy(), exponents.copy(), np.flatnonzero(s.place == 1)
+    corners[behind] = np.roll(corners[behind], 1, axis=1)  # numbered from another corner
+    turned, _ = strips(PanelMesh(mesh.points, corners), sides)
+    sides[:, 1] = np.where(np.isclose(mesh.centroids[:, 0], 2.35), 2 / 3, 1)  # a second edge opposite
+    narrow, _ = strips(mesh, sides)
+    assert np.all(turned.count == 1) and set(turned.place) == {-1, 0}
+    assert narrow.count.max() == 2
 
 
 def test_what_has_no_pressure_on_its_sides_is_refused():

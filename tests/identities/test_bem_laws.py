@@ -214,9 +214,8 @@ def test_near_field_drift_of_the_box_approaches_the_far_field(moving):
         run = PanelRun(free_body(counts, 20.0), 0.5, np.radians([0, 90]), WANT | {"rao", "drift_force"}, None, DOFS)
         near, far = near_field_drift(run, moving), run.drift(moving)
         gaps.append(max(abs(near[0, 0] / far[0, 0] - 1), abs(near[1, 1] / far[1, 1] - 1)))
-    # r^(2/3) at the edges is integrated exactly, but its factor is that of a solution which is linear on panels
     assert gaps[1] < 0.6 * gaps[0], gaps
-    assert moving or gaps[1] < 0.02, gaps
+    assert moving or gaps[1] < 0.005, gaps
 
 
 @pytest.mark.parametrize("depth", [10.5, 30.0, np.inf])
