@@ -27,7 +27,10 @@ from .gap import Gap
 from .modes import class_of
 from .plan_circle import Circle
 from .plan_rectangle import Rectangle
+from .short_frequency import ShortFrequency
+from .short_waves import unresolved
 from .threads import blas_threads
+from .waves import wavenumber
 
 TOLERANCES = (1e-7, 0.1)
 MARGIN = 0.5  # digits more than asked for
@@ -104,18 +107,30 @@ class ContourBody:
 
         omega : rad/s; headings : (m,) rad towards which the waves travel; theta : (t,) rad, of the Kochin functions
         dofs : degrees of freedom 0 … 5 that are needed; the others stay zero
-        Raises ValueError where the frequency is not positive and finite or an angle is not finite.
+        Raises ValueError for a frequency that is not positive and finite, an angle that is not finite, and `theta` of
+        waves that are not resolved.
         """
         if not 0 < omega < np.inf:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
         if not (np.all(np.isfinite(headings)) and np.all(np.isfinite(theta))):
             raise ValueError("headings or theta hold a value that is not finite; allowed: angles in rad")
+        solver = self.solver(omega, gravity)
+        if solver is ShortFrequency and len(theta):
+            raise ValueError(
+                f"ω = {omega:.6g} rad/s has too many waves along the body for a far field; "
+                "leave out kochin and drift, or the frequency"
+            )
         with blas_threads(SMALL):
-            return ContourFrequency(self, omega, headings, theta, dofs, density, gravity).result()
+            return solver(self, omega, headings, theta, dofs, density, gravity).result()
+
+    def solver(self, omega, gravity):
+        """`ContourFrequency`, or `ShortFrequency` of waves that are not resolved"""
+        k = float(wavenumber(omega, self.depth, gravity))
+        return ShortFrequency if unresolved((*self.plan.sizes, self.draft), k) else ContourFrequency
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
         """(m, 6) force of the undisturbed waves alone, N/m and N m/m; arguments as of `first_order`"""
-        return ContourFrequency(self, omega, headings, (), dofs, density, gravity).froude_krylov()
+        return self.solver(omega, gravity)(self, omega, headings, (), dofs, density, gravity).froude_krylov()
 
     def added_mass_limit(self, which, density=1025.0):
         """(6, 6) added mass for `which` "zero" or "infinity" of the frequency, about the origin; kg, kg m, kg m²

@@ -33,9 +33,14 @@ class ContourFrequency:
         self.modes = gap.outer_modes(self.omega, count, gravity)
         self.k = self.modes.k
         self.flows = {}  # of the classes that are solved: their dofs, `WaveMap`, motions and `Flow`
+        self.degree, self.contour = self.resolution()
+
+    def resolution(self):
+        """Degree of the functions on the plan, and a `Contour` that resolves them and the waves"""
+        plan, tolerance = self.body.plan, self.body.tolerance
         # waves that die before they reach the keel need no resolution in the gap
-        self.degree = body.plan.degree(min(self.k, -np.log(body.tolerance) / body.draft), body.tolerance)
-        self.contour = body.plan.contour(self.k, self.degree, body.tolerance)
+        degree = plan.degree(min(self.k, -np.log(tolerance) / self.body.draft), tolerance)
+        return degree, plan.contour(self.k, degree, tolerance)
 
     @property
     def classes(self):
@@ -69,7 +74,7 @@ class ContourFrequency:
         radiation = np.zeros((6, 6), complex)
         excitation, haskind = np.zeros((2, m, 6), complex)
         kochin, residual = np.zeros((2, 6 + m, len(self.theta)), complex), 0.0
-        waves = self.body.plan.waves(self.classes, self.degree, self.k, self.contour, self.headings)
+        waves = self.waves()
         for cls in self.classes:
             mine = [d for d in self.dofs if class_of(d, "xy") == cls]
             loads, radiated, far, rest = self.solve(cls, mine, waves[cls])
@@ -84,6 +89,15 @@ class ContourFrequency:
         known = self.froude_krylov()
         return FirstOrder(radiation, known, excitation - known, haskind, kochin[:, :6], kochin[:, 6:], residual)
 
+    def waves(self):
+        """{class: `WaveMap`}"""
+        return self.body.plan.waves(self.classes, self.degree, self.k, self.contour, self.headings)
+
+    def wall(self, cls, wave):
+        """(n, m) the waves in front of a rigid wall, tested with the functions of the plan"""
+        basis = self.body.plan.basis(cls, self.degree, self.contour)
+        return 4 * (basis * self.contour.weights[:, None]).T @ wave.wall
+
     def solve(self, cls, dofs, wave):
         """One symmetry class.
 
@@ -91,8 +105,7 @@ class ContourFrequency:
             (dofs, m), far field (2, dofs + m, t), residual of the equations
         """
         body, rows, moving = self.body, self.wave_rows, len(dofs)
-        basis = body.plan.basis(cls, self.degree, self.contour)
-        wall = 4 * self.amplitude * (basis * self.contour.weights[:, None]).T @ wave.wall
+        wall = self.amplitude * self.wall(cls, wave)
         drive = np.multiply.outer(rows, wall)
         system = self.system(cls, wave)
         motions = [body.motion(d, self.degree) for d in dofs]
@@ -102,14 +115,15 @@ class ContourFrequency:
         velocity = np.tensordot(rows[:-2], flow.velocity, 1)  # ⟨u + v, Z₀⟩, (n, columns)
         for j, m in enumerate(motions):
             velocity[:, j] += rows[-2:] @ m.side
-        far = self.far_field(cls, wave, basis, velocity / self.modes.wave_norm, moving)
+        far = self.far_field(cls, wave, velocity / self.modes.wave_norm, moving)
         return loads, velocity[:, :moving].T @ wall, far, flow.residual
 
-    def far_field(self, cls, wave, basis, velocity, moving):
+    def far_field(self, cls, wave, velocity, moving):
         """Kochin functions per unit velocity of a motion, then per unit amplitude of the waves, (2, columns, t)
 
         velocity : (n, columns) of the propagating mode on the contour
         """
+        basis = self.body.plan.basis(cls, self.degree, self.contour)
         potential = wave.potential @ velocity
         potential[:, moving:] += self.amplitude * wave.wall
         n = group_factor(self.k, self.body.depth)

@@ -73,6 +73,15 @@ class FrequencyRun:
         """C_g / C"""
         return float(group_factor(self.k, self.setup.depth))
 
+    @property
+    def radiated(self):
+        """(6, 6) B/ω from the far field, B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; None where none is computed"""
+        if not self.far_field:
+            return None
+        H = self.kochin[0][0][:, : len(self.theta)]
+        factor = 4 * self.setup.density * self.setup.gravity * self.group_factor / (self.k * self.omega) ** 2
+        return factor * (H @ H.conj().T).real / len(self.theta)
+
     @cached_property
     def excitation(self):
         return self.froude_krylov + self.diffraction

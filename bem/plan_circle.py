@@ -16,9 +16,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import hankel1, ive, kve
+from scipy.special import hankel1, ive, jv, kve
 
 from .plan import CLASSES, Contour, WaveMap
+from .plan_short import ShortMap
+from .section_waves import side_integrals
+from .waves import depth_factor
 
 LOWEST = 3  # order that any velocity in the gap has
 
@@ -43,6 +46,11 @@ class Circle:
     def reach(self):
         """Largest distance from the origin, m"""
         return self.radius
+
+    @property
+    def sizes(self):
+        """(radius,), m"""
+        return (self.radius,)
 
     def to(self, accuracy):
         """The same plan for another `contour_accuracy.Accuracy`; its maps are exact"""
@@ -111,6 +119,31 @@ class Circle:
             basis = self.basis(cls, degree, contour)
             out[cls] = WaveMap(np.diag(ratio), basis * ratio, total)
         return out
+
+    def short_degree(self, tolerance):
+        """Highest order where waves are not resolved: orders do not mix, and motions have the first two"""
+        return LOWEST
+
+    def short_map(self, cls, degree, k, beta):
+        """`bem.plan_short.ShortMap`, exact"""
+        contour = self.polynomial_contour(degree)
+        wave = self.waves([cls], degree, k, contour, beta)[cls]
+        return ShortMap(wave.weak, 4 * (self.basis(cls, degree, contour) * contour.weights[:, None]).T @ wave.wall)
+
+    def incident_force(self, draft, depth, k, beta):
+        """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)
+
+        ∮ n₁ exp(ikx) ds = 2πiR J₁(kR),  ∬ exp(ikx) dA = 2πR J₁(kR)/k,  ∬ x exp(ikx) dA = 2πiR² J₂(kR)/k
+        """
+        one, z = side_integrals(draft, depth, k)
+        keel, x = float(depth_factor(-draft, k, depth)) / k, k * self.radius
+        around = 2j * np.pi * self.radius * jv(1, x)
+        turning = z * around + 2j * np.pi * self.radius**2 * jv(2, x) * keel
+        force = np.zeros((len(beta), 6), complex)
+        force[:, 0], force[:, 1] = -one * around * np.cos(beta), -one * around * np.sin(beta)
+        force[:, 2] = 2 * np.pi * self.radius * jv(1, x) * keel
+        force[:, 3], force[:, 4] = turning * np.sin(beta), -turning * np.cos(beta)
+        return force
 
 
 def _last_order(x, tolerance):

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .checks import excitation_scale, radiation_scale
+from .checks import excitation_scale, longer, radiation_scale
 
 EFFECT = 0.7
 LEAST_GAP = 10.0  # F
@@ -35,7 +35,7 @@ def raised_bed(shape, sizes, tolerance, k):
     factor = max(LEAST_GAP, (2 * EFFECT / tolerance) ** 0.5)
     bed = draft + factor * max(half, draft)
     short = k * across >= 2 * np.pi and k * bed >= LEAST_PHASE
-    reached = factor**2 * max(half, draft) <= HIGHEST * min(half, draft)
+    reached = factor**2 * max(half, draft) <= HIGHEST * min(half, draft) * (1 + 1e-9)  # where both are round numbers
     return float(bed) if short and reached else None
 
 
@@ -56,9 +56,9 @@ def with_bed(run, radiation, excitation):
     share, radiation, excitation = effect_of_bed(setup.shape, setup.sizes, setup.bed), radiation + 0, excitation + 0
     if run.radiates:
         block = np.ix_(run.dofs, run.dofs)
-        radiation[block] = _longer(radiation[block], share * _finite(radiation_scale(run)))
+        radiation[block] = longer(radiation[block], share * _finite(radiation_scale(run)))
     if run.diffracts:
-        excitation[:, run.dofs] = _longer(excitation[:, run.dofs], share * _finite(excitation_scale(run)))
+        excitation[:, run.dofs] = longer(excitation[:, run.dofs], share * _finite(excitation_scale(run)))
     return radiation, excitation
 
 
@@ -70,9 +70,3 @@ def _lengths(shape, sizes):
 
 def _finite(scale):
     return np.where(np.isfinite(scale), scale, 0.0)
-
-
-def _longer(values, by):
-    """Complex values whose size is `by` more"""
-    size = np.abs(values)
-    return values * (1 + by / np.where(size > 0, size, np.inf))

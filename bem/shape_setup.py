@@ -9,7 +9,7 @@ import numpy as np
 
 from . import DOFS
 from .body import Body
-from .checks import at_least_haskind
+from .checks import at_least_haskind, longer
 from .frequency import FrequencyRun
 from .limits import with_net_flux
 from .raised_bed import SHARE, with_bed
@@ -123,7 +123,16 @@ class ShapeRun(FrequencyRun):
         )
         force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
         excitation = at_least_haskind(force - better, force, ours.haskind, self.dofs)
-        return with_bed(self, ours.radiation - fine.radiation, excitation)
+        radiation = ours.radiation - fine.radiation
+        if ours.doubt is not None:
+            A, B = (longer(part, ours.doubt[0]) for part in (radiation.real, radiation.imag))
+            radiation, excitation = A + 1j * B, longer(excitation, ours.doubt[1])
+        return with_bed(self, radiation, excitation)
+
+    @property
+    def radiated(self):
+        mine = self.first_order.radiated if self.radiates else None
+        return super().radiated if mine is None else mine
 
     @property
     def radiation(self):

@@ -13,6 +13,7 @@ from bem.kochin import angles
 from bem.raised_bed import effect_of_bed
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
+from bem.short_waves import MOST_WAVES, too_many, unresolved, waves_along
 from bem.waves import wavenumber
 from meshing.files import read_mesh
 from meshing.hydrostatics import hydrostatics, inertia_matrix
@@ -22,14 +23,13 @@ from meshing.quality import findings
 from meshing.shapes import box, buoy
 
 from .large import shared_band
-from .methods import METHODS, bed_for_contour
+from .methods import METHODS, bed_for_contour, highest_resolved
 from .panel_counts import coarse_counts, fine_counts, meshed, sizes
 from .scene import SceneError
 from .scene_text import fixed_part, scene_hash, to_toml
 from .viscous_table import viscous_of
 
 MOST_PANELS = 20_000
-MOST_WAVES = {"box": 200, "buoy": 400}  # along the body, without panels; a box takes 30 s then, a buoy 10 s
 FOR_SHOW = 500  # panels where none is computed with
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 
@@ -56,7 +56,7 @@ def make_hull(scene, omegas):
     """
     wave = shortest_wave(scene, omegas)
     if not panels_matter(scene):
-        _check_waves_across(scene, wave)
+        _check_waves_along(scene, wave)
         return Hull(_meshed(scene.body, FOR_SHOW), None)
     if scene.body.shape == "mesh":
         mesh = read_mesh(scene.body.file)
@@ -68,14 +68,14 @@ def make_hull(scene, omegas):
     return Hull(mesh, make_lid(scene, mesh, wave))
 
 
-def _check_waves_across(scene, wave):
-    """Methods without panels know no other limit than the patience of their user and, from 400 waves on, his memory."""
-    body = scene.body
-    across = 2 * body.radius if body.shape == "buoy" else max(body.length, body.beam)
-    if across > MOST_WAVES[body.shape] * wave:
+def _check_waves_along(scene, wave):
+    """Resolved, waves take patience and, from 400 on, memory; unresolved they have limits of their own."""
+    sizes, most, k = tuple(scene.dimensions.values()), MOST_WAVES[scene.body.shape], 2 * math.pi / wave
+    if too_many(sizes, k) and not (scene.chosen_method == "contour" and unresolved(sizes, k)):
+        across = waves_along(sizes, k) * wave
         raise SceneError(
             f"the shortest wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
-            f"{across / MOST_WAVES[body.shape]:.3g} m; leave out the highest frequencies"
+            f"{across / most:.3g} m; leave out the highest frequencies"
         )
 
 
@@ -114,8 +114,8 @@ def inspected(hull, scene, omegas):
     """The hull with the remarks of the mesh check.  Raises SceneError if one of them is an error."""
     wave = shortest_wave(scene, omegas)
     if not panels_matter(scene):
-        _check_waves_across(scene, wave)
-        return replace(hull, remarks=tuple(_bed_remarks(scene)))
+        _check_waves_along(scene, wave)
+        return replace(hull, remarks=(*_bed_remarks(scene), *_short_remarks(scene)))
     found = _usable(scene, hull.mesh, hull.lid, wave)
     return Hull(hull.mesh, hull.lid, (*(f.text for f in found), *_lid_remarks(hull.lid, wave)))
 
@@ -259,6 +259,15 @@ def _bed_remarks(scene):
         yield (
             f"waves too short to feel a bed at {bed:.4g} m: the contour method works over one, whose effect, at most "
             f"{100 * effect:.2g} %, is in the estimated errors; added mass at the limits is by panels"
+        )
+
+
+def _short_remarks(scene):
+    highest = highest_resolved(scene)
+    if highest:
+        yield (
+            f"above {highest:.4g} rad/s more than {MOST_WAVES[scene.body.shape]} waves along the body are answered as "
+            "far shorter than its walls, within the estimated errors; kochin and drift are left out"
         )
 
 

@@ -7,9 +7,11 @@ from typing import NamedTuple
 
 from bem.raised_bed import raised_bed
 from bem.schema import LIMITS, QUANTITIES
+from bem.short_waves import MOST_WAVES, unresolved, waves_along
 from bem.waves import wavenumber
 
 FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force")
+FAR_FIELD_GROUPS = ("kochin", "drift")  # of `products`
 
 
 class Method(NamedTuple):
@@ -57,15 +59,33 @@ def bed_for_contour(scene):
     return None if bed is None else min(bed, water.depth)
 
 
+def highest_resolved(scene):
+    """rad/s above which frequencies of the scene are answered by `bem.short_frequency`; None where none is"""
+    if chosen(scene) != "contour":
+        return None
+    sizes, water = tuple(scene.dimensions.values()), scene.water
+    highest = wavenumber(scene.omegas()[-1], water.depth, water.gravity)
+    if not unresolved(sizes, float(highest)):
+        return None
+    k = MOST_WAVES[scene.body.shape] / waves_along(sizes, 1.0)
+    return math.sqrt(water.gravity * k * math.tanh(k * water.depth))
+
+
 def names_given(scene, names, named):
     """`names` of the database without those that the scene's method or wall does not give.
 
     named : words asked for one by one
-    raises : ValueError if one of these is among them
+    raises : ValueError if one of these is among them, or a far field where waves are too many
     """
     method = chosen(scene)
     missing = _lacking(scene, METHODS[method])
     refused = [name for name in named if name in missing]
+    far = [word for word in named if word in (*FAR_FIELD, *FAR_FIELD_GROUPS)]
+    if far and (highest := highest_resolved(scene)):
+        raise ValueError(
+            f"want has {far[0]}, which frequencies above {highest:.4g} rad/s, with more than "
+            f"{MOST_WAVES[scene.body.shape]} waves along the body, do not have; leave it or them out"
+        )
     if refused:
         if scene.wall is not None and refused[0] in FAR_FIELD:
             raise ValueError(f"want has {refused[0]}, which a body beside a wall does not have; leave it out")
@@ -97,7 +117,8 @@ def _lacking(scene, method):
     """Names of the database that a method does not give for a scene"""
     beside_wall = FAR_FIELD if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
-    return method.without + beside_wall + deep
+    short = FAR_FIELD if method is METHODS["contour"] and highest_resolved(scene) else ()
+    return method.without + beside_wall + deep + short
 
 
 def _relative_gap(scene):

@@ -1,0 +1,58 @@
+"""Scenes with more waves along the body than are resolved: answered, said, and the far field refused by name."""
+
+import numpy as np
+import pytest
+
+from bem.database import open_database
+from pipelines.cli import main
+from pipelines.hull import inspected, make_hull
+from pipelines.methods import FAR_FIELD, highest_resolved
+from pipelines.scene import SceneError, make_scene
+
+BOX = {"shape": "box", "length": 100.0, "beam": 20.0, "draft": 2.0}
+BUOY = {"shape": "buoy", "radius": 50.0, "draft": 2.0}
+
+
+def scene(body=BOX, depth=3.0, omegas=(5.0, 12.0), **more):
+    return make_scene({"water": {"depth": depth}, "bodies": [body], "waves": {"omegas": list(omegas)}, **more})
+
+
+@pytest.mark.parametrize(("body", "depth", "highest"), [(BOX, 3.0, 12.0), (BOX, np.inf, 12.0), (BUOY, 3.0, 20.0)])
+def test_short_waves_are_answered_and_said_in_one_line(body, depth, highest):
+    checked = scene(body, depth, (7.0, highest))
+    omegas = checked.omegas()
+    border = highest_resolved(checked)
+    remarks = inspected(make_hull(checked, omegas), checked, omegas).remarks
+    assert 7.0 < border < highest
+    assert sum(f"above {border:.4g} rad/s more than" in line for line in remarks) == 1
+    assert not set(checked.names()) & set(FAR_FIELD) and "excitation_force" in checked.names()
+
+
+def test_ordinary_waves_keep_their_far_field():
+    checked = scene(omegas=[1.0, 2.0])
+    assert highest_resolved(checked) is None and "drift_force_fixed" in checked.names()
+
+
+@pytest.mark.parametrize("word", ["drift", "kochin", "drift_force_fixed"])
+def test_a_far_field_asked_for_by_name_is_refused_with_its_frequency(word):
+    with pytest.raises(SceneError, match=rf"want has {word}, which frequencies above 11\.\d+ rad/s.* do not have"):
+        scene(want=["radiation", word])
+
+
+@pytest.mark.parametrize(("body", "depth", "method"), [
+    (BOX, 3.0, "strip"), ({**BOX, "beam": 2.0}, 3.0, "auto"), ({**BOX, "draft": 0.02}, 0.1, "auto"),
+])  # fmt: skip
+def test_short_waves_without_an_answer_are_refused_in_one_line(body, depth, method):
+    checked = scene(body, depth, method=method)
+    with pytest.raises(SceneError, match=r"the shortest wave is 0\.\d+ m against a body 100 m across"):
+        make_hull(checked, checked.omegas())
+
+
+def test_a_scene_of_ordinary_and_short_waves_is_stored_with_the_errors_of_both(tmp_path, capsys):
+    file = tmp_path / "box.h5"
+    words = "box --length 100 --beam 20 --draft 2 --depth 3 --omega 2,14 --heading 0,30 --tolerance 0.05"
+    assert main([*words.split(), "--output", str(file)]) == 0
+    db = open_database(file)
+    error = db.estimated_errors()["excitation_force"]
+    assert np.all(np.isfinite(error)) and np.all(error[:, 0, 0] > 0) and np.all(np.isfinite(db["added_mass"]))
+    assert "far shorter than its walls" in capsys.readouterr().out
