@@ -1,5 +1,7 @@
 """Plane problems on a contour: manufactured solutions, closed forms and what a table keeps of them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.special import hankel1, k0, k1
@@ -169,3 +171,15 @@ def test_froude_krylov_forces_of_a_box_are_products_of_sines(k):
     surge = -2j * np.sin(a) * BEAM * sb * one
     np.testing.assert_allclose(force[:, 0], surge, rtol=1e-8, atol=1e-8 * np.abs(surge).max())
     np.testing.assert_allclose(force[:, 2], keel * LENGTH * BEAM * sa * sb, rtol=1e-8, atol=1e-8 * LENGTH * BEAM)
+
+
+@pytest.mark.parametrize("waves", [30, 60, 100])
+def test_waves_in_front_of_walls_are_no_worse_where_they_are_many(waves):
+    plan, k = Rectangle.to_digits(100.0, 20.0, 3), 2 * np.pi * waves / 100
+    degree = plan.degree(k, 1e-2)
+    walls = []
+    for each in (plan, replace(plan, nodes=14, count=14)):
+        contour = each.contour(k, degree, 1e-2)
+        wall = each.waves([(1, 1)], degree, k, contour, np.radians([20.0]))[1, 1].wall
+        walls.append((each.basis((1, 1), degree, contour) * contour.weights[:, None]).T @ wall)
+    assert np.abs(walls[0] - walls[1]).max() < 3e-3 * np.abs(walls[1]).max()
