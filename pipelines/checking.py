@@ -7,6 +7,7 @@ import numpy as np
 from bem.database import open_database
 from meshing.quality import findings
 
+from .methods import METHODS
 from .report import checked, checks_table
 
 
@@ -27,7 +28,15 @@ def check(path, console):
 
 
 def _findings(db):
+    if not _on_panels(db):
+        return findings(db.mesh)
     if not len(db.omega):
         return findings(db.mesh, db.water_depth, lid=db.lid)
     wave = 2 * np.pi / float(db["wavenumber"].max())
     return findings(db.mesh, db.water_depth, wave, db.lid)
+
+
+def _on_panels(db):
+    """Whether anything was computed with the mesh; other methods have one to be looked at"""
+    method = METHODS.get(db.attributes.get("method"))
+    return method is None or method.panels or "pressure" in db.names

@@ -56,3 +56,5 @@ def test_a_scene_of_ordinary_and_short_waves_is_stored_with_the_errors_of_both(t
     error = db.estimated_errors()["excitation_force"]
     assert np.all(np.isfinite(error)) and np.all(error[:, 0, 0] > 0) and np.all(np.isfinite(db["added_mass"]))
     assert "far shorter than its walls" in capsys.readouterr().out
+    # a mesh that nothing was computed with is not held against the waves
+    assert main(["check", str(file)]) == 0 and "warning" not in capsys.readouterr().out
