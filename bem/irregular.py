@@ -7,6 +7,9 @@ The direct equation of the outside has a false resonance wherever the water insi
 Continued by zero, such a flow is one of the box around the hull as well, which can only have a lower minimum:
 
     K ≥ κ coth κd,    κ² = π² (1/L² + 1/B²),    equal for a box of length L, beam B, draft d.
+
+Of all boxes that have a side along one of the plan's convex hull the one with the largest κ is taken: it turns with
+the hull.
 """
 
 from __future__ import annotations
@@ -26,7 +29,21 @@ def lowest_irregular(length, beam, draft):
 
 def lid_needed_from(mesh):
     """K = ω²/g in 1/m up to which a hull is solved without a lid; mesh : PanelMesh, with or without mirror planes"""
-    return SHARE * lowest_irregular(*extent(mesh), mesh.draft)
+    return SHARE * lowest_irregular(*rectangle_around(mesh), mesh.draft)
+
+
+def rectangle_around(mesh):
+    """(2,) m, sides of the rectangle around the plan of the whole hull, however it is turned, with the largest κ"""
+    from scipy.spatial import ConvexHull
+
+    copies = [mesh.points[:, :2] * image for image in mesh.reflections()]
+    plan = np.concatenate(copies)
+    corners = plan[ConvexHull(plan).vertices]
+    along = np.roll(corners, -1, axis=0) - corners
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    across = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    sides = np.stack([np.ptp(corners @ direction.T, axis=0) for direction in (along, across)], axis=1)
+    return sides[np.argmax(np.hypot(*(1 / sides.T)))]
 
 
 def extent(mesh):

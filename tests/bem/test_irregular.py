@@ -69,9 +69,19 @@ def test_low_frequencies_do_without_the_lid_and_high_ones_do_not(symmetry):
 
 
 def test_a_round_hull_is_taken_for_the_box_around_it():
-    mesh = buoy(10, 10, panels=96)
-    around = np.ptp(mesh.whole().points, axis=0)
-    assert lid_needed_from(mesh) == pytest.approx(SHARE * lowest_irregular(*around), rel=1e-12)
+    mesh = buoy(RADIUS, 10, panels=96)
+    kappa = jn_zeros(0, 1)[0] / RADIUS
+    below, exact = lowest_irregular(2.1 * RADIUS, 2.1 * RADIUS, 10.0), kappa / np.tanh(kappa * 10.0)
+    assert SHARE * below < lid_needed_from(mesh) < SHARE * exact
+
+
+RADIUS = 10.0
+
+
+@pytest.mark.parametrize("mesh", [box(40.0, 2.0, 3.0, panels=60), buoy(10.0, 10.0, panels=60)])
+def test_the_bound_turns_with_the_hull(mesh):
+    turned = mesh.whole().rotated(0.7).moved(3.0, -8.0, 0.0)
+    assert lid_needed_from(turned) == pytest.approx(lid_needed_from(mesh), rel=1e-12)
 
 
 @pytest.mark.parametrize("depth", [12.0, 100.0])
