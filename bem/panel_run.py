@@ -70,14 +70,12 @@ class PanelRun(FrequencyRun):
         """{class: φ_I and ∂φ_I/∂n at the nodes, each (m, n)} and the Froude–Krylov force (m, 6) about the origin"""
         g = self.geometry
         nodes, weights, normals = self.hull
+        mirrors = np.column_stack([g.images, np.ones(len(g.images))])[:, None]
+        at, normals = nodes * mirrors - g.origin, normals * mirrors
         phi, flux = np.empty((2, len(g.images), len(self.headings), len(weights)), complex)
-        for i, (x, y) in enumerate(g.images):
-            mirror = np.array([x, y, 1.0])
-            for j, beta in enumerate(self.headings):
-                phi[i, j], gradient = incident_wave(
-                    nodes * mirror - g.origin, beta, self.omega, self.k, self.setup.depth, self.setup.gravity
-                )
-                flux[i, j] = np.einsum("qi,qi->q", gradient, normals * mirror)
+        for j, beta in enumerate(self.headings):
+            phi[:, j], gradient = incident_wave(at, beta, self.omega, self.k, self.setup.depth, self.setup.gravity)
+            flux[:, j] = np.einsum("mqi,mqi->mq", gradient, normals)
         out, force = {}, np.zeros((len(self.headings), 6), complex)
         for cls in g.classes:
             out[cls] = tuple(np.tensordot(g.signs(cls), f, 1) / g.copies for f in (phi, flux))
