@@ -13,6 +13,7 @@ from numba import prange
 
 from .green import layout_of, levels, spot, wave_part_at
 from .jit import kernel
+from .threads import pair_threads
 
 # the wave part of a panel is integrated with 4 × 4 instead of 2 × 2 points where its surface image is closer than
 # NEAR of its sizes, or where the wave or the depth is shorter than the panel divided by COARSE
@@ -45,13 +46,15 @@ def wave_blocks(geometry, points, sources, table, depth_values, classes=None):
     coarse, fine = ([a[sources.panels] for a in q] for q in (g.coarse_points, g.fine_points))
     at = e.nodes[points]
     where, weights, shape = (np.concatenate(both, axis=1) for both in zip(coarse, fine, strict=True))
-    return _blocks(
+    question = (
         at, depth_values(at[:, 2])[:, 0].copy(), sources.corners, sources.first,
         e.axes[sources.panels, 2].copy(), e.origins[sources.panels],
         np.where(e.sizes > COARSE * length, np.inf, NEAR * e.sizes)[sources.panels],
         g.images, np.array([g.signs(c) for c in (g.classes if classes is None else classes)]),
         coarse[1].shape[1], where, weights, shape, depth_values(where[..., 2]), table,
     )  # fmt: skip
+    with pair_threads(len(at) * len(sources.nodes) * len(g.images)):
+        return _blocks(*question)
 
 
 @kernel(parallel=True)
