@@ -99,17 +99,22 @@ class Geometry:
 
     def members(self, cls):
         """Degrees of freedom that a symmetry class holds."""
+        return self._members[cls]
+
+    @cached_property
+    def _members(self):
         symmetry = self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
-        return [d for d in range(6) if class_of(d, symmetry) == cls]
+        return {cls: [d for d in range(6) if class_of(d, symmetry) == cls] for cls in self.classes}
 
     def signs(self, cls):
         """(images,) ±1: the potential of each image in a class"""
-        return np.array([(cls[0] if x < 0 else 1) * (cls[1] if y < 0 else 1) for x, y in self.images], float)
+        return self.all_signs[self.classes.index(cls)]
 
-    @property
+    @cached_property
     def all_signs(self):
         """(classes, images) `signs` of every class"""
-        return np.array([self.signs(c) for c in self.classes])
+        of = [[(x if a < 0 else 1) * (y if b < 0 else 1) for a, b in self.images] for x, y in self.classes]
+        return np.array(of, float)
 
     def rankine_rows(self, points):
         """S and D of 1/r + 1/r₂ + 1/r₁, then of 1/r₁ alone at points (m, 3); each (classes, m, n) and real"""

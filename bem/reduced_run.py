@@ -114,11 +114,11 @@ def solved(part, W, S, K, given):
     from scipy.linalg import lu_factor, lu_solve
 
     (r, _), v, lid = W.shape, len(given), len(part.on_lid)
-    T = part.on_lid[:, r + v :]
-    # Kφ' = −answer @ (m, −v)
-    answer = np.linalg.solve(T + 4 * np.pi / K * np.eye(lid), part.on_lid[:, : r + v])
-    through_lid = part.at_sources[:, r + v :] + part.from_lid / K
-    H = part.at_sources[:, : r + v] - through_lid @ answer  # α = H (m, −v)
+    T, answer = part.on_lid[:, r + v :], part.on_lid[:, : r + v]
+    H = part.at_sources[:, : r + v]  # α = H (m, −v)
+    if lid:  # Kφ' = −answer @ (m, −v)
+        answer = np.linalg.solve(T + 4 * np.pi / K * np.eye(lid), answer)
+        H = H - (part.at_sources[:, r + v :] + part.from_lid / K) @ answer
     sides = np.concatenate([np.zeros((r, given.shape[1])), -given])
     # m = W H (m, −v) − S_w M v
     A = -times(H[:, :r].T, W.T).T

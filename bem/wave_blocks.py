@@ -50,7 +50,7 @@ def wave_blocks(geometry, points, sources, table, depth_values, classes=None):
         at, depth_values(at[:, 2])[:, 0].copy(), sources.corners, sources.first,
         e.axes[sources.panels, 2].copy(), e.origins[sources.panels],
         np.where(e.sizes > COARSE * length, np.inf, NEAR * e.sizes)[sources.panels],
-        g.images, np.array([g.signs(c) for c in (g.classes if classes is None else classes)]),
+        g.images, g.all_signs if classes is None else np.array([g.signs(c) for c in classes]),
         coarse[1].shape[1], where, weights, shape, depth_values(where[..., 2]), table,
     )  # fmt: skip
     with pair_threads(len(at) * len(sources.nodes) * len(g.images)):
