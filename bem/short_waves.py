@@ -24,6 +24,7 @@ from __future__ import annotations
 import numpy as np
 
 MOST_WAVES = {"box": 200, "buoy": 400}  # along the body, resolved: a box takes 30 s then, a buoy 10 s
+MOST_UNRESOLVED = 100_000  # along the body, not resolved: their far field is summed over as many angles
 SHORTEST_SIDE, LEAST_DRAFT = 55.0, 0.5  # kb and kd of a box down to which the above was measured
 CORNERS, KEEL = 12.0, 6.0
 
@@ -41,7 +42,7 @@ def too_many(sizes, k):
 def unresolved(sizes, k):
     """Whether they are answered without that"""
     known = _shape(sizes) == "buoy" or (k * _widths(sizes).min() >= SHORTEST_SIDE and k * sizes[-1] >= LEAST_DRAFT)
-    return known and too_many(sizes, k)
+    return known and too_many(sizes, k) and waves_along(sizes, k) <= MOST_UNRESOLVED
 
 
 def share_below(k, draft, depth):

@@ -151,7 +151,8 @@ def body_properties(scene, mesh):
 def kochin_angles(scene, mesh, omegas):
     """(t,) rad, equally spaced, enough to resolve the Kochin functions at the highest frequency"""
     radius = float(np.linalg.norm(mesh.points[:, :2], axis=1).max())
-    count = len(angles(2 * np.pi / shortest_wave(scene, omegas), radius))
+    # where waves are not resolved there are no Kochin functions
+    count = 0 if highest_resolved(scene) else len(angles(2 * np.pi / shortest_wave(scene, omegas), radius))
     return np.linspace(0, 2 * np.pi, max(FEWEST_ANGLES, count), endpoint=False)
 
 
