@@ -56,7 +56,7 @@ def make_hull(scene, omegas):
     """
     wave = shortest_wave(scene, omegas)
     if not panels_matter(scene):
-        _check_waves_along(scene, wave)
+        _check_waves_along(scene, omegas)
         return Hull(_meshed(scene.body, FOR_SHOW), None)
     if scene.body.shape == "mesh":
         mesh = read_mesh(scene.body.file)
@@ -68,15 +68,19 @@ def make_hull(scene, omegas):
     return Hull(mesh, make_lid(scene, mesh, wave))
 
 
-def _check_waves_along(scene, wave):
+def _check_waves_along(scene, omegas):
     """Resolved, waves take patience and, from 400 on, memory; unresolved they have limits of their own."""
-    sizes, most, k = tuple(scene.dimensions.values()), MOST_WAVES[scene.body.shape], 2 * math.pi / wave
-    if too_many(sizes, k) and not (scene.chosen_method == "contour" and unresolved(sizes, k)):
-        across = waves_along(sizes, k) * wave
-        raise SceneError(
-            f"the shortest wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
-            f"{across / most:.3g} m; leave out the highest frequencies"
-        )
+    sizes, most = tuple(scene.dimensions.values()), MOST_WAVES[scene.body.shape]
+    for omega in np.sort(omegas)[::-1]:
+        wave = shortest_wave(scene, [omega])
+        k = 2 * math.pi / wave
+        if too_many(sizes, k) and not (scene.chosen_method == "contour" and unresolved(sizes, k)):
+            across = waves_along(sizes, k) * wave
+            which = "shortest" if omega == np.max(omegas) else f"{omega:.4g} rad/s"
+            raise SceneError(
+                f"the {which} wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
+                f"{across / most:.3g} m; leave out the highest frequencies"
+            )
 
 
 def panels_matter(scene):
@@ -114,7 +118,7 @@ def inspected(hull, scene, omegas):
     """The hull with the remarks of the mesh check.  Raises SceneError if one of them is an error."""
     wave = shortest_wave(scene, omegas)
     if not panels_matter(scene):
-        _check_waves_along(scene, wave)
+        _check_waves_along(scene, omegas)
         return replace(hull, remarks=(*_bed_remarks(scene), *_short_remarks(scene)))
     found = _usable(scene, hull.mesh, hull.lid, wave)
     return Hull(hull.mesh, hull.lid, (*(f.text for f in found), *_lid_remarks(hull.lid, wave)))

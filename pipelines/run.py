@@ -20,7 +20,7 @@ from .adaptive import filled_band
 from .hull import Hull, inspected, kochin_angles, make_header, make_hull, remarks_on_body, setup_of
 from .interrupt import ctrl_c
 from .large import announced
-from .methods import check_method
+from .methods import FAR_FIELD, check_method, highest_resolved
 from .progress import Progress
 from .scene import SceneError, make_scene
 from .scene_text import difference, fixed_part, scene_hash, to_toml
@@ -68,6 +68,7 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
         _check_same(scene, header, output)
         text, scene = to_toml(scene), _by_the_same_method(scene, header, output)
         _check_angles(scene, header, output)
+        _check_far_field(scene, output)
         hull = inspected(Hull(header.mesh, header.lid), scene, omegas)
         extend(output, omega=omegas, wave_direction=headings, names=names, scene=text)
         if pending(output).rows:
@@ -121,6 +122,16 @@ def _check_angles(scene, header, output):
         raise SceneError(
             f"{output} has Kochin functions at {len(header.theta)} angles, "
             f"ω = {omegas.max():.4g} rad/s needs {needed}; give --fresh to replace it or another --output"
+        )
+
+
+def _check_far_field(scene, output):
+    """Frequencies that have no far field cannot go into a file with one.  Raises SceneError."""
+    stored = [name for name in FAR_FIELD if name in open_database(output).names]
+    if stored and (highest := highest_resolved(scene)):
+        raise SceneError(
+            f"{output} has {stored[0]}, which frequencies above {highest:.4g} rad/s, with too many waves along the "
+            "body, do not have; leave them out or give another --output"
         )
 
 

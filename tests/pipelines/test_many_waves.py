@@ -58,3 +58,32 @@ def test_a_scene_of_ordinary_and_short_waves_is_stored_with_the_errors_of_both(t
     assert "far shorter than its walls" in capsys.readouterr().out
     # a mesh that nothing was computed with is not held against the waves
     assert main(["check", str(file)]) == 0 and "warning" not in capsys.readouterr().out
+
+
+def test_a_slender_box_is_refused_for_the_waves_between_resolved_and_short():
+    """Two metres wide, kb is 55 from 438 waves on: shorter ones have an answer, those of 300 do not"""
+    checked = scene({**BOX, "beam": 2.0, "draft": 1.0}, 3.0, (13.6, 25.0))
+    with pytest.raises(SceneError, match=r"the 13\.6 rad/s wave is 0\.333 m against a body 100 m across"):
+        make_hull(checked, checked.omegas())
+
+
+def test_short_waves_do_not_go_into_a_file_with_a_far_field(tmp_path, capsys):
+    file = str(tmp_path / "box.h5")
+    words = [
+        "box",
+        "--length",
+        "100",
+        "--beam",
+        "20",
+        "--draft",
+        "2",
+        "--depth",
+        "3",
+        "--heading",
+        "0",
+        "--tolerance",
+        "0.05",
+    ]
+    assert main([*words, "--output", file, "--omega", "2"]) == 0
+    assert main([*words, "--output", file, "--omega", "2,14"]) == 2
+    assert "which frequencies above" in capsys.readouterr().err and len(open_database(file).rows) == 1
