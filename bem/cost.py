@@ -9,7 +9,8 @@ import numpy as np
 
 from .green_tables import wave_table
 from .reduced import parted
-from .wave_blocks import Sources, wave_blocks
+from .stages import FACTORS, MATRICES, WAVES
+from .wave_blocks import wave_blocks
 from .wave_space import EVERY, Cases
 from .waves import depth_values
 
@@ -19,10 +20,15 @@ SPACE = 600  # nodes that stand for all where waves are concerned, a generous gu
 
 
 class Cost(NamedTuple):
-    """Bytes at the peak, and seconds before the first frequency."""
+    """Bytes at the peak, and for each of `bem.stages` how much there is to do and the seconds that one takes."""
 
     memory: float
-    seconds: float
+    stages: dict
+
+    @property
+    def seconds(self):
+        """Before the first frequency"""
+        return sum(count * seconds for count, seconds in self.stages.values())
 
 
 def cost(geometry, band, gravity):
@@ -35,18 +41,21 @@ def cost(geometry, band, gravity):
     for part in parted(geometry, band, gravity):
         cases = Cases(*part, gravity)
         rows += len(cases.wavenumbers) * (len(cases.proxies()[0]) / EVERY + SPACE)
-    waves = rows * _seconds_of_waves(geometry, band[1], gravity)
-    exact = (n + lid) * _seconds_of_rows(geometry)
     factor = _seconds_of_factor() * ((n / TRIAL_SIZE) ** 3 + 3 * columns * n**2 / TRIAL_SIZE**3)
-    return Cost(matrices + OTHER, waves + exact + classes * factor)
+    stages = {
+        WAVES: (rows, _seconds_of_waves(geometry, band[1], gravity)),
+        MATRICES: (n + lid, _seconds_of_rows(geometry)),
+        FACTORS: (classes, factor),
+    }
+    return Cost(matrices + OTHER, stages)
 
 
 def _seconds_of_waves(geometry, omega, gravity):
     """Seconds for a row of the wave parts"""
     g, nodes = geometry, np.arange(len(geometry.elements.nodes))
-    some, sources = nodes[:: max(len(nodes) // TRIAL_ROWS, 1)], Sources.of(nodes, g.elements.inverse.shape[2])
+    some = nodes[:: max(len(nodes) // TRIAL_ROWS, 1)]
     table = wave_table(omega, g.depth, gravity, g.reach, g.mesh.draft)
-    return _seconds(lambda: wave_blocks(g, some, sources, table, depth_values(table.k, g.depth))) / len(some)
+    return _seconds(lambda: wave_blocks(g, some, nodes, table, depth_values(table.k, g.depth))) / len(some)
 
 
 def _seconds_of_rows(geometry):

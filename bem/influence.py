@@ -27,7 +27,7 @@ from .irregular import extent, lid_needed_from
 from .jit import kernel
 from .modes import class_of, normal_velocities
 from .rankine import panel_moments
-from .wave_blocks import Sources, wave_blocks
+from .wave_blocks import wave_blocks
 
 ROWS = 256  # of the matrices made at once
 # 1/r is integrated with 2 × 2 points beyond FAR sizes of a panel: 1e-6 of a smooth potential is lost
@@ -210,11 +210,11 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=N
     hull = g.hull if hull is None else hull
     A = np.empty((len(classes), n, n), complex)
     b = np.zeros((len(classes), n, max(len(v) for v in velocities)), complex)
-    everywhere = Sources.of(np.arange(n), g.elements.inverse.shape[2])
+    nodes = np.arange(n)
     for start in range(0, n, ROWS):  # S never has to be kept
-        rows = np.arange(start, min(start + ROWS, n))
+        rows = nodes[start : start + ROWS]
         side = np.where(rows < hull, -1.0, 1.0)[:, None]
-        S, D = wave_blocks(g, rows, everywhere, table, depth_values, classes)
+        S, D = wave_blocks(g, rows, nodes, table, depth_values, classes)
         for i, cls in enumerate(classes):
             s, d, s1, d1 = (a[g.classes.index(cls), rows] for a in g.rankine)
             S[i] += s + (mirror - 1) * s1 if mirror != 1 else s
@@ -222,6 +222,5 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=N
             A[i, rows, :hull] = side * D[i, :, :hull]
             A[i, rows, hull:] = (side * table.K) * S[i, :, hull:]
             b[i, rows, : len(velocities[i])] = side * (S[i, :, :hull] @ velocities[i].T)
-    nodes = np.arange(n)
     A[:, nodes, nodes] += np.where(nodes < hull, 2 * np.pi, 4 * np.pi)
     return A, b

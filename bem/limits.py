@@ -11,7 +11,7 @@ import numpy as np
 from .green_tables import limit_table
 from .influence import ROWS
 from .threads import blas_threads
-from .wave_blocks import Sources, wave_blocks
+from .wave_blocks import wave_blocks
 
 
 def added_mass_limit(prepared, which):
@@ -42,11 +42,10 @@ def _equations(geometry, mirror, table, velocities):
     """Real matrices (n, n) and right-hand sides (n, columns) of the hull, lists over the classes"""
     g, n = geometry, geometry.hull
     matrices, sides = [np.empty((n, n)) for _ in velocities], [np.empty(v.shape) for v in velocities]
-    hull = Sources.of(np.arange(n), g.elements.inverse.shape[2])
     for start in range(0, n, ROWS):
         rows = np.arange(start, min(start + ROWS, n))
         s, d, s1, d1 = g.rankine_rows(g.elements.nodes[rows])
-        S, D = wave_blocks(g, rows, hull, table, unit_depth_values)
+        S, D = wave_blocks(g, rows, np.arange(n), table, unit_depth_values)
         for i, v in enumerate(velocities):
             matrices[i][rows] = -(d + (mirror - 1) * d1)[i, :, :n] - D[i].real
             sides[i][rows] = -((s + (mirror - 1) * s1)[i, :, :n] + S[i].real) @ v

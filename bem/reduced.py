@@ -19,6 +19,7 @@ import numpy as np
 
 from .checks import ERROR_ORDER
 from .influence import ROWS
+from .stages import FACTORS, MATRICES, done
 from .wave_space import wave_space
 
 
@@ -64,6 +65,7 @@ def reduced(geometry, band, gravity, accuracy):
             mine = np.r_[before : before + count, velocities[i].shape[1] : sides[i].shape[1]]
             part.classes[cls] = _reduced_class(factors, on_lid[i], sides[i][:, mine], part, i)
             before += count
+        done(FACTORS, 1)
     return tuple(out)
 
 
@@ -92,6 +94,7 @@ def _exact(geometry, velocities):
             on_lid[i][max(start - n, 0) : max(stop - n, 0)] = d[i, hull:, :n]
             sides[i][start:stop, : v.shape[1]] = s[i, :, :n] @ v
             sides[i][start:stop, v.shape[1] :] = s[i, :, n:]
+        done(MATRICES, stop - start)
     for A in matrices:
         A.flat[:: n + 1] += 2 * np.pi
     return matrices, on_lid, sides

@@ -11,7 +11,7 @@ import numpy as np
 from .green_tables import wave_table
 from .panel_run import PanelRun
 from .threads import blas_threads
-from .wave_blocks import Sources, wave_blocks
+from .wave_blocks import wave_blocks
 from .wave_space import FEW, acting
 
 # times the accuracy of the space, at a node of mean size: what a row may lose in the L² norm of `bem.wave_space`
@@ -69,8 +69,7 @@ class ReducedRun(PanelRun):
 
     def waves_between(self, points, sources, table):
         """`bem.wave_blocks.wave_blocks` at this frequency"""
-        grouped = Sources.of(sources, self.geometry.elements.inverse.shape[2])
-        return wave_blocks(self.geometry, points, grouped, table, self.depth_values)
+        return wave_blocks(self.geometry, points, sources, table, self.depth_values)
 
     def in_full(self, lost):
         """The equations of all nodes, where few of them did not stand for all"""

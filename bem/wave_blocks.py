@@ -21,9 +21,8 @@ NEAR, COARSE = 1.0, 2.2
 
 
 class Sources(NamedTuple):
-    """Nodes of some panels: nodes[first[a]:first[a + 1]] are those of panels[a]."""
+    """m nodes of s panels: first[a] to first[a + 1] are those of panels[a]."""
 
-    nodes: np.ndarray  # (m,)
     panels: np.ndarray  # (s,)
     first: np.ndarray  # (s + 1,)
     corners: np.ndarray  # (m,) which of its panel's nodes each is
@@ -33,15 +32,16 @@ class Sources(NamedTuple):
         """Sources at the nodes (m,), which increase."""
         nodes = np.asarray(nodes)
         panels, first = np.unique(nodes // per_panel, return_index=True)
-        return cls(nodes, panels, np.append(first, len(nodes)), nodes % per_panel)
+        return cls(panels, np.append(first, len(nodes)), nodes % per_panel)
 
 
-def wave_blocks(geometry, points, sources, table, depth_values, classes=None):
-    """Wave part of S and D at nodes (r,) of `sources` (m), each (classes, r, m) and complex.
+def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
+    """Wave part of S and D at the nodes `points` (r,) of the sources at `nodes` (m,), each (classes, r, m) and complex.
 
-    table : `bem.green_tables.Table`; depth_values : z → (…, 2) of Z and Z′; classes : all if None
+    nodes increase; table : `bem.green_tables.Table`; depth_values : z → (…, 2) of Z and Z′; classes : all if None
     """
     g, e = geometry, geometry.elements
+    sources = Sources.of(nodes, e.inverse.shape[2])
     length = min(1 / table.k if table.k > 0 else np.inf, g.depth)
     coarse, fine = ([a[sources.panels] for a in q] for q in (g.coarse_points, g.fine_points))
     at = e.nodes[points]
@@ -53,7 +53,7 @@ def wave_blocks(geometry, points, sources, table, depth_values, classes=None):
         g.images, g.all_signs if classes is None else np.array([g.signs(c) for c in classes]),
         coarse[1].shape[1], where, weights, shape, depth_values(where[..., 2]), table,
     )  # fmt: skip
-    with pair_threads(len(at) * len(sources.nodes) * len(g.images)):
+    with pair_threads(len(at) * len(nodes) * len(g.images)):
         return _blocks(*question)
 
 

@@ -18,7 +18,8 @@ import numpy as np
 
 from .green_tables import wave_table
 from .skeleton import SEED, Sketch, chosen_rows, least_squares
-from .wave_blocks import Sources, wave_blocks
+from .stages import WAVES, done
+from .wave_blocks import wave_blocks
 from .waves import depth_values, incident_wave, wavenumber
 
 WITNESSES = 1  # and one at the surface: a space that lacks a frequency misses it nearly everywhere
@@ -98,11 +99,12 @@ class Cases:
     def blocks(self, points, sources, start=0, step=1):
         """K, and S and D (c, points, sources), of each frequency or every `step`th"""
         g = self.geometry
-        grouped = Sources.of(sources, g.elements.inverse.shape[2])
         for k in self.wavenumbers[start::step]:
             omega = float(np.sqrt(self.gravity * k * np.tanh(k * g.depth)))
             table = wave_table(omega, g.depth, self.gravity, g.reach, g.mesh.draft)
-            yield table.K, *wave_blocks(g, points, grouped, table, depth_values(k, g.depth))
+            S, D = wave_blocks(g, points, sources, table, depth_values(k, g.depth))
+            done(WAVES, len(points) * len(sources) / len(self.root))
+            yield table.K, S, D
 
     def proxies(self):
         """Nodes (m,) and for how many each stands: hull, the more the nearer to the surface, then lid

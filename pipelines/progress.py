@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 import time
+from itertools import takewhile
+
+ONCE = "reduction", "rankine"  # parts of a frequency's time that only the first one takes
 
 
 class Progress:
@@ -11,11 +14,13 @@ class Progress:
 
     def __init__(self, console, total):
         self.console, self.total, self.done, self.started = console, total, 0, time.perf_counter()
+        self.once = 0.0  # s, of what is done for all frequencies
 
     def step(self, where, result, reason):
         """where : ω in rad/s, or the name of a limit; result : of the solver; reason : of a failure, or empty"""
         self.done += 1
-        left = (time.perf_counter() - self.started) / self.done * (self.total - self.done)
+        self.once += sum(_times(result).get(part, 0.0) for part in ONCE)
+        left = (time.perf_counter() - self.started - self.once) / self.done * (self.total - self.done)
         place = where if isinstance(where, str) else f"ω {where:7.4f} rad/s  T {2 * math.pi / where:7.2f} s"
         took, rest = (" failed", reason) if reason else (_seconds(result), checks_text(result))
         line = (
@@ -24,8 +29,46 @@ class Progress:
         self.console.print(line.rstrip(), highlight=False, markup=False, soft_wrap=True)
 
 
+class Preparing:
+    """Prints now and then how far the preparation of a large body is, and what is left of it."""
+
+    EVERY = 10.0  # seconds
+
+    def __init__(self, console, stages):
+        """stages : of `bem.cost.Cost`"""
+        self.console, self.stages = console, stages
+        self.counts = dict.fromkeys(stages, 0.0)
+        self.started = self.told = time.perf_counter()
+
+    def __call__(self, stage, count):
+        """`bem.stages.listening`; the stages come one after the other"""
+        for before in takewhile(lambda other: other != stage, self.stages):
+            self.counts[before] = self.stages[before][0]  # guessed generously
+        self.counts[stage] += count
+        now = time.perf_counter()
+        if now - self.told < self.EVERY:
+            return
+        self.told, share = now, self.share
+        if share == 1.0:  # what comes now, of the coarser mesh, is little
+            return
+        left = (now - self.started) * (1 / share - 1)
+        text = f"preparing: {100 * share:3.0f} %  {duration(left):>8} left"
+        self.console.print(text, highlight=False, markup=False, soft_wrap=True)
+
+    @property
+    def share(self):
+        """Of the time that everything was estimated to take"""
+        work = {stage: count * seconds for stage, (count, seconds) in self.stages.items()}
+        done = sum(min(self.counts[stage], count) * seconds for stage, (count, seconds) in self.stages.items())
+        return done / sum(work.values())
+
+
+def _times(result):
+    return result.get("wall_time", {}) if isinstance(result, dict) else {}
+
+
 def _seconds(result):
-    return f"{sum(result['wall_time'].values()):.2f} s" if isinstance(result, dict) and "wall_time" in result else ""
+    return f"{sum(_times(result).values()):.2f} s" if _times(result) else ""
 
 
 def checks_text(result):

@@ -15,13 +15,14 @@ import numpy as np
 from bem.database import append, append_limit, create, extend, open_database, pending, writing
 from bem.database_file import check_place, check_replaceable
 from bem.schema import LIMITS
+from bem.stages import listening
 
 from .adaptive import filled_band
 from .hull import Hull, inspected, kochin_angles, make_header, make_hull, remarks_on_body, setup_of
 from .interrupt import ctrl_c
 from .large import announced
 from .methods import FAR_FIELD, check_method, highest_resolved
-from .progress import Progress
+from .progress import Preparing, Progress
 from .scene import SceneError, make_scene
 from .scene_text import difference, fixed_part, scene_hash, to_toml
 from .work import Here, limit_one, solve_one
@@ -71,18 +72,19 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
         _check_far_field(scene, output)
         hull = inspected(Hull(header.mesh, header.lid), scene, omegas)
         extend(output, omega=omegas, wave_direction=headings, names=names, scene=text)
+        cost = None
         if pending(output).rows:
-            announced(setup_of(header, scene), len(pending(output).limits), console, count)
+            cost = announced(setup_of(header, scene), len(pending(output).limits), console, count)
     else:
         check_replaceable(output)
         hull = inspected(make_hull(scene, omegas), scene, omegas)
         header = make_header(scene, hull, omegas)
-        announced(setup_of(header, scene), len(set(LIMITS) & set(names)), console, count)
+        cost = announced(setup_of(header, scene), len(set(LIMITS) & set(names)), console, count)
         create(output, header, omegas, headings, names)
     remarks = (*hull.remarks, *remarks_on_body(scene, header.body))
     if console:
         console.print(f"{output}: {hull.mesh!r}", highlight=False, markup=False)
-    fill = partial(_fill, output, setup_of(header, scene), header.theta, remarks, executor or Here(), console)
+    fill = partial(_fill, output, setup_of(header, scene), header.theta, remarks, executor or Here(), console, cost)
     return fill() if scene.waves.band is None else filled_band(scene, output, fill, console)
 
 
@@ -135,12 +137,13 @@ def _check_far_field(scene, output):
         )
 
 
-def _fill(output, setup, theta, remarks, executor, console):
+def _fill(output, setup, theta, remarks, executor, console, cost):
     todo = pending(output)
     failures, interrupted = [], False
     before = int(open_database(output).rows.sum())
     say = partial(console.print, highlight=False) if console else lambda text: None
-    with writing(output) as file, ctrl_c(say) as stop:
+    preparing = Preparing(console, cost.stages) if console and cost else None
+    with writing(output) as file, ctrl_c(say) as stop, listening(preparing):
         jobs = [*_rows(file, setup, todo.rows, theta), *_limits(file, setup, todo.limits)]
         progress = Progress(console, len(jobs)) if console else None
         try:

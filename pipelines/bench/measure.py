@@ -17,7 +17,7 @@ from .references import Coefficients, error
 
 PEERS = Path(__file__).parent / "peers"
 SCRIPTS = {"capytaine": PEERS / "capytaine_job.py", "pyhams": PEERS / "hams_job.py"}
-PASSES, SECONDS, LONGEST = 3, 2.0, 300.0  # no new pass after so many s; a process is given up after so many
+PASSES, SECONDS, LONGEST = 3, 10.0, 300.0  # no new pass after so many s; a process is given up after so many
 THREADS = ("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 

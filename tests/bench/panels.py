@@ -21,7 +21,7 @@ from bem.green_tables import wave_table
 from bem.panel_run import PanelRun
 from bem.reduced_run import ReducedRun
 from bem.setup import Setup, prepare
-from bem.wave_blocks import Sources, wave_blocks
+from bem.wave_blocks import wave_blocks
 from bem.waves import depth_values, wavenumber
 from meshing.lid import lid
 from meshing.shapes import box
@@ -68,7 +68,7 @@ def pair_times(prepared):
     exact, _ = least(lambda: g.rankine_rows(g.elements.nodes[nodes]))
     k = float(wavenumber(0.6, DEPTH))
     filling, table = least(lambda: wave_table(0.6, DEPTH, GRAVITY, g.reach, g.mesh.draft))
-    everywhere = Sources.of(np.arange(len(g.elements.nodes)), 4)
+    everywhere = np.arange(len(g.elements.nodes))
     waves, _ = least(lambda: wave_blocks(g, nodes, everywhere, table, depth_values(k, DEPTH)))
     return 1e9 * exact / pairs, 1e9 * waves / pairs, 1e3 * filling
 

@@ -1,16 +1,21 @@
 """Large panel problems: which share their work, what is said of them first, what is refused."""
 
+from io import StringIO
+
 import numpy as np
 import pytest
+from rich.console import Console
 
 from bem import cost
 from bem.cost import Cost
 from bem.influence import Geometry
 from bem.setup import Setup
+from bem.stages import FACTORS, MATRICES, WAVES, listening
 from meshing.lid import lid
 from meshing.shapes import box
 from pipelines import large
 from pipelines.large import announced, shared_band
+from pipelines.progress import Preparing
 from pipelines.scene import SceneError, make_scene
 
 
@@ -26,15 +31,21 @@ def scene(**waves):
 
 
 def test_many_frequencies_on_many_panels_share_their_work():
-    many, few = {"from": 0.2, "to": 1.0, "count": 10}, {"from": 0.2, "to": 1.0, "count": 9}
+    many, few = {"from": 0.2, "to": 1.0, "count": 10}, {"from": 0.2, "to": 1.0, "count": 8}
     fine, coarse = box(100, 50, 10, panels=600), box(100, 50, 10, panels=104)
     assert shared_band(scene(omegas=many), fine) == pytest.approx((0.2, 1.0))
     assert shared_band(scene(omegas=few), fine) is None
     assert shared_band(scene(omegas=many), coarse) is None
 
 
+def test_two_frequencies_share_their_work_where_one_takes_long():
+    fine = box(100, 50, 10, panels=3000)
+    assert shared_band(scene(omegas=[0.4, 0.6]), fine) == (0.4, 0.6)
+    assert shared_band(scene(omegas=[0.4]), fine) is None
+
+
 def test_a_single_frequency_takes_few_nodes_where_all_would_not_fit(monkeypatch):
-    monkeypatch.setattr(large, "ONLY_SHARED", 300)
+    monkeypatch.setattr(large, "WORTH_SHARING", 300)
     assert shared_band(scene(omegas=[0.5]), box(100, 50, 10, panels=600)) == (0.5, 0.5)
 
 
@@ -42,7 +53,7 @@ def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
     mesh = box(100, 50, 10, panels=120)
     setup = Setup(mesh, lid(mesh), depth=20.0, band=(0.5, 0.5))
     monkeypatch.setattr(large, "WORTH_TELLING", 100)
-    monkeypatch.setattr(cost, "cost", lambda *_: Cost(5e9, 60.0))
+    monkeypatch.setattr(cost, "cost", lambda *_: Cost(5e9, {WAVES: (60.0, 1.0)}))
     monkeypatch.setattr(cost, "available_memory", lambda: 8e9)
     announced(setup, 0, None)
     with pytest.raises(SceneError, match=r"need about 10.0 GB, 8.0 GB are free; give fewer panels .* fewer processes"):
@@ -60,6 +71,30 @@ def test_the_estimate_of_memory_counts_the_matrices_of_all_classes():
     assert all(n.memory > m for n, m in zip(needed, matrices, strict=True))
     assert needed[1].memory - needed[0].memory >= matrices[1] - matrices[0]
     assert 0 < needed[0].seconds < needed[1].seconds < np.inf
+
+
+def test_what_the_preparation_tells_adds_up_to_what_was_estimated():
+    mesh, band = box(100, 50, 10, panels=240), (0.4, 1.2)
+    body = Setup(mesh, lid(mesh), depth=20.0, band=band).prepared()
+    stages, told = cost.cost(body.geometry, band, 9.81).stages, []
+    with listening(lambda stage, count: told.append((stage, count))):
+        assert len(body.reduced) == 2  # without and with the lid
+    sums = {stage: sum(count for one, count in told if one == stage) for stage in stages}
+    assert sums[MATRICES] == stages[MATRICES][0] == len(body.geometry.elements.nodes)
+    assert sums[FACTORS] == stages[FACTORS][0] == 4
+    assert 0 < sums[WAVES] < stages[WAVES][0]  # a generous guess
+    assert [stage for stage, _ in told] == sorted((stage for stage, _ in told), key=list(stages).index)
+
+
+def test_the_share_that_is_prepared_grows_to_the_whole(monkeypatch):
+    monkeypatch.setattr(Preparing, "EVERY", 0.0)
+    console = Console(record=True, quiet=False, file=StringIO(), width=100)
+    preparing = Preparing(console, {WAVES: (10, 1.0), MATRICES: (4, 5.0), FACTORS: (2, 5.0)})
+    for stage in (WAVES, WAVES, MATRICES, MATRICES, MATRICES, MATRICES, FACTORS, FACTORS):
+        preparing(stage, 1)
+    lines = console.export_text().splitlines()
+    assert [line.split()[1] for line in lines] == ["2", "5", "38", "50", "62", "75", "88"]  # 40 s in all; not of 100 %
+    assert all(line.endswith(" left") for line in lines)
 
 
 def test_free_memory_is_known_or_without_limit():
