@@ -13,7 +13,7 @@ from bem.kochin import angles
 from bem.raised_bed import effect_of_bed
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
-from bem.short_waves import MOST_WAVES, too_many, unresolved, waves_along
+from bem.short_waves import MOST_UNRESOLVED, MOST_WAVES, too_many, unresolved, waves_along
 from bem.waves import wavenumber
 from meshing.files import read_mesh
 from meshing.hydrostatics import hydrostatics, inertia_matrix
@@ -70,12 +70,15 @@ def make_hull(scene, omegas):
 
 def _check_waves_along(scene, omegas):
     """Resolved, waves take patience and, from 400 on, memory; unresolved they have limits of their own."""
-    sizes, most = tuple(scene.dimensions.values()), MOST_WAVES[scene.body.shape]
+    sizes = tuple(scene.dimensions.values())
     for omega in np.sort(omegas)[::-1]:
         wave = shortest_wave(scene, [omega])
         k = 2 * math.pi / wave
         if too_many(sizes, k) and not (scene.chosen_method == "contour" and unresolved(sizes, k)):
             across = waves_along(sizes, k) * wave
+            longer = k * MOST_UNRESOLVED / waves_along(sizes, k)
+            some = scene.chosen_method == "contour" and longer < k and unresolved(sizes, 0.999 * longer)
+            most = MOST_UNRESOLVED if some else MOST_WAVES[scene.body.shape]
             which = "shortest" if omega == np.max(omegas) else f"{omega:.4g} rad/s"
             raise SceneError(
                 f"the {which} wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "

@@ -1,9 +1,12 @@
 """Scenes with more waves along the body than are resolved: answered, said, and the far field refused by name."""
 
+import math
+
 import numpy as np
 import pytest
 
 from bem.database import open_database
+from bem.short_waves import MOST_UNRESOLVED
 from pipelines.cli import main
 from pipelines.hull import inspected, make_hull
 from pipelines.methods import FAR_FIELD, highest_resolved
@@ -46,6 +49,15 @@ def test_short_waves_without_an_answer_are_refused_in_one_line(body, depth, meth
     checked = scene(body, depth, method=method)
     with pytest.raises(SceneError, match=r"the shortest wave is 0\.\d+ m against a body 100 m across"):
         make_hull(checked, checked.omegas())
+
+
+@pytest.mark.parametrize("body", [BOX, BUOY])
+def test_waves_too_short_for_any_answer_are_refused_with_the_shortest_that_has_one(body):
+    shortest = 100.0 / MOST_UNRESOLVED
+    refused, answered = ([math.sqrt(9.80665 * 2 * math.pi / (f * shortest))] for f in (0.9, 1.1))
+    with pytest.raises(SceneError, match=r"against a body 100 m across; allowed: at least 0\.001 m"):
+        make_hull(scene(body, omegas=refused), np.array(refused))
+    make_hull(scene(body, omegas=answered), np.array(answered))
 
 
 def test_a_scene_of_ordinary_and_short_waves_is_stored_with_the_errors_of_both(tmp_path, capsys):
