@@ -6,6 +6,7 @@ import math
 import time
 from itertools import takewhile
 
+TRUST = 0.1  # the part of a preparation over which its pace comes to be taken from what is done, not from the estimate
 ONCE = "reduction", "rankine"  # parts of a frequency's time that only the first one takes
 
 
@@ -34,10 +35,10 @@ class Preparing:
 
     EVERY = 10.0  # seconds
 
-    def __init__(self, console, stages):
-        """stages : of `bem.cost.Cost`"""
-        self.console, self.stages = console, stages
-        self.counts = dict.fromkeys(stages, 0.0)
+    def __init__(self, console, cost):
+        """cost : `bem.cost.Cost`"""
+        self.console, self.stages, self.seconds = console, cost.stages, cost.seconds
+        self.counts = dict.fromkeys(self.stages, 0.0)
         self.started = self.told = time.perf_counter()
 
     def __call__(self, stage, count):
@@ -51,16 +52,16 @@ class Preparing:
         self.told, share = now, self.share
         if share == 1.0:  # what comes now, of the coarser mesh, is little
             return
-        left = (now - self.started) * (1 / share - 1)
-        text = f"preparing: {100 * share:3.0f} %  {duration(left):>8} left"
+        trusted = TRUST * self.seconds
+        pace = (now - self.started + trusted) / (share * self.seconds + trusted)
+        text = f"preparing: {100 * share:3.0f} %  {duration((1 - share) * self.seconds * pace):>8} left"
         self.console.print(text, highlight=False, markup=False, soft_wrap=True)
 
     @property
     def share(self):
-        """Of the time that everything was estimated to take"""
-        work = {stage: count * seconds for stage, (count, seconds) in self.stages.items()}
+        """Of the estimated time that is done"""
         done = sum(min(self.counts[stage], count) * seconds for stage, (count, seconds) in self.stages.items())
-        return done / sum(work.values())
+        return done / self.seconds
 
 
 def _times(result):

@@ -89,7 +89,7 @@ def test_what_the_preparation_tells_adds_up_to_what_was_estimated():
 def test_the_share_that_is_prepared_grows_to_the_whole(monkeypatch):
     monkeypatch.setattr(Preparing, "EVERY", 0.0)
     console = Console(record=True, quiet=False, file=StringIO(), width=100)
-    preparing = Preparing(console, {WAVES: (10, 1.0), MATRICES: (4, 5.0), FACTORS: (2, 5.0)})
+    preparing = Preparing(console, Cost(0.0, {WAVES: (10, 1.0), MATRICES: (4, 5.0), FACTORS: (2, 5.0)}))
     for stage in (WAVES, WAVES, MATRICES, MATRICES, MATRICES, MATRICES, FACTORS, FACTORS):
         preparing(stage, 1)
     lines = console.export_text().splitlines()
