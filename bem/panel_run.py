@@ -69,10 +69,8 @@ class PanelRun(FrequencyRun):
     def incident(self):
         """{class: φ_I and ∂φ_I/∂n at the nodes, each (m, n)} and the Froude–Krylov force (m, 6) about the origin"""
         g = self.geometry
-        nodes, weights, normals = self.hull
-        mirrors = np.column_stack([g.images, np.ones(len(g.images))])[:, None]
-        at, normals = nodes * mirrors - g.origin, normals * mirrors
-        phi, flux = np.empty((2, len(g.images), len(self.headings), len(weights)), complex)
+        at, normals = g.mirrored
+        phi, flux = np.empty((2, len(g.images), len(self.headings), g.hull), complex)
         for j, beta in enumerate(self.headings):
             phi[:, j], gradient = incident_wave(at, beta, self.omega, self.k, self.setup.depth, self.setup.gravity)
             flux[:, j] = np.einsum("mqi,mqi->mq", gradient, normals)

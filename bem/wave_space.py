@@ -159,15 +159,11 @@ class Cases:
 
     def waves(self, sketch):
         """∂φ_I/∂n at all nodes of the hull, from all sides, of every class"""
-        g, n = self.geometry, self.geometry.hull
+        g, (at, normals) = self.geometry, self.geometry.mirrored
         for k in self.wavenumbers:
             for beta in np.arange(0, 0.5 * np.pi, np.pi / (8 + 4 * k * g.radius)):
-                flux = np.empty((len(g.images), n), complex)
-                for i, (x, y) in enumerate(g.images):
-                    mirror = np.array([x, y, 1.0])
-                    _, gradient = incident_wave(g.elements.nodes[:n] * mirror - g.origin, beta, 1.0, k, g.depth)
-                    flux[i] = np.einsum("qi,qi->q", gradient, g.elements.normals[:n] * mirror)
-                flux = g.all_signs @ flux * self.root[:n]
+                _, gradient = incident_wave(at, beta, 1.0, k, g.depth)
+                flux = g.all_signs @ np.einsum("mqi,mqi->mq", gradient, normals) * self.root[: g.hull]
                 sketch.add(flux.T * (2 * np.pi / np.linalg.norm(flux)))
 
 
