@@ -23,14 +23,17 @@ TOO_CLOSE = 0.8  # of the panels: a coarse mesh that is hardly coarser says noth
 def panels_for(body, tolerance):
     """Panels on the whole hull of a box or buoy for a relative error of the coefficients.
 
-    At one per cent 250 for a buoy; for a box 290, and up to 385 where the draft is about half the breadth: such a
-    section rolls without moving much water, and its added moment is small against what the panels lose.  Of the scenes
-    of tests/bench/tolerance.py 95 % then keep the tolerance.  `fine_counts` takes more in short waves.
+    At one per cent 250 for a buoy; for a box 290, and more where the draft is about half the breadth: such a section
+    rolls without moving much water, its added moment is small against what the panels lose, and of a long box's panels
+    few lie across it.  Most of what 110 such boxes needed was 220 for a length of two breadths, 400 for five, 500 for
+    seven.  Of the scenes of tests/bench/tolerance.py 95 % then keep the tolerance.  `fine_counts` takes more in short
+    waves.
     """
     most = 250.0
     if body.shape == "box":
-        breadth = min(body.length, body.beam)
-        most = 290 + 95 / (1 + (4 * math.log10(breadth / (1.8 * body.draft))) ** 2)
+        breadth, length = sorted((body.length, body.beam))
+        rolls_easily = 1 / (1 + (5 * math.log10(breadth / (2.3 * body.draft))) ** 2)
+        most = 290 + 50 * max(0.0, length / breadth - 2) * rolls_easily
     return math.ceil(most * (0.01 / tolerance) ** (1 / ERROR_ORDER))
 
 

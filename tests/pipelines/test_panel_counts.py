@@ -3,9 +3,12 @@
 import numpy as np
 import pytest
 
+from bem import DOFS
 from bem.checks import ERROR_ORDER
+from bem.setup import prepare
+from bem.shape_setup import ShapeSetup
 from meshing.shapes import box
-from pipelines.hull import coarse_hull, make_hull
+from pipelines.hull import coarse_hull, make_header, make_hull, setup_of
 from pipelines.panel_counts import coarse_counts, counts_of, fine_counts, meshed, panels_for
 from pipelines.scene import make_scene
 
@@ -31,6 +34,18 @@ def body(request):
 def test_panels_grow_as_the_order_of_the_error_asks(body):
     assert panels_for(body, 0.001) / panels_for(body, 0.01) == pytest.approx(10 ** (1 / ERROR_ORDER), rel=0.01)
     assert 250 <= panels_for(body, 0.01) <= 385
+
+
+def test_a_long_box_that_rolls_without_moving_much_water_keeps_the_tolerance_in_roll():
+    size, depth, omega = (350.0, 50.0, 21.2), 37.5, 0.032
+    body = dict(zip(("length", "beam", "draft"), size, strict=True))
+    scene = scene_of({"shape": "box", **body}, water={"depth": depth}, tolerance=0.01)
+    hull = make_hull(scene, [omega])
+    panels = setup_of(make_header(scene, hull, [omega]), scene)
+    exact = ShapeSetup(method="contour", shape="box", sizes=size, depth=depth, tolerance=1e-5)
+    runs = (prepare(setup).run(omega, [0.0], ("added_mass",), None, DOFS[3:4]) for setup in (panels, exact))
+    found, true = (run.result()["added_mass"][3, 3] for run in runs)
+    assert abs(found / true - 1) <= scene.accuracy
 
 
 def test_counts_are_read_back_from_the_mesh(body):
