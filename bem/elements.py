@@ -65,9 +65,10 @@ def elements(mesh, per_panel=4):
     )
 
 
-def quadrature(mesh, element, count):
-    """count × count Gauss points on every panel with the shape functions of `element`."""
-    points, weights = _gauss(mesh.flat_vertices, count)
+def quadrature(mesh, element, *counts):
+    """count × count Gauss points on every panel, one rule after the other, with the shape functions of `element`."""
+    rules = (_gauss(mesh.flat_vertices, count) for count in counts)
+    points, weights = (np.concatenate(parts, axis=1) for parts in zip(*rules, strict=True))
     per_panel = element.inverse.shape[-1]
     shape = _monomials(element.axes, element.origins, points, per_panel) @ element.inverse
     return Quadrature(points, weights, np.ascontiguousarray(shape))

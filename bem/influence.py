@@ -27,7 +27,7 @@ from .irregular import extent, lid_needed_from
 from .jit import kernel
 from .modes import class_of, normal_velocities
 from .rankine import panel_moments
-from .wave_blocks import wave_blocks
+from .wave_blocks import COARSE, FINE, wave_blocks
 
 ROWS = 256  # of the matrices made at once
 # 1/r is integrated with 2 × 2 points beyond FAR sizes of a panel: 1e-6 of a smooth potential is lost
@@ -52,8 +52,7 @@ class Geometry:
         self.panels = mesh if lid is None else _stacked(mesh, lid)
         self.elements = elements(self.panels, per_panel)
         self.hull = len(mesh) * per_panel
-        self.coarse_points = quadrature(self.panels, self.elements, 2)
-        self.fine_points = quadrature(self.panels, self.elements, 4)
+        self.quadrature = quadrature(self.panels, self.elements, COARSE, FINE)
         self.images = np.array(mesh.reflections(), float)
         ones = {True: (1, -1), False: (1,)}
         self.classes = tuple(

@@ -15,9 +15,10 @@ from .green import layout_of, levels, spot, wave_part_at
 from .jit import kernel
 from .threads import pair_threads
 
-# the wave part of a panel is integrated with 4 × 4 instead of 2 × 2 points where its surface image is closer than
-# NEAR of its sizes, or where the wave or the depth is shorter than the panel divided by COARSE
-NEAR, COARSE = 1.0, 2.2
+# the wave part of a panel is integrated with FINE × FINE instead of COARSE × COARSE points where its surface image is
+# closer than NEAR of its sizes, or where the wave or the depth is shorter than the panel divided by PER_WAVE
+COARSE, FINE = 2, 4
+NEAR, PER_WAVE = 1.0, 2.2
 
 
 class Sources(NamedTuple):
@@ -43,15 +44,14 @@ def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
     g, e = geometry, geometry.elements
     sources = Sources.of(nodes, e.inverse.shape[2])
     length = min(1 / table.k if table.k > 0 else np.inf, g.depth)
-    coarse, fine = ([a[sources.panels] for a in q] for q in (g.coarse_points, g.fine_points))
+    where, weights, shape = (a[sources.panels] for a in g.quadrature)
     at = e.nodes[points]
-    where, weights, shape = (np.concatenate(both, axis=1) for both in zip(coarse, fine, strict=True))
     question = (
         at, depth_values(at[:, 2])[:, 0].copy(), sources.corners, sources.first,
         e.axes[sources.panels, 2].copy(), e.origins[sources.panels],
-        np.where(e.sizes > COARSE * length, np.inf, NEAR * e.sizes)[sources.panels],
+        np.where(e.sizes > PER_WAVE * length, np.inf, NEAR * e.sizes)[sources.panels],
         g.images, g.all_signs if classes is None else np.array([g.signs(c) for c in classes]),
-        coarse[1].shape[1], where, weights, shape, depth_values(where[..., 2]), table,
+        COARSE**2, where, weights, shape, depth_values(where[..., 2]), table,
     )  # fmt: skip
     with pair_threads(len(at) * len(nodes) * len(g.images)):
         return _blocks(*question)
