@@ -6,7 +6,9 @@ to potential, and in the gap under the keel profiles with the singularity of the
 (1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid Mech. 46 (1971).  Conventions as in `bem`.
 
 What no frequency changes is done once: the maps beneath, and a table in κ of those outside from which every
-evanescent mode is summed (`contour_sums`).  A frequency solves one plane problem of waves around the plan.
+evanescent mode is summed (`contour_sums`).  Functions of the plan up to a degree are among those up to a higher one,
+so that few such tables, each cut to what a frequency needs, serve all.  A frequency solves one plane problem of waves
+around the plan.
 """
 
 from __future__ import annotations
@@ -19,10 +21,10 @@ import numpy as np
 from .contour_accuracy import Accuracy, accuracy, finer
 from .contour_frequency import ContourFrequency, combined
 from .contour_limits import infinite_frequency, zero_frequency
-from .contour_motions import bottom_integral, motion
-from .contour_profiles import Profiles
+from .contour_motions import Motion, bottom_integral, motion
+from .contour_profiles import DEPENDENT, Profiles
 from .contour_sums import Nodes, collapsed
-from .contour_system import System, pressure_integrals
+from .contour_system import still
 from .gap import Gap
 from .modes import class_of
 from .plan_circle import Circle
@@ -192,21 +194,37 @@ class ContourBody:
         return self.profiles.products(sums)
 
     @once
+    def outer_maps(self, cls, degree, top):
+        """(c + 1, n, n) κN at the nodes and its limit, of functions up to `degree` among those up to `top`"""
+        mine = self.plan.among(cls, degree, top)
+        return np.ascontiguousarray(self.maps(top)[cls][0][:, mine[:, None], mine])
+
+    def mode_count(self, k):
+        """Evanescent modes outside, k = ω²/g"""
+        return self.profiles.gap.mode_count(k, self.accuracy.modes, self.plan.scale, DEPENDENT)
+
+    @once
     def inner_weights(self, degree):
         gap = self.profiles.gap
-        count = int(np.ceil(2 * self.accuracy.modes * max(1.0, gap.height / self.plan.scale)))
-        inner = gap.inner_modes(count)
+        inner = gap.inner_modes(gap.inner_count(2 * self.accuracy.modes, self.plan.scale))
         return self.collapsed(degree, inner.rows, inner.wavenumbers, gap.height / 2, gap.inner_decays)
 
     @once
     def beneath(self, cls, degree):
-        """`System.beneath`"""
+        """(r, n, r, n) potentials under the body, tested with the profiles and with 1 and ζ²"""
         rows = self.profiles.mean_rows
         mean = np.multiply.outer(rows, rows) / self.profiles.height
         return combined(self.inner_weights(degree), self.maps(degree)[cls][1], mean, self.laplace(degree)[cls][1])
 
-    def system(self, cls, degree, outside):
-        return System(self.profiles, outside, self.beneath(cls, degree), self.unit(cls, degree))
+    @once
+    def still(self, cls, degree, top, dofs):
+        """`contour_system.Still` of the motions `dofs`, of functions up to `degree` among those up to `top`"""
+        mine, unit = self.plan.among(cls, degree, top), self.unit(cls, top)
+        each, shape = [self.motion(d, top) for d in dofs], (len(dofs), 2, len(mine))
+        motions = Motion(*(np.reshape([m[i][:, mine] for m in each], shape) for i in range(3)))
+        beneath = self.beneath(cls, top)[:, mine][:, :, :, mine]
+        unit = None if unit is None else unit[mine]
+        return still(self.profiles, beneath, unit, motions, np.array([self.bottom(d) for d in dofs]))
 
     @once
     def motion(self, dof, degree):
@@ -227,14 +245,3 @@ class ContourBody:
             return None
         contour = self.plan.polynomial_contour(degree)
         return 4 * contour.weights @ self.plan.basis(cls, degree, contour)
-
-    def loads(self, system, flow, degree, dofs, drive):
-        """∬ φ n dS along `dofs` of the flows that they make, then of the driven ones, (dofs, dofs + b)
-
-        drive : (2, n, b) φ₀ tested with the side's rows
-        """
-        motions = [self.motion(d, degree) for d in dofs]
-        out = [pressure_integrals(system, flow, motions, drive, m) for m in motions]
-        for i, d in enumerate(dofs):
-            out[i][i] -= self.bottom(d)
-        return np.array(out).reshape(len(dofs), -1)

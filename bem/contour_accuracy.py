@@ -24,6 +24,7 @@ from math import ceil, log10
 from typing import NamedTuple
 
 KAPPA, PLAN = 1.15, 1.3  # digits of the result for one of the table, and of the panels
+CLEAR = 1e-8  # eigenvalue of a profile that the error of the mode sums does not reach
 DIGIT = 1.0  # that a finer body has more: its own error, a tenth in the mean, is not seen by a factor of three
 
 
@@ -53,7 +54,7 @@ def accuracy(digits, draft, gap, scale):
     return Accuracy(
         digits,
         terms=1 + max(0, ceil((digits - first) / step)),
-        smallest=10 ** (-3 - digits) / high,
+        smallest=max(10 ** (-3 - digits), CLEAR) / high,
         modes=15 * max(0.7, (digits - 1.5) / 1.2),
         kappa=max(1.0, (digits - 0.8 + 1.45 * log10(g) + 1.5 * log10(high)) / KAPPA),
         plan=max(3.0, (digits - 1.2 + 3.3 * log10(high)) / PLAN),

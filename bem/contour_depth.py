@@ -69,7 +69,7 @@ class _DepthModes(NamedTuple):
         most, least = (_count(gap, part * min(gap.draft, gap.height)) for part in (START, LATEST))
         outer = gap.outer_modes(freq.omega, min(most, max(least, MODES)), freq.gravity)
         k = outer.wavenumbers
-        table = body.nodes(freq.degree).weights(k) / (outer.norms * k)[:, None]
+        table = body.nodes(freq.top).weights(k) / (outer.norms * k)[:, None]
         return cls(gap, outer, table, (body.profiles.combinations @ outer.rows).T)
 
     def flow(self, r):

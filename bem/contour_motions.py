@@ -24,7 +24,7 @@ from .plan import area_moment
 
 
 class Motion(NamedTuple):
-    """One rigid motion at the contour, as coefficients of the n functions of its class.
+    """One rigid motion at the contour, as coefficients of the n functions of its class; several with an axis more.
 
     side : (2, n) of velocity a + b z; value, slope : (2, n) of ψ and ∂ψ/∂n, a + b ζ²
     """

@@ -58,7 +58,7 @@ class _Sides:
         freq.result()
         self.freq = freq
         self.sums = depth_sums(freq)
-        self.values = plan_values(freq.body, freq.degree, freq.k, freq.contour)
+        self.values = plan_values(freq)
 
     def load(self, heading, motion):
         """(3,) mean surge, sway and yaw per amplitude squared, motion (6,) about the origin"""
@@ -81,11 +81,10 @@ class _Sides:
     def flow(self, cls, heading, motion):
         """Amplitudes of `DepthSums` but those of the edge at the nodes and their slopes, two (a − 2, m)"""
         freq, (maps, slope) = self.freq, self.values[cls]
-        dofs, wave, motions, flow = freq.flows[cls]
+        dofs, wave, sides, flow = freq.flows[cls]
         speed = -1j * freq.omega * motion[dofs]
         gap = flow.velocity[..., : len(dofs)] @ speed + flow.velocity[..., len(dofs) + heading]
-        side = sum((v * m.side for v, m in zip(speed, motions, strict=True)), np.zeros((2, gap.shape[1])))
-        velocity = np.vstack([gap, side])
+        velocity = np.vstack([gap, np.tensordot(speed, sides, 1)])
         far = wave.potential @ (freq.wave_rows @ velocity) / freq.modes.wave_norm
         near = np.einsum("cmn,rn->crm", maps, velocity).reshape(-1, len(far))
         g = np.vstack([far + freq.amplitude * wave.wall[:, heading], near])

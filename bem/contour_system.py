@@ -17,20 +17,28 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .contour_profiles import Profiles
 
+class Still(NamedTuple):
+    """What no frequency changes in one class of n functions of the plan and d motions; m = e n, e profiles.
 
-class System(NamedTuple):
-    """Rows r = e + 2: the profiles of the gap, then those of the side (outside) or of ψ (beneath); n of the plan.
-
-    outside, beneath : (r, n, r, n) potentials tested with everything
-    unit : (n,) coefficients of 1 on the contour, None in classes without net flux
+    beneath : (m, m) T between profiles; net : (m,) flux of the profiles, None in classes without any
+    side : (d, 2n) velocity of the motions; driven : (m, d) potential of ψ beneath, tested with profiles
+    carried : (d, m) ∬ φ n dS that velocity of the profiles gives along the motions; volume : (d,) that c gives
+    own : (d, d) that ψ give
     """
 
-    profiles: Profiles
-    outside: np.ndarray
     beneath: np.ndarray
-    unit: np.ndarray | None
+    net: np.ndarray | None
+    side: np.ndarray
+    driven: np.ndarray
+    carried: np.ndarray
+    volume: np.ndarray
+    own: np.ndarray
+
+    @property
+    def functions(self):
+        """n"""
+        return self.side.shape[1] // 2
 
 
 class Flow(NamedTuple):
@@ -41,58 +49,55 @@ class Flow(NamedTuple):
     residual: float
 
 
-def solved(system, motions, drive):
-    """`Flow` for `motions`, then for potentials φ₀ tested with every function, drive (e, n, b)."""
-    e, n = drive.shape[:2]
-    right = np.concatenate([_motion_sides(system, motions, e), drive], axis=2).reshape(e * n, -1)
-    matrix = (system.beneath[:e, :, :e] - system.outside[:e, :, :e]).reshape(e * n, e * n)
-    if system.unit is not None:
-        net = np.multiply.outer(system.profiles.mean, system.unit).ravel()
-        volume = [system.profiles.mean_rows[e:] @ m.slope @ system.unit for m in motions] + [0.0] * drive.shape[2]
-        matrix = np.block([[matrix, net[:, None]], [net[None], np.zeros((1, 1))]])
-        right = np.vstack([right, volume])
-    x = np.linalg.solve(matrix, right)
-    scale = np.maximum(np.abs(right).max(axis=0), 1e-300)
-    residual = np.max(np.abs(matrix @ x - right) / scale, initial=0.0)
-    constant = x[-1] if system.unit is not None else np.zeros(right.shape[1])
-    return Flow(x[: e * n].reshape(e, n, -1), constant, float(residual))
+def still(profiles, beneath, unit, motions, bottom):
+    """`Still` of profiles with r = e + 2 rows, the last two those of ψ.
 
-
-def _motion_sides(system, motions, e):
-    profiles, n = system.profiles, system.outside.shape[1]
-    sides = np.empty((e, n, len(motions)), system.outside.dtype)
-    for j, m in enumerate(motions):
-        sides[..., j] = (
-            np.tensordot(system.beneath[:e, :, e:], m.slope, 2)
-            + np.tensordot(system.outside[:e, :, e:], m.side, 2)
-            - np.multiply.outer(profiles.mean, m.value[0])
-            - np.multiply.outer(profiles.second_moment, m.value[1])
-        )
-    return sides
-
-
-def pressure_integrals(system, flow, motions, drive, along):
-    """∬ φ n dS of every column of `flow` along one motion, m³/s · (unit of n), less ∬ ψ w dA of the column's own ψ.
-
-    drive : (2, n, b) φ₀ tested with the side's rows; along : `Motion`
+    beneath : (r, n, r, n) potentials tested with everything; unit : (n,) coefficients of 1 on the contour or None
+    motions : `Motion` with a first axis of d; bottom : (d,) ∬ ψ w dA
 
     Under the body Green's identity turns the integral over the bottom into one over the profiles.
     """
-    profiles, (e, n, columns) = system.profiles, flow.velocity.shape
-    outer, inner = np.zeros((2, e + 2, n, columns), complex)
-    outer[:e] = inner[:e] = flow.velocity
-    for j, m in enumerate(motions):
-        outer[e:, :, j], inner[e:, :, j] = m.side, -m.slope
-    side = np.tensordot(np.tensordot(along.side, system.outside[e:], 2), outer, 2)
-    side[len(motions) :] += np.tensordot(along.side, drive, 2)
-    through = np.tensordot(along.value, np.tensordot([profiles.mean, profiles.second_moment], flow.velocity, 1), 2)
-    value = np.tensordot(np.tensordot(along.slope, system.beneath[e:], 2), inner, 2)
-    if system.unit is not None:
-        value += flow.constant * (profiles.mean_rows[e:] @ along.slope @ system.unit)
-    value[: len(motions)] += [_product(m.value, along.slope, profiles.height) for m in motions]
-    return side - (through - value)
+    e, n, s = len(profiles.mean), beneath.shape[1], profiles.height
+    m, d = e * n, len(bottom)
+    matrix, slope = beneath.reshape(m + 2 * n, -1), motions.slope.reshape(d, 2 * n)
+    tested = np.tensordot(motions.value, [profiles.mean, profiles.second_moment], ((1,), (0,)))
+    tested = tested.transpose(0, 2, 1).reshape(d, m)
+    squares = np.array([[s, s**3 / 3], [s**3 / 3, s**5 / 5]])  # ∫ of 1, ζ² and ζ⁴
+    own = slope @ (squares @ motions.value).reshape(d, 2 * n).T - slope @ matrix[m:, m:] @ slope.T - np.diag(bottom)
+    net, volume = None, np.zeros(d)
+    if unit is not None:
+        net = np.multiply.outer(profiles.mean, unit).ravel()
+        volume = profiles.mean_rows[e:] @ (motions.slope @ unit).T
+    return Still(
+        matrix[:m, :m], net, motions.side.reshape(d, 2 * n),
+        matrix[:m, m:] @ slope.T - tested.T, slope @ matrix[m:, :m] - tested, volume, own,
+    )  # fmt: skip
 
 
-def _product(p, q, s):
-    """∬ (p₀ + p₁ζ²)(q₀ + q₁ζ²) over the gap"""
-    return s * p[0] @ q[0] + s**3 / 3 * (p[0] @ q[1] + p[1] @ q[0]) + s**5 / 5 * p[1] @ q[1]
+def solved(still, outside, drive):
+    """`Flow` for the motions, then for potentials φ₀.
+
+    outside : (r n, r n) potentials tested with everything, rows e profiles, then 1 and z of the side
+    drive : (r n, b) φ₀ tested with everything
+    """
+    m = len(still.driven)
+    matrix = still.beneath - outside[:m, :m]
+    right = np.hstack([still.driven + outside[:m, m:] @ still.side.T, drive[:m]])
+    if still.net is not None:
+        matrix = np.block([[matrix, still.net[:, None]], [still.net, 0.0]])
+        right = np.vstack([right, np.append(still.volume, np.zeros(drive.shape[1]))])
+    x = np.linalg.solve(matrix, right)
+    scale = np.maximum(np.abs(right).max(axis=0), 1e-300)
+    residual = np.max(np.abs(matrix @ x - right) / scale, initial=0.0)
+    constant = x[-1] if still.net is not None else np.zeros(right.shape[1])
+    return Flow(x[:m].reshape(m // still.functions, still.functions, right.shape[1]), constant, float(residual))
+
+
+def loads(still, outside, flow, drive):
+    """∬ φ n dS along the motions of every column of `flow`, (d, columns); the other arguments as in `solved`"""
+    m, d = still.driven.shape
+    velocity = flow.velocity.reshape(m, -1)
+    out = (still.side @ outside[m:, :m] + still.carried) @ velocity + np.outer(still.volume, flow.constant)
+    out[:, :d] += still.side @ outside[m:, m:] @ still.side.T + still.own
+    out[:, d:] += still.side @ drive[m:]
+    return out

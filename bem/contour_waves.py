@@ -1,4 +1,4 @@
-"""Plane waves on a plan contour, split by symmetry, and what follows from them: Froude–Krylov force and far field.
+"""Plane waves on a plan contour, split by symmetry, and the far field that follows from them.
 
     exp(ik(x cosβ + y sinβ)) = Σ over classes of A(kx cosβ) B(ky sinβ),    A, B = cos or i sin
 
@@ -10,9 +10,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-
-from .modes import class_of
-from .plan import CLASSES
 
 
 class PlaneWaves(NamedTuple):
@@ -40,35 +37,20 @@ def plane_waves(cls, contour, k, beta):
     )
 
 
+def plane_wave_values(cls, contour, k, beta):
+    """`PlaneWaves.value` alone"""
+    (A, _), (B, _) = (
+        _part(sign, np.multiply.outer(k * x, turn))
+        for sign, x, turn in ((cls[0], contour.x, np.cos(beta)), (cls[1], contour.y, np.sin(beta)))
+    )
+    return A * B
+
+
 def _part(sign, phase):
     """Even or odd part of exp(i phase) and its derivative"""
     if sign == 1:
         return np.cos(phase), -np.sin(phase)
     return 1j * np.sin(phase), 1j * np.cos(phase)
-
-
-def froude_krylov(contour, k, beta, depth_integrals, keel):
-    """Force of the undisturbed wave per unit amplitude and ρg, about the origin, (b, 6).
-
-    depth_integrals : ∫Z dz and ∫zZ dz over the draft; keel : Z(−d)
-
-    Over the bottom ∬ f dA = −∮ ∂f/∂n ds / k² and ∬ x f dA = −∮ (x ∂f/∂n − f n₁) ds / k².
-    """
-    one, z = depth_integrals
-    c, force = contour, np.zeros((len(beta), 6), complex)
-    waves = {cls: plane_waves(cls, c, k, beta) for cls in CLASSES}
-
-    def around(dof, value, flux=0.0):
-        w = waves[class_of(dof, "xy")]
-        return 4 * (c.weights * value) @ w.value + 4 * (c.weights * flux) @ w.flux
-
-    force[:, 0] = one * around(0, c.nx)
-    force[:, 1] = one * around(1, c.ny)
-    force[:, 2] = keel / k**2 * around(2, 0 * c.x, 1.0)
-    force[:, 3] = -z * around(3, c.ny) - keel / k**2 * around(3, c.ny, -c.y)
-    force[:, 4] = z * around(4, c.nx) + keel / k**2 * around(4, c.nx, -c.x)
-    force[:, 5] = one * around(5, c.x * c.ny - c.y * c.nx)
-    return -force
 
 
 def far_field(cls, contour, k, theta, potential, velocity):

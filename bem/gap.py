@@ -143,14 +143,16 @@ class Gap:
     def inner_decays(self):
         return np.append(self.decays, [2.0, 2.0])
 
-    def mode_count(self, k, modes, shortest=np.inf):
+    def mode_count(self, k, modes, shortest=np.inf, further=8):
         """Evanescent modes outside, with `modes` of them per smallest length of gap, side and `shortest` (m).
 
         The moments of function p reach their asymptotic form, which the sums need, at kₙs ≈ (2p)²; the modes theirs
-        at n = kh.  Counts are rounded up in steps of a fifth, so that the weights of their tail are soon all known.
+        at n = kh.  `further` is for the p above 0: sums of combinations that nearly vanish need more.  Counts are
+        rounded up in steps of a fifth, so that the weights of their tail are soon all known.
         """
         s, h = self.height, self.depth
-        count = max(modes * h / min(s, self.draft, shortest), 8 * self.terms**2 * h / s) + 4 * k * h
+        least = 8 + further * (self.terms**2 - 1)
+        count = max(modes * h / min(s, self.draft, shortest), least * h / s) + 4 * k * h
         return _rounded(count)
 
     def inner_count(self, modes, shortest):

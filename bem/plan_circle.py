@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import hankel1, ive, jv, kve
 
-from .plan import CLASSES, Contour, WaveMap
+from .plan import CLASSES, Contour, WaveMap, shared
 from .plan_short import ShortMap
 from .section_waves import side_integrals
 from .waves import depth_factor
@@ -59,6 +59,14 @@ class Circle:
     def degree(self, waves, tolerance):
         """Highest order that velocities in the gap need where `waves` rad/m of them get under the keel."""
         return max(LOWEST, _last_order(waves * self.radius, tolerance))
+
+    def shared(self, waves):
+        """rad/m, at least `waves`, up to which tables are made"""
+        return shared(waves, self.radius)
+
+    def among(self, cls, degree, top):
+        """(n,) places of the functions up to `degree` among those up to `top`"""
+        return np.arange(len(self.orders(cls, degree)))
 
     def finest(self, degree):
         """rad/m along the contour of the shortest waves that functions up to `degree` are made for"""
@@ -117,7 +125,8 @@ class Circle:
             part = np.cos if cls[1] == 1 else np.sin
             total = part(np.multiply.outer(theta, all_mine)) @ (wall[all_mine, None] * part(np.outer(all_mine, beta)))
             basis = self.basis(cls, degree, contour)
-            out[cls] = WaveMap(np.diag(ratio), basis * ratio, total)
+            tested = 4 * (basis * contour.weights[:, None]).T @ total
+            out[cls] = WaveMap(np.diag(ratio), basis * ratio, total, tested)
         return out
 
     def short_degree(self, tolerance):
@@ -128,7 +137,7 @@ class Circle:
         """`bem.plan_short.ShortMap`, exact"""
         contour = self.polynomial_contour(degree)
         wave = self.waves([cls], degree, k, contour, beta)[cls]
-        return ShortMap(wave.weak, 4 * (self.basis(cls, degree, contour) * contour.weights[:, None]).T @ wave.wall)
+        return ShortMap(wave.weak, wave.tested)
 
     def incident_force(self, draft, depth, k, beta):
         """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)

@@ -13,10 +13,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import j0, j1, k0, k1, y0, y1
 
 from .jit import kernel
 from .plan import CLASSES
+from .plan_bessel import decaying_pair, radiating_pair
 from .plan_panels import IMAGES, Points, interpolation, is_far, near_points
 
 
@@ -29,8 +29,8 @@ def decaying(kappa):
     """Function of R that returns G and R ∂G/∂R of modified Helmholtz"""
 
     def kernels(R):
-        x = kappa * R
-        return k0(x) / (2 * np.pi), -x * k1(x) / (2 * np.pi)
+        single, radial = decaying_pair(kappa * R)
+        return single / (2 * np.pi), radial / (-2 * np.pi)
 
     return kernels
 
@@ -39,8 +39,8 @@ def radiating(k):
     """Function of R that returns G and R ∂G/∂R of outgoing waves"""
 
     def kernels(R):
-        x = k * R
-        return 0.25 * (1j * j0(x) - y0(x)), -0.25 * x * (1j * j1(x) - y1(x))
+        single, radial = radiating_pair(k * R)
+        return 0.25j * single, -0.25j * radial
 
     return kernels
 

@@ -10,6 +10,7 @@ the pieces that end at the target take t = t₀ + (t₁ − t₀) v⁴, which ma
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -87,10 +88,14 @@ def _edges(extent, first, longest):
     return np.array(edges)
 
 
+@lru_cache(maxsize=256)
 def gauss_rule(count):
     """Gauss points and weights on (0, 1)"""
     x, w = np.polynomial.legendre.leggauss(count)
-    return (x + 1) / 2, w / 2
+    rule = (x + 1) / 2, w / 2
+    for part in rule:
+        part.setflags(write=False)
+    return rule
 
 
 def interpolation(nodes, t):

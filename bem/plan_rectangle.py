@@ -20,8 +20,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import eval_legendre
 
-from .contour_waves import plane_waves
-from .plan import CLASSES, Contour, WaveMap
+from .contour_waves import plane_wave_values
+from .plan import CLASSES, Contour, WaveMap, shared
 from .plan_layers import Layers, decaying, laplace, layers, radiating
 from .plan_panels import Panels, gauss_rule, quarter_panels
 from .plan_short import short_map
@@ -100,6 +100,21 @@ class Rectangle:
         need = 4 * np.ceil((turns + np.maximum(2 * self.extra * reach, (1 + digits / 2) * np.cbrt(turns))) / 4)
         return tuple(int(d) for d in need + 2 * self.further * np.ceil(reach))
 
+    def shared(self, waves):
+        """rad/m, at least `waves`, up to which tables are made"""
+        return shared(waves, max(self.length, self.beam) / 2)
+
+    def orders(self, cls, degree):
+        """Orders of the polynomials of a class on the end and on the side"""
+        return tuple(
+            np.arange(0 if sign == 1 else 1, d + 1, 2) for sign, d in zip((cls[1], cls[0]), degree, strict=True)
+        )
+
+    def among(self, cls, degree, top):
+        """(n,) places of the functions up to `degree` among those up to `top`"""
+        (end, side), first = map(len, self.orders(cls, degree)), len(self.orders(cls, top)[0])
+        return np.append(np.arange(end), first + np.arange(side))
+
     def finest(self, degree):
         """rad/m along the contour of the shortest waves that functions up to `degree` are made for"""
         return max(2 * np.subtract(degree, self.degree(0.0, 1.0)) / (self.beam, self.length))
@@ -118,10 +133,9 @@ class Rectangle:
     def basis(self, cls, degree, contour):
         """(m, n) ψ at nodes: end then side, each with its polynomials of the class in increasing order"""
         columns = []
-        for side, (sign, extent) in enumerate(((cls[1], self.beam), (cls[0], self.length))):
+        for side, (m, extent) in enumerate(zip(self.orders(cls, degree), (self.beam, self.length), strict=True)):
             here = (contour.nx > 0.5) if side == 0 else (contour.ny > 0.5)
             along = 2 * (contour.y if side == 0 else contour.x) / extent
-            m = np.arange(0 if sign == 1 else 1, degree[side] + 1, 2)
             columns.append(here[:, None] * np.sqrt((2 * m + 1) / (2 * extent)) * eval_legendre(m, along[:, None]))
         return np.hstack(columns)
 
@@ -193,10 +207,10 @@ class Rectangle:
             basis = self.basis(cls, degree, contour)
             matrix = np.vstack([half - D[c], -D_in[c]])
             velocity = -np.vstack([S[c], S_in[c]]) @ basis
-            known = [plane_waves(cls, place, k, beta).value for place in (contour, at.inside)]
+            known = [plane_wave_values(cls, place, k, beta) for place in (contour, at.inside)]
             answer = _least_squares(matrix, np.hstack([velocity, np.vstack(known)]))
             potential, wall = np.split(answer, [basis.shape[1]], axis=1)
-            out[cls] = WaveMap(4 * (basis * contour.weights[:, None]).T @ potential, potential, wall)
+            out[cls] = WaveMap.solved(contour, basis, potential, wall)
         return out
 
     def short_degree(self, tolerance):

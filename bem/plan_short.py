@@ -35,11 +35,11 @@ ROOT = np.sqrt(3)
 class ShortMap(NamedTuple):
     """Waves outside a plan, in one symmetry class of n functions ψ.
 
-    weak : (n, n) m, ∮ ψᵢ N ψⱼ ds as of `bem.plan.WaveMap`; wall : (n, b) √m, ∮ ψᵢ φ ds in front of a rigid wall
+    weak : (n, n) m, ∮ ψᵢ N ψⱼ ds as of `bem.plan.WaveMap`; tested : (n, b) √m, ∮ ψᵢ φ ds in front of a rigid wall
     """
 
     weak: np.ndarray
-    wall: np.ndarray
+    tested: np.ndarray
 
 
 def wall_integral(angle):

@@ -30,19 +30,17 @@ class Values(NamedTuple):
     slope: np.ndarray
 
 
-def plan_values(body, degree, k, contour):
-    """{class: `Values`} of a `bem.contour.ContourBody` at the nodes of `contour`, made for waves of k rad/m"""
-    make = _on_circle if isinstance(body.plan, Circle) else _on_rectangle
-    return make(body, degree, k, contour)
+def plan_values(freq):
+    """{class: `Values`} at the nodes of the contour of a `bem.contour_frequency.ContourFrequency`"""
+    return (_on_circle if isinstance(freq.body.plan, Circle) else _on_rectangle)(freq)
 
 
-def _on_circle(body, degree, k, contour):
-    plan, out = body.plan, {}
-    tables = plan.maps(degree, body.nodes(degree).kappa)
+def _on_circle(freq):
+    plan, contour, out = freq.body.plan, freq.contour, {}
     for cls in CLASSES:
-        basis = plan.basis(cls, degree, contour)
-        maps = [*(basis @ tables[cls][0]), -basis]
-        out[cls] = Values(np.array(maps), _trigonometric_slope(plan, cls, contour))
+        basis = plan.basis(cls, freq.degree, contour)
+        maps = basis @ freq.body.outer_maps(cls, freq.degree, freq.top)
+        out[cls] = Values(maps, _trigonometric_slope(plan, cls, contour))
     return out
 
 
@@ -55,13 +53,15 @@ def _trigonometric_slope(plan, cls, contour):
     return np.linalg.solve(wave.T, (slope * m / plan.radius).T).T
 
 
-def _on_rectangle(body, degree, k, contour):
-    plan, tables = body.plan, _tables(body, degree)
-    carried = _resampling(plan.panels(0.0, degree), contour)
-    slope = _panel_slope(plan.wave_layout(k, degree).panels)
-    return {
-        cls: Values(np.array([*(carried @ tables[cls]), -plan.basis(cls, degree, contour)]), slope) for cls in CLASSES
-    }
+def _on_rectangle(freq):
+    plan, contour, degree, top = freq.body.plan, freq.contour, freq.degree, freq.top
+    tables, carried = _tables(freq.body, top), _resampling(plan.panels(0.0, top), contour)
+    slope = _panel_slope(plan.wave_layout(freq.k, degree).panels)
+    out = {}
+    for cls in CLASSES:
+        values = tables[cls][..., plan.among(cls, degree, top)]
+        out[cls] = Values(np.array([*(carried @ values), -plan.basis(cls, degree, contour)]), slope)
+    return out
 
 
 def _tables(body, degree):

@@ -24,7 +24,7 @@ class ShortFrequency(ContourFrequency):
     def resolution(self):
         plan = self.body.plan
         degree = plan.short_degree(self.body.tolerance)
-        return degree, plan.polynomial_contour(degree)
+        return degree, degree, plan.polynomial_contour(degree)
 
     @property
     def corners(self):
@@ -45,20 +45,10 @@ class ShortFrequency(ContourFrequency):
         """`ShortMap` for incident waves towards `beta`"""
         return self.body.plan.short_map(cls, self.degree, self.k, beta)
 
-    def wall(self, cls, wave):
-        return wave.wall
-
-    def far_field(self, cls, wave, velocity, moving):
-        return np.zeros((2, velocity.shape[1], 0))
-
-    def froude_krylov(self):
-        force = self.body.plan.incident_force(self.body.draft, self.body.depth, self.k, self.headings)
-        return self.density * self.gravity * np.where(np.isin(np.arange(6), self.dofs), force, 0)
-
     def velocities(self, cls):
         """(dofs, (n, dofs) on the side, (n, dofs) in the gap) ⟨∂φ/∂n, Z₀⟩ of unit motions"""
-        dofs, _, motions, flow = self.flows[cls]
-        side = np.array([self.wave_rows[-2:] @ m.side for m in motions]).T
+        dofs, _, side, flow = self.flows[cls]
+        side = (self.wave_rows[-2:] @ side).T
         return dofs, side, np.tensordot(self.wave_rows[:-2], flow.velocity[..., : len(dofs)], 1)
 
     def radiated(self):
@@ -72,7 +62,7 @@ class ShortFrequency(ContourFrequency):
         for cls in self.flows:
             dofs, side, gap = self.velocities(cls)
             for start in range(0, count, CHUNK):
-                X = (side + gap).T @ self.map(cls, beta[start : start + CHUNK]).wall
+                X = (side + gap).T @ self.map(cls, beta[start : start + CHUNK]).tested
                 out[np.ix_(dofs, dofs)] += (X @ X.conj().T).real
         n = group_factor(k, self.body.depth)
         return out * self.density * k**2 / (4 * n * count) * self.gravity / self.omega**2

@@ -1,5 +1,7 @@
 """What the contour method promises at its door: refusals, only what is asked for, honest errors."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -49,6 +51,23 @@ def test_only_the_symmetry_classes_that_are_asked_for_are_solved():
     assert {key[1] for key in lone.kept if key[0] == "beneath"} == {(1, 1)} < solved
 
 
+def test_frequencies_give_the_same_bits_whichever_were_solved_before():
+    omegas = (1.2, 0.3, 2.0, 0.7, 0.3)
+    body = prepare_box(100, 50, 10, 20, tolerance=1e-2)
+    for omega in omegas:
+        after = body.first_order(omega, [0.4], [0.1])
+        alone = prepare_box(100, 50, 10, 20, tolerance=1e-2).first_order(omega, [0.4], [0.1])
+        assert all(np.array_equal(a, b) for a, b in zip(after, alone, strict=True) if a is not None), omega
+
+
+def test_frequencies_share_their_tables():
+    body = prepare_box(100, 50, 10, 20, tolerance=1e-2)
+    for omega in np.linspace(0.1, 1.2, 12):
+        body.first_order(omega)
+    degrees = {key[2] for key in body.kept if key[0] == "outer_maps"}
+    assert len([key for key in body.kept if key[0] == "maps"]) == 1 < len(degrees)
+
+
 def test_no_headings_and_no_angles_give_empty_arrays():
     r = prepare_box(100, 50, 10, 20).first_order(0.6)
     assert r.diffraction.shape == (0, 6) and r.kochin_radiation.shape == (2, 6, 0)
@@ -89,6 +108,18 @@ def test_forty_waves_along_a_body_are_within_its_tolerance(dimensions, omega):
     largest = np.maximum(np.abs(exact).max(axis=0), np.repeat([0.2, 0.0], 3) * np.abs(exact[:, :3]).max())
     assert np.max(np.abs(ours.radiation - fine.radiation) / np.outer(size, size)) < 1e-2
     assert np.max(np.abs(force - exact) / largest) < 1e-2
+
+
+@pytest.mark.parametrize("dimensions", [(100, 50, 10, 100), (60, 50, 30, 300), (100, 50, 2, 42), (100, 50, 10, 20)])
+def test_more_modes_than_a_tolerance_has_change_less_than_it(dimensions):
+    """Of the profiles that are nearly dependent too, which magnify what the sums over modes lack"""
+    for tolerance in (1e-5, 1e-6):
+        body = prepare_box(*dimensions, tolerance=tolerance)
+        more = replace(body, accuracy=body.accuracy._replace(modes=3 * body.accuracy.modes), kept={})
+        for omega in (0.3, 0.7):
+            ours, other = (b.first_order(omega).radiation for b in (body, more))
+            size = np.sqrt(np.abs(np.diag(other)))
+            assert np.max(np.abs(ours - other) / np.outer(size, size)) < tolerance / 5, (tolerance, omega)
 
 
 def test_the_limit_of_a_map_lies_beyond_all_waves_along_the_wall():

@@ -7,7 +7,7 @@ import pytest
 from scipy.special import hankel1, k0, k1
 
 from bem.contour_sums import Nodes, collapsed
-from bem.contour_waves import froude_krylov, plane_waves
+from bem.contour_waves import plane_wave_values, plane_waves
 from bem.plan import CLASSES, area_moment
 from bem.plan_circle import Circle
 from bem.plan_layers import decaying, laplace, radiating
@@ -15,6 +15,8 @@ from bem.plan_rectangle import Rectangle
 
 LENGTH, BEAM = 100.0, 50.0
 DEGREE = (12, 16)
+DIGITS = 6
+PLANS = [Rectangle.to_digits(LENGTH, BEAM, DIGITS), Circle(20.0)]
 
 
 def images(cls, x, y):
@@ -161,16 +163,56 @@ def test_area_moments_are_those_of_the_figure():
     assert area_moment(circle, 4, 0) == pytest.approx(np.pi * 3**6 / 8, rel=1e-13)
 
 
-@pytest.mark.parametrize("k", [1e-5, 0.03, 0.8])
-def test_froude_krylov_forces_of_a_box_are_products_of_sines(k):
-    plan, beta = Rectangle.to_digits(LENGTH, BEAM, 7), np.array([0.0, 0.7, np.pi / 2])
-    one, z, keel = 9.0, -40.0, 0.8  # any numbers in place of the integrals over depth
-    force = froude_krylov(plan.contour(k, DEGREE, 1e-7), k, beta, (one, z), keel)
-    a, b = k * np.cos(beta) * LENGTH / 2, k * np.sin(beta) * BEAM / 2
-    sa, sb = np.sinc(a / np.pi), np.sinc(b / np.pi)
-    surge = -2j * np.sin(a) * BEAM * sb * one
-    np.testing.assert_allclose(force[:, 0], surge, rtol=1e-8, atol=1e-8 * np.abs(surge).max())
-    np.testing.assert_allclose(force[:, 2], keel * LENGTH * BEAM * sa * sb, rtol=1e-8, atol=1e-8 * LENGTH * BEAM)
+@pytest.mark.parametrize("k", [0.01, 0.2, 0.8])
+@pytest.mark.parametrize("plan", PLANS)
+def test_forces_of_the_undisturbed_wave_are_integrals_around_the_contour(plan, k):
+    """Over the bottom ∬ f dA = −∮ ∂f/∂n ds / k² and ∬ x f dA = −∮ (x ∂f/∂n − f n₁) ds / k²"""
+    beta, draft, depth = np.array([0.0, 0.7, np.pi / 2]), 3.0, 8.0
+    c, Z = plan.contour(k, plan.degree(k, 1e-9), 1e-9), np.cosh(k * depth)
+    one = (np.sinh(k * depth) - np.sinh(k * (depth - draft))) / k / Z
+    z = (draft * np.sinh(k * (depth - draft)) - (np.cosh(k * depth) - np.cosh(k * (depth - draft))) / k) / k / Z
+    keel = np.cosh(k * (depth - draft)) / Z / k**2
+    even, odd, across = (plane_waves(cls, c, k, beta) for cls in ((1, 1), (-1, 1), (1, -1)))
+    w = 4 * c.weights
+    expected = np.zeros((3, 6), complex)
+    expected[:, 0], expected[:, 1] = -one * (w * c.nx) @ odd.value, -one * (w * c.ny) @ across.value
+    expected[:, 2] = -keel * w @ even.flux
+    expected[:, 3] = z * (w * c.ny) @ across.value + keel * ((w * -c.y) @ across.flux + (w * c.ny) @ across.value)
+    expected[:, 4] = -z * (w * c.nx) @ odd.value - keel * ((w * -c.x) @ odd.flux + (w * c.nx) @ odd.value)
+    expected[:, 5] = -one * (w * (c.x * c.ny - c.y * c.nx)) @ plane_wave_values((-1, -1), c, k, beta)
+    force = plan.incident_force(draft, depth, k, beta)
+    np.testing.assert_allclose(force, expected, rtol=0, atol=1e-8 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("plan", PLANS)
+def test_functions_up_to_a_degree_are_among_those_up_to_a_higher_one(plan):
+    low, high = plan.degree(0.1, 1e-3), plan.degree(0.9, 1e-3)
+    contour = plan.polynomial_contour(high)
+    for cls in CLASSES:
+        mine = plan.among(cls, low, high)
+        assert np.array_equal(plan.basis(cls, low, contour), plan.basis(cls, high, contour)[:, mine])
+        assert 0 < len(mine) < plan.basis(cls, high, contour).shape[1]
+
+
+@pytest.mark.parametrize("plan", PLANS)
+def test_tables_of_a_higher_degree_hold_those_of_a_lower_one(plan):
+    low, high, kappa = plan.degree(0.1, 1e-3), plan.degree(0.9, 1e-3), np.array([0.05, 0.4, 5.0])
+    whole, part = plan.maps(high, kappa), plan.maps(low, kappa)
+    for cls in CLASSES:
+        mine = plan.among(cls, low, high)
+        tables = ((*each[cls], plan.laplace(d)[cls][1]) for each, d in ((whole, high), (part, low)))
+        for larger, smaller in zip(*tables, strict=True):
+            cut = larger[..., mine[:, None], mine]
+            np.testing.assert_allclose(cut, smaller, rtol=0, atol=10**-DIGITS * np.abs(smaller).max())
+
+
+@pytest.mark.parametrize("plan", PLANS)
+def test_waves_that_share_tables_are_shorter_by_half_at_most(plan):
+    k = np.geomspace(1e-4, 100.0, 400)
+    shared = np.array([plan.shared(each) for each in k])
+    long = shared == shared[0]
+    assert np.all(shared >= k * (1 - 1e-12)) and np.all(shared[~long] <= 1.5 * k[~long])
+    assert shared[0] == plan.shared(0.0) and len(set(shared)) < 20
 
 
 @pytest.mark.parametrize("waves", [30, 60, 100])
