@@ -9,8 +9,10 @@ which `contour_depth` integrates for the nodes of a table in κ; a wave and a mo
 
 What this checks: every mode but the wave pushes on the side as it pulls in the gap, and nothing of it is seen far
 away, if both sides of the gap agree on the potential there.  The error is of first order in what they do not agree
-on, where that of forces and far field is of second: the flow is found anew with one function more in the gap and
-a finer table.  In resonant roll the drift is the small difference of pressures tens of times as large.
+on, where that of forces and far field is of second: the flow is found anew with functions of the gap for twice as many
+digits and a finer table.  In resonant roll the drift is the small difference of pressures tens of times as large.
+Box in 2000 m, tolerance 1e-3: near and far field differ by 1e-3 of the largest force on the fixed one, with a single
+function more by 1.6e-2; in resonant roll by 1.7e-3 and 5.3e-2.
 """
 
 from __future__ import annotations
@@ -19,7 +21,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .contour_accuracy import DIGIT, KAPPA
+from .contour_accuracy import DIGIT, KAPPA, accuracy
 from .contour_depth import depth_sums
 from .contour_frequency import ContourFrequency
 from .drift import about
@@ -40,11 +42,15 @@ def contour_drift(run, motions):
 
 
 def sharper(body):
-    """The same `bem.contour.ContourBody`, a function more in each family of the gap, a digit more in the table in κ"""
+    """The same `bem.contour.ContourBody` with functions of the gap for twice the digits, modes for two more to resolve
+    them, and a digit more in the table in κ"""
     if "sharper" not in body.kept:
-        ours = body.accuracy
-        accuracy = ours._replace(terms=ours.terms + 1, kappa=ours.kappa + DIGIT / KAPPA)
-        body.kept["sharper"] = replace(body, accuracy=accuracy, kept={})
+        ours, sizes = body.accuracy, (body.draft, body.depth - body.draft, body.plan.scale)
+        twice, further = (accuracy(digits, *sizes) for digits in (2 * ours.digits, ours.digits + 2))
+        finer = ours._replace(
+            terms=max(ours.terms + 1, twice.terms), modes=further.modes, kappa=ours.kappa + DIGIT / KAPPA
+        )
+        body.kept["sharper"] = replace(body, accuracy=finer, kept={})
     return body.kept["sharper"]
 
 

@@ -96,16 +96,3 @@ def _gauss(v, count):
     dt = 0.25 * np.stack([-(1 - s), -(1 + s), 1 + s, 1 - s])
     along, across = np.einsum("aq,nai->nqi", ds, v), np.einsum("aq,nai->nqi", dt, v)
     return np.einsum("aq,nai->nqi", shape, v), w * np.linalg.norm(np.cross(along, across), axis=-1)
-
-
-def line_points(element, panel, a, b):
-    """Two Gauss points on each line a → b (w, 3) lying in panels `panel` (w,).
-
-    returns : panel (2w,), points (2w, 3), lengths (2w,), shape functions (2w, p)
-    """
-    t = 0.5 * (1 + np.array([-1, 1]) / np.sqrt(3))
-    points = (a[:, None] + t[None, :, None] * (b - a)[:, None]).reshape(-1, 3)
-    lengths = np.repeat(0.5 * np.linalg.norm(b - a, axis=1), 2)
-    panel = np.repeat(panel, 2)
-    local = _monomials(element.axes[panel], element.origins[panel], points[:, None], element.inverse.shape[-1])
-    return panel, points, lengths, (local @ element.inverse[panel])[:, 0]
