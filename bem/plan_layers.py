@@ -69,16 +69,11 @@ class Layers(NamedTuple):
 
 def layers(panels, x, y, own, count, smallest):
     """`Layers` of targets (x, y); the other arguments as in `near_points`"""
-    c, g = panels.contour, len(panels.t)
+    c = panels.contour
     far = is_far(panels, x, y)
-    pair = np.flatnonzero(np.repeat(far, g, axis=2))
-    i, image, node = np.unravel_index(pair, (len(x), len(IMAGES), len(c.x)))
-    mirror = IMAGES[image]
-    dx, dy = mirror[:, 0] * c.x[node] - x[i], mirror[:, 1] * c.y[node] - y[i]
-    R = np.hypot(dx, dy)
-    along = (dx * mirror[:, 0] * c.nx[node] + dy * mirror[:, 1] * c.ny[node]) / R**2
+    distance, along, pair = _far_pairs(x, y, np.stack(c[:4]), IMAGES, far, len(panels.t))
     near = near_points(panels, x, y, own, far, count, smallest)
-    return Layers(len(x), c.weights, R, along, pair, near, interpolation(panels.t, near.t))
+    return Layers(len(x), c.weights, distance, along, pair, near, interpolation(panels.t, near.t))
 
 
 def _matrices(layers, kernels, signs):
@@ -92,6 +87,28 @@ def _matrices(layers, kernels, signs):
         radial * near.along * near.weights, signs,
     )  # fmt: skip
     return out
+
+
+@kernel()
+def _far_pairs(x, y, contour, images, far, per_panel):
+    """`Layers.distance`, `along` and `pair`; contour : (4, m) x, y and normal of the nodes"""
+    m, size = contour.shape[1], np.count_nonzero(far) * per_panel
+    distance, along, pair = np.empty(size), np.empty(size), np.empty(size, np.int64)
+    n = 0
+    for i in range(len(x)):
+        for g in range(len(images)):
+            a, b = images[g, 0], images[g, 1]
+            for p in range(far.shape[2]):
+                if not far[i, g, p]:
+                    continue
+                for q in range(p * per_panel, (p + 1) * per_panel):
+                    dx, dy = a * contour[0, q] - x[i], b * contour[1, q] - y[i]
+                    square = dx * dx + dy * dy
+                    distance[n] = np.sqrt(square)
+                    along[n] = (dx * a * contour[2, q] + dy * b * contour[3, q]) / square
+                    pair[n] = (i * len(images) + g) * m + q
+                    n += 1
+    return distance, along, pair
 
 
 @kernel()

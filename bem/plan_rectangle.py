@@ -18,7 +18,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import eval_legendre
+from numpy.polynomial.legendre import legvander
 
 from .contour_waves import plane_wave_values
 from .plan import CLASSES, Contour, WaveMap, shared
@@ -136,7 +136,9 @@ class Rectangle:
         for side, (m, extent) in enumerate(zip(self.orders(cls, degree), (self.beam, self.length), strict=True)):
             here = (contour.nx > 0.5) if side == 0 else (contour.ny > 0.5)
             along = 2 * (contour.y if side == 0 else contour.x) / extent
-            columns.append(here[:, None] * np.sqrt((2 * m + 1) / (2 * extent)) * eval_legendre(m, along[:, None]))
+            columns.append(
+                here[:, None] * np.sqrt((2 * m + 1) / (2 * extent)) * legvander(along, max(m[-1:], default=0))[:, m]
+            )
         return np.hstack(columns)
 
     def panels(self, k, degree):
@@ -249,6 +251,7 @@ def _wave_layout(rectangle, k, degree):
 def _least_squares(matrix, right):
     """x of smallest |matrix x − right|; the equations are consistent and well conditioned, so normal equations do."""
     from scipy.linalg import cho_factor, cho_solve
+    from scipy.linalg.blas import zherk
 
-    conjugate = matrix.conj().T
-    return cho_solve(cho_factor(conjugate @ matrix, check_finite=False), conjugate @ right, check_finite=False)
+    normal = zherk(1.0, matrix.T).conj()  # the upper triangle, in half the time of a product
+    return cho_solve(cho_factor(normal, check_finite=False), matrix.conj().T @ right, check_finite=False)
