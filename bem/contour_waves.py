@@ -11,6 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .waves import exponential_part
+
 
 class PlaneWaves(NamedTuple):
     """One symmetry class of plane waves at the nodes of a contour, (m, b) each; `turn…` is the β-derivative."""
@@ -24,8 +26,8 @@ class PlaneWaves(NamedTuple):
 def plane_waves(cls, contour, k, beta):
     """`PlaneWaves` of k rad/m towards `beta` (b,) rad"""
     c, s, p = np.cos(beta), np.sin(beta), contour
-    A, dA = _part(cls[0], np.multiply.outer(k * p.x, c))
-    B, dB = _part(cls[1], np.multiply.outer(k * p.y, s))
+    A, dA = exponential_part(cls[0], np.multiply.outer(k * p.x, c))
+    B, dB = exponential_part(cls[1], np.multiply.outer(k * p.y, s))
     turn_a, turn_b = np.multiply.outer(-k * p.x, s), np.multiply.outer(k * p.y, c)
     nx, ny = k * p.nx[:, None], k * p.ny[:, None]
     return PlaneWaves(
@@ -40,17 +42,10 @@ def plane_waves(cls, contour, k, beta):
 def plane_wave_values(cls, contour, k, beta):
     """`PlaneWaves.value` alone"""
     (A, _), (B, _) = (
-        _part(sign, np.multiply.outer(k * x, turn))
+        exponential_part(sign, np.multiply.outer(k * x, turn))
         for sign, x, turn in ((cls[0], contour.x, np.cos(beta)), (cls[1], contour.y, np.sin(beta)))
     )
     return A * B
-
-
-def _part(sign, phase):
-    """Even or odd part of exp(i phase) and its derivative"""
-    if sign == 1:
-        return np.cos(phase), -np.sin(phase)
-    return 1j * np.sin(phase), 1j * np.cos(phase)
 
 
 def far_field(cls, contour, k, theta, potential, velocity):

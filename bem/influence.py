@@ -96,13 +96,6 @@ class Geometry:
         n = self.hull
         return normal_velocities(self.elements.nodes[:n] - self.origin, self.elements.normals[:n])
 
-    @cached_property
-    def mirrored(self):
-        """Nodes of the hull and its images about the body's origin, and their normals, two (images, n, 3)"""
-        mirrors = np.column_stack([self.images, np.ones(len(self.images))])[:, None]
-        e, n = self.elements, self.hull
-        return e.nodes[:n] * mirrors - self.origin, e.normals[:n] * mirrors
-
     def members(self, cls):
         """Degrees of freedom that a symmetry class holds."""
         return self._members[cls]

@@ -9,12 +9,13 @@ import numpy as np
 
 from . import DOFS
 from .checks import at_least_haskind, estimate
+from .class_waves import class_waves
 from .frequency import FrequencyRun
 from .green_tables import wave_table
 from .influence import assembled
 from .kochin import far_field_integrals
 from .threads import blas_threads
-from .waves import depth_values, incident_wave
+from .waves import depth_values
 
 
 class PanelRun(FrequencyRun):
@@ -69,15 +70,13 @@ class PanelRun(FrequencyRun):
     def incident(self):
         """{class: φ_I and ∂φ_I/∂n at the nodes, each (m, n)} and the Froude–Krylov force (m, 6) about the origin"""
         g = self.geometry
-        at, normals = g.mirrored
-        phi, flux = np.empty((2, len(g.images), len(self.headings), g.hull), complex)
+        waves = np.empty((2, len(g.classes), len(self.headings), g.hull), complex)
         for j, beta in enumerate(self.headings):
-            phi[:, j], gradient = incident_wave(at, beta, self.omega, self.k, self.setup.depth, self.setup.gravity)
-            flux[:, j] = np.einsum("mqi,mqi->mq", gradient, normals)
+            waves[:, :, j] = class_waves(g, beta, self.omega, self.k, self.setup.gravity)
         out, force = {}, np.zeros((len(self.headings), 6), complex)
-        for cls in g.classes:
-            out[cls] = tuple(np.tensordot(g.signs(cls), f, 1) / g.copies for f in (phi, flux))
-            mine = self.geometry.members(cls)
+        for i, cls in enumerate(g.classes):
+            out[cls] = waves[0, i], waves[1, i]
+            mine = g.members(cls)
             force[:, mine] = out[cls][0] @ self.weighted_modes[:, mine]
         return out, -1j * self.setup.density * self.omega * force
 

@@ -16,11 +16,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .class_waves import class_waves
 from .green_tables import wave_table
 from .skeleton import SEED, Sketch, chosen_rows, least_squares
 from .stages import WAVES, done
 from .wave_blocks import wave_blocks
-from .waves import depth_values, incident_wave, wavenumber
+from .waves import depth_values, wavenumber
 
 WITNESSES = 1  # and one at the surface: a space that lacks a frequency misses it nearly everywhere
 FEW = 1000  # nodes up to which the accuracy asked for is that of every row
@@ -159,11 +160,10 @@ class Cases:
 
     def waves(self, sketch):
         """∂φ_I/∂n at all nodes of the hull, from all sides, of every class"""
-        g, (at, normals) = self.geometry, self.geometry.mirrored
+        g = self.geometry
         for k in self.wavenumbers:
             for beta in np.arange(0, 0.5 * np.pi, np.pi / (8 + 4 * k * g.radius)):
-                _, gradient = incident_wave(at, beta, 1.0, k, g.depth)
-                flux = g.all_signs @ np.einsum("mqi,mqi->mq", gradient, normals) * self.root[: g.hull]
+                flux = class_waves(g, beta, 1.0, k)[1] * self.root[: g.hull]
                 sketch.add(flux.T * (2 * np.pi / np.linalg.norm(flux)))
 
 

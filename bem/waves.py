@@ -73,6 +73,16 @@ def incident_wave(points, beta, omega, k, depth, gravity=9.80665):
     return phi, np.stack([1j * k * c * phi, 1j * k * s * phi, slope], axis=-1)
 
 
+def exponential_part(sign, phase):
+    """The even (sign 1) or odd (−1) part of exp(i phase), or all of it (0), and its derivative"""
+    if sign == 0:
+        whole = np.exp(1j * phase)
+        return whole, 1j * whole
+    if sign == 1:
+        return np.cos(phase), -np.sin(phase)
+    return 1j * np.sin(phase), 1j * np.cos(phase)
+
+
 def propagating_factor(omega, k, depth, gravity=9.80665):
     """C = 2πk²/((k²−K²)h + K) = πk²/(nK): the Green function's wave is i C Z(z) Z(ζ) H₀⁽¹⁾(kR)."""
     return np.pi * k * k / (group_factor(k, depth) * omega**2 / gravity)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from bem import DOFS
+from bem.class_waves import class_waves
 from bem.elements import elements
 from bem.frequency import solve_frequency
 from bem.green import green_function
@@ -269,6 +270,29 @@ def test_incident_wave_satisfies_laplace_surface_and_bed(depth, omega):
     if np.isfinite(depth):
         _, bed = incident_wave(np.array([[0.0, 0.0, -depth]]), 0.6, omega, k, depth)
         assert abs(bed[0, 2]) < 1e-12
+
+
+@pytest.mark.parametrize(
+    "symmetry, wall", [("xy", None), ("x", None), ("y", None), ("", None), ("xy", 40.0), ("", 40.0)]
+)
+@pytest.mark.parametrize("beta", [0.0, 0.6, 2.5])
+def test_parts_of_incident_waves_add_up_to_the_wave_on_every_image(symmetry, wall, beta):
+    """Before a wall, to the wave and the one that is sent back"""
+    omega, depth = 0.7, 20.0
+    k = float(wavenumber(omega, depth))
+    g = Geometry(box(60, 20, 10, counts=(4, 3, 2), symmetry=symmetry), None, depth, wall=wall)
+    parts = class_waves(g, beta, omega, k)
+    for m, (x, y) in enumerate(g.images[: g.copies]):
+        mirror = np.array([x, y, 1.0])
+        at, normals = (a[: g.hull] * mirror for a in (g.elements.nodes, g.elements.normals))
+        phi, gradient = incident_wave(at - g.origin, beta, omega, k, depth)
+        flux = np.einsum("qi,qi->q", gradient, normals)
+        if wall is not None:
+            back = np.array([1.0, -1.0, 1.0])
+            sent, gradient = incident_wave(at * back - g.origin, beta, omega, k, depth)
+            phi, flux = phi + sent, flux + np.einsum("qi,qi->q", gradient * back, normals)
+        for part, whole in zip(parts, (phi, flux), strict=True):
+            np.testing.assert_allclose(g.all_signs[:, m] @ part, whole, atol=1e-12 * np.abs(whole).max())
 
 
 @pytest.mark.parametrize("symmetry", ["xy", ""])
