@@ -13,7 +13,7 @@ from .campaign import row_of
 from .table import Writer, summary
 
 EVERY = 5.0  # s between lines of progress
-AHEAD = 8  # scenes that processes are given before the first of them is back
+AHEAD = 200  # scenes that processes are given before the first is back: one of many waves takes as long as a hundred
 
 
 def run(questions, output, executor, say):
