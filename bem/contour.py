@@ -132,7 +132,9 @@ class ContourBody:
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
         """(m, 6) force of the undisturbed waves alone, N/m and N m/m; arguments as of `first_order`"""
-        return self.solver(omega, gravity)(self, omega, headings, (), dofs, density, gravity).froude_krylov()
+        k = float(wavenumber(omega, self.depth, gravity))
+        force = self.plan.incident_force(self.draft, self.depth, k, np.atleast_1d(np.asarray(headings, float)))
+        return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)
 
     def added_mass_limit(self, which, density=1025.0):
         """(6, 6) added mass for `which` "zero" or "infinity" of the frequency, about the origin; kg, kg m, kg m²

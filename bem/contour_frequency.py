@@ -86,7 +86,7 @@ class ContourFrequency:
             residual = max(residual, rest)
         if not residual < 1e-6:  # NaN too
             raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the equations of the gap left {residual:.1e}")
-        known = self.froude_krylov()
+        known = self.body.froude_krylov(self.omega, self.headings, self.dofs, self.density, self.gravity)
         return FirstOrder(radiation, known, excitation - known, haskind, kochin[:, :6], kochin[:, 6:], residual)
 
     def waves(self):
@@ -124,8 +124,3 @@ class ContourFrequency:
         n = group_factor(self.k, self.body.depth)
         factor = -(self.k**2) / (4 * n * self.omega) * self.modes.wave_norm
         return factor * far_field(cls, self.contour, self.k, self.theta, potential, basis @ velocity)
-
-    def froude_krylov(self):
-        """(m, 6), zero where a degree of freedom is not asked for"""
-        force = self.body.plan.incident_force(self.body.draft, self.body.depth, self.k, self.headings)
-        return self.density * self.gravity * np.where(np.isin(np.arange(6), self.dofs), force, 0)

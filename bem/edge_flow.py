@@ -35,7 +35,8 @@ def nodal_errors(lengths, across, mu, gap=np.inf):
     """(n, 2 m) relative errors of the nodes that answer r^μ, of m panels, `lengths` (n, m) from the edge.
 
     across : (n, m) m, lengths of the panels on the other face; mu : (n,)
-    gap : (n,) m of water between the other face and the bed, the edge one of 270° with a side above it; or infinite
+    gap : (n,) m of water between the other face and the bed, the edge one of 270° with a side above it; or infinite.
+        Below a tenth of the first panel the quadrature does not resolve it; `panel_near_field` warns long before
     """
     flow = EdgeFlow(mu[:, None, None, None], np.broadcast_to(gap, mu.shape)[:, None, None, None])
     here, there = (at_nodes(face)[:, :, None, None] for face in (lengths, across))

@@ -1,4 +1,4 @@
-"""Sharp edges of a hull, and which panels lie behind one another next to them.
+"""Sharp edges of a hull, and the panels in line with one another: across mirror planes, to an edge and beyond it.
 
 Where the hull turns by α, water of the angle π + α flows round an edge, and at a distance r from it the potential is
 a series of powers of r^μ, μ = π / (π + α): 2/3 at the edges of a box.

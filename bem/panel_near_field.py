@@ -17,7 +17,7 @@ from .waves import incident_wave
 
 # gaps that panels next to the keel may be long: box, gap 2 m, resonant roll, near and far field differ by 4 % of the
 # largest force on the fixed body with panels of 1.2 m, 9 % with 2.5 m, all of it with 7.3 m
-COARSE = 1.5
+LONGEST_PER_GAP = 1.5
 
 
 def panel_drift(run, motions):
@@ -54,10 +54,10 @@ def _check(run):
     if setup.zero_draft:
         raise ValueError("near-field drift at zero draft; allowed: a hull with sides, the far field is right without")
     length, gap = coarsest_at_gap(run.geometry.mesh, setup.depth)
-    if length > COARSE * gap:
+    if length > LONGEST_PER_GAP * gap:
         warnings.warn(
             f"near-field drift: panels next to the keel are {length:.3g} m long over a gap of {gap:.3g} m; "
-            f"reliable: up to {COARSE * gap:.3g} m, with more panels or finer ones there",
+            f"reliable: up to {LONGEST_PER_GAP * gap:.3g} m, with more panels or finer ones there",
             stacklevel=4,
         )
 

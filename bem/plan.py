@@ -50,9 +50,3 @@ def area_moment(contour, a, b):
     """∬ xᵃ yᵇ dA over the whole plan, a and b even, m^(2+a+b)"""
     c = contour
     return 4 * np.sum(c.weights * c.nx * c.x ** (a + 1) * c.y**b) / (a + 1)
-
-
-def class_part(values, cls):
-    """The part of `values` (4, …), given on the images of `CLASSES`, that has the symmetry `cls`."""
-    signs = [(cls[0] if ix < 0 else 1) * (cls[1] if iy < 0 else 1) for ix, iy in CLASSES]
-    return np.tensordot(signs, values, 1) / 4

@@ -26,12 +26,12 @@ VANISHED = 80  # cells until K₀ < 1e-18 and is taken as zero
 
 
 def decaying_pair(x):
-    """K₀(x) and x K₁(x) of x > 0, (n,) each"""
+    """K₀(x) and x K₁(x) of finite x > 0, (n,) each"""
     return _decaying(x, _decaying_cells(), WIDTH, LOGARITHMIC)
 
 
 def radiating_pair(x):
-    """H₀(x) and x H₁(x) of x > 0, both of the first kind, (n,) each"""
+    """H₀(x) and x H₁(x) of finite x > 0, both of the first kind, (n,) each"""
     cells = max(FEWEST, int(np.max(x, initial=0.0) / WIDTH) + 1)
     return _radiating(x, _radiating_cells(2 ** int(np.ceil(np.log2(cells)))), WIDTH, LOGARITHMIC)
 

@@ -161,8 +161,10 @@ class Cases:
     def waves(self, sketch):
         """∂φ_I/∂n at all nodes of the hull, from all sides, of every class"""
         g = self.geometry
+        # the sketch is of real and imaginary parts, which are those of waves from behind too; mirror planes do the rest
+        half = np.pi if not g.mesh.symmetry else np.pi / 2
         for k in self.wavenumbers:
-            for beta in np.arange(0, 0.5 * np.pi, np.pi / (8 + 4 * k * g.radius)):
+            for beta in np.arange(0, half, np.pi / (8 + 4 * k * g.radius)):
                 flux = class_waves(g, beta, 1.0, k)[1] * self.root[: g.hull]
                 sketch.add(flux.T * (2 * np.pi / np.linalg.norm(flux)))
 

@@ -15,6 +15,7 @@ from bem.checks import ERROR_ORDER
 from meshing.shapes import box, box_counts, buoy, buoy_counts
 
 LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3)}  # a buoy of twelve sides has a yaw of its own
+LONGEST = 7  # breadths, up to which panels across were counted
 COARSE = 0.71  # of the counts: about half as many panels
 FEWEST = 2  # in a direction of the coarse mesh
 TOO_CLOSE = 0.8  # of the panels: a coarse mesh that is hardly coarser says nothing
@@ -26,14 +27,14 @@ def panels_for(body, tolerance):
     At one per cent 250 for a buoy; for a box 290, and more where the draft is about half the breadth: such a section
     rolls without moving much water, its added moment is small against what the panels lose, and of a long box's panels
     few lie across it.  Most of what 110 such boxes needed was 220 for a length of two breadths, 400 for five, 500 for
-    seven.  Of the scenes of tests/bench/tolerance.py 95 % then keep the tolerance.  `fine_counts` takes more in short
-    waves.
+    seven, the longest.  Of the scenes of tests/bench/tolerance.py 97 % then keep the tolerance.  `fine_counts` takes
+    more in short waves.
     """
     most = 250.0
     if body.shape == "box":
         breadth, length = sorted((body.length, body.beam))
         rolls_easily = 1 / (1 + (5 * math.log10(breadth / (2.3 * body.draft))) ** 2)
-        most = 290 + 50 * max(0.0, length / breadth - 2) * rolls_easily
+        most = 290 + 50 * (np.clip(length / breadth, 2, LONGEST) - 2) * rolls_easily
     return math.ceil(most * (0.01 / tolerance) ** (1 / ERROR_ORDER))
 
 

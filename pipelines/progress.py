@@ -15,13 +15,13 @@ class Progress:
 
     def __init__(self, console, total):
         self.console, self.total, self.done, self.started = console, total, 0, time.perf_counter()
-        self.once = 0.0  # s, of what is done for all frequencies
+        self.once = 0.0  # s, of what is done for all frequencies, by every process at the same time
 
     def step(self, where, result, reason):
         """where : ω in rad/s, or the name of a limit; result : of the solver; reason : of a failure, or empty"""
         self.done += 1
-        self.once += sum(_times(result).get(part, 0.0) for part in ONCE)
-        left = (time.perf_counter() - self.started - self.once) / self.done * (self.total - self.done)
+        self.once = max(self.once, sum(_times(result).get(part, 0.0) for part in ONCE))
+        left = max(0.0, time.perf_counter() - self.started - self.once) / self.done * (self.total - self.done)
         place = where if isinstance(where, str) else f"ω {where:7.4f} rad/s  T {2 * math.pi / where:7.2f} s"
         took, rest = (" failed", reason) if reason else (_seconds(result), checks_text(result))
         line = (
@@ -59,7 +59,7 @@ class Preparing:
 
     @property
     def share(self):
-        """Of the estimated time that is done"""
+        """What of the estimated time is done, 0 to 1"""
         done = sum(min(self.counts[stage], count) * seconds for stage, (count, seconds) in self.stages.items())
         return done / self.seconds
 

@@ -142,7 +142,7 @@ def _fill(output, setup, theta, remarks, executor, console, cost):
     failures, interrupted = [], False
     before = int(open_database(output).rows.sum())
     say = partial(console.print, highlight=False) if console else lambda text: None
-    preparing = Preparing(console, cost) if console and cost else None
+    preparing = Preparing(console, cost) if console and cost and isinstance(executor, Here) else None
     with writing(output) as file, ctrl_c(say) as stop, listening(preparing):
         jobs = [*_rows(file, setup, todo.rows, theta), *_limits(file, setup, todo.limits)]
         progress = Progress(console, len(jobs)) if console else None

@@ -109,6 +109,16 @@ def test_one_degree_of_freedom_and_one_product_alone_are_those_of_all():
         np.testing.assert_allclose(few[name][picked], whole[name][picked], rtol=1e-9)
 
 
+@pytest.mark.parametrize("name", ["turned box", "box in 20 m"])
+@pytest.mark.parametrize("heading", [45.0, 135.0, 225.0, 315.0])
+def test_waves_from_every_quarter_are_carried_by_few_nodes(name, heading, monkeypatch):
+    prepared, lost = body(name), []
+    monkeypatch.setattr(ReducedRun, "in_full", lambda self, part: lost.append(part))
+    for omega in (0.5, 0.8, 1.1):
+        _ = ReducedRun(prepared, omega, np.radians([heading]), {"excitation_force"}, None, DOFS).potentials
+    assert not lost
+
+
 def test_frequencies_outside_the_band_take_all_nodes():
     prepared = body("box in 20 m")
     assert type(prepared.run(0.6, HEADINGS, WANT, None, DOFS)) is ReducedRun

@@ -13,9 +13,9 @@ from bem.setup import Setup
 from bem.stages import FACTORS, MATRICES, WAVES, listening
 from meshing.lid import lid
 from meshing.shapes import box
-from pipelines import large
+from pipelines import large, progress
 from pipelines.large import announced, shared_band
-from pipelines.progress import Preparing
+from pipelines.progress import Preparing, Progress
 from pipelines.scene import SceneError, make_scene
 
 
@@ -95,6 +95,18 @@ def test_the_share_that_is_prepared_grows_to_the_whole(monkeypatch):
     lines = console.export_text().splitlines()
     assert [line.split()[1] for line in lines] == ["2", "5", "38", "50", "62", "75", "88"]  # 40 s in all; not of 100 %
     assert all(line.endswith(" left") for line in lines)
+
+
+def test_time_left_is_that_of_frequencies_whoever_prepared_the_body(monkeypatch):
+    """Four processes that each prepared for 90 s, all at the same time"""
+    clock = iter([0.0, 100.0, 101.0, 102.0, 103.0])
+    monkeypatch.setattr(progress.time, "perf_counter", lambda: next(clock))
+    console = Console(record=True, file=StringIO(), width=200)
+    lines = Progress(console, 30)
+    for _ in range(4):
+        lines.step(0.5, {"wall_time": {"reduction": 90.0, "solve": 1.0}}, "")
+    left = [" ".join(line.split(" left")[0].split()[-4:]) for line in console.export_text().splitlines()]
+    assert left == ["4 min 50 s", "2 min 34 s", "1 min 48 s", "1 min 24 s"]
 
 
 def test_free_memory_is_known_or_without_limit():

@@ -36,6 +36,14 @@ def test_panels_grow_as_the_order_of_the_error_asks(body):
     assert 250 <= panels_for(body, 0.01) <= 385
 
 
+def test_boxes_longer_than_those_that_were_measured_take_as_many_panels_as_the_longest_of_them():
+    counts = [
+        panels_for(scene_of({"shape": "box", "length": 20.0 * ratio, "beam": 20.0, "draft": 8.7}).body, 0.01)
+        for ratio in (2, 5, 7, 20, 100)
+    ]
+    assert counts[0] < counts[1] < counts[2] == counts[3] == counts[4]
+
+
 def test_a_long_box_that_rolls_without_moving_much_water_keeps_the_tolerance_in_roll():
     size, depth, omega = (350.0, 50.0, 21.2), 37.5, 0.032
     body = dict(zip(("length", "beam", "draft"), size, strict=True))
