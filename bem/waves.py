@@ -43,8 +43,16 @@ def depth_factor_slope(z, k, depth):
 
 
 def depth_values(k, depth):
-    """z (…) in m → (…, 2) of Z = cosh k(z+h)/cosh kh and Z′ in 1/m"""
-    return lambda z: np.stack([depth_factor(z, k, depth), depth_factor_slope(z, k, depth)], axis=-1)
+    """z (…) in m → (…, 2) of `depth_factor` Z and its slope Z′ in 1/m, from two exponentials"""
+
+    def values(z):
+        down = np.exp(k * z)
+        if np.isinf(depth):
+            return np.stack([down, k * down], axis=-1)
+        down, bed = down / (1 + np.exp(-2 * k * depth)), np.expm1(-2 * k * (z + depth))
+        return np.stack([down * (2 + bed), -k * down * bed], axis=-1)
+
+    return values
 
 
 def group_factor(k, depth):
