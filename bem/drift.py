@@ -29,9 +29,13 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
 
 
 def energy_defect(H, forward):
-    """(headings,) relative violation of (1/2π)∫|H|²dθ = −Re H(β)"""
-    scattered = np.mean(np.abs(H) ** 2, axis=-1)
-    scale = np.maximum(np.maximum(scattered, np.abs(forward)), 1e-300)
+    """(headings,) violation of (1/2π)∫|H|²dθ = −Re H(β), relative to the largest |H| or the left-hand side
+
+    H may be wrong by a part of its largest value in any direction: of long waves, where surge and heave cancel, nothing
+    goes forward.
+    """
+    size, scattered = np.abs(H), np.mean(np.abs(H) ** 2, axis=-1)
+    scale = np.maximum(np.maximum(scattered, np.abs(forward)), size.max(axis=-1, initial=1e-300))
     return (scattered + forward.real) / scale
 
 

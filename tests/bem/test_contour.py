@@ -5,7 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from bem import DOFS
+from bem.checks import check
 from bem.contour import prepare_box, prepare_cylinder
+from bem.shape_setup import ShapeSetup
 
 
 @pytest.mark.parametrize(
@@ -120,6 +123,16 @@ def test_more_modes_than_a_tolerance_has_change_less_than_it(dimensions):
             ours, other = (b.first_order(omega).radiation for b in (body, more))
             size = np.sqrt(np.abs(np.diag(other)))
             assert np.max(np.abs(ours - other) / np.outer(size, size)) < tolerance / 5, (tolerance, omega)
+
+
+def test_energy_is_kept_by_long_waves_of_which_nothing_goes_forward():
+    """Surge and heave cancel in that direction: |H| is 1e-5 of what goes elsewhere"""
+    box = ShapeSetup(method="contour", shape="box", sizes=(2.38113, 0.423792, 1.62824), depth=2.00017, tolerance=0.05)
+    want = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"}
+    run = box.prepared().run(0.0002214251168, np.radians([0.714]), want, None, DOFS)
+    H, angles = run.kochin[1][0], len(run.theta)
+    assert np.abs(H[0, angles]) < 1e-3 * np.abs(H[0, :angles]).max()
+    assert check(run)["energy"] < 3 * run.estimated_error()
 
 
 def test_the_limit_of_a_map_lies_beyond_all_waves_along_the_wall():
