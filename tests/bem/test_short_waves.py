@@ -168,16 +168,6 @@ def test_the_share_of_a_wave_below_the_keel_is_that_of_its_square(k, draft, dept
     assert share_below(k, draft, depth) == pytest.approx(below / (below + beside), rel=1e-9)
 
 
-def test_force_of_the_undisturbed_wave_on_a_circle_is_that_of_the_integral_along_its_contour():
-    body = prepare_cylinder(10.0, 4.0, 9.0)
-    omega = frequency(1.3, 9.0)
-    one, other = (
-        solver(body, omega, HEADINGS, (), range(6), 1.0, GRAVITY) for solver in (ShortFrequency, ContourFrequency)
-    )
-    mine, there = one.froude_krylov(), other.froude_krylov()
-    assert np.abs(mine - there).max(axis=0)[:5] == pytest.approx(0, abs=1e-10 * np.abs(there).max())
-
-
 def test_waves_are_not_resolved_from_the_border_on_where_they_have_an_answer():
     k = 2 * np.pi / 100 * 201
     assert unresolved((100.0, 20.0, 1.0), k) and not unresolved((100.0, 20.0, 1.0), 0.99 * k)
