@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .waves import depth_values, exponential_part
+from .waves import depth_values, real_part
 
 
 def class_waves(geometry, beta, omega, k, gravity=9.80665):
@@ -24,11 +24,14 @@ def class_waves(geometry, beta, omega, k, gravity=9.80665):
     there_and_back = len(g.images) // g.copies
     start = there_and_back * -1j * gravity / omega * np.exp(-1j * (kx * g.origin[0] + ky * g.origin[1]))
     Z, slope = depth_values(k, g.depth)(z).T
-    along = {sign: exponential_part(sign if "x" in g.mesh.symmetry else 0, kx * x) for sign in (1, -1)}
-    across = {sign: exponential_part(sign if "y" in g.mesh.symmetry else 0, ky * y) for sign in (1, -1)}
+    upwards = slope * nz
+    along = {sign: real_part(sign if "x" in g.mesh.symmetry else 0, kx * x) for sign in {c[0] for c in g.classes}}
+    across = {sign: real_part(sign if "y" in g.mesh.symmetry else 0, ky * y) for sign in {c[1] for c in g.classes}}
+    along_normal, across_normal = kx * Z * nx, ky * Z * ny
     phi, flux = np.empty((2, len(g.classes), n), complex)
     for i, cls in enumerate(g.classes):
-        (X, dX), (Y, dY) = along[cls[0]], across[cls[1]]
-        phi[i] = start * Z * (X * Y)
-        flux[i] = start * (Z * (kx * nx * (dX * Y) + ky * ny * (X * dY)) + slope * nz * (X * Y))
+        (of_x, X, dX), (of_y, Y, dY) = along[cls[0]], across[cls[1]]
+        factor, both = start * of_x * of_y, X * Y
+        np.multiply(factor, Z * both, out=phi[i])
+        np.multiply(factor, along_normal * (dX * Y) + across_normal * (X * dY) + upwards * both, out=flux[i])
     return phi, flux

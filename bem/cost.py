@@ -40,7 +40,7 @@ def cost(geometry, band, gravity):
     rows = 0.0
     for part in parted(geometry, band, gravity):
         cases = Cases(*part, gravity)
-        rows += len(cases.wavenumbers) * (len(cases.proxies()[0]) / EVERY + SPACE)
+        rows += len(cases.wavenumbers) * (len(cases.samples().nodes) / EVERY + SPACE)
     factor = _seconds_of_factor() * ((n / TRIAL_SIZE) ** 3 + 3 * columns * n**2 / TRIAL_SIZE**3)
     stages = {
         WAVES: (rows, _seconds_of_waves(geometry, band[1], gravity)),

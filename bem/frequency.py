@@ -59,7 +59,8 @@ class FrequencyRun:
         self.asked = [DOFS.index(d) for d in dofs]
         self.free = bool(want & FREE | want & {"pressure"}) and self.setup.inertia_matrix is not None
         # motions couple; a moment about another point than the origin needs forces too
-        self.dofs = [d for d in range(6) if self.free or np.any(self.setup.transform[self.asked, d])]
+        needed = np.any(self.setup.transform[self.asked], axis=0) | self.free
+        self.dofs = np.flatnonzero(needed).tolist()
         self.radiates = bool(want & RADIATION) or self.free
         self.diffracts = bool(want & DIFFRACTION) or self.free
         self.far_field = bool(want & {"kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force"})

@@ -86,6 +86,11 @@ class Geometry:
         return float(np.hypot(*extent(self.mesh)))
 
     @cached_property
+    def draft(self):
+        """m"""
+        return self.mesh.draft
+
+    @cached_property
     def radius(self):
         """m, largest distance of the hull from the vertical axis through the origin"""
         return float(np.hypot(*(self.mesh.points - self.origin)[:, :2].T).max())

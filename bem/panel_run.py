@@ -132,7 +132,7 @@ class PanelRun(FrequencyRun):
         self._timed("rankine", start)
         start = time.perf_counter()
         g = self.geometry
-        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.mesh.draft)
+        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
         matrices, sides = self.equations(classes, table, [velocities[c] for c in classes])
@@ -160,13 +160,27 @@ class PanelRun(FrequencyRun):
         return np.ascontiguousarray(solution[: self.geometry.hull].T)
 
     @cached_property
+    def pushing(self):
+        """{class: ∬ φ nⱼ dS (columns, its degrees of freedom)} over the whole hull"""
+        members = self.geometry.members
+        return {cls: self.potentials[cls] @ self.weighted_modes[:, members(cls)] for cls in self.columns}
+
+    @cached_property
+    def meeting_waves(self):
+        """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull"""
+        waves, areas = self.incident[0], self.hull[1] * self.geometry.copies
+        return {
+            cls: (waves[cls][1] * areas) @ self.potentials[cls][: len(moving)].T
+            for cls, (moving, _) in self.columns.items()
+        }
+
+    @cached_property
     def radiation(self):
         """Complex A + iB/ω (6, 6) about the origin, zero where a degree of freedom was left out"""
         out = np.zeros((6, 6), complex)
         for cls, (moving, _) in self.columns.items():
-            if moving:
-                phi = self.potentials[cls][: len(moving)]
-                out[np.ix_(moving, moving)] = -self.setup.density * (phi @ self.weighted_modes[:, moving]).T
+            mine = [self.geometry.members(cls).index(d) for d in moving]
+            out[np.ix_(moving, moving)] = -self.setup.density * self.pushing[cls][: len(moving), mine].T
         return out
 
     @cached_property
@@ -174,22 +188,17 @@ class PanelRun(FrequencyRun):
         """Diffraction force (m, 6) about the origin"""
         out = np.zeros((len(self.headings), 6), complex)
         for cls, (moving, waves) in self.columns.items():
-            mine = self.geometry.members(cls)
-            phi = self.potentials[cls][len(moving) :]
-            out[np.ix_(waves, mine)] = -1j * self.setup.density * self.omega * (phi @ self.weighted_modes[:, mine])
+            mine, pushing = self.geometry.members(cls), self.pushing[cls][len(moving) :]
+            out[np.ix_(waves, mine)] = -1j * self.setup.density * self.omega * pushing
         return out
 
     @cached_property
     def haskind(self):
         """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)"""
-        waves, force = self.incident
+        force = self.incident[1]
         out = np.zeros(force.shape, complex)
-        areas = self.hull[1] * self.geometry.copies
         for cls, (moving, _) in self.columns.items():
-            if moving:
-                phi = self.potentials[cls][: len(moving)]
-                scattered = 1j * self.setup.density * self.omega * (waves[cls][1] * areas) @ phi.T
-                out[:, moving] = force[:, moving] + scattered
+            out[:, moving] = force[:, moving] + 1j * self.setup.density * self.omega * self.meeting_waves[cls]
         return out
 
     @cached_property

@@ -20,26 +20,53 @@ import numpy as np
 from .checks import ERROR_ORDER
 from .influence import ROWS
 from .stages import FACTORS, MATRICES, done
+from .wave_blocks import Pairs
 from .wave_space import wave_space
 
 
-class ReducedClass(NamedTuple):
-    """One symmetry class; n hull nodes, l lid nodes, r points, q sources, v given normal velocities, u = r + v + l."""
-
-    response: np.ndarray  # (n, u) (2π − D₀)⁻¹ [X, S₀V, S₀ of the lid]
-    at_sources: np.ndarray  # (q, u) Y of it
-    on_lid: np.ndarray  # (l, u) D₀ of it on the lid, plus [X, S₀V, S₀] there: the last part is T
-    from_lid: np.ndarray  # (q, l) Y of the lid
-    M: np.ndarray  # (h, v)
-
-
 class Reduced(NamedTuple):
-    """The space of a band of frequencies, and what each symmetry class makes of it."""
+    """The space of a band of frequencies, and what each symmetry class makes of it.
+
+    c classes, n hull nodes, l lid nodes, r points, q sources, v given normal velocities, u = r + v + l, s samples
+    """
 
     geometry: object  # with or without lid
     accuracy: float
     space: object  # `WaveSpace`
-    classes: dict  # {class: ReducedClass}
+    response: np.ndarray  # (c, n, u) (2π − D₀)⁻¹ [X, S₀V, S₀ of the lid]
+    at_samples: np.ndarray  # (c, s, u) of it, at the samples of `bem.wave_trial` on the hull
+    integrals: np.ndarray  # (c, v, u) ∬ V times it dS over the whole hull
+    at_sources: np.ndarray  # (c, q, u) Y of it
+    on_lid: np.ndarray  # (c, l, u) D₀ of it on the lid, plus [X, S₀V, S₀] there: the last part is T
+    from_lid: np.ndarray  # (q, l) Y of the lid
+    pairs: object  # `bem.wave_blocks.Pairs` of points and sources
+    trial_pairs: object  # and of those of `bem.wave_trial`
+
+    @classmethod
+    def empty(cls, geometry, accuracy, space):
+        """With room for what the classes make of it"""
+        c, n, v = space.velocities.shape
+        lid, (q, _) = len(geometry.elements.nodes) - n, space.Y.shape
+        u = len(space.points) + v + lid
+        rooms = (np.empty((c, rows, u)) for rows in (n, space.trial.samples.hull, v, q, lid))
+        from_lid, trial = np.ascontiguousarray(space.Y[:, n:]), space.trial
+        pairs = Pairs.of(geometry, space.points, space.sources)
+        trial_pairs = Pairs.of(geometry, trial.points, trial.samples.nodes)
+        return cls(geometry, accuracy, space, *rooms, from_lid, pairs, trial_pairs)
+
+    def fill(self, i, factors, on_lid, sides):
+        """Class number i from the factored 2π − D₀; on_lid and sides as of `_exact`, of the larger geometry"""
+        from scipy.linalg import lu_solve
+
+        space, n, lid = self.space, self.geometry.hull, self.on_lid.shape[1]
+        columns = sides.shape[1] - (len(on_lid) - lid)
+        known = np.concatenate([space.X, sides[: n + lid, :columns]], axis=1)
+        response = self.response[i] = lu_solve(factors, known[:n], trans=1, check_finite=False)
+        areas = self.geometry.elements.weights[:n, None] * self.geometry.copies
+        self.at_samples[i] = response[space.trial.samples.on_hull]
+        self.integrals[i] = (space.velocities[i] * areas).T @ response
+        self.at_sources[i] = space.Y[:, :n] @ response
+        self.on_lid[i] = on_lid[:lid] @ response + known[n:]
 
 
 def sufficient_accuracy(panels):
@@ -54,16 +81,16 @@ def reduced(geometry, band, gravity, accuracy):
     """
     parts = parted(geometry, band, gravity)
     spaces = [wave_space(g, part, gravity, accuracy) for g, part in parts]
-    out = [Reduced(g, accuracy, space, {}) for (g, _), space in zip(parts, spaces, strict=True)]
-    velocities = [np.concatenate(v, axis=1) for v in zip(*(s.velocities for s in spaces), strict=True)]
+    out = [Reduced.empty(g, accuracy, space) for (g, _), space in zip(parts, spaces, strict=True)]
+    velocities = np.concatenate([space.velocities for space in spaces], axis=2)
     matrices, on_lid, sides = _exact(parts[-1][0], velocities)
-    for i, cls in enumerate(geometry.classes):
+    for i, side in enumerate(sides):
         factors = _factored(matrices.pop(0))
         before = 0
         for part in out:
-            count = part.space.velocities[i].shape[1]
-            mine = np.r_[before : before + count, velocities[i].shape[1] : sides[i].shape[1]]
-            part.classes[cls] = _reduced_class(factors, on_lid[i], sides[i][:, mine], part, i)
+            count = part.space.velocities.shape[2]
+            mine = np.r_[before : before + count, velocities.shape[2] : side.shape[1]]
+            part.fill(i, factors, on_lid[i], side[:, mine])
             before += count
         done(FACTORS, 1)
     return tuple(out)
@@ -105,16 +132,3 @@ def _factored(matrix):
 
     # LAPACK wants columns: the transposed view is factored in place and solved transposed
     return lu_factor(matrix.T, overwrite_a=True, check_finite=False)
-
-
-def _reduced_class(factors, on_lid, sides, reduced, i):
-    """`ReducedClass` number i of a `Reduced`; on_lid and sides as of `_exact`, of the larger geometry"""
-    from scipy.linalg import lu_solve
-
-    space, n = reduced.space, reduced.geometry.hull
-    lid = len(reduced.geometry.elements.nodes) - n
-    columns = sides.shape[1] - (len(on_lid) - lid)
-    known = np.concatenate([space.X, sides[: n + lid, :columns]], axis=1)
-    response = np.ascontiguousarray(lu_solve(factors, known[:n], trans=1, check_finite=False))
-    lid_rows = on_lid[:lid] @ response + known[n:]
-    return ReducedClass(response, space.Y[:, :n] @ response, lid_rows, np.ascontiguousarray(space.Y[:, n:]), space.M[i])

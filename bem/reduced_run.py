@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from .green_tables import wave_table
+from .mixed_products import acted, times
 from .panel_run import PanelRun
 from .threads import blas_threads
-from .wave_blocks import wave_blocks
 from .wave_space import FEW, acting
 
 # times the accuracy of the space, at a node of mean size: what a row may lose in the L² norm of `bem.wave_space`
@@ -20,119 +20,148 @@ MOST_IN_FULL = 5000  # nodes of the hull
 
 
 class ReducedRun(PanelRun):
-    """As `PanelRun`, at a cost that hardly grows with the number of panels."""
+    """As `PanelRun`, at a cost that hardly grows with the number of panels.
 
-    @property
+    Forces follow from what `bem.reduced` has integrated; potentials are made when somebody asks for them.
+    """
+
+    @cached_property
     def reduced(self):
         """`bem.reduced.Reduced` of this frequency's part of the band"""
         return next(part for part in self.prepared.reduced if part.geometry is self.geometry)
 
     @cached_property
-    def potentials(self):
-        """{class: potentials (columns, n) on the hull}"""
-        start = time.perf_counter()
-        with blas_threads(len(self.geometry.elements.nodes)):
-            space = self.reduced.space
-        self._timed("reduction", start)
-        with blas_threads(len(space.points)):
-            return self._solved()
+    def mine(self):
+        """Which of the geometry's classes are wanted, in the order of `columns`"""
+        wanted = [i for i, cls in enumerate(self.geometry.classes) if cls in self.columns]
+        return slice(None) if len(wanted) == len(self.geometry.classes) else wanted
 
-    def _solved(self):
+    @cached_property
+    def flow(self):
+        """`Flow` of the wanted classes; None where few nodes do not stand for all, and all have to be solved for"""
         start = time.perf_counter()
-        reduced = self.reduced
-        g, space = self.geometry, reduced.space
-        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.mesh.draft)
+        reduced, g = self.reduced, self.geometry
+        self._timed("reduction", start)
+        start = time.perf_counter()
+        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
+        space, trial = reduced.space, reduced.space.trial
         hull = int(np.count_nonzero(space.sources < g.hull))
-        S, D = self.waves_between(space.points, space.sources, table)
-        s_all, d_all = self.waves_between(space.witnesses, np.arange(len(g.elements.nodes)), table)
+        S, D = reduced.pairs.blocks(table, self.depth_values, self.mine)
+        to_points = reduced.trial_pairs.blocks(table, self.depth_values, self.mine)
         self._timed("assemble", start)
         start = time.perf_counter()
-        out, self._residual, lost = {}, 0.0, 0.0
-        areas = g.elements.weights[: g.hull]
-        sizes = np.sqrt(areas[space.witnesses] / areas.mean())
-        for cls in self.columns:
-            i = g.classes.index(cls)
-            part, given = reduced.classes[cls], self.given(cls, space.crests)
-            flow = solved(part, acting(S[i], D[i], hull, table.K), S[i, :, :hull], table.K, given)
-            whole = acting(s_all[i], d_all[i], g.hull, table.K) @ flow.potentials
-            whole -= s_all[i, :, : g.hull] @ self.velocities(cls).T
-            missing = (whole - space.X[space.witnesses] @ flow.wave) * sizes[:, None]
-            lost = max(lost, shortfall(missing, flow.potentials))
-            self._residual = max(self._residual, flow.residual)
-            out[cls] = self.on_hull(flow.potentials, None)
+        with blas_threads(len(space.points)):
+            W = acting(S, D, hull, table.K)
+            flow = solved(reduced, self.mine, W, S[..., :hull], table.K, self.given)
+            to_points = acting(*to_points, trial.samples.hull, table.K)
+            lost_waves = trial.lost_waves(to_points, W, self.at_samples(flow))
+            lost_flux = trial.lost_flux(self.flux[:, trial.samples.on_hull], self.flux[:, space.crests])
         self._timed("solve", start)
-        if not lost < ALLOWED * reduced.accuracy:  # NaN too
-            return self.in_full(lost)
-        return out
-
-    def waves_between(self, points, sources, table):
-        """`bem.wave_blocks.wave_blocks` at this frequency"""
-        return wave_blocks(self.geometry, points, sources, table, self.depth_values)
+        lost = np.maximum(lost_waves, lost_flux)
+        return flow if lost < ALLOWED * reduced.accuracy else self.in_full(lost)  # of NaN too
 
     def in_full(self, lost):
-        """The equations of all nodes, where few of them did not stand for all"""
+        """Says that all nodes have to be solved for, if they are not too many"""
         if self.geometry.hull > MOST_IN_FULL:
             raise FloatingPointError(
                 f"ω = {self.omega:.6g} rad/s: {lost:.1e} of the waves is lost between few nodes; allowed: "
                 f"{ALLOWED * self.reduced.accuracy:.1e}; ask for a narrower band or fewer panels"
             )
-        return super()._solved()
 
-    def given(self, cls, crests):
-        """(v, columns) shares of a class's motions and of what spans waves in `velocities`"""
-        moving, waves = self.columns[cls]
-        members = self.geometry.members(cls)
-        out = np.zeros((len(members) + len(crests), len(moving) + len(waves)), complex)
-        for column, dof in enumerate(moving):
-            out[members.index(dof), column] = 1.0
-        out[len(members) :, len(moving) :] = -self.incident[0][cls][1][waves][:, crests].T
+    @cached_property
+    def given(self):
+        """(c, v, columns) shares v of the wanted motions and waves; zeros where a class has fewer than others"""
+        v, crests = self.reduced.integrals.shape[1], self.reduced.space.crests
+        flux, done = self.flux[:, crests], 0
+        out = np.zeros((len(self.columns), v, max(len(m) + len(w) for m, w in self.columns.values())), complex)
+        for shares, (cls, (moving, waves)) in zip(out, self.columns.items(), strict=True):
+            members, count = self.geometry.members(cls), len(moving)
+            shares[[members.index(dof) for dof in moving], range(count)] = 1.0
+            mine, done = flux[done : done + len(waves)], done + len(waves)
+            shares[v - len(crests) :, count : count + len(waves)] = -mine.T
+        return out
+
+    @cached_property
+    def flux(self):
+        """(all waves of all classes, n) ∂φ_I/∂n"""
+        return np.concatenate([self.incident[0][cls][1][waves] for cls, (_, waves) in self.columns.items()])
+
+    def at_samples(self, flow):
+        """(c, s, columns) φ, and φ' of the lid"""
+        return np.concatenate([times(self.reduced.at_samples[self.mine], flow.shares), flow.lid], axis=1)
+
+    @cached_property
+    def residual(self):
+        """Largest residual of the linear equations, relative to the right-hand sides"""
+        return super().residual if self.flow is None else self.flow.residual
+
+    @cached_property
+    def potentials(self):
+        """{class: potentials (columns, n) on the hull}"""
+        if self.flow is None:
+            return super().potentials
+        start, out = time.perf_counter(), {}
+        for i, (cls, columns) in enumerate(self.columns.items()):
+            response = self.reduced.response[self.geometry.classes.index(cls)]
+            out[cls] = self.on_hull(times(response, self.flow.shares[i, :, : sum(map(len, columns))]), None)
+        self._timed("potentials", start)
+        return out
+
+    @cached_property
+    def integrals(self):
+        """{class: ∬ φ V dS (columns, v) over the whole hull}, V its motions and what spans waves"""
+        found = times(self.reduced.integrals[self.mine], self.flow.shares)
+        return {cls: a[:, : sum(map(len, self.columns[cls]))].T for cls, a in zip(self.columns, found, strict=True)}
+
+    @cached_property
+    def pushing(self):
+        """{class: ∬ φ nⱼ dS (columns, its degrees of freedom)} over the whole hull"""
+        if self.flow is None:
+            return super().pushing
+        return {cls: both[:, : len(self.geometry.members(cls))] for cls, both in self.integrals.items()}
+
+    @cached_property
+    def meeting_waves(self):
+        """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull"""
+        if self.flow is None:
+            return super().meeting_waves
+        out, crests = {}, self.reduced.space.crests
+        for cls, both in self.integrals.items():
+            radiated = both[: len(self.columns[cls][0]), both.shape[1] - len(crests) :]
+            out[cls] = self.incident[0][cls][1][:, crests] @ radiated.T
         return out
 
 
 class Flow(NamedTuple):
-    """One symmetry class; n nodes, those of the hull and then of the lid, r points."""
+    """c symmetry classes; u = r + v + l as of `bem.reduced.Reduced`."""
 
-    potentials: np.ndarray  # (n, columns) φ and φ'
-    wave: np.ndarray  # (r, columns) m
-    residual: float
-
-
-def shortfall(missing, potentials):
-    """Largest part of the waves that few nodes miss, relative to 2πφ"""
-    size = 2 * np.pi * np.abs(potentials).max(axis=0)
-    return float((np.abs(missing).max(axis=0) / size).max())
+    shares: np.ndarray  # (c, u, columns) m, −v and Kφ' of the lid, with which `response` is multiplied
+    lid: np.ndarray  # (c, l, columns) φ'
+    residual: float  # the largest, of the reduced equations
 
 
-def solved(part, W, S, K, given):
-    """`Flow` of one class, and the largest residual of the reduced equations.
+def solved(reduced, mine, W, S, K, given):
+    """`Flow` of some classes.
 
-    part : `bem.reduced.ReducedClass`; W (r, q), S (r, h) : wave parts; given : (v, columns) v
+    reduced : `bem.reduced.Reduced`, of which `mine` are the classes; W (c, r, q), S (c, r, h) : wave parts
+    given : (c, v, columns) v
     """
-    from scipy.linalg import lu_factor, lu_solve
-
-    (r, _), v, lid = W.shape, len(given), len(part.on_lid)
-    T, answer = part.on_lid[:, r + v :], part.on_lid[:, : r + v]
-    H = part.at_sources[:, : r + v]  # α = H (m, −v)
+    at_sources, on_lid, M = reduced.at_sources[mine], reduced.on_lid[mine], reduced.space.M[mine]
+    r, v, lid = W.shape[1], given.shape[1], on_lid.shape[1]
+    T, answer = on_lid[..., r + v :], on_lid[..., : r + v]
+    H = at_sources[..., : r + v]  # α = H (m, −v)
     if lid:  # Kφ' = −answer @ (m, −v)
         answer = np.linalg.solve(T + 4 * np.pi / K * np.eye(lid), answer)
-        H = H - (part.at_sources[:, r + v :] + part.from_lid / K) @ answer
-    sides = np.concatenate([np.zeros((r, given.shape[1])), -given])
+        H = H - (at_sources[..., r + v :] + reduced.from_lid / K) @ answer
     # m = W H (m, −v) − S_w M v
-    A = -times(H[:, :r].T, W.T).T
-    A.flat[:: r + 1] += 1.0
-    b = W @ times(H, sides) - S @ (part.M @ given)
-    m = lu_solve(lu_factor(A, check_finite=False), b, check_finite=False)
-    rest = np.abs(A @ m - b).max(axis=0) / np.maximum(np.abs(b).max(axis=0), 1e-300)
-    sides[:r] = m
+    A, b = np.eye(r) - acted(W, H[..., :r]), -(W @ times(H[..., r:], given) + S @ times(M, given))
+    m = np.linalg.solve(A, b)
+    rest = np.abs(A @ m - b).max(axis=1) / np.maximum(np.abs(b).max(axis=1), 1e-300)
+    sides = np.concatenate([m, -given], axis=1)
     lid = -times(answer, sides)
-    hull = times(part.response, np.concatenate([sides, lid]))
-    if not np.all(np.isfinite(hull)):
+    shares = np.concatenate([sides, lid], axis=1)
+    if not np.all(np.isfinite(shares)):
         raise FloatingPointError("the solution is not finite")
-    return Flow(np.concatenate([hull, lid / K]), m, float(rest.max()))
-
-
-def times(real, values):
-    """real (a, b) @ complex (b, c), as one real product: half of what numpy takes, which makes both complex"""
-    return (real @ np.ascontiguousarray(values).view(float)).view(complex)
+    return Flow(shares, lid / K, float(rest.max()))

@@ -13,6 +13,7 @@ from .limits import added_mass_limit
 from .modes import normal_velocities
 from .panel_run import PanelRun
 from .reduced_run import ReducedRun
+from .threads import blas_threads
 from .zero_draft import ZeroDraftRun, flattened, rigid_surface_limit
 
 
@@ -80,7 +81,8 @@ class Prepared:
         from .reduced import reduced, sufficient_accuracy
 
         setup = self.setup
-        return reduced(self.geometry, setup.band, setup.gravity, sufficient_accuracy(setup.mesh.total))
+        with blas_threads(len(self.geometry.elements.nodes)):
+            return reduced(self.geometry, setup.band, setup.gravity, sufficient_accuracy(setup.mesh.total))
 
     @property
     def refinement(self):

@@ -36,25 +36,54 @@ class Sources(NamedTuple):
         return cls(panels, np.append(first, len(nodes)), nodes % per_panel)
 
 
-def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
-    """Wave part of S and D at the nodes `points` (r,) of the sources at `nodes` (m,), each (classes, r, m) and complex.
+class Pairs(NamedTuple):
+    """Some points, some sources and what no frequency changes about them; arrays over the panels of the sources."""
 
-    nodes increase; table : `bem.green_tables.Table`; depth_values : z → (…, 2) of Z and Z′; classes : all if None
-    """
-    g, e = geometry, geometry.elements
-    sources = Sources.of(nodes, e.inverse.shape[2])
-    length = min(1 / table.k if table.k > 0 else np.inf, g.depth)
-    where, weights, shape = (a[sources.panels] for a in g.quadrature)
-    at = e.nodes[points]
-    question = (
-        at, depth_values(at[:, 2])[:, 0].copy(), sources.corners, sources.first,
-        e.axes[sources.panels, 2].copy(), e.origins[sources.panels],
-        np.where(e.sizes > PER_WAVE * length, np.inf, NEAR * e.sizes)[sources.panels],
-        g.images, g.all_signs if classes is None else np.array([g.signs(c) for c in classes]),
-        COARSE**2, where, weights, shape, depth_values(where[..., 2]), table,
-    )  # fmt: skip
-    with pair_threads(len(at) * len(nodes) * len(g.images)):
-        return _blocks(*question)
+    at: np.ndarray  # (r, 3) m
+    sources: Sources
+    normals: np.ndarray  # (s, 3)
+    origins: np.ndarray  # (s, 3) m
+    sizes: np.ndarray  # (s,) m
+    quadrature: object  # `bem.elements.Quadrature`
+    images: np.ndarray  # (images, 2) ±1
+    signs: np.ndarray  # (classes, images) ±1
+    depth: float
+
+    @classmethod
+    def of(cls, geometry, points, nodes, classes=None):
+        """The nodes `points` (r,) of a `bem.influence.Geometry`, sources at `nodes` (m,), which increase
+
+        classes : all if None
+        """
+        g, e = geometry, geometry.elements
+        sources = Sources.of(nodes, e.inverse.shape[2])
+        its = sources.panels
+        quadrature = g.quadrature._make(a[its] for a in g.quadrature)
+        signs = g.all_signs if classes is None else np.array([g.signs(c) for c in classes])
+        return cls(
+            e.nodes[points], sources, e.axes[its, 2].copy(), e.origins[its], e.sizes[its],
+            quadrature, g.images, signs, g.depth,
+        )  # fmt: skip
+
+    def blocks(self, table, depth_values, mine=slice(None)):
+        """Wave part of S and D, each (classes, r, m) and complex.
+
+        table : `bem.green_tables.Table`; depth_values : z → (…, 2) of Z and Z′; mine : which of the classes
+        """
+        where, sources, signs = self.quadrature.points, self.sources, self.signs[mine]
+        length = min(1 / table.k if table.k > 0 else np.inf, self.depth)
+        question = (
+            self.at, depth_values(self.at[:, 2])[:, 0].copy(), sources.corners, sources.first,
+            self.normals, self.origins, np.where(self.sizes > PER_WAVE * length, np.inf, NEAR * self.sizes),
+            self.images, signs, COARSE**2, *self.quadrature, depth_values(where[..., 2]), table,
+        )  # fmt: skip
+        with pair_threads(len(self.at) * len(sources.corners) * len(self.images)):
+            return _blocks(*question)
+
+
+def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
+    """`Pairs.blocks` of `Pairs.of` the same arguments"""
+    return Pairs.of(geometry, points, nodes, classes).blocks(table, depth_values)
 
 
 @kernel(parallel=True)

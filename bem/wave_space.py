@@ -21,12 +21,14 @@ from .green_tables import wave_table
 from .skeleton import SEED, Sketch, chosen_rows, least_squares
 from .stages import WAVES, done
 from .wave_blocks import wave_blocks
+from .wave_trial import Samples, Trial
 from .waves import depth_values, wavenumber
 
 WITNESSES = 1  # and one at the surface: a space that lacks a frequency misses it nearly everywhere
+TRIED = 0.25  # of the samples, at every frequency: what a space loses is 30 times less than what it may, or far more
 FEW = 1000  # nodes up to which the accuracy asked for is that of every row
 LARGEST = 2_000_000  # pairs of nodes at once
-PROXIES = 200  # nodes at any depth from which waves are sampled
+SAMPLES = 200  # nodes at any depth that stand for all in samples
 EVERY = 3  # a node sends every third frequency of a band: with all of them the error was the same, the time 1.7 times
 STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are, and a share of those below
 WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
@@ -44,9 +46,9 @@ class WaveSpace(NamedTuple):
     crests: np.ndarray  # (t,)
     X: np.ndarray  # (n, r)
     Y: np.ndarray  # (q, n)
-    velocities: tuple  # V of each class, (hull nodes, v): its motions, then Z
-    M: tuple  # of each class, (h, v)
-    witnesses: np.ndarray  # nodes of the hull, at which every frequency is tested
+    velocities: np.ndarray  # (c, hull nodes, v) V of each class: its motions, as many as of any class, then Z
+    M: np.ndarray  # (c, h, v)
+    trial: Trial  # with which every frequency is tested
 
 
 def wave_space(geometry, band, gravity, accuracy):
@@ -60,7 +62,7 @@ def wave_space(geometry, band, gravity, accuracy):
     root, of_column = cases.root, cases.of_column
     crests, Z = _skeleton(cases.waves, g.hull, 0.2 * allowed)  # few columns, and forces are differences of them
     Z *= root[crests] / root[: g.hull, None]
-    velocities = tuple(np.concatenate([g.modes[:, g.members(c)], Z], axis=1) for c in g.classes)
+    velocities = _velocities(g, Z)
     points, X = _skeleton(cases.at_all_points, len(root), allowed)
     weights = root[points] * np.linalg.norm(X, axis=0)  # what is lost at a point is lost at all that it stands for
     moved = [[] for _ in velocities]
@@ -70,7 +72,17 @@ def wave_space(geometry, band, gravity, accuracy):
     M = cases.monopoles(points, weights, sources[sources < g.hull], moved, accuracy)
     X *= root[points] / root[:, None]
     Y = np.ascontiguousarray((Y * of_column[:, None] / of_column[sources]).T)
-    return WaveSpace(points, sources, crests, X, Y, velocities, M, cases.witnesses())
+    trial = Trial.of(cases.witnesses(), cases.samples(SEED + 2, TRIED), X, Y, Z, root[: g.hull])
+    return WaveSpace(points, sources, crests, X, Y, velocities, M, trial)
+
+
+def _velocities(geometry, Z):
+    """(c, hull nodes, v) motions of each class, zeros where it has fewer than others, and Z"""
+    g, modes = geometry, geometry.modes
+    motions = np.zeros((len(g.classes), max(len(g.members(c)) for c in g.classes), g.hull))
+    for moving, cls in zip(motions, g.classes, strict=True):
+        moving[: len(g.members(cls))] = modes[:, g.members(cls)].T
+    return np.concatenate([motions.swapaxes(1, 2), np.broadcast_to(Z, (len(motions), *Z.shape))], axis=2)
 
 
 def _skeleton(fill, rows, allowed):
@@ -102,22 +114,24 @@ class Cases:
         g = self.geometry
         for k in self.wavenumbers[start::step]:
             omega = float(np.sqrt(self.gravity * k * np.tanh(k * g.depth)))
-            table = wave_table(omega, g.depth, self.gravity, g.reach, g.mesh.draft)
+            table = wave_table(omega, g.depth, self.gravity, g.reach, g.draft)
             S, D = wave_blocks(g, points, sources, table, depth_values(k, g.depth))
             done(WAVES, len(points) * len(sources) / len(self.root))
             yield table.K, S, D
 
-    def proxies(self):
-        """Nodes (m,) and for how many each stands: hull, the more the nearer to the surface, then lid
+    def samples(self, seed=SEED, part=1.0):
+        """`Samples` by chance, or `part` of them: of the hull the more the nearer to the surface, and all of the lid
 
         Waves change over the distance from the surface, where all nodes are taken.
         """
         g, n = self.geometry, self.geometry.hull
         sizes = np.repeat(g.elements.sizes, g.elements.inverse.shape[2])[:n]
-        share = np.minimum((STRIP * sizes / g.elements.nodes[:n, 2]) ** 2 + PROXIES / n, 1.0)
-        hull = np.flatnonzero(np.random.default_rng(SEED).random(n) < share)
+        share = np.minimum((STRIP * sizes / g.elements.nodes[:n, 2]) ** 2 + SAMPLES / n, 1.0)
+        share *= part
+        hull = np.flatnonzero(np.random.default_rng(seed).random(n) < share)
         lid = np.arange(n, len(self.root))
-        return np.concatenate([hull, lid]), np.concatenate([1 / share[hull], np.ones(len(lid))])
+        represented = np.concatenate([1 / share[hull], np.ones(len(lid))])
+        return Samples(np.concatenate([hull, lid]), represented, len(hull))
 
     def witnesses(self):
         """Nodes (w,) of the hull by chance, one in the strip at the surface"""
@@ -127,13 +141,13 @@ class Cases:
         return np.union1d(chosen, np.argmax(self.geometry.elements.nodes[:n, 2]))
 
     def at_all_points(self, sketch):
-        """W of the proxies at all nodes, and S in the length of the hull"""
-        (proxies, represented), hull = self.proxies(), self.geometry.hull
+        """W of samples at all nodes, and S in the length of the hull"""
+        (samples, represented, _), hull = self.samples(), self.geometry.hull
         length = np.linalg.norm(self.root[:hull]) * np.sqrt(self.geometry.copies)
         for start in range(EVERY):
-            few = np.arange(start, len(proxies), EVERY)
+            few = np.arange(start, len(samples), EVERY)
             for some in np.array_split(few, int(np.ceil(len(few) * len(self.root) / LARGEST))):
-                part, count = proxies[some], np.count_nonzero(proxies[some] < hull)
+                part, count = samples[some], np.count_nonzero(samples[some] < hull)
                 scale = self.root[:, None] / self.of_column[part] * np.sqrt(EVERY * represented[some])
                 for K, S, D in self.blocks(np.arange(len(self.root)), part, start, EVERY):
                     for s, d in zip(S, D, strict=True):
@@ -156,7 +170,7 @@ class Cases:
         for _, S, _ in self.blocks(points, sources):
             for s, values in zip(S, few, strict=True):
                 values.append(s * weights[:, None])
-        return tuple(least_squares(_real(a), _real(b), 0.1 * accuracy) for a, b in zip(few, moved, strict=True))
+        return np.stack([least_squares(_real(a), _real(b), 0.1 * accuracy) for a, b in zip(few, moved, strict=True)])
 
     def waves(self, sketch):
         """∂φ_I/∂n at all nodes of the hull, from all sides, of every class"""
@@ -176,5 +190,5 @@ def _real(blocks):
 
 
 def acting(S, D, hull, K):
-    """W (r, m) as it acts on the unknowns: D of the first `hull` sources, K S of the others, which are lid"""
-    return np.concatenate([D[:, :hull], K * S[:, hull:]], axis=1)
+    """W (…, r, m) as it acts on the unknowns: D of the first `hull` sources, K S of the others, which are lid"""
+    return np.concatenate([D[..., :hull], K * S[..., hull:]], axis=-1)

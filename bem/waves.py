@@ -83,12 +83,17 @@ def incident_wave(points, beta, omega, k, depth, gravity=9.80665):
 
 def exponential_part(sign, phase):
     """The even (sign 1) or odd (−1) part of exp(i phase), or all of it (0), and its derivative"""
+    factor, value, slope = real_part(sign, phase)
+    return factor * value, factor * slope
+
+
+def real_part(sign, phase):
+    """`exponential_part` as a factor and, but for all of it, real values"""
     if sign == 0:
         whole = np.exp(1j * phase)
-        return whole, 1j * whole
-    if sign == 1:
-        return np.cos(phase), -np.sin(phase)
-    return 1j * np.sin(phase), 1j * np.cos(phase)
+        return 1.0, whole, 1j * whole
+    cosine, sine = np.cos(phase), np.sin(phase)
+    return (1.0, cosine, -sine) if sign == 1 else (1j, sine, cosine)
 
 
 def propagating_factor(omega, k, depth, gravity=9.80665):

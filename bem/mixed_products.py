@@ -1,0 +1,19 @@
+"""Products of a real and a complex matrix as one real product: half of what numpy takes, which makes both complex."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def times(real, values):
+    """real (…, a, b) @ complex (…, b, c)"""
+    return (real @ np.ascontiguousarray(values).view(float)).view(complex)
+
+
+def acted(values, real):
+    """complex (…, a, b) @ real (…, b, c)"""
+    both = np.concatenate([values.real, values.imag], axis=-2) @ real
+    half = both.shape[-2] // 2
+    out = np.empty((*both.shape[:-2], half, both.shape[-1]), complex)
+    out.real, out.imag = both[..., :half, :], both[..., half:, :]
+    return out
