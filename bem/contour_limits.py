@@ -27,8 +27,8 @@ def zero_frequency(body):
     """(6, 6) m³, m⁴, m⁵; heave, which moves water through ever wider circles, is infinite"""
     out, draft = np.zeros((6, 6)), body.draft
     rows = body.profiles.combinations @ np.concatenate([body.profiles.gap.mean, [draft, -(draft**2) / 2]])
+    degree, top = _degrees(body)
     for cls in CLASSES[1:]:
-        degree, top = _degrees(body)
         mine = body.plan.among(cls, degree, top)
         laplace = body.laplace(top)[cls][0][mine[:, None], mine]
         _fill(body, out, cls, 0.0, np.multiply.outer(rows, rows) / body.depth, laplace)
