@@ -54,7 +54,7 @@ def _seconds_of_waves(geometry, omega, gravity):
     """Seconds for a row of the wave parts"""
     g, nodes = geometry, np.arange(len(geometry.elements.nodes))
     some = nodes[:: max(len(nodes) // TRIAL_ROWS, 1)]
-    table = wave_table(omega, g.depth, gravity, g.reach, g.mesh.draft)
+    table = wave_table(omega, g.depth, gravity, g.reach, g.draft)
     return _seconds(lambda: wave_blocks(g, some, nodes, table, depth_values(table.k, g.depth))) / len(some)
 
 

@@ -30,7 +30,7 @@ def _limit(prepared, which):
 
     g, setup = prepared.geometry.without_lid, prepared.setup  # without waves it is not needed
     velocities = [g.modes[:, g.members(c)] for c in g.classes]
-    table = limit_table(which, setup.depth, g.reach, g.mesh.draft)
+    table = limit_table(which, setup.depth, g.reach, g.draft)
     matrices, sides = _equations(g, 1.0 if which == "zero" else -1.0, table, velocities)
     potentials = []
     while matrices:  # in place, and given back one by one: they may be most of the memory

@@ -27,14 +27,15 @@ from .wave_space import wave_space
 class Reduced(NamedTuple):
     """The space of a band of frequencies, and what each symmetry class makes of it.
 
-    c classes, n hull nodes, l lid nodes, r points, q sources, v given normal velocities, u = r + v + l, s samples
+    c classes, n hull nodes, l lid nodes, r points, q sources, v given normal velocities, u = r + v + l, e samples on
+    the hull
     """
 
     geometry: object  # with or without lid
     accuracy: float
     space: object  # `WaveSpace`
     response: np.ndarray  # (c, n, u) (2π − D₀)⁻¹ [X, S₀V, S₀ of the lid]
-    at_samples: np.ndarray  # (c, s, u) of it, at the samples of `bem.wave_trial` on the hull
+    at_samples: np.ndarray  # (c, e, u) of it, at the samples of `bem.wave_trial`
     integrals: np.ndarray  # (c, v, u) ∬ V times it dS over the whole hull
     at_sources: np.ndarray  # (c, q, u) Y of it
     on_lid: np.ndarray  # (c, l, u) D₀ of it on the lid, plus [X, S₀V, S₀] there: the last part is T
@@ -62,6 +63,8 @@ class Reduced(NamedTuple):
         columns = sides.shape[1] - (len(on_lid) - lid)
         known = np.concatenate([space.X, sides[: n + lid, :columns]], axis=1)
         response = self.response[i] = lu_solve(factors, known[:n], trans=1, check_finite=False)
+        if not np.all(np.isfinite(response)):
+            raise FloatingPointError(f"class {i} of the mesh: the equations of the hull have no finite solution")
         areas = self.geometry.elements.weights[:n, None] * self.geometry.copies
         self.at_samples[i] = response[space.trial.samples.on_hull]
         self.integrals[i] = (space.velocities[i] * areas).T @ response

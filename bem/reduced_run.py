@@ -40,6 +40,9 @@ class ReducedRun(PanelRun):
     def flow(self):
         """`Flow` of the wanted classes; None where few nodes do not stand for all, and all have to be solved for"""
         start = time.perf_counter()
+        _ = self.columns
+        self._timed("incident", start)
+        start = time.perf_counter()
         reduced, g = self.reduced, self.geometry
         self._timed("reduction", start)
         start = time.perf_counter()
@@ -53,14 +56,24 @@ class ReducedRun(PanelRun):
         self._timed("assemble", start)
         start = time.perf_counter()
         with blas_threads(len(space.points)):
-            W = acting(S, D, hull, table.K)
-            flow = solved(reduced, self.mine, W, S[..., :hull], table.K, self.given)
-            to_points = acting(*to_points, trial.samples.hull, table.K)
-            lost_waves = trial.lost_waves(to_points, W, self.at_samples(flow))
-            lost_flux = trial.lost_flux(self.flux[:, trial.samples.on_hull], self.flux[:, space.crests])
+            held = acting(S, D, hull, table.K), S[..., :hull]
+            flow = self.finite(lambda: solved(reduced, self.mine, *held, table.K, self.given))
+            e = trial.samples.hull
+            here = acting(*to_points, e, table.K), to_points[0][..., :e]
+            lost_waves = trial.lost_waves(here, held, self.at_samples(flow), self.given, self.mine)
+            lost = np.maximum(lost_waves, trial.lost_flux(*self.flux))
         self._timed("solve", start)
-        lost = np.maximum(lost_waves, lost_flux)
         return flow if lost < ALLOWED * reduced.accuracy else self.in_full(lost)  # of NaN too
+
+    def finite(self, solve):
+        """What `solve` gives, a `Flow`.  Raises FloatingPointError if it is not finite"""
+        try:
+            flow = solve()
+        except np.linalg.LinAlgError as error:
+            raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: {error}") from error
+        if not all(np.all(np.isfinite(part)) for part in flow):
+            raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
+        return flow
 
     def in_full(self, lost):
         """Says that all nodes have to be solved for, if they are not too many"""
@@ -74,7 +87,7 @@ class ReducedRun(PanelRun):
     def given(self):
         """(c, v, columns) shares v of the wanted motions and waves; zeros where a class has fewer than others"""
         v, crests = self.reduced.integrals.shape[1], self.reduced.space.crests
-        flux, done = self.flux[:, crests], 0
+        flux, done = self.flux[1], 0
         out = np.zeros((len(self.columns), v, max(len(m) + len(w) for m, w in self.columns.values())), complex)
         for shares, (cls, (moving, waves)) in zip(out, self.columns.items(), strict=True):
             members, count = self.geometry.members(cls), len(moving)
@@ -85,12 +98,16 @@ class ReducedRun(PanelRun):
 
     @cached_property
     def flux(self):
-        """(all waves of all classes, n) ∂φ_I/∂n"""
-        return np.concatenate([self.incident[0][cls][1][waves] for cls, (_, waves) in self.columns.items()])
+        """∂φ_I/∂n of all waves of all classes (k, …) at the samples on the hull and at the crests"""
+        samples, crests = self.reduced.space.trial.samples.on_hull, self.reduced.space.crests
+        nodes = np.concatenate([samples, crests])
+        parts = [self.incident[0][cls][1][np.ix_(waves, nodes)] for cls, (_, waves) in self.columns.items()]
+        return np.split(np.concatenate(parts), [len(samples)], axis=1)
 
     def at_samples(self, flow):
         """(c, s, columns) φ, and φ' of the lid"""
-        return np.concatenate([times(self.reduced.at_samples[self.mine], flow.shares), flow.lid], axis=1)
+        lid = self.reduced.space.trial.samples.on_lid - self.geometry.hull
+        return np.concatenate([times(self.reduced.at_samples[self.mine], flow.shares), flow.lid[:, lid]], axis=1)
 
     @cached_property
     def residual(self):
@@ -103,17 +120,18 @@ class ReducedRun(PanelRun):
         if self.flow is None:
             return super().potentials
         start, out = time.perf_counter(), {}
-        for i, (cls, columns) in enumerate(self.columns.items()):
-            response = self.reduced.response[self.geometry.classes.index(cls)]
-            out[cls] = self.on_hull(times(response, self.flow.shares[i, :, : sum(map(len, columns))]), None)
+        with blas_threads(len(self.reduced.space.points)):
+            for i, (cls, columns) in enumerate(self.columns.items()):
+                response = self.reduced.response[self.geometry.classes.index(cls)]
+                out[cls] = self.on_hull(times(response, self.flow.shares[i, :, : sum(map(len, columns))]), None)
         self._timed("potentials", start)
         return out
 
     @cached_property
     def integrals(self):
         """{class: ∬ φ V dS (columns, v) over the whole hull}, V its motions and what spans waves"""
-        found = times(self.reduced.integrals[self.mine], self.flow.shares)
-        return {cls: a[:, : sum(map(len, self.columns[cls]))].T for cls, a in zip(self.columns, found, strict=True)}
+        found = zip(self.columns.items(), self.flow.integrals, strict=True)
+        return {cls: values[:, : sum(map(len, columns))].T for (cls, columns), values in found}
 
     @cached_property
     def pushing(self):
@@ -124,7 +142,10 @@ class ReducedRun(PanelRun):
 
     @cached_property
     def meeting_waves(self):
-        """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull"""
+        """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull
+
+        With the flux as the crests span it, in the diffracted waves too: `lost_flux` has tested it.
+        """
         if self.flow is None:
             return super().meeting_waves
         out, crests = {}, self.reduced.space.crests
@@ -139,11 +160,12 @@ class Flow(NamedTuple):
 
     shares: np.ndarray  # (c, u, columns) m, −v and Kφ' of the lid, with which `response` is multiplied
     lid: np.ndarray  # (c, l, columns) φ'
+    integrals: np.ndarray  # (c, v, columns) ∬ φ V dS over the whole hull
     residual: float  # the largest, of the reduced equations
 
 
 def solved(reduced, mine, W, S, K, given):
-    """`Flow` of some classes.
+    """`Flow` of some classes.  Raises LinAlgError if their equations are singular.
 
     reduced : `bem.reduced.Reduced`, of which `mine` are the classes; W (c, r, q), S (c, r, h) : wave parts
     given : (c, v, columns) v
@@ -162,6 +184,4 @@ def solved(reduced, mine, W, S, K, given):
     sides = np.concatenate([m, -given], axis=1)
     lid = -times(answer, sides)
     shares = np.concatenate([sides, lid], axis=1)
-    if not np.all(np.isfinite(shares)):
-        raise FloatingPointError("the solution is not finite")
-    return Flow(shares, lid / K, float(rest.max()))
+    return Flow(shares, lid / K, times(reduced.integrals[mine], shares), float(rest.max()))

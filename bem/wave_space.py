@@ -25,7 +25,7 @@ from .wave_trial import Samples, Trial
 from .waves import depth_values, wavenumber
 
 WITNESSES = 1  # and one at the surface: a space that lacks a frequency misses it nearly everywhere
-TRIED = 0.25  # of the samples, at every frequency: what a space loses is 30 times less than what it may, or far more
+TRIED = 200  # samples, at every frequency: half as many find up to four times what is lost
 FEW = 1000  # nodes up to which the accuracy asked for is that of every row
 LARGEST = 2_000_000  # pairs of nodes at once
 SAMPLES = 200  # nodes at any depth that stand for all in samples
@@ -65,14 +65,17 @@ def wave_space(geometry, band, gravity, accuracy):
     velocities = _velocities(g, Z)
     points, X = _skeleton(cases.at_all_points, len(root), allowed)
     weights = root[points] * np.linalg.norm(X, axis=0)  # what is lost at a point is lost at all that it stands for
-    moved = [[] for _ in velocities]
+    samples, moved = cases.samples(SEED + 2, TRIED), [[] for _ in velocities]
     sources, Y = _skeleton(
-        lambda sketch: cases.of_all_sources(sketch, points, weights, velocities, moved), len(root), allowed
+        lambda sketch: cases.of_all_sources(sketch, points, weights, velocities, samples.on_hull, moved),
+        len(root),
+        allowed,
     )
-    M = cases.monopoles(points, weights, sources[sources < g.hull], moved, accuracy)
+    both = cases.monopoles(points, weights, sources[sources < g.hull], moved, accuracy)
+    M, of_samples = (part.copy() for part in np.split(both, [velocities.shape[2]], axis=2))
     X *= root[points] / root[:, None]
     Y = np.ascontiguousarray((Y * of_column[:, None] / of_column[sources]).T)
-    trial = Trial.of(cases.witnesses(), cases.samples(SEED + 2, TRIED), X, Y, Z, root[: g.hull])
+    trial = Trial.of(cases.witnesses(), samples, X, Y, velocities, of_samples, root[: g.hull])
     return WaveSpace(points, sources, crests, X, Y, velocities, M, trial)
 
 
@@ -119,19 +122,18 @@ class Cases:
             done(WAVES, len(points) * len(sources) / len(self.root))
             yield table.K, S, D
 
-    def samples(self, seed=SEED, part=1.0):
-        """`Samples` by chance, or `part` of them: of the hull the more the nearer to the surface, and all of the lid
+    def samples(self, seed=SEED, most=np.inf):
+        """`Samples` by chance: of the hull the more the nearer to the surface, and all of the lid
 
-        Waves change over the distance from the surface, where all nodes are taken.
+        Waves change over the distance from the surface, where all nodes are taken; or a part of both, if that would be
+        more than `most` of the hull.
         """
         g, n = self.geometry, self.geometry.hull
         sizes = np.repeat(g.elements.sizes, g.elements.inverse.shape[2])[:n]
         share = np.minimum((STRIP * sizes / g.elements.nodes[:n, 2]) ** 2 + SAMPLES / n, 1.0)
-        share *= part
-        hull = np.flatnonzero(np.random.default_rng(seed).random(n) < share)
-        lid = np.arange(n, len(self.root))
-        represented = np.concatenate([1 / share[hull], np.ones(len(lid))])
-        return Samples(np.concatenate([hull, lid]), represented, len(hull))
+        share = np.concatenate([share, np.ones(len(self.root) - n)]) * min(1.0, most / share.sum())
+        nodes = np.flatnonzero(np.random.default_rng(seed).random(len(share)) < share)
+        return Samples(nodes, 1 / share[nodes], int(np.count_nonzero(nodes < n)))
 
     def witnesses(self):
         """Nodes (w,) of the hull by chance, one in the strip at the surface"""
@@ -154,18 +156,21 @@ class Cases:
                         sketch.add(acting(s, d, count, K) * scale)
                         sketch.add(s[:, :count] * scale[:, :count] / length)
 
-    def of_all_sources(self, sketch, points, weights, velocities, moved):
-        """W at `points` (r,) times `weights` (r,), transposed; SV, each class its own, is put into the lists `moved`"""
+    def of_all_sources(self, sketch, points, weights, velocities, samples, moved):
+        """W at `points` (r,) times `weights` (r,), transposed
+
+        SV of each class, and S of the `samples` (e,) on the hull, are put into its list of `moved`.
+        """
         scale, hull = weights[:, None], self.geometry.hull
         for values in moved:
             values.clear()
         for K, S, D in self.blocks(points, np.arange(len(self.root))):
             for s, d, v, values in zip(S, D, velocities, moved, strict=True):
                 sketch.add((acting(s, d, hull, K) * scale / self.of_column).T)
-                values.append(s[:, :hull] @ v * scale)
+                values.append(np.concatenate([s[:, :hull] @ v, s[:, samples]], axis=1) * scale)
 
     def monopoles(self, points, weights, sources, moved, accuracy):
-        """M of each class: what S at `sources` has to be multiplied with to give `moved`, S of all times V"""
+        """(c, h, …) what S at `sources` has to be multiplied with to give `moved`: M of each class, then of samples"""
         few = [[] for _ in moved]
         for _, S, _ in self.blocks(points, sources):
             for s, values in zip(S, few, strict=True):

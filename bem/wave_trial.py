@@ -24,36 +24,56 @@ class Samples(NamedTuple):
     def on_hull(self):
         return self.nodes[: self.hull]
 
+    @property
+    def on_lid(self):
+        return self.nodes[self.hull :]
+
 
 class Trial(NamedTuple):
-    """w points on the hull, s samples; r points, q sources and t crests of the `bem.wave_space.WaveSpace` tested."""
+    """w points on the hull, s samples, e of them on the hull; other letters as of the `bem.wave_space.WaveSpace`.
+
+    What the space loses at the points is, with N found in the same way as M = N V,
+
+        [W − X W Y] φ − [S_w − X S_w N] V v
+
+    in which sums over all nodes are of what is small, so that samples do instead.
+    """
 
     points: np.ndarray  # (w,)
     samples: Samples
     X: np.ndarray  # (w, r) at the points
     Y: np.ndarray  # (q, s) of the samples
-    Z: np.ndarray  # (s, t) of the samples on the hull
+    V: np.ndarray  # (c, e, v) at the samples
+    N: np.ndarray  # (c, h, e) of the samples
     point_size: np.ndarray  # (w,) √(area) of a point, relative to that of a mean node
-    sample_size: np.ndarray  # (s,) of a sample on the hull
+    sample_size: np.ndarray  # (e,) of a sample
 
     @classmethod
-    def of(cls, points, samples, X, Y, Z, root):
-        """X (n, r), Y (q, n), Z (hull nodes, t) of all nodes; root (hull nodes,) m, of their areas"""
+    def of(cls, points, samples, X, Y, V, N, root):
+        """X (n, r), Y (q, n), V (c, hull nodes, v) of all nodes, N of the samples; root (hull nodes,) m, of areas"""
         sizes, on_hull = root / np.sqrt(np.mean(root**2)), samples.on_hull
         Y = np.ascontiguousarray(Y[:, samples.nodes])
-        return cls(points, samples, X[points], Y, Z[on_hull], sizes[points], sizes[on_hull])
+        return cls(points, samples, X[points], Y, V[:, on_hull], N, sizes[points], sizes[on_hull])
 
-    def lost_waves(self, between, W, potentials):
+    def lost_waves(self, here, held, potentials, given, mine=slice(None)):
         """Largest part of the waves at the points that the space lacks, relative to 2πφ; NaN of NaN
 
-        between (c, w, s) : W from the samples to the points; W (c, r, q); potentials (c, s, columns) φ, and φ' of the
-        lid, of which columns may be zero
+        here : W (c, w, s) and S_w (c, w, e) from the samples to the points; held : W (c, r, q) and S_w (c, r, h)
+        potentials (c, s, columns) φ, and φ' of the lid; given (c, v, columns) v; columns may be zero
+        mine : which classes these are
         """
-        missed = ((between - acted(times(self.X, W), self.Y)) * self.samples.represented) @ potentials
+        e, represented = self.samples.hull, self.samples.represented
+        W, S = (times(self.X, part) for part in held)
+        missed = ((here[0] - acted(W, self.Y)) * represented) @ potentials
+        missed -= ((here[1] - acted(S, self.N[mine])) * represented[:e]) @ times(self.V[mine], given)
         size = 2 * np.pi * np.abs(potentials).max(axis=1, keepdims=True)
         return float((np.abs(missed) * self.point_size[:, None] / np.maximum(size, 1e-300)).max())
 
     def lost_flux(self, flux, crests):
-        """Largest part of ∂φ_I/∂n that the space lacks: of the samples on the hull (m, s) and the crests (m, t)"""
-        missed = np.abs(flux - acted(crests, self.Z.T)) * self.sample_size
-        return float((missed.max(axis=1) / np.abs(flux).max(axis=1)).max(initial=0.0))
+        """Largest part of ∂φ_I/∂n that the space lacks: of the samples on the hull (m, e) and the crests (m, t)"""
+        if not len(flux):
+            return 0.0
+        Z = self.V[0, :, self.V.shape[2] - crests.shape[1] :]
+        missed = np.abs(flux - acted(crests, Z.T)) * self.sample_size
+        size = np.maximum(np.abs(flux).max(axis=1), np.abs(crests).max(axis=1))
+        return float((missed.max(axis=1) / size).max())

@@ -78,7 +78,7 @@ def rigid_surface_limit(prepared, which):
     if which != "zero":
         raise ValueError("zero draft gives no added mass at infinite frequency; the panel method does")
     g, setup = prepared.geometry, prepared.setup
-    table = limit_table(which, setup.depth, g.reach, g.mesh.draft)
+    table = limit_table(which, setup.depth, g.reach, g.draft)
     velocities = [g.modes[:, g.members(c)].T.astype(complex) for c in g.classes]
     with blas_threads(len(g.elements.nodes)):
         _, sides = assembled(g, g.classes, 1.0, table, unit_depth_values, velocities)

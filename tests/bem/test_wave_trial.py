@@ -6,9 +6,12 @@ import numpy as np
 import pytest
 
 from bem import reduced_run, wave_space
+from bem.green_tables import wave_table
 from bem.reduced import reduced
 from bem.reduced_run import ReducedRun
-from bem.setup import Setup, prepare
+from bem.setup import Prepared, Setup, prepare
+from bem.wave_blocks import wave_blocks
+from bem.wave_space import acting
 from bem.wave_trial import Samples, Trial
 from meshing.lid import lid
 from meshing.shapes import box, buoy
@@ -51,47 +54,98 @@ def test_what_one_heading_gives_does_not_depend_on_the_others():
 
 
 def trial_of(rng, nodes, samples):
-    """A random space of four functions for `nodes` nodes of equal size, and a trial of it"""
-    X, Y = rng.normal(size=(nodes, 4)), rng.normal(size=(3, nodes))
-    return X, Y, Trial.of(np.array([0, 5]), samples, X, Y, rng.normal(size=(nodes, 2)), np.ones(nodes))
+    """A random space for `nodes` nodes of equal size, and a trial of it: X, Y, N, V and the trial"""
+    X, Y, N = (rng.normal(size=size) for size in ((nodes, 4), (3, nodes), (1, 2, nodes)))
+    V = rng.normal(size=(1, nodes, 5))
+    return X, Y, N, V, Trial.of(np.array([0, 5]), samples, X, Y, V, N[..., samples.nodes], np.ones(nodes))
+
+
+def everywhere(nodes):
+    return Samples(np.arange(nodes), np.ones(nodes), nodes)
+
+
+def noise(rng, *size):
+    return rng.normal(size=size) + 1j * rng.normal(size=size)
 
 
 def test_waves_that_the_space_holds_are_not_lost_and_others_are():
     rng, nodes = np.random.default_rng(0), 40
-    X, Y, trial = trial_of(rng, nodes, Samples(np.arange(nodes), np.ones(nodes), nodes))
-    W = rng.normal(size=(2, 4, 3)) + 1j * rng.normal(size=(2, 4, 3))
-    phi = rng.normal(size=(2, nodes, 2)) + 1j * rng.normal(size=(2, nodes, 2))
-    whole = X[trial.points] @ W @ Y
-    assert trial.lost_waves(whole, W, phi) < 1e-12
-    other = 0.01 * rng.normal(size=whole.shape)
-    expected = np.abs(other @ phi) / (2 * np.pi * np.abs(phi).max(axis=1, keepdims=True))
-    assert trial.lost_waves(whole + other, W, phi) == pytest.approx(expected.max())
-    assert np.isnan(trial.lost_waves(whole * np.nan, W, phi))
+    X, Y, N, V, trial = trial_of(rng, nodes, everywhere(nodes))
+    held, phi, given = (noise(rng, 1, 4, 3), noise(rng, 1, 4, 2)), noise(rng, 1, nodes, 2), noise(rng, 1, 5, 2)
+    W, S = X[trial.points] @ held[0] @ Y, X[trial.points] @ held[1] @ N
+    assert trial.lost_waves((W, S), held, phi, given) < 1e-12
+    dW, dS = noise(rng, *W.shape), noise(rng, *S.shape)
+    size = 2 * np.pi * np.abs(phi).max(axis=1, keepdims=True)
+    for one, other in ((1.0, 0.0), (0.0, 1.0), (0.3, 0.2)):
+        expected = np.abs(one * dW @ phi - other * dS @ (V @ given)) / size
+        found = trial.lost_waves((W + one * dW, S + other * dS), held, phi, given)
+        assert found == pytest.approx(expected.max())
+    assert np.isnan(trial.lost_waves((W * np.nan, S), held, phi, given))
+    assert np.isnan(trial.lost_waves((W, S * np.nan), held, phi, given))
 
 
 def test_samples_stand_for_all_nodes_in_the_mean():
     rng, nodes, part = np.random.default_rng(1), 400, 0.25
     missed, phi = rng.normal(size=(1, 1, nodes)) + 3, np.ones((1, nodes, 1), complex)
-    found = []
+    silent, found = (np.zeros((1, 4, 3), complex), np.zeros((1, 4, 2), complex)), []
     for _ in range(400):
         chosen = np.flatnonzero(rng.random(nodes) < part)
-        _, _, trial = trial_of(rng, nodes, Samples(chosen, np.full(len(chosen), 1 / part), len(chosen)))
-        silent = np.zeros((1, 4, 3), complex)
-        found.append(trial.lost_waves(missed[..., chosen], silent, phi[:, chosen]))
+        *_, trial = trial_of(rng, nodes, Samples(chosen, np.full(len(chosen), 1 / part), len(chosen)))
+        here = missed[..., chosen], np.zeros((1, 1, len(chosen)), complex)
+        found.append(trial.lost_waves(here, silent, phi[:, chosen], np.zeros((1, 5, 1), complex)))
     exact = missed.sum() / (2 * np.pi)
     # of 400 trials, each with a deviation of √((1 − part)/part Σ missed²): three of the mean's
     deviation = np.sqrt((1 - part) / part * np.sum(missed**2)) / (2 * np.pi)
     assert abs(np.mean(found) - exact) < 3 * deviation / np.sqrt(len(found))
 
 
+def lost_of_all_nodes(run):
+    """What `Trial.lost_waves` estimates, with all nodes: (W φ − S_w V v) − X m at the points"""
+    g, space, flow = run.geometry, run.reduced.space, run.flow
+    table = wave_table(run.omega, run.setup.depth, run.setup.gravity, g.reach, g.draft)
+    S, D = wave_blocks(g, space.trial.points, np.arange(len(g.elements.nodes)), table, run.depth_values)
+    phi = np.concatenate([run.reduced.response @ flow.shares, flow.lid], axis=1)
+    missed = acting(S, D, g.hull, table.K) @ phi - S[..., : g.hull] @ (space.velocities @ run.given)
+    missed -= space.trial.X @ flow.shares[:, : len(space.points)]
+    size = 2 * np.pi * np.abs(phi).max(axis=1, keepdims=True)
+    # columns are zero where a class has fewer motions than others
+    return (np.abs(missed) * space.trial.point_size[:, None] / np.where(size > 0, size, 1.0)).max()
+
+
+@pytest.mark.parametrize("band, omega", [(BAND, 0.3), (BAND, 0.7), (BAND, 1.5), ((0.2, 0.3), 0.6), ((0.2, 0.5), 0.9)])
+def test_samples_find_what_all_nodes_find(band, omega, monkeypatch):
+    """In a band that holds the frequency, and far outside one"""
+    found, estimate = [], Trial.lost_waves
+    monkeypatch.setattr(Trial, "lost_waves", lambda *a: found.append(estimate(*a)) or found[-1])
+    prepared, limit = Prepared(body().setup, body().geometry), reduced_run.ALLOWED * body().reduced[0].accuracy
+    prepared.__dict__["reduced"] = body().reduced if band == BAND else reduced(body().geometry, band, 9.80665, 1e-4)
+    monkeypatch.setattr(reduced_run, "ALLOWED", np.inf)
+    run = ReducedRun(prepared, omega, np.radians([25.0, 110.0]), WANT, None, DOFS)
+    exact = lost_of_all_nodes(run)
+    # what is lost without a system adds up in samples less well than in all nodes: they find more, not less
+    assert exact / 2 < found[0]
+    assert found[0] < (limit if band == BAND else 4 * exact)
+    assert exact < limit if band == BAND else exact > limit / 2
+
+
 def test_flux_that_the_crests_carry_is_not_lost():
     rng, nodes = np.random.default_rng(2), 40
-    _, _, trial = trial_of(rng, nodes, Samples(np.arange(nodes), np.ones(nodes), nodes))
-    crests = rng.normal(size=(3, 2)) + 1j * rng.normal(size=(3, 2))
-    flux = crests @ trial.Z.T
+    *_, V, trial = trial_of(rng, nodes, everywhere(nodes))
+    crests = noise(rng, 3, 2)
+    flux = crests @ V[0, :, -2:].T  # what spans waves comes last
     assert trial.lost_flux(flux, crests) < 1e-12
-    assert trial.lost_flux(flux * 1.02, crests) == pytest.approx(0.02 / 1.02)
+    assert trial.lost_flux(flux * 1.02, crests) == pytest.approx(0.02 / 1.02, rel=1e-6)
     assert trial.lost_flux(flux[:0], crests[:0]) == 0.0
+
+
+def test_what_is_not_finite_is_an_error():
+    prepared = Prepared(body().setup, body().geometry)
+    for name in ("at_sources", "integrals"):
+        broken = getattr(body().reduced[0], name).copy()
+        broken[0, 0, 0] = np.nan
+        prepared.__dict__["reduced"] = (body().reduced[0]._replace(**{name: broken}), *body().reduced[1:])
+        with pytest.raises(FloatingPointError, match=r"ω = 0.3 rad/s: the solution is not finite"):
+            _ = ReducedRun(prepared, 0.3, np.radians([25.0]), WANT, None, DOFS).result()
 
 
 def test_a_band_without_waves_from_the_side_is_noticed(monkeypatch):
