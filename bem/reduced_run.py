@@ -55,7 +55,7 @@ class ReducedRun(PanelRun):
         to_points = reduced.trial_pairs.blocks(table, self.depth_values, self.mine)
         self._timed("assemble", start)
         start = time.perf_counter()
-        with blas_threads(len(space.points)):
+        with blas_threads(max(len(space.points), reduced.on_lid.shape[1])):
             held = acting(S, D, hull, table.K), S[..., :hull]
             flow = self.finite(lambda: solved(reduced, self.mine, *held, table.K, self.given))
             e = trial.samples.hull

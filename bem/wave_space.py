@@ -25,11 +25,15 @@ from .wave_trial import Samples, Trial
 from .waves import depth_values, wavenumber
 
 WITNESSES = 1  # and one at the surface: a space that lacks a frequency misses it nearly everywhere
-TRIED = 200  # samples, at every frequency: half as many find up to four times what is lost
+# the same, then of the strip and of the lid at most, at every frequency: of 1 000 nodes half as many find up to four
+# times what is lost
+TRIED = 100
 FEW = 1000  # nodes up to which the accuracy asked for is that of every row
 LARGEST = 2_000_000  # pairs of nodes at once
 SAMPLES = 200  # nodes at any depth that stand for all in samples
 EVERY = 3  # a node sends every third frequency of a band: with all of them the error was the same, the time 1.7 times
+FLUX = 3  # frequencies at which incident waves are taken, for one of the others
+LEAST = 1e-6  # of the flux in all classes: less in one is none
 STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are, and a share of those below
 WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
 LID = 0.1  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
@@ -37,6 +41,8 @@ LID = 0.1  # how much less than a potential of the hull a φ' of the lid counts:
 
 class WaveSpace(NamedTuple):
     """n nodes, those of the hull, then those of the lid; r points, q sources, t crests are some of these.
+
+    c symmetry classes, v given normal velocities of each.
 
     The h sources on the hull, which come first, are the monopoles too.
     """
@@ -65,7 +71,7 @@ def wave_space(geometry, band, gravity, accuracy):
     velocities = _velocities(g, Z)
     points, X = _skeleton(cases.at_all_points, len(root), allowed)
     weights = root[points] * np.linalg.norm(X, axis=0)  # what is lost at a point is lost at all that it stands for
-    samples, moved = cases.samples(SEED + 2, TRIED), [[] for _ in velocities]
+    samples, moved = cases.samples(SEED + 2, TRIED, TRIED), [[] for _ in velocities]
     sources, Y = _skeleton(
         lambda sketch: cases.of_all_sources(sketch, points, weights, velocities, samples.on_hull, moved),
         len(root),
@@ -122,16 +128,19 @@ class Cases:
             done(WAVES, len(points) * len(sources) / len(self.root))
             yield table.K, S, D
 
-    def samples(self, seed=SEED, most=np.inf):
-        """`Samples` by chance: of the hull the more the nearer to the surface, and all of the lid
+    def samples(self, seed=SEED, deep=SAMPLES, most=np.inf):
+        """`Samples` by chance: `deep` of the hull, more near the surface, the lid, and the witnesses
 
-        Waves change over the distance from the surface, where all nodes are taken; or a part of both, if that would be
-        more than `most` of the hull.
+        Waves change over the distance from the surface, where all nodes are taken, if they are not more than `most`;
+        so are those of the lid.
         """
         g, n = self.geometry, self.geometry.hull
         sizes = np.repeat(g.elements.sizes, g.elements.inverse.shape[2])[:n]
-        share = np.minimum((STRIP * sizes / g.elements.nodes[:n, 2]) ** 2 + SAMPLES / n, 1.0)
-        share = np.concatenate([share, np.ones(len(self.root) - n)]) * min(1.0, most / share.sum())
+        strip = np.minimum((STRIP * sizes / g.elements.nodes[:n, 2]) ** 2, 1.0)
+        hull = np.minimum(strip * min(1.0, most / strip.sum()) + deep / n, 1.0)
+        hull[self.witnesses()] = 1.0
+        lid = len(self.root) - n
+        share = np.concatenate([hull, np.full(lid, min(1.0, most / max(lid, 1)))])
         nodes = np.flatnonzero(np.random.default_rng(seed).random(len(share)) < share)
         return Samples(nodes, 1 / share[nodes], int(np.count_nonzero(nodes < n)))
 
@@ -182,10 +191,14 @@ class Cases:
         g = self.geometry
         # the sketch is of real and imaginary parts, which are those of waves from behind too; mirror planes do the rest
         half = np.pi if not g.mesh.symmetry else np.pi / 2
-        for k in self.wavenumbers:
+        # a wave of one frequency is one column for every heading, where W has one for every source: at the frequencies
+        # of W alone 3 % of the flux was lost in between
+        last = len(self.wavenumbers) - 1
+        for k in np.interp(np.linspace(0, last, FLUX * last + 1), np.arange(last + 1), self.wavenumbers):
             for beta in np.arange(0, half, np.pi / (8 + 4 * k * g.radius)):
                 flux = class_waves(g, beta, 1.0, k)[1] * self.root[: g.hull]
-                sketch.add(flux.T * (2 * np.pi / np.linalg.norm(flux)))
+                size = np.linalg.norm(flux, axis=1, keepdims=True)
+                sketch.add((flux * (2 * np.pi / np.maximum(size, LEAST * size.max()))).T)
 
 
 def _real(blocks):

@@ -32,7 +32,7 @@ class Samples(NamedTuple):
 class Trial(NamedTuple):
     """w points on the hull, s samples, e of them on the hull; other letters as of the `bem.wave_space.WaveSpace`.
 
-    What the space loses at the points is, with N found in the same way as M = N V,
+    What the space loses at the points is, with N of every node found in the same way as M = N V,
 
         [W − X W Y] φ − [S_w − X S_w N] V v
 

@@ -11,7 +11,7 @@ from bem.reduced import reduced
 from bem.reduced_run import ReducedRun
 from bem.setup import Prepared, Setup, prepare
 from bem.wave_blocks import wave_blocks
-from bem.wave_space import acting
+from bem.wave_space import Cases, acting
 from bem.wave_trial import Samples, Trial
 from meshing.lid import lid
 from meshing.shapes import box, buoy
@@ -136,6 +136,38 @@ def test_flux_that_the_crests_carry_is_not_lost():
     assert trial.lost_flux(flux, crests) < 1e-12
     assert trial.lost_flux(flux * 1.02, crests) == pytest.approx(0.02 / 1.02, rel=1e-6)
     assert trial.lost_flux(flux[:0], crests[:0]) == 0.0
+
+
+@pytest.mark.parametrize(
+    "make, depth, band",
+    [
+        (lambda: box(60, 30, 8, panels=100).whole().rotated(0.4), 200.0, (0.02, 1.2)),
+        (lambda: box(100, 20, 5, panels=150), 200.0, (0.02, 1.5)),
+        (lambda: buoy(10, 10, panels=150), np.inf, (0.05, 2.5)),
+    ],
+)
+def test_no_frequency_within_a_wide_band_is_lost(make, depth, band, monkeypatch):
+    """Nor a heading: incident waves were once spanned at too few frequencies, and 3 % of the flux was lost"""
+    prepared, lost = prepare(Setup(make(), None, depth=depth, band=band)), []
+    monkeypatch.setattr(ReducedRun, "in_full", lambda self, part: lost.append((self.omega, part)))
+    for omega in np.linspace(*band, 13):
+        _ = ReducedRun(prepared, omega, np.radians(np.arange(0.3, 180, 14.0)), WANT, None, DOFS).flow
+    assert not lost
+
+
+@pytest.mark.parametrize("panels", [1000, 20000])
+def test_no_sample_stands_for_too_many_nodes(panels):
+    """One that did would make the sum over samples a matter of chance"""
+    mesh = box(100, 30, 5, panels=panels)
+    cases = Cases(prepare(Setup(mesh, lid(mesh), depth=20.0)).geometry, (0.2, 1.0), 9.80665)
+    hull, total = cases.geometry.hull, len(cases.root)
+    samples = cases.samples(3, 100, 100)
+    assert samples.represented.max() <= max(hull, total - hull) / 100
+    assert set(cases.witnesses()) <= set(samples.on_hull)
+    for mine, nodes in ((slice(samples.hull), hull), (slice(samples.hull, None), total - hull)):
+        represented = samples.represented[mine]
+        # what nodes are represented by is one each in the mean; three deviations
+        assert abs(represented.sum() - nodes) <= 3 * np.sqrt(np.sum(represented * (represented - 1)))
 
 
 def test_what_is_not_finite_is_an_error():
