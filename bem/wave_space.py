@@ -25,12 +25,12 @@ from .wave_trial import Samples, Trial
 from .waves import depth_values, wavenumber
 
 WITNESSES = 1  # and one at the surface: a space that lacks a frequency misses it nearly everywhere
-# the same, then of the strip and of the lid at most, at every frequency: of 1 000 nodes half as many find up to four
-# times what is lost
-TRIED = 100
 FEW = 1000  # nodes up to which the accuracy asked for is that of every row
 LARGEST = 2_000_000  # pairs of nodes at once
-SAMPLES = 200  # nodes at any depth that stand for all in samples
+SAMPLES = 200  # nodes at any depth that stand for all where a space is made
+# where a frequency is tested, and as many of the strip and of the lid at most: of 1 000 nodes half as many find up to
+# four times what is lost
+TRIED = 100
 EVERY = 3  # a node sends every third frequency of a band: with all of them the error was the same, the time 1.7 times
 FLUX = 3  # frequencies at which incident waves are taken, for one of the others
 LEAST = 1e-6  # of the flux in all classes: less in one is none
