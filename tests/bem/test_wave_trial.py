@@ -7,6 +7,7 @@ import pytest
 
 from bem import reduced_run, wave_space
 from bem.green_tables import wave_table
+from bem.panel_run import PanelRun
 from bem.reduced import reduced
 from bem.reduced_run import ReducedRun
 from bem.setup import Prepared, Setup, prepare
@@ -126,6 +127,22 @@ def test_samples_find_what_all_nodes_find(band, omega, monkeypatch):
     assert exact / 2 < found[0]
     assert found[0] < (limit if band == BAND else 4 * exact)
     assert exact < limit if band == BAND else exact > limit / 2
+
+
+@pytest.mark.parametrize("band, omega", [((0.2, 0.3), 0.6), ((0.2, 0.5), 0.9), ((0.5, 0.6), 0.8)])
+def test_a_frequency_far_outside_its_band_is_noticed_or_right(band, omega, monkeypatch):
+    """Waves and flux may both keep below the limit; then forces have to be right to as much"""
+    prepared, lost = Prepared(body().setup, body().geometry), []
+    prepared.__dict__["reduced"] = reduced(body().geometry, band, 9.80665, 1e-4)
+    monkeypatch.setattr(ReducedRun, "in_full", lambda self, part: lost.append(part))
+    question = omega, np.radians([25.0, 110.0]), WANT, None, DOFS
+    few = ReducedRun(prepared, *question)
+    if few.flow is None:
+        assert lost
+        return
+    force, exact = few.result()["excitation_force"], PanelRun(prepared, *question).result()["excitation_force"]
+    for half in (slice(0, 3), slice(3, 6)):
+        assert np.abs(force - exact)[:, half].max() < reduced_run.ALLOWED * 1e-4 * np.abs(exact[:, half]).max()
 
 
 def test_flux_that_the_crests_carry_is_not_lost():
