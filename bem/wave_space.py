@@ -129,7 +129,13 @@ class Cases:
             yield table.K, S, D
 
     def samples(self, seed=SEED, deep=SAMPLES, most=np.inf):
-        """`Samples` by chance: `deep` of the hull, more near the surface, the lid, and the witnesses
+        """`Samples` by chance, each node with its own of `chances`"""
+        chances = self.chances(deep, most)
+        nodes = np.flatnonzero(np.random.default_rng(seed).random(len(chances)) < chances)
+        return Samples(nodes, 1 / chances[nodes], int(np.count_nonzero(nodes < self.geometry.hull)))
+
+    def chances(self, deep, most):
+        """(n,) of being a sample: `deep` of the hull, more near the surface, the lid, and the witnesses
 
         Waves change over the distance from the surface, where all nodes are taken, if they are not more than `most`;
         so are those of the lid.
@@ -140,9 +146,7 @@ class Cases:
         hull = np.minimum(strip * min(1.0, most / strip.sum()) + deep / n, 1.0)
         hull[self.witnesses()] = 1.0
         lid = len(self.root) - n
-        share = np.concatenate([hull, np.full(lid, min(1.0, most / max(lid, 1)))])
-        nodes = np.flatnonzero(np.random.default_rng(seed).random(len(share)) < share)
-        return Samples(nodes, 1 / share[nodes], int(np.count_nonzero(nodes < n)))
+        return np.concatenate([hull, np.full(lid, min(1.0, most / max(lid, 1)))])
 
     def witnesses(self):
         """Nodes (w,) of the hull by chance, one in the strip at the surface"""

@@ -58,6 +58,15 @@ class Trial(NamedTuple):
     def lost_waves(self, here, held, potentials, given, mine=slice(None)):
         """Largest part of the waves at the points that the space lacks, relative to 2πφ; NaN of NaN
 
+        Arguments as of `missed`.
+        """
+        size = 2 * np.pi * np.abs(potentials).max(axis=1, keepdims=True)
+        missed = self.missed(here, held, potentials, given, mine)
+        return float((np.abs(missed) * self.point_size[:, None] / np.maximum(size, 1e-300)).max())
+
+    def missed(self, here, held, potentials, given, mine=slice(None)):
+        """(c, w, columns) what the space loses at the points
+
         here : W (c, w, s) and S_w (c, w, e) from the samples to the points; held : W (c, r, q) and S_w (c, r, h)
         potentials (c, s, columns) φ, and φ' of the lid; given (c, v, columns) v; columns may be zero
         mine : which classes these are
@@ -66,8 +75,7 @@ class Trial(NamedTuple):
         W, S = (times(self.X, part) for part in held)
         missed = ((here[0] - acted(W, self.Y)) * represented) @ potentials
         missed -= ((here[1] - acted(S, self.N[mine])) * represented[:e]) @ times(self.V[mine], given)
-        size = 2 * np.pi * np.abs(potentials).max(axis=1, keepdims=True)
-        return float((np.abs(missed) * self.point_size[:, None] / np.maximum(size, 1e-300)).max())
+        return missed
 
     def lost_flux(self, flux, crests):
         """Largest part of ∂φ_I/∂n that the space lacks: of the samples on the hull (m, e) and the crests (m, t)"""

@@ -100,40 +100,64 @@ def test_samples_stand_for_all_nodes_in_the_mean():
     assert abs(np.mean(found) - exact) < 3 * deviation / np.sqrt(len(found))
 
 
-def lost_of_all_nodes(run):
-    """What `Trial.lost_waves` estimates, with all nodes: (W φ − S_w V v) − X m at the points"""
+@cache
+def prepared_for(band, most=wave_space.TRIED):
+    """The body in another band; `most` samples a part in a trial"""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(wave_space, "TRIED", most)
+        prepared = Prepared(body().setup, body().geometry)
+        prepared.__dict__["reduced"] = reduced(body().geometry, band, 9.80665, 1e-4)
+    return prepared
+
+
+def tried(band, omega, most, monkeypatch):
+    """A run, its trial, what `Trial.missed` was given, and what it found"""
+    calls, missed = [], Trial.missed
+    with monkeypatch.context() as patch:
+        patch.setattr(reduced_run, "ALLOWED", np.inf)
+        patch.setattr(Trial, "missed", lambda *given: calls.append((*given, missed(*given))) or calls[-1][-1])
+        run = ReducedRun(prepared_for(band, most), omega, np.radians([25.0, 110.0]), WANT, None, DOFS)
+        assert run.flow is not None
+    (call,) = calls
+    return run, call
+
+
+@pytest.mark.parametrize("band, omega", [(BAND, 0.3), (BAND, 0.7), (BAND, 1.5), ((0.2, 0.3), 0.6), ((0.2, 0.5), 0.9)])
+def test_samples_find_what_all_nodes_find(band, omega, monkeypatch):
+    """To four deviations: nodes are samples each by its own chance p, so that a sum Σt is found to √(Σ(1/p − 1)|t|²)"""
+    _, (few, *_, found) = tried(band, omega, wave_space.TRIED, monkeypatch)
+    run, (trial, here, held, phi, given, mine, exact) = tried(band, omega, np.inf, monkeypatch)
+    nodes, e = len(trial.samples.nodes), trial.samples.hull
+    assert np.all(trial.samples.represented == 1) and len(few.samples.nodes) < nodes / 2
+    W, S = (trial.X @ part for part in held)
+    terms = (here[0] - W @ trial.Y)[..., None] * phi[:, None]
+    terms[:, :, :e] -= (here[1] - S @ trial.N[mine])[..., None] * (trial.V[mine] @ given)[:, None]
+    np.testing.assert_allclose(terms.sum(axis=2), exact, rtol=0, atol=1e-9 * np.abs(exact).max())
+    p = Cases(run.geometry, band, 9.80665).chances(wave_space.TRIED, wave_space.TRIED)
+    deviation = np.sqrt(np.einsum("j,cwjk->cwk", 1 / p - 1, np.abs(terms) ** 2))
+    assert np.all(np.abs(found - exact) <= 4 * deviation + 1e-12 * np.abs(phi).max())
+
+
+@pytest.mark.parametrize("omega", [0.3, 0.7, 1.5])
+def test_nothing_is_lost_within_the_band(omega, monkeypatch):
+    """Of all nodes, as the potentials feel it: (W φ − S_w V v) − X m at the points"""
+    run, _ = tried(BAND, omega, np.inf, monkeypatch)
     g, space, flow = run.geometry, run.reduced.space, run.flow
-    table = wave_table(run.omega, run.setup.depth, run.setup.gravity, g.reach, g.draft)
+    table = wave_table(omega, g.depth, 9.80665, g.reach, g.draft)
     S, D = wave_blocks(g, space.trial.points, np.arange(len(g.elements.nodes)), table, run.depth_values)
     phi = np.concatenate([run.reduced.response @ flow.shares, flow.lid], axis=1)
     missed = acting(S, D, g.hull, table.K) @ phi - S[..., : g.hull] @ (space.velocities @ run.given)
     missed -= space.trial.X @ flow.shares[:, : len(space.points)]
     size = 2 * np.pi * np.abs(phi).max(axis=1, keepdims=True)
     # columns are zero where a class has fewer motions than others
-    return (np.abs(missed) * space.trial.point_size[:, None] / np.where(size > 0, size, 1.0)).max()
-
-
-@pytest.mark.parametrize("band, omega", [(BAND, 0.3), (BAND, 0.7), (BAND, 1.5), ((0.2, 0.3), 0.6), ((0.2, 0.5), 0.9)])
-def test_samples_find_what_all_nodes_find(band, omega, monkeypatch):
-    """In a band that holds the frequency, and far outside one"""
-    found, estimate = [], Trial.lost_waves
-    monkeypatch.setattr(Trial, "lost_waves", lambda *a: found.append(estimate(*a)) or found[-1])
-    prepared, limit = Prepared(body().setup, body().geometry), reduced_run.ALLOWED * body().reduced[0].accuracy
-    prepared.__dict__["reduced"] = body().reduced if band == BAND else reduced(body().geometry, band, 9.80665, 1e-4)
-    monkeypatch.setattr(reduced_run, "ALLOWED", np.inf)
-    run = ReducedRun(prepared, omega, np.radians([25.0, 110.0]), WANT, None, DOFS)
-    exact = lost_of_all_nodes(run)
-    # what is lost without a system adds up in samples less well than in all nodes: they find more, not less
-    assert exact / 2 < found[0]
-    assert found[0] < (limit if band == BAND else 4 * exact)
-    assert exact < limit if band == BAND else exact > limit / 2
+    lost = np.abs(missed) * space.trial.point_size[:, None] / np.where(size > 0, size, 1.0)
+    assert lost.max() < reduced_run.ALLOWED * run.reduced.accuracy
 
 
 @pytest.mark.parametrize("band, omega", [((0.2, 0.3), 0.6), ((0.2, 0.5), 0.9), ((0.5, 0.6), 0.8)])
 def test_a_frequency_far_outside_its_band_is_noticed_or_right(band, omega, monkeypatch):
     """Waves and flux may both keep below the limit; then forces have to be right to as much"""
-    prepared, lost = Prepared(body().setup, body().geometry), []
-    prepared.__dict__["reduced"] = reduced(body().geometry, band, 9.80665, 1e-4)
+    prepared, lost = prepared_for(band), []
     monkeypatch.setattr(ReducedRun, "in_full", lambda self, part: lost.append(part))
     question = omega, np.radians([25.0, 110.0]), WANT, None, DOFS
     few = ReducedRun(prepared, *question)
