@@ -28,6 +28,11 @@ CLEAR = 1e-8  # eigenvalue of a profile that the error of the mode sums does not
 DIGIT = 1.0  # that a finer body has more: its own error, a tenth in the mean, is not seen by a factor of three
 
 
+def height(gap, scale):
+    """`high` of the module: what a gap of many plan scales makes worse, 1 for others"""
+    return max(gap / scale / 4, 1.0)
+
+
 class Accuracy(NamedTuple):
     """digits : aimed at; terms : functions in each of the three families of the gap; smallest : `Profiles.smallest`
 
@@ -49,7 +54,7 @@ class Accuracy(NamedTuple):
 def accuracy(digits, draft, gap, scale):
     """`Accuracy` for a relative error of 10^(−digits); draft, gap under the keel and scale of the plan in m"""
     r, g = gap / min(draft, scale), gap / scale
-    high = max(g / 4, 1.0)
+    high = height(gap, scale)
     first, step = 8 * (1 + r) ** -0.7, 0.8 + 1.7 / (1 + r / 4)
     return Accuracy(
         digits,

@@ -9,10 +9,10 @@ which `contour_depth` integrates for the nodes of a table in κ; a wave and a mo
 
 What this checks: every mode but the wave pushes on the side as it pulls in the gap, and nothing of it is seen far
 away, if both sides of the gap agree on the potential there.  The error is of first order in what they do not agree
-on, where that of forces and far field is of second: the flow is found anew with functions of the gap for twice as many
-digits and a finer table.  In resonant roll the drift is the small difference of pressures tens of times as large.
-Box in 2000 m, tolerance 1e-3: near and far field differ by 1e-3 of the largest force on the fixed one, with a single
-function more by 1.6e-2; in resonant roll by 1.7e-3 and 5.3e-2.
+on, where that of forces and far field is of second: the flow is found anew by a finer body.  In resonant roll the
+drift is the small difference of pressures tens of times as large.  Box in 20 and 100 m, tolerance 1e-3: near and far
+field differ by 5e-5 of the largest force on the fixed one, with the body of the forces by 5e-4 to 8e-4; in 2000 m by
+4e-4 and 3e-2.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .contour_accuracy import DIGIT, KAPPA, accuracy
+from .contour_accuracy import DIGIT, KAPPA, accuracy, height
 from .contour_depth import depth_sums
 from .contour_frequency import ContourFrequency
 from .drift import about
@@ -29,8 +29,14 @@ from .plan import CLASSES
 from .plan_values import plan_values
 from .threads import blas_threads
 
+POLYNOMIALS = 4  # more on the sides of a box than forces need: with none near and far field differ four times as much
+# near and far field then differ by up to 7e-5 of the drift, and in resonant roll, where it is what large pressures
+# leave, by up to 5e-4; in 2000 m of water, where `height` is 20, by five times as much
+PRESSURES = 1e-4
+DISTINCT = 1e-9  # `contour_accuracy.CLEAR` of pressures
 
-def contour_drift(run, motions):
+
+def pressure_drift(run, motions):
     """(m, 3) mean surge, sway and yaw of the pressure on the sides, about the rotation centre; N/m², N m/m².
 
     run : `bem.shape_setup.ShapeRun` of the contour method; motions : (m, 6) about the origin, m/m and rad/m
@@ -41,16 +47,30 @@ def contour_drift(run, motions):
     return about(loads.reshape(-1, 3), run.setup.rotation_center)
 
 
+def pressure_error(run):
+    """Relative error of the pressures of a `bem.shape_setup.ShapeRun`, however little its forces are wrong"""
+    body = run.prepared.solver
+    return max(run.estimated_error(), PRESSURES * height(body.depth - body.draft, body.plan.scale))
+
+
 def sharper(body):
-    """The same `bem.contour.ContourBody` with functions of the gap for twice the digits, modes for two more to resolve
-    them, and a digit more in the table in κ"""
+    """The same `bem.contour.ContourBody` as fine as pressures need it
+
+    With functions of the gap for twice the digits, modes for two more to resolve them, of their combinations even
+    those that hardly differ, more polynomials on the sides, panels and table in κ of one and three digits more.
+    """
     if "sharper" not in body.kept:
-        ours, sizes = body.accuracy, (body.draft, body.depth - body.draft, body.plan.scale)
-        twice, further = (accuracy(digits, *sizes) for digits in (2 * ours.digits, ours.digits + 2))
+        ours, gap, scale = body.accuracy, body.depth - body.draft, body.plan.scale
+        twice, further = (accuracy(digits, body.draft, gap, scale) for digits in (2 * ours.digits, ours.digits + 2))
         finer = ours._replace(
-            terms=max(ours.terms + 1, twice.terms), modes=further.modes, kappa=ours.kappa + DIGIT / KAPPA
+            terms=max(ours.terms + 1, twice.terms),
+            modes=further.modes,
+            smallest=min(ours.smallest, DISTINCT / height(gap, scale)),
+            kappa=ours.kappa + 3 * DIGIT / KAPPA,
+            plan=ours.plan + DIGIT,
+            extra=ours.extra + POLYNOMIALS,
         )
-        body.kept["sharper"] = replace(body, accuracy=finer, kept={})
+        body.kept["sharper"] = replace(body, plan=body.plan.to(finer), accuracy=finer, kept={})
     return body.kept["sharper"]
 
 

@@ -30,20 +30,40 @@ def near_field_drift(run, moving):
         name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
         raise ValueError(f"near-field drift from a run that wants {', '.join(sorted(run.want))}; it has to want {name}")
     motions = run.rao @ run.setup.transform if moving else np.zeros((len(run.headings), 6), complex)
-    force = _method(run)(run, motions)
+    force = _method(run).pressure_drift(run, motions)
     return force + turned(run) if moving else force
 
 
-def _method(run):
-    if hasattr(run, "geometry"):
-        from .panel_near_field import panel_drift
+def drift_error(run, moving):
+    """(m, 3) that near and far field may be wrong by: as `near_field_drift`, and with the same arguments.
 
-        return panel_drift
+    Drift is made of squares, so that a relative error ε of the pressures and one of the motions make twice their sum
+    of it.  ε is that estimated of coefficients and forces; by the contour method, whose forces are wrong at second
+    order and whose pressures at first, no less than `contour_near_field.PRESSURES`.  Of a drift that is small
+    beside others at the same frequency it is a part of the largest; of a moment as of that force at the hull's radius.
+    raises : ValueError for a body without estimate of its errors
+    """
+    if run.errors is None:
+        raise ValueError("error of the drift of a body without an estimate of its own; it has to have a coarse mesh")
+    eps = np.full(len(run.headings), _method(run).pressure_error(run))
+    if moving:
+        levers = np.repeat([1.0, run.prepared.radius], 3)
+        eps += np.linalg.norm(run.rao_errors() * levers, axis=1) / np.linalg.norm(run.rao * levers, axis=1)
+    largest = max(np.abs(run.drift(free)[:, :2]).max() for free in {False, moving})
+    return 2 * eps[:, None] * largest * np.array([1, 1, run.prepared.radius])
+
+
+def _method(run):
+    """The module of the run's method"""
+    if hasattr(run, "geometry"):
+        from . import panel_near_field
+
+        return panel_near_field
     if run.setup.method != "contour":
         raise ValueError(f"near-field drift by method {run.setup.method}; allowed: panel, contour")
-    from .contour_near_field import contour_drift
+    from . import contour_near_field
 
-    return contour_drift
+    return contour_near_field
 
 
 def turned(run):

@@ -20,7 +20,7 @@ from .waves import incident_wave
 LONGEST_PER_GAP = 1.5
 
 
-def panel_drift(run, motions):
+def pressure_drift(run, motions):
     """(m, 3) mean surge, sway and yaw of the pressure on the hull, about the rotation centre; N/m², N m/m².
 
     run : `bem.panel_run.PanelRun` of a mesh with four nodes a panel; motions : (m, 6) about the origin
@@ -35,6 +35,11 @@ def panel_drift(run, motions):
                 load = density(run, value, gradient, n, displacement(motion, x)) * weight
                 loads[j] += np.concatenate([load @ n, load @ np.cross(x, n)])
     return about(loads[:, [0, 1, 5]], run.setup.rotation_center)
+
+
+def pressure_error(run):
+    """Relative error of the pressures, that of what they leave: of a body with a coarse mesh"""
+    return run.estimated_error()
 
 
 def displacement(motion, x):
