@@ -30,9 +30,7 @@ from .plan_values import plan_values
 from .threads import blas_threads
 
 POLYNOMIALS = 4  # more on the sides of a box than forces need: with none near and far field differ four times as much
-# near and far field then differ by up to 7e-5 of the drift, and in resonant roll, where it is what large pressures
-# leave, by up to 5e-4; in 2000 m of water, where `height` is 20, by five times as much
-PRESSURES = 1e-4
+PRESSURES = 2e-5  # relative error that pressures keep: `contour_depth.CUT`; as much more where `height` is more than 1
 DISTINCT = 1e-9  # `contour_accuracy.CLEAR` of pressures
 
 
@@ -48,7 +46,7 @@ def pressure_drift(run, motions):
 
 
 def pressure_error(run):
-    """Relative error of the pressures of a `bem.shape_setup.ShapeRun`, however little its forces are wrong"""
+    """Relative error of the pressures of a `bem.shape_setup.ShapeRun`"""
     body = run.prepared.solver
     return max(run.estimated_error(), PRESSURES * height(body.depth - body.draft, body.plan.scale))
 
@@ -57,7 +55,7 @@ def sharper(body):
     """The same `bem.contour.ContourBody` as fine as pressures need it
 
     With functions of the gap for twice the digits, modes for two more to resolve them, of their combinations even
-    those that hardly differ, more polynomials on the sides, panels and table in κ of one and three digits more.
+    those that hardly differ, more polynomials on the sides, panels of a digit more, and a table in κ for three more.
     """
     if "sharper" not in body.kept:
         ours, gap, scale = body.accuracy, body.depth - body.draft, body.plan.scale

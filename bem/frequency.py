@@ -11,7 +11,7 @@ from . import DOFS
 from .checks import check, largest_error
 from .drift import about, mean_drift
 from .kochin import angles
-from .motions import impedance, response
+from .motions import response
 from .viscous import linearised_response
 from .waves import group_factor, wavenumber
 
@@ -90,32 +90,13 @@ class FrequencyRun:
     @cached_property
     def rao(self):
         """(m, 6) about the rotation centre"""
-        return self._motions[0]
-
-    @cached_property
-    def _motions(self):
-        """Motions X (m, 6) about the rotation centre, and viscous damping (m, 6, 6) that they bring with them"""
-        A, B, F = self._about_centre(self.radiation, self.excitation)
-        terms = self.omega, A, B, F, self.setup.inertia_matrix, self.setup.hydrostatic_stiffness
-        if self.setup.viscous is None:
-            return response(*terms), np.zeros((len(F), 6, 6))
-        return linearised_response(*terms, self.setup.viscous)
-
-    def _about_centre(self, radiation, excitation):
-        """A, B (6, 6) and excitation force (m, 6) about the rotation centre"""
-        T = self.setup.transform
-        Z = T @ radiation @ T.T
-        return Z.real, self.omega * Z.imag, excitation @ T.T
-
-    def rao_errors(self):
-        """(m, 6) m/m and rad/m that `errors` leave in `rao` if all of them add up; ValueError without an estimate"""
-        if self.errors is None:
-            raise ValueError("errors of the motions from a body without an estimate; it has to have a coarse mesh")
-        (A, B, _), (X, extra), setup = self._about_centre(self.radiation, self.excitation), self._motions, self.setup
-        dynamic = impedance(self.omega, A, B + extra, setup.inertia_matrix, setup.hydrostatic_stiffness)
-        dA, dB, dF = (np.abs(part) for part in self._about_centre(*self.errors))
-        missed = dF + np.abs(X) @ (self.omega**2 * dA + self.omega * dB).T
-        return np.einsum("mij,mj->mi", np.abs(np.linalg.inv(dynamic)), missed)
+        T, Z, setup = self.setup.transform, self.radiation, self.setup
+        A = T @ Z @ T.T
+        terms = (
+            self.omega, A.real, self.omega * A.imag, self.excitation @ T.T,
+            setup.inertia_matrix, setup.hydrostatic_stiffness,
+        )  # fmt: skip
+        return response(*terms) if setup.viscous is None else linearised_response(*terms, setup.viscous)[0]
 
     def drift(self, moving):
         (radiation, dradiation), (H, slope) = self.kochin

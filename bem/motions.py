@@ -13,9 +13,5 @@ def response(omega, added_mass, damping, excitation, inertia, stiffness):
 
     added_mass, damping, inertia, stiffness : (6, 6), excitation : (headings, 6)
     """
-    return np.linalg.solve(impedance(omega, added_mass, damping, inertia, stiffness), excitation.T).T
-
-
-def impedance(omega, added_mass, damping, inertia, stiffness):
-    """(…, 6, 6) what the motions are multiplied with in the equation above"""
-    return -(omega**2) * (inertia + added_mass) - 1j * omega * damping + stiffness
+    dynamic = -(omega**2) * (inertia + added_mass) - 1j * omega * damping + stiffness
+    return np.linalg.solve(dynamic, excitation.T).T

@@ -26,35 +26,39 @@ def near_field_drift(run, moving):
     moving : freely floating instead of fixed
     raises : ValueError for a method without pressures on the hull, or a run that wants too little
     """
-    if not (run.far_field and run.diffracts and (run.free or not moving)):
-        name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
-        raise ValueError(f"near-field drift from a run that wants {', '.join(sorted(run.want))}; it has to want {name}")
-    motions = run.rao @ run.setup.transform if moving else np.zeros((len(run.headings), 6), complex)
-    force = _method(run).pressure_drift(run, motions)
+    force = _method(run, moving).pressure_drift(run, _motions(run, moving))
     return force + turned(run) if moving else force
 
 
-def drift_error(run, moving):
-    """(m, 3) that near and far field may be wrong by: as `near_field_drift`, and with the same arguments.
+def near_field_error(run, moving):
+    """(m, 3) that pressures leave in `near_field_drift`, at most: what near and far field may differ by.
 
-    Drift is made of squares, so that a relative error ε of the pressures and one of the motions make twice their sum
-    of it.  ε is that estimated of coefficients and forces; by the contour method, whose forces are wrong at second
-    order and whose pressures at first, no less than `contour_near_field.PRESSURES`.  Of a drift that is small
-    beside others at the same frequency it is a part of the largest; of a moment as of that force at the hull's radius.
-    raises : ValueError for a body without estimate of its errors
+    Water stands up to twice the wave at a wall and moves against the hull by its motion as well, a at most, which
+    gives ρg(1 + a)² per metre of breadth and wave amplitude squared.  Of this a relative error of the pressures makes
+    twice as much.  It is that estimated of coefficients and forces; by the contour method, whose forces are wrong at
+    second order and whose pressures at first, no less than `contour_near_field.PRESSURES`.  Errors of the motions are
+    not in it: near and far field are equal in any.
+    run, moving : as of `near_field_drift`; of a body with an estimate of its errors, else ValueError
     """
+    method, radius = _method(run, moving), run.prepared.radius
     if run.errors is None:
-        raise ValueError("error of the drift of a body without an estimate of its own; it has to have a coarse mesh")
-    eps = np.full(len(run.headings), _method(run).pressure_error(run))
-    if moving:
-        levers = np.repeat([1.0, run.prepared.radius], 3)
-        eps += np.linalg.norm(run.rao_errors() * levers, axis=1) / np.linalg.norm(run.rao * levers, axis=1)
-    largest = max(np.abs(run.drift(free)[:, :2]).max() for free in {False, moving})
-    return 2 * eps[:, None] * largest * np.array([1, 1, run.prepared.radius])
+        raise ValueError("error of the near field of panels without an estimate of theirs; allowed: with a coarse mesh")
+    against = np.abs(_motions(run, moving)) @ np.repeat([1.0, radius], 3)
+    size = run.setup.density * run.setup.gravity * (1 + against) ** 2 * 2 * radius
+    arm = radius + np.hypot(*run.setup.rotation_center[:2])
+    return 2 * method.pressure_error(run) * size[:, None] * [1, 1, arm]
 
 
-def _method(run):
+def _motions(run, moving):
+    """(m, 6) about the origin, m/m and rad/m"""
+    return run.rao @ run.setup.transform if moving else np.zeros((len(run.headings), 6), complex)
+
+
+def _method(run, moving):
     """The module of the run's method"""
+    if not (run.far_field and run.diffracts and (run.free or not moving)):
+        name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
+        raise ValueError(f"near-field drift from a run that wants {', '.join(sorted(run.want))}; it has to want {name}")
     if hasattr(run, "geometry"):
         from . import panel_near_field
 

@@ -2,11 +2,11 @@
 
     python tests/bench/drift.py [contour | panel]
 
-Largest of surge, sway and yaw at half the length, as parts of the largest force on the fixed box; `estimate` is
-`near_field.drift_error`, of panels from a mesh with half as many, and `part` the largest part of it that near and far
-field differ by at any heading; `change` is what a tenth of the tolerance, or twice the panels, makes of the two
-together.  The frequencies hold that of the resonance in roll, where the drift is what large pressures leave: then
-`roll`, the motion of the side in m per m of wave, is several.
+Largest of surge, sway and yaw at half the length, as parts of the largest force on the fixed box.  `estimate` is that
+of the pressures, `near_field.near_field_error`, of panels from a mesh with half as many, and `part` the largest part of
+it that near and far field differ by at any heading; `change` is what a tenth of the tolerance, or twice the panels,
+makes of the two together.  The frequencies hold that of the resonance in roll, where the drift is what large pressures
+leave: then `roll`, the motion of the side in m per m of wave, is several.
 Times are the least of three, of the motions, forces and far-field drift with their own error estimate, and of the
 near field of all headings.
 """
@@ -20,7 +20,7 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import numpy as np
 
 from bem import DOFS
-from bem.near_field import drift_error, near_field_drift
+from bem.near_field import near_field_drift, near_field_error
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
 from meshing.lid import lid
@@ -65,7 +65,7 @@ def drifts(body, omega):
         seconds.append((middle - start, time.perf_counter() - middle))
     near.insert(0, near_field_drift(run, False))
     roll = BEAM / 2 * np.abs(run.rao[:, 3]).max()
-    estimated = [drift_error(run, moving) for moving in (False, True)]
+    estimated = [near_field_error(run, moving) for moving in (False, True)]
     return np.array([near, far, estimated]) / ARMS, np.min(seconds, axis=0), roll
 
 
