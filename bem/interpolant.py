@@ -94,10 +94,10 @@ class Interpolant:
     def __call__(self, y):
         """Values (m, c) at y and their standard deviations (m, c), those of the modulus if complex."""
         value, square, deviation = 0.0, 0.0, 0.0
-        for member, (weight, coefficients, scale, inverse) in zip(FAMILY, self._members, strict=True):
+        for member, (weight, coefficients, scale, root) in zip(FAMILY, self._members, strict=True):
             row = self._kernel(member, y, self.x)
             guess = (row @ coefficients) * np.conj(self._turn(member, y))
-            left = np.maximum(1 - np.einsum("mn,nk,mk->m", row, inverse, row.conj(), optimize=True).real - ROUNDING, 0)
+            left = np.maximum(_left_open(row, root) - ROUNDING, 0)
             value = value + weight * guess
             square = square + weight * np.abs(guess) ** 2
             deviation = deviation + weight * np.sqrt(np.outer(left, scale))
@@ -117,20 +117,33 @@ class Interpolant:
 
     @cached_property
     def _members(self):
-        """Of each member: weight (c,), coefficients (n, c), σ² (c,), inverse (n, n)"""
+        """Of each member: weight (c,), coefficients (n, c), σ² (c,), `_root` (n, n)"""
         fits, errors = [], []
         for member in FAMILY:
-            inverse = np.linalg.inv(self._kernel(member, self.x, self.x) + NUGGET * np.eye(len(self.values)))
-            values = self.values * self._turn(member, self.x)
-            coefficients = inverse @ values
-            scale = np.einsum("nc,nc->c", values.conj(), coefficients).real / len(values)
-            left_out = np.abs(coefficients) / np.diag(inverse).real[:, None]
+            root = _root(self._kernel(member, self.x, self.x))
+            whitened = root @ (self.values * self._turn(member, self.x))
+            coefficients = root.conj().T @ whitened
+            left_out = np.abs(coefficients) / np.sum(np.abs(root) ** 2, axis=0)[:, None]
             errors.append(np.sum(left_out**2, axis=0))
-            fits.append((coefficients, np.maximum(scale, 0), inverse))
+            fits.append((coefficients, np.mean(np.abs(whitened) ** 2, axis=0), root))
         best = np.maximum(np.min(errors, axis=0), np.finfo(float).tiny)
         weights = (best / np.maximum(errors, best)) ** 2
         weights /= weights.sum(axis=0)
         return [(weight, *fit) for weight, fit in zip(weights, fits, strict=True)]
+
+
+def _root(kernel):
+    """R (n, n) of the inverse R*R of a kernel among nodes and its nugget"""
+    return np.linalg.inv(np.linalg.cholesky(kernel + NUGGET * np.eye(len(kernel))))
+
+
+def _left_open(row, root):
+    """(m,) share of the variance that nodes leave open at m places, from the kernel between these and those (m, n)
+
+    By the inverse itself, with entries of 1e9, it would be noise of 1e-7: that stood for an error of half a per cent of
+    added mass in long waves, where it was wrong by 0.01.
+    """
+    return 1 - np.sum(np.abs(row @ root.conj().T) ** 2, axis=1)
 
 
 def unknown(x, y):

@@ -1,11 +1,13 @@
 """Functions of frequency from few values: a known function of waves, and the box of the series calculations."""
 
+from decimal import Decimal, localcontext
+
 import numpy as np
 import pytest
 
 from bem.between import Between, BetweenError
 from bem.database import open_database
-from bem.interpolant import Abscissa, Interpolant, abscissa, chosen
+from bem.interpolant import FAMILY, NUGGET, Abscissa, Interpolant, _left_open, _root, abscissa, chosen
 from bem.setup import prepare
 from bem.waves import wavenumber
 from pipelines.hull import setup_of
@@ -35,6 +37,25 @@ def fitted(count, depth=20.0):
 def test_at_its_nodes_it_has_their_values():
     error, deviation, nodes = fitted(20)
     assert error[nodes].max() < 1e-4 and deviation[nodes].max() < 1e-3  # of values up to 2.5; the nugget's share
+
+
+@pytest.mark.parametrize("member", [FAMILY[0], FAMILY[-1]])
+def test_the_variance_left_open_is_exact_to_the_nugget(member):
+    """Of 24 nodes, as in a band that is nearly known, against forty digits; entries of the inverse are 1e9"""
+    omega = np.linspace(0.1, 2.0, 300)
+    places = abscissa(omega, 100.0, GRAVITY, LENGTH)
+    nodes = np.sort([0, 299, *chosen(Abscissa(*(a[[0, -1]] for a in places)), places, 22)])
+    x, y = (Abscissa(*(a[some] for a in places)) for some in (nodes, slice(None, None, 23)))
+    kernel, row = member.kernel(x, x).real, member.kernel(y, x).real
+    n, both = len(nodes), np.block([[kernel, row.T], [row, np.eye(len(row))]])
+    with localcontext(prec=40):
+        exact = np.vectorize(Decimal, otypes=[object])(both)
+        exact[range(n), range(n)] += Decimal(NUGGET)
+        for i in range(n):  # what is left of the corner is 1 − r κ⁻¹ r*
+            exact[i + 1 :] -= np.multiply.outer(exact[i + 1 :, i] / exact[i, i], exact[i])
+    np.testing.assert_allclose(
+        _left_open(row, _root(kernel)), np.diag(exact)[n:].astype(float), rtol=0, atol=NUGGET / 10
+    )
 
 
 def test_the_error_falls_faster_than_the_eighth_power_of_the_number_of_nodes():
