@@ -1,6 +1,6 @@
 """Mean drift of the series box by pressure on the hull beside the far field, over depths, headings, frequencies.
 
-    python tests/bench/drift.py [contour | panel]
+    python tests/bench/drift.py [contour | panel | cylinder]
 
 Largest of surge, sway and yaw at half the length, as parts of the largest force on the fixed box.  `estimate` is that
 of the pressures, `near_field.near_field_error`, of panels from a mesh with half as many, and `part` the largest part of
@@ -9,22 +9,26 @@ makes of the two together.  The frequencies hold that of the resonance in roll, 
 leave: then `roll`, the motion of the side in m per m of wave, is several.
 Times are the least of three, of the motions, forces and far-field drift with their own error estimate, and of the
 near field of all headings.
+
+`cylinder`: a cylinder of radius and draft 10 m beside its exact far field, parts of the largest force on the fixed one.
 """
 
 import sys
 import time
+from functools import partial
 from pathlib import Path
 
-sys.path[:0] = [str(Path(__file__).parents[2])]
+sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
 import numpy as np
+from exact.truncated_cylinder import TruncatedCylinder
 
 from bem import DOFS
 from bem.near_field import near_field_drift, near_field_error
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
 from meshing.lid import lid
-from meshing.shapes import box
+from meshing.shapes import box, buoy
 
 RHO, G = 1025.0, 9.80665
 SIZES = LENGTH, BEAM, DRAFT = 100.0, 50.0, 10.0
@@ -85,7 +89,34 @@ def rows(name, depth, rough, fine):
         print(f"| {' | '.join(cells)} |", flush=True)
 
 
-def main(methods):
+def cylinder_rows(depth, radius=10.0, draft=10.0, heading=0.6):
+    """Largest errors of surge and sway near and far, fixed and floating, of the contour method and of 400 panels"""
+    mass = RHO * np.pi * radius**2 * draft
+    moving = {
+        "inertia_matrix": mass * np.diag([1, 1, 1, radius**2 / 3, radius**2 / 3, radius**2 / 2]),
+        "hydrostatic_stiffness": RHO * G * np.pi * radius**2 * np.diag([0, 0, 1, radius**2 / 4, radius**2 / 4, 0]),
+    }
+    mesh = buoy(radius, draft, panels=400)
+    bodies = {
+        "contour 0.001": ShapeSetup(
+            method="contour", shape="buoy", sizes=(radius, draft), depth=depth, tolerance=1e-3, **moving
+        ),
+        "400 panels": Setup(mesh, lid(mesh), depth=depth, **moving),
+    }
+    for name, setup in bodies.items():
+        body, worst = setup.prepared(), np.zeros((2, 2))
+        for kr in (0.5, 1.0, 2.0, 3.0):
+            omega = np.sqrt(G * kr / radius * np.tanh(kr * depth / radius))
+            exact = TruncatedCylinder(radius, draft, depth, omega, RHO, G)
+            right = exact.drift_fixed(heading), exact.drift_free(heading, *moving.values())
+            run = body.run(omega, [heading], WANT, None, DOFS)
+            fields = partial(near_field_drift, run), run.drift
+            found = [[field(free)[0, :2] for free in (False, True)] for field in fields]
+            worst = np.maximum(worst, np.abs(found - np.array(right)).max(axis=-1) / np.abs(right[0]).max())
+        print(f"| {name} | {depth:g} | {' | '.join(f'{w:.1e}' for w in worst.ravel())} |", flush=True)
+
+
+def boxes(methods):
     each = "near − far | estimate | part | change"
     print(f"| method | depth m | ω rad/s | roll | fixed: {each} | floating: {each} | far s | near s |")
     print("|---" * 14 + "|")
@@ -98,5 +129,19 @@ def main(methods):
             rows(f"{panels} panels", depth, panel(depth, panels), panel(depth, 2 * panels))
 
 
+def cylinders():
+    print("| cylinder | depth m | near: fixed | floating | far: fixed | floating |")
+    print("|---" * 6 + "|")
+    for depth in (12.0, 30.0, 100.0):
+        cylinder_rows(depth)
+
+
+def main(methods):
+    if {"contour", "panel"} & set(methods):
+        boxes(methods)
+    if "cylinder" in methods:
+        cylinders()
+
+
 if __name__ == "__main__":
-    main(sys.argv[1:] or ("contour", "panel"))
+    main(sys.argv[1:] or ("contour", "panel", "cylinder"))
