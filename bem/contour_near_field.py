@@ -46,7 +46,7 @@ def pressure_drift(run, motions):
 
 
 def pressure_error(run):
-    """Relative error of the pressures of a `bem.shape_setup.ShapeRun`"""
+    """Relative error of the pressures of a `bem.shape_setup.ShapeRun`, to `PRESSURES` at best"""
     body = run.prepared.solver
     return max(run.estimated_error(), PRESSURES * height(body.depth - body.draft, body.plan.scale))
 

@@ -202,5 +202,11 @@ def processor_time(*arguments):
 
 
 def test_help_answers_at_once():
-    """Before the compiler of the solvers alone would be loaded"""
+    """Without any of what solves, and before the compiler alone would be loaded"""
     assert processor_time("-m", "pipelines.cli", "--help") < processor_time("-c", "import numba")
+    asked = "import sys; from pipelines.cli import main; sys.argv = ['hakobune', '--help']\ntry: main()\nfinally: "
+    loaded = (
+        "print(*sorted({'numpy', 'numba', 'scipy', 'gmsh', 'h5py', 'matplotlib'} & set(sys.modules)), file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", asked + loaded], capture_output=True, text=True)
+    assert "--help" in done.stdout and not done.stderr.strip()
