@@ -1,9 +1,9 @@
 """Box or vertical cylinder in finite depth by domain decomposition, to a tolerance.
 
 Eigenfunctions in depth outside and under the body, for each of them a map on the plan contour from normal velocity
-to potential, and in the gap under the keel profiles with the singularity of the keel's edge: `gap`,
-`contour_profiles`, `plan_circle`, `plan_rectangle`, `contour_system`.  After Ijima's method in the SR179 report
-(1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid Mech. 46 (1971).  Conventions as in `bem`.
+to potential, and in the gap under the keel profiles with the singularity of the keel's edge: `gap`, `gap_profiles`,
+`plan_circle`, `plan_rectangle`, `contour_system`.  After Ijima's method in the SR179 report (1982), section
+2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid Mech. 46 (1971).  Conventions as in `bem`.
 
 What no frequency changes is done once: the maps beneath, and a table in κ of those outside from which every
 evanescent mode is summed (`contour_sums`).  Functions of the plan up to a degree are among those up to a higher one,
@@ -22,10 +22,10 @@ from .contour_accuracy import Accuracy, accuracy, finer
 from .contour_frequency import ContourFrequency, combined
 from .contour_limits import infinite_frequency, zero_frequency
 from .contour_motions import Motion, bottom_integral, motion
-from .contour_profiles import DEPENDENT, Profiles
 from .contour_sums import Nodes, collapsed
 from .contour_system import still
 from .gap import Gap
+from .gap_profiles import DEPENDENT, Profiles
 from .modes import class_of
 from .plan_circle import Circle
 from .plan_rectangle import Rectangle
