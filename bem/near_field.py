@@ -31,20 +31,23 @@ def near_field_drift(run, moving):
 
 
 def near_field_error(run, moving):
-    """(m, 3) that pressures leave in `near_field_drift`, at most: what near and far field may differ by.
+    """(m, 3) that pressures leave in `near_field_drift`, about and at most: what near and far field may differ by.
 
-    Water stands up to twice the wave at a wall and moves against the hull by its motion as well, a at most, which
-    gives ρg(1 + a)² per metre of breadth and wave amplitude squared.  Of this a relative error of the pressures makes
-    twice as much.  It is that estimated of coefficients and forces; by the contour method, whose forces are wrong at
-    second order and whose pressures at first, no less than `contour_near_field.PRESSURES`.  Errors of the motions are
-    not in it: near and far field are equal in any.
+    Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
+    to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
+    hull.  Of this a relative error of the pressures makes twice as much.  It is that estimated of coefficients and
+    forces; by the contour method, whose forces are wrong at second order and whose pressures at first, no less than
+    `contour_near_field.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
     run, moving : as of `near_field_drift`; of a body with an estimate of its errors, else ValueError
     """
-    method, radius = _method(run, moving), run.prepared.radius
+    method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:
         raise ValueError("error of the near field of panels without an estimate of theirs; allowed: with a coarse mesh")
-    against = np.abs(_motions(run, moving)) @ np.repeat([1.0, radius], 3)
-    size = run.setup.density * run.setup.gravity * (1 + against) ** 2 * 2 * radius
+    rho, g = run.setup.density, run.setup.gravity
+    motions, lever = np.abs(_motions(run, moving)), np.hypot(radius, draft)
+    vertical = motions @ [0, 0, 1, radius, radius, 0]
+    any_point = motions @ [1, 1, 1, lever, lever, radius]
+    size = rho * (g * (1 + vertical) ** 2 + run.omega**2 * draft * any_point**2) * 2 * radius
     arm = radius + np.hypot(*run.setup.rotation_center[:2])
     return 2 * method.pressure_error(run) * size[:, None] * [1, 1, arm]
 

@@ -94,6 +94,11 @@ class Prepared:
         """m, largest distance of the hull from the vertical axis through the origin"""
         return self.geometry.radius
 
+    @property
+    def draft(self):
+        """m"""
+        return self.geometry.draft
+
     def run(self, *question):
         """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
         if self.setup.zero_draft:

@@ -70,6 +70,11 @@ class PreparedShape:
         return float(np.hypot(s[0], s[1]) / 2 if self.setup.shape == "box" else s[0])
 
     @property
+    def draft(self):
+        """m"""
+        return self.setup.sizes[-1]
+
+    @property
     def displacing(self):
         """(6,) whether a mode moves water at all"""
         return np.array([True] * 5 + [self.setup.shape == "box"])

@@ -135,7 +135,7 @@ class Cases:
         return Samples(nodes, 1 / chances[nodes], int(np.count_nonzero(nodes < self.geometry.hull)))
 
     def chances(self, deep, most):
-        """(n,) of being a sample: `deep` of the hull, more near the surface, the lid, and the witnesses
+        """(h + l,) of being a sample: `deep` of the hull, more near the surface, the lid, and the witnesses
 
         Waves change over the distance from the surface, where all nodes are taken, if they are not more than `most`;
         so are those of the lid.

@@ -17,7 +17,7 @@ from bem.interpolant import Abscissa, abscissa, chosen
 FIRST = 12  # frequencies before an error is estimated
 MOST = 120  # frequencies in a band; more means that the solver's own error is above the tolerance
 PLACES = 400  # in a band, equally far apart
-WIDTH = 1.35  # standard deviations; the largest error of series boxes is 1.0 to 1.3 times this (tests/bench/band.py)
+WIDTH = 1.35  # standard deviations; series boxes are wrong by 1.3 to 1.8 of them at worst (tests/bench/band.py)
 CONTROLLED = (*RADIATION, FORCES[0])
 
 

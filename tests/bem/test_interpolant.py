@@ -63,10 +63,10 @@ def test_the_error_falls_faster_than_the_eighth_power_of_the_number_of_nodes():
     assert fine < coarse / 2**8
 
 
-@pytest.mark.parametrize("count", [14, 18, 22, 26])
-def test_the_largest_deviation_is_not_less_than_half_the_largest_error(count):
+@pytest.mark.parametrize("count", [14, 18, 22, 26, 28])
+def test_the_largest_deviation_is_not_less_than_the_largest_error(count):
     error, deviation, _ = fitted(count)
-    assert deviation.max() > 0.5 * error.max()
+    assert deviation.max() > error.max()
 
 
 def test_nodes_are_chosen_apart_and_once():

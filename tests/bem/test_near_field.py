@@ -105,7 +105,8 @@ def test_near_field_of_a_box_meets_the_far_field_at_any_tolerance(depth):
             for moving in (False, True):
                 assert within_error(run, moving), (omega, tolerance, moving)
                 if omega in (0.5, 0.8, 1.1):
-                    assert gap(run, moving) < (1e-4 if tolerance == 1e-5 else 0.005), (omega, tolerance, moving)
+                    allowed = {1e-2: 1e-3, 1e-3: 3e-4, 1e-5: 1e-4}[tolerance]
+                    assert gap(run, moving) < allowed, (omega, tolerance, moving)
 
 
 @pytest.mark.parametrize("depth, omegas", [(12.0, (0.425,)), (20.0, (0.6,)), (100.0, (0.6, 0.615))])
@@ -162,13 +163,21 @@ def test_near_and_far_field_of_panels_differ_by_no_more_than_estimated(depth, re
 
 
 def test_the_estimate_needs_one_of_the_pressures():
-    """Whichever point moments are about"""
-    body = panel_body(60, 20.0)
-    alone = solved(replace(body.setup, coarse=None).prepared(), 0.7)
+    alone = solved(replace(panel_body(60, 20.0).setup, coarse=None).prepared(), 0.7)
     with pytest.raises(ValueError, match="allowed: with a coarse mesh"):
         near_field_error(alone, False)
-    assert within_error(solved(body, 0.7), False)
-    assert within_error(solved(panel_body(60, 20.0, rotation_center=(500.0, 300.0, 0.0)), 0.7), False)
+
+
+@pytest.mark.parametrize("centre", [(0.0, 0.0, 0.0), (500.0, 300.0, 0.0)])
+def test_the_estimate_holds_whichever_point_moments_are_about(centre):
+    assert within_error(solved(panel_body(60, 20.0, rotation_center=centre), 0.7), False)
+
+
+def test_a_box_that_goes_with_long_waves_is_estimated_as_in_short_ones():
+    """Surge of many metres moves hull and water alike: of ½ρgL, the most that waves can exert, as in short ones"""
+    run = solved(series_box(12.0, 1e-3), 0.05)
+    assert np.abs(run.rao[:, 0]).max() > 10
+    assert (near_field_error(run, True) / ARMS).max() < 0.02 * 0.5 * RHO * G * LENGTH
 
 
 class KeelFlow:
@@ -297,8 +306,9 @@ def test_what_has_no_pressure_on_its_sides_is_refused():
         ({"zero_draft": True}, "zero draft"),
     ):
         run = panel_body(60, 20.0, **options).run(0.7, [0.0], {"drift_force_fixed"}, None, DOFS)
-        with pytest.raises(ValueError, match=message):
-            near_field_drift(run, False)
+        for question in (near_field_drift, near_field_error):
+            with pytest.raises(ValueError, match=message):
+                question(run, False)
 
 
 def test_a_run_that_wants_too_little_is_refused():

@@ -136,6 +136,9 @@ def test_samples_find_what_all_nodes_find(band, omega, monkeypatch):
     p = Cases(run.geometry, band, 9.80665).chances(wave_space.TRIED, wave_space.TRIED)
     deviation = np.sqrt(np.einsum("j,cwjk->cwk", 1 / p - 1, np.abs(terms) ** 2))
     assert np.all(np.abs(found - exact) <= 4 * deviation + 1e-12 * np.abs(phi).max())
+    np.testing.assert_allclose(few.samples.represented, 1 / p[few.samples.nodes])
+    if omega > band[1]:  # what is lost is not lost among the samples
+        assert (np.abs(exact) > 8 * deviation).any()
 
 
 @pytest.mark.parametrize("omega", [0.3, 0.7, 1.5])
