@@ -16,6 +16,7 @@ from .waves import depth_values
 
 TRIALS, TRIAL_ROWS, TRIAL_SIZE = 3, 16, 1500
 OTHER = 400e6  # bytes of the interpreter, its libraries and tables
+ALONE = 54  # bytes for a pair of nodes and class: exact matrices, those of the waves, their factors and blocks
 SPACE = 600  # nodes that stand for all where waves are concerned, a generous guess (`bem.wave_space`)
 
 
@@ -48,6 +49,11 @@ def cost(geometry, band, gravity):
         FACTORS: (classes, factor),
     }
     return Cost(matrices + OTHER, stages)
+
+
+def memory_alone(geometry):
+    """Bytes at the peak of frequencies that share no work (`bem.panel_run`, `bem.zero_draft`)"""
+    return ALONE * len(geometry.classes) * float(len(geometry.elements.nodes)) ** 2 + OTHER
 
 
 def _seconds_of_waves(geometry, omega, gravity):

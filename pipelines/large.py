@@ -27,30 +27,39 @@ def shared_band(scene, mesh):
 
 
 def announced(setup, limits, console, processes=1):
-    """`bem.cost.Cost` of a large problem, after saying what it will take; None of others.
+    """`bem.cost.Cost` of a large problem, after saying what it will take; None of others, and without a band.
 
     limits : how many limits of the frequency are still to be computed; processes : that each prepare the body
     Raises SceneError if the memory is not there.
     """
     panels = setup.panels if isinstance(setup, ShapeSetup) else setup
-    if not isinstance(panels, Setup) or panels.band is None or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
+    if not isinstance(panels, Setup) or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
         return None
-    from bem.cost import available_memory, cost
+    from bem.cost import cost, memory_alone
 
-    total, free = panels.mesh.total, available_memory()
-    needed = cost(panels.prepared().geometry, panels.band, panels.gravity)
-    memory = processes * needed.memory
+    geometry = panels.prepared().geometry
+    needed = cost(geometry, panels.band, panels.gravity) if panels.band else None
+    memory = processes * (needed.memory if needed else memory_alone(geometry))
+    _check_memory(panels.mesh.total, memory, processes)
+    if console:
+        told = f"{panels.mesh.total} panels: about {memory / 1e9:.1f} GB"
+        console.print(told + (_times(needed, limits) if needed else ""), highlight=False, soft_wrap=True)
+    return needed
+
+
+def _check_memory(total, memory, processes):
+    from bem.cost import available_memory
+
+    free = available_memory()
     if memory > free:
         raise SceneError(
             f"{total} panels need about {memory / 1e9:.1f} GB, {free / 1e9:.1f} GB are free; "
             "give fewer panels (--panels)" + (" or fewer processes (--executor)" if processes > 1 else "")
         )
-    if console:
-        before, after = duration(needed.seconds), duration(limits * needed.seconds)
-        last = f", about {after} for added mass at the limits" if limits else ""
-        console.print(
-            f"{total} panels: about {memory / 1e9:.1f} GB, about {before} before the first frequency{last}",
-            highlight=False,
-            soft_wrap=True,
-        )
-    return needed
+
+
+def _times(needed, limits):
+    before, after = duration(needed.seconds), duration(limits * needed.seconds)
+    return f", about {before} before the first frequency" + (
+        f", about {after} for added mass at the limits" if limits else ""
+    )

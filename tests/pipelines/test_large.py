@@ -1,5 +1,7 @@
 """Large panel problems: which share their work, what is said of them first, what is refused."""
 
+import subprocess
+import sys
 from io import StringIO
 
 import numpy as np
@@ -61,6 +63,39 @@ def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
     monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
     with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5.0 GB, 4.0 GB are free; give fewer panels"):
         announced(setup, 0, None)
+
+
+@pytest.mark.parametrize("options", [{"depth": 20.0}, {"depth": 20.0, "zero_draft": True}])
+def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, monkeypatch):
+    monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
+    mesh = box(100, 50, 1, panels=8000)
+    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, 4.0 GB are free; give fewer panels"):
+        announced(Setup(mesh, **options), 0, None)
+
+
+ALONE = """
+import sys
+from bem import DOFS
+from bem.cost import memory_alone
+from bem.setup import Setup
+from meshing.shapes import box
+from pipelines.bench.peers.repeated import peak_memory
+body = Setup(box(100, 50, 10, panels=int(sys.argv[1])), depth=20.0).prepared()
+body.run(0.6, [0.5], {"added_mass", "excitation_force"}, None, DOFS).result()
+print(memory_alone(body.geometry) / 1e6, peak_memory() * 1.048576)
+"""
+
+
+def test_memory_of_a_frequency_alone_is_what_was_estimated():
+    """What grows with the panels; of two processes, since a peak does not come down"""
+    few, many = (
+        np.array(
+            subprocess.run([sys.executable, "-c", ALONE, n], capture_output=True, check=True).stdout.split(), float
+        )
+        for n in ("400", "1600")
+    )
+    estimated, taken = many - few
+    assert 0.7 * taken < estimated < 1.4 * taken
 
 
 def test_the_estimate_of_memory_counts_the_matrices_of_all_classes():
