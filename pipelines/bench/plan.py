@@ -63,7 +63,7 @@ def _capytaine(case, threads, quick):
     for panels in (240,) if quick else (240, 960, *large):
         yield _of_capytaine(case, threads, panels)
     if case.startswith("cylinder"):
-        for panels in (960,) if quick else (240, 960, 2500):
+        for panels in (960,) if quick else (240, 960, 2500, 4000):
             yield _of_capytaine(case, threads, panels, symmetry="rotation")
     for panels in (240, 960) if every else ():
         yield _of_capytaine(case, threads, panels, graded=False)

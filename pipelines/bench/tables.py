@@ -9,6 +9,7 @@ import os
 
 from .cases import CASES, HEADING
 from .measure import PASSES, Row
+from .ratios import FREQUENCIES, equal_panels, one_thread_and_two
 
 LEVELS = (0.03, 0.01, 0.003, 0.001, 1e-4, 1e-5)
 NOTES = (
@@ -19,7 +20,8 @@ NOTES = (
     f"ms: mean of five frequencies after the first, least of up to {PASSES} passes: six radiating modes and one "
     f"heading of {HEADING:g} degrees; cpu: the same in processor time of all threads",
     "first: from the start of the process to the end of the first frequency, with what programs keep on disk there "
-    "(cache full) or not (cache empty); body: that first frequency once everything is loaded",
+    "(cache full) or not (cache empty); body: that first frequency once everything is loaded, with what frequencies "
+    f"share; all in: each of {FREQUENCIES} frequencies with its part of that; estimates of errors are made after all",
     "memory: the most the process has held",
     "panels: on the whole hull; a lid besides, in every program; meshes of other programs are made beforehand",
     "jobs of one thread whose cpu is below 0.9 of their ms are measured again, up to twice: others had the core",
@@ -47,6 +49,8 @@ def write_page(path, rows, heading, picture):
     """The Markdown page"""
     parts = ["# Error against time", "\n".join(f"- {line}" for line in (*heading, *NOTES)), f"![curves]({picture})"]
     parts += ["## ms per frequency until within", _table(*_reached(rows))]
+    for title, table in (("Equal panels", equal_panels(rows)), ("One thread and two", one_thread_and_two(rows))):
+        parts += [f"## {title}", _table(*table)] if table[1] else []
     cold = [row for row in rows if row.cache == "empty" and not row.note]
     if cold:
         parts += ["## First frequency with nothing on disk", _table(*_cold(cold, rows))]

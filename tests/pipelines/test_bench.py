@@ -14,10 +14,11 @@ from bench.solver_references import exact, extrapolated
 from bem.checks import ERROR_ORDER
 from meshing.panels import PanelMesh
 from pipelines.bench.cases import CASES
-from pipelines.bench.measure import measured
+from pipelines.bench.measure import Row, measured
 from pipelines.bench.meshes import part
 from pipelines.bench.peers import repeated
 from pipelines.bench.plan import PROGRAMS, Job, plan
+from pipelines.bench.ratios import equal_panels, one_thread_and_two
 from pipelines.bench.references import Coefficients, compared, error, references
 from pipelines.bench.run import bench
 from pipelines.bench.tables import LEVELS, least_ms, read_csv
@@ -194,6 +195,43 @@ def test_the_command_measures_what_tolerances_and_panels_promise(tmp_path, capsy
         assert 0 < float(row["warm_ms"]) < 1e3 * float(row["first_s"]) and float(row["memory_mb"]) > 50
     page = (tmp_path / "made" / "bench.md").read_text(encoding="utf-8")
     assert all(f"{level:.0e}" in page for level in LEVELS) and "bench.png" in page
+
+
+def rows_of(*given):
+    """(program, settings, panels, threads, ms, ms of body and first frequency)"""
+    return [
+        Row("box-20", program, settings, panels, panels, threads, "full", warm_ms=ms, body_ms=first, memory_mb=100.0)
+        for program, settings, panels, threads, ms, first in given
+    ]
+
+
+def test_equal_panels_are_compared_within_one_symmetry_and_number_of_threads():
+    made = rows_of(
+        ("hakobune", "panel, band", 944, 2, 10.0, 410.0),
+        ("hakobune", "panel, band", 250, 2, 1.0, 2.0),
+        ("capytaine", "direct, graded, 2 planes", 960, 2, 400.0, 400.0),
+        ("capytaine", "direct, uniform, 2 planes", 960, 2, 300.0, 300.0),
+        ("capytaine", "direct, graded, 2 planes", 960, 1, 200.0, 200.0),
+        ("capytaine", "direct, graded, rotation", 2500, 2, 100.0, 100.0),
+        ("capytaine", "direct, graded, rotation", 980, 2, 50.0, 50.0),
+    )
+    header, lines = equal_panels(made)
+    symmetry, all_in = header.index("capytaine: symmetry"), header.index("all in")
+    assert [(line[symmetry], line[all_in], line[-1]) for line in lines] == [
+        ("2 planes", "20", "30"),  # 410 ms and 39 times 10 over 40
+        ("rotation", "20", "5"),
+    ]
+
+
+def test_one_thread_is_compared_with_two_of_the_same_settings():
+    made = rows_of(
+        ("hakobune", "panel, band", 944, 1, 15.0, 1.0),
+        ("hakobune", "panel, band", 944, 2, 10.0, 1.0),
+        ("hakobune", "panel, band", 3936, 2, 10.0, 1.0),
+        ("hakobune", "panel, band", 250, 1, 15.0, 1.0),
+        ("hakobune", "panel, band", 250, 2, 10.0, 1.0),
+    )
+    assert [line[-1] for line in one_thread_and_two(made)[1]] == ["1.50"]
 
 
 def test_the_least_time_within_an_error_counts_only_rows_within_it():

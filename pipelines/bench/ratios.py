@@ -1,0 +1,59 @@
+"""Ratios of what a bench measured: programs at equal panels and equal symmetry, one thread and two."""
+
+from __future__ import annotations
+
+FREQUENCIES = 40  # over which the preparation of a band is shared out
+EQUAL = 0.07  # relative difference of numbers of panels that count as equal
+LEAST = 900  # panels
+PEER = "capytaine"
+
+
+def equal_panels(rows):
+    """(header, lines): the band of panels beside the other program's fastest settings, planes and rotation apart.
+
+    Two mirror planes are ours in both.  "all in" is a frequency of `FREQUENCIES` with its share of the preparation.
+    """
+    header = ("case", "threads", "panels", "ms", "all in", "MB", f"{PEER}: symmetry", "panels", "ms", "MB", "times")
+    lines = []
+    for ours in (row for row in _warm(rows) if row.settings == "panel, band" and row.panels >= LEAST):
+        for symmetry in ("2 planes", "rotation"):
+            theirs = min(_equal(rows, ours, symmetry), key=lambda row: row.warm_ms, default=None)
+            if theirs is not None:
+                lines.append(
+                    (
+                        *(ours.case, ours.threads, ours.panels, f"{ours.warm_ms:.3g}", f"{_all_in(ours):.3g}"),
+                        *(f"{ours.memory_mb:.0f}", symmetry, theirs.panels, f"{theirs.warm_ms:.3g}"),
+                        *(f"{theirs.memory_mb:.0f}", f"{theirs.warm_ms / ours.warm_ms:.3g}"),
+                    )
+                )
+    return header, lines
+
+
+def one_thread_and_two(rows):
+    """(header, lines): ms of one thread over those of two, of our own settings from `LEAST` panels on."""
+    lines = []
+    for two in (row for row in _warm(rows) if row.program == "hakobune" and row.threads == 2):
+        one = next((row for row in _warm(rows) if row[:4] == two[:4] and row.threads == 1), None)
+        if one and (two.panels is None or two.panels >= LEAST):
+            ms = f"{one.warm_ms:.3g}", f"{two.warm_ms:.3g}", f"{one.warm_ms / two.warm_ms:.2f}"
+            lines.append((two.case, two.settings, f"{two.fineness:g}", *ms))
+    return ("case", "settings", "asked", "one thread, ms", "two", "times"), lines
+
+
+def _warm(rows):
+    return [row for row in rows if row.cache == "full" and not row.note]
+
+
+def _equal(rows, ours, symmetry):
+    return [
+        row
+        for row in _warm(rows)
+        if (row.case, row.program, row.threads) == (ours.case, PEER, ours.threads)
+        and symmetry in row.settings
+        and abs(row.panels / ours.panels - 1) <= EQUAL
+    ]
+
+
+def _all_in(row):
+    """ms; the first frequency comes with the preparation"""
+    return (row.body_ms + (FREQUENCIES - 1) * row.warm_ms) / FREQUENCIES
