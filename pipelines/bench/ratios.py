@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 FREQUENCIES = 40  # over which the preparation of a band is shared out
-EQUAL = 0.07  # relative difference of numbers of panels that count as equal
+EQUAL = 0.8, 1.07  # panels of the other program over ours that count as equal: rather to its advantage
 LEAST = 900  # panels
 PEER = "capytaine"
 
@@ -50,10 +52,11 @@ def _equal(rows, ours, symmetry):
         for row in _warm(rows)
         if (row.case, row.program, row.threads) == (ours.case, PEER, ours.threads)
         and symmetry in row.settings
-        and abs(row.panels / ours.panels - 1) <= EQUAL
+        and EQUAL[0] <= row.panels / ours.panels <= EQUAL[1]
     ]
 
 
 def _all_in(row):
-    """ms; the first frequency comes with the preparation"""
-    return (row.body_ms + (FREQUENCIES - 1) * row.warm_ms) / FREQUENCIES
+    """ms; the first frequency comes with the preparation, and with the start of the process if that is all we have"""
+    first = 1e3 * row.first_s if math.isnan(row.body_ms) else row.body_ms
+    return (first + (FREQUENCIES - 1) * row.warm_ms) / FREQUENCIES
