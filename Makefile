@@ -1,10 +1,11 @@
 # make demo    two databases, pictures, a sea state, a mooring study; into demo/
-# make test    ruff and all tests
+# make test    ruff and all tests, in two processes (PROCESSES=1 in one)
 # make bench   error against time beside capytaine and HAMS, into bench/ (a quarter of an hour; QUICK=1 a minute)
 # make lint    ruff alone
 # make venv    .venv with everything installed (done by the others when needed)
 
 PYTHON ?= python3
+PROCESSES ?= 2
 BIN := .venv/bin
 STAMP := .venv/.installed
 PEERS := .venv-peers
@@ -52,7 +53,7 @@ lint: venv
 	$(BIN)/ruff format --check .
 
 test: lint
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n $(PROCESSES)
 
 format: venv
 	$(BIN)/ruff check --fix .
