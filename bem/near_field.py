@@ -31,14 +31,15 @@ def near_field_drift(run, moving):
 
 
 def near_field_error(run, moving):
-    """(m, 3) that pressures leave in `near_field_drift`, about and at most: what near and far field may differ by.
+    """(m, 3) N/m², N m/m²: a bound, estimated, of what near and far field differ by, both as `near_field_drift`.
 
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
     hull.  Of this a relative error of the pressures makes twice as much.  It is that estimated of coefficients and
     forces; by the contour method, whose forces are wrong at second order and whose pressures at first, no less than
     `contour_near_field.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
-    run, moving : as of `near_field_drift`; of a body with an estimate of its errors, else ValueError
+    run, moving : as of `near_field_drift`
+    raises : ValueError as `near_field_drift`, and for panels without an estimate of their errors
     """
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:

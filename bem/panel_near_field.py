@@ -38,7 +38,10 @@ def pressure_drift(run, motions):
 
 
 def pressure_error(run):
-    """Relative error of the pressures, taken to be that of coefficients and forces; raises as `pressure_drift`"""
+    """Relative error of the pressures, taken to be that of coefficients and forces
+
+    raises : ValueError as `pressure_drift`
+    """
     _check(run)
     return run.estimated_error()
 

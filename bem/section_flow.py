@@ -32,7 +32,7 @@ from .gap_profiles import Profiles
 from .waves import depth_factor_slope, wavenumber
 
 SWAY, HEAVE, ROLL = range(3)
-SMALLEST = 1e-13  # eigenvalue of the profiles; what is below is rounding: of 36 functions 20 stay, within 1e-8
+SMALLEST = 1e-13  # eigenvalue of the profiles, below is rounding: 20 of 36 functions stay, coefficients within 1e-8
 
 
 class Motion(NamedTuple):

@@ -96,7 +96,7 @@ class Prepared:
 
     @property
     def draft(self):
-        """m"""
+        """m, of the hull"""
         return self.geometry.draft
 
     def run(self, *question):

@@ -71,7 +71,7 @@ class PreparedShape:
 
     @property
     def draft(self):
-        """m"""
+        """m, of the hull"""
         return self.setup.sizes[-1]
 
     @property

@@ -13,7 +13,8 @@ PEER = "capytaine"
 def equal_panels(rows):
     """(header, lines): the band of panels beside the other program's fastest settings, planes and rotation apart.
 
-    Two mirror planes are ours in both.  "all in" is a frequency of `FREQUENCIES` with its share of the preparation.
+    rows : of `measure.Row`; ms, MB.  Two mirror planes are ours in both.  "all in" is a frequency of `FREQUENCIES` with
+    its share of the preparation.
     """
     header = ("case", "threads", "panels", "ms", "all in", "MB", f"{PEER}: symmetry", "panels", "ms", "MB", "times")
     lines = []
@@ -21,24 +22,23 @@ def equal_panels(rows):
         for symmetry in ("2 planes", "rotation"):
             theirs = min(_equal(rows, ours, symmetry), key=lambda row: row.warm_ms, default=None)
             if theirs is not None:
-                lines.append(
-                    (
-                        *(ours.case, ours.threads, ours.panels, f"{ours.warm_ms:.3g}", f"{_all_in(ours):.3g}"),
-                        *(f"{ours.memory_mb:.0f}", symmetry, theirs.panels, f"{theirs.warm_ms:.3g}"),
-                        *(f"{theirs.memory_mb:.0f}", f"{theirs.warm_ms / ours.warm_ms:.3g}"),
-                    )
-                )
+                mine = ours.case, ours.threads, ours.panels, ours.warm_ms, _all_in(ours), ours.memory_mb
+                other = symmetry, theirs.panels, theirs.warm_ms, theirs.memory_mb
+                lines.append((*mine, *other, theirs.warm_ms / ours.warm_ms))
     return header, lines
 
 
 def one_thread_and_two(rows):
-    """(header, lines): ms of one thread over those of two, of our own settings from `LEAST` panels on."""
+    """(header, lines): ms of one thread over those of two, of our own settings from `LEAST` panels on
+
+    rows : of `measure.Row`
+    """
     lines = []
     for two in (row for row in _warm(rows) if row.program == "hakobune" and row.threads == 2):
         one = next((row for row in _warm(rows) if row[:4] == two[:4] and row.threads == 1), None)
         if one and (two.panels is None or two.panels >= LEAST):
-            ms = f"{one.warm_ms:.3g}", f"{two.warm_ms:.3g}", f"{one.warm_ms / two.warm_ms:.2f}"
-            lines.append((two.case, two.settings, f"{two.fineness:g}", *ms))
+            times = one.warm_ms / two.warm_ms
+            lines.append((two.case, two.settings, f"{two.fineness:g}", one.warm_ms, two.warm_ms, times))
     return ("case", "settings", "asked", "one thread, ms", "two", "times"), lines
 
 

@@ -50,7 +50,7 @@ def write_page(path, rows, heading, picture):
     parts = ["# Error against time", "\n".join(f"- {line}" for line in (*heading, *NOTES)), f"![curves]({picture})"]
     parts += ["## ms per frequency until within", _table(*_reached(rows))]
     for title, table in (("Equal panels", equal_panels(rows)), ("One thread and two", one_thread_and_two(rows))):
-        parts += [f"## {title}", _table(*table)] if table[1] else []
+        parts += [f"## {title}", _table(table[0], map(_rounded, table[1]))] if table[1] else []
     cold = [row for row in rows if row.cache == "empty" and not row.note]
     if cold:
         parts += ["## First frequency with nothing on disk", _table(*_cold(cold, rows))]
@@ -126,6 +126,10 @@ def _ms(value):
     if value is None or math.isnan(value):
         return ""
     return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
+
+
+def _rounded(line):
+    return [_ms(value) if isinstance(value, float) else value for value in line]
 
 
 def _table(header, lines):

@@ -88,12 +88,8 @@ print(memory_alone(body.geometry) / 1e6, peak_memory() * 1.048576)
 
 def test_memory_of_a_frequency_alone_is_what_was_estimated():
     """What grows with the panels; of two processes, since a peak does not come down"""
-    few, many = (
-        np.array(
-            subprocess.run([sys.executable, "-c", ALONE, n], capture_output=True, check=True).stdout.split(), float
-        )
-        for n in ("400", "1600")
-    )
+    told = [subprocess.run([sys.executable, "-c", ALONE, n], capture_output=True, check=True) for n in ("400", "1600")]
+    few, many = (np.array(one.stdout.split(), float) for one in told)
     estimated, taken = many - few
     assert 0.7 * taken < estimated < 1.4 * taken
 
