@@ -16,21 +16,28 @@ import numpy as np
 from .jit import kernel
 
 
-@kernel()
 def scaled_bessel(orders, x, terms):
     """jₚ of every order, (orders, terms, x); all x > 0"""
     out = np.empty((len(orders), terms, len(x)))
-    column = np.empty(terms)
+    _scaled(orders, x, np.empty(terms), out)
+    return out
+
+
+@kernel()
+def _scaled(orders, x, column, out):
+    """column : (terms,), room"""
+    terms = len(column)
     for i in range(len(orders)):
         scale = 2 ** orders[i] * math.gamma(1 + orders[i])
         for n in range(len(x)):
             if x[n] < 25 + 2 * terms:
+                factor = 1.0
                 _downward(orders[i], x[n], column)
             else:
+                factor = scale / x[n] ** orders[i]
                 _upward(orders[i], x[n], column)
-                column *= scale / x[n] ** orders[i]
-            out[i, :, n] = column
-    return out
+            for p in range(terms):
+                out[i, p, n] = factor * column[p]
 
 
 @kernel()

@@ -20,13 +20,13 @@ from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
-from numba import prange
 
 from .elements import elements, quadrature
 from .irregular import extent, lid_needed_from
 from .jit import kernel
 from .modes import class_of, normal_velocities
 from .rankine import panel_moments
+from .threads import share_rows
 from .wave_blocks import COARSE, FINE, wave_blocks
 
 ROWS = 256  # of the matrices made at once
@@ -122,8 +122,15 @@ class Geometry:
 
     def rankine_rows(self, points):
         """S and D of 1/r + 1/r₂ + 1/r₁, then of 1/r₁ alone at points (m, 3); each (classes, m, n) and real"""
-        bed = np.isfinite(self.depth)
-        return _rankine_rows(points, self.elements, self.images, self.all_signs, bed, -2 * self.depth if bed else 0.0)
+        e, bed = self.elements, bool(np.isfinite(self.depth))
+        rows = np.zeros((4, len(self.all_signs), len(points), len(e.nodes)))
+        question = points, e, self.images, self.all_signs, bed, -2 * self.depth if bed else 0.0
+
+        def work(low, high):
+            _rankine_rows(low, high, *question, np.empty((2, e.inverse.shape[2])), *rows)
+
+        share_rows(work, len(points), rows[0, 0].size * len(self.images))
+        return tuple(rows)
 
     @cached_property
     def rankine(self):
@@ -151,29 +158,29 @@ def _stacked(mesh, lid):
     )
 
 
-@kernel(parallel=True)
-def _rankine_rows(points, e, images, signs, bed, shift):
-    n, k, c = len(points), len(e.nodes), len(signs)
-    s, d, s1, d1 = np.zeros((c, n, k)), np.zeros((c, n, k)), np.zeros((c, n, k)), np.zeros((c, n, k))
-    for i in prange(n):
+@kernel()
+def _rankine_rows(low, high, points, e, images, signs, bed, shift, moments, s, d, s1, d1):
+    """`Geometry.rankine_rows` of the points `low` to `high`; moments : (2, nodes of a panel), room for one thread"""
+    for i in range(low, high):
         for m in range(len(images)):
             # reflecting the point instead of the panel leaves the integrals as they are
             x, y, z = images[m, 0] * points[i, 0], images[m, 1] * points[i, 1], points[i, 2]
-            _add_row(x, y, z, e, signs[:, m], s[:, i], d[:, i])
+            _add_row(x, y, z, e, signs[:, m], moments, s[:, i], d[:, i])
             if bed:
-                _add_row(x, y, shift - z, e, signs[:, m], s[:, i], d[:, i])
-            _add_row(x, y, -z, e, signs[:, m], s1[:, i], d1[:, i])
-        s[:, i] += s1[:, i]
-        d[:, i] += d1[:, i]
-    return s, d, s1, d1
+                _add_row(x, y, shift - z, e, signs[:, m], moments, s[:, i], d[:, i])
+            _add_row(x, y, -z, e, signs[:, m], moments, s1[:, i], d1[:, i])
+        for c in range(len(signs)):
+            for j in range(s.shape[2]):
+                s[c, i, j] += s1[c, i, j]
+                d[c, i, j] += d1[c, i, j]
 
 
 @kernel()
-def _add_row(x, y, z, e, signs, s, d):
+def _add_row(x, y, z, e, signs, moments, s, d):
     """Integrals of all panels at one point, added to the rows (classes, n) of s and d."""
     origins, axes, corners, inverse, nodes, weights = e.origins, e.axes, e.corners, e.inverse, e.nodes, e.weights
     sizes, p = e.sizes, inverse.shape[2]
-    S, D = np.empty(p), np.empty(p)
+    S, D = moments[0], moments[1]
     for j in range(len(origins)):
         dx, dy, dz = x - origins[j, 0], y - origins[j, 1], z - origins[j, 2]
         far = FAR * sizes[j]

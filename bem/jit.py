@@ -34,9 +34,11 @@ def _source_hash(folders):
     return digest.hexdigest()[:16]
 
 
-def kernel(parallel=False, inline=False):
+def kernel(inline=False):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
+    Kernels write to arrays that they are given: to make one takes a second to compile, for the message that it is too
+    large.  Threads are those of `bem.threads`.
     inline : put into each kernel that calls it, however large; else as the compiler sees fit
     """
 
@@ -47,7 +49,6 @@ def kernel(parallel=False, inline=False):
             # contract and reassoc only: NaN and infinity must stay visible
             return numba.njit(
                 cache=True,
-                parallel=parallel,
                 forceinline=inline,
                 error_model="numpy",
                 fastmath={"contract", "reassoc"},

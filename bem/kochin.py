@@ -13,12 +13,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import prange
 
 from .jit import kernel
+from .threads import share_rows
 
 
-@kernel(parallel=True)
 def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, phi, velocity):
     """∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS and its θ-derivative for potentials of one symmetry class.
 
@@ -26,9 +25,19 @@ def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, ph
     phi, velocity : (r, q) complex
     returns : two (r, t) complex arrays
     """
-    r, t = len(phi), len(theta)
-    value, slope = np.zeros((r, t), np.complex128), np.zeros((r, t), np.complex128)
-    for a in prange(t):
+    value, slope = np.zeros((2, len(phi), len(theta)), complex)
+
+    def work(low, high):
+        _integrals(low, high, theta, k, points, weights, normals, Z, images, signs, phi, velocity, value, slope)
+
+    share_rows(work, len(theta), len(theta) * len(points) * len(images))
+    return value, slope
+
+
+@kernel()
+def _integrals(low, high, theta, k, points, weights, normals, Z, images, signs, phi, velocity, value, slope):
+    """`far_field_integrals` in the directions `low` to `high`, added to value and slope (r, t)"""
+    for a in range(low, high):
         c, s = math.cos(theta[a]), math.sin(theta[a])
         for q in range(len(points)):
             even, flux = 0j, 0j
@@ -44,10 +53,9 @@ def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, ph
                 deven += dwave
                 flux += wave * (along * Z[q, 0] + normals[q, 2] * Z[q, 1])
                 dflux += dwave * (along * Z[q, 0] + normals[q, 2] * Z[q, 1]) + wave * across * Z[q, 0]
-            for p in range(r):
+            for p in range(len(phi)):
                 value[p, a] += phi[p, q] * flux - velocity[p, q] * even * Z[q, 0]
                 slope[p, a] += phi[p, q] * dflux - velocity[p, q] * deven * Z[q, 0]
-    return value, slope
 
 
 def angles(k, radius):

@@ -27,13 +27,17 @@ VANISHED = 80  # cells until K₀ < 1e-18 and is taken as zero
 
 def decaying_pair(x):
     """K₀(x) and x K₁(x) of finite x > 0, (n,) each"""
-    return _decaying(x, _decaying_cells(), WIDTH, LOGARITHMIC)
+    single, radial = np.empty((2, len(x)))
+    _decaying(x, _decaying_cells(), WIDTH, LOGARITHMIC, single, radial)
+    return single, radial
 
 
 def radiating_pair(x):
     """H₀(x) and x H₁(x) of finite x > 0, both of the first kind, (n,) each"""
     cells = max(FEWEST, int(np.max(x, initial=0.0) / WIDTH) + 1)
-    return _radiating(x, _radiating_cells(2 ** int(np.ceil(np.log2(cells)))), WIDTH, LOGARITHMIC)
+    single, radial = np.empty((2, len(x)), complex)
+    _radiating(x, _radiating_cells(2 ** int(np.ceil(np.log2(cells)))), WIDTH, LOGARITHMIC, single, radial)
+    return single, radial
 
 
 @lru_cache(maxsize=1)
@@ -70,8 +74,7 @@ def _cells(parts):
 
 
 @kernel()
-def _decaying(x, cells, width, logarithmic):
-    single, radial = np.zeros(len(x)), np.zeros(len(x))
+def _decaying(x, cells, width, logarithmic, single, radial):
     for i in range(len(x)):
         place = x[i] / width
         if not place < len(cells):
@@ -89,12 +92,10 @@ def _decaying(x, cells, width, logarithmic):
             log = np.log(x[i])
             a, b = a + log * c, b + log * d
         single[i], radial[i] = a, b
-    return single, radial
 
 
 @kernel()
-def _radiating(x, cells, width, logarithmic):
-    single, radial = np.empty(len(x), np.complex128), np.empty(len(x), np.complex128)
+def _radiating(x, cells, width, logarithmic, single, radial):
     for i in range(len(x)):
         place = x[i] / width
         cell = int(place)
@@ -106,4 +107,3 @@ def _radiating(x, cells, width, logarithmic):
             log = 2 / np.pi * np.log(x[i])
             c, d = c + log * a, d + log * b
         single[i], radial[i] = complex(a, c), complex(b, d)
-    return single, radial

@@ -71,7 +71,9 @@ def layers(panels, x, y, own, count, smallest):
     """`Layers` of targets (x, y); the other arguments as in `near_points`"""
     c = panels.contour
     far = is_far(panels, x, y)
-    distance, along, pair = _far_pairs(x, y, np.stack(c[:4]), IMAGES, far, len(panels.t))
+    size = np.count_nonzero(far) * len(panels.t)
+    distance, along, pair = np.empty(size), np.empty(size), np.empty(size, np.int64)
+    _far_pairs(x, y, np.stack(c[:4]), IMAGES, far, len(panels.t), distance, along, pair)
     near = near_points(panels, x, y, own, far, count, smallest)
     return Layers(len(x), c.weights, distance, along, pair, near, interpolation(panels.t, near.t))
 
@@ -90,11 +92,9 @@ def _matrices(layers, kernels, signs):
 
 
 @kernel()
-def _far_pairs(x, y, contour, images, far, per_panel):
-    """`Layers.distance`, `along` and `pair`; contour : (4, m) x, y and normal of the nodes"""
-    m, size = contour.shape[1], np.count_nonzero(far) * per_panel
-    distance, along, pair = np.empty(size), np.empty(size), np.empty(size, np.int64)
-    n = 0
+def _far_pairs(x, y, contour, images, far, per_panel, distance, along, pair):
+    """Fill `Layers.distance`, `along` and `pair`; contour : (4, m) x, y and normal of the nodes"""
+    m, n = contour.shape[1], 0
     for i in range(len(x)):
         for g in range(len(images)):
             a, b = images[g, 0], images[g, 1]
@@ -108,7 +108,6 @@ def _far_pairs(x, y, contour, images, far, per_panel):
                     along[n] = (dx * a * contour[2, q] + dy * b * contour[3, q]) / square
                     pair[n] = (i * len(images) + g) * m + q
                     n += 1
-    return distance, along, pair
 
 
 @kernel()

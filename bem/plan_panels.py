@@ -19,6 +19,7 @@ from .jit import kernel
 from .plan import CLASSES, Contour
 
 IMAGES = np.array(CLASSES, float)
+MOST_PIECES = 1200  # of a panel that wait for their turn: one more with each halving, of which there are 1075 + 53
 
 
 class Panels(NamedTuple):
@@ -111,7 +112,9 @@ def interpolation(nodes, t):
 
 def is_far(panels, x, y):
     """(targets, images, p) whether a panel's image is as far from the target as it is long"""
-    return _is_far(x, y, _flat(panels), IMAGES)
+    far = np.empty((len(x), len(IMAGES), len(panels.start)), bool)
+    _is_far(x, y, _flat(panels), IMAGES, far)
+    return far
 
 
 def near_points(panels, x, y, own, far, count, smallest):
@@ -124,7 +127,12 @@ def near_points(panels, x, y, own, far, count, smallest):
     rules = np.array(gauss_rule(count)), np.array([v**4, 4 * v**3 * w])
     panel = np.where(own < 0, -1, own // len(panels.t))
     t = np.where(own < 0, 0.0, panels.t[own % len(panels.t)])
-    return Points(*_near_points(x, y, panel, t, _flat(panels), IMAGES, far, *rules, smallest))
+    question = x, y, panel, t, _flat(panels), IMAGES, far, *rules, smallest, np.empty((MOST_PIECES, 3))
+    where, what = np.empty((3, 0), np.int64), np.empty((4, 0))
+    points = _near_points(*question, where, what)
+    where, what = np.empty((3, points), np.int64), np.empty((4, points))
+    _near_points(*question, where, what)
+    return Points(*where, *what)
 
 
 def _flat(panels):
@@ -142,31 +150,37 @@ def _distance(x, y, panel, image, r0, r1):
 
 
 @kernel()
-def _is_far(x, y, panels, images):
-    far = np.empty((len(x), len(images), len(panels)), np.bool_)
+def _is_far(x, y, panels, images, far):
     for i in range(len(x)):
         for g in range(len(images)):
             for p in range(len(panels)):
                 r0, r1 = panels[p, 0], panels[p, 0] + panels[p, 1]
                 far[i, g, p] = _distance(x[i], y[i], panels[p], images[g], r0, r1) >= panels[p, 1]
-    return far
 
 
 @kernel()
-def _near_points(x, y, own, own_t, panels, images, far, smooth, singular, smallest):
-    targets, sources, mirrors = [0 for _ in range(0)], [0 for _ in range(0)], [0 for _ in range(0)]
-    ts, rs, cs, ws = [0.0 for _ in range(0)], [0.0 for _ in range(0)], [0.0 for _ in range(0)], [0.0 for _ in range(0)]
+def _near_points(x, y, own, own_t, panels, images, far, smooth, singular, smallest, pieces, where, what):
+    """The number of points
+
+    where, what : (3, q) and (4, q), filled with the fields of `Points` if q is this number
+    pieces : (·, 3) room for the pieces of a panel to come: their ends in t, and whether the first is the target
+    """
+    points, most = 0, what.shape[1]
     for i in range(len(x)):
         for g in range(len(images)):
             for p in range(len(panels)):
                 if far[i, g, p]:
                     continue
                 panel, image = panels[p], images[g]
-                pieces = [(0.0, 1.0, 0)]
+                waiting = 1
+                pieces[0, 0], pieces[0, 1], pieces[0, 2] = 0.0, 1.0, 0.0
                 if g == 0 and p == own[i]:
-                    pieces = [(own_t[i], 1.0, 1), (own_t[i], 0.0, 1)]
-                while len(pieces) > 0:
-                    t0, t1, ends_here = pieces.pop()
+                    waiting = 2
+                    pieces[0, 0], pieces[0, 1], pieces[0, 2] = own_t[i], 1.0, 1.0
+                    pieces[1, 0], pieces[1, 1], pieces[1, 2] = own_t[i], 0.0, 1.0
+                while waiting > 0:
+                    waiting -= 1
+                    t0, t1, ends_here = pieces[waiting, 0], pieces[waiting, 1], pieces[waiting, 2] == 1.0
                     a = panel[0] + panel[1] * min(t0, t1) ** panel[2]
                     b = panel[0] + panel[1] * max(t0, t1) ** panel[2]
                     rule = singular if ends_here else smooth
@@ -175,11 +189,16 @@ def _near_points(x, y, own, own_t, panels, images, far, smooth, singular, smalle
                     else:
                         # a bound for the halving where a target lies on the end of a piece
                         split = b - a > max(_distance(x[i], y[i], panel, image, a, b), 1e-13 * panel[1])
-                    if split:
-                        middle = 0.5 * (t0 + t1)
-                        pieces.append((t0, middle, ends_here))
-                        pieces.append((middle, t1, 0))
+                    middle = 0.5 * (t0 + t1)
+                    if split and t0 != middle and t1 != middle:
+                        pieces[waiting, 1] = middle  # its first end and `ends_here` stay
+                        pieces[waiting + 1, 0], pieces[waiting + 1, 1], pieces[waiting + 1, 2] = middle, t1, 0.0
+                        waiting += 2
                         continue
+                    points += rule.shape[1]
+                    if points > most:
+                        continue
+                    n = points - rule.shape[1]
                     for q in range(rule.shape[1]):
                         step = (t1 - t0) * rule[0, q]
                         t = t0 + step
@@ -190,13 +209,8 @@ def _near_points(x, y, own, own_t, panels, images, far, smooth, singular, smalle
                         if ends_here:  # on the target's own line, without cancellation
                             stretch = t * t + t * t0 + t0 * t0 if panel[2] > 1 else 1.0
                             d = panel[1] * abs(step) * stretch
-                        targets.append(i)
-                        sources.append(p)
-                        mirrors.append(g)
-                        ts.append(t)
-                        rs.append(d)
-                        cs.append((dx * image[0] * panel[7] + dy * image[1] * panel[8]) / (d * d))
-                        ws.append(abs(t1 - t0) * rule[1, q] * panel[1] * panel[2] * t ** (panel[2] - 1))
-    return (
-        np.array(targets), np.array(sources), np.array(mirrors), np.array(ts), np.array(rs), np.array(cs), np.array(ws)
-    )  # fmt: skip
+                        where[0, n + q], where[1, n + q], where[2, n + q] = i, p, g
+                        what[0, n + q], what[1, n + q] = t, d
+                        what[2, n + q] = (dx * image[0] * panel[7] + dy * image[1] * panel[8]) / (d * d)
+                        what[3, n + q] = abs(t1 - t0) * rule[1, q] * panel[1] * panel[2] * t ** (panel[2] - 1)
+    return points

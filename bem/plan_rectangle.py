@@ -135,10 +135,9 @@ class Rectangle:
         columns = []
         for side, (m, extent) in enumerate(zip(self.orders(cls, degree), (self.beam, self.length), strict=True)):
             here = (contour.nx > 0.5) if side == 0 else (contour.ny > 0.5)
-            along = 2 * (contour.y if side == 0 else contour.x) / extent
-            columns.append(
-                here[:, None] * np.sqrt((2 * m + 1) / (2 * extent)) * legvander(along, max(m[-1:], default=0))[:, m]
-            )
+            along = 2 * (contour.y if side == 0 else contour.x)[here] / extent
+            columns.append(np.zeros((len(here), len(m))))
+            columns[-1][here] = np.sqrt((2 * m + 1) / (2 * extent)) * legvander(along, max(m[-1:], default=0))[:, m]
         return np.hstack(columns)
 
     def panels(self, k, degree):
@@ -152,10 +151,13 @@ class Rectangle:
 
     def wave_layout(self, k, degree):
         """`Layout` for waves of k rad/m; the same for all k between two powers of 1.2, and for all long waves."""
+        return _wave_layout(*self._wave_question(k, degree))
+
+    def _wave_question(self, k, degree):
         fine = self.resolving(degree)
         shortest = fine.nodes / (self.length + self.beam)
         step = np.ceil(np.log(max(k / shortest, 1.0)) / np.log(1.2))
-        return _wave_layout(fine, shortest * 1.2**step, degree)
+        return fine, shortest * 1.2**step, degree
 
     def contour(self, k, degree, tolerance):
         """`Contour` of the nodes for waves of k rad/m"""
@@ -206,7 +208,7 @@ class Rectangle:
         S, D = at.on.matrices(kernels, classes)
         S_in, D_in = at.within.matrices(kernels, classes)
         for c, cls in enumerate(classes):
-            basis = self.basis(cls, degree, contour)
+            basis = _wave_basis(*self._wave_question(k, degree), cls)
             matrix = np.vstack([half - D[c], -D_in[c]])
             velocity = -np.vstack([S[c], S_in[c]]) @ basis
             known = [plane_wave_values(cls, place, k, beta) for place in (contour, at.inside)]
@@ -248,10 +250,19 @@ def _wave_layout(rectangle, k, degree):
     return Layout(panels, panels.contour, Contour(x, y, 0 * x, 0 * x, 0 * x), rectangle.layers(panels, 3 / k), within)
 
 
+@lru_cache(maxsize=32)
+def _wave_basis(rectangle, k, degree, cls):
+    """`Rectangle.basis` at the nodes of a `Layout`"""
+    return rectangle.basis(cls, degree, _wave_layout(rectangle, k, degree).contour)
+
+
 def _least_squares(matrix, right):
     """x of smallest |matrix x − right|; the equations are consistent and well conditioned, so normal equations do."""
-    from scipy.linalg import cho_factor, cho_solve
     from scipy.linalg.blas import zherk
+    from scipy.linalg.lapack import zposv
 
     normal = zherk(1.0, matrix.T).conj()  # the upper triangle, in half the time of a product
-    return cho_solve(cho_factor(normal, check_finite=False), matrix.conj().T @ right, check_finite=False)
+    _, x, fault = zposv(normal, matrix.conj().T @ right)
+    if fault:
+        raise np.linalg.LinAlgError(f"normal equations of a plane problem: row {fault} is not positive")
+    return x

@@ -1,17 +1,26 @@
-"""How many threads a linear system, or a block of pairs, is worth.
+"""Threads: how many a linear system is worth, and rows of pairs shared out among them.
 
 Below about seven hundred unknowns a second BLAS thread gains nothing, and where another program holds the core it
 waits for it at every step: 316 unknowns took 915 ms instead of 10 on a busy machine with two cores.  Blocks of a few
 milliseconds are the same: beside the threads of BLAS, which look for work for a while longer, 2 ms took 30.
+
+Kernels work on some rows at a time and let go of the interpreter; threads of Python call them.  Loops that the
+compiler shares out itself (`prange`) take as long, and two to three times as long to compile.
 """
 
 from __future__ import annotations
 
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 from functools import cache
+from itertools import pairwise
+from threading import Thread
+
+import numpy as np
+from numba import config
 
 WORTH_THREADS = 700
 WORTH_PAIRS = 100_000
+SHARES = 4  # of the rows, for each thread: one that is held up leaves its last to the others
 
 
 def blas_threads(unknowns):
@@ -19,17 +28,42 @@ def blas_threads(unknowns):
     return _controller().limit(limits=1, user_api="blas") if unknowns < WORTH_THREADS else nullcontext()
 
 
-@contextmanager
-def pair_threads(pairs):
-    """Context in which kernels over few pairs of points work with one thread"""
-    import numba
+def thread_count():
+    """Threads that kernels may take: NUMBA_NUM_THREADS, or the number of cores"""
+    return config.NUMBA_NUM_THREADS
 
-    before = numba.get_num_threads()
-    numba.set_num_threads(1 if pairs < WORTH_PAIRS else before)
-    try:
-        yield
-    finally:
-        numba.set_num_threads(before)
+
+def share_rows(work, rows, pairs):
+    """Call `work(low, high)` until all of `rows` rows are done, in threads if they have pairs enough.
+
+    work : a kernel's call that writes to its own rows alone, so that results do not depend on the number of threads
+    pairs : of points and sources, in all rows together
+    """
+    threads = 1 if pairs < WORTH_PAIRS else min(thread_count(), rows)
+    if threads == 1:
+        work(0, rows)
+        return
+    ends = np.linspace(0, rows, min(SHARES * threads, rows) + 1).astype(int)
+    shares, faults = iter(list(pairwise(ends.tolist()))), []
+
+    def take():
+        try:
+            for low, high in shares:
+                work(low, high)
+        except BaseException as fault:  # Ctrl-C as well
+            faults.append(fault)
+            for _ in shares:  # nothing is left to the other threads
+                pass
+
+    # a pool of threads is begun, and hands out work, in a millisecond; a thread begins in a sixth of that
+    helpers = [Thread(target=take) for _ in range(threads - 1)]
+    for helper in helpers:
+        helper.start()
+    take()
+    for helper in helpers:
+        helper.join()
+    if faults:
+        raise faults[0]
 
 
 @cache

@@ -9,11 +9,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import prange
 
 from .green import layout_of, levels, spot, wave_part_at
 from .jit import kernel
-from .threads import pair_threads
+from .threads import share_rows
 
 # the wave part of a panel is integrated with FINE × FINE instead of COARSE × COARSE points where its surface image is
 # closer than NEAR of its sizes, or where the wave or the depth is shorter than the panel divided by PER_WAVE
@@ -77,8 +76,15 @@ class Pairs(NamedTuple):
             self.normals, self.origins, np.where(self.sizes > PER_WAVE * length, np.inf, NEAR * self.sizes),
             self.images, signs, COARSE**2, *self.quadrature, depth_values(where[..., 2]), table,
         )  # fmt: skip
-        with pair_threads(len(self.at) * len(sources.corners) * len(self.images)):
-            return _blocks(*question)
+        S, D = np.zeros((2, len(signs), len(self.at), len(sources.corners)), complex)
+        images, most = len(self.images), len(self.images) * self.quadrature.weights.shape[1]
+
+        def work(low, high):
+            room = np.empty(images, np.int64), np.empty((most, 3), np.int64), np.empty((most, 5))
+            _blocks(low, high, *question, *room, S, D)
+
+        share_rows(work, len(self.at), S[0].size * images)
+        return S, D
 
 
 def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
@@ -86,24 +92,23 @@ def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
     return Pairs.of(geometry, points, nodes, classes).blocks(table, depth_values)
 
 
-@kernel(parallel=True)
+@kernel()
 def _blocks(
-    at, at_depth, corners, first, normals, centers, distances, images, signs,
-    coarse, points, weights, shape, depth_z, table,
+    first_row, end_row, at, at_depth, corners, first, normals, centers, distances, images, signs,
+    coarse, points, weights, shape, depth_z, table, chosen, pieces, seen, S, D,
 ):  # fmt: skip
-    """at (r, 3), at_depth (r,) Z; corners (m,), first (s + 1,) of `Sources`; then arrays over the s panels.
+    """Of the points `first_row` to `end_row` into S and D (classes, r, m), zero before.
+
+    at (r, 3), at_depth (r,) Z; corners (m,), first (s + 1,) of `Sources`; then arrays over the s panels.
 
     points, weights, shape, depth_z : of the `coarse` points, then of the fine ones, which images closer than
-    `distances` take.  No part of an array has a name here, and no array goes to a kernel that is not put in place:
-    it would be counted each time, by all threads in the same spot, and two took longer than one.
+    `distances` take.  Room for one thread: chosen (images,), and of all pairs of a panel the `pieces` (·, 3) and
+    `seen` (·, 5), R, its slope and the pieces' variables, later the values.  No part of an array has a name here, and
+    no array goes to a kernel that is not put in place: it would be counted each time, by all threads in the same spot,
+    and two took longer than one.
     """
-    c, several = len(signs), shape.shape[2] > 1
-    S, D = np.zeros((2, c, len(at), len(corners)), np.complex128)
-    most = len(images) * weights.shape[1]
-    for i in prange(len(at)):
-        layout, chosen = layout_of(table), np.empty(len(images), np.int64)
-        # of all pairs of a panel: the pieces; R, its slope and the pieces' variables, later the values
-        pieces, seen = np.empty((most, 3), np.int64), np.empty((most, 5))
+    c, several, layout = len(signs), shape.shape[2] > 1, layout_of(table)
+    for i in range(first_row, end_row):
         for j in range(len(distances)):
             for fine in range(2):
                 count = _choose(at, i, centers, j, distances[j], images, fine == 1, chosen)
@@ -143,7 +148,6 @@ def _blocks(
                             for m in range(first[j], first[j + 1]):
                                 S[a, i, m] += shape[j, q, corners[m]] * s
                                 D[a, i, m] += shape[j, q, corners[m]] * d
-    return S, D
 
 
 @kernel(inline=True)

@@ -20,12 +20,12 @@ def wavenumber(omega, depth, gravity=9.80665):
     if np.isinf(depth):
         return K
     y = K * depth
-    with np.errstate(invalid="ignore", divide="ignore"):
-        x = np.where(y > 0, y / np.sqrt(np.tanh(y)), 0.0)  # Eckart (1952), within 5 % at every depth
-        for _ in range(4):  # Newton squares the error: 5e-2, 5e-4, 7e-8, 2e-15, rounding
-            t = np.tanh(x)
-            x = np.where(y > 0, x - (x * t - y) / (t + x * (1.0 - t * t)), 0.0)
-    return x / depth
+    still, y = y == 0, np.maximum(y, 1e-300)
+    x = y / np.sqrt(np.tanh(y))  # Eckart (1952), within 5 % at every depth
+    for _ in range(4):  # Newton squares the error: 5e-2, 5e-4, 7e-8, 2e-15, rounding
+        t = np.tanh(x)
+        x = x - (x * t - y) / (t + x * (1.0 - t * t))
+    return np.where(still, 0.0, x / depth)
 
 
 def depth_factor(z, k, depth):

@@ -11,6 +11,7 @@ from bem.contour_waves import plane_wave_values, plane_waves
 from bem.plan import CLASSES, area_moment
 from bem.plan_circle import Circle
 from bem.plan_layers import decaying, laplace, radiating
+from bem.plan_panels import is_far, near_points, quarter_panels
 from bem.plan_rectangle import Rectangle
 
 LENGTH, BEAM = 100.0, 50.0
@@ -64,6 +65,19 @@ def test_double_layer_of_one_is_minus_half_inside():
     plan = Rectangle.to_digits(LENGTH, BEAM, 6)
     _, D = plan.layers(plan.panels(0.0, DEGREE), np.inf).matrices(laplace, [(1, 1)])
     assert np.abs(D[0].sum(axis=1) + 0.5).max() < 1e-9
+
+
+@pytest.mark.parametrize("smallest", [1.0, 1e-9, 1e-300])
+def test_pieces_near_a_target_make_up_their_panels(smallest):
+    """Halving ends where two ends are neighbours among the numbers, however small a piece is asked for"""
+    panels = quarter_panels(2.0, 1.0, (0.5, 0.5), (1.0, 1.0), 4)
+    c, p = panels.contour, len(panels.start)
+    far = is_far(panels, c.x, c.y)
+    points = near_points(panels, c.x, c.y, np.arange(len(c.x)), far, 4, smallest)
+    lengths = np.zeros(far.shape)
+    np.add.at(lengths, (points.target, points.image, points.panel), points.weights)
+    assert lengths == pytest.approx(np.where(far, 0.0, panels.length), rel=1e-13)
+    assert np.any(far) and len(np.unique(points.panel)) == p
 
 
 @pytest.mark.parametrize("turns", [(1, 1), (2, 1), (1, 2), (4, 3)])

@@ -12,10 +12,10 @@ from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
-import numba
 from identities.test_solver_exact import KH, WANT, cylinder_errors, frequencies, prepared
 
 from bem.frequency import solve_frequency
+from bem.threads import thread_count
 from meshing.shapes import buoy
 
 COUNTS = ((3, 2, 3), (4, 3, 4), (5, 5, 7), (7, 7, 10), (11, 9, 13))
@@ -32,7 +32,7 @@ def seconds(counts, depth):
 
 
 def main(depths):
-    print(f"threads: {numba.get_num_threads()}\n")
+    print(f"threads: {thread_count()}\n")
     print("| depth m | panels | A % | B % | excitation % | drift % | ms per frequency |")
     print("|---|---|---|---|---|---|---|")
     for depth in depths:

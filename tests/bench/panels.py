@@ -12,7 +12,6 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-import numba
 import numpy as np
 from scipy.linalg import lu_factor
 
@@ -21,6 +20,7 @@ from bem.green_tables import wave_table
 from bem.panel_run import PanelRun
 from bem.reduced_run import ReducedRun
 from bem.setup import Setup, prepare
+from bem.threads import thread_count
 from bem.wave_blocks import wave_blocks
 from bem.waves import depth_values, wavenumber
 from meshing.lid import lid
@@ -49,7 +49,7 @@ def machine():
     factor, _ = least(lambda: lu_factor(real))
     complex_factor, _ = least(lambda: lu_factor(both))
     print(
-        f"machine, {numba.get_num_threads()} threads: product {2e0 / product:.0f}, "
+        f"machine, {thread_count()} threads: product {2e0 / product:.0f}, "
         f"factorisation {2 / 3 / factor:.0f}, complex {8 / 3 / complex_factor:.0f} GFLOP/s\n"
     )
 
