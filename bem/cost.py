@@ -10,6 +10,7 @@ import numpy as np
 from .green_tables import wave_table
 from .reduced import parted
 from .stages import FACTORS, MATRICES, WAVES
+from .threads import WORTH_PAIRS
 from .wave_blocks import wave_blocks
 from .wave_space import EVERY, Cases
 from .waves import depth_values
@@ -59,16 +60,22 @@ def memory_alone(geometry):
 def _seconds_of_waves(geometry, omega, gravity):
     """Seconds for a row of the wave parts"""
     g, nodes = geometry, np.arange(len(geometry.elements.nodes))
-    some = nodes[:: max(len(nodes) // TRIAL_ROWS, 1)]
+    some = _trial_rows(g)
     table = wave_table(omega, g.depth, gravity, g.reach, g.draft)
     return _seconds(lambda: wave_blocks(g, some, nodes, table, depth_values(table.k, g.depth))) / len(some)
 
 
 def _seconds_of_rows(geometry):
     """Seconds for a row of the exact matrices"""
-    nodes = geometry.elements.nodes
-    some = nodes[:: max(len(nodes) // TRIAL_ROWS, 1)]
-    return _seconds(lambda: geometry.rankine_rows(some)) / len(some)
+    some = _trial_rows(geometry)
+    return _seconds(lambda: geometry.rankine_rows(geometry.elements.nodes[some])) / len(some)
+
+
+def _trial_rows(geometry):
+    """Nodes whose rows are tried: as many as are shared out among threads, like all rows are"""
+    n = len(geometry.elements.nodes)
+    rows = max(TRIAL_ROWS, int(np.ceil(WORTH_PAIRS / (n * len(geometry.images)))))
+    return np.arange(0, n, max(n // rows, 1))
 
 
 def _seconds_of_factor():

@@ -37,8 +37,8 @@ def _source_hash(folders):
 def kernel(inline=False):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
-    Kernels write to arrays that they are given: to make one takes a second to compile, for the message that it is too
-    large.  Threads are those of `bem.threads`.
+    Those of `bem` write to arrays that they are given: to make one takes a second to compile, for the message that it
+    is too large.  Threads are those of `bem.threads`.
     inline : put into each kernel that calls it, however large; else as the compiler sees fit
     """
 

@@ -2,7 +2,8 @@
 
 Below about seven hundred unknowns a second BLAS thread gains nothing, and where another program holds the core it
 waits for it at every step: 316 unknowns took 915 ms instead of 10 on a busy machine with two cores.  Blocks of a few
-milliseconds are the same: beside the threads of BLAS, which look for work for a while longer, 2 ms took 30.
+milliseconds are the same: beside the threads of BLAS, which look for work for a while longer, 2 ms took 30 in threads
+that were kept for it.
 
 Kernels work on some rows at a time and let go of the interpreter; threads of Python call them.  Loops that the
 compiler shares out itself (`prange`) take as long, and two to three times as long to compile.
@@ -47,23 +48,37 @@ def share_rows(work, rows, pairs):
     shares, faults = iter(list(pairwise(ends.tolist()))), []
 
     def take():
+        for low, high in shares:
+            work(low, high)
+
+    def help_out():
         try:
-            for low, high in shares:
-                work(low, high)
-        except BaseException as fault:  # Ctrl-C as well
+            take()
+        except Exception as fault:
             faults.append(fault)
-            for _ in shares:  # nothing is left to the other threads
-                pass
+            _drop(shares)
 
     # a pool of threads is begun, and hands out work, in a millisecond; a thread begins in a sixth of that
-    helpers = [Thread(target=take) for _ in range(threads - 1)]
-    for helper in helpers:
-        helper.start()
-    take()
-    for helper in helpers:
-        helper.join()
+    helpers = [Thread(target=help_out) for _ in range(threads - 1)]
+    try:
+        for helper in helpers:
+            helper.start()
+        take()
+    except BaseException:  # Ctrl-C as well
+        _drop(shares)
+        raise
+    finally:
+        for helper in helpers:
+            if helper.ident:
+                helper.join()
     if faults:
-        raise faults[0]
+        raise faults.pop()
+
+
+def _drop(shares):
+    """Nothing is left to the other threads"""
+    for _ in shares:
+        pass
 
 
 @cache

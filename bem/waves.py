@@ -25,7 +25,7 @@ def wavenumber(omega, depth, gravity=9.80665):
     for _ in range(4):  # Newton squares the error: 5e-2, 5e-4, 7e-8, 2e-15, rounding
         t = np.tanh(x)
         x = x - (x * t - y) / (t + x * (1.0 - t * t))
-    return np.where(still, 0.0, x / depth)
+    return np.where(still, 0.0, x / depth)[()]
 
 
 def depth_factor(z, k, depth):

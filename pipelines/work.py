@@ -47,7 +47,7 @@ class Here:
 
 
 class Processes(ProcessPoolExecutor):
-    """Spawned processes, because a fork after BLAS has started its threads hangs; they end with their parent."""
+    """Spawned processes, because a fork has none of the threads that BLAS may wait for; they end with their parent."""
 
     def __init__(self, count):
         import multiprocessing

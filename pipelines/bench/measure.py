@@ -17,7 +17,8 @@ from .references import Coefficients, error
 
 PEERS = Path(__file__).parent / "peers"
 SCRIPTS = {"capytaine": PEERS / "capytaine_job.py", "pyhams": PEERS / "hams_job.py"}
-PASSES, SECONDS, LONGEST = 3, 10.0, 300.0  # no new pass after so many s; a process is given up after so many
+PASSES, MORE = 3, 2.0  # passes, and more until so many s have gone
+SECONDS, LONGEST = 10.0, 300.0  # no new pass after so many s; a process is given up after so many
 THREADS = ("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
@@ -76,7 +77,8 @@ class _Failed(Exception):
 def _question(job):
     """(what the script takes, panels on the whole hull)"""
     case = CASES[job.case]
-    common = {"omega": case.omega, "passes": 1 if job.empty_cache else PASSES, "seconds": SECONDS}
+    passes, more = (1, 0.0) if job.empty_cache else (PASSES, MORE)
+    common = {"omega": case.omega, "passes": passes, "more_s": more, "seconds": SECONDS}
     if job.program == "hakobune":
         key, value = ("tolerance", job.fineness) if job.fineness < 1 else ("panels", int(job.fineness))
         return {**common, "case": case.name, key: value, **job.options}, None

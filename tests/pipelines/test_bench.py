@@ -110,7 +110,7 @@ def test_meshes_for_other_programs_have_the_volume_and_waterplane_of_the_body(ca
     assert len(hull) * copies == made["panels"] and 350 < made["panels"] <= 500
 
 
-def slowly(passes, seconds=60.0):
+def slowly(passes, seconds=60.0, more=0.0):
     """Clocks of a program whose first pass takes 40 ms a frequency and its others 10, the first frequency 80"""
     made = []
 
@@ -118,7 +118,8 @@ def slowly(passes, seconds=60.0):
         time.sleep(0.08 if omega == 1 else 0.04 if body == 1 else 0.01)
         return body, omega
 
-    asked = {"omega": [1, 2, 3], "passes": passes, "seconds": seconds, "started": time.time() - 5}
+    asked = {"omega": [1, 2, 3], "passes": passes, "more_s": more, "seconds": seconds}
+    asked["started"] = time.time() - 5
     return repeated.repeated(asked, lambda: made.append(0) or len(made), solve)
 
 
@@ -129,6 +130,11 @@ def test_warm_times_are_the_least_of_several_passes_without_the_first_frequency(
     assert times["cpu_ms"] < 5  # it sleeps
     assert times["body_ms"] >= 80
     assert times["first_s"] >= 5.08  # from the start of the process
+
+
+def test_short_passes_are_made_until_some_time_has_gone():
+    _, times = slowly(1, more=0.7)
+    assert 2 <= times["passes"] <= 4  # of 0.2 s and more
 
 
 def test_no_new_pass_begins_when_the_time_is_up():

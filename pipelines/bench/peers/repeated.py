@@ -8,6 +8,8 @@ import resource
 import sys
 import time
 
+SETTLE = 0.1  # s; threads of BLAS look for work for as long, and hold up what follows where two share a core
+
 
 def job():
     """The question, from standard input"""
@@ -20,9 +22,10 @@ def answer(found):
 
 
 def repeated(job, make, solve):
-    """Results of every frequency, and the least times over up to `passes` passes.
+    """Results of every frequency, and the least times over several passes.
 
-    job : with omega, passes, seconds (no new pass after so many) and started (s since 1970, before the process was)
+    job : with omega, passes and more_s (new ones after so many passes until so many s have gone), seconds (no new pass
+        after so many) and started (s since 1970, before the process was)
     make : () → body, everything that no frequency changes; solve : (body, omega) → any result
     returns : (results, {"first_s", "body_ms", "warm_ms", "cpu_ms", "memory_mb", "passes"})
 
@@ -31,7 +34,7 @@ def repeated(job, make, solve):
     """
     begun = time.perf_counter()
     results, first_s, body_ms, clocks = [], None, None, []
-    for count in range(job["passes"]):
+    while True:
         mark = time.perf_counter()
         body = make()
         row = []
@@ -39,13 +42,15 @@ def repeated(job, make, solve):
             wall, cpu = time.perf_counter(), time.process_time()
             found = solve(body, omega)
             row.append((time.perf_counter() - wall, time.process_time() - cpu))
-            if count == 0:
+            if not clocks:
                 results.append(found)
             if i == 0:
                 first_s = first_s or time.time() - job["started"]
                 body_ms = min(body_ms or float("inf"), 1e3 * (time.perf_counter() - mark))
+                time.sleep(SETTLE)
         clocks.append(row)
-        if time.perf_counter() - begun > job["seconds"]:
+        gone = time.perf_counter() - begun
+        if gone > job["seconds"] or (len(clocks) >= job["passes"] and gone > job["more_s"]):
             break
     least = [[min(row[i][k] for row in clocks) for i in range(1, len(job["omega"]))] for k in (0, 1)]
     warm, cpu = (1e3 * sum(values) / len(values) if values else float("nan") for values in least)
