@@ -1,6 +1,6 @@
 # make demo    two databases, pictures, a sea state, a mooring study; into demo/
 # make test    ruff and all tests, in two processes (PROCESSES=1 in one)
-# make bench   error against time beside capytaine and HAMS, into bench/ (a quarter of an hour; QUICK=1 a minute)
+# make bench   error against time beside capytaine and HAMS, into bench/ (20 to 40 minutes; QUICK=1 a minute)
 # make lint    ruff alone
 # make venv    .venv with everything installed (done by the others when needed)
 

@@ -19,16 +19,18 @@ from .threads import share_rows
 
 
 def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, phi, velocity):
-    """∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS and its θ-derivative for potentials of one symmetry class.
+    """∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS and its θ-derivative for potentials of one symmetry class, over the whole hull.
 
-    theta : (t,), points, normals : (q, 3), weights : (q,) m², Z : (q, 2) Z(z) and Z'(z)
-    phi, velocity : (r, q) complex
-    returns : two (r, t) complex arrays
+    theta : (t,) rad; k : rad/m; points (q, 3) m, weights (q,) m² and normals (q, 3) of one of its symmetric parts
+    Z : (q, 2) Z(z) and Z'(z), 1/m; images : (i, 2) ±1 for x and y; signs : (i,) ±1 of the potential there
+    phi, velocity : (r, q) complex, m²/s and m/s, or the same per unit of anything
+    returns : two (r, t) complex arrays, m³/s and m³/s per rad
     """
     value, slope = np.zeros((2, len(phi), len(theta)), complex)
+    question = theta, k, points, weights, normals, Z, images, signs, phi, velocity
 
     def work(low, high):
-        _integrals(low, high, theta, k, points, weights, normals, Z, images, signs, phi, velocity, value, slope)
+        _integrals(low, high, *question, value, slope)
 
     share_rows(work, len(theta), len(theta) * len(points) * len(images))
     return value, slope

@@ -154,6 +154,7 @@ class Rectangle:
         return _wave_layout(*self._wave_question(k, degree))
 
     def _wave_question(self, k, degree):
+        """What `_wave_layout` takes for waves of k rad/m"""
         fine = self.resolving(degree)
         shortest = fine.nodes / (self.length + self.beam)
         step = np.ceil(np.log(max(k / shortest, 1.0)) / np.log(1.2))

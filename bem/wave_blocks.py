@@ -104,8 +104,8 @@ def _blocks(
     points, weights, shape, depth_z : of the `coarse` points, then of the fine ones, which images closer than
     `distances` take.  Room for one thread: chosen (images,), and of all pairs of a panel the `pieces` (·, 3) and
     `seen` (·, 5), R, its slope and the pieces' variables, later the values.  No part of an array has a name here, and
-    no array goes to a kernel that is not put in place: it would be counted each time, by all threads in the same spot,
-    and two took longer than one.
+    no array goes to a kernel that is not put in place: it would be counted each time.  Where all threads shared one
+    count two of them took longer than one; now each call has its own.
     """
     c, several, layout = len(signs), shape.shape[2] > 1, layout_of(table)
     for i in range(first_row, end_row):

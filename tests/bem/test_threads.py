@@ -77,7 +77,7 @@ def test_ctrl_c_leaves_out_the_shares_that_wait(three_threads):
         begun.append(low)
         if threading.current_thread() is threading.main_thread():
             raise KeyboardInterrupt
-        go_on.wait(0.2)
+        go_on.wait(1.0)
 
     with pytest.raises(KeyboardInterrupt):
         share_rows(work, 1200, WORTH_PAIRS)
