@@ -5,7 +5,7 @@ import pytest
 from published.green_reference import by_frequency, by_table, errors, reference, wave_errors
 from scipy import special
 
-from bem.green import green, green_function, pair
+from bem.green import BLOCK, decay, green, green_function, pair
 from bem.green_deep import bessel, universal
 from bem.green_pieces import address, fitted, look, sample_points
 from bem.green_tables import limit_table, wave_table
@@ -109,6 +109,24 @@ def bessel_of(x, lines):
     return bessel(x, address(lines))
 
 
+@kernel()
+def decay_of(x, found):
+    for n in range(len(x)):
+        found[n] = decay(x[n])
+
+
+def test_the_exponential_of_many_is_that_of_numpy():
+    x = np.concatenate([[0.0, 1e-300], np.linspace(0, 1, 10_001), np.linspace(0, 700, 1_000_001)])
+    found = np.full(len(x), np.nan)
+    decay_of(x, found)
+    assert found[0] == 1.0
+    # 14 terms of the series leave 0.35¹⁴/14! = 5e-18; the rest is rounding
+    assert np.max(np.abs(found / np.exp(-x) - 1)) < 4 * np.finfo(float).eps
+    few = np.array([np.nan, 800.0, 1e300, np.inf, 1e-20])
+    decay_of(few, found)
+    assert np.isnan(found[0]) and np.all(found[1:4] < 1e-303) and found[4] == 1.0
+
+
 def test_bessel_functions_agree_with_scipy():
     x = np.concatenate([10 ** np.linspace(-12, 5, 400), np.linspace(0.01, 40, 400)])
     found = np.array([bessel_of(value, universal().bessel) for value in x]).T
@@ -120,9 +138,9 @@ def test_bessel_functions_agree_with_scipy():
 
 @pytest.mark.parametrize("depth", [20.0, np.inf])
 def test_a_pair_has_the_same_bits_alone_and_among_others(depth):
-    R, z, zeta = np.random.default_rng(5).random((3, 40)) * [[50.0], [-20.0], [-20.0]]
+    R, z, zeta = np.random.default_rng(5).random((3, 2 * BLOCK + 45)) * [[50.0], [-20.0], [-20.0]]
     together = green(R, z, zeta, 0.8, depth)
-    for n in range(len(R)):
+    for n in (*range(40), *range(2 * BLOCK - 5, len(R))):
         assert all(one == many[n] for one, many in zip(green(R[n], z[n], zeta[n], 0.8, depth), together, strict=True))
 
 

@@ -76,10 +76,10 @@ def far(n=20_000, seed=3):
 
 def per_pair(name, settings, pairs, whole):
     """ns of each package"""
-    out, actions = np.empty((3, len(pairs[0])), complex), []
+    actions = []
     for package in PACKAGES:
-        kernel, table = import_module(f"{package}.green")._pairs, maker(package, name)(*settings)
-        actions.append(lambda kernel=kernel, table=table: kernel(*pairs, table, whole, out))
+        pairs_of, table = import_module(f"{package}.green").table_pairs, maker(package, name)(*settings)
+        actions.append(lambda pairs_of=pairs_of, table=table: pairs_of(table, *pairs, whole))
     times = 1e9 * least(*actions, times=100) / len(pairs[0])
     return "".join(f"{t:9.1f}" for t in times)
 
