@@ -105,7 +105,8 @@ def _blocks(
     `distances` take.  Room for one thread: chosen (images,), and of all pairs of a panel the `pieces` (·, 3) and
     `seen` (·, 5), R, its slope and the pieces' variables, later the values.  No part of an array has a name here, and
     no array goes to a kernel that is not put in place: it would be counted each time.  Where all threads shared one
-    count two of them took longer than one; now each call has its own.
+    count two of them took longer than one; now each call has its own.  Indices that are computed or read are `uintp`:
+    of signed ones numba asks each time whether they count from the end, an eighth of all time.
     """
     c, several, layout = len(signs), shape.shape[2] > 1, layout_of(table)
     for i in range(first_row, end_row):
@@ -122,10 +123,11 @@ def _blocks(
                     at, i, points, j, normals, images, count, corners, at_nodes, low, high, layout, chosen, pieces, seen
                 )
                 for n in range(low, high):
-                    q = corners[n] if at_nodes else n
+                    q = np.uintp(corners[n] if at_nodes else n)
                     level, factor = levels(at[i, 2], points[j, q, 2]), table.C * at_depth[i]
                     Z = depth_z[j, q, 0], depth_z[j, q, 1]
-                    for e in range((n - low) * count, (n - low + 1) * count):
+                    for m in range(count):
+                        e = np.uintp((n - low) * count + m)
                         zone, surface, bed = pieces[e, 0], pieces[e, 1], pieces[e, 2]
                         place = zone, surface, bed, seen[e, 2], seen[e, 3], seen[e, 4]
                         seen[e, 0], seen[e, 1], seen[e, 2], seen[e, 3] = _see(
@@ -134,7 +136,7 @@ def _blocks(
                     for a in range(c):
                         g, j0, flux, slope = 0.0, 0.0, 0.0, 0.0
                         for m in range(count):
-                            sign, e = signs[a, chosen[m]], (n - low) * count + m
+                            sign, e = signs[a, np.uintp(chosen[m])], np.uintp((n - low) * count + m)
                             g += sign * seen[e, 0]
                             j0 += sign * seen[e, 1]
                             flux += sign * seen[e, 2]
@@ -142,12 +144,12 @@ def _blocks(
                         s = weights[j, q] * complex(g, factor * j0)
                         d = weights[j, q] * complex(flux, factor * slope)
                         if at_nodes:
-                            S[a, i, n] += s
-                            D[a, i, n] += d
+                            S[a, i, np.uintp(n)] += s
+                            D[a, i, np.uintp(n)] += d
                         else:
                             for m in range(first[j], first[j + 1]):
-                                S[a, i, m] += shape[j, q, corners[m]] * s
-                                D[a, i, m] += shape[j, q, corners[m]] * d
+                                S[a, i, np.uintp(m)] += shape[j, q, np.uintp(corners[m])] * s
+                                D[a, i, np.uintp(m)] += shape[j, q, np.uintp(corners[m])] * d
 
 
 @kernel(inline=True)
@@ -172,10 +174,11 @@ def _look_out(
     All before the first is evaluated: the processor sees few pairs at a time, and in turn they take 1.3 times as long.
     """
     for n in range(low, high):
-        q = corners[n] if at_nodes else n
+        q = np.uintp(corners[n] if at_nodes else n)
         level = levels(at[i, 2], points[j, q, 2])
         for m in range(count):
-            e, sx, sy = (n - low) * count + m, images[chosen[m], 0], images[chosen[m], 1]
+            e, o = np.uintp((n - low) * count + m), np.uintp(chosen[m])
+            sx, sy = images[o, 0], images[o, 1]
             dx, dy = sx * points[j, q, 0] - at[i, 0], sy * points[j, q, 1] - at[i, 1]
             R = math.sqrt(dx * dx + dy * dy)
             seen[e, 0] = R
