@@ -106,7 +106,9 @@ def test_one_degree_of_freedom_and_one_product_alone_are_those_of_all():
         picked = np.ix_(mine, mine) if name in ("added_mass", "radiation_damping") else (..., mine)
         if name == "drift_force_fixed":
             picked = ...
-        np.testing.assert_allclose(few[name][picked], whole[name][picked], rtol=1e-9)
+        # what symmetry makes zero is rounding of terms as large as the others
+        rounding = 1e-12 * np.abs(whole[name]).max()
+        np.testing.assert_allclose(few[name][picked], whole[name][picked], rtol=1e-9, atol=rounding)
 
 
 @pytest.mark.parametrize("name", ["turned box", "box in 20 m"])
