@@ -101,7 +101,7 @@ class ReducedRun(PanelRun):
         """∂φ_I/∂n of all waves of all classes (k, …) at the samples on the hull and at the crests"""
         samples, crests = self.reduced.space.trial.samples.on_hull, self.reduced.space.crests
         nodes = np.concatenate([samples, crests])
-        parts = [self.incident[0][cls][1][np.ix_(waves, nodes)] for cls, (_, waves) in self.columns.items()]
+        parts = [self.incident[0][cls][1][waves][:, nodes] for cls, (_, waves) in self.columns.items()]
         return np.split(np.concatenate(parts), [len(samples)], axis=1)
 
     def at_samples(self, flow):

@@ -54,7 +54,8 @@ def _wedge(case, panels, graded):
     """One of `copies` wedges about the x axis: the bottom from its centre, the wall, and the lid"""
     radius, draft = case.sizes["radius"], case.sizes["draft"]
     extents = (2 * math.pi * radius, radius, draft)
-    around, n_bottom, n_wall = _fitted(extents, lambda n: n[0] * (n[1] + n[2]), panels)
+    _, n_bottom, n_wall = _fitted(extents, lambda n: n[0] * (n[1] + n[2]), panels)
+    around = panels // (n_bottom + n_wall)  # rounding all three left 848 of 960
     step = 2 * math.pi / around
     rim = radius * math.sqrt(step / math.sin(step))  # polygon of equal area
     i, k = np.arange(n_bottom + 1) / n_bottom, np.arange(n_wall + 1) / n_wall

@@ -9,6 +9,7 @@ import os
 
 from .cases import CASES, HEADING
 from .measure import MORE, PASSES, SECONDS, Row
+from .peers.repeated import SETTLE
 from .ratios import FREQUENCIES, equal_panels, one_thread_and_two
 
 LEVELS = (0.03, 0.01, 0.003, 0.001, 1e-4, 1e-5)
@@ -17,9 +18,9 @@ NOTES = (
     "the frequencies; coefficients below a hundredth of their kind left out; worst: which",
     "reference: cylinders exact, boxes by the contour method at 1e-7 (panels carried on to infinitely many agree to "
     "2e-4 to 4e-4)",
-    f"ms: mean of five frequencies after the first, each the least of {PASSES} passes, or as many as {MORE:g} s hold, "
-    f"fewer if they take {SECONDS:g}: six radiating modes and one heading of {HEADING:g} degrees; cpu: the same in "
-    "processor time of all threads",
+    f"ms: mean of five frequencies, {SETTLE:g} s after the first, each the least of {PASSES} passes, or as "
+    f"many as {MORE:g} s hold, fewer if they take {SECONDS:g}: six radiating modes and one heading of "
+    f"{HEADING:g} degrees; cpu: the same in processor time of all threads",
     "first: from the start of the process to the end of the first frequency, with what programs keep on disk there "
     "(cache full) or not (cache empty); body: that first frequency once everything is loaded, with what frequencies "
     f"share; all in: each of {FREQUENCIES} frequencies with its part of that; estimates of errors are made after all",
