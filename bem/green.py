@@ -187,7 +187,8 @@ def pair(R, z, zeta, t):
 def _pairs(R, z, zeta, t, whole, room, G):
     """G, ∂G/∂R and ∂G/∂z into G (3, n), as many at a time as the rows of room (11, ·) hold.
 
-    What can be done in vectors comes first, then `spot` of all: in turn they take 1.5 times as long.
+    Rows: depth factor and its slope, images and their two derivatives, the six values of `spot`.  What can be done in
+    vectors comes first, then `spot` of all: in turn they take 1.5 times as long.
     """
     layout, (_, most) = layout_of(t), room.shape
     for start in range(0, len(R), most):
@@ -211,6 +212,7 @@ def _pairs(R, z, zeta, t, whole, room, G):
 
 @kernel()
 def _all_wave_factors(z, zeta, C, k, double_depth, wave, slope):
+    """`wave_factors` of pairs, the derivative by z"""
     q = math.exp(-k * double_depth) if double_depth > 0.0 else 0.0
     for i in range(len(z)):
         Y, V, upwards = levels(zeta[i], z[i])
@@ -248,7 +250,11 @@ def green(R, z, zeta, omega, depth, gravity=9.80665):
 
 
 def table_pairs(table, R, z, zeta, whole=False):
-    """G, ∂G/∂R and ∂G/∂z of pairs (n,) through a table; complex (3, n).  whole : it is one of `whole_table`."""
+    """G of unit sources 1/r at depths `zeta` through a table, with its gradient.
+
+    table : `bem.green_tables.Table`; R, z, zeta : (n,) m, not checked; whole : the table is one of `whole_table`
+    returns : (3, n) complex: G in 1/m, ∂G/∂R and ∂G/∂z in 1/m²; NaN beyond the reach of the table
+    """
     G, room = np.empty((3, len(R)), complex), np.empty((11, BLOCK))
     _pairs(R, z, zeta, table, whole, room, G)
     return G

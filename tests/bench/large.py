@@ -3,7 +3,8 @@
     python tests/bench/large.py [panels]
 
 Box 100 × 50 × 10 m in 20 m of water, two mirror planes, six motions and one heading at two frequencies, with the
-estimated errors that the command makes, too.  20 000 panels took seven and eleven minutes and 14 GB.
+estimated errors that the command makes, too.  20 000 panels took six to eleven minutes, from machine to machine,
+and 14 GB.
 """
 
 import sys
