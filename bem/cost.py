@@ -18,6 +18,7 @@ from .waves import depth_values
 TRIALS, TRIAL_ROWS, TRIAL_SIZE = 3, 16, 1500
 OTHER = 400e6  # bytes of the interpreter, its libraries and tables
 ALONE = 54  # bytes for a pair of nodes and class: exact matrices, those of the waves, their factors and blocks
+TURNED = 140  # bytes for a row of a wedge, a node and class: exact rows, those of the waves, and all harmonics
 SPACE = 600  # nodes that stand for all where waves are concerned, a generous guess (`bem.wave_space`)
 
 
@@ -52,9 +53,13 @@ def cost(geometry, band, gravity):
     return Cost(matrices + OTHER, stages)
 
 
-def memory_alone(geometry):
-    """Bytes at the peak of frequencies that share no work (`bem.panel_run`, `bem.zero_draft`)"""
-    return ALONE * len(geometry.classes) * float(len(geometry.elements.nodes)) ** 2 + OTHER
+def memory_alone(prepared):
+    """Bytes at the peak of frequencies that share no work (`bem.panel_run`, `bem.zero_draft`, `bem.round_run`)"""
+    g = prepared.geometry
+    nodes = float(len(g.elements.nodes))
+    if g.wedges and not prepared.setup.zero_draft:
+        return TURNED * len(g.classes) * nodes * len(g.wedges.first) + OTHER
+    return ALONE * len(g.classes) * nodes**2 + OTHER
 
 
 def _seconds_of_waves(geometry, omega, gravity):

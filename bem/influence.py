@@ -139,6 +139,18 @@ class Geometry:
             return tuple(a[:, : self.hull, : self.hull] for a in self.larger.rankine)
         return self.rankine_rows(self.elements.nodes)
 
+    @cached_property
+    def wedges(self):
+        """`bem.wedges.Wedges` of a body of revolution, else None"""
+        from .wedges import wedges
+
+        return wedges(self)
+
+    @cached_property
+    def rankine_of_wedge(self):
+        """`rankine_rows` at the nodes of the first wedge"""
+        return self.rankine_rows(self.elements.nodes[self.wedges.first])
+
 
 def _before_wall(mesh, wall):
     """The mesh with the wall in y = 0, on whose other side its image is."""

@@ -12,6 +12,7 @@ from .green_tables import limit_table
 from .influence import ROWS
 from .threads import blas_threads
 from .wave_blocks import wave_blocks
+from .wedges import solved_by_harmonics, wedge_rows
 
 
 def added_mass_limit(prepared, which):
@@ -30,8 +31,13 @@ def _limit(prepared, which):
 
     g, setup = prepared.geometry.without_lid, prepared.setup  # without waves it is not needed
     velocities = [g.modes[:, g.members(c)] for c in g.classes]
-    table = limit_table(which, setup.depth, g.reach, g.draft)
-    matrices, sides = _equations(g, 1.0 if which == "zero" else -1.0, table, velocities)
+    table, mirror = limit_table(which, setup.depth, g.reach, g.draft), 1.0 if which == "zero" else -1.0
+    if g.wedges:
+        S, D = wedge_rows(g, mirror, table, unit_depth_values)
+        of_class = {cls: v.T for cls, v in zip(g.classes, velocities, strict=True)}
+        found, _ = solved_by_harmonics(g, S.real, D.real, 0.0, of_class)
+        return added_mass_of(prepared, [phi.real for phi in found.values()], which)
+    matrices, sides = _equations(g, mirror, table, velocities)
     potentials = []
     while matrices:  # in place, and given back one by one: they may be most of the memory
         potentials.append(solve(matrices.pop(0).T, sides.pop(0), transposed=True, overwrite_a=True).T)

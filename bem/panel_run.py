@@ -40,7 +40,7 @@ class PanelRun(FrequencyRun):
     @cached_property
     def residual(self):
         """Largest residual of the linear equations, relative to the right-hand sides"""
-        _ = self.potentials
+        _ = self.pressing
         return self._residual
 
     @cached_property
@@ -120,6 +120,11 @@ class PanelRun(FrequencyRun):
         with blas_threads(len(self.geometry.elements.nodes)):
             return self._solved()
 
+    @property
+    def pressing(self):
+        """As `potentials`, but maybe without what pushes the body nowhere"""
+        return self.potentials
+
     def _solved(self):
         from scipy.linalg import lu_factor, lu_solve
 
@@ -163,14 +168,14 @@ class PanelRun(FrequencyRun):
     def pushing(self):
         """{class: ∬ φ nⱼ dS (columns, its degrees of freedom)} over the whole hull"""
         members = self.geometry.members
-        return {cls: self.potentials[cls] @ self.weighted_modes[:, members(cls)] for cls in self.columns}
+        return {cls: self.pressing[cls] @ self.weighted_modes[:, members(cls)] for cls in self.columns}
 
     @cached_property
     def meeting_waves(self):
         """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull"""
         waves, areas = self.incident[0], self.hull[1] * self.geometry.copies
         return {
-            cls: (waves[cls][1] * areas) @ self.potentials[cls][: len(moving)].T
+            cls: (waves[cls][1] * areas) @ self.pressing[cls][: len(moving)].T
             for cls, (moving, _) in self.columns.items()
         }
 

@@ -13,6 +13,7 @@ from .limits import added_mass_limit
 from .modes import normal_velocities
 from .panel_run import PanelRun
 from .reduced_run import ReducedRun
+from .round_run import RoundRun
 from .threads import blas_threads
 from .zero_draft import ZeroDraftRun, flattened, rigid_surface_limit
 
@@ -103,7 +104,10 @@ class Prepared:
         """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
         if self.setup.zero_draft:
             return ZeroDraftRun(self, *question)
-        return (ReducedRun if self.in_band(question[0]) else PanelRun)(self, *question)
+        if self.in_band(question[0]):
+            return ReducedRun(self, *question)
+        turned = self.geometry.at(question[0] ** 2 / self.setup.gravity).wedges
+        return (RoundRun if turned else PanelRun)(self, *question)
 
     def in_band(self, omega):
         """Whether a frequency lies in the setup's band, but for rounding"""

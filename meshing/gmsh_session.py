@@ -88,7 +88,17 @@ def graded_patches(patches, symmetry="", name=""):
         gmsh.model.geo.synchronize()
         gmsh.model.mesh.generate(2)
         outward = {tag: _loop_vector(sides) for tag, sides in zip(surfaces, patches, strict=True)}
-        return panels_of(gmsh, outward, symmetry, name)
+        return _poles_last(panels_of(gmsh, outward, symmetry, name), [s[0][0] for s in patches if len(s) == 3])
+
+
+def _poles_last(mesh, poles):
+    """The same with the pole as last corner of the triangles about it, so that they are symmetric as elements, too"""
+    corners = mesh.corners.copy()
+    for pole in poles:
+        for shift in (1, 2):
+            here = (corners[:, 2] == corners[:, 3]) & np.all(mesh.points[corners[:, shift - 1]] == pole, axis=1)
+            corners[here] = np.roll(corners[here, :3], -shift, axis=1)[:, [0, 1, 2, 2]]
+    return PanelMesh(mesh.points, corners, mesh.symmetry, mesh.name)
 
 
 def filled(outer, holes=(), size=1.0, symmetry="", name=""):

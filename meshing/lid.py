@@ -8,12 +8,13 @@ is zero in the exact solution, so the lid may be coarse and need not share its p
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
 from .gmsh_session import filled, graded_patches
-from .panels import PanelMesh, joined
+from .panels import PanelMesh, joined, structured
 
 STRAIGHT = 1e-6  # sine of the turn up to which two waterline edges are one line
 AT_SURFACE = 1e-6  # of the draft: points this close to z = 0 belong to the waterline
@@ -162,6 +163,9 @@ def _filled(ring, holes, size, symmetry):
     if len(plan) == 4 and not holes and _is_rectangle(plan):
         return _grid(plan, size, symmetry)
     wanted = (_area(ring) + sum(_area(hole) for hole in holes)) / size**2
+    rim, pole = _regular(ring)
+    if rim is not None and not holes:
+        return _polar(rim, pole, wanted, symmetry)
     for _ in range(3):  # gmsh rounds edges up to whole panels and makes up to twice as many as asked for
         made = filled(_simplified(ring, size), [_simplified(h, size) for h in holes], size, symmetry, "lid")
         if len(made) <= 1.2 * wanted:
@@ -177,6 +181,33 @@ def _grid(ring, size, symmetry):
         n = max(1, round(float(np.linalg.norm(ring[k % 2 + 1] - ring[k % 2])) / size))
         sides.append(np.concatenate([a + np.arange(n)[:, None] / n * (b - a), b[None]]))
     return graded_patches([sides], symmetry, "lid")
+
+
+def _polar(rim, pole, wanted, symmetry):
+    """About as many panels as `wanted`, in rings that every side of the rim has one of"""
+    rings = max(1, round(wanted / (len(rim) - 1)))
+    inwards = np.linspace(1, 0, rings + 1)[None, :, None]
+    return replace(structured(pole + inwards * (rim - pole)[:, None]), symmetry=symmetry, name="lid")
+
+
+def _regular(ring):
+    """Corners (k, 3) and centre of a regular polygon, or its half or quarter at mirror planes; None twice of others"""
+    arc = ring[np.hypot(ring[:, 0], ring[:, 1]) > 0]  # the corner of a quarter plane is its centre
+    if len(arc) < 4:
+        return None, None
+    first, second, third = arc[[0, len(arc) // 3, 2 * len(arc) // 3], :2]
+    # the centre is as far from the first as from the others
+    ahead = 2 * np.stack([second - first, third - first])
+    if abs(np.linalg.det(ahead)) < STRAIGHT * np.linalg.norm(ahead) ** 2:
+        return None, None
+    pole = np.append(np.linalg.solve(ahead, [second @ second - first @ first, third @ third - first @ first]), 0.0)
+    R = np.linalg.norm(arc - pole, axis=1)
+    sides = np.linalg.norm(np.roll(arc, -1, axis=0) - arc, axis=1)
+    even = np.abs(sides - sides[0]) <= STRAIGHT * R[0]
+    if np.ptp(R) > STRAIGHT * R[0] or not np.all(even[:-1]):
+        return None, None
+    closed = even[-1] and len(arc) == len(ring)
+    return (np.concatenate([arc, arc[:1]]) if closed else arc), pole
 
 
 def _is_rectangle(ring):

@@ -215,7 +215,7 @@ def _panel_setup(header, scene, body):
     lid = header.lid or make_lid(scene, header.mesh, shortest_wave(scene, scene.omegas()))
     if np.max(scene.omegas()) ** 2 / scene.water.gravity <= lid_needed_from(header.mesh):
         lid, coarse = None, coarse and (coarse[0], None)
-    band = None if draftless else shared_band(scene, header.mesh)
+    band = None if draftless else shared_band(scene, header.mesh, lid)
     return Setup(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, band=band, **body)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bem.influence import Geometry
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
 
@@ -13,17 +14,21 @@ PER_PANEL = 4  # nodes
 # frequencies on 472, 944, 1976 and 3936 nodes.  A single one on more nodes would not fit.
 WORTH_SHARING = 5000
 FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
+# on a body of revolution (`bem.wedges`): it takes as long as 120, 130 and 250 of 476, 1000 and 2000 panels
+WORTH_SHARING_ROUND = 150
 ADAPTIVE = 20  # frequencies that an adaptive band takes, about
 WORTH_TELLING = 3000
 
 
-def shared_band(scene, mesh):
+def shared_band(scene, mesh, lid=None):
     """(low, high) rad/s of frequencies that share their work (`bem.reduced`), or None"""
     omegas, nodes = scene.omegas(), PER_PANEL * len(mesh)
     count = len(omegas) if scene.waves.band is None else ADAPTIVE
-    if nodes >= FEWEST and count * nodes > WORTH_SHARING:
-        return float(omegas.min()), float(omegas.max())
-    return None
+    if nodes < FEWEST or count * nodes <= WORTH_SHARING:
+        return None
+    if count < WORTH_SHARING_ROUND and Geometry(mesh, lid, scene.water.depth, PER_PANEL, scene.wall).wedges:
+        return None
+    return float(omegas.min()), float(omegas.max())
 
 
 def announced(setup, limits, console, processes=1):
@@ -37,9 +42,9 @@ def announced(setup, limits, console, processes=1):
         return None
     from bem.cost import cost, memory_alone
 
-    geometry = panels.prepared().geometry
-    needed = cost(geometry, panels.band, panels.gravity) if panels.band else None
-    memory = processes * (needed.memory if needed else memory_alone(geometry))
+    prepared = panels.prepared()
+    needed = cost(prepared.geometry, panels.band, panels.gravity) if panels.band else None
+    memory = processes * (needed.memory if needed else memory_alone(prepared))
     _check_memory(panels.mesh.total, memory, processes)
     if console:
         told = f"{panels.mesh.total} panels: about {memory / 1e9:.1f} GB"

@@ -50,7 +50,8 @@ def plan(programs, threads, quick=False):
 def _ours(case, threads, quick):
     for tolerance in TOLERANCES[1:4:2] if quick else TOLERANCES:
         yield Job(case, "hakobune", "contour", tolerance, threads, {"method": "contour"})
-    for panels in PANELS[1:3] if quick else PANELS:
+    round_too = (4000,) if case == "cylinder-30" else ()  # each frequency alone, by its rotation
+    for panels in PANELS[1:3] if quick else (*PANELS, *round_too):
         yield Job(case, "hakobune", "panel", panels, threads, {"method": "panel"})
     for panels in (500,) if quick else SHARED if case in CHOSEN else SHARED[:2]:
         yield Job(case, "hakobune", "panel, band", panels, threads, {"method": "panel", "band": True})

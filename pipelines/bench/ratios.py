@@ -8,21 +8,23 @@ FREQUENCIES = 40  # over which the preparation of a band is shared out
 EQUAL = 0.8, 1.07  # panels of the other program over ours that count as equal: rather to its advantage
 LEAST = 900  # panels
 PEER = "capytaine"
+# and with which symmetry of the other program: panels take the rotation of a cylinder where frequencies share nothing
+OURS = {"panel, band": ("2 planes", "rotation"), "panel": ("rotation",)}
 
 
 def equal_panels(rows):
-    """(header, lines): the band of panels beside the other program's fastest settings, planes and rotation apart.
+    """(header, lines): panels beside the other program's fastest settings, planes and rotation apart.
 
-    rows : of `measure.Row`; ms, MB.  Two mirror planes are ours in both.  "all in" is a frequency of `FREQUENCIES` with
-    its share of the preparation.
+    rows : of `measure.Row`; ms, MB.  "all in" is a frequency of `FREQUENCIES` with its share of the preparation.
     """
-    header = ("case", "threads", "panels", "ms", "all in", "MB", f"{PEER}: symmetry", "panels", "ms", "MB", "times")
+    header = ("case", "threads", "settings", "panels", "ms", "all in", "MB", f"{PEER}: symmetry", "panels", "ms", "MB",
+              "times")  # fmt: skip
     lines = []
-    for ours in (row for row in _warm(rows) if row.settings == "panel, band" and row.panels >= LEAST):
-        for symmetry in ("2 planes", "rotation"):
+    for ours in (row for row in _warm(rows) if row.settings in OURS and row.panels >= LEAST):
+        for symmetry in OURS[ours.settings]:
             theirs = min(_equal(rows, ours, symmetry), key=lambda row: row.warm_ms, default=None)
             if theirs is not None:
-                mine = ours.case, ours.threads, ours.panels, ours.warm_ms, _all_in(ours), ours.memory_mb
+                mine = ours.case, ours.threads, ours.settings, ours.panels, ours.warm_ms, _all_in(ours), ours.memory_mb
                 other = symmetry, theirs.panels, theirs.warm_ms, theirs.memory_mb
                 lines.append((*mine, *other, theirs.warm_ms / ours.warm_ms))
     return header, lines

@@ -82,7 +82,7 @@ from meshing.shapes import box
 from pipelines.bench.peers.repeated import peak_memory
 body = Setup(box(100, 50, 10, panels=int(sys.argv[1])), depth=20.0).prepared()
 body.run(0.6, [0.5], {"added_mass", "excitation_force"}, None, DOFS).result()
-print(memory_alone(body.geometry) / 1e6, peak_memory() * 1.048576)
+print(memory_alone(body) / 1e6, peak_memory() * 1.048576)
 """
 
 
