@@ -162,10 +162,10 @@ def _filled(ring, holes, size, symmetry):
     plan = _simplified(ring, size)
     if len(plan) == 4 and not holes and _is_rectangle(plan):
         return _grid(plan, size, symmetry)
-    wanted = (_area(ring) + sum(_area(hole) for hole in holes)) / size**2
     rim, pole = _regular(ring)
     if rim is not None and not holes:
-        return _polar(rim, pole, wanted, symmetry)
+        return _polar(rim, pole, size, symmetry)
+    wanted = (_area(ring) + sum(_area(hole) for hole in holes)) / size**2
     for _ in range(3):  # gmsh rounds edges up to whole panels and makes up to twice as many as asked for
         made = filled(_simplified(ring, size), [_simplified(h, size) for h in holes], size, symmetry, "lid")
         if len(made) <= 1.2 * wanted:
@@ -183,9 +183,9 @@ def _grid(ring, size, symmetry):
     return graded_patches([sides], symmetry, "lid")
 
 
-def _polar(rim, pole, wanted, symmetry):
-    """About as many panels as `wanted`, in rings that every side of the rim has one of"""
-    rings = max(1, round(wanted / (len(rim) - 1)))
+def _polar(rim, pole, size, symmetry):
+    """Rings about `size` wide, a panel of each to every side of the rim"""
+    rings = max(1, round(np.linalg.norm(rim[0] - pole) / size))
     inwards = np.linspace(1, 0, rings + 1)[None, :, None]
     return replace(structured(pole + inwards * (rim - pole)[:, None]), symmetry=symmetry, name="lid")
 

@@ -54,6 +54,28 @@ def test_the_lid_of_a_buoy_lies_within_the_waterline(symmetry):
     assert findings(hull, lid=cover) == []
 
 
+@pytest.mark.parametrize("symmetry", SYMMETRIES)
+@pytest.mark.parametrize("shift", [0.0, 30.0])
+def test_the_lid_of_a_round_waterline_is_polar(symmetry, shift):
+    hull = buoy(10, 10, counts=(6, 3, 4), symmetry=symmetry).moved(dx=shift)  # a plane it leaves is written out
+    cover = lid(hull)
+    assert total_area(cover) == pytest.approx(np.pi * 10**2, rel=1e-12)  # of the whole polygon
+    assert len(cover) * cover.copies % 24 == 0
+    radii = np.hypot(cover.points[:, 0] - shift, cover.points[:, 1])
+    assert len(np.unique(np.round(radii, 6))) == len(cover) * cover.copies // 24 + 1
+    assert findings(hull, lid=cover) == []
+
+
+@pytest.mark.parametrize("symmetry", SYMMETRIES)
+def test_an_oval_waterline_is_filled_without_a_pole(symmetry):
+    hull = buoy(10, 10, counts=(6, 3, 4), symmetry=symmetry)
+    oval = replace(hull, points=hull.points * (2.0, 1.0, 1.0))
+    cover = lid(oval)
+    assert not np.any((cover.corners[:, 2] == cover.corners[:, 3]) & (np.hypot(*cover.centroids[:, :2].T) < 1))
+    assert 0.95 < total_area(cover) / (2 * np.pi * 10**2) <= 1 + 1e-12
+    assert findings(oval, lid=cover) == []
+
+
 @pytest.mark.parametrize("make", (lambda: box(100, 50, 10, panels=900), lambda: buoy(10, 10), moonpool_box))
 def test_a_lid_has_about_a_third_as_many_panels_as_the_hull(make):
     hull = make()
