@@ -18,7 +18,7 @@ from .waves import depth_values
 TRIALS, TRIAL_ROWS, TRIAL_SIZE = 3, 16, 1500
 OTHER = 400e6  # bytes of the interpreter, its libraries and tables
 ALONE = 54  # bytes for a pair of nodes and class: exact matrices, those of the waves, their factors and blocks
-TURNED = 140  # bytes for a row of a wedge, a node and class: exact rows, those of the waves, and all harmonics
+TURNED = 100  # bytes for a row of a wedge, a node and class: exact rows, those of the waves, and all harmonics
 SPACE = 600  # nodes that stand for all where waves are concerned, a generous guess (`bem.wave_space`)
 
 

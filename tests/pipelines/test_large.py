@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 from io import StringIO
 
 import numpy as np
@@ -14,7 +15,7 @@ from bem.influence import Geometry
 from bem.setup import Setup
 from bem.stages import FACTORS, MATRICES, WAVES, listening
 from meshing.lid import lid
-from meshing.shapes import box
+from meshing.shapes import box, buoy
 from pipelines import large, progress
 from pipelines.large import announced, shared_band
 from pipelines.progress import Preparing, Progress
@@ -38,6 +39,15 @@ def test_many_frequencies_on_many_panels_share_their_work():
     assert shared_band(scene(omegas=many), fine) == pytest.approx((0.2, 1.0))
     assert shared_band(scene(omegas=few), fine) is None
     assert shared_band(scene(omegas=many), coarse) is None
+
+
+def test_bodies_of_revolution_share_their_work_in_hundreds_of_frequencies_only():
+    many, more = {"from": 0.2, "to": 1.0, "count": 100}, {"from": 0.2, "to": 1.0, "count": 200}
+    fine = buoy(10, 8, panels=1000)
+    assert shared_band(scene(omegas=many), fine, lid(fine)) is None
+    assert shared_band(scene(omegas=more), fine, lid(fine)) == pytest.approx((0.2, 1.0))
+    skew = replace(fine, points=fine.points * (1.001, 1, 1))
+    assert shared_band(scene(omegas=many), skew) == pytest.approx((0.2, 1.0))
 
 
 def test_two_frequencies_share_their_work_where_one_takes_long():
@@ -78,17 +88,22 @@ import sys
 from bem import DOFS
 from bem.cost import memory_alone
 from bem.setup import Setup
-from meshing.shapes import box
+from meshing.shapes import box, buoy
 from pipelines.bench.peers.repeated import peak_memory
-body = Setup(box(100, 50, 10, panels=int(sys.argv[1])), depth=20.0).prepared()
-body.run(0.6, [0.5], {"added_mass", "excitation_force"}, None, DOFS).result()
+name, panels, *sizes = sys.argv[1:]
+hull = {"box": box, "buoy": buoy}[name](*map(int, sizes), panels=int(panels))
+body = Setup(hull, depth=20.0).prepared()
+body.run(0.6, [0.5], {"added_mass", "excitation_force", "drift_force_fixed"}, None, DOFS).result()
 print(memory_alone(body) / 1e6, peak_memory() * 1.048576)
 """
 
 
-def test_memory_of_a_frequency_alone_is_what_was_estimated():
+@pytest.mark.parametrize("shape, panels", [("box 100 50 10", ("400", "1600")), ("buoy 20 10", ("400", "8000"))])
+def test_memory_of_a_frequency_alone_is_what_was_estimated(shape, panels):
     """What grows with the panels; of two processes, since a peak does not come down"""
-    told = [subprocess.run([sys.executable, "-c", ALONE, n], capture_output=True, check=True) for n in ("400", "1600")]
+    name, *sizes = shape.split()
+    commands = [[sys.executable, "-c", ALONE, name, n, *sizes] for n in panels]
+    told = [subprocess.run(command, capture_output=True, check=True) for command in commands]
     few, many = (np.array(one.stdout.split(), float) for one in told)
     estimated, taken = many - few
     assert 0.7 * taken < estimated < 1.4 * taken
