@@ -2,9 +2,10 @@
 
 Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which later echoes make
 one-sided; forces and Kochin functions with the distance ahead of the origin at which the hull meets the wave.
-Responses are not fitted: they follow from fitted coefficients by the equation of motion, and the drift of the moving
-body from these and fitted Kochin functions by the far field (`drift`).  The drift of the fixed body is smooth: it is
-fitted too.  Drift needs more frequencies than forces, being of second order in them; its error says so.
+Responses are not fitted: they follow from fitted coefficients by the equation of motion, and drift from these and
+fitted Kochin functions by the far field (`drift`).  That of the fixed body is fitted where no Kochin functions are: of
+22 frequencies it is then 1 % off in the mean, and its errors are told too small in places, where the far field is
+0.4 % off and tells 0.5.  Drift needs more frequencies than forces, being of second order in them; its error says so.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ RADIATION = ("added_mass", "radiation_damping")
 FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
 KOCHIN = ("kochin_radiation", "kochin_diffraction")
 STEP = 1e-3  # of the deviations, with which they are carried through an equation
+DRAWS = 8  # by chance; a deviation is known to a quarter
 
 
 class BetweenError(ValueError):
@@ -63,8 +65,8 @@ class Between:
             return self._radiation(omega, name)
         if name == "rao":
             return self._carried(omega, (*RADIATION, "excitation_force"), self._rao)
-        if name == "drift_force_fixed":
-            return self._surer_drift(omega)
+        if name == "drift_force_fixed" and set(KOCHIN) <= set(self.quantities):
+            return self._carried(omega, KOCHIN, self._drift_fixed)
         if name == "drift_force":  # of peaks at resonance a fit would see little and know nothing
             return self._carried(omega, (*KOCHIN, *RADIATION, "excitation_force"), self._drift)
         return self._fitted(omega, name)
@@ -114,6 +116,7 @@ class Between:
     def _interpolant(self, name):
         if name not in self._kept:
             values = self.impedance if name == "impedance" else self.quantities[name]
+            values = values / self._growth(name, self.omega, values.ndim)
             lead = np.broadcast_to(self._lead(name), values.shape[1:]).ravel() / self.length
             self._kept[name] = Interpolant(self._stored_abscissa, values.reshape(len(values), -1), lead)
         return self._kept[name]
@@ -125,7 +128,13 @@ class Between:
             raise BetweenError(f"{name} is not stored, and does not follow from what is: {', '.join(self.quantities)}")
         shape = (len(omega), *(self.impedance if name == "impedance" else self.quantities[name]).shape[1:])
         value, error = self._interpolant(name)(self._abscissa(omega))
-        return value.reshape(shape), error.reshape(shape)
+        growth = self._growth(name, omega, len(shape))
+        return value.reshape(shape) * growth, error.reshape(shape) * growth
+
+    def _growth(self, name, omega, dimensions):
+        """(q, 1, …) what is taken out before a fit: Kochin functions grow like k, and a fit knows one size only"""
+        k = self._abscissa(omega).phase if name in KOCHIN else np.ones(len(omega))
+        return k.reshape(-1, *[1] * (dimensions - 1))
 
     @cached_property
     def impedance(self):
@@ -163,21 +172,33 @@ class Between:
             )
         fitted = {name: self.at(omega, name) for name in names}
         value = equation(omega, **{name: part for name, (part, _) in fitted.items()})
+        if set(KOCHIN) & set(names):
+            return value, self._scattered(omega, fitted, equation, value)
         variance = 0.0
         for name, (_, error) in fitted.items():
             moved = {other: part + (STEP * error if other == name else 0) for other, (part, _) in fitted.items()}
             variance = variance + np.abs((equation(omega, **moved) - value) / STEP) ** 2
         return value, np.sqrt(variance)
 
-    def _surer_drift(self, omega):
-        """By the far field or by a fit of its own, whichever has the smaller estimated error, number by number"""
-        if "drift_force_fixed" not in self.quantities:
-            return self._carried(omega, KOCHIN, self._drift_fixed)
-        own, own_error = self._fitted(omega, "drift_force_fixed")
-        if not set(KOCHIN) <= set(self.quantities):
-            return own, own_error
-        far, far_error = self._carried(omega, KOCHIN, self._drift_fixed)
-        return np.where(own_error < far_error, own, far), np.minimum(own_error, far_error)
+    def _scattered(self, omega, fitted, equation, value):
+        """Deviation of `value` when all quantities deviate by chance, Kochin functions smoothly over the angle.
+
+        Shifted by one number at all angles they would keep their slope, and the moment would seem to be known.
+        """
+        generator, variance = np.random.default_rng(0), 0.0
+        waves = wavenumber(omega, self.depth, self.gravity) * np.hypot(*self.outline.T).max()
+        order = np.fft.fftfreq(len(self.theta), 1 / len(self.theta))
+        smooth = (np.abs(order) <= waves[:, None] + 1)[:, None]
+        smooth = smooth / np.sqrt(smooth.mean(axis=-1, keepdims=True))
+        for _ in range(DRAWS):
+            moved = {}
+            for name, (part, error) in fitted.items():
+                chance = _complex_normal(generator, part.shape)
+                if name in KOCHIN:
+                    chance = np.fft.ifft(chance * smooth, norm="ortho", axis=-1)
+                moved[name] = part + STEP * error * (chance if np.iscomplexobj(part) else np.sqrt(2) * chance.real)
+            variance = variance + np.abs((equation(omega, **moved) - value) / STEP) ** 2 / DRAWS
+        return np.sqrt(variance)
 
     def _rao(self, omega, added_mass, radiation_damping, excitation_force):
         if self.inertia is None:
@@ -211,6 +232,11 @@ class Between:
             for H, dH, f, df, q, n in rows
         ]
         return about(np.array(out), self.rotation_center)
+
+
+def _complex_normal(generator, shape):
+    """Of variance one"""
+    return (generator.standard_normal(shape) + 1j * generator.standard_normal(shape)) / np.sqrt(2)
 
 
 def _seen(scale):

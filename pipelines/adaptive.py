@@ -80,4 +80,6 @@ def _told(scene, db, error):
     solved = f"{_inside(scene, db.omega)} frequencies from {band.first:g} to {band.last:g} rad/s"
     if not np.isfinite(error):
         return f"{solved}: too few to estimate the error between them"
-    return f"{solved}: estimated error between them {100 * error:.2g} % (tolerance {100 * scene.accuracy:.2g} %)"
+    told = f"{solved}: estimated error between them {100 * error:.2g} % (tolerance {100 * scene.accuracy:.2g} %)"
+    less_sure = any("drift" in name for name in set(db.names) - set(controlled(scene, db)))
+    return told + ", of drift more" * less_sure

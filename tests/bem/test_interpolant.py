@@ -128,3 +128,37 @@ def test_outside_the_stored_band_and_without_what_it_follows_from_nothing_is_gue
     few = Between(db.omega[:3], {}, 20.0, GRAVITY, 1025.0, np.zeros(1), np.zeros(1), np.eye(2), np.zeros(3))
     with pytest.raises(BetweenError, match="3 frequencies are stored"):
         few.at(0.15, "added_mass")
+
+
+@pytest.fixture(scope="module")
+def drifting(tmp_path_factory):
+    path, scene = tmp_path_factory.mktemp("drift") / "box.h5", band_scene(tolerance=0.01, want=["radiation", "diffraction", "kochin", "drift"])
+    outcome = solve(scene, path)
+    assert "of drift more" in outcome.remarks[-1]
+    return open_database(path)
+
+
+@pytest.mark.parametrize("name", ["drift_force_fixed", "drift_force"])
+def test_drift_between_frequencies_is_as_far_off_as_it_says(drifting, name):
+    db = drifting
+    omega = np.linspace(0.12, 1.98, 32)
+    exact = direct(db, omega, (name,))[name]
+    value, error = db.at(omega, name)
+    scale = np.abs(db[name]).max(axis=(0, 1))
+    wrong, told = (np.abs(value - exact) / scale, error / scale)
+    # a deviation that is known to a quarter; roundings of what symmetry makes zero left out
+    counts = np.maximum(wrong, told) > 1e-6
+    assert np.mean((wrong < 3 * told)[counts]) > 0.9
+    rms = [np.sqrt(np.mean(part**2, axis=(0, 1))) for part in (wrong, told)]
+    assert np.all(rms[0] < 2 * rms[1])
+    if name == "drift_force_fixed":
+        assert np.all(rms[0] < [0.01, 0.01, 0.03])
+
+
+def test_kochin_functions_keep_their_values_where_they_are_small(drifting):
+    """H of long waves is a hundredth of that of short ones; a fit that knows one size would lose it"""
+    db = drifting
+    value, _ = db.at(db.omega, "kochin_diffraction")
+    size = np.abs(db["kochin_diffraction"]).max(axis=-1, keepdims=True)
+    assert size[0].max() < size[-1].max() / 100
+    assert np.max(np.abs(value - db["kochin_diffraction"]) / size) < 0.01
