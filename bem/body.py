@@ -8,6 +8,8 @@ import numpy as np
 
 from .modes import reference_change
 
+LOWEST_GAP = 3e-5  # of the draft: thinner water takes as many more modes, at this one ten seconds and 1.5 GB
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Body:
@@ -30,3 +32,12 @@ class Body:
     def transform(self):
         """(6, 6) from generalized normals about the origin to those about the rotation centre"""
         return reference_change(self.rotation_center)
+
+
+def check_gap(draft, depth):
+    """Raises ValueError for water under the keel too thin to be resolved; draft, depth : m"""
+    if depth - draft < LOWEST_GAP * draft:
+        raise ValueError(
+            f"depth − draft is {depth - draft:.3g} m; allowed: from {LOWEST_GAP * draft:.3g} m, {LOWEST_GAP:g} of the "
+            "draft: thinner water under a keel is not resolved"
+        )

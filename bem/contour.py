@@ -18,6 +18,7 @@ from functools import cached_property, wraps
 
 import numpy as np
 
+from .body import check_gap
 from .contour_accuracy import Accuracy, accuracy, finer
 from .contour_frequency import ContourFrequency, combined
 from .contour_limits import infinite_frequency, zero_frequency
@@ -69,6 +70,7 @@ def _prepared(plan, draft, depth, tolerance):
     _check(tolerance, draft=draft)
     if not depth > draft:
         raise ValueError(f"depth is {depth} m; allowed: above the draft, {draft} m")
+    check_gap(draft, depth)
     highest = HIGHEST_GAP * min(draft, plan.scale)
     if depth - draft > highest:
         raise ValueError(

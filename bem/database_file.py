@@ -76,12 +76,13 @@ def check_place(path):
 
 def check_replaceable(path):
     """Raise DatabaseError if there is a file under this name that is no database, of whatever version, or in use."""
-    try:
-        with h5py.File(path, "r+") as file:
-            if file.attrs.get("format") == FORMAT:
-                return
-    except FileNotFoundError:
+    if not Path(path).exists():
         return
+    try:
+        if h5py.is_hdf5(path):  # an empty file would be made one by opening it
+            with h5py.File(path, "r+") as file:
+                if file.attrs.get("format") == FORMAT:
+                    return
     except OSError as error:
         if "unable to lock" in str(error):
             raise DatabaseError(f"{path} cannot be replaced: {_reason(error)}") from None
@@ -133,6 +134,8 @@ def opened(path, mode="r"):
 def _reason(error):
     if error.errno in (11, 35) or "unable to lock" in str(error):
         return "another process has it open"
+    if "truncated file" in str(error):
+        return "it is truncated, a part of it is missing; copy it again, or give another name"
     return os.strerror(error.errno) if error.errno else str(error).splitlines()[0]
 
 

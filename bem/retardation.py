@@ -110,9 +110,12 @@ def from_database(db, times, points=1200):
 def _check(omega, times):
     if len(omega) < 20 or np.any(np.diff(omega) <= 0) or omega[0] <= 0:
         raise ValueError(f"{len(omega)} frequencies are given; allowed: at least 20, rising, above 0 (Database.at)")
-    step = times[1] - times[0] if len(times) > 1 else np.inf
+    if len(times) < 2 or not np.all(np.isfinite(times)):
+        raise ValueError(f"times are {times}; allowed: at least two, finite, from 0 s in equal steps")
+    step = times[1] - times[0]
     if times[0] != 0 or not np.allclose(np.diff(times), step):
-        raise ValueError(f"times start at {times[0]:g} s; allowed: from 0 in equal steps")
+        steps = f"start at {times[0]:g} s with steps from {np.diff(times).min():g} to {np.diff(times).max():g} s"
+        raise ValueError(f"times {steps}; allowed: from 0 s in equal steps")
     if not 0 < step <= 0.25 / omega[-1] * (1 + 1e-9):  # straight lines between times are (ω step)²/12 off
         raise ValueError(
             f"time step is {step:g} s; allowed: above 0, at most {0.25 / omega[-1]:.3g} s (0.25 / highest)"

@@ -20,6 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .body import check_gap
 from .section_waves import incident_force
 from .waves import group_factor, wavenumber
 
@@ -171,6 +172,7 @@ def check_shape(beam, draft, depth, tolerance):
             raise ValueError(f"{name} is {value:g} m; allowed: above 0 and finite")
     if not depth > draft:
         raise ValueError(f"depth is {depth:g} m at draft {draft:g} m; allowed: above the draft, or inf")
+    check_gap(draft, depth)
     if not FINEST <= tolerance < 1:
         raise ValueError(f"tolerance is {tolerance:g}; allowed: {FINEST:g} to below 1")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from bem.body import check_gap
 from bem.raised_bed import raised_bed
 from bem.schema import LIMITS, QUANTITIES
 from bem.short_waves import MOST_WAVES, unresolved, waves_along
@@ -101,6 +102,8 @@ def names_given(scene, names, named):
 
 def check_method(scene):
     """Raises ValueError, one line, if the scene's method does not exist or cannot represent it."""
+    if scene.body.shape != "mesh":
+        check_gap(scene.body.draft, scene.water.depth)
     if scene.method != "auto" and scene.method not in METHODS:
         raise ValueError(f"method is {scene.method!r}; allowed: auto, {', '.join(METHODS)}")
     name = chosen(scene)

@@ -21,6 +21,7 @@ from bem.database import (
     pending,
     writing,
 )
+from bem.database_file import check_replaceable
 from bem.schema import CHECKS, DRIFT_DOFS, ESTIMATES, QUANTITIES
 from bem.waves import wavenumber
 from meshing.panels import PanelMesh
@@ -295,6 +296,15 @@ def test_a_foreign_file_gives_one_line_and_is_left_alone(tmp_path, make, says):
         assert "\n" not in str(caught.value) and str(path) in str(caught.value)
     assert (path.read_bytes() if path.is_file() else None) == before
     assert [p.name for p in tmp_path.iterdir()] == ([path.name] if path.exists() else [])
+
+
+@pytest.mark.parametrize("content", [b"", b"length,beam\n"])
+def test_a_file_that_is_not_replaced_keeps_its_bytes(tmp_path, content):
+    path = tmp_path / "other.h5"
+    path.write_bytes(content)
+    with pytest.raises(DatabaseError, match="is not replaced; give another name"):
+        check_replaceable(path)
+    assert path.read_bytes() == content
 
 
 def test_a_path_that_cannot_be_written_is_named(tmp_path):

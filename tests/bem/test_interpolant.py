@@ -132,8 +132,8 @@ def test_outside_the_stored_band_and_without_what_it_follows_from_nothing_is_gue
 
 @pytest.fixture(scope="module")
 def drifting(tmp_path_factory):
-    path, scene = tmp_path_factory.mktemp("drift") / "box.h5", band_scene(tolerance=0.01, want=["radiation", "diffraction", "kochin", "drift"])
-    outcome = solve(scene, path)
+    path = tmp_path_factory.mktemp("drift") / "box.h5"
+    outcome = solve(band_scene(tolerance=0.01, want=["radiation", "diffraction", "kochin", "drift"]), path)
     assert "of drift more" in outcome.remarks[-1]
     return open_database(path)
 

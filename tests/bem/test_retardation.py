@@ -76,5 +76,10 @@ def test_times_that_cannot_hold_the_band_are_refused():
         retardation(OMEGA, A, B, np.arange(0, 50, 0.5))
     with pytest.raises(ValueError, match=r"times start at 1 s"):
         retardation(OMEGA, A, B, TIMES + 1)
+    with pytest.raises(ValueError, match=r"start at 0 s with steps from 1 to 2 s; allowed: from 0 s in equal steps"):
+        retardation(OMEGA, A, B, [0, 1, 3])
+    for times in ([], [0.0], [0.0, np.nan]):
+        with pytest.raises(ValueError, match="allowed: at least two, finite"):
+            retardation(OMEGA, A, B, times)
     with pytest.raises(ValueError, match="10 frequencies are given; allowed: at least 20"):
         retardation(OMEGA[:10], A[:10], B[:10], TIMES)

@@ -82,8 +82,9 @@ def test_the_command_writes_the_same_numbers_as_text_and_as_hdf5(tmp_path):
 @pytest.mark.parametrize(
     ("flags", "said"),
     [
-        (["--depth-draft", "0.9"], "depth is 0.9 m at draft 1 m; allowed: above the draft, or inf"),
-        (["--xi", "-1"], "xi_B is -1; allowed: above 0 and finite"),
+        (["--depth-draft", "0.9"], "--depth-draft is 0.9; allowed: above 1, or inf"),
+        (["--beam-draft", "0", "--depth-draft", "2", "--xi", "1"], "--beam-draft is 0; allowed: above 0, finite"),
+        (["--xi", "-1"], "--xi is -1; allowed: above 0, finite"),
         (["--output", "a.txt"], "allowed: a name that ends in .csv or .h5"),
         (["--output", "nowhere/a.csv"], "there is no folder nowhere"),
         (["--beam-draft", "wide"], "--beam-draft is 'wide'; allowed: a,b,c or start:stop:count"),
