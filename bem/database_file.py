@@ -122,7 +122,9 @@ def opened(path, mode="r"):
         raise DatabaseError(f"{path} is not an HDF5 file; a database made by 'hakobune solve' is needed")
     with file:
         if file.attrs.get("format") != FORMAT:
-            raise DatabaseError(f"{path} is an HDF5 file of another program, not a hakobune database")
+            own = str(file.attrs.get("schema", ""))
+            what = f"a {own.rsplit(' ', 1)[0]}" if own.startswith("hakobune") else "an HDF5 file of another program"
+            raise DatabaseError(f"{path} is {what}, not a hakobune database")
         version = int(file.attrs.get("schema_version", 0))
         if version != SCHEMA_VERSION:
             raise DatabaseError(

@@ -32,6 +32,8 @@ def bench(
     from .bench.plan import PROGRAMS, plan
     from .bench.run import FILES
     from .bench.run import bench as run
+    from .bench.tables import is_rows
+    from .outputs import check_folder, check_output
 
     peers = _peers(peer or [])
     numbers = _threads(threads or ("1" if quick else "1,2"))
@@ -39,7 +41,9 @@ def bench(
     jobs = _of_cases(jobs, only)
     if output.exists() and not output.is_dir():
         raise ValueError(f"--output {output} is a file; allowed: a folder")
+    check_folder(output)
     output.mkdir(parents=True, exist_ok=True)
+    check_output(output / FILES[0], "the rows of a bench", is_rows)
     if not peers:
         print("no --peer: other programs are left out")
     try:

@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.database import open_database
+from bem.database import DatabaseError, open_database
 from meshing.quality import findings
 
 from .methods import METHODS
 from .report import checked, checks_table
 
+OTHERS = {  # attribute `schema` of what other commands write: the command, and the one that reads it
+    "hakobune mooring study 1": ("moor", None),
+    "hakobune response study 1": ("response", None),
+    "hakobune sections 1": ("sections", None),
+    "hakobune channels 1": ("lines or line-dynamics", "lines"),
+}
+
 
 def check(path, console):
     """Print checks and findings of a database; returns 0 if all is there and holds, else 1."""
-    db = open_database(path)
+    db = _opened(path)
     found = _findings(db)
     checks = checked(db) if len(db.omega) else []
     if checks:
@@ -25,6 +32,37 @@ def check(path, console):
         console.print(f"incomplete: {stored}; run its command again to go on", highlight=False, soft_wrap=True)
     sound = all(part.passed for part in checks) and not any(f.severity == "error" for f in found)
     return 0 if sound and db.complete else 1
+
+
+def _opened(path):
+    """The database of a file.  Raises DatabaseError, which names what another command wrote."""
+    try:
+        return open_database(path)
+    except DatabaseError:
+        attributes = _attributes(path)
+        if attributes.get("schema") not in OTHERS:
+            raise
+    raise DatabaseError(f"{path} is {_named(path, attributes)}")
+
+
+def _attributes(path):
+    """Of an HDF5 file; none of any other"""
+    import h5py
+
+    try:
+        with h5py.File(path) as file:
+            return dict(file.attrs)
+    except OSError:
+        return {}
+
+
+def _named(path, attributes):
+    """What a file of OTHERS is, what reads it, and which database can be checked in its place"""
+    writer, reader = OTHERS[attributes["schema"]]
+    reads = f"hakobune {reader} {path} draws it" if reader else "no command reads it, h5py does"
+    source = attributes.get("database")
+    checked = f"check the database it was made with, {source}" if source else "check takes a database"
+    return f"a result of hakobune {writer}, not a database; {reads}; {checked}"
 
 
 def _findings(db):

@@ -12,6 +12,7 @@ from cyclopts import App, CycloptsError, Parameter
 from .bench_command import bench
 from .compare_command import compare
 from .flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
+from .interrupt import interrupted
 from .lines_flags import line, line_dynamics, lines
 from .response_command import response
 from .sea_command import sea
@@ -87,7 +88,7 @@ def look(
     omega: Annotated[float | None, Parameter(help="rad/s, of the pressure; the nearest stored is shown")] = None,
     heading: Size = None,
 ):
-    """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is that of the pressure."""
+    """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is one stored with the pressure."""
     from .looking import look
 
     return look(file, screenshot, field, omega, heading)
@@ -147,7 +148,7 @@ def main(arguments=None):
         print(f"{name}: {' '.join(str(error).split())}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print(f"{name}: interrupted; what was solved is stored, the same command goes on", file=sys.stderr)
+        print(f"{name}: {interrupted(command, arguments)}", file=sys.stderr)
         return 130
 
 

@@ -9,8 +9,16 @@ from typing import Annotated
 from cyclopts import Parameter
 
 
-def _flag(text):
-    return Parameter(help=text, allow_leading_hyphen=True)
+def _flag(text, converter=None):
+    return Parameter(help=text, allow_leading_hyphen=True, converter=converter)
+
+
+def _file(kind, tokens):
+    """A path; an empty one would be read as the folder one is in."""
+    token = tokens[0]
+    if not token.value.strip():
+        raise ValueError(f"{token.value!r} is empty; allowed: the name of a file, or leave it out")
+    return Path(token.value)
 
 
 @Parameter(name="*")
@@ -40,7 +48,7 @@ class SceneFlags:
 class RunFlags:
     """Where the result goes and how it is made."""
 
-    output: Annotated[Path | None, _flag("the database, or the mesh file with --mesh-only")] = None
+    output: Annotated[Path | None, _flag("the database, or the mesh file with --mesh-only", _file)] = None
     mesh_only: Annotated[bool, Parameter(help="write the mesh and stop", negative="")] = False
     fresh: Annotated[bool, Parameter(help="replace an existing database", negative="")] = False
     executor: Annotated[str, _flag("local or processes:N")] = "local"

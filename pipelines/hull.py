@@ -11,6 +11,7 @@ from bem.database_file import Header
 from bem.irregular import lid_needed_from
 from bem.kochin import angles
 from bem.raised_bed import effect_of_bed
+from bem.schema import NEEDS_MOTION
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
 from bem.short_waves import MOST_UNRESOLVED, MOST_WAVES, too_many, unresolved, waves_along
@@ -23,14 +24,16 @@ from meshing.quality import findings
 from meshing.shapes import box, buoy
 
 from .large import shared_band
-from .methods import METHODS, bed_for_contour, highest_resolved
+from .methods import METHODS, bed_for_contour, highest_resolved, names_given
 from .panel_counts import coarse_counts, fine_counts, meshed, sizes
+from .products import expand
 from .scene import SceneError
 from .scene_text import fixed_part, scene_hash, to_toml
 from .viscous_table import viscous_of
 
 MOST_PANELS = 20_000
 FOR_SHOW = 500  # panels where none is computed with
+DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Sea
 FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves need more
 
 
@@ -122,9 +125,10 @@ def inspected(hull, scene, omegas):
     wave = shortest_wave(scene, omegas)
     if not panels_matter(scene):
         _check_waves_along(scene, omegas)
-        return replace(hull, remarks=(*_bed_remarks(scene), *_short_remarks(scene)))
+        return replace(hull, remarks=(*_bed_remarks(scene), *_short_remarks(scene), *_size_remarks(scene, hull.mesh)))
     found = _usable(scene, hull.mesh, hull.lid, wave)
-    return Hull(hull.mesh, hull.lid, (*(f.text for f in found), *_lid_remarks(hull.lid, wave)))
+    remarks = (*(f.text for f in found), *_lid_remarks(hull.lid, wave), *_size_remarks(scene, hull.mesh))
+    return Hull(hull.mesh, hull.lid, remarks)
 
 
 def body_properties(scene, mesh):
@@ -220,11 +224,11 @@ def _panel_setup(header, scene, body):
 
 
 def remarks_on_body(scene, body):
-    """Remarks on mass and stability, one line each.
+    """Remarks on water, mass and stability, and on motions that are wanted and left out, one line each.
 
     body : as from `body_properties`
     """
-    remarks = []
+    remarks = [*_density_remarks(scene.water.density)]
     displaced = scene.water.density * body["displaced_volume"]
     if abs(body["mass"] / displaced - 1) > 0.01:
         remarks.append(
@@ -235,9 +239,35 @@ def remarks_on_body(scene, body):
         height = body[f"{name}_metacentric_height"]
         if height <= 0:
             remarks.append(f"{name} metacentric height {height:.4g} m is not positive: the body capsizes")
-    if not scene.motions_known:
-        remarks.append("rao and drift_force are left out: they need the radii of gyration (--gyration)")
-    return remarks
+    return [*remarks, *_motion_remarks(scene)]
+
+
+def _density_remarks(density):
+    low, high = DENSITIES
+    if not low <= density <= high:
+        yield f"density {density:g} kg/m³ is not that of water, {low:g} to {high:g} kg/m³; check its unit (--density)"
+
+
+def _motion_remarks(scene):
+    """What would be there if the inertia were known"""
+    if scene.motions_known:
+        return
+    wanted = names_given(scene, expand(scene.want, motions_known=True), ())
+    lacking = [name for name in NEEDS_MOTION if name in wanted]
+    if lacking:
+        words = "are left out: they need" if len(lacking) > 1 else "is left out: it needs"
+        yield f"{' and '.join(lacking)} {words} the radii of gyration (--gyration)"
+
+
+def _size_remarks(scene, mesh):
+    """No body has mass farther from its middle than it is long."""
+    largest = float(np.ptp(mesh.whole().vertices.reshape(-1, 3), axis=0).max())
+    longest = max(scene.body.gyration or (0.0,))
+    if longest > largest:
+        yield (
+            f"radius of gyration {longest:g} m is larger than the largest dimension of the wetted body, "
+            f"{largest:.4g} m; check its unit (--gyration)"
+        )
 
 
 def _lid_remarks(lid, wave):

@@ -1,9 +1,18 @@
-"""Ctrl-C between frequencies."""
+"""Ctrl-C between frequencies, and what is said of a command that it ended."""
 
 from __future__ import annotations
 
 import signal
 from contextlib import contextmanager
+
+STORING = ("box", "buoy", "solve", "compare")  # into databases, which the same command completes
+
+
+def interrupted(command, arguments):
+    """What to say of a command that Ctrl-C ended at once"""
+    if command in STORING and "--mesh-only" not in arguments:
+        return "interrupted; what was solved is stored, the same command goes on"
+    return "interrupted"
 
 
 class Stop:

@@ -12,6 +12,18 @@ from .study import TONF, StudyError
 
 KN = 1e3
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
+STEEPEST = np.degrees(1.5)  # of a bed that `mooring.catenary` knows
+FLAGS = {  # unit, whether a value is good, what is allowed
+    "weight": (" N/m", lambda value: 0 < value < np.inf, "above 0, finite"),
+    "stiffness": (" kN", lambda value: value > 0, "above 0"),
+    "length": (" m", lambda value: 0 < value < np.inf, "above 0, finite"),
+    "depth": (" m", lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "fairlead_z": (" m", np.isfinite, "finite"),
+    "span": (" m", lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "tension": (" kN", lambda value: 0 < value < np.inf, "above 0, finite"),
+    "friction": ("", lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "slope_deg": ("°", lambda value: abs(value) < STEEPEST, f"above −{STEEPEST:.2f} and below {STEEPEST:.2f}"),
+}
 
 
 @dataclass(frozen=True)
@@ -38,18 +50,39 @@ def line(type, weight, stiffness, length, depth, fairlead_z, span, tension, fric
 
     if output is not None:
         check_picture(output, PLOTS)
+    _check_flags(weight=weight, stiffness=stiffness, length=length, depth=depth, fairlead_z=fairlead_z)
+    _check_flags(span=span, tension=tension, friction=friction, slope_deg=slope_deg)
     one = OneLine(_kind(type, weight, stiffness), length, fairlead_z + depth, friction, np.radians(slope_deg))
     if (span is None) == (tension is None):
         state = "neither is given" if span is None else "both are given"
         raise StudyError(f"--span and --tension: {state}; allowed: one of them")
     if span is None:
+        if one.slope >= 0:  # the bed is nowhere lower than at the anchor
+            _check_above_bed(one, 0.0, depth)
         span = float(span_at_tension(KN * tension, one.height, *one.properties)[0])
+    _check_above_bed(one, span, depth)
     found = solve_lines(span, one.height, *one.properties)
     _show(one, span, found)
     if output is not None:
         _draw(one, span, found, output)
         print(output)
     return 0
+
+
+def _check_flags(**given):
+    """Raise StudyError for the first value that cannot be; None is not given."""
+    for name, value in given.items():
+        unit, good, allowed = FLAGS[name]
+        if value is not None and not good(value):
+            raise StudyError(f"--{name.replace('_', '-')} is {value:g}{unit}; allowed: {allowed}")
+
+
+def _check_above_bed(one, span, depth):
+    """Raise StudyError for a fairlead below the bed."""
+    bed = span * np.tan(one.slope)
+    if one.height < bed:
+        where = f"{span:g} m from the anchor (--depth, --slope-deg)" if one.slope else "(--depth)"
+        raise StudyError(f"--fairlead-z is {one.height - depth:g} m; allowed: from {bed - depth:g} m, the bed {where}")
 
 
 def _kind(name, weight, stiffness):
@@ -81,6 +114,11 @@ def _show(one, span, found):
     print(f"{one.type.name}: {one.type.weight:.2f} N/m in water, EA {one.type.axial_stiffness / KN:.6g} kN")
     for name, value, note in rows:
         print(f"  {name:<24}{value:<28}{note}".rstrip())
+    largest = max(found.tension_fairlead, found.tension_anchor)
+    if largest > one.type.breaking_load:
+        print(
+            f"warning: the tension is {_kN(largest)}, the breaking load {_kN(one.type.breaking_load)}: the line parts"
+        )
 
 
 def _kN(value):

@@ -10,13 +10,12 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from bem.database_file import check_place
-
 from .line_dynamics_figures import figures, regime_of
 from .line_dynamics_motion import course_of
 from .line_dynamics_parts import current_of, line_of, wave_of
 from .line_dynamics_report import findings, show
 from .line_dynamics_study import read_line_dynamics
+from .outputs import check_output
 from .picture import PLOTS, check_picture
 from .progress import duration as spoken
 from .study import StudyError
@@ -33,9 +32,7 @@ def line_dynamics(file, duration, tolerance, output, picture):
     if picture is not None:
         check_picture(picture, PLOTS)
     if output is not None:
-        check_place(output)
-        if output.exists() and not is_channels(output):
-            raise StudyError(f"{output} is not a file of channels and is not replaced; give another name")
+        check_output(output, "a file of channels", is_channels)
     study, text = read_line_dynamics(file)
     given = {"duration": duration, "tolerance": tolerance}
     study = msgspec.structs.replace(study, **{key: value for key, value in given.items() if value is not None})

@@ -10,6 +10,7 @@ import numpy as np
 from bem import DOFS
 from bem.database_file import check_place
 
+from .outputs import check_output
 from .picture import PLOTS, check_picture
 from .study import StudyError
 from .system_file import read_system
@@ -24,14 +25,16 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
     force : (3,) kN, kN and kN m on the body; offset : m; directions : degrees; returns the exit status
     raises : ValueError, one line
     """
+    from mooring.formats.results import is_channels
     from mooring.lines.system_equilibrium import rest
     from mooring.lines.system_studies import one_line_broken
 
     if picture is not None:
         check_picture(picture, PLOTS)
-    for place in (output, moordyn):
-        if place is not None:
-            check_place(place)
+    if output is not None:
+        check_output(output, "a file of channels", is_channels)
+    if moordyn is not None:
+        check_place(moordyn)
     system = read_system(file, depth)
     name = _body(system, body, needed=bool(force) or offset is not None or database is not None)
     if force:

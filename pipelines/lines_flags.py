@@ -44,7 +44,8 @@ def lines(
     database: Annotated[Path | None, Parameter(help="of the body, for its natural periods")] = None,
     output: Annotated[Path | None, Parameter(help="results, .h5")] = None,
     picture: Annotated[
-        Path | None, Parameter(help="plan, profile and curves: .png .svg .pdf; of a result .gif too")
+        Path | None,
+        Parameter(help="plan, profile, curves: .png .svg .pdf; of a result its frames, .gif too [NAME_frames.png]"),
     ] = None,
     moordyn: Annotated[Path | None, Parameter(help="write the system as a MoorDyn v2 input file")] = None,
 ):

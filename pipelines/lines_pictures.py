@@ -140,13 +140,16 @@ def _film(time, plane, path):
 
 
 def draw_result(file, picture):
-    """Frames of a file of channels as a strip or a film; returns the picture's path.  Raises ValueError."""
+    """Frames of a file of channels as a strip or a film; returns the picture's path.  Raises ValueError.
+
+    picture : Path; None for NAME_frames.png beside the file, where a picture of the run keeps NAME.png
+    """
     from mooring.formats.results import read_frames
 
     from .picture import PLOTS, check_picture
 
     if picture is None:
-        picture = file.with_suffix(".png")
+        picture = file.with_name(f"{file.stem}_frames.png")
     check_picture(picture, (*PLOTS, ".gif"))
     time, nodes = read_frames(file)
     draw_frames(time, nodes, picture)

@@ -9,7 +9,8 @@ import numpy as np
 
 from bem import DOFS
 
-from .study import TONF, StudyError, read_study
+from .outputs import check_output, has_schema
+from .study import TONF, read_study
 
 SCHEMA = "hakobune mooring study 1"
 LINE_QUANTITIES = {
@@ -57,25 +58,8 @@ def moor(study_path, database_path, output_path=None, quiet=False):
 
 
 def _checked_output(output, *inputs):
-    from bem.database_file import check_place
-
-    for path in inputs:
-        if output.exists() and output.samefile(path):
-            raise StudyError(f"output {output} is an input of the study; give another name")
-    check_place(output)
-    if output.exists() and not _is_study(output):
-        raise StudyError(f"output {output} is not the result of a study and is not replaced; give another name")
+    check_output(output, "the result of a study", lambda path: has_schema(path, SCHEMA), inputs)
     return output
-
-
-def _is_study(path):
-    import h5py
-
-    try:
-        with h5py.File(path) as file:
-            return file.attrs.get("schema") == SCHEMA
-    except OSError:
-        return False
 
 
 def _write(output, result, text, database):

@@ -47,7 +47,7 @@ def response(
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
     warned = [str(w.message) for w in caught] + list(result.warnings)
-    _write(read, result, points, warned, text, database, output, plot)
+    _write(read, result, body.radius, points, warned, text, database, output, plot)
     return 0
 
 
@@ -86,35 +86,32 @@ def _in_climate(read, body, points, study):
     return climate(body, **climate_of(read.climate, study), points=points)
 
 
-def _write(read, result, points, warned, text, database, output, plot):
+def _write(read, result, radius, points, warned, text, database, output, plot):
     from . import response_output, response_report
 
     years = read.climate and read.climate.years
     rows = response_report.sea_rows(result) if read.sea else response_report.climate_rows(result, years)
+    lines = response_report.notes(result, radius, years)
     if output is not None and output.suffix == ".csv":
-        response_output.write_csv(output, rows, response_report.notes(result, years) + warned)
+        response_output.write_csv(output, rows, lines + warned)
     elif output is not None:
         response_output.write_h5(output, result, rows, text, database, warned)
     if plot is not None:
         from .response_plot import draw
 
         draw(result, plot)
-    response_report.show(result, rows, points, years, warned, [path for path in (output, plot) if path])
+    response_report.show(rows, points, lines, warned, [path for path in (output, plot) if path])
 
 
 def _check_places(output, plot, *inputs):
-    from bem.database_file import check_place
-
+    from .outputs import check_output
     from .picture import PLOTS, check_picture
+    from .response_output import is_response
     from .study import StudyError
 
     if output is not None:
         if output.suffix not in TABLES:
             raise StudyError(f"{output} has the suffix {output.suffix!r}; allowed: {', '.join(TABLES)}")
-        check_place(output)
+        check_output(output, "the result of a response study", is_response, inputs)
     if plot is not None:
         check_picture(plot, PLOTS)
-    for path in (path for path in (output, plot) if path is not None):
-        for given in inputs:
-            if path.exists() and given.exists() and path.samefile(given):
-                raise StudyError(f"{path} is an input of the study; give another name")

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from .outputs import has_schema, opening
+
 SCHEMA = "hakobune response study 1"
 
 
@@ -19,15 +21,11 @@ def write_csv(path, rows, notes):
 
 
 def write_h5(path, result, rows, text, database, warned):
-    """Write a SeaState or a Climate with the table of Rows; a file that is no result of a study is not replaced."""
+    """Write a SeaState or a Climate with the table of Rows."""
     import h5py
 
     from bem.database_file import beside
 
-    from .study import StudyError
-
-    if path.exists() and not _is_response(path):
-        raise StudyError(f"output {path} is not the result of a response study and is not replaced; give another name")
     with beside(path) as file:
         file.attrs["schema"] = SCHEMA
         file.attrs["study"] = text
@@ -43,14 +41,11 @@ def write_h5(path, result, rows, text, database, warned):
         table.attrs["units"] = rows.units
 
 
-def _is_response(path):
-    import h5py
-
-    try:
-        with h5py.File(path) as file:
-            return file.attrs.get("schema") == SCHEMA
-    except OSError:
-        return False
+def is_response(path):
+    """Whether a file was written here"""
+    if path.suffix == ".csv":
+        return opening(path)[1].startswith("response,unit,")
+    return has_schema(path, SCHEMA)
 
 
 def _values(result):

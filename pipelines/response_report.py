@@ -9,6 +9,7 @@ import numpy as np
 from bem import DOFS
 from mooring.response.long_term import YEAR
 from mooring.response.return_period import probability_not_exceeded
+from mooring.response.sea_state import TINY
 
 from .study import TONF
 
@@ -61,21 +62,21 @@ def climate_rows(result, years) -> Rows:
     return Rows(columns, [result.names[i] for i in excited], units, np.array(values))
 
 
-def notes(result, years=None):
-    """Lines on drift, air gap and duration, without markup"""
+def notes(result, radius, years=None):
+    """Lines on drift, air gap and duration, without markup; radius : m, of the hull, the lever of its forces"""
     if years is None:
-        return [_sea_line(result), *_drift_lines(result.slow), *_gap_lines(result)]
+        return [_sea_line(result), *_drift_lines(result.slow, radius), *_gap_lines(result)]
     lines = [f"{len(result.height)} sea states"]
     if years > 1:
         q = 100 * probability_not_exceeded(years, years)
         lines.append(f"the value once in {years:g} years stays unexceeded in {years:g} years with {q:.0f} %")
     if result.mean_drift is not None:
-        lines.append(f"mean drift over all time: {_forces(result.mean_drift)}")
+        lines.append(f"mean drift over all time: {_forces(result.mean_drift, radius, result.drift)}")
     return lines
 
 
-def show(result, rows, points, years, warned, written):
-    """Print the table, notes, warnings and the names of the files written."""
+def show(rows, points, lines, warned, written):
+    """Print the table, lines of `notes`, warnings and the names of the files written."""
     from rich.box import SIMPLE
     from rich.console import Console
     from rich.table import Table
@@ -89,7 +90,7 @@ def show(result, rows, points, years, warned, written):
         for i, label in members.items():
             table.add_row(f"{label}, {rows.units[i]}", *(f"{value:.3g}" for value in rows.values[i]))
         console.print(table)
-    for line in notes(result, years):
+    for line in lines:
         console.print(line, highlight=False, soft_wrap=True)
     for text in warned:
         console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
@@ -132,12 +133,12 @@ def _sea_line(result):
     )
 
 
-def _drift_lines(slow):
+def _drift_lines(slow, radius):
     if slow is None:
         return ["no drift: the database holds no drift_force"]
     lines = [
-        f"mean drift: {_forces(slow.drift)}",
-        f"standard deviation of slow drift, beats up to {slow.difference[-1]:g} rad/s: {_forces(slow.sigma)}",
+        f"mean drift: {_forces(slow.drift, radius)}",
+        f"standard deviation of slow drift, beats up to {slow.difference[-1]:g} rad/s: {_forces(slow.sigma, radius)}",
     ]
     if slow.damping is None:
         return [*lines, "no wave drift damping: the direction has no stored neighbours to differentiate drift over"]
@@ -145,8 +146,13 @@ def _drift_lines(slow):
     return [*lines, f"wave drift damping: surge {along:.4g}, sway {across:.4g} tonf s/m"]
 
 
-def _forces(force):
-    x, y, m = np.asarray(force) / TONF
+def _forces(force, radius, among=None):
+    """Fx, Fy and Mz in words; zero where they are rounding beside the largest force of `among` (n, 3), or their own
+
+    A moment is small beside a force times the radius in m.
+    """
+    largest = np.abs(force if among is None else among)[..., :2].max()
+    x, y, m = np.where(np.abs(force) > TINY * largest * np.array([1.0, 1.0, radius]), force, 0.0) / TONF
     return f"Fx {x:.4g}, Fy {y:.4g} tonf, Mz {m:.4g} tonf m"
 
 

@@ -171,6 +171,7 @@ def read_scene(path):
 
 def make_scene(raw):
     """A checked Scene of nested dictionaries as TOML gives them.  Raises SceneError."""
+    _check_depth_given(raw)
     scene = typed(raw, Scene, SceneError)
     _check_water(scene.water)
     _check_body(scene)
@@ -225,6 +226,16 @@ def _within(key, value, limits):
     _positive(key, value)
     if not limits[0] <= value <= limits[1]:
         raise SceneError(f"{key} is {value}; allowed: {limits[0]:g} to {limits[1]:g}")
+
+
+def _check_depth_given(raw):
+    """The one number without a default that every body needs: how it is given, to one who gave nothing."""
+    water = raw.get("water", {})
+    if isinstance(water, dict) and set(water) <= {"density", "gravity"}:
+        raise SceneError(
+            "water.depth is missing; allowed: above 0 m, or inf; give --depth on the command line, "
+            "or depth under [water] in a scene"
+        )
 
 
 def _check_water(water):
@@ -324,7 +335,8 @@ def _check_rest(scene):
 def _check_wall(scene):
     if scene.wall is None:
         return
-    _check_point("wall", (scene.wall,))
+    if not abs(scene.wall) <= EXTENT[1]:
+        raise SceneError(f"wall is {scene.wall:g}; allowed: a number from {-EXTENT[1]:g} to {EXTENT[1]:g}, m")
     half = 0.0 if scene.body.shape == "mesh" else scene._beam() / 2
     if abs(scene.wall) <= half:
         raise SceneError(

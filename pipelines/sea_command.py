@@ -9,10 +9,10 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from .flags import _whole_number
 from .sea_flags import SPREADINGS, ReadingFlags, RecordFlags, SpectrumFlags
 
 LONGEST = 10_000_000  # values of a record
+PHASES = 2**26  # components times √values; 64 bytes of memory were measured for each
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def sea(
     """
     from .sea_report import show, write_spectrum
 
-    _check_places(file, record.record, output, plot)
+    _check_places(file, spectrum.table, record.record, output, plot)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = _analysed(file, spectrum, record, reading) if file else _made(spectrum, record, reading)
@@ -62,20 +62,21 @@ def sea(
     return 0
 
 
-def _check_places(file, record, output, plot):
-    from bem.database_file import check_place
-
+def _check_places(file, table, record, output, plot):
+    from .outputs import check_output
     from .picture import PLOTS, check_picture
+    from .sea_report import is_record, is_spectrum
 
-    for path in (record, output):
-        if path is not None:
-            check_place(path)
-    if plot is not None:
-        check_picture(plot, PLOTS)
-    paths = [path.resolve() for path in (file, record, output, plot) if path is not None]
+    paths = [path.resolve() for path in (file, table, record, output, plot) if path is not None]
     for i, path in enumerate(paths):
         if path in paths[:i]:
             raise ValueError(f"{path.name} is named twice; give each file a name of its own")
+    if record is not None:
+        check_output(record, "a record made here", is_record)
+    if output is not None:
+        check_output(output, "a spectrum written here", is_spectrum)
+    if plot is not None:
+        check_picture(plot, PLOTS)
 
 
 def _analysed(file, spectrum, record, reading):
@@ -167,9 +168,9 @@ def _record(spectrum, flags):
     _warn_of_long_steps(spectrum, step)
     state = Sea(spectrum, math.radians(flags.direction or 0.0), _spreading(flags.spreading, spectrum))
     words = {"frequencies": flags.frequencies, "amplitudes": flags.amplitudes}
-    number, seed = _whole_number("components", flags.components), _whole_number("seed", flags.seed)
-    number = _number_of_components(spectrum, flags, duration) if number is None else number
-    seed = 1 if seed is None else seed
+    seed = _whole("seed", flags.seed, 0, 1)
+    number = _whole("components", flags.components, 1, _number_of_components(spectrum, flags, duration))
+    _check_memory(number, count)
     components = state.components(number, seed, **{key: word for key, word in words.items() if word is not None})
     depth = math.inf if flags.depth is None else flags.depth
     return Record(elevation(components, step * np.arange(count), *_point(flags.point), depth), step)
@@ -183,6 +184,15 @@ def _number_of_components(spectrum, flags, duration):
     return max(500, resolved) if flags.amplitudes == "random" else 500
 
 
+def _check_memory(components, count):
+    most = int(PHASES / count**0.5)
+    if components > most:
+        raise ValueError(
+            f"{components} components need {64e-9 * components * count**0.5:.3g} GB for {count} steps; allowed: "
+            f"{64e-9 * PHASES:.2g} GB, {most} components; give fewer with --components, or a shorter --duration"
+        )
+
+
 def _warn_of_long_steps(spectrum, step):
     import numpy as np
 
@@ -193,6 +203,14 @@ def _warn_of_long_steps(spectrum, step):
             "allowed: 1 %; give a shorter --step",
             stacklevel=2,
         )
+
+
+def _whole(name, text, least, otherwise):
+    if text is None:
+        return otherwise
+    if not text.isdecimal() or int(text) < least:
+        raise ValueError(f"--{name} is {text!r}; allowed: a whole number from {least}")
+    return int(text)
 
 
 def _positive(name, value, otherwise):

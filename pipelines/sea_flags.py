@@ -48,7 +48,7 @@ class RecordFlags:
     step: Annotated[float | None, _flag("s, of the record made [0.5], or of one read that has no times")] = None
     seed: Annotated[str | None, _flag("the same seed makes the same record [1]")] = None
     point: Annotated[str | None, _flag("x,y m, where the record is made [0,0]")] = None
-    components: Annotated[int | None, _flag("wave components of the record made [500, more if random]")] = None
+    components: Annotated[str | None, _flag("wave components of the record made [500, more if random]")] = None
     frequencies: Annotated[str | None, _flag("of the components: equal_step or equal_energy [equal_step]")] = None
     amplitudes: Annotated[str | None, _flag("of the components: deterministic or random [deterministic]")] = None
     direction: Annotated[float | None, _flag("degrees the waves travel to (0: +x, 90: +y) [0]")] = None

@@ -10,6 +10,8 @@ from mooring.environment.crossings import expected_maximum_height, rayleigh_heig
 from mooring.environment.periods import KINDS, WORDS
 from mooring.environment.spectrum import Tabulated
 
+from .outputs import opening
+
 WAVES = 1000  # whose highest is told where no record says how many there are
 ROWS = 1000  # of a spectrum that is written
 SHARES = (1e-6, 1 - 1e-4)  # of its energy that lie below the first and the last row
@@ -40,6 +42,18 @@ def write_spectrum(path, found):
         columns += found.estimate.confidence(0.95)
     rows = [",".join(f"{value:.8g}" for value in row) for row in zip(*columns, strict=True)]
     Path(path).write_text(comment + "\n".join([names, *rows]) + "\n", encoding="utf-8")
+
+
+def is_spectrum(path):
+    """Whether a file was made by `write_spectrum`; the user's own table for --table was not"""
+    first, names = opening(path)
+    return "; 4 sqrt(m0) " in first and names.startswith("omega_rad_s,density_m2_s_rad")
+
+
+def is_record(path):
+    """Whether a file is a record that was made of a spectrum, and no measured one"""
+    first, names = opening(path)
+    return " spectrum, 4 sqrt(m0) " in first and names == "time_s,elevation_m"
 
 
 def curve(spectrum):

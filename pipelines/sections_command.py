@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import os
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -19,6 +21,7 @@ NOTES = (
     "N likewise and over omega; E_H, E_S: |E|/(rho g (B/2)); E_R: |E|/(rho g (B/2)^2)",
 )
 SUFFIXES = (".csv", ".h5")
+SCHEMA = "hakobune sections 1"
 
 
 def sections(
@@ -33,18 +36,22 @@ def sections(
 
     Without flags the report's twenty shapes and ten frequencies.
     """
-    from bem.database_file import check_place
     from bem.section_tables import BEAM_DRAFT, DEPTH_DRAFT, XI, tables
+
+    from .outputs import check_output
 
     grid = (
         _listed("--beam-draft", beam_draft, BEAM_DRAFT),
         _listed("--depth-draft", depth_draft, DEPTH_DRAFT),
         _listed("--xi", xi, XI),
     )
+    _check_above("--beam-draft", grid[0], 0, "above 0, finite")
+    _check_above("--depth-draft", grid[1], 1, "above 1, or inf", largest=math.inf)
+    _check_above("--xi", grid[2], 0, "above 0, finite")
     if output is not None:
         if output.suffix not in SUFFIXES:
             raise ValueError(f"output is {output}; allowed: a name that ends in {' or '.join(SUFFIXES)}")
-        check_place(output)
+        check_output(output, "a table of sections", is_table)
     rows = tables(*grid, tolerance)
     if output is None:
         print(csv_text(rows, tolerance), end="")
@@ -69,6 +76,21 @@ def _listed(flag, text, default):
     if len(set(values)) < len(values):
         raise ValueError(f"{flag} is {text!r}; allowed: every number once")
     return values
+
+
+def _check_above(flag, values, low, allowed, largest=sys.float_info.max):
+    wrong = [value for value in values if not low < value <= largest]
+    if wrong:
+        raise ValueError(f"{flag} is {wrong[0]:g}; allowed: {allowed}")
+
+
+def is_table(path):
+    """Whether a file was written here"""
+    from .outputs import has_schema, opening
+
+    if path.suffix == ".csv":
+        return opening(path)[0] == f"# {NOTES[0]}"
+    return has_schema(path, SCHEMA)
 
 
 def csv_text(rows, tolerance):
@@ -99,7 +121,7 @@ def _write_hdf5(output, rows, grid, tolerance):
     beam_draft, depth_draft, xi = grid
     axes = {"H_over_d": depth_draft, "B_over_d": beam_draft, "xi_B": xi}
     with beside(output) as file:
-        file.attrs["schema"] = "hakobune sections 1"
+        file.attrs["schema"] = SCHEMA
         file.attrs["notes"] = "\n".join(NOTES)
         file.attrs["tolerance"] = tolerance
         for name, values in axes.items():

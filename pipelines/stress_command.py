@@ -29,9 +29,7 @@ def stress(
     from .stress.run import run
     from .work import executor_of
 
-    count, start, number = (_whole(*part) for part in (("scenes", scenes), ("seed", seed), ("first", first)))
-    if count < 1:
-        raise ValueError(f"--scenes is {count}; allowed: from 1")
+    count, start, number = _whole("scenes", scenes, 1), _whole("seed", seed, 0), _whole("first", first, 0)
     if method not in ("auto", "panel", "contour"):
         raise ValueError(f"--method is {method!r}; allowed: auto, panel, contour")
     if not 1e-5 <= tolerance <= 0.2:
@@ -55,7 +53,7 @@ def stress(
     return 1 if any(row.verdict for row in rows) else 0
 
 
-def _whole(name, text):
-    if not text.isdecimal():
-        raise ValueError(f"--{name} is {text!r}; allowed: a whole number from 0")
+def _whole(name, text, least):
+    if not text.isdecimal() or int(text) < least:
+        raise ValueError(f"--{name} is {text!r}; allowed: a whole number from {least}")
     return int(text)

@@ -29,7 +29,7 @@ import numpy as np
 from .allowed import positive, within
 from .periods import KINDS, the_one_period
 from .spectrum import Peaked, Spectrum, Tabulated
-from .tables import TableError, column_of, read_table
+from .tables import TableError, read_table
 
 __all__ = [
     "FAMILIES",
@@ -118,9 +118,8 @@ def read_spectrum(path):
     path = Path(path)
     names, values = read_table(path)
     for (frequency, density), factor in COLUMNS.items():
-        if names and frequency in names:
-            omega = values[:, names.index(frequency)] * factor
-            values = values[:, column_of(path, names, density)] / factor
+        if names and {frequency, density} <= set(names):
+            omega, values = values[:, names.index(frequency)] * factor, values[:, names.index(density)] / factor
             return _of_file(path, omega, values)
     allowed = " or ".join(",".join(pair) for pair in COLUMNS)
     raise TableError(f"{path} has the columns {','.join(names or ['without names'])}; allowed: {allowed}")

@@ -35,9 +35,10 @@ def read_table(path, blank=None):
 
 def column_of(path, names, wanted):
     """Place of a named column.  Raises TableError."""
-    if names is None or wanted not in names:
-        have = "has no names of columns" if names is None else f"has the columns {', '.join(names)}"
-        raise TableError(f"{path} {have}; allowed: {wanted}")
+    if names is None:
+        raise TableError(f"column is {wanted!r}, {path} has no names of columns; leave it out")
+    if wanted not in names:
+        raise TableError(f"{path} has no column {wanted!r}; allowed: {', '.join(names)}")
     return names.index(wanted)
 
 

@@ -7,6 +7,7 @@ import io
 import math
 import os
 
+from ..outputs import opening
 from .cases import CASES, HEADING
 from .measure import MORE, PASSES, SECONDS, Row
 from .peers.repeated import SETTLE
@@ -45,6 +46,11 @@ def read_csv(path):
     """The rows of `write_csv`, values as text"""
     with path.open(encoding="utf-8") as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def is_rows(path):
+    """Whether a file was made by `write_csv`"""
+    return opening(path)[1].startswith(",".join(Row._fields[:3]) + ",")
 
 
 def write_page(path, rows, heading, picture):

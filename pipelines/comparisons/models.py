@@ -32,6 +32,7 @@ class Models:
     """M3A with B/d = 10 and 20, M3B with B/d = 10, by all methods"""
 
     name = "models"
+    tables = "models_motions.csv", "models_drift.csv", "models_periods.csv", "models_roll.csv"
 
     def cases(self, xi=None):
         xi = xi or XI
@@ -40,10 +41,11 @@ class Models:
 
     def write(self, results, folder):
         inviscid = [r for r in results if not r.case.columns["wave_height_m"]]
-        yield write_table(folder / "models_motions.csv", "motions", list(wave_rows(results, "motions")))
-        yield write_table(folder / "models_drift.csv", "drift", list(drift_rows(results)))
-        yield write_table(folder / "models_periods.csv", "periods", [*period_rows(inviscid)])
-        yield write_table(folder / "models_roll.csv", "roll", list(roll_rows(results)))
+        motions, drift, periods, roll = (folder / name for name in self.tables)
+        yield write_table(motions, "motions", list(wave_rows(results, "motions")))
+        yield write_table(drift, "drift", list(drift_rows(results)))
+        yield write_table(periods, "periods", [*period_rows(inviscid)])
+        yield write_table(roll, "roll", list(roll_rows(results)))
         lines = {model: [_curve(r) for r in inviscid if r.case.columns["model"] == model] for model in MODELS}
         rows = {chi: f"χ = {chi}°" for chi in MODEL_CHI}
         for model in MODELS:

@@ -21,6 +21,7 @@ class DepthSeries:
     """Six depths of water, L/B = 2"""
 
     name = "depth-series"
+    tables = "depth-series_coefficients.csv", "depth-series_excitation.csv"
     figures = "2.1.5.3-12", "2.1.5.13-22", "2.1.5.23-46"  # of added mass, damping, force
 
     def cases(self, xi=None):
@@ -40,6 +41,7 @@ class LengthSeries:
     """Five lengths, H/d = 2"""
 
     name = "length-series"
+    tables = "length-series_coefficients.csv", "length-series_excitation.csv"
     figures = "2.1.5.47-56", "2.1.5.57-66", "2.1.5.67-90"
 
     def cases(self, xi=None):
@@ -63,6 +65,7 @@ class Sections:
     """Three-dimensional against two-dimensional coefficients, H/d = 2"""
 
     name = "sections"
+    tables = ("sections_ratios.csv",)
 
     def cases(self, xi=None):
         boxes = [series_case(ratio, 2.0, xi=xi or XI) for ratio in LENGTH_BEAM]
@@ -71,7 +74,7 @@ class Sections:
     def write(self, results, folder):
         *boxes, strips = results
         found = ratios(boxes, strips)
-        yield write_table(folder / "sections_ratios.csv", "ratios", list(self._rows(boxes, found)))
+        yield write_table(folder / self.tables[0], "ratios", list(self._rows(boxes, found)))
         titles = {f"Fig. 2.1.5.{91 + i}  {name}": values for i, (name, values) in enumerate(_titled(found).items())}
         title = "Three-dimensional over two-dimensional, H/d = 2, B/d = 5, beam waves"
         yield ratio_picture(folder / "sections_ratios.png", strips.xi, LENGTH_BEAM, titles, title)
@@ -82,10 +85,11 @@ class Sections:
         chosen = (strips.xi > 0.45) & (strips.xi < 1.6)
         if not chosen.any():
             return
+        at = _spoken(strips.xi[chosen])
         for name, values in _titled(found).items():
             off = np.abs(values[:, chosen] - 1).max(axis=1)
             told = ", ".join(f"{100 * o:.0f} %" for o in off)
-            yield f"{name}: off 1 by at most {told} at L/B {', '.join(f'{b:g}' for b in LENGTH_BEAM)}, ξ_B 0.5 to 1.5"
+            yield f"{name}: off 1 by at most {told} at L/B {', '.join(f'{b:g}' for b in LENGTH_BEAM)}, ξ_B {at}"
 
     def _rows(self, boxes, found):
         for i, box in enumerate(boxes):
@@ -97,12 +101,13 @@ class Motions:
     """Motions of four lengths floating freely, H/d = 2"""
 
     name = "motions"
+    tables = ("motions.csv",)
 
     def cases(self, xi=None):
         return [series_case(ratio, 2.0, xi=xi or CLOSE_XI) for ratio in MOTION_LENGTH_BEAM]
 
     def write(self, results, folder):
-        yield write_table(folder / "motions.csv", "motions", list(wave_rows(results, "motions")))
+        yield write_table(folder / self.tables[0], "motions", list(wave_rows(results, "motions")))
         lines = curves([(r, f"L/B {r.case.columns['L_over_B']:g}") for r in results])
         rows = {chi: f"χ = {chi}°, figs. 2.4.3.{MOTION_FIGURES[chi]}" for chi in CHI}
         for shown, word in (("logarithm", "amplitude"), ("phase", "phase")):
@@ -143,8 +148,8 @@ def _titled(found):
 def _series(series, results, lines, folder, shape):
     """The files of a series of coefficients and forces"""
     name = series.name
-    yield write_table(folder / f"{name}_coefficients.csv", "coefficients", list(coefficient_rows(results)))
-    yield write_table(folder / f"{name}_excitation.csv", "excitation", list(wave_rows(results, "forces")))
+    yield write_table(folder / series.tables[0], "coefficients", list(coefficient_rows(results)))
+    yield write_table(folder / series.tables[1], "excitation", list(wave_rows(results, "forces")))
     of_mass, of_damping, of_force = series.figures
     for letter, word, figures in (("A", "added mass", of_mass), ("B", "damping", of_damping)):
         path = folder / f"{name}_{word.replace(' ', '_')}.png"
@@ -153,6 +158,13 @@ def _series(series, results, lines, folder, shape):
     for shown in ("amplitude", "phase"):
         title = f"Exciting force, {shown}, {shape}  (figs. {of_force})"
         yield wave_picture(folder / f"{name}_force_{shown}.png", lines, "forces", shown, title, rows)
+
+
+def _spoken(xi):
+    """A few values each, of many how many there are"""
+    if len(xi) <= 5:
+        return ", ".join(f"{x:g}" for x in xi)
+    return f"{xi[0]:g} to {xi[-1]:g} ({len(xi)} values)"
 
 
 def _depth(results):

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from ..outputs import check_folder, check_output
 from ..scene import SceneError, numbers
-from .databases import solved
+from .databases import is_scene, solved
 from .models import Models
 from .series import DepthSeries, LengthSeries, Motions, Sections
+from .tables import is_table
 
 SETS = {one.name: one for one in (DepthSeries(), LengthSeries(), Sections(), Motions(), Models())}
 
@@ -19,6 +21,7 @@ def make(one, folder, console, xi=None, fresh=False):
     if folder.exists() and not folder.is_dir():
         raise SceneError(f"output is {folder}, which is a file; allowed: a folder, or a new name")
     cases = one.cases(None if xi is None else numbers("--xi", xi))
+    check_places(one, cases, folder)
     found = solved(cases, folder / "databases", console, fresh)
     for line in found.failures:
         _say(console, f"failed: {line}")
@@ -30,6 +33,17 @@ def make(one, folder, console, xi=None, fresh=False):
     for path in one.write(found.results, folder):
         _say(console, path)
     return 0
+
+
+def check_places(one, cases, folder):
+    """Raise ValueError where a folder cannot be written to, or a table or a scene would replace something else."""
+    databases = folder / "databases"
+    for place in (folder, databases):
+        check_folder(place)
+    for name in one.tables if folder.is_dir() else ():
+        check_output(folder / name, "a table of a comparison", is_table)
+    for case in cases if databases.is_dir() else ():
+        check_output(databases / f"{case.name}.toml", "a scene of a comparison", is_scene)
 
 
 def _say(console, line):

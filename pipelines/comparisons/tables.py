@@ -6,6 +6,7 @@ import csv
 import io
 import os
 
+from ..outputs import opening
 from .report_units import PAIRS, lag
 
 SOURCE = "Definitions: SR179 report (1982), chapter 2; boxes of length L, beam B, draft d in water of depth H"
@@ -53,6 +54,11 @@ def write_table(path, kind, rows):
     partial.write_text(text.getvalue(), encoding="utf-8")
     os.replace(partial, path)
     return path
+
+
+def is_table(path):
+    """Whether a file was written by `write_table`"""
+    return opening(path)[0] == f"# {SOURCE}"
 
 
 def coefficient_rows(results):

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import time
 
-from bem.database_file import check_place
-
 from ..interrupt import ctrl_c
+from ..outputs import check_output
 from ..progress import duration
 from ..work import Here
 from .campaign import row_of
-from .table import Writer, summary
+from .table import Writer, is_table, summary
 
 EVERY = 5.0  # s between lines of progress
 AHEAD = 200  # scenes that processes are given before the first is back: one of many waves takes as long as a hundred
@@ -21,7 +20,7 @@ def run(questions, output, executor, say):
 
     say : takes each line of progress
     """
-    check_place(output)
+    check_output(output, "a table of stress scenes", is_table)
     rows, told = [], time.perf_counter()
     start = told
     with output.open("w", newline="", encoding="utf-8") as file, ctrl_c(say) as stop:

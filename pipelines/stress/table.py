@@ -8,6 +8,7 @@ from collections import Counter
 
 import numpy as np
 
+from ..outputs import opening
 from .campaign import Row
 
 USELESS = 0.3  # an estimated error above which a result says little
@@ -20,10 +21,16 @@ class Writer:
         file.writelines(f"# {line}\n" for line in heading)
         self.file, self.writer = file, csv.writer(file, lineterminator="\n")
         self.writer.writerow(Row._fields)
+        self.file.flush()
 
     def write(self, row):
         self.writer.writerow([f"{value:.6g}" if isinstance(value, float) else value for value in row])
         self.file.flush()
+
+
+def is_table(path):
+    """Whether a file is the CSV of a campaign"""
+    return opening(path)[0].startswith("# seed ")
 
 
 def summary(rows):

@@ -269,6 +269,11 @@ def foreign_netcdf(path):
         file["x"] = 1.0
 
 
+def study(path):
+    with h5py.File(path, "w") as file:
+        file.attrs["schema"] = "hakobune mooring study 1"
+
+
 def other_version(path):
     create(path, header(), OMEGAS, HEADINGS, NAMES)
     with h5py.File(path, "r+") as file:
@@ -281,6 +286,7 @@ def other_version(path):
         (lambda path: path.write_text("length,beam\n"), "is not an HDF5 file"),
         (lambda path: path.write_bytes(b""), "is not an HDF5 file"),
         (foreign_netcdf, "HDF5 file of another program"),
+        (study, "is a hakobune mooring study, not a hakobune database"),
         (other_version, "schema version 99"),
         (lambda path: path.mkdir(), "is not a file"),
         (lambda path: None, "does not exist"),

@@ -311,7 +311,7 @@ def test_command_leaves_no_file_when_the_study_has_no_answer(tmp_path, database)
     with pytest.raises(ValueError, match="period 3 s"):
         moor(study, database, output, quiet=True)
     assert not output.exists()
-    with pytest.raises(StudyError, match="is an input of the study"):
+    with pytest.raises(ValueError, match="is an input of the study"):
         moor(study, database, database, quiet=True)
     assert len(open_database(database).omega) == len(OMEGA)
 

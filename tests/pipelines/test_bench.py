@@ -21,7 +21,7 @@ from pipelines.bench.plan import PROGRAMS, Job, plan
 from pipelines.bench.ratios import equal_panels, one_thread_and_two
 from pipelines.bench.references import Coefficients, compared, error, references
 from pipelines.bench.run import bench
-from pipelines.bench.tables import LEVELS, least_ms, read_csv
+from pipelines.bench.tables import LEVELS, is_rows, least_ms, read_csv
 from pipelines.cli import main
 
 CYLINDERS = [case for case in CASES.values() if case.shape == "buoy"]
@@ -246,6 +246,13 @@ def test_the_least_time_within_an_error_counts_only_rows_within_it():
     row = measured(CONTOUR, OURS, None)
     rows = [row._replace(error=e, warm_ms=t) for e, t in ((1e-1, 1.0), (1e-3, 5.0), (1e-4, 3.0), (math.nan, 0.1))]
     assert [least_ms(rows, level) for level in (1.0, 1e-2, 1e-4, 1e-5)] == [1.0, 3.0, 3.0, None]
+
+
+def test_rows_of_another_origin_are_not_replaced(tmp_path, capsys):
+    (tmp_path / "bench.csv").write_text("chair,height\n")
+    assert main(["bench", "--quick", "--only", "cylinder-30", "--output", str(tmp_path)]) == 2
+    assert "bench.csv is not the rows of a bench and is not replaced" in capsys.readouterr().err
+    assert is_rows(Path(__file__).parents[1] / "bench" / "results" / "bench.csv")
 
 
 @pytest.mark.parametrize(

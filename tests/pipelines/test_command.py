@@ -106,7 +106,7 @@ def test_pressures_are_added_to_a_database_and_shown(whole, tmp_path):
     path, picture = tmp_path / "box.h5", tmp_path / "pressure.png"
     shutil.copy(whole, path)
     assert main([*WORDS[:-1], "pressure", "--output", str(path)]) == 0
-    words = ["--field", "pressure", "--omega", "0.61", "--heading", "25", "--screenshot", str(picture)]
+    words = ["--field", "pressure", "--omega", "0.61", "--heading", "30", "--screenshot", str(picture)]
     assert main(["look", str(path), *words]) == 0
     assert picture.stat().st_size > 5_000
 
@@ -139,6 +139,38 @@ def test_check_fails_when_a_law_is_broken_beyond_the_tolerance(whole, tmp_path, 
         file["checks/energy"][3] = 0.5
     assert main(["check", str(path)]) == 1
     assert "1 above" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("schema", "words"),
+    [
+        ("hakobune mooring study 1", ("hakobune moor,", "the database it was made with, box.h5")),
+        ("hakobune response study 1", ("hakobune response,", "box.h5")),
+        ("hakobune sections 1", ("hakobune sections,",)),
+        ("hakobune channels 1", ("hakobune line", "hakobune lines other.h5 draws it")),
+        ("of others", ("HDF5 file of another program",)),
+    ],
+)
+def test_check_names_what_other_commands_wrote(schema, words, tmp_path, monkeypatch, capsys):
+    import h5py
+
+    monkeypatch.chdir(tmp_path)
+    with h5py.File("other.h5", "w") as file:
+        file.attrs["schema"] = schema
+        if "study" in schema:
+            file.attrs["database"] = "box.h5"
+    assert main(["check", "other.h5"]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("hakobune check: other.h5 is") and said.count("\n") == 1
+    assert all(word in said for word in words), said
+
+
+def test_schemas_that_check_names_are_those_that_are_written():
+    from mooring.formats import results
+    from pipelines import moor, response_output
+    from pipelines.checking import OTHERS
+
+    assert {moor.SCHEMA, response_output.SCHEMA, results.SCHEMA} < set(OTHERS)
 
 
 def test_a_mesh_alone_needs_no_water_and_no_waves(tmp_path, capsys):

@@ -2,6 +2,7 @@
 
 import csv
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -190,6 +191,38 @@ def test_a_wrong_word_is_one_line(words, said, tmp_path, monkeypatch, capsys):
     assert main(["compare", *words]) == 2
     error = capsys.readouterr().err
     assert said in error and error.count("\n") == 1
+
+
+def test_ratios_are_told_with_the_frequencies_they_were_computed_at():
+    def stand_in(xi):
+        forces = np.ones((len(xi), 1, 6))
+        return SimpleNamespace(xi=xi, coefficient=lambda name: np.ones(len(xi)), forces=forces, heading=lambda chi: 0)
+
+    for xi, told in (([0.5, 1.0], "0.5, 1"), ([1.0, 9.0], "1"), ([*np.linspace(0, 2, 21)], "0.5 to 1.5 (11 values)")):
+        results = [stand_in(np.array(xi))] * (len(LENGTH_BEAM) + 1)
+        assert all(line.endswith(f"ξ_B {told}") for line in SETS["sections"].summary(results))
+
+
+@pytest.mark.parametrize("made", [False, True])
+def test_a_folder_without_permission_is_named(made, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("ro/comp" if made else "ro").mkdir(parents=True)
+    closed = "comp" if made else "ro"
+    monkeypatch.setattr("os.access", lambda place, mode: Path(place).name != closed)
+    assert main(["compare", "sections", "--output", "ro/comp"]) == 2
+    said = capsys.readouterr().err
+    place = "ro/comp" if made else "ro"
+    assert said == f"hakobune compare: ro/comp cannot be written: no permission in {place}\n"
+
+
+@pytest.mark.parametrize("name", ["sections_ratios.csv", "databases/LB4_Hd2_contour.toml"])
+def test_a_file_of_another_kind_is_not_replaced_by_a_set(name, tmp_path, capsys):
+    mine = tmp_path / name
+    mine.parent.mkdir(exist_ok=True)
+    mine.write_text("my = 'notes'\n")
+    assert main(["compare", "sections", "--xi", "1", "--output", str(tmp_path)]) == 2
+    assert f"{mine} is not a " in capsys.readouterr().err
+    assert mine.read_text() == "my = 'notes'\n"
 
 
 def test_a_database_of_another_scene_is_named_and_replaced_only_on_demand(tmp_path, capsys):

@@ -80,6 +80,9 @@ to = "starboard"
 """
 
 
+HANGING = ["--weight", "1000", "--length", "300", "--depth", "60"]
+
+
 @pytest.fixture
 def spread(tmp_path):
     path = tmp_path / "spread.toml"
@@ -104,6 +107,15 @@ def test_line_finds_the_span_of_a_tension(capsys):
     assert "500.000," in capsys.readouterr().out
 
 
+def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
+    hung = ["line", "--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--span"]
+    assert main([*hung, "280"]) == 0
+    assert "warning" not in capsys.readouterr().out
+    assert main([*hung, "400"]) == 0
+    (warning,) = (line for line in capsys.readouterr().out.splitlines() if line.startswith("warning: "))
+    assert "the breaking load 4884.278 kN: the line parts" in warning
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -111,7 +123,18 @@ def test_line_finds_the_span_of_a_tension(capsys):
         (["--weight", "9", "--length", "300", "--depth", "60"], "--span and --tension: neither is given"),
         (["--type", "rope", "--length", "300", "--depth", "60", "--span", "1"], "'rope' is not in the catalogue"),
         (["--weight", "9", "--length", "50", "--depth", "60", "--span", "40"], "cannot be reached"),
-        (["--weight", "9", "--length", "-5", "--depth", "60", "--span", "40"], "length is -5; allowed"),
+        (["--weight", "9", "--length", "-5", "--depth", "60", "--span", "40"], "--length is -5 m; allowed"),
+        ([*HANGING, "--span", "250", "--slope-deg", "95"], "--slope-deg is 95°; allowed: above −85.94 and below 85.94"),
+        ([*HANGING, "--span", "250", "--fairlead-z", "-70"], "--fairlead-z is -70 m; allowed: from -60 m, the bed"),
+        ([*HANGING, "--tension", "9", "--fairlead-z", "-70"], "--fairlead-z is -70 m; allowed: from -60 m, the bed"),
+        (
+            [*HANGING, "--span", "250", "--slope-deg", "20"],
+            "--fairlead-z is 0 m; allowed: from 30.9926 m, the bed 250 m from the anchor (--depth, --slope-deg)",
+        ),
+        ([*HANGING, "--span", "-5"], "--span is -5 m; allowed: at least 0, finite"),
+        ([*HANGING, "--tension", "0"], "--tension is 0 kN; allowed: above 0, finite"),
+        ([*HANGING, "--tension", "9", "--friction", "-1"], "--friction is -1; allowed: at least 0, finite"),
+        ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
     ],
 )
 def test_line_says_in_one_line_what_it_cannot_do(arguments, message, capsys):
@@ -194,6 +217,11 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     for name in ("strip.png", "film.gif"):
         assert main(["lines", str(run), "--picture", str(tmp_path / name)]) == 0
         assert (tmp_path / name).stat().st_size > 5_000
+    picture = tmp_path / "run.png"  # of `line-dynamics --output run.h5 --picture run.png`
+    picture.write_text("tensions")
+    assert main(["lines", str(run)]) == 0
+    assert picture.read_text() == "tensions" and (tmp_path / "run_frames.png").stat().st_size > 5_000
+    assert "run_frames.png" in capsys.readouterr().out
     write_channels(run, time, {})
     assert main(["lines", str(run)]) == 2
     assert "holds no frames" in capsys.readouterr().err

@@ -15,6 +15,7 @@ from mooring.environment.spectra import issc
 from mooring.response.body import read_body
 from mooring.response.sea_state import sea_state
 from pipelines.cli import main
+from pipelines.response_report import _forces
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 WORDS = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.55,29.44,32.28"
@@ -159,6 +160,19 @@ def test_impossible_command_is_refused_in_one_line(folder, capsys, words, messag
     said = capsys.readouterr().err
     assert message in said and said.count("\n") == 1
     assert Path("box.h5").read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("force", "among", "words"),
+    [
+        ((1e5, 1e-9, -4.9e-9), None, "Fx 10.2, Fy 0 tonf, Mz 0 tonf m"),
+        ((1e5, -2e5, 3e4), None, "Fx 10.2, Fy -20.39 tonf, Mz 3.059 tonf m"),
+        ((1e-10, 0.0, 1e-8), ((1e5, 0, 0), (-1e5, 0, 0)), "Fx 0, Fy 0 tonf, Mz 0 tonf m"),
+        ((0.0, 0.0, 0.0), None, "Fx 0, Fy 0 tonf, Mz 0 tonf m"),
+    ],
+)
+def test_forces_that_are_rounding_are_printed_as_zero(force, among, words):
+    assert _forces(np.array(force), 50.0, among) == words
 
 
 def test_another_hdf5_file_is_not_replaced(folder, capsys):

@@ -71,6 +71,10 @@ def test_steps_too_long_for_the_waves_are_warned_of(tmp_path, capsys):
         ([*SEA, "--record", "r.csv", "--spreading", "cos"], "--spreading is 'cos'; allowed: cosine:N"),
         ([*SEA, "--record", "r.csv", "--duration", "-1"], "--duration is -1"),
         ([*SEA, "--record", "r.csv", "--output", "r.csv"], "r.csv is named twice"),
+        ([*SEA, "--record", "r.csv", "--components", "0"], "--components is '0'; allowed: a whole number from 1"),
+        ([*SEA, "--record", "r.csv", "--components", "2.5"], "--components is '2.5'; allowed: a whole number from 1"),
+        ([*SEA, "--record", "r.csv", "--components", "100000000"], "need 543 GB for 7200 steps; allowed: 4.3 GB"),
+        (["sea", "--table", "s.csv", "--output", "s.csv"], "s.csv is named twice"),
         ([*SEA, "--plot", "a.txt"], "suffix '.txt'"),
         (["sea", "none.csv"], "none.csv does not exist"),
         (["sea", "none.csv", "--height", "3"], "--height has no effect, a record file is given"),
@@ -82,3 +86,20 @@ def test_a_fault_is_one_line_and_leaves_no_file(words, said, tmp_path, monkeypat
     error = capsys.readouterr().err
     assert said in error and error.count("\n") == 1
     assert not list(tmp_path.iterdir())
+
+
+def test_a_column_that_is_not_there_is_named_beside_those_that_are(tmp_path, capsys):
+    waves = tmp_path / "waves.csv"
+    waves.write_text("time_s,elevation_m\n0,1\n1,-1\n", encoding="utf-8")
+    assert main(["sea", str(waves), "--column", "foo"]) == 2
+    assert "waves.csv has no column 'foo'; allowed: time_s, elevation_m" in capsys.readouterr().err
+    waves.write_text("0,1\n1,-1\n", encoding="utf-8")
+    assert main(["sea", str(waves), "--column", "foo"]) == 2
+    assert "column is 'foo', " in capsys.readouterr().err
+
+
+def test_a_table_without_its_density_is_told_which_columns_it_needs(tmp_path, capsys):
+    table = tmp_path / "table.csv"
+    table.write_text("omega_rad_s,S\n0.5,1\n1,2\n", encoding="utf-8")
+    assert main(["sea", "--table", str(table)]) == 2
+    assert "has the columns omega_rad_s,S; allowed: omega_rad_s,density_m2_s_rad or" in capsys.readouterr().err

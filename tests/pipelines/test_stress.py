@@ -161,8 +161,10 @@ def test_scenes_that_a_method_is_not_for_are_left_out(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--scenes", "0"], "--scenes is 0; allowed: from 1"),
+        (["--scenes", "0"], "--scenes is '0'; allowed: a whole number from 1"),
+        (["--scenes", "abc"], "--scenes is 'abc'; allowed: a whole number from 1"),
         (["--scenes", "2.5"], "--scenes is '2.5'; allowed: a whole number"),
+        (["--seed", "-1"], "--seed is '-1'; allowed: a whole number from 0"),
         (["--method", "strip"], "--method is 'strip'; allowed: auto, panel, contour"),
         (["--tolerance", "2"], "--tolerance is 2.0; allowed"),
         (["--waves", "-1"], "--waves is -1.0; allowed: above 0"),

@@ -1,0 +1,62 @@
+"""The camera of `hakobune look`: as near as all that is shown allows.
+
+With x to the right, y up and z towards the camera, which is at a distance D from the origin, a point is inside the
+right side of the picture, of slope t, if x − c ≤ t (D − z).  Both sides of all points together give the least D,
+max(x + tz) + max(−x + sz) = (t + s) D, and the place c across; so do the upper and the lower side.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+MARGINS = 0.05, 0.05, 0.05, 0.22  # left, right, below and above, of half the picture; above stands the caption
+BAR = 0.40  # to the right, where a colour bar stands
+DEEP = 2.0  # of the hull's diagonal: a bed farther below would leave the hull small
+
+
+def hold(plotter, hull, bar=False):
+    """Move the camera of a pyvista Plotter, its direction kept, until all that is drawn is in the picture.
+
+    hull : PanelMesh; a sea bed far below it is left out of the picture; bar : whether a colour bar is drawn
+    """
+    points = np.vstack([mesh.points for mesh in plotter.meshes])
+    corners = hull.whole().vertices.reshape(-1, 3)
+    reach = DEEP * float(np.linalg.norm(np.ptp(corners, axis=0)))
+    shown = points[points[:, 2] >= corners[:, 2].min() - reach]
+    camera = plotter.camera
+    axes = _axes(np.array(camera.direction), np.array(camera.up))
+    left, right, below, above = 1.0 - np.array(MARGINS)
+    slope = math.tan(math.radians(camera.view_angle) / 2)
+    wide = slope * plotter.window_size[0] / plotter.window_size[1]
+    x, y, z = axes @ shown.T
+    across = _sides(x, z, wide * left, wide * (right - BAR if bar else right))
+    up = _sides(y, z, slope * below, slope * above)
+    distance = max(_distance(across), _distance(up))
+    place = np.array([_middle(across, distance), _middle(up, distance), distance]) @ axes
+    plotter.camera_position = [tuple(place), tuple(place - distance * axes[2]), tuple(axes[1])]
+
+
+def _axes(direction, up):
+    """(3, 3) rows to the right, up and towards the camera"""
+    back = -direction / np.linalg.norm(direction)
+    right = np.cross(up, back)
+    right /= np.linalg.norm(right)
+    return np.array([right, np.cross(back, right), back])
+
+
+def _sides(x, z, low, high):
+    """Slopes of both sides, and how far out the points are against them at no distance"""
+    return low, high, float(np.max(-x + low * z)), float(np.max(x + high * z))
+
+
+def _distance(sides):
+    low, high, out_low, out_high = sides
+    return (out_low + out_high) / (low + high)
+
+
+def _middle(sides, distance):
+    """Place of the camera that leaves the same room on both sides"""
+    low, high, out_low, out_high = sides
+    return ((out_high - high * distance) + (low * distance - out_low)) / 2
