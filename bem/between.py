@@ -183,7 +183,8 @@ class Between:
     def _scattered(self, omega, fitted, equation, value):
         """Deviation of `value` when all quantities deviate by chance, Kochin functions smoothly over the angle.
 
-        Shifted by one number at all angles they would keep their slope, and the moment would seem to be known.
+        Shifted by one number at all angles they would keep their slope, and the moment would seem to be known.  Chance
+        is the same at all frequencies, so that an estimate does not depend on what else is asked for.
         """
         generator, variance = np.random.default_rng(0), 0.0
         waves = wavenumber(omega, self.depth, self.gravity) * np.hypot(*self.outline.T).max()
@@ -193,7 +194,7 @@ class Between:
         for _ in range(DRAWS):
             moved = {}
             for name, (part, error) in fitted.items():
-                chance = _complex_normal(generator, part.shape)
+                chance = _complex_normal(generator, part.shape[1:])
                 if name in KOCHIN:
                     chance = np.fft.ifft(chance * smooth, norm="ortho", axis=-1)
                 moved[name] = part + STEP * error * (chance if np.iscomplexobj(part) else np.sqrt(2) * chance.real)

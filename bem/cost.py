@@ -55,7 +55,7 @@ def cost(geometry, band, gravity):
 
 def memory_alone(prepared):
     """Bytes at the peak of frequencies that share no work (`bem.panel_run`, `bem.zero_draft`, `bem.round_run`)"""
-    g = prepared.geometry
+    g = prepared.geometry if prepared.setup.zero_draft else prepared.turned
     nodes = float(len(g.elements.nodes))
     if g.wedges and not prepared.setup.zero_draft:
         return TURNED * len(g.classes) * nodes * len(g.wedges.first) + OTHER

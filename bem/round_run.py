@@ -15,6 +15,10 @@ from .wedges import solved_by_harmonics, wedge_rows
 class RoundRun(PanelRun):
     """As `PanelRun`, from the rows of one wedge."""
 
+    def __init__(self, prepared, omega, *question):
+        super().__init__(prepared, omega, *question)
+        self.geometry = prepared.turned.at(self.omega**2 / prepared.setup.gravity)
+
     @cached_property
     def pressing(self):
         """{class: potentials (columns, n)}, of the harmonics of the modes alone where nobody asks for the others"""

@@ -77,6 +77,20 @@ class Prepared:
         return share > np.array([1e-6] * 3 + [0.02] * 3)
 
     @cached_property
+    def turned(self):
+        """The geometry of a body of revolution with a lid that turns as its hull does, where the given one does not.
+
+        No water moves on the lid, so that any will do.
+        """
+        g, setup = self.geometry, self.setup
+        if setup.lid is None or g.wedges or not g.without_lid.wedges:
+            return g
+        from meshing.lid import polar_lid
+
+        lid = polar_lid(setup.mesh, float(np.sqrt(setup.lid.areas.mean())))
+        return g if lid is None else Geometry(setup.mesh, lid, setup.depth, setup.nodes_per_panel)
+
+    @cached_property
     def reduced(self):
         """`bem.reduced.Reduced` equations of the setup's band, of its lower part without lid first"""
         from .reduced import reduced, sufficient_accuracy
@@ -106,8 +120,8 @@ class Prepared:
             return ZeroDraftRun(self, *question)
         if self.in_band(question[0]):
             return ReducedRun(self, *question)
-        turned = self.geometry.at(question[0] ** 2 / self.setup.gravity).wedges
-        return (RoundRun if turned else PanelRun)(self, *question)
+        of_wedges = self.turned.at(question[0] ** 2 / self.setup.gravity).wedges
+        return (RoundRun if of_wedges else PanelRun)(self, *question)
 
     def in_band(self, omega):
         """Whether a frequency lies in the setup's band, but for rounding"""

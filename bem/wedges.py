@@ -39,7 +39,7 @@ class Wedges(NamedTuple):
     node, image : (N, p) the k-th turn of each node of the first wedge is that image of that node
     hull : (p,) whether it is on the hull, not on the lid
     rows : (r,) nodes of the first wedge from which the others follow, by their number in it
-    twin, shift : (r,) i* and s of each of them, or nothing without mirror plane
+    twin, shift : (p,) i* and s of every node, or nothing without mirror plane
     """
 
     node: np.ndarray

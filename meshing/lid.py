@@ -50,6 +50,21 @@ def lid(mesh, size=None):
     return PanelMesh(whole.points, whole.corners, mesh.symmetry, f"lid of {mesh.name}".strip())
 
 
+def polar_lid(mesh, size):
+    """A `lid` that turns into itself as its hull does: rings about `size` m wide, a panel of each to a side of the rim.
+
+    returns : PanelMesh, or None if the waterline is not one regular polygon
+    """
+    rings = _closed(waterline(mesh), mesh)
+    rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)
+    if rim is None:
+        return None
+    steps = max(1, round(np.linalg.norm(rim[0] - pole) / size))
+    inwards = np.linspace(1, 0, steps + 1)[None, :, None]
+    cover = structured(pole + inwards * (rim - pole)[:, None])
+    return replace(cover, symmetry=mesh.symmetry, name=f"lid of {mesh.name}".strip())
+
+
 def waterline(mesh):
     """Where the hull cuts the water surface: a list of (k, 3) m polylines, the body on their left.
 
@@ -162,9 +177,6 @@ def _filled(ring, holes, size, symmetry):
     plan = _simplified(ring, size)
     if len(plan) == 4 and not holes and _is_rectangle(plan):
         return _grid(plan, size, symmetry)
-    rim, pole = _regular(ring)
-    if rim is not None and not holes:
-        return _polar(rim, pole, size, symmetry)
     wanted = (_area(ring) + sum(_area(hole) for hole in holes)) / size**2
     for _ in range(3):  # gmsh rounds edges up to whole panels and makes up to twice as many as asked for
         made = filled(_simplified(ring, size), [_simplified(h, size) for h in holes], size, symmetry, "lid")
@@ -181,13 +193,6 @@ def _grid(ring, size, symmetry):
         n = max(1, round(float(np.linalg.norm(ring[k % 2 + 1] - ring[k % 2])) / size))
         sides.append(np.concatenate([a + np.arange(n)[:, None] / n * (b - a), b[None]]))
     return graded_patches([sides], symmetry, "lid")
-
-
-def _polar(rim, pole, size, symmetry):
-    """Rings about `size` wide, a panel of each to every side of the rim"""
-    rings = max(1, round(np.linalg.norm(rim[0] - pole) / size))
-    inwards = np.linspace(1, 0, rings + 1)[None, :, None]
-    return replace(structured(pole + inwards * (rim - pole)[:, None]), symmetry=symmetry, name="lid")
 
 
 def _regular(ring):

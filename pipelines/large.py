@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from bem.influence import Geometry
 from bem.setup import Setup
 from bem.shape_setup import ShapeSetup
 
@@ -26,7 +25,8 @@ def shared_band(scene, mesh, lid=None):
     count = len(omegas) if scene.waves.band is None else ADAPTIVE
     if nodes < FEWEST or count * nodes <= WORTH_SHARING:
         return None
-    if count < WORTH_SHARING_ROUND and Geometry(mesh, lid, scene.water.depth, PER_PANEL, scene.wall).wedges:
+    alone = Setup(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
+    if count < WORTH_SHARING_ROUND and alone.turned.wedges:
         return None
     return float(omegas.min()), float(omegas.max())
 

@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from meshing.lid import lid, waterline
+from meshing.lid import lid, polar_lid, waterline
 from meshing.panels import SYMMETRIES, joined, structured
 from meshing.quality import findings
 from meshing.shapes import box, buoy
@@ -56,24 +56,23 @@ def test_the_lid_of_a_buoy_lies_within_the_waterline(symmetry):
 
 @pytest.mark.parametrize("symmetry", SYMMETRIES)
 @pytest.mark.parametrize("shift", [0.0, 30.0])
-def test_the_lid_of_a_round_waterline_is_polar(symmetry, shift):
+def test_a_polar_lid_covers_a_round_waterline(symmetry, shift):
     hull = buoy(10, 10, counts=(6, 3, 4), symmetry=symmetry).moved(dx=shift)  # a plane it leaves is written out
-    cover = lid(hull)
+    cover = polar_lid(hull, 3.0)
     assert total_area(cover) == pytest.approx(np.pi * 10**2, rel=1e-12)  # of the whole polygon
     assert len(cover) * cover.copies % 24 == 0
     radii = np.hypot(cover.points[:, 0] - shift, cover.points[:, 1])
-    assert len(np.unique(np.round(radii, 6))) == len(cover) * cover.copies // 24 + 1
+    assert len(np.unique(np.round(radii, 6))) == len(cover) * cover.copies // 24 + 1 == 4
     assert findings(hull, lid=cover) == []
 
 
 @pytest.mark.parametrize("symmetry", SYMMETRIES)
-def test_an_oval_waterline_is_filled_without_a_pole(symmetry):
+def test_other_waterlines_have_no_polar_lid(symmetry):
     hull = buoy(10, 10, counts=(6, 3, 4), symmetry=symmetry)
-    oval = replace(hull, points=hull.points * (2.0, 1.0, 1.0))
-    cover = lid(oval)
-    assert not np.any((cover.corners[:, 2] == cover.corners[:, 3]) & (np.hypot(*cover.centroids[:, :2].T) < 1))
-    assert 0.95 < total_area(cover) / (2 * np.pi * 10**2) <= 1 + 1e-12
-    assert findings(oval, lid=cover) == []
+    assert polar_lid(replace(hull, points=hull.points * (2.0, 1.0, 1.0)), 3.0) is None
+    assert polar_lid(box(100, 50, 10, symmetry=symmetry), 3.0) is None
+    assert polar_lid(hull.moved(dz=-1.0), 3.0) is None
+    assert polar_lid(moonpool_box(), 3.0) is None
 
 
 @pytest.mark.parametrize("make", (lambda: box(100, 50, 10, panels=900), lambda: buoy(10, 10), moonpool_box))
