@@ -25,6 +25,8 @@ NOTES = (
     "first: from the start of the process to the end of the first frequency, with what programs keep on disk there "
     "(cache full) or not (cache empty); body: that first frequency once everything is loaded, with what frequencies "
     f"share; all in: each of {FREQUENCIES} frequencies with its part of that; estimates of errors are made after all",
+    "panel: each frequency alone, by its rotation on a cylinder, but where the commands share the work of these few "
+    "(box, 944 panels); panel, band: work that frequencies share, with two planes",
     "memory: the most the process has held",
     "panels: on the whole hull; a lid besides, in every program; meshes of other programs are made beforehand",
     "jobs of one thread whose cpu is below 0.9 of their ms are measured again, up to twice: others had the core",
