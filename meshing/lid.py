@@ -51,16 +51,20 @@ def lid(mesh, size=None):
 
 
 def polar_lid(mesh, size):
-    """A `lid` that turns into itself as its hull does: rings about `size` m wide, a panel of each to a side of the rim.
+    """A `lid` that turns into itself as its hull does: edges up to `size` m along the rim, twice that across.
 
     returns : PanelMesh, or None if the waterline is not one regular polygon
+
+    Edges along the rim are what counts.  Cylinder in 0.2 m of water under the keel, waves three sizes long, excitation:
+    0.4 % off, as with the lid that does not turn, 0.6 % with half of them along the rim and twice as many across.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)
     if rim is None:
         return None
-    steps = max(1, round(np.linalg.norm(rim[0] - pole) / size))
-    inwards = np.linspace(1, 0, steps + 1)[None, :, None]
+    along = np.arange(parts := math.ceil(np.linalg.norm(rim[1] - rim[0]) / size))[:, None] / parts
+    rim = np.concatenate([*(a + along * (b - a) for a, b in pairwise(rim)), rim[-1:]])
+    inwards = np.linspace(1, 0, math.ceil(np.linalg.norm(rim[0] - pole) / (2 * size)) + 1)[None, :, None]
     cover = structured(pole + inwards * (rim - pole)[:, None])
     return replace(cover, symmetry=mesh.symmetry, name=f"lid of {mesh.name}".strip())
 
