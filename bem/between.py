@@ -164,7 +164,10 @@ class Between:
         return np.zeros(1)
 
     def _carried(self, omega, names, equation):
-        """An equation of fitted quantities, and its error by carrying the deviation of each through it."""
+        """An equation of fitted quantities, and its error by carrying the deviation of each through it.
+
+        That of numbers one after the other, as they are; that of functions of the angle by chance (`_scattered`).
+        """
         missing = [name for name in names if name not in self.quantities]
         if missing:
             raise BetweenError(

@@ -55,11 +55,12 @@ def cost(geometry, band, gravity):
 
 def memory_alone(prepared):
     """Bytes at the peak of frequencies that share no work (`bem.panel_run`, `bem.zero_draft`, `bem.round_run`)"""
-    g = prepared.geometry if prepared.setup.zero_draft else prepared.turned
+    by_classes = prepared.setup.zero_draft  # the plate is solved by classes, round or not
+    g = prepared.geometry if by_classes else prepared.turned
     nodes = float(len(g.elements.nodes))
-    if g.wedges and not prepared.setup.zero_draft:
-        return TURNED * len(g.classes) * nodes * len(g.wedges.first) + OTHER
-    return ALONE * len(g.classes) * nodes**2 + OTHER
+    if by_classes or not g.wedges:
+        return ALONE * len(g.classes) * nodes**2 + OTHER
+    return TURNED * len(g.classes) * nodes * len(g.wedges.first) + OTHER
 
 
 def _seconds_of_waves(geometry, omega, gravity):

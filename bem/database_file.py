@@ -74,6 +74,15 @@ def check_place(path):
         raise DatabaseError(f"{path} cannot be written: no permission in {path.parent}")
 
 
+def has_schema(path, schema):
+    """Whether a file is HDF5 with this attribute `schema`, which results of studies have and databases do not"""
+    try:
+        with h5py.File(path) as file:
+            return file.attrs.get("schema") == schema
+    except OSError:
+        return False
+
+
 def check_replaceable(path):
     """Raise DatabaseError if there is a file under this name that is no database, of whatever version, or in use."""
     if not Path(path).exists():

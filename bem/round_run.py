@@ -13,7 +13,7 @@ from .wedges import solved_by_harmonics, wedge_rows
 
 
 class RoundRun(PanelRun):
-    """As `PanelRun`, from the rows of one wedge."""
+    """As `PanelRun`, from the rows of a wedge, or of half of one."""
 
     def __init__(self, prepared, omega, *question):
         super().__init__(prepared, omega, *question)

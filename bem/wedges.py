@@ -12,7 +12,8 @@ A mirror plane M sends m to −m, of which one is enough, and halves the wedge: 
 
     Â_m(i*, j*) = exp(im (α_s(j) − α_s(i))) Â_−m(i, j)
 
-The mesh stays the part that its mirror planes leave; symmetry classes (`bem.influence`) go in and come out.
+The mesh stays the part that its mirror planes leave; symmetry classes (`bem.influence`) go in and come out.  Davis,
+Circulant Matrices (1979), for the harmonics of such matrices.
 """
 
 from __future__ import annotations
@@ -145,6 +146,7 @@ def solved_by_harmonics(geometry, S, D, K, velocities, whole=True):
 
     S, D : `wedge_rows`; K : ω²/g in 1/m; velocities : {class: (columns, hull nodes)}
     whole : False for what pushes the body alone, the harmonics of its modes of motion
+    raises : LinAlgError if the equations of a harmonic are singular
     """
     from scipy.linalg import solve
 

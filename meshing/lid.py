@@ -53,7 +53,8 @@ def lid(mesh, size=None):
 def polar_lid(mesh, size):
     """A `lid` that turns into itself as its hull does: edges up to `size` m along the rim, twice that across.
 
-    returns : PanelMesh, or None if the waterline is not one regular polygon
+    returns : PanelMesh with the mirror planes of the hull, or None if the waterline is not one regular polygon
+    raises : ValueError as `lid`
 
     Edges along the rim are what counts.  Cylinder in 0.2 m of water under the keel, waves three sizes long, excitation:
     0.4 % off, as with the lid that does not turn, 0.6 % with half of them along the rim and twice as many across.

@@ -261,8 +261,10 @@ def _motion_remarks(scene):
 
 def _size_remarks(scene, mesh):
     """No body has mass farther from its middle than it is long."""
+    if scene.body.gyration is None:
+        return
     largest = float(np.ptp(mesh.whole().vertices.reshape(-1, 3), axis=0).max())
-    longest = max(scene.body.gyration or (0.0,))
+    longest = max(scene.body.gyration)
     if longest > largest:
         yield (
             f"radius of gyration {longest:g} m is larger than the largest dimension of the wetted body, "

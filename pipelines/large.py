@@ -13,7 +13,7 @@ PER_PANEL = 4  # nodes
 # frequencies on 472, 944, 1976 and 3936 nodes.  A single one on more nodes would not fit.
 WORTH_SHARING = 5000
 FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
-# on a body of revolution (`bem.wedges`): it takes as long as 120, 130 and 250 of 476, 1000 and 2000 panels
+# on a body of revolution (`bem.wedges`): it takes as long as 115 of 1 000 or 4 000 panels, with two threads 190 and 145
 WORTH_SHARING_ROUND = 150
 ADAPTIVE = 20  # frequencies that an adaptive band takes, about
 WORTH_TELLING = 3000

@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from bem import DOFS
+from bem.database_file import has_schema
 
-from .outputs import check_output, has_schema
+from .outputs import check_output
 from .study import TONF, read_study
 
 SCHEMA = "hakobune mooring study 1"

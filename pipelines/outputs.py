@@ -33,17 +33,6 @@ def check_folder(path):
         raise ValueError(f"{path} cannot be written: no permission in {there}")
 
 
-def has_schema(path, schema):
-    """Whether a file is HDF5 with this attribute `schema`"""
-    import h5py
-
-    try:
-        with h5py.File(path) as file:
-            return file.attrs.get("schema") == schema
-    except OSError:
-        return False
-
-
 def opening(path):
     """First line of a text file and its first line without # before it, the names of columns; "" where it is no text"""
     try:

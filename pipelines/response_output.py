@@ -7,7 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from .outputs import has_schema, opening
+from bem.database_file import has_schema
+
+from .outputs import opening
 
 SCHEMA = "hakobune response study 1"
 

@@ -86,7 +86,9 @@ def _check_above(flag, values, low, allowed, largest=sys.float_info.max):
 
 def is_table(path):
     """Whether a file was written here"""
-    from .outputs import has_schema, opening
+    from bem.database_file import has_schema
+
+    from .outputs import opening
 
     if path.suffix == ".csv":
         return opening(path)[0] == f"# {NOTES[0]}"

@@ -74,13 +74,9 @@ def _put(file, name, value, unit):
 
 def is_channels(path):
     """Whether a file holds channels written here."""
-    import h5py
+    from bem.database_file import has_schema
 
-    try:
-        with h5py.File(path) as file:
-            return file.attrs.get("schema") == SCHEMA
-    except OSError:
-        return False
+    return has_schema(path, SCHEMA)
 
 
 def read_channels(path):
