@@ -23,7 +23,7 @@ FREE = {"rao", "drift_force"}
 def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
     """Everything in `want` at one frequency, as a dictionary with the names of the database.
 
-    prepared : from `bem.setup.prepare`
+    prepared : from `bem.methods.panel_setup.prepare`
     omega : rad/s, headings : (m,) rad towards which the waves travel, want : names of datasets
     theta : (t,) rad equally spaced, angles of the Kochin functions; dofs : degrees of freedom that are needed
     returns : arrays over 6 degrees of freedom (NaN where not in `dofs`), "checks", "wall_time" (s) and, where the
@@ -49,7 +49,7 @@ class FrequencyRun:
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         if not (np.isfinite(omega) and omega > 0):
-            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits are in bem.limits)")
+            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits are in `frequency_limits`)")
         self.prepared, self.setup = prepared, prepared.setup
         self.omega, self.want = float(omega), frozenset(want)
         self.headings = np.atleast_1d(np.asarray(headings, float))

@@ -14,8 +14,8 @@ import math
 
 import numpy as np
 
-from .jit import kernel
-from .threads import share_rows
+from .kernels.jit import kernel
+from .kernels.threads import share_rows
 
 
 def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, phi, velocity):

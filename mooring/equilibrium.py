@@ -17,8 +17,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .catenary import LineSolution
 from .layout import Layout
+from .lines.catenary.solve import LineSolution
 
 PLANE = [0, 1, 5]
 

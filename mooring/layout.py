@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .catenary import solve_lines, span_at_tension
+from .lines.catenary.solve import solve_lines, span_at_tension
 
 
 @dataclass(frozen=True)

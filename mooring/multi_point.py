@@ -15,14 +15,14 @@ from functools import cached_property
 
 import numpy as np
 
-from .catenary import LineSolution, State
+from .environment.between_waves import between_frequencies, between_headings, mean_drift, motion_amplitudes
 from .equilibrium import Equilibrium, displaced, find_equilibrium, mooring_load
 from .layout import Layout
+from .lines.catenary.solve import LineSolution, State
 from .loads.box_current import box_table, current_force
 from .loads.box_drag import DragTable, about
 from .loads.box_wind import AIR_DENSITY, BOX, wind_force
 from .natural_periods import NaturalPeriods, natural_periods
-from .sea import between_frequencies, between_headings, mean_drift, motion_amplitudes
 
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
 ROLLING = 1e-4  # rad per m of wave amplitude; less is rounding in waves that do not roll the body

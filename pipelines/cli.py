@@ -9,15 +9,16 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
-from .bench_command import bench
-from .compare_command import compare
-from .flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
-from .interrupt import interrupted
-from .lines_flags import line, line_dynamics, lines
-from .response_command import response
-from .sea_command import sea
-from .sections_command import sections
-from .stress_command import stress
+from .bench.command import bench
+from .common.interrupt import interrupted
+from .line_dynamics.flags import line_dynamics
+from .lines.flags import line, lines
+from .reports.compare_command import compare
+from .reports.sections_command import sections
+from .response.command import response
+from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
+from .sea.command import sea
+from .stress.command import stress
 
 app = App(
     name="hakobune",
@@ -89,7 +90,7 @@ def look(
     heading: Size = None,
 ):
     """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is one stored with the pressure."""
-    from .looking import look
+    from .view.looking import look
 
     return look(file, screenshot, field, omega, heading)
 
@@ -99,8 +100,8 @@ def plot(file: Path, /, *, output: Annotated[Path | None, Parameter(help=".png, 
     """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png."""
     from bem.database import open_database
 
-    from .picture import PLOTS, check_picture
-    from .plots import plot
+    from .common.picture import PLOTS, check_picture
+    from .view.plots import plot
 
     output = output or file.with_suffix(".png")
     check_picture(output, PLOTS)
@@ -112,7 +113,7 @@ def plot(file: Path, /, *, output: Annotated[Path | None, Parameter(help=".png, 
 @app.command
 def check(file: Path, /):
     """Physics checks of a database against its tolerance, and mesh findings; status 1 if one fails."""
-    from .checking import check
+    from .solve.checking import check
 
     return check(file, _console())
 
@@ -120,7 +121,7 @@ def check(file: Path, /):
 @app.command
 def moor(study: Path, /, *, database: Path, output: Path | None = None):
     """Equilibrium, natural periods and line tensions of a mooring study on a database."""
-    from .moor import moor
+    from .moor.command import moor
 
     moor(study, database, output)
     return 0
@@ -159,7 +160,7 @@ def _console():
 
 
 def _solve(file, body, flags, run):
-    from .scene import SceneError, make_scene, read_scene
+    from .scene.scene import SceneError, make_scene, read_scene
 
     raw = read_scene(file) if file else {}
     shape = tables_of_bodies(raw)[0].get("shape", "box")
@@ -176,11 +177,11 @@ def _solve(file, body, flags, run):
 def _run(scene, output, flags):
     from bem.database import open_database
 
-    from .work import executor_of
+    from .solve.work import executor_of
 
     console, executor = _console(), executor_of(flags.executor)
-    from . import run
-    from .report import print_outcome
+    from .solve import run
+    from .solve.report import print_outcome
 
     try:
         outcome = run.solve(scene, output, fresh=flags.fresh, executor=executor, console=console)
@@ -191,11 +192,11 @@ def _run(scene, output, flags):
 
 
 def _write_mesh(raw, output):
-    from bem.database_file import check_place
+    from bem.database.file import check_place
     from meshing.files import write_mesh
 
-    from .hull import make_hull
-    from .scene import make_scene
+    from .scene.scene import make_scene
+    from .solve.hull import make_hull
 
     # a mesh alone needs neither water nor waves; in deep water and long waves they ask for no panels
     raw["water"].setdefault("depth", float("inf"))

@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ ROOT = Path(__file__).parent.parent
 LAYERS = ("meshing", "bem", "mooring", "pipelines")
 WHERE_USED = ("pyvista", "matplotlib", "meshio", "scipy.linalg", "rich", "xarray")
 FILES = sorted(file for layer in LAYERS for file in (ROOT / layer).rglob("*.py"))
+FOLDERS = sorted({file.parent for file in FILES})
 
 
 def imports(tree):
@@ -24,6 +26,18 @@ def imports(tree):
             yield node.module, id(node) in top
             for alias in node.names:
                 yield f"{node.module}.{alias.name}", id(node) in top
+
+
+def folders_imported(file):
+    """Folders of the modules below the root that a file imports, but for its own"""
+    package = file.relative_to(ROOT).parts[:-1]
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom):
+            start = package[: len(package) - node.level + 1] if node.level else ()
+            place = ROOT.joinpath(*start, *(node.module or "").split("."))
+            for target in (place, *(place / alias.name for alias in node.names)):
+                if target.with_suffix(".py").is_file() and target.parent != file.parent:
+                    yield target.parent
 
 
 def is_or_in(module, package):
@@ -42,13 +56,31 @@ def test_a_package_imports_only_from_those_left_of_it(file):
     assert not heavy, f"import these where they are used: {heavy}"
 
 
+def test_folders_import_in_one_direction():
+    """Sorted so that each folder imports only from folders before it; a folder is its own files, not those below"""
+    needs = {folder: set() for folder in FOLDERS}
+    for file in FILES:
+        needs[file.parent] |= set(folders_imported(file))
+    circle = None
+    try:
+        list(TopologicalSorter(needs).static_order())
+    except CycleError as error:
+        circle = [str(folder.relative_to(ROOT)) for folder in error.args[1]]
+    assert circle is None
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: str(folder.relative_to(ROOT)))
+def test_no_folder_has_more_than_fifteen_modules(folder):
+    assert len([file for file in folder.glob("*.py") if file.name != "__init__.py"]) <= 15
+
+
 def test_only_the_mesher_sees_gmsh():
     trees = {file.name: ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
     users = [name for name, tree in trees.items() if any(is_or_in(m, "gmsh") for m, _ in imports(tree))]
     assert users == ["gmsh_session.py"]
 
 
-@pytest.mark.parametrize("module", ["bem.database", "mooring", "pipelines.scene"])
+@pytest.mark.parametrize("module", ["bem.database", "mooring", "pipelines.scene.scene"])
 def test_reading_and_mooring_load_nothing_heavy(module):
     heavy = ("numba", "gmsh", "pyvista", "matplotlib")
     code = f"import sys, {module}; print(*[m for m in {heavy} if m in sys.modules])"

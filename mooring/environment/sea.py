@@ -15,9 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.sea import WIDEST_GAP, between_headings
-
 from .allowed import row_of_numbers
+from .between_waves import WIDEST_GAP, between_headings
 from .spectrum import Spectrum
 from .spreading import ANGLES, Spreading
 

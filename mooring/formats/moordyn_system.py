@@ -13,8 +13,8 @@ import numpy as np
 
 from bem import DOFS
 
-from ..lines.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
-from ..lines.system import System
+from ..lines.system.graph import System
+from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
 from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
 from .moordyn_rows import BodyRow, LineRow, LineTypeRow, PointRow

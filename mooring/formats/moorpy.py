@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..lines.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
-from ..lines.system import System
+from ..lines.system.graph import System
+from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
 from .fault import FormatError, read_text
 from .moordyn_system import read_moordyn_system
 from .yaml_subset import parse_yaml

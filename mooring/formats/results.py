@@ -33,7 +33,7 @@ def channels_of_rest(state):
 
 
 def channels_of_line(result, line=1):
-    """{channel: (values, unit)} of a `mooring.lines.dynamic.Result`, without its frames."""
+    """{channel: (values, unit)} of a `mooring.lines.dynamics.simulation.Result`, without its frames."""
     fair, anchor = np.linalg.norm(result.force_fairlead, axis=1), np.linalg.norm(result.force_anchor, axis=1)
     return {f"FairTen{line}": (fair, "N"), f"AnchTen{line}": (anchor, "N")}
 
@@ -47,7 +47,7 @@ def write_channels(path, time, channels, names=None, frames=None, attributes=Non
     """
     import h5py
 
-    from bem.database_file import beside, check_place
+    from bem.database.file import beside, check_place
 
     path, time = Path(path), np.atleast_1d(np.asarray(time, float))
     check_place(path)
@@ -74,7 +74,7 @@ def _put(file, name, value, unit):
 
 def is_channels(path):
     """Whether a file holds channels written here."""
-    from bem.database_file import has_schema
+    from bem.database.file import has_schema
 
     return has_schema(path, SCHEMA)
 

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .parts import LineSystemError, LineType
+from .system.parts import LineSystemError, LineType
 
 STEEL = 7850.0  # kg/m³
 KGF = 9.80665e-3  # kN

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..catenary import State, solve_lines
+from .catenary.solve import State, solve_lines
 
 
 class Regime(IntEnum):

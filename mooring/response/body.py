@@ -13,7 +13,7 @@ import numpy as np
 
 from bem import DOFS
 
-from ..sea import RangeError
+from ..environment.between_waves import RangeError
 from .headings import mirrored, whole_mirrors
 
 SAME = 1e-9  # relative in omega

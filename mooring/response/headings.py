@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..sea import WIDEST_GAP, RangeError
+from ..environment.between_waves import WIDEST_GAP, RangeError
 
 SAME = 1e-9  # rad
 MIRRORS = {

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..sea import RangeError
+from ..environment.between_waves import RangeError
 from . import drift as drifts
 from . import findings
 from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor

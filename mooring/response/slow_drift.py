@@ -28,7 +28,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..sea import RangeError
+from ..environment.between_waves import RangeError
 from .drift import drift
 
 MOST_OUTSIDE = 0.01  # share of the energy in components beyond the stored band that is taken at its ends

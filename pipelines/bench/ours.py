@@ -3,7 +3,8 @@
     python -m pipelines.bench.ours
 
 The job: case (name), method ("contour" or "panel"), tolerance or panels, and what `peers.repeated` takes; with "band"
-the frequencies share their work as many of them do (`bem.reduced`).  The body is prepared from a scene, as the
+the frequencies share their work as many of them do (`bem.panels.band.equations`).  The body is prepared from a
+scene, as the
 commands do; the estimate of the error is made, and timed, after everything else.
 """
 
@@ -21,7 +22,7 @@ FINEST = 1e-5  # tolerance of a scene; the contour method itself goes further
 
 def scene_of(case, asked):
     """The scene a user would write"""
-    from pipelines.scene import make_scene
+    from pipelines.scene.scene import make_scene
 
     fineness = {"panels": asked["panels"]} if "panels" in asked else {"tolerance": max(asked["tolerance"], FINEST)}
     return make_scene(
@@ -38,8 +39,8 @@ def scene_of(case, asked):
 
 def make(case, asked):
     """The scene and the body, prepared"""
-    from bem.setup import prepare
-    from pipelines.hull import make_header, make_hull, setup_of
+    from bem.methods.panel_setup import prepare
+    from pipelines.solve.hull import make_header, make_hull, setup_of
 
     scene = scene_of(case, asked)
     omegas = scene.omegas()

@@ -7,7 +7,7 @@ import io
 import math
 import os
 
-from ..outputs import opening
+from ..common.outputs import opening
 from .cases import CASES, HEADING
 from .measure import MORE, PASSES, SECONDS, Row
 from .peers.repeated import SETTLE

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..scene import SceneError, make_scene
+from ..scene.scene import SceneError, make_scene
 from .laws import CURVATURE, allowed, kink, violations
 from .scenes import drawn
 from .solved import solved

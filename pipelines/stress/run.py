@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import time
 
-from ..interrupt import ctrl_c
-from ..outputs import check_output
-from ..progress import duration
-from ..work import Here
+from ..common.interrupt import ctrl_c
+from ..common.outputs import check_output
+from ..common.progress import duration
+from ..solve.work import Here
 from .campaign import row_of
 from .table import Writer, is_table, summary
 

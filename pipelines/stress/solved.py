@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from bem import DOFS
+from bem.database.schema import LIMITS
 from bem.frequency import solve_frequency
-from bem.schema import LIMITS
-from bem.setup import prepare
+from bem.methods.panel_setup import prepare
 
-from ..hull import inspected, make_header, make_hull, setup_of
-from ..methods import METHODS
-from ..scene import make_scene
+from ..scene.methods import METHODS
+from ..scene.scene import make_scene
+from ..solve.hull import inspected, make_header, make_hull, setup_of
 
 QUANTITIES = ("added_mass", "radiation_damping", "excitation_force")
 

@@ -8,7 +8,7 @@ from collections import Counter
 
 import numpy as np
 
-from ..outputs import opening
+from ..common.outputs import opening
 from .campaign import Row
 
 USELESS = 0.3  # an estimated error above which a result says little

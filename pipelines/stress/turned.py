@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from bem.frequency import solve_frequency
-from bem.setup import Setup, prepare
+from bem.methods.panel_setup import Setup, prepare
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 

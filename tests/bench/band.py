@@ -14,14 +14,14 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 import numpy as np
 
-from bem.between import between
 from bem.database import open_database
-from bem.retardation import from_database, retardation
-from bem.setup import prepare
-from bem.state_space import state_space
-from pipelines.hull import setup_of
-from pipelines.run import solve
-from pipelines.scene import make_scene
+from bem.database.between_frequencies import between
+from bem.methods.panel_setup import prepare
+from bem.time_domain.retardation import from_database, retardation
+from bem.time_domain.state_space import state_space
+from pipelines.scene.scene import make_scene
+from pipelines.solve.hull import setup_of
+from pipelines.solve.run import solve
 
 TOLERANCE, TIMES = 0.005, np.arange(0, 300.01, 0.1)
 NAMES = ("added_mass", "radiation_damping", "excitation_force")

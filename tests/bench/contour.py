@@ -19,10 +19,10 @@ import numpy as np
 from exact.truncated_cylinder import TruncatedCylinder
 from identities.test_contour_exact import HEADINGS, RHO, G, Solved, frequency
 
-from bem.contour import prepare_box, prepare_cylinder
-from bem.contour_frequency import ContourFrequency
+from bem.contour.one_frequency import ContourFrequency
+from bem.contour.solver import prepare_box, prepare_cylinder
+from bem.kernels.threads import blas_threads
 from bem.kochin import angles
-from bem.threads import blas_threads
 from bem.waves import wavenumber
 
 KH = (0.05, 0.2, 1.0, 3.0, 8.0, 20.0)

@@ -15,8 +15,8 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import numpy as np
 
 from bem.checks import excitation_scale, radiation_scale
-from bem.setup import Setup
-from bem.shape_setup import ShapeSetup
+from bem.methods.panel_setup import Setup
+from bem.methods.shape_setup import ShapeSetup
 from meshing.lid import lid
 from meshing.shapes import box
 

@@ -24,9 +24,9 @@ import numpy as np
 from exact.truncated_cylinder import TruncatedCylinder
 
 from bem import DOFS
-from bem.near_field import near_field_drift, near_field_error
-from bem.setup import Setup
-from bem.shape_setup import ShapeSetup
+from bem.methods.near_field import near_field_drift, near_field_error
+from bem.methods.panel_setup import Setup
+from bem.methods.shape_setup import ShapeSetup
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 

@@ -16,9 +16,9 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from mooring.lines.dynamic import DynamicLine, FairleadMotion, Segment, simulate
-from mooring.lines.dynamic_start import start
-from mooring.lines.dynamic_surroundings import water_arrays
+from mooring.lines.dynamics.simulation import DynamicLine, FairleadMotion, Segment, simulate
+from mooring.lines.dynamics.start import start
+from mooring.lines.dynamics.surroundings import water_arrays
 
 DIAMETER, MASS, GRAVITY = 0.1368, 114.94, 9.80665
 AMPLITUDE, PERIOD, DURATION = 2.0, 10.0, 60.0

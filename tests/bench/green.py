@@ -16,8 +16,8 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1]), 
 import numpy as np
 from published.green_reference import by_frequency, by_table, errors, reference, wave_errors
 
-from bem.green import green
-from bem.green_tables import wave_table, whole_table
+from bem.green.finite_depth import green
+from bem.green.tables import wave_table, whole_table
 
 G, DEPTH, LENGTH, BEAM, DRAFT = 9.80665, 20.0, 100.0, 50.0, 10.0
 REACH = float(np.hypot(LENGTH, BEAM))
@@ -29,7 +29,7 @@ def frequency(kh, depth=DEPTH):
     return float(np.sqrt(G * kh / depth * np.tanh(kh)))
 
 
-PACKAGES = ["oldbem", "bem"] if len(sys.argv) > 1 else ["bem"]
+PACKAGES = ["oldbem.green", "bem.green"] if len(sys.argv) > 1 else ["bem.green"]
 
 
 def least(*actions, times=30):
@@ -44,7 +44,7 @@ def least(*actions, times=30):
 
 
 def maker(package, name):
-    return getattr(import_module(f"{package}.green_tables"), name)
+    return getattr(import_module(f"{package}.tables"), name)
 
 
 def builds():
@@ -78,7 +78,7 @@ def per_pair(name, settings, pairs, whole):
     """ns of each package"""
     actions = []
     for package in PACKAGES:
-        pairs_of, table = import_module(f"{package}.green").table_pairs, maker(package, name)(*settings)
+        pairs_of, table = import_module(f"{package}.finite_depth").table_pairs, maker(package, name)(*settings)
         actions.append(lambda pairs_of=pairs_of, table=table: pairs_of(table, *pairs, whole))
     times = 1e9 * least(*actions, times=100) / len(pairs[0])
     return "".join(f"{t:9.1f}" for t in times)

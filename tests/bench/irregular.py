@@ -20,8 +20,8 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import numpy as np
 
 from bem.frequency import solve_frequency
-from bem.setup import Setup, prepare
-from bem.shape_setup import ShapeSetup
+from bem.methods.panel_setup import Setup, prepare
+from bem.methods.shape_setup import ShapeSetup
 from meshing.lid import lid
 from meshing.shapes import box
 from pipelines.stress.scenes import irregular

@@ -17,9 +17,9 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from rich.console import Console
 
 from pipelines.bench.peers.repeated import peak_memory
-from pipelines.progress import duration
-from pipelines.run import solve
-from pipelines.scene import make_scene
+from pipelines.common.progress import duration
+from pipelines.scene.scene import make_scene
+from pipelines.solve.run import solve
 
 
 def main(panels):

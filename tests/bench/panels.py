@@ -16,12 +16,12 @@ import numpy as np
 from scipy.linalg import lu_factor
 
 from bem import DOFS
-from bem.green_tables import wave_table
-from bem.panel_run import PanelRun
-from bem.reduced_run import ReducedRun
-from bem.setup import Setup, prepare
-from bem.threads import thread_count
-from bem.wave_blocks import wave_blocks
+from bem.green.tables import wave_table
+from bem.kernels.threads import thread_count
+from bem.methods.panel_setup import Setup, prepare
+from bem.panels.band.one_frequency import ReducedRun
+from bem.panels.one_frequency import PanelRun
+from bem.panels.wave_influence import wave_blocks
 from bem.waves import depth_values, wavenumber
 from meshing.lid import lid
 from meshing.shapes import box

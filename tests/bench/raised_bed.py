@@ -2,7 +2,7 @@
 
     python tests/bench/raised_bed.py [panels]
 
-Waves from the longest that `bem.raised_bed` takes to ten times shorter; tolerance 1 %.  Columns: differences of
+Waves from the longest that `bem.contour.raised_bed` takes to ten times shorter; tolerance 1 %.  Columns: differences of
 A + iB/ω and of the excitation (`bem.checks`) from the deeper bed at a tenth of the tolerance, the stored estimate and
 the bed's part of it, the same differences from so many panels (0: none) and their estimate, seconds of the two.
 """
@@ -15,12 +15,12 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-import bem.contour
+import bem.contour.solver
 from bem import DOFS
 from bem.checks import excitation_scale, radiation_scale
-from bem.raised_bed import effect_of_bed, raised_bed
-from bem.setup import Setup
-from bem.shape_setup import ShapeSetup
+from bem.contour.raised_bed import effect_of_bed, raised_bed
+from bem.methods.panel_setup import Setup
+from bem.methods.shape_setup import ShapeSetup
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 
@@ -33,7 +33,7 @@ GRAVITY, TOLERANCE, MOST_WAVES = 9.80665, 0.01, 30
 WANT, HEADINGS = {"added_mass", "radiation_damping", "excitation_force"}, np.radians([0.0, 30.0, 77.0])
 
 
-bem.contour.HIGHEST_GAP = np.inf  # for the deeper beds
+bem.contour.solver.HIGHEST_GAP = np.inf  # for the deeper beds
 
 
 def contour(shape, sizes, bed, tolerance=TOLERANCE, depth=np.inf):

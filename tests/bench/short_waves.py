@@ -1,10 +1,11 @@
-"""Waves that are not resolved (`bem.short_frequency`) beside the same waves resolved, on random boxes.
+"""Waves that are not resolved (`bem.contour.short_wave_frequency`) beside the same waves resolved, on random boxes.
 
     python tests/bench/short_waves.py [boxes] [seed]
 
 30 to 90 waves along a box, nine and more along its shorter side, kd 0.9 … 9, gap 0.005 … 10 drafts, five headings, of
 which some go along a wall and some nearly so; tolerance 1 %.  Of every box the largest difference relative to the
-scales of `bem.checks` and the largest over what is said to be left out (`bem.short_waves`) and the difference from a
+scales of `bem.checks` and the largest over what is said to be left out (`bem.contour.short_waves`) and the
+difference from a
 finer body, for A + iB/ω, for surge, sway and yaw, and for heave, roll and pitch; then quantiles of all headings.
 """
 
@@ -16,9 +17,9 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from bem.contour import prepare_box
-from bem.contour_frequency import ContourFrequency
-from bem.short_frequency import ShortFrequency
+from bem.contour.one_frequency import ContourFrequency
+from bem.contour.short_wave_frequency import ShortFrequency
+from bem.contour.solver import prepare_box
 
 GRAVITY, DENSITY, TOLERANCE = 9.80665, 1025.0, 0.01
 LENGTH, WAVES, SIDE, PHASE, GAP = 100.0, (30, 90), 9, (0.9, 9), (0.005, 10)

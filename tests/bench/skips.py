@@ -15,8 +15,8 @@ import numpy as np
 
 from bem import DOFS
 from bem.frequency import solve_frequency
-from bem.panel_run import PanelRun
-from bem.setup import Setup, prepare
+from bem.methods.panel_setup import Setup, prepare
+from bem.panels.one_frequency import PanelRun
 from meshing.lid import lid
 from meshing.shapes import box, box_counts
 

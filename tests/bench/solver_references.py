@@ -15,9 +15,9 @@ sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 import numpy as np
 from exact.truncated_cylinder import TruncatedCylinder
 
-from bem.contour import prepare_box
+from bem.contour.solver import prepare_box
 from bem.frequency import solve_frequency
-from bem.setup import Setup, prepare
+from bem.methods.panel_setup import Setup, prepare
 from meshing.lid import lid
 from meshing.shapes import box
 from pipelines.bench.cases import CASES, DENSITY, GRAVITY, HEADING

@@ -16,8 +16,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from mooring.catenary import State, solve_lines
-from mooring.lines.static import Bed, LineError, PointLoad, Segment, StaticLine
+from mooring.lines.catenary.solve import State, solve_lines
+from mooring.lines.multi_segment.line import Bed, LineError, PointLoad, Segment, StaticLine
 
 PEER = r"""
 import sys, time, warnings, io, contextlib

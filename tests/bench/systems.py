@@ -17,9 +17,9 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from bem import DOFS
-from mooring.lines.parts import Anchor, Body, Fairlead, LineType, SystemLine
-from mooring.lines.system import System
-from mooring.lines.system_equilibrium import rest
+from mooring.lines.system.equilibrium import rest
+from mooring.lines.system.graph import System
+from mooring.lines.system.parts import Anchor, Body, Fairlead, LineType, SystemLine
 
 DEPTH, LENGTH, WEIGHT, EA = 100.0, 595.0, 1000.0, 5e8
 HEADINGS = [20, 60, 120, 160, 200, 240, 300, 340]

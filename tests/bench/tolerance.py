@@ -25,10 +25,10 @@ import numpy as np
 
 from bem import DOFS
 from bem.checks import excitation_scale, largest_error, radiation_scale
-from bem.setup import prepare
-from bem.shape_setup import ShapeSetup
-from pipelines.hull import make_header, make_hull, setup_of
-from pipelines.scene import make_scene
+from bem.methods.panel_setup import prepare
+from bem.methods.shape_setup import ShapeSetup
+from pipelines.scene.scene import make_scene
+from pipelines.solve.hull import make_header, make_hull, setup_of
 
 BEAM, GRAVITY = 50.0, 9.80665
 FLOOR = 1e-8
@@ -53,7 +53,7 @@ RANGES = {
 
 
 class Scene(NamedTuple):
-    """sizes : m, as of `bem.shape_setup.ShapeSetup`; omega : rad/s; heading : degrees"""
+    """sizes : m, as of `bem.methods.shape_setup.ShapeSetup`; omega : rad/s; heading : degrees"""
 
     method: str
     shape: str

@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 
 from bem import DOFS
-from bem.class_waves import class_waves
-from bem.elements import elements
 from bem.frequency import solve_frequency
-from bem.green import green_function
-from bem.green_tables import wave_table
-from bem.influence import Geometry, assembled
-from bem.limits import added_mass_limit
-from bem.near_field import near_field_drift
-from bem.panel_run import PanelRun
-from bem.setup import Setup, prepare
+from bem.green.finite_depth import green_function
+from bem.green.tables import wave_table
+from bem.methods.near_field import near_field_drift
+from bem.methods.panel_setup import Setup, prepare
+from bem.panels.elements import elements
+from bem.panels.frequency_limits import added_mass_limit
+from bem.panels.incident_waves import class_waves
+from bem.panels.influence import Geometry, assembled
+from bem.panels.one_frequency import PanelRun
 from bem.waves import depth_factor, depth_factor_slope, group_factor, incident_wave, wavenumber
 from meshing.lid import lid
 from meshing.panels import PanelMesh, structured

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from exact.truncated_cylinder import TruncatedCylinder
 
-from bem.contour import prepare_box, prepare_cylinder
+from bem.contour.solver import prepare_box, prepare_cylinder
 from bem.drift import energy_defect, mean_drift
 from bem.frequency import solve_frequency
 from bem.kochin import angles
-from bem.setup import Setup, prepare
+from bem.methods.panel_setup import Setup, prepare
 from bem.waves import group_factor, wavenumber
 from meshing.lid import lid
 from meshing.shapes import box

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from bem.frequency import solve_frequency
-from bem.setup import Setup, prepare
+from bem.methods.panel_setup import Setup, prepare
 from meshing.lid import lid
 from meshing.shapes import box
 

@@ -11,7 +11,7 @@ from exact.hemisphere import hemisphere
 from exact.truncated_cylinder import TruncatedCylinder
 
 from bem.frequency import solve_frequency
-from bem.setup import Setup, prepare
+from bem.methods.panel_setup import Setup, prepare
 from meshing.lid import lid
 from meshing.panels import PanelMesh, joined, structured
 from meshing.shapes import buoy

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from mooring.catenary import State, solve_lines
 from mooring.equilibrium import (
     EquilibriumError,
     displaced,
@@ -13,6 +12,7 @@ from mooring.equilibrium import (
     mooring_stiffness,
 )
 from mooring.layout import Layout, Line, corner_spread, pretensioned
+from mooring.lines.catenary.solve import State, solve_lines
 
 TONF = 9806.65
 

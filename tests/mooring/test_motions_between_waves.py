@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from bem.motions import response
-from mooring.sea import RangeError, at_wave, motion_amplitudes
+from mooring.environment.between_waves import RangeError, at_wave, motion_amplitudes
 
 INERTIA = np.diag([5e7, 5e7, 5e7, 1.2e10, 4.4e10, 5.3e10])
 STIFFNESS = np.diag([0, 0, 5e7, 8e9, 4e10, 0])

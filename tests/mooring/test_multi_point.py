@@ -11,12 +11,12 @@ import pytest
 from bem.database import Header, append, append_limit, create, open_database, pending, writing
 from bem.waves import incident_wave, wavenumber
 from meshing.panels import PanelMesh
-from mooring.catenary import State, solve_lines
 from mooring.equilibrium import mooring_stiffness
 from mooring.layout import Layout, Line, corner_spread
+from mooring.lines.catenary.solve import State, solve_lines
 from mooring.multi_point import Conditions, Current, Hull, Waves, Wind, multi_point, resonances
-from pipelines.moor import moor
-from pipelines.study import KNOT, TONF, StudyError, make_study, read_study
+from pipelines.common.study import KNOT, TONF, StudyError, make_study, read_study
+from pipelines.moor.command import moor
 
 MASS = 51.25e6
 INERTIA = MASS * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])

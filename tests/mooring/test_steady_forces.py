@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mooring.sea import RangeError, at_wave, mean_drift
+from mooring.environment.between_waves import RangeError, at_wave, mean_drift
 
 
 class Waves:

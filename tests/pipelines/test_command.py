@@ -167,8 +167,9 @@ def test_check_names_what_other_commands_wrote(schema, words, tmp_path, monkeypa
 
 def test_schemas_that_check_names_are_those_that_are_written():
     from mooring.formats import results
-    from pipelines import moor, response_output
-    from pipelines.checking import OTHERS
+    from pipelines.moor import command as moor
+    from pipelines.response import output as response_output
+    from pipelines.solve.checking import OTHERS
 
     assert {moor.SCHEMA, response_output.SCHEMA, results.SCHEMA} < set(OTHERS)
 

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bem.green import table_pairs
-from bem.green_tables import wave_table
+from bem.green.finite_depth import table_pairs
+from bem.green.tables import wave_table
 from bem.waves import wavenumber
 
 

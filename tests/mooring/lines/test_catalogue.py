@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from mooring.lines.catalogue import CHAIN, FORMS, line_type
-from mooring.lines.parts import LineSystemError
+from mooring.lines.system.parts import LineSystemError
 
 PUBLISHED = Path(__file__).parents[2] / "published"
 TONF = 9806.65

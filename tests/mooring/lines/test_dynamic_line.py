@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from mooring.catenary import LineError, solve_lines
-from mooring.lines import static
-from mooring.lines.dynamic import (
+from mooring.lines.catenary.solve import LineError, solve_lines
+from mooring.lines.dynamics.run import Case, run_fixed_steps
+from mooring.lines.dynamics.simulation import (
     Bed,
     Body,
     CurrentProfile,
@@ -15,9 +15,9 @@ from mooring.lines.dynamic import (
     WaveTrain,
     simulate,
 )
-from mooring.lines.dynamic_run import Case, run_fixed_steps
-from mooring.lines.dynamic_start import start
-from mooring.lines.dynamic_surroundings import water_arrays
+from mooring.lines.dynamics.start import start
+from mooring.lines.dynamics.surroundings import water_arrays
+from mooring.lines.multi_segment import line as static
 
 WEIGHT, EA, MASS = 979.3, 4.933e8, 114.94
 STILL = water_arrays(None, None, 9.80665)
@@ -268,7 +268,7 @@ def test_current_across_a_taut_line_is_carried_by_its_ends():
 
 def test_waves_move_the_water_as_the_potential_says():
     from bem.waves import incident_wave, wavenumber
-    from mooring.lines.lumped.surroundings import water_at
+    from mooring.lines.dynamics.lumped.surroundings import water_at
 
     waves = WaveTrain([1.5, 0.7], [8.0, 11.0], [0.4, 2.0], [0.3, 1.0], depth=25.0, ramp=0.0)
     points, t = np.array([[3.0, -2.0, -4.0], [40.0, 7.0, -20.0]]), 3.7
@@ -293,8 +293,8 @@ def test_waves_alone_shake_a_line():
 
 
 def test_tangent_is_the_derivative_of_the_forces():
-    from mooring.lines.lumped.forces import node_forces
-    from mooring.lines.lumped.stage import workspace
+    from mooring.lines.dynamics.lumped.forces import node_forces
+    from mooring.lines.dynamics.lumped.stage import workspace
 
     # drag and added mass turn with the line, which the tangent leaves out; the rest is exact
     plain = dict(drag_normal=0.0, drag_tangential=0.0, added_tangential=1.0)
@@ -323,7 +323,7 @@ def test_tangent_is_the_derivative_of_the_forces():
 
 
 def test_block_elimination_solves_the_equations():
-    from mooring.lines.lumped.block_tridiagonal import factor, substitute
+    from mooring.lines.dynamics.lumped.block_tridiagonal import factor, substitute
 
     rng, n = np.random.default_rng(2), 7
     D, B, r, x = rng.standard_normal((n, 3, 3)) + 8 * np.eye(3), rng.standard_normal((n, 3, 3)), np.ones((n, 3)), None

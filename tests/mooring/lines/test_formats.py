@@ -12,9 +12,9 @@ from mooring.formats.moorpy import read_moorpy, system_of_moorpy
 from mooring.formats.results import channels_of_rest, read_channels, read_frames, write_channels
 from mooring.formats.yaml_subset import parse_yaml
 from mooring.lines.catalogue import line_type
-from mooring.lines.parts import Anchor, Body, Fairlead, FreePoint, SystemLine
-from mooring.lines.system import System
-from mooring.lines.system_equilibrium import rest
+from mooring.lines.system.equilibrium import rest
+from mooring.lines.system.graph import System
+from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, SystemLine
 
 VERSION_2 = """\
 --------------------- MoorDyn Input File ------------------------------------

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.catenary import LineError, solve_lines, span_at_tension
-from mooring.lines.static import Bed, PointLoad, Segment, StaticLine
+from mooring.lines.catenary.solve import LineError, solve_lines, span_at_tension
+from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 from mooring.lines.surrogate import tabulate
 
 PUBLISHED = Path(__file__).parents[2] / "published"

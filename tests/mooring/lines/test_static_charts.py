@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
-from mooring.lines.static import Bed, PointLoad, Segment, StaticLine
+from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(60)
 

@@ -11,12 +11,12 @@ import pytest
 from bem import DOFS
 from mooring.equilibrium import find_equilibrium, mooring_load
 from mooring.layout import Layout, Line
-from mooring.lines.bodies import angles, cross_matrix, heading, hydrostatic_load, rotation, turned
-from mooring.lines.parts import Anchor, Body, Fairlead, FreePoint, LineSystemError, LineType, SystemLine
-from mooring.lines.system import System, system_of_layout
-from mooring.lines.system_equilibrium import EquilibriumError, held_at, moved, rest
-from mooring.lines.system_shapes import line_shapes
-from mooring.lines.system_studies import (
+from mooring.lines.system.bodies import angles, cross_matrix, heading, hydrostatic_load, rotation, turned
+from mooring.lines.system.equilibrium import EquilibriumError, held_at, moved, rest
+from mooring.lines.system.graph import System, system_of_layout
+from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineSystemError, LineType, SystemLine
+from mooring.lines.system.shapes import line_shapes
+from mooring.lines.system.studies import (
     about_body_axes,
     balanced,
     moored_periods,
@@ -606,7 +606,7 @@ def test_natural_periods_are_those_of_the_stiffness_in_the_axes_of_the_body():
 
 
 def test_systems_and_files_load_no_compiler_before_something_is_solved():
-    modules = "mooring.lines.system_studies, mooring.lines.catalogue, mooring.formats.moorpy, mooring.formats.results"
+    modules = "mooring.lines.system.studies, mooring.lines.catalogue, mooring.formats.moorpy, mooring.formats.results"
     code = f"import sys, {modules}; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
     assert done.stdout.strip() == "False"

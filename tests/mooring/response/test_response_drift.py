@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from made_up_body import HEADINGS, OMEGA, made_up_body
 
+from mooring.environment.between_waves import RangeError
 from mooring.environment.spectra import issc, tabulated
 from mooring.response.drift import (
     can_rebuild,
@@ -17,7 +18,6 @@ from mooring.response.drift import (
     mean_in_sea_beyond,
 )
 from mooring.response.linear import frequencies
-from mooring.sea import RangeError
 
 
 def with_drift():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from made_up_body import HEADINGS, INERTIA, OMEGA, STIFFNESS, coefficients, exact_motion, made_up_body
 
+from mooring.environment.between_waves import RangeError
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import issc
 from mooring.environment.spreading import CosinePower
@@ -11,7 +12,6 @@ from mooring.response.body import read_body
 from mooring.response.headings import at_headings, mirrored
 from mooring.response.linear import frequencies, moments, motions, response_spectrum
 from mooring.response.seas import directions
-from mooring.sea import RangeError
 
 
 @pytest.mark.parametrize("omega", [0.3, 0.36, 0.6, 0.97, 1.0])

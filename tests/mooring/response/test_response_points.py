@@ -5,7 +5,14 @@ from made_up_body import made_up_body
 
 from bem.waves import wavenumber
 from mooring.response.linear import motions
-from mooring.response.points import Point, acceleration, displacement, relative_elevation, transfer_functions, velocity
+from mooring.response.points import (
+    Point,
+    acceleration,
+    displacement,
+    relative_elevation,
+    transfer_functions,
+    velocity,
+)
 
 
 def test_displacement_is_that_of_the_rotation_matrix_to_first_order():

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from mooring.environment.between_waves import RangeError
 from mooring.environment.sea import Components, Sea
 from mooring.environment.spectra import issc, jonswap, tabulated
 from mooring.environment.spreading import CosinePower
@@ -22,7 +23,6 @@ from mooring.response.slow_drift import (
     outside_band,
     with_mean,
 )
-from mooring.sea import RangeError
 
 THREE_HOURS = np.arange(0.0, 10800.0, 0.5)
 

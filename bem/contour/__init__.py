@@ -1,0 +1,1 @@
+"""The contour method: vertical-sided bodies by domain decomposition, no panels."""

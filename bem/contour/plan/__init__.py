@@ -1,0 +1,1 @@
+"""Plane problems on the contour of a waterplane, circle or rectangle, one for each depth mode."""

@@ -1,0 +1,62 @@
+"""Plane waves on a plan contour, split by symmetry, and the far field that follows from them.
+
+    exp(ik(x cosβ + y sinβ)) = Σ over classes of A(kx cosβ) B(ky sinβ),    A, B = cos or i sin
+
+in products, so that no class is the small difference of others in long waves.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...waves import exponential_part
+
+
+class PlaneWaves(NamedTuple):
+    """One symmetry class of plane waves at the nodes of a contour, (m, b) each; `turn…` is the β-derivative."""
+
+    value: np.ndarray
+    flux: np.ndarray  # 1/m, along the outward normal
+    turn_value: np.ndarray
+    turn_flux: np.ndarray
+
+
+def plane_waves(cls, contour, k, beta):
+    """`PlaneWaves` of k rad/m towards `beta` (b,) rad"""
+    c, s, p = np.cos(beta), np.sin(beta), contour
+    A, dA = exponential_part(cls[0], np.multiply.outer(k * p.x, c))
+    B, dB = exponential_part(cls[1], np.multiply.outer(k * p.y, s))
+    turn_a, turn_b = np.multiply.outer(-k * p.x, s), np.multiply.outer(k * p.y, c)
+    nx, ny = k * p.nx[:, None], k * p.ny[:, None]
+    return PlaneWaves(
+        A * B,
+        nx * c * dA * B + ny * s * A * dB,
+        turn_a * dA * B + turn_b * A * dB,
+        nx * (c * (turn_b * dA * dB - turn_a * A * B) - s * dA * B)
+        + ny * (s * (turn_a * dA * dB - turn_b * A * B) + c * A * dB),
+    )
+
+
+def plane_wave_values(cls, contour, k, beta):
+    """`PlaneWaves.value` alone"""
+    (A, _), (B, _) = (
+        exponential_part(sign, np.multiply.outer(k * x, turn))
+        for sign, x, turn in ((cls[0], contour.x, np.cos(beta)), (cls[1], contour.y, np.sin(beta)))
+    )
+    return A * B
+
+
+def far_field(cls, contour, k, theta, potential, velocity):
+    """∮ (φ ∂ē/∂n − ē ∂φ/∂n) ds with ē = exp(−ik(x cosθ + y sinθ)) and its θ-derivative, (2, columns, t).
+
+    potential, velocity : (m, columns) of the propagating mode at the nodes of the contour
+    """
+    waves = PlaneWaves(*(4 * contour.weights[:, None] * part.conj() for part in plane_waves(cls, contour, k, theta)))
+    return np.array(
+        [
+            potential.T @ waves.flux - velocity.T @ waves.value,
+            potential.T @ waves.turn_flux - velocity.T @ waves.turn_value,
+        ]
+    )

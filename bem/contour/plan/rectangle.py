@@ -1,0 +1,271 @@
+"""Plane problems outside and inside a rectangle, for the depth modes of a box; see `plan_circle` for the maps.
+
+Velocity is expanded in Legendre polynomials over each side, P_m(2y/B) on the ends and P_m(2x/L) on the sides: in
+the gap under the keel it is smooth along a side up to the corner of the box.  The potentials that answer are not
+(r^(2/3) at the corner) and are found at the nodes of `plan_panels` by integral equations of the direct kind,
+
+    outside  (½ − D) φ = −S ∂φ/∂n        inside  (½ + D) φ = S ∂φ/∂n        wall  (½ − D) φ = exp(ik·x)
+
+Outside, waves have an answer more where k is an eigenvalue of the inside (φ = 0 on the contour, for instance
+k² = π²(1/L² + 1/B²)).  The potential outside continues as zero into the inside: this is asked for at some points
+there, in the sense of least squares (Schenck 1968).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial.legendre import legvander
+
+from ...froude_krylov import box_incident_force
+from .layers import Layers, decaying, laplace, layers, radiating
+from .maps import CLASSES, Contour, WaveMap, shared
+from .panels import Panels, gauss_rule, quarter_panels
+from .plane_waves import plane_wave_values
+from .short_waves import short_map
+
+# nodes that a panel has more for κ = 0: the flow in a low gap makes much of the map's errors, and it is made once
+FURTHER = 3
+# nodes that a panel has at least, and for how many polynomials one more.  With as many of them to a wave, panels of six
+# left 1e-6 of the forces under 30 waves along a box, 2e-3 under 60, 0.2 under 100
+FEWEST, PER_NODE = 5, 64
+
+
+@dataclass(frozen=True)
+class Rectangle:
+    """A rectangle `length` along x, `beam` along y, m.
+
+    nodes : Gauss nodes per panel; count : of a piece of a panel near a target
+    extra : polynomials per side and class beyond those that waves need
+    further : as many more on the shorter side, and in proportion on the longer one, after rounding
+    """
+
+    length: float
+    beam: float
+    nodes: int
+    count: int
+    extra: int
+    further: int = 0
+
+    @classmethod
+    def to_digits(cls, length, beam, digits):
+        """What tests/bench/contour.py found to be enough for a relative error of 10^(−digits)"""
+        nodes, count, extra = round(1.6 * digits + 1), round(1.6 * digits + 0.5), round(1.4 * digits - 1)
+        return cls(float(length), float(beam), nodes, count, max(extra, 1))
+
+    @property
+    def sizes(self):
+        """(length, beam), m"""
+        return self.length, self.beam
+
+    def to(self, accuracy):
+        """The same plan for a `contour_accuracy.Accuracy`"""
+        return replace(
+            Rectangle.to_digits(self.length, self.beam, accuracy.plan), extra=accuracy.extra, further=accuracy.further
+        )
+
+    def resolving(self, degree):
+        """The same with panels for polynomials up to `degree`, whose errors add up along a side"""
+        least = FEWEST + int(np.ceil(max(degree) / PER_NODE))
+        return replace(self, nodes=max(self.nodes, least), count=max(self.count, least))
+
+    @property
+    def shares(self):
+        """α of `contour_motions` in heave, roll and pitch: ψ curved across the body rather than along it"""
+        return (self.beam**2 / (self.length**2 + self.beam**2),) * 3
+
+    @property
+    def reach(self):
+        """Largest distance from the origin, m"""
+        return np.hypot(self.length, self.beam) / 2
+
+    @property
+    def scale(self):
+        """Length over which waves must be short for κN to take its limit, m"""
+        return min(self.length, self.beam) / 2
+
+    def degree(self, waves, tolerance):
+        """(end, side) highest polynomials; `waves` rad/m get under the keel.
+
+        What happens near a corner extends over the shorter side; polynomials resolve a length δ at the end of a
+        side with a degree like δ^(−1/2).  The Legendre series of a wave turns from oscillation to decay at x = half
+        the side in radians, over a stretch like x^(1/3).
+        """
+        sides = np.array([self.beam, self.length])
+        reach = np.sqrt(sides / sides.min())
+        turns, digits = waves * sides / 2, -np.log10(tolerance)
+        need = 4 * np.ceil((turns + np.maximum(2 * self.extra * reach, (1 + digits / 2) * np.cbrt(turns))) / 4)
+        return tuple(int(d) for d in need + 2 * self.further * np.ceil(reach))
+
+    def shared(self, waves):
+        """rad/m, at least `waves`, up to which tables are made"""
+        return shared(waves, max(self.length, self.beam) / 2)
+
+    def orders(self, cls, degree):
+        """Orders of the polynomials of a class on the end and on the side"""
+        return tuple(
+            np.arange(0 if sign == 1 else 1, d + 1, 2) for sign, d in zip((cls[1], cls[0]), degree, strict=True)
+        )
+
+    def among(self, cls, degree, top):
+        """(n,) places of the functions up to `degree` among those up to `top`"""
+        (end, side), first = map(len, self.orders(cls, degree)), len(self.orders(cls, top)[0])
+        return np.append(np.arange(end), first + np.arange(side))
+
+    def finest(self, degree):
+        """rad/m along the contour of the shortest waves that functions up to `degree` are made for"""
+        return max(2 * np.subtract(degree, self.degree(0.0, 1.0)) / (self.beam, self.length))
+
+    def polynomial_contour(self, degree):
+        """Gauss nodes that integrate products of polynomials of `degree` and of the rigid motions exactly."""
+        (t, w), (s, v) = (gauss_rule(d + 4) for d in degree) if np.ndim(degree) else [gauss_rule(degree + 4)] * 2
+        a, b = self.length / 2, self.beam / 2
+        zero, one = np.zeros(len(t)), np.ones(len(t))
+        none, ones = np.zeros(len(s)), np.ones(len(s))
+        return Contour(
+            np.concatenate([a * one, a * s]), np.concatenate([b * t, b * ones]), np.concatenate([one, none]),
+            np.concatenate([zero, ones]), np.concatenate([b * w, a * v]),
+        )  # fmt: skip
+
+    def basis(self, cls, degree, contour):
+        """(m, n) ψ at nodes: end then side, each with its polynomials of the class in increasing order"""
+        columns = []
+        for side, (m, extent) in enumerate(zip(self.orders(cls, degree), (self.beam, self.length), strict=True)):
+            here = (contour.nx > 0.5) if side == 0 else (contour.ny > 0.5)
+            along = 2 * (contour.y if side == 0 else contour.x)[here] / extent
+            columns.append(np.zeros((len(here), len(m))))
+            columns[-1][here] = np.sqrt((2 * m + 1) / (2 * extent)) * legvander(along, max(m[-1:], default=0))[:, m]
+        return np.hstack(columns)
+
+    def panels(self, k, degree):
+        """Panels that resolve waves of `k` rad/m and polynomials up to `degree`"""
+        corner, longest = [], []
+        for d, extent in zip(degree, (self.beam / 2, self.length / 2), strict=True):
+            phase = 0.7 * self.nodes  # rad on a panel; polynomials turn by d √(2r / extent) near their end
+            corner.append(min(self.scale, phase / max(k, 1e-300), extent * (phase / d) ** 2 / 2))
+            longest.append(phase / max(k, d / extent))
+        return quarter_panels(self.length / 2, self.beam / 2, corner, longest, self.nodes)
+
+    def wave_layout(self, k, degree):
+        """`Layout` for waves of k rad/m; the same for all k between two powers of 1.2, and for all long waves."""
+        return _wave_layout(*self._wave_question(k, degree))
+
+    def _wave_question(self, k, degree):
+        """What `_wave_layout` takes for waves of k rad/m"""
+        fine = self.resolving(degree)
+        shortest = fine.nodes / (self.length + self.beam)
+        step = np.ceil(np.log(max(k / shortest, 1.0)) / np.log(1.2))
+        return fine, shortest * 1.2**step, degree
+
+    def contour(self, k, degree, tolerance):
+        """`Contour` of the nodes for waves of k rad/m"""
+        return self.wave_layout(k, degree).contour
+
+    def layers(self, panels, smallest):
+        c = panels.contour
+        return layers(panels, c.x, c.y, np.arange(len(c.x)), self.count, smallest)
+
+    def maps(self, degree, kappa):
+        """{class: κ times the maps outside and inside, two (c, n, n)} at `kappa` (c,) rad/m"""
+        fine = self.resolving(degree)
+        panels = fine.panels(0.0, degree)
+        on = fine.layers(panels, 3 / kappa[-1])
+        bases = {cls: self.basis(cls, degree, panels.contour) for cls in CLASSES}
+        weak = {cls: 4 * (bases[cls] * on.weights[:, None]).T for cls in CLASSES}
+        half = np.eye(len(on.weights)) / 2
+        out = {cls: ([], []) for cls in CLASSES}
+        for value in kappa:
+            for cls, S, D in zip(CLASSES, *on.matrices(decaying(value), CLASSES), strict=True):
+                source = value * S @ bases[cls]
+                out[cls][0].append(-weak[cls] @ np.linalg.solve(half - D, source))
+                out[cls][1].append(weak[cls] @ np.linalg.solve(half + D, source))
+        return {cls: tuple(np.array(m) for m in pair) for cls, pair in out.items()}
+
+    def laplace(self, degree):
+        """{class: the maps outside and inside for κ = 0, two (n, n)}, of zero mean where a constant is free"""
+        fine = self.resolving(degree)
+        fine = replace(fine, nodes=fine.nodes + FURTHER, count=fine.count + FURTHER)
+        panels = fine.panels(0.0, degree)
+        on = fine.layers(panels, np.inf)
+        half, w, out = np.eye(len(on.weights)) / 2, on.weights / on.weights.sum(), {}
+        for cls, S, D in zip(CLASSES, *on.matrices(laplace, CLASSES), strict=True):
+            basis = self.basis(cls, degree, panels.contour)
+            weak = 4 * (basis * on.weights[:, None]).T
+            free = np.outer(np.ones(len(w)), w) if cls == (1, 1) else 0.0
+            source = S @ (basis - free @ basis if cls == (1, 1) else basis)
+            inner = np.linalg.solve(half + D + free, source)
+            inner = inner - free @ inner if cls == (1, 1) else inner
+            outer = np.linalg.solve(half - D, source) if cls != (1, 1) else inner * np.nan
+            out[cls] = -weak @ outer, weak @ inner
+        return out
+
+    def waves(self, classes, degree, k, contour, beta):
+        """{class: `WaveMap`} for waves of `k` rad/m and incident ones towards `beta` (b,)"""
+        at = self.wave_layout(k, degree)
+        kernels, half, out = radiating(k), np.eye(len(contour.x)) / 2, {}
+        S, D = at.on.matrices(kernels, classes)
+        S_in, D_in = at.within.matrices(kernels, classes)
+        for c, cls in enumerate(classes):
+            basis = _wave_basis(*self._wave_question(k, degree), cls)
+            matrix = np.vstack([half - D[c], -D_in[c]])
+            velocity = -np.vstack([S[c], S_in[c]]) @ basis
+            known = [plane_wave_values(cls, place, k, beta) for place in (contour, at.inside)]
+            answer = _least_squares(matrix, np.hstack([velocity, np.vstack(known)]))
+            potential, wall = np.split(answer, [basis.shape[1]], axis=1)
+            out[cls] = WaveMap.solved(contour, basis, potential, wall)
+        return out
+
+    def short_degree(self, tolerance):
+        """Highest polynomials where waves are not resolved: with a dozen more the corners err by a tenth as much"""
+        return tuple(d + 12 for d in self.degree(0.0, tolerance))
+
+    def short_map(self, cls, degree, k, beta):
+        """`bem.contour.plan.short_waves.ShortMap` of waves of `k` rad/m, far shorter than both sides, and incident
+        ones
+        """
+        return short_map(self, cls, degree, k, beta)
+
+    def incident_force(self, draft, depth, k, beta):
+        """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)"""
+        return box_incident_force(self.length, self.beam, draft, depth, k, beta)
+
+
+class Layout(NamedTuple):
+    """Panels, their nodes on the contour, points inside, and the `Layers` of both as targets."""
+
+    panels: Panels
+    contour: Contour
+    inside: Contour
+    on: Layers
+    within: Layers
+
+
+@lru_cache(maxsize=8)
+def _wave_layout(rectangle, k, degree):
+    panels = rectangle.panels(k, degree)
+    n = np.arange(1, int(8 + k * np.hypot(rectangle.length, rectangle.beam) / 4) + 1)
+    x = 0.45 * rectangle.length * ((n * (np.sqrt(5) - 1) / 2) % 1.0)  # irrational steps: no nodal line holds many
+    y = 0.45 * rectangle.beam * ((n * (np.sqrt(2) - 1)) % 1.0)
+    within = layers(panels, x, y, np.full(len(n), -1), rectangle.count, 3 / k)
+    return Layout(panels, panels.contour, Contour(x, y, 0 * x, 0 * x, 0 * x), rectangle.layers(panels, 3 / k), within)
+
+
+@lru_cache(maxsize=32)
+def _wave_basis(rectangle, k, degree, cls):
+    """`Rectangle.basis` at the nodes of a `Layout`"""
+    return rectangle.basis(cls, degree, _wave_layout(rectangle, k, degree).contour)
+
+
+def _least_squares(matrix, right):
+    """x of smallest |matrix x − right|; the equations are consistent and well conditioned, so normal equations do."""
+    from scipy.linalg.blas import zherk
+    from scipy.linalg.lapack import zposv
+
+    normal = zherk(1.0, matrix.T).conj()  # the upper triangle, in half the time of a product
+    _, x, fault = zposv(normal, matrix.conj().T @ right)
+    if fault:
+        raise np.linalg.LinAlgError(f"normal equations of a plane problem: row {fault} is not positive")
+    return x

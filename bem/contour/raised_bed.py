@@ -1,0 +1,72 @@
+"""Deep water over a raised bed, where waves are too short to know: the contour method then answers in any depth.
+
+    s = F c,    c = max(b, d),    F = max(10, (1.4 / tolerance)^(1/2)),    h = d + s
+
+with b the radius or half the smaller width, d the draft.  Waves of kh ≥ 14 have the wavenumber and group velocity of
+endless depth to 1e-10.  What a body moves without waves is seen from the bed as a dipole in the still surface, the
+flow and its image, which falls off like distance^(−2) along a slender body and faster about a short one; the bed adds
+
+    0.7 (c/s)²    at most, half the tolerance, of √|Zᵢᵢ Zⱼⱼ| and of the excitation.
+
+Against beds four times as deep it was 0.6 (c/s)² in heave of a box of L/B = 20 and b = d, 0.3 and less for flatter
+and deeper ones, and 0.4 (c/s)² in the excitation (tests/bench/raised_bed.py).  The deeper the bed, the more digits
+the contour method loses: F² max(b, d) / min(b, d) is at most 1.4e4, and a third of the tolerance is asked for.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..checks import excitation_scale, longer, radiation_scale
+
+EFFECT = 0.7
+LEAST_GAP = 10.0  # F
+LEAST_PHASE = 14.0  # kh
+HIGHEST = 1.4e4  # F² max(b, d) / min(b, d)
+SHARE = 1 / 3  # of the tolerance that is left to the contour method
+
+
+def raised_bed(shape, sizes, tolerance, k):
+    """h in m, or None where waves of `k` rad/m are as long as the body, too long for the bed, or digits would be lost.
+
+    shape, sizes : as of `bem.methods.shape_setup.ShapeSetup`; tolerance : relative error of the coefficients
+    """
+    half, draft, across = _lengths(shape, sizes)
+    factor = max(LEAST_GAP, (2 * EFFECT / tolerance) ** 0.5)
+    bed = draft + factor * max(half, draft)
+    short = k * across >= 2 * np.pi and k * bed >= LEAST_PHASE
+    reached = factor**2 * max(half, draft) <= HIGHEST * min(half, draft) * (1 + 1e-9)  # where both are round numbers
+    return float(bed) if short and reached else None
+
+
+def effect_of_bed(shape, sizes, bed):
+    """Largest relative effect on coefficients and forces of a bed at depth `bed` (m)"""
+    half, draft, _ = _lengths(shape, sizes)
+    return EFFECT * (max(half, draft) / (bed - draft)) ** 2
+
+
+def with_bed(run, radiation, excitation):
+    """Errors of radiation (6, 6) and excitation (m, 6) with what the raised bed of a run may add to them.
+
+    What symmetry makes zero stays zero.
+    """
+    setup = run.setup
+    if setup.bed is None or setup.bed >= setup.depth:
+        return radiation, excitation
+    share, radiation, excitation = effect_of_bed(setup.shape, setup.sizes, setup.bed), radiation + 0, excitation + 0
+    if run.radiates:
+        block = np.ix_(run.dofs, run.dofs)
+        radiation[block] = longer(radiation[block], share * _finite(radiation_scale(run)))
+    if run.diffracts:
+        excitation[:, run.dofs] = longer(excitation[:, run.dofs], share * _finite(excitation_scale(run)))
+    return radiation, excitation
+
+
+def _lengths(shape, sizes):
+    """b, d and the largest width, m"""
+    *widths, draft = sizes
+    return (min(widths) / 2, draft, max(widths)) if shape == "box" else (widths[0], draft, 2 * widths[0])
+
+
+def _finite(scale):
+    return np.where(np.isfinite(scale), scale, 0.0)

@@ -1,0 +1,18 @@
+"""The database of a scene: its schema, its HDF5 file, its rows, and what lies between its frequencies.
+
+The functions of `rows` in DOOR can be imported from here.  They are loaded when asked for: h5py takes 0.1 s,
+which `hakobune --help`, needing no more than the names of `schema`, does not have.
+"""
+
+from importlib import import_module
+
+DOOR = (
+    *("Database", "DatabaseError", "Header", "Row"),
+    *("append", "append_limit", "create", "extend", "open_database", "pending", "writing"),
+)
+
+
+def __getattr__(name):
+    if name not in DOOR:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(".rows", __name__), name)

@@ -1,0 +1,277 @@
+"""The file behind a database: opened only if it is one, laid out whole, seen only when whole."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+from dataclasses import dataclass, field
+from importlib import metadata
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import bem
+from meshing.panels import PanelMesh
+
+from ..waves import wavenumber
+from .schema import (
+    BODY,
+    CHECKS,
+    COORDINATES,
+    DERIVED,
+    ESTIMATES,
+    FORMAT,
+    LABELS,
+    QUANTITIES,
+    SCHEMA_VERSION,
+    cell_axes,
+)
+
+
+class DatabaseError(ValueError):
+    """The file cannot be used as asked; one line says why and what helps."""
+
+
+@dataclass(frozen=True, eq=False)
+class Header:
+    """What is known before the first frequency is solved.
+
+    mesh, lid : PanelMesh, or None for no lid
+    water_depth : m (may be inf); density : kg/m³; gravity : m/s²; rotation_center : (3,) m
+    body : values of the names in `schema.BODY`, those that are known
+    theta : (t,) rad, directions of the Kochin functions
+    dimensions : what the scene calls the body's sizes, m
+    scene, scene_hash : text, and the hash of the part that may not change while a file grows
+    attributes : further root attributes
+    """
+
+    mesh: PanelMesh
+    lid: PanelMesh | None
+    water_depth: float
+    density: float
+    gravity: float
+    rotation_center: np.ndarray
+    theta: np.ndarray
+    body: dict = field(default_factory=dict)
+    dimensions: dict = field(default_factory=dict)
+    scene: str = ""
+    scene_hash: str = ""
+    attributes: dict = field(default_factory=dict)
+
+
+def software_version():
+    """Version of the installed distribution."""
+    try:
+        return metadata.version("hakobune")
+    except metadata.PackageNotFoundError:
+        return "unknown"
+
+
+def _remove(path):
+    with contextlib.suppress(FileNotFoundError):
+        os.remove(path)
+
+
+def check_place(path):
+    """Raise DatabaseError if no file can be made under this name; before any work is done for it."""
+    path = Path(path)
+    if path.is_dir():
+        raise DatabaseError(f"{path} is a folder")
+    if not path.parent.is_dir():
+        raise DatabaseError(f"{path} cannot be written: there is no folder {path.parent}")
+    if not os.access(path.parent, os.W_OK):
+        raise DatabaseError(f"{path} cannot be written: no permission in {path.parent}")
+
+
+def has_schema(path, schema):
+    """Whether a file is HDF5 with this attribute `schema`, which results of studies have and databases do not"""
+    try:
+        with h5py.File(path) as file:
+            return file.attrs.get("schema") == schema
+    except OSError:
+        return False
+
+
+def check_replaceable(path):
+    """Raise DatabaseError if there is a file under this name that is no database, of whatever version, or in use."""
+    if not Path(path).exists():
+        return
+    try:
+        if h5py.is_hdf5(path):  # an empty file would be made one by opening it
+            with h5py.File(path, "r+") as file:
+                if file.attrs.get("format") == FORMAT:
+                    return
+    except OSError as error:
+        if "unable to lock" in str(error):
+            raise DatabaseError(f"{path} cannot be replaced: {_reason(error)}") from None
+    raise DatabaseError(f"{path} is not a hakobune database and is not replaced; give another name")
+
+
+@contextlib.contextmanager
+def beside(path):
+    """A new file that takes the name `path` when it is whole, and vanishes if it never is."""
+    path = Path(path)
+    check_place(path)
+    partial = path.with_name(path.name + ".partial")
+    try:
+        file = h5py.File(partial, "w")
+    except OSError as error:
+        raise DatabaseError(f"{path} cannot be written: {_reason(error)}") from None
+    try:
+        with file:
+            yield file
+        os.replace(partial, path)
+    finally:
+        _remove(partial)
+
+
+@contextlib.contextmanager
+def opened(path, mode="r"):
+    """The open HDF5 file.  Raises DatabaseError if it is not a database of this schema version."""
+    path = Path(path)
+    if not path.is_file():
+        raise DatabaseError(f"{path} does not exist" if not path.exists() else f"{path} is not a file")
+    try:
+        foreign = not h5py.is_hdf5(path)
+        file = None if foreign else h5py.File(path, mode)
+    except OSError as error:
+        raise DatabaseError(f"{path} cannot be opened: {_reason(error)}") from None
+    if foreign:
+        raise DatabaseError(f"{path} is not an HDF5 file; a database made by 'hakobune solve' is needed")
+    with file:
+        if file.attrs.get("format") != FORMAT:
+            own = str(file.attrs.get("schema", ""))
+            what = f"a {own.rsplit(' ', 1)[0]}" if own.startswith("hakobune") else "an HDF5 file of another program"
+            raise DatabaseError(f"{path} is {what}, not a hakobune database")
+        version = int(file.attrs.get("schema_version", 0))
+        if version != SCHEMA_VERSION:
+            raise DatabaseError(
+                f"{path} has schema version {version}, this program reads {SCHEMA_VERSION}; make it anew"
+            )
+        yield file
+
+
+def _reason(error):
+    if error.errno in (11, 35) or "unable to lock" in str(error):
+        return "another process has it open"
+    if "truncated file" in str(error):
+        return "it is truncated, a part of it is missing; copy it again, or give another name"
+    return os.strerror(error.errno) if error.errno else str(error).splitlines()[0]
+
+
+def lay_out(file, header, omega, wave_direction, names):
+    """Fill a new file with everything known beforehand, and NaN for every number still to come."""
+    file.attrs.update(_attributes(header))
+    values = {"omega": omega, "wave_direction": wave_direction, "theta": header.theta, **LABELS}
+    values["panel"] = np.arange(header.mesh.total)
+    for axis, (_, unit, kind) in COORDINATES.items():
+        data = np.array(values[axis], dtype=h5py.string_dtype() if kind is str else kind)
+        dataset = file.create_dataset(axis, data=data)
+        dataset.make_scale(axis)
+        _describe(dataset, unit)
+    k = wavenumber(omega, header.water_depth, header.gravity)
+    derived = (2 * np.pi / omega, k, np.degrees(wave_direction))
+    for (name, (axes, unit, _)), value in zip(DERIVED.items(), derived, strict=True):
+        _dataset(file, name, axes, unit, value)
+    lengths = {axis: len(file[axis]) for axis in COORDINATES}
+    for name in (name for name in QUANTITIES if name in names):
+        axes, unit, kind = QUANTITIES[name]
+        nothing = np.full([lengths[axis] for axis in axes], np.nan, kind)
+        _dataset(file, name, axes, unit, nothing)
+        marks = np.zeros([lengths[axis] for axis in cell_axes(name)], np.uint8)
+        _dataset(file, f"stored/{name}", cell_axes(name), "", marks)
+        if name in ESTIMATES:
+            _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan))
+    for name in (name for name in BODY if header.body.get(name) is not None):
+        axes, unit, _ = BODY[name]
+        _dataset(file, name, axes, unit, np.asarray(header.body[name], float))
+    for name in CHECKS:
+        _dataset(file, f"checks/{name}", ("omega",), "", np.full(len(omega), np.nan))
+    _dataset(file, "wall_time", ("omega",), "s, per step", np.array([steps_text({})] * len(omega), "S480"))
+    _dataset(file, "solved", ("omega",), "", np.zeros(len(omega), np.uint8))
+    for name, mesh in (("mesh", header.mesh), ("mesh/lid", header.lid)):
+        if mesh is not None:
+            _write_mesh(file, name, mesh)
+
+
+def _attributes(header):
+    return {
+        "format": FORMAT,
+        "schema_version": SCHEMA_VERSION,
+        "software_version": software_version(),
+        "convention": bem.__doc__,
+        "water_depth": float(header.water_depth),
+        "density": float(header.density),
+        "gravity": float(header.gravity),
+        "rotation_center": np.asarray(header.rotation_center, float),
+        "dimensions": json.dumps(header.dimensions),
+        "scene": header.scene,
+        "scene_hash": header.scene_hash,
+        **header.attributes,
+    }
+
+
+def _dataset(file, name, axes, unit, data):
+    dataset = file.create_dataset(name, data=data)
+    for place, axis in enumerate(axes):
+        dataset.dims[place].attach_scale(file[axis])
+    _describe(dataset, unit)
+
+
+def _describe(dataset, unit):
+    if unit:
+        dataset.attrs["units"] = unit
+
+
+def _write_mesh(file, name, mesh):
+    group = file.require_group(name)
+    group.attrs["symmetry"], group.attrs["name"] = mesh.symmetry, mesh.name
+    sizes = {"point": len(mesh.points), "coordinate": 3, "panel": len(mesh.corners), "corner": 4}
+    for axis, size in sizes.items():
+        group.create_dataset(axis, data=np.arange(size)).make_scale(axis)
+    for data, axes, unit in (("points", ("point", "coordinate"), "m"), ("corners", ("panel", "corner"), "")):
+        dataset = group.create_dataset(data, data=getattr(mesh, data))
+        for place, axis in enumerate(axes):
+            dataset.dims[place].attach_scale(group[axis])
+        _describe(dataset, unit)
+
+
+def _read_mesh(group):
+    return PanelMesh(group["points"][()], group["corners"][()], group.attrs["symmetry"], group.attrs.get("name", ""))
+
+
+def read_header(file):
+    """The `Header` a file was made with.  Raises DatabaseError if a part of it is gone."""
+    try:
+        return _header(file)
+    except KeyError as error:
+        raise DatabaseError(f"{file.filename} is damaged: {error.args[0]}") from None
+
+
+def _header(file):
+    known = {*_attributes(_EMPTY)}
+    return Header(
+        mesh=_read_mesh(file["mesh"]),
+        lid=_read_mesh(file["mesh/lid"]) if "lid" in file["mesh"] else None,
+        water_depth=float(file.attrs["water_depth"]),
+        density=float(file.attrs["density"]),
+        gravity=float(file.attrs["gravity"]),
+        rotation_center=np.asarray(file.attrs["rotation_center"]),
+        theta=file["theta"][()],
+        body={name: file[name][()] for name in BODY if name in file},
+        dimensions=json.loads(file.attrs["dimensions"]),
+        scene=file.attrs["scene"],
+        scene_hash=file.attrs["scene_hash"],
+        attributes={key: value for key, value in file.attrs.items() if key not in known},
+    )
+
+
+_EMPTY = Header(PanelMesh(np.zeros((0, 3)), np.zeros((0, 4))), None, np.inf, 0, 0, np.zeros(3), np.zeros(0))
+
+
+def steps_text(seconds):
+    """{step: s} as at most 480 bytes of JSON, the room that was allocated; a longer list is summed up."""
+    text = json.dumps(seconds)
+    return (text if len(text) <= 480 else json.dumps({"total": sum(seconds.values())})).encode()

@@ -1,0 +1,395 @@
+"""The database of one scene: an HDF5 file that fills row by row and can be killed at any instant.
+
+Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made,
+so that an append changes numbers in place and never the structure of the file.  Beside it, in /stored, lies
+one mark per frequency (and heading).  Data first, flush, then the mark.  The file is made under another name
+and renamed, so that it exists only whole; more frequencies, headings or quantities are a new file beside the
+old one that takes over its rows and then its name.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from .file import DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
+from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
+
+SAME = 1e-9  # relative in omega, rad in heading: closer than any two a person asks for, wider than rounding
+
+
+@dataclass(frozen=True)
+class Row:
+    """What one frequency still lacks: `want` names, at `headings` (rad)."""
+
+    omega: float
+    headings: tuple[float, ...]
+    want: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Pending:
+    """All a file still lacks: the names of limits, and rows by frequency."""
+
+    limits: tuple[str, ...]
+    rows: tuple[Row, ...]
+
+
+def create(path, header, omega, wave_direction, names):
+    """Make the file of a scene with every number still NaN; an existing file of that name is replaced.
+
+    omega : (n,) rad/s; wave_direction : (m,) rad; names : keys of `schema.QUANTITIES`
+    Raises DatabaseError if the path cannot be written.
+    """
+    omega, wave_direction = np.unique(np.asarray(omega, float)), np.unique(np.asarray(wave_direction, float))
+    with beside(path) as file:
+        lay_out(file, header, omega, wave_direction, names)
+
+
+def extend(path, *, omega=(), wave_direction=(), names=(), scene=None):
+    """Widen a file by frequencies, headings and quantities; what it holds is kept, the rest is pending.
+
+    Returns whether anything had to be added.
+    """
+    with writing(path) as old:
+        header = read_header(old)
+        stored = [name for name in QUANTITIES if name in old]
+        wider_omega = _union(old["omega"][()], omega, _same_omega)
+        wider_heading = _union(old["wave_direction"][()], wave_direction, _same_heading)
+        wider = [name for name in QUANTITIES if name in stored or name in names]
+        grown = (
+            len(wider_omega) > len(old["omega"])
+            or len(wider_heading) > len(old["wave_direction"])
+            or len(wider) > len(stored)
+        )
+        if grown:
+            with beside(path) as file:
+                lay_out(file, replace(header, scene=scene or header.scene), wider_omega, wider_heading, wider)
+                _take_over(old, file)
+    return grown
+
+
+@contextlib.contextmanager
+def writing(path):
+    """The open file of a database, for `append`; only one process at a time may have it."""
+    with opened(path, "r+") as file:
+        _mark_whole_rows(file)
+        yield file
+
+
+def append(file, omega, headings, result):
+    """Store what was computed for one frequency, then mark it.
+
+    file : from `writing`; omega : rad/s; headings : (m,) rad, the order of the heading axis in `result`
+    result : {name: array}, and "checks", "estimated_error", "wall_time" as `solve_frequency` returns them
+    Raises DatabaseError, and marks nothing, if a value has the wrong shape or is not finite.
+    """
+    (i,) = _places(file, [omega], "omega")
+    columns = _places(file, headings, "wave_direction")
+    cells = {}
+    for name in (name for name in QUANTITIES if name in file and name in result and name not in LIMITS):
+        by_heading = "wave_direction" in cell_axes(name)
+        shape = ((len(columns),) if by_heading else ()) + file[name].shape[2 if by_heading else 1 :]
+        cells[name] = _checked(name, result[name], shape, f"omega = {omega:.6g} rad/s")
+    for name, value in cells.items():
+        _put(file[name], _cells(name, i, columns), value)
+    for name, value in result.get("estimated_error", {}).items():
+        if name in cells and _estimate(name) in file:
+            _put(file[_estimate(name)], _cells(name, i, columns), value)
+    for name, value in result.get("checks", {}).items():
+        if name in CHECKS:
+            file["checks"][name][i] = np.fmax(file["checks"][name][i], value)
+    seconds = dict(json.loads(file["wall_time"][i]))
+    for step, value in result.get("wall_time", {}).items():
+        seconds[step] = round(seconds.get(step, 0.0) + float(value), 6)
+    file["wall_time"][i] = steps_text(seconds)
+    file.flush()
+    for name in cells:
+        for cell in _cells(name, i, columns):
+            file["stored"][name][cell] = 1
+    _mark_whole_rows(file)
+    file.flush()
+
+
+def _estimate(name):
+    return f"estimated_error/{name}"
+
+
+def _cells(name, i, columns):
+    """Indices of what is filled at once: one for each heading, or one"""
+    return [(i, column) for column in columns] if "wave_direction" in cell_axes(name) else [(i,)]
+
+
+def _put(dataset, cells, value):
+    for cell, part in zip(cells, value if len(cells[0]) > 1 else [value], strict=True):
+        dataset[cell] = part
+
+
+def append_limit(file, name, value):
+    """Store an added-mass limit (6, 6); entries may be infinite, none NaN."""
+    file[name][...] = _checked(name, value, file[name].shape, "the limit", infinite=True)
+    file.flush()
+    file["stored"][name][...] = 1
+    file.flush()
+
+
+def pending(path):
+    """What the file still lacks of everything it was made or extended for."""
+    with opened(path) as file:
+        names = [name for name in QUANTITIES if name in file]
+        limits = tuple(name for name in names if name in LIMITS and not file["stored"][name][()])
+        marks = {name: file["stored"][name][()] == 1 for name in names if name not in LIMITS}
+        headings = file["wave_direction"][()]
+        rows = [_lacking(float(w), headings, marks, i) for i, w in enumerate(file["omega"][()])]
+    return Pending(limits, tuple(row for row in rows if row.want))
+
+
+def open_database(path):
+    """Read access to a database.  Raises DatabaseError if `path` is not one of this version."""
+    with opened(path) as file:
+        header = read_header(file)
+        names = tuple(name for name in QUANTITIES if name in file)
+        marks = [file["stored"][name][()] for name in names]
+        rows = np.ones(len(file["omega"]), bool)
+        for mark in (mark for mark in marks if mark.ndim):
+            rows &= (mark == 1).reshape(len(rows), -1).all(axis=1)
+        return Database(
+            Path(path),
+            header,
+            names,
+            rows,
+            file["omega"][()][rows],
+            file["wave_direction"][()],
+            {key: value for key, value in file.attrs.items()},
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Database:
+    """The solved part of a file, frequencies ascending.
+
+    names : quantities the file is for; rows : (all,) which of its frequencies are solved
+    omega : (n,) rad/s, the solved ones; wave_direction : (m,) rad; attributes : those of the file
+    """
+
+    path: Path
+    header: Header
+    names: tuple[str, ...]
+    rows: np.ndarray
+    omega: np.ndarray
+    wave_direction: np.ndarray
+    attributes: dict
+
+    def __repr__(self):
+        return (
+            f"<Database {self.path.name}: {len(self.omega)} of {len(self.rows)} frequencies, "
+            f"{len(self.wave_direction)} headings, {', '.join(self.names)}>"
+        )
+
+    def __getattr__(self, name):
+        if name in BODY:
+            return self.header.body.get(name)
+        raise AttributeError(f"a database has no {name!r}")
+
+    def __getitem__(self, name):
+        """Solved rows of a quantity, axes as in `schema.QUANTITIES`; also period, wavenumber, theta."""
+        if name in QUANTITIES:
+            self.require(name)
+        with opened(self.path) as file:
+            if name not in file:
+                known = ", ".join(n for n in (*COORDINATES, *DERIVED, *self.names))
+                raise DatabaseError(f"{self.path} holds no {name!r}; it holds: {known}")
+            value = file[name].asstr()[()] if h5py.check_string_dtype(file[name].dtype) else file[name][()]
+            return value[self.rows] if _first_axis(name) == "omega" else value
+
+    def require(self, *names):
+        """Raise DatabaseError if one of the quantities is not there, saying what to add to the command."""
+        for name in names:
+            if name not in QUANTITIES:
+                raise DatabaseError(f"no database holds {name!r}; names are: {', '.join(QUANTITIES)}")
+        missing = [name for name in names if name not in self.names]
+        if missing:
+            raise DatabaseError(f"{self.path} holds no {', '.join(missing)}; {self._remedy(missing)}")
+        if not self.rows.any() and any(name not in LIMITS for name in names):
+            raise DatabaseError(f"{self.path} has no solved frequency yet; run its command again to go on")
+        unsolved = [name for name in names if name in LIMITS and not self._stored(name)]
+        if unsolved:
+            raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
+
+    @property
+    def has_viscous_motions(self):
+        """Whether stored motions and drift of the free body hold viscous damping, which belongs to one wave height"""
+        return "[viscous]" in self.header.scene
+
+    @cached_property
+    def between(self):
+        """`bem.database.between_frequencies.Between`: the stored rows as functions of frequency, with estimated
+        errors
+        """
+        from .between_frequencies import between
+
+        self.require()
+        return between(self)
+
+    def at(self, omega, name):
+        """A quantity at omega (q,) rad/s between the stored ones: value (q, …) as stored, estimated error (q, …).
+
+        raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside the stored band and for what
+            does not follow
+        """
+        return self.between.at(omega, name)
+
+    def checks(self):
+        """{name: (n,)} of `schema.CHECKS` for the solved frequencies; NaN where a check did not apply."""
+        with opened(self.path) as file:
+            return {name: file["checks"][name][()][self.rows] for name in CHECKS}
+
+    def estimated_errors(self):
+        """{name: (n, …)} of `schema.ESTIMATES` that are here: absolute errors in the unit and on the axes of each.
+
+        NaN where the method gives no estimate, and in a file of a time before there were any.
+        """
+        names = [name for name in ESTIMATES if name in self.names]
+        with opened(self.path) as file:
+            return {
+                name: file[_estimate(name)][()][self.rows]
+                if _estimate(name) in file
+                else np.full((self.rows.sum(), *file[name].shape[1:]), np.nan)
+                for name in names
+            }
+
+    def wall_times(self):
+        """(n,) dictionaries {step: s} of the solved frequencies."""
+        with opened(self.path) as file:
+            return [json.loads(text) for text in file["wall_time"][()][self.rows]]
+
+    @property
+    def complete(self):
+        """Whether every frequency and limit the file was made for is solved."""
+        return bool(self.rows.all()) and all(self._stored(name) for name in self.names if name in LIMITS)
+
+    @property
+    def water_depth(self):
+        """m, inf for deep water"""
+        return self.header.water_depth
+
+    @property
+    def density(self):
+        """kg/m³"""
+        return self.header.density
+
+    @property
+    def gravity(self):
+        """m/s²"""
+        return self.header.gravity
+
+    @property
+    def rotation_center(self):
+        """(3,) m"""
+        return self.header.rotation_center
+
+    @property
+    def dimensions(self):
+        """What the scene calls the body's sizes, m; empty for a body from a mesh file"""
+        return dict(self.header.dimensions)
+
+    @property
+    def mesh(self):
+        """PanelMesh the results were computed with"""
+        return self.header.mesh
+
+    @property
+    def lid(self):
+        """PanelMesh of the interior free surface, or None"""
+        return self.header.lid
+
+    def _stored(self, name):
+        with opened(self.path) as file:
+            return bool(file["stored"][name][()])
+
+    def _remedy(self, missing):
+        motion = [name for name in missing if name in NEEDS_MOTION]
+        if motion and self.inertia_matrix is None:
+            return "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration) with --fresh"
+        return f"run its command again with --only {','.join(missing)}"
+
+
+def _take_over(old, new):
+    """Copy numbers and marks of every quantity, check and wall time to their places in a wider file."""
+    i = _places(new, old["omega"], "omega")
+    j = _places(new, old["wave_direction"], "wave_direction")
+    for name in (name for name in QUANTITIES if name in old):
+        axes = cell_axes(name)
+        for path in (p for p in (name, f"stored/{name}", _estimate(name)) if p in old and p in new):
+            value = np.asarray(new[path])
+            value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = old[path][()]
+            new[path][...] = value
+    for path in (*(f"checks/{name}" for name in CHECKS), "wall_time"):
+        value = new[path][()]
+        value[i] = old[path][()]
+        new[path][...] = value
+    _mark_whole_rows(new)
+
+
+def _mark_whole_rows(file):
+    whole = np.ones(len(file["omega"]), np.uint8)
+    for mark in (file["stored"][name][()] for name in file["stored"] if name not in LIMITS):
+        whole &= mark if mark.ndim == 1 else mark.all(axis=1)
+    if not np.array_equal(file["solved"][()], whole):
+        file["solved"][...] = whole
+
+
+def _lacking(omega, headings, marks, i):
+    want, columns = set(), np.zeros(len(headings), bool)
+    for name, mark in marks.items():
+        if not mark[i].all():
+            want.add(name)
+            if mark.ndim == 2:
+                columns |= ~mark[i]
+    return Row(omega, tuple(headings[columns].tolist()), frozenset(want))
+
+
+def _checked(name, value, shape, where, infinite=False):
+    kind = QUANTITIES[name][2]
+    if kind is float and np.iscomplexobj(value):
+        raise DatabaseError(f"{name} at {where} is complex, its type is real")
+    value = np.asarray(value, kind)
+    if value.shape != shape:
+        raise DatabaseError(f"{name} at {where} has shape {value.shape}; allowed: {shape}")
+    if np.isnan(value).any() or not (infinite or np.isfinite(value).all()):
+        raise DatabaseError(f"{name} at {where} is not finite")
+    return value
+
+
+def _first_axis(name):
+    axes = {**COORDINATES, **DERIVED, **QUANTITIES, **BODY}.get(name, ((),))[0]
+    return axes[0] if axes else None
+
+
+def _same_omega(a, b):
+    return abs(a - b) <= SAME * abs(b)
+
+
+def _same_heading(a, b):
+    return abs((a - b + np.pi) % (2 * np.pi) - np.pi) <= SAME
+
+
+def _places(file, values, axis):
+    same = _same_omega if axis == "omega" else _same_heading
+    known = file[axis][()]
+    places = [next((i for i, x in enumerate(known) if same(x, value)), None) for value in values]
+    if None in places:
+        absent = values[places.index(None)]
+        raise DatabaseError(f"{axis} = {absent:.9g} is not one of the file's {len(known)} values")
+    return places
+
+
+def _union(old, new, same):
+    added = [float(b) for b in new if not any(same(a, b) for a in old)]
+    return np.unique(np.concatenate([old, added]))

@@ -1,0 +1,73 @@
+"""What a database holds: one table of names, axes, units and types, which writing, reading and plots follow.
+
+Names follow Capytaine where it has one.  Every dataset carries its axes as HDF5 dimension scales.
+"""
+
+from __future__ import annotations
+
+from .. import DOFS
+
+FORMAT = "hakobune database"
+SCHEMA_VERSION = 1
+AXES = ("omega", "wave_direction", "influenced_dof", "radiating_dof", "drift_dof", "theta", "panel", "xyz")
+DRIFT_DOFS = ("Surge", "Sway", "Yaw")
+
+_SQUARE = ("influenced_dof", "radiating_dof")
+_FORCE = ("omega", "wave_direction", "influenced_dof")
+_DRIFT = ("omega", "wave_direction", "drift_dof")
+
+# name: (axes, unit, type); where a unit has two parts the second is that of rotations and moments
+COORDINATES = {
+    "omega": (("omega",), "rad/s", float),
+    "wave_direction": (("wave_direction",), "rad", float),
+    "influenced_dof": (("influenced_dof",), "", str),
+    "radiating_dof": (("radiating_dof",), "", str),
+    "drift_dof": (("drift_dof",), "", str),
+    "theta": (("theta",), "rad", float),
+    "panel": (("panel",), "", int),  # of the whole hull, as in mesh.whole()
+    "xyz": (("xyz",), "", str),
+}
+DERIVED = {
+    "period": (("omega",), "s", float),
+    "wavenumber": (("omega",), "rad/m", float),
+    "wave_direction_deg": (("wave_direction",), "degree", float),
+}
+QUANTITIES = {
+    "added_mass": (("omega", *_SQUARE), "kg, kg m, kg m2", float),
+    "radiation_damping": (("omega", *_SQUARE), "kg/s, kg m/s, kg m2/s", float),
+    "Froude_Krylov_force": (_FORCE, "N/m, N m/m", complex),
+    "diffraction_force": (_FORCE, "N/m, N m/m", complex),
+    "excitation_force": (_FORCE, "N/m, N m/m", complex),
+    "kochin_radiation": (("omega", "radiating_dof", "theta"), "m/m, m/rad", complex),
+    "kochin_diffraction": (("omega", "wave_direction", "theta"), "m/m", complex),
+    "rao": (("omega", "wave_direction", "radiating_dof"), "m/m, rad/m", complex),
+    "drift_force_fixed": (_DRIFT, "N/m2, N m/m2", float),
+    "drift_force": (_DRIFT, "N/m2, N m/m2", float),
+    "pressure": (("omega", "wave_direction", "panel"), "Pa/m", complex),
+    "added_mass_zero": (_SQUARE, "kg, kg m, kg m2", float),
+    "added_mass_infinity": (_SQUARE, "kg, kg m, kg m2", float),
+}
+BODY = {
+    "center_of_mass": (("xyz",), "m", float),
+    "mass": ((), "kg", float),
+    "inertia_matrix": (_SQUARE, "kg, kg m, kg m2", float),
+    "hydrostatic_stiffness": (_SQUARE, "N/m, N, N m", float),
+    "displaced_volume": ((), "m3", float),
+    "wetted_area": ((), "m2", float),
+    "center_of_buoyancy": (("xyz",), "m", float),
+    "waterplane_area": ((), "m2", float),
+    "transverse_metacentric_height": ((), "m", float),
+    "longitudinal_metacentric_height": ((), "m", float),
+}
+ESTIMATES = ("added_mass", "radiation_damping", "excitation_force")  # with an error each, in /estimated_error
+CHECKS = ("reciprocity", "Haskind", "energy", "residual", "estimated_error")
+
+LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)
+NEEDS_MOTION = ("rao", "drift_force")
+ONLY_BY_NAME = ("pressure",)  # large, and wanted for few frequencies
+LABELS = {"influenced_dof": DOFS, "radiating_dof": DOFS, "drift_dof": DRIFT_DOFS, "xyz": ("x", "y", "z")}
+
+
+def cell_axes(name):
+    """Axes along which a quantity is filled piece by piece: (), ("omega",) or ("omega", "wave_direction")."""
+    return tuple(axis for axis in QUANTITIES[name][0] if axis in ("omega", "wave_direction"))

@@ -1,0 +1,1 @@
+"""Eigenfunctions over the depth and the functions that carry the flow through a keel gap."""

@@ -1,0 +1,234 @@
+"""Depth modes of a vertical-sided body and the functions that carry the flow through its keel gap.
+
+ζ is measured from the bed, the gap under the keel is 0 < ζ < s = h − d.  Modes in depth, K = ω²/g:
+
+    outside   Z₀ = cosh kζ / cosh kh,  k tanh kh = K;    Zₙ = cos kₙζ,  kₙ tan kₙh = −K
+    beneath   cos l_qζ,  l_q = qπ/s
+
+At the keel's edge of 270° in water the horizontal velocity u(ζ) is singular like distance^(−1/3), then ^(+1/3),
+then regular.  It is expanded in three Gegenbauer families
+
+    U = (s² − ζ²)^(ν−½) C₂ₚ^(ν)(ζ/s),   ν = 1/6, 5/6, 1/2,   p = 0 … terms − 1,
+
+scaled so that the mean of p = 0 is one and, by Gegenbauer's integral (DLMF 18.17.17),
+
+    ∫₀ˢ U cos lζ dζ = s (−1)^p 2^ν Γ(1+ν) J_{2p+ν}(ls) / (ls)^ν,     I in place of (−1)^p J for cosh.
+
+Arrays over functions run family by family: f = 3 · terms of them.  "Rows" are the functions of ζ, or of z, that the
+modes are tested with: the f of the gap, then those that are given (`outer_rows`, `inner_rows`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from scipy.special import gamma, ive
+
+from ..froude_krylov import side_integrals
+from ..waves import depth_factor, depth_factor_slope, group_factor, wavenumber
+from .bessel import scaled_bessel
+
+ORDERS = np.array([1 / 6, 5 / 6, 1 / 2])
+CUTOFFS = 0.8 ** np.arange(5)
+
+
+class OuterModes(NamedTuple):
+    """Modes outside at one frequency; rows are those of `Gap.outer_rows`.
+
+    k : rad/m, wave_norm : ∫Z₀² dz (m), wave_rows : ⟨·, Z₀⟩ (f + 2,)
+    wavenumbers : kₙ (n,) rad/m, norms : ∫Zₙ² dz (n,) m, rows : ⟨·, Zₙ⟩ (f + 2, n)
+    """
+
+    k: float
+    wave_norm: float
+    wave_rows: np.ndarray
+    wavenumbers: np.ndarray
+    norms: np.ndarray
+    rows: np.ndarray
+
+
+class InnerModes(NamedTuple):
+    """Modes beneath, q = 1 … : wavenumbers l_q (q,) rad/m and the rows (f + 2, q) of `Gap.inner_rows`."""
+
+    wavenumbers: np.ndarray
+    rows: np.ndarray
+
+
+@dataclass(frozen=True)
+class Gap:
+    """The water under a keel: draft and depth in m, `terms` functions in each of the three families."""
+
+    draft: float
+    depth: float
+    terms: int
+
+    @property
+    def height(self):
+        """s, m"""
+        return self.depth - self.draft
+
+    @cached_property
+    def families(self):
+        """ν and p of every function, two (f,) arrays"""
+        return np.repeat(ORDERS, self.terms), np.tile(np.arange(self.terms), len(ORDERS))
+
+    @cached_property
+    def decays(self):
+        """(f,) a function's moments fall like l^(−decay)"""
+        return self.families[0] + 0.5
+
+    @cached_property
+    def mean(self):
+        """∫ U dζ, (f,) m"""
+        return self.height * (self.families[1] == 0)
+
+    @cached_property
+    def second_moment(self):
+        """∫ ζ² U dζ, (f,) m³"""
+        nu, p = self.families
+        value = np.where(p == 0, 1.0, np.where(p == 1, 1 / (2 + nu), 0.0))
+        return self.height**3 * value / (2 * (1 + nu))
+
+    def cosine_moments(self, l):
+        """∫ U cos lζ dζ, (f, l) m; l : (l,) rad/m, above 0"""
+        sign = (-1.0) ** np.arange(self.terms)
+        moments = scaled_bessel(ORDERS, l * self.height, self.terms)
+        moments *= (self.height * sign)[:, None]
+        return moments.reshape(-1, len(l))
+
+    def wave_moments(self, k):
+        """∫ U cosh kζ / cosh kh dζ, (f,) m"""
+        (nu, p), x = self.families, k * self.height
+        scale = self.height * 2**nu * gamma(1 + nu) / x**nu
+        return scale * ive(2 * p + nu, x) * 2 * np.exp(-k * self.draft) / (1 + np.exp(-2 * k * self.depth))
+
+    def outer_rows(self, l):
+        """⟨·, cos lζ⟩ of the f functions and of 1 and z on the side −d < z < 0, (f + 2, l)"""
+        s, d, h = self.height, self.draft, self.depth
+        one = 2 / l * np.sin(l * d / 2) * np.cos(l * (h + s) / 2)
+        z = d * np.sin(l * s) / l - 2 / l**2 * np.sin(l * d / 2) * np.sin(l * (h + s) / 2)
+        return np.vstack([self.cosine_moments(l), one, z])
+
+    def wave_rows(self, k):
+        """⟨·, Z₀⟩ of the same, (f + 2,)"""
+        return np.concatenate([self.wave_moments(k), side_integrals(self.draft, self.depth, k)])
+
+    def side_wave_moments(self, k, l):
+        """⟨Z₀ on the side only, ·⟩ with Z₀ itself, a number, and with cos lζ, (l,) m"""
+        s, d, h = self.height, self.draft, self.depth
+        edge, slope = depth_factor(-d, k, h), depth_factor_slope(-d, k, h) / k
+        top = l * np.sin(l * h) + k * np.tanh(k * h) * np.cos(l * h)
+        with_cosines = (top - l * edge * np.sin(l * s) - k * slope * np.cos(l * s)) / (k**2 + l**2)
+        sech2 = 1 - np.tanh(k * h) ** 2
+        return (np.tanh(k * h) - edge * slope) / (2 * k) + d / 2 * sech2, with_cosines
+
+    def inner_rows(self, l):
+        """⟨·, cos l_qζ⟩ of the f functions and of 1 and ζ² in the gap, (f + 2, q), l_q s a multiple of π"""
+        sign = np.cos(l * self.height)
+        return np.vstack([self.cosine_moments(l), 0 * l, 2 * self.height * sign / l**2])
+
+    def mean_rows(self):
+        """⟨·, 1⟩ of the same, (f + 2,)"""
+        s = self.height
+        return np.concatenate([self.mean, [s, s**3 / 3]])
+
+    @property
+    def outer_decays(self):
+        return np.append(self.decays, [1.0, 1.0])
+
+    @property
+    def inner_decays(self):
+        return np.append(self.decays, [2.0, 2.0])
+
+    def mode_count(self, k, modes, shortest=np.inf, further=8):
+        """Evanescent modes outside, with `modes` of them per smallest length of gap, side and `shortest` (m).
+
+        The moments of function p reach their asymptotic form, which the sums need, at kₙs ≈ (2p)²; the modes theirs
+        at n = kh.  `further` is for the p above 0: sums of combinations that nearly vanish need more.  Counts are
+        rounded up in steps of a fifth, so that the weights of their tail are soon all known.
+        """
+        s, h = self.height, self.depth
+        least = 8 + further * (self.terms**2 - 1)
+        count = max(modes * h / min(s, self.draft, shortest), least * h / s) + 4 * k * h
+        return _rounded(count)
+
+    def inner_count(self, modes, shortest):
+        """Modes beneath, for a plan of which the smallest half breadth or radius is `shortest` (m)."""
+        return _rounded(max(modes * max(1.0, self.height / shortest), 32 * self.terms**2))
+
+    def outer_modes(self, omega, count, gravity):
+        """`OuterModes` at ω with `count` evanescent modes."""
+        h, k = self.depth, float(wavenumber(omega, self.depth, gravity))
+        wave_norm = float(group_factor(k, h)) * np.tanh(k * h) / k
+        kn = evanescent_wavenumbers(omega, h, count, gravity)
+        norms = h / 2 * (1 + np.sin(2 * kn * h) / (2 * kn * h))
+        return OuterModes(k, wave_norm, self.wave_rows(k), kn, norms, self.outer_rows(kn))
+
+    def inner_modes(self, count):
+        """`InnerModes` q = 1 … count; they do not depend on the frequency."""
+        l = np.arange(1, count + 1) * np.pi / self.height
+        return InnerModes(l, self.inner_rows(l))
+
+
+def evanescent_wavenumbers(omega, depth, count, gravity):
+    """kₙ of kₙ tan kₙh = −ω²/g in increasing order, (count,) rad/m."""
+    y = omega**2 / gravity * depth
+    turns = np.arange(1, count + 1) * np.pi
+    x = turns - np.arctan(y / turns)
+    for _ in range(4):  # Newton; the slope lies between 1 − 1/π and 1, the error after three is below 1e-15
+        x -= (x - turns + np.arctan(y / x)) / (1 - y / (x**2 + y**2))
+    return x / depth
+
+
+def _rounded(count):
+    return int(np.ceil(1.2 ** np.ceil(np.log(count) / np.log(1.2))))
+
+
+@lru_cache(maxsize=512)
+def tail_weights(count, power):
+    """(count,) weights that turn Σ f(n), n = 1 … count, into the sum to infinity.
+
+    power : f(n) ~ n^(−power) (c₀ + c₁/n + …) plus oscillating terms
+
+    A smooth cut-off removes the oscillations faster than any power of the count.  What the monotone part misses is
+    a series of known powers of the cut-off, of which five cut-offs remove four.
+    """
+    orders = power - 1 + np.arange(len(CUTOFFS) - 1)
+    conditions = np.vstack([np.ones(len(CUTOFFS)), CUTOFFS[None] ** -orders[:, None]])
+    weights = np.linalg.solve(conditions, np.eye(len(CUTOFFS))[0]) @ _cut_off(count)
+    weights.setflags(write=False)
+    return weights
+
+
+@lru_cache(maxsize=64)
+def _cut_off(count):
+    """(cut-offs, count) smooth cut-offs of n = 1 … count"""
+    return smooth_cutoff(np.arange(1, count + 1) / (CUTOFFS[:, None] * count))
+
+
+def smooth_cutoff(x, start=0.1):
+    """1 below `start`, 0 above 1, infinitely smooth between."""
+    t = np.clip((np.asarray(x, float) - start) / (1 - start), 1e-3, 1 - 1e-3)
+    return 1 / (1 + np.exp(np.minimum(1 / (1 - t) - 1 / t, 700.0)))
+
+
+def mode_sum(rows, decays, factors):
+    """Σₙ factorsₙ rowsᵢₙ rowsⱼₙ to infinity, (r, r).
+
+    rows : (r, n), falling like n^(−decayᵢ) times oscillations; decays : (r,); factors : (n,), falling like 1/n
+    """
+    total = np.zeros((len(rows), len(rows)), np.result_type(rows, factors))
+    decays = np.round(decays, 12)
+    kinds = np.unique(decays)
+    for a in kinds:
+        left = decays == a
+        for b in kinds[kinds >= a]:
+            right = decays == b
+            weights = factors * tail_weights(rows.shape[1], float(np.round(1 + a + b, 12)))
+            block = (rows[left] * weights) @ rows[right].T
+            total[np.ix_(left, right)] = block
+            total[np.ix_(right, left)] = block.T
+    return total

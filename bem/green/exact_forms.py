@@ -1,0 +1,152 @@
+"""Exact forms of the finite-depth Green function that fill its tables (equations in `bem.green.finite_depth`).
+
+An integral with few nodes where R is less than half the depth, John's (1950) eigenfunction series beyond.  Both
+separate into a factor of R and one of depth, so that a table is a product of two matrices.  Each class gives
+
+    near(R, Y, V)   g₁ − 2KF (R, Y) and g₂ (R, V), smooth as far as the next images in surface and bed
+    modes           km and their factors in E(R, V) = Σ factor K₀(km R) cos(km V),  f = E + the propagating wave
+    net             factor of ln(2h/R) in E
+    mirror          sign of 1/r₁ in G
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+from scipy import special
+
+
+def _panels(breaks, digits):
+    """Gauss nodes and weights on consecutive intervals.
+
+    The nearest pole is 1.57 half-widths away: the error is 3.4^(−2n) for n nodes.  n is even: no node meets the pole.
+    """
+    node, weight = _gauss(2 * math.ceil(digits / 4.4))
+    breaks = np.asarray(breaks)
+    half = 0.5 * np.diff(breaks)[:, None]
+    middle = 0.5 * (breaks[1:] + breaks[:-1])[:, None]
+    return (middle + half * node).ravel(), (half * weight).ravel()
+
+
+def _graded(a, b, first, widest):
+    """Breaks from a to b, growing twofold from `first` up to `widest`."""
+    breaks, width = [a], first
+    while breaks[-1] < b:
+        breaks.append(min(breaks[-1] + width, b))
+        width = min(2 * width, widest)
+    return breaks
+
+
+@cache
+def _gauss(order):
+    return np.polynomial.legendre.leggauss(order)
+
+
+def _around(pole, end, widest, digits):
+    """Nodes of a principal value from 0 to `end`: symmetric about the pole, graded away from it."""
+    half = min(pole, widest)
+    if half < pole:
+        left = [pole - b for b in _graded(half, pole, half, widest)][::-1]
+        left[0] = 0.0
+    else:
+        left = [0.0]
+    right = _graded(pole + half, max(end, pole + half), half, widest)
+    return _panels(left + right, digits)
+
+
+class Waves:
+    """One frequency; `digits` is −ln of what may be neglected."""
+
+    net, mirror = 0.0, 1.0
+
+    def __init__(self, K, k, depth, digits):
+        self.K, self.k, self.h = K, k, depth
+        far = digits / depth
+        if k > far:  # the wave carries a factor e^(−kh) at least, but for what the deep-water function holds
+            self.whole = self.deep = None
+            self.tail = _panels(_graded(0.0, far, 2 / depth, 2 / depth), digits)
+        else:
+            end = max(2 * k, 2 * K)
+            self.whole, self.deep = (_around(pole, end, 2 / depth, digits) for pole in (k, K))
+            breaks = _graded(end, far, min(end, 2 / depth), 2 / depth)
+            self.tail = _panels(breaks, digits) if far > end else None
+
+    def near(self, R, Y, V):
+        K, h = self.K, self.h
+        surface, bed = np.zeros((len(R), len(Y))), np.zeros((len(R), len(V)))
+        for part in (self.whole, self.tail):
+            if part is None:
+                continue
+            mu, w = part[0][:, None], part[1][:, None]
+            decay = np.exp(-2 * mu * h)
+            a = w * (mu + K) / (-mu * np.expm1(-2 * mu * h) - K * (1 + decay))
+            # beyond the poles the deep-water integrand is taken off under the integral, up to them separately
+            direct = 1.0 if part is self.whole else (mu + K) / (mu - K) * decay
+            j0 = special.j0(R[:, None] * part[0])
+            surface += j0 @ (a * (direct * np.exp(-mu * Y) + np.exp(mu * (Y - 4 * h))))
+            bed += j0 @ (a * (np.exp(mu * (V - 2 * h)) + np.exp(-mu * (V + 2 * h))))
+        if self.deep is not None:
+            mu, w = self.deep[0][:, None], self.deep[1][:, None]
+            surface -= special.j0(R[:, None] * self.deep[0]) @ (w * (mu + K) / (mu - K) * np.exp(-mu * Y))
+        return surface, bed
+
+    def modes(self, count):
+        """km tan(km h) = −K"""
+        K, h = self.K, self.h
+        m = np.arange(1, count + 1) * np.pi
+        # x tan x = −Kh on ((m−½)π, mπ): with x = mπ − y, (mπ − y) tan y = Kh, y in (0, π/2)
+        y = np.arctan2(K * h, m)
+        for _ in range(60):
+            step = (np.arctan2(K * h, m - y) - y) / (1 - K * h / ((m - y) ** 2 + (K * h) ** 2))
+            y = np.clip(y + step, 0.0, 0.5 * np.pi)
+            if np.all(np.abs(step) <= 4e-16 * m):
+                break
+        km = (m - y) / h
+        return km, 2 * (km**2 + K * K) / ((km**2 + K * K) * h - K)
+
+
+class Rigid:
+    """Zero frequency: no flow through the surface; fixed up to a constant, which the integrals choose."""
+
+    mirror = 1.0
+
+    def __init__(self, depth, digits):
+        self.h, self.net = depth, 1 / depth
+        self.node, self.weight = _panels(_graded(0.0, digits / depth, 1 / depth, 2 / depth), digits)
+
+    def near(self, R, Y, V):
+        mu, h = self.node[:, None], self.h
+        a = self.weight[:, None] / -np.expm1(-2 * mu * h)
+        constant = np.sum(self.weight * np.exp(-self.node * h) / (self.node * h))
+        j0 = special.j0(R[:, None] * self.node)
+        surface = j0 @ (a * (np.exp(mu * (Y - 4 * h)) + np.exp(-mu * (Y + 2 * h))))
+        bed = j0 @ (a * (np.exp(mu * (V - 2 * h)) + np.exp(-mu * (V + 2 * h))))
+        return surface - constant, bed - constant
+
+    def modes(self, count):
+        m = np.arange(1, count + 1) * np.pi / self.h
+        return m, np.full(m.shape, 2 / self.h)
+
+
+class Free:
+    """Infinite frequency: φ = 0 on the surface; g₁ is what is left of G without −1/r₁."""
+
+    net, mirror = 0.0, -1.0
+
+    def __init__(self, depth, digits):
+        self.h = depth
+        self.node, self.weight = _panels(_graded(0.0, digits / depth, 1 / depth, 2 / depth), digits)
+
+    def near(self, R, Y, V):
+        mu, h = self.node[:, None], self.h
+        a = -self.weight[:, None] / (1 + np.exp(-2 * mu * h))
+        j0 = special.j0(R[:, None] * self.node)
+        surface = j0 @ (a * (np.exp(mu * (Y - 4 * h)) - np.exp(-mu * (Y + 2 * h))))
+        bed = j0 @ (a * (np.exp(mu * (V - 2 * h)) + np.exp(-mu * (V + 2 * h))))
+        return surface, bed
+
+    def modes(self, count):
+        m = (np.arange(1, count + 1) - 0.5) * np.pi / self.h
+        return m, np.full(m.shape, 2 / self.h)

@@ -1,0 +1,166 @@
+"""Tables of the Green function's wave part for one frequency, of the accuracy asked for (equations in
+`bem.green.finite_depth`).
+
+What is singular is left out or known: the deep-water function near the axis and the wave itself beyond half the
+depth are the same for every frequency (`bem.green.deep_water`).  The rest varies over half the depth or over R,
+whichever
+is larger, whatever the frequency, and takes a few pieces of degree 7: R in pieces that grow with R until it has
+died out, both depths in equal ones.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from scipy import special
+
+from ..waves import propagating_factor, wavenumber
+from .deep_water import universal
+from .exact_forms import Free, Rigid, Waves
+from .piecewise_polynomials import aligned, fitted, pieces_per_distance, sample_points
+
+FINEST, COARSEST = 1e-8, 1e-3  # accuracies that are built for
+WHOLE = 5e-10  # accuracy of `whole_table`, of 1/r, of which G can be a small part
+TABLE_ONLY, WITH_IMAGES, NOTHING = 0, 1, 2  # what holds beyond the last piece
+
+
+class Table(NamedTuple):
+    """What the pair kernel needs of one frequency."""
+
+    K: float  # 1/m, ω²/g, the factor of the logarithm; zero for the limits, which have none
+    k: float  # 1/m
+    C: float  # 1/m, factor of the propagating part; zero for the limits
+    per_metre: float  # 2/h: below R = h/2 the integral holds and the deep-water function is added
+    double_depth: float  # m, zero in infinite depth: there are no pieces
+    entries: int  # rows of `zones`, one for every h/2 of R
+    beyond: int  # what holds after them: TABLE_ONLY, WITH_IMAGES or NOTHING
+    net: float  # 1/m, factor of ln(2h/R) of zero frequency
+    mirror: float  # sign of 1/r₁ in G
+    pieces: np.ndarray  # (pieces, 8, 8): zone by zone g₁ (Y rows of R columns) and g₂ (V rows of R columns)
+    zones: np.ndarray  # (entries, 9): of `_zone`
+    deep: np.ndarray  # of `green_deep.universal`
+    bessel: np.ndarray
+
+
+def wave_table(omega, depth, gravity, reach, draft, accuracy=1e-5):
+    """Table of frequency `omega` rad/s for horizontal distances up to `reach` and points down to `draft` (m).
+
+    accuracy : 1e-8 … 1e-3, largest error of G relative to |G| or 1/r and of ∇G relative to |∇G| or 1/r², whichever
+    is larger; 1/r and its images belong to G.  Beyond a reach of less than about ten depths G becomes NaN.
+    raises : ValueError for another accuracy
+    """
+    if not FINEST <= accuracy <= COARSEST:
+        raise ValueError(f"accuracy is {accuracy:g}; allowed: {FINEST:g} to {COARSEST:g}")
+    K, k, C = _wave_numbers(omega, depth, gravity)
+    form = None if np.isinf(depth) else Waves(K, k, depth, _digits(accuracy))
+    return _table(form, K, k, C, depth, reach, draft, accuracy)
+
+
+@lru_cache(maxsize=16)
+def whole_table(omega, depth, gravity):
+    """Table for pairs anywhere between surface and bed; where R > h/2 it holds all of G but the wave."""
+    K, k, C = _wave_numbers(omega, depth, gravity)
+    form = None if np.isinf(depth) else Waves(K, k, depth, _digits(1e-4 * WHOLE))
+    return _table(form, K, k, C, depth, np.inf, depth, WHOLE, whole=True)
+
+
+def limit_table(which, depth, reach, draft, accuracy=1e-5):
+    """Table of the limit "zero" (rigid lid) or "infinity" (φ = 0 on the surface) of the frequency.
+
+    At zero frequency in finite depth G holds −(2/h) ln R and is fixed only up to a constant, which drops out of
+    every mode without net flux.  At infinite frequency 1/r₁ counts negative, and g₁ is what is left of G without it.
+    """
+    form = None if np.isinf(depth) else (Rigid if which == "zero" else Free)(depth, _digits(accuracy))
+    return _table(form, 0.0, 0.0, 0.0, depth, reach, draft, accuracy)
+
+
+def _wave_numbers(omega, depth, gravity):
+    k = float(wavenumber(omega, depth, gravity))
+    return omega * omega / gravity, k, float(propagating_factor(omega, k, depth, gravity))
+
+
+def _digits(accuracy):
+    """−ln of what is left out: a few times less than the accuracy asked for"""
+    return 5.0 - math.log(accuracy)
+
+
+def _table(form, K, k, C, depth, reach, draft, accuracy, whole=False):
+    constants = universal()
+    if form is None:
+        none = 0.0, 0.0, 0, TABLE_ONLY, 0.0, 1.0
+        return Table(K, k, C, *none, np.zeros((1, 8, 8)), np.zeros((1, 9)), *constants)
+    near, draft, digits = 0.5 * depth, min(draft, depth), _digits(1e-4 * accuracy if whole else accuracy)
+    modes = form.modes(math.ceil(2 * digits / math.pi) + 1)
+    slowest = modes[0][0]
+    octaves = max(math.ceil(math.log2(digits / (slowest * near))), 1)  # after them nothing is left
+    wanted = octaves if reach > near * 2**octaves else max(math.ceil(math.log2(reach / near)), 0)
+    # the images in surface and bed next to those that are known are 2h − draft away from the body
+    sharper = 0.05 * accuracy if whole else accuracy  # near the axis ∇G may vanish
+    half = min(_wave_piece(k, depth, draft, sharper), (2 * depth - draft) / pieces_per_distance(sharper))
+    parts = [_zone(0.0, near, half, draft, form.near)]
+    for n in range(wanted):
+        start = near * 2**n
+        half = start / (pieces_per_distance(accuracy) - 1)
+        if whole:  # relative to what is left of G there, down to 1e-4 of 1/r
+            half = min(half, (accuracy / 1e-5) ** (1 / 7) / slowest * max(1.0, math.exp((slowest * start - 9) / 8)))
+        parts.append(_zone(start, 2 * start, half, draft, _Far(form, modes, depth, digits, whole)))
+    first, zones = 0, []
+    for n, (row, surface, bed) in enumerate(parts):
+        row[4:6] = first, first + len(surface)
+        first += len(surface) + len(bed)
+        zones += [row] * (2 ** (n - 1) if n else 1)
+    pieces = aligned(np.concatenate([part for _, *both in parts for part in both]))
+    beyond = TABLE_ONLY if whole else (WITH_IMAGES if wanted == octaves else NOTHING)
+    layout = 1 / near, 2 * depth, len(zones), beyond, form.net, form.mirror
+    return Table(K, k, C, *layout, pieces, np.array(zones), *constants)
+
+
+def _wave_piece(k, depth, draft, accuracy):
+    """Half-width that resolves the waves left below R = h/2, which decay with the distance from the surface."""
+    if k == 0:
+        return np.inf
+    strength = min(1.0, 4 * math.exp(-k * (2 * depth - draft)))
+    return (accuracy / (8e-5 * strength + 1e-300)) ** (1 / 7) / k
+
+
+def _zone(start, end, half, draft, values):
+    """Pieces of g₁ and g₂ between two R, of half-width `half` at most in R and in depth, and what finds them:
+
+    start, columns per metre, rows of g₁ and g₂ per metre, their first pieces (filled in later), the last column, the
+    last rows of g₁ and g₂.
+    """
+    R, Y, V = (
+        np.linspace(low, high, max(math.ceil((high - low) / (2 * half)), 1) + 1)
+        for low, high in ((start, end), (0.0, max(2.0002 * draft, 1e-3 * end)), (0.0, max(1.0001 * draft, 1e-3 * end)))
+    )
+    surface, bed = values(sample_points(R), sample_points(Y), sample_points(V))
+    scales = [(len(edges) - 1) / (edges[-1] - edges[0]) for edges in (R, Y, V)]
+    return [start, scales[0], *scales[1:], 0, 0, *(len(edges) - 2 for edges in (R, Y, V))], fitted(surface), fitted(bed)
+
+
+class _Far(NamedTuple):
+    """g₁ and g₂ without the wave beyond R = h/2; if `whole`, all of G without it."""
+
+    form: object
+    modes: tuple
+    depth: float
+    digits: float
+    whole: bool
+
+    def __call__(self, R, Y, V):
+        form, h = self.form, self.depth
+        count = int(self.digits / (R[0] / h * math.pi)) + 2
+        km, factor = (m[:count] for m in self.modes)
+        k0 = special.k0(R[:, None] * km) * factor
+        surface, bed = k0 @ np.cos(km[:, None] * (2 * h - Y)), k0 @ np.cos(km[:, None] * V)
+        if form.net:
+            logarithm = form.net * np.log(2 * h / R)[:, None]
+            surface, bed = surface + logarithm, bed + logarithm
+        if not self.whole:
+            square = R[:, None] ** 2
+            surface -= (square + (2 * h - Y) ** 2) ** -0.5 + form.mirror * (square + Y * Y) ** -0.5
+            bed -= (square + V * V) ** -0.5
+        return surface, bed

@@ -1,0 +1,105 @@
+"""The one way to compile a kernel: numba with a cache that notices every change of what a kernel is made of.
+
+numba stamps a cached function with its own file only: a callee edited in another file would go on returning its old
+values, and so would a constant imported from there, which is frozen into the machine code.  The cache folder of a
+kernel therefore carries a hash of the sources of its module and of all modules of this house that it imports, and
+these import, in any folder.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+from functools import cache
+from pathlib import Path
+
+import numba
+from numba.core import config
+
+ROOT = Path(__file__).parents[2]
+# `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file, at every start
+_IMPORT = re.compile(
+    r"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]*))", re.M
+)
+_NAME = re.compile(r"(\w[\w.]*)(?:\s+as\s+\w+)?\s*(?:#[^\n]*)?(?:,|$)")
+
+
+@cache
+def cache_folder(file, root):
+    """Where the kernels of a source file are kept compiled; HAKOBUNE_CACHE or XDG_CACHE_HOME move it."""
+    base = os.environ.get("HAKOBUNE_CACHE")
+    if base is None:
+        base = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "hakobune"
+    digest = hashlib.sha256()
+    for source in sorted(sources(file, root)):
+        digest.update(str(source.relative_to(root)).encode() + _bytes(source))
+    return Path(base) / digest.hexdigest()[:16]
+
+
+def sources(file, root=ROOT):
+    """Source files below `root` that a source file imports, directly or through others, and itself: a set of Paths"""
+    found, waiting = set(), [Path(file)]
+    while waiting:
+        source = waiting.pop()
+        if source not in found:
+            found.add(source)
+            waiting += imported(source, root)
+    return found
+
+
+@cache
+def imported(file, root=ROOT):
+    """Source files below `root` that one imports directly, as a tuple of Paths"""
+    out = []
+    for origin, names, plain in _IMPORT.findall(_bytes(file).decode()):
+        if plain:
+            out += [_module(root, name) for name in _NAME.findall(plain)]
+            continue
+        name = origin.lstrip(".")
+        dots = len(origin) - len(name)
+        folder = file.parents[dots - 1] if dots else root
+        out.append(_module(folder, name))
+        # what is imported may itself be a module
+        out += [_module(folder, f"{name}.{part}".lstrip(".")) for part in _NAME.findall(names.strip("()"))]
+    return tuple(source for source in out if source is not None)
+
+
+def _module(folder, name):
+    """The file of a dotted name below a folder, or None if there is none"""
+    place = folder.joinpath(*name.split(".")) if name else folder
+    for source in (place.with_suffix(".py"), place / "__init__.py"):
+        if source.is_file():
+            return source
+    return None
+
+
+@cache
+def _bytes(source):
+    return source.read_bytes()
+
+
+def kernel(inline=False):
+    """Decorator: compile to machine code on the first call and keep the result on disk.
+
+    Those of `bem` write to arrays that they are given: to make one takes a second to compile, for the message that it
+    is too large.  Threads are those of `bem.kernels.threads`.
+    inline : put into each kernel that calls it, however large; else as the compiler sees fit
+    """
+
+    def compile_later(function):
+        kept = config.CACHE_DIR
+        config.CACHE_DIR = str(cache_folder(Path(function.__code__.co_filename), ROOT))
+        try:
+            # contract and reassoc only: NaN and infinity must stay visible
+            return numba.njit(
+                cache=True,
+                forceinline=inline,
+                error_model="numpy",
+                fastmath={"contract", "reassoc"},
+                nogil=True,
+            )(function)
+        finally:
+            config.CACHE_DIR = kept
+
+    return compile_later

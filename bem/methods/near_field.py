@@ -1,0 +1,85 @@
+"""Mean drift from the pressure on the hull, where a method knows it: an independent check of the far field.
+
+    F = −½ρg ∮ ζ_r² n dl + ½ρ ∬ |∇φ|² n dS + ρ ∬ (X·∇φ_t) n dS + α × F₁,        M alike, and α × M₁ + X_c × F₁
+
+mean over a period (Pinkster 1980), n out of the body, ζ_r the wave elevation relative to the hull, X the displacement
+of a point of it, X_c that of the rotation centre, α the rotations; F₁ and M₁ the first-order load of water and weight
+about the rotation centre, inertia times acceleration where nothing else holds the body.
+
+What is wrong with the pressures is wrong with the drift as a part of ρgζ² times the breadth, however small the drift
+is: in long waves nothing is left of it.
+
+A surface in the water around the hull would be no check: every flow by Green's theorem or by eigenfunctions carries
+the same momentum through it as far away, right or wrong.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def near_field_drift(run, moving):
+    """(m, 3) as `bem.drift.mean_drift`, about the rotation centre, from the potentials of a solved frequency.
+
+    run : the quantities of one frequency of a mesh with four nodes a panel (`bem.panels.one_frequency.PanelRun`) or
+        of the
+        contour method (`bem.methods.shape_setup.ShapeRun`), which wants the drift by the far field too
+    moving : freely floating instead of fixed
+    raises : ValueError for a method without pressures on the hull, or a run that wants too little
+    """
+    force = _method(run, moving).pressure_drift(run, _motions(run, moving))
+    return force + turned(run) if moving else force
+
+
+def near_field_error(run, moving):
+    """(m, 3) N/m², N m/m²: a bound, estimated, of what near and far field differ by, both as `near_field_drift`.
+
+    Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
+    to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
+    hull.  Of this a relative error of the pressures makes twice as much.  It is that estimated of coefficients and
+    forces; by the contour method, whose forces are wrong at second order and whose pressures at first, no less than
+    `contour_near_field.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
+    run, moving : as of `near_field_drift`
+    raises : ValueError as `near_field_drift`, and for panels without an estimate of their errors
+    """
+    method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
+    if run.errors is None:
+        raise ValueError("error of the near field of panels without an estimate of theirs; allowed: with a coarse mesh")
+    rho, g = run.setup.density, run.setup.gravity
+    motions, lever = np.abs(_motions(run, moving)), np.hypot(radius, draft)
+    vertical = motions @ [0, 0, 1, radius, radius, 0]
+    any_point = motions @ [1, 1, 1, lever, lever, radius]
+    size = rho * (g * (1 + vertical) ** 2 + run.omega**2 * draft * any_point**2) * 2 * radius
+    arm = radius + np.hypot(*run.setup.rotation_center[:2])
+    return 2 * method.pressure_error(run) * size[:, None] * [1, 1, arm]
+
+
+def _motions(run, moving):
+    """(m, 6) about the origin, m/m and rad/m"""
+    return run.rao @ run.setup.transform if moving else np.zeros((len(run.headings), 6), complex)
+
+
+def _method(run, moving):
+    """The module of the run's method"""
+    if not (run.far_field and run.diffracts and (run.free or not moving)):
+        name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
+        raise ValueError(f"near-field drift from a run that wants {', '.join(sorted(run.want))}; it has to want {name}")
+    if hasattr(run, "geometry"):
+        from ..panels.pressure_drift import mean_drift as panel_near_field
+
+        return panel_near_field
+    if run.setup.method != "contour":
+        raise ValueError(f"near-field drift by method {run.setup.method}; allowed: panel, contour")
+    from ..contour import pressure_drift as contour_near_field
+
+    return contour_near_field
+
+
+def turned(run):
+    """(m, 3) mean surge, sway and yaw of the first-order loads, which turn with the body, about the rotation centre"""
+    T, X, stiffness = run.setup.transform, run.rao, run.setup.hydrostatic_stiffness
+    load = run.excitation @ T.T + X @ (run.omega**2 * T @ run.radiation @ T.T - stiffness).T
+    moved, alpha = X[:, :3].conj(), X[:, 3:].conj()
+    force = np.cross(alpha, load[:, :3])
+    moment = np.cross(alpha, load[:, 3:]) + np.cross(moved, load[:, :3])
+    return 0.5 * np.column_stack([force[:, :2], moment[:, 2]]).real

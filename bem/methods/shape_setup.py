@@ -1,0 +1,173 @@
+"""Boxes and vertical cylinders for the methods that need no panels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .. import DOFS
+from ..body import Body
+from ..checks import at_least_haskind, longer
+from ..contour.raised_bed import SHARE, with_bed
+from ..frequency import FrequencyRun
+from ..panels.frequency_limits import with_net_flux
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ShapeSetup(Body):
+    """A box or buoy in water, its waterplane centred at the origin.
+
+    method : contour, strip or inverse-strip; shape : box (length, beam, draft) or buoy (radius, draft)
+    sizes : m, in that order; tolerance : relative error asked for
+    panels : `bem.methods.panel_setup.Setup` of the same body, for pressures on its panels and limits over a raised
+        bed; or None
+    bed : m, of `bem.contour.raised_bed`, at most `depth`: the contour method works over it; None for the bed that
+        there is
+    """
+
+    method: str
+    shape: str
+    sizes: tuple
+    tolerance: float = 1e-3
+    panels: object = None
+    bed: float | None = None
+
+    def prepared(self):
+        """The work that depends on geometry only"""
+        return PreparedShape(self)
+
+
+@dataclass(frozen=True, eq=False)
+class PreparedShape:
+    """A setup and the solver of its method."""
+
+    setup: ShapeSetup
+
+    @cached_property
+    def solver(self):
+        """What solves a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
+        s = self.setup
+        if s.method == "contour":
+            from ..contour.solver import TOLERANCES, prepare_box, prepare_cylinder
+
+            water = (s.depth, s.tolerance) if s.bed is None else (s.bed, max(SHARE * s.tolerance, TOLERANCES[0]))
+            return (prepare_box if s.shape == "box" else prepare_cylinder)(*s.sizes, *water)
+        from ..sections.strips import Strips
+
+        return Strips(*s.sizes, s.depth, s.tolerance, inverse=s.method == "inverse-strip")
+
+    @cached_property
+    def panels(self):
+        """The panels prepared; raises ValueError where there are none"""
+        if self.setup.panels is None:
+            raise ValueError(f"method {self.setup.method} has no panels to give pressures on")
+        return self.setup.panels.prepared()
+
+    @property
+    def radius(self):
+        """m, largest distance of the hull from the vertical axis through the origin"""
+        s = self.setup.sizes
+        return float(np.hypot(s[0], s[1]) / 2 if self.setup.shape == "box" else s[0])
+
+    @property
+    def draft(self):
+        """m, of the hull"""
+        return self.setup.sizes[-1]
+
+    @property
+    def displacing(self):
+        """(6,) whether a mode moves water at all"""
+        return np.array([True] * 5 + [self.setup.shape == "box"])
+
+    def run(self, *question):
+        """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
+        return ShapeRun(self, *question)
+
+    def added_mass_limit(self, which):
+        """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency
+
+        Not over a raised bed, where heave has another limit at zero, and no estimate tells what the bed does.
+        """
+        if self.setup.bed is not None:
+            return self.panels.added_mass_limit(which)
+        T, about_origin = self.setup.transform, self.solver.added_mass_limit(which, self.setup.density)
+        grows = np.isinf(about_origin[2, 2])
+        finite = np.where(np.isinf(about_origin), 0.0, about_origin)
+        return with_net_flux(T @ finite @ T.T, T[:, 2] * grows, 1.0)
+
+
+class ShapeRun(FrequencyRun):
+    """One frequency of a method without panels."""
+
+    @property
+    def solves(self):
+        """Whether any equations have to be solved"""
+        return bool(self.want - {"Froude_Krylov_force", "pressure"})
+
+    @cached_property
+    def first_order(self):
+        """`bem.first_order.FirstOrder` at the angles `theta` followed by the headings"""
+        at = np.concatenate([self.theta, self.headings]) if self.far_field else ()
+        return self.prepared.solver.first_order(
+            self.omega, self.waves, at, self.dofs, self.setup.density, self.setup.gravity
+        )
+
+    @property
+    def waves(self):
+        """(m,) headings, none where nothing is wanted of waves"""
+        return self.headings if self.diffracts else np.empty(0)
+
+    @cached_property
+    def errors(self):
+        """Of the contour method, by a finer body and Haskind; None for strips, whose error is that of their idea"""
+        if self.setup.method != "contour":
+            return None
+        ours, setup = self.first_order, self.setup
+        fine = self.prepared.solver.finer.first_order(
+            self.omega, self.waves, (), self.dofs, setup.density, setup.gravity
+        )
+        force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
+        excitation = at_least_haskind(force - better, force, ours.haskind, self.dofs)
+        radiation = ours.radiation - fine.radiation
+        if ours.doubt is not None:
+            A, B = (longer(part, ours.doubt[0]) for part in (radiation.real, radiation.imag))
+            radiation, excitation = A + 1j * B, longer(excitation, ours.doubt[1])
+        return with_bed(self, radiation, excitation)
+
+    @property
+    def radiated(self):
+        mine = self.first_order.radiated if self.radiates else None
+        return super().radiated if mine is None else mine
+
+    @property
+    def radiation(self):
+        return self.first_order.radiation
+
+    @property
+    def froude_krylov(self):
+        if self.diffracts:
+            return self.first_order.froude_krylov
+        setup = self.setup
+        return self.prepared.solver.froude_krylov(self.omega, self.headings, self.dofs, setup.density, setup.gravity)
+
+    @property
+    def diffraction(self):
+        return self.first_order.diffraction
+
+    @property
+    def haskind(self):
+        return self.first_order.haskind
+
+    @property
+    def kochin(self):
+        return self.first_order.kochin_radiation, self.first_order.kochin_diffraction
+
+    @property
+    def residual(self):
+        return self.first_order.residual
+
+    def pressure(self):
+        """Of the panel method"""
+        return self.prepared.panels.run(self.omega, self.headings, {"pressure"}, None, DOFS).pressure()

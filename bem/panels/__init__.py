@@ -1,0 +1,1 @@
+"""The panel method: direct boundary elements with the finite-depth Green function."""

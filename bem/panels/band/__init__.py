@@ -1,0 +1,1 @@
+"""Frequencies of a band that share the work on one body: equations, low-rank waves, error test, cost."""

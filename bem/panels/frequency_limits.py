@@ -1,0 +1,87 @@
+"""Added mass at the limits ω → 0 (rigid lid) and ω → ∞ (φ = 0 on the surface), by kernels of their own.
+
+In finite depth a mode with net flux q = ∬ n dS (heave; roll and pitch of a lopsided waterplane) pushes water
+through ever wider circles as ω → 0: A ~ −ρ q²/(2πh) ln kR, so that its zero-frequency added mass is infinite.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..green.tables import limit_table
+from ..kernels.threads import blas_threads
+from .influence import ROWS
+from .revolution import solved_by_harmonics, wedge_rows
+from .wave_influence import wave_blocks
+
+
+def added_mass_limit(prepared, which):
+    """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency.
+
+    returns : kg, kg m, kg m²; entries between two modes with net flux are +inf or −inf at zero in finite depth
+    """
+    if which not in ("zero", "infinity"):
+        raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
+    with blas_threads(prepared.geometry.hull):
+        return _limit(prepared, which)
+
+
+def _limit(prepared, which):
+    from scipy.linalg import solve
+
+    g, setup = prepared.geometry.without_lid, prepared.setup  # without waves it is not needed
+    velocities = [g.modes[:, g.members(c)] for c in g.classes]
+    table, mirror = limit_table(which, setup.depth, g.reach, g.draft), 1.0 if which == "zero" else -1.0
+    if g.wedges:
+        S, D = wedge_rows(g, mirror, table, unit_depth_values)
+        of_class = {cls: v.T for cls, v in zip(g.classes, velocities, strict=True)}
+        found, _ = solved_by_harmonics(g, S.real, D.real, 0.0, of_class)
+        return added_mass_of(prepared, [phi.real for phi in found.values()], which)
+    matrices, sides = _equations(g, mirror, table, velocities)
+    potentials = []
+    while matrices:  # in place, and given back one by one: they may be most of the memory
+        potentials.append(solve(matrices.pop(0).T, sides.pop(0), transposed=True, overwrite_a=True).T)
+    return added_mass_of(prepared, potentials, which)
+
+
+def _equations(geometry, mirror, table, velocities):
+    """Real matrices (n, n) and right-hand sides (n, columns) of the hull, lists over the classes"""
+    g, n = geometry, geometry.hull
+    matrices, sides = [np.empty((n, n)) for _ in velocities], [np.empty(v.shape) for v in velocities]
+    for start in range(0, n, ROWS):
+        rows = np.arange(start, min(start + ROWS, n))
+        s, d, s1, d1 = g.rankine_rows(g.elements.nodes[rows])
+        S, D = wave_blocks(g, rows, np.arange(n), table, unit_depth_values)
+        for i, v in enumerate(velocities):
+            matrices[i][rows] = -(d + (mirror - 1) * d1)[i, :, :n] - D[i].real
+            sides[i][rows] = -((s + (mirror - 1) * s1)[i, :, :n] + S[i].real) @ v
+    for A in matrices:
+        A.flat[:: n + 1] += 2 * np.pi
+    return matrices, sides
+
+
+def unit_depth_values(z):
+    """Z and Z′ where there is no wave: what they multiply is zero"""
+    return np.ones((*z.shape, 2))
+
+
+def added_mass_of(prepared, potentials, which):
+    """(6, 6) about the rotation centre from the potentials (dofs of the class, n) of each symmetry class."""
+    g, setup, T = prepared.geometry, prepared.setup, prepared.setup.transform
+    modes = g.modes * g.elements.weights[: g.hull, None] * g.copies
+    out = np.zeros((6, 6))
+    for cls, phi in zip(g.classes, potentials, strict=True):
+        members = g.members(cls)
+        out[np.ix_(members, members)] = -setup.density * (phi @ modes[:, members]).T
+    out = T @ out @ T.T
+    if which == "zero" and np.isfinite(setup.depth):
+        even = [1.0 if d in g.members((1, 1)) else 0.0 for d in range(6)]  # mirror planes leave no net flux in others
+        out = with_net_flux(out, T @ modes.sum(axis=0) * even, g.elements.weights[: g.hull].sum() * g.copies)
+    return out
+
+
+def with_net_flux(added_mass, flux, area):
+    """`added_mass` with infinite entries between modes whose net flux (6,) m² is more than rounding of `area` m²."""
+    product = np.outer(flux, flux)
+    significant = np.abs(product) > 1e-9 * area * area
+    return np.where(significant, np.copysign(np.inf, product), added_mass)

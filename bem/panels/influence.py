@@ -1,0 +1,249 @@
+"""Influence matrices of the direct boundary integral equation, one per symmetry class.
+
+With n out of the body, V = ∂φ/∂n, S and D the panel integrals of G and ∂G/∂n, the potential on the hull and an
+auxiliary density φ' on the interior free surface (the lid) satisfy
+
+    hull:  2πφ − Dφ − K S φ' = −S V
+    lid:   4πφ' + K S φ' + Dφ =  S V
+
+The exact solution has φ' = 0.  The lid row makes the fictitious flow inside the hull one with ∂w/∂z = 0 on its free
+surface, so that it has no resonance: no irregular frequency at any ω (cf. Lee, Newman & Zhu 1996).
+
+Mirror planes split the unknowns into classes, even or odd in x and in y; a class sees each panel together with
+its images, their potentials equal or opposite.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from ..green.rankine import panel_moments
+from ..kernels.jit import kernel
+from ..kernels.threads import share_rows
+from ..modes import class_of, normal_velocities
+from .elements import elements, quadrature
+from .irregular_frequencies import extent, lid_needed_from
+from .wave_influence import COARSE, FINE, wave_blocks
+
+ROWS = 256  # of the matrices made at once
+# 1/r is integrated with 2 × 2 points beyond FAR sizes of a panel: 1e-6 of a smooth potential is lost
+FAR = 5.0
+
+
+class Geometry:
+    """Everything that depends on the mesh and the depth only: nodes, images, exact 1/r integrals.
+
+    wall : y in m of a vertical wall that reflects all waves, along x; None for open water.  The wall takes the place
+    of the mirror plane y = 0: the mesh is shifted by `origin`, what lies behind the wall is the image of the body,
+    and flow is even about it.
+    """
+
+    def __init__(self, mesh, lid, depth, per_panel=4, wall=None):
+        self.given, self.larger = (mesh, lid, depth, per_panel, wall), None
+        self.wall, self.depth = wall, depth
+        self.origin = np.array([0.0, 0.0 if wall is None else -wall, 0.0])
+        if wall is not None:
+            mesh, lid = (_before_wall(part, wall) for part in (mesh, lid))
+        self.mesh = mesh
+        self.panels = mesh if lid is None else _stacked(mesh, lid)
+        self.elements = elements(self.panels, per_panel)
+        self.hull = len(mesh) * per_panel
+        self.quadrature = quadrature(self.panels, self.elements, COARSE, FINE)
+        self.images = np.array(mesh.reflections(), float)
+        ones = {True: (1, -1), False: (1,)}
+        self.classes = tuple(
+            (x, y) for y in ones["y" in mesh.symmetry and wall is None] for x in ones["x" in mesh.symmetry]
+        )
+        self.copies = len(self.images) // (1 if wall is None else 2)
+
+    @cached_property
+    def without_lid(self):
+        """The same without the lid, for low frequencies and limits"""
+        mesh, lid, *others = self.given
+        if lid is None:
+            return self
+        out = Geometry(mesh, None, *others)
+        out.larger = self
+        return out
+
+    def at(self, K):
+        """What is needed at K = ω²/g in 1/m: the lid only where irregular frequencies may be near"""
+        return self if self.lid_from < K else self.without_lid
+
+    @cached_property
+    def lid_from(self):
+        """K in 1/m from which the lid is needed, `bem.panels.irregular_frequencies`; infinite where there is none"""
+        mesh, lid, *_ = self.given
+        return np.inf if lid is None else lid_needed_from(mesh)
+
+    @cached_property
+    def reach(self):
+        """m, largest horizontal distance between two points of the whole hull"""
+        return float(np.hypot(*extent(self.mesh)))
+
+    @cached_property
+    def draft(self):
+        """m"""
+        return self.mesh.draft
+
+    @cached_property
+    def radius(self):
+        """m, largest distance of the hull from the vertical axis through the origin"""
+        return float(np.hypot(*(self.mesh.points - self.origin)[:, :2].T).max())
+
+    @property
+    def modes(self):
+        """(hull nodes, 6) normal velocities of unit motions about the body's origin"""
+        n = self.hull
+        return normal_velocities(self.elements.nodes[:n] - self.origin, self.elements.normals[:n])
+
+    def members(self, cls):
+        """Degrees of freedom that a symmetry class holds."""
+        return self._members[cls]
+
+    @cached_property
+    def _members(self):
+        symmetry = self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
+        return {cls: [d for d in range(6) if class_of(d, symmetry) == cls] for cls in self.classes}
+
+    def signs(self, cls):
+        """(images,) ±1: the potential of each image in a class"""
+        return self.all_signs[self.classes.index(cls)]
+
+    @cached_property
+    def all_signs(self):
+        """(classes, images) `signs` of every class"""
+        of = [[(x if a < 0 else 1) * (y if b < 0 else 1) for a, b in self.images] for x, y in self.classes]
+        return np.array(of, float)
+
+    def rankine_rows(self, points):
+        """S and D of 1/r + 1/r₂ + 1/r₁, then of 1/r₁ alone at points (m, 3); each (classes, m, n) and real"""
+        e, bed = self.elements, bool(np.isfinite(self.depth))
+        rows = np.zeros((4, len(self.all_signs), len(points), len(e.nodes)))
+        question = points, e, self.images, self.all_signs, bed, -2 * self.depth if bed else 0.0
+
+        def work(low, high):
+            _rankine_rows(low, high, *question, np.empty((2, e.inverse.shape[2])), *rows)
+
+        share_rows(work, len(points), rows[0, 0].size * len(self.images))
+        return tuple(rows)
+
+    @cached_property
+    def rankine(self):
+        """`rankine_rows` at all nodes"""
+        if self.larger is not None:
+            return tuple(a[:, : self.hull, : self.hull] for a in self.larger.rankine)
+        return self.rankine_rows(self.elements.nodes)
+
+    @cached_property
+    def wedges(self):
+        """`bem.panels.revolution.Wedges` of a body of revolution, else None"""
+        from .revolution import wedges
+
+        return wedges(self)
+
+    @cached_property
+    def rankine_of_wedge(self):
+        """`rankine_rows` at the nodes of the first wedge"""
+        return self.rankine_rows(self.elements.nodes[self.wedges.first])
+
+
+def _before_wall(mesh, wall):
+    """The mesh with the wall in y = 0, on whose other side its image is."""
+    if mesh is None:
+        return None
+    if "y" in mesh.symmetry:
+        mesh = replace(replace(mesh, symmetry="y").whole(), symmetry=mesh.symmetry.replace("y", ""))
+    points = mesh.points - np.array([0.0, wall, 0.0])
+    return replace(mesh, points=points, symmetry=mesh.symmetry + "y")
+
+
+def _stacked(mesh, lid):
+    return replace(
+        mesh,
+        points=np.concatenate([mesh.points, lid.points]),
+        corners=np.concatenate([mesh.corners, lid.corners + len(mesh.points)]),
+    )
+
+
+@kernel()
+def _rankine_rows(low, high, points, e, images, signs, bed, shift, moments, s, d, s1, d1):
+    """`Geometry.rankine_rows` of the points `low` to `high`; moments : (2, nodes of a panel), room for one thread"""
+    for i in range(low, high):
+        for m in range(len(images)):
+            # reflecting the point instead of the panel leaves the integrals as they are
+            x, y, z = images[m, 0] * points[i, 0], images[m, 1] * points[i, 1], points[i, 2]
+            _add_row(x, y, z, e, signs[:, m], moments, s[:, i], d[:, i])
+            if bed:
+                _add_row(x, y, shift - z, e, signs[:, m], moments, s[:, i], d[:, i])
+            _add_row(x, y, -z, e, signs[:, m], moments, s1[:, i], d1[:, i])
+        for c in range(len(signs)):
+            for j in range(s.shape[2]):
+                s[c, i, j] += s1[c, i, j]
+                d[c, i, j] += d1[c, i, j]
+
+
+@kernel()
+def _add_row(x, y, z, e, signs, moments, s, d):
+    """Integrals of all panels at one point, added to the rows (classes, n) of s and d."""
+    origins, axes, corners, inverse, nodes, weights = e.origins, e.axes, e.corners, e.inverse, e.nodes, e.weights
+    sizes, p = e.sizes, inverse.shape[2]
+    S, D = moments[0], moments[1]
+    for j in range(len(origins)):
+        dx, dy, dz = x - origins[j, 0], y - origins[j, 1], z - origins[j, 2]
+        far = FAR * sizes[j]
+        up = axes[j, 2, 0] * dx + axes[j, 2, 1] * dy + axes[j, 2, 2] * dz
+        if p > 1 and dx * dx + dy * dy + dz * dz > far * far:
+            for m in range(p * j, p * j + p):  # the nodes are Gauss points
+                dx, dy, dz = x - nodes[m, 0], y - nodes[m, 1], z - nodes[m, 2]
+                inverse_square = 1 / (dx * dx + dy * dy + dz * dz)
+                u = weights[m] * math.sqrt(inverse_square)
+                v = up * inverse_square * u  # all nodes lie in the panel's plane
+                for c in range(len(signs)):
+                    s[c, m] += signs[c] * u
+                    d[c, m] += signs[c] * v
+            continue
+        panel_moments(
+            axes[j, 0, 0] * dx + axes[j, 0, 1] * dy + axes[j, 0, 2] * dz,
+            axes[j, 1, 0] * dx + axes[j, 1, 1] * dy + axes[j, 1, 2] * dz,
+            up, corners[j], S, D,
+        )  # fmt: skip
+        for b in range(p):
+            u, v = 0.0, 0.0
+            for m in range(p):
+                u += inverse[j, m, b] * S[m]
+                v += inverse[j, m, b] * D[m]
+            for c in range(len(signs)):
+                s[c, p * j + b] += signs[c] * u
+                d[c, p * j + b] += signs[c] * v
+
+
+def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=None):
+    """Matrices (c, n, n) and right-hand sides (c, n, columns) of the given symmetry classes.
+
+    mirror : factor of the 1/r₁ part (1 for waves, −1 at infinite frequency); table : wave part of G
+    depth_values : z → (…, 2) of Z and Z′; velocities : per class (columns, hull nodes), shorter lists are
+    filled up with zeros; hull : nodes that are hull, the others are lid
+    """
+    g, n = geometry, len(geometry.elements.nodes)
+    hull = g.hull if hull is None else hull
+    A = np.empty((len(classes), n, n), complex)
+    b = np.zeros((len(classes), n, max(len(v) for v in velocities)), complex)
+    nodes = np.arange(n)
+    for start in range(0, n, ROWS):  # S never has to be kept
+        rows = nodes[start : start + ROWS]
+        side = np.where(rows < hull, -1.0, 1.0)[:, None]
+        S, D = wave_blocks(g, rows, nodes, table, depth_values, classes)
+        for i, cls in enumerate(classes):
+            s, d, s1, d1 = (a[g.classes.index(cls), rows] for a in g.rankine)
+            S[i] += s + (mirror - 1) * s1 if mirror != 1 else s
+            D[i] += d + (mirror - 1) * d1 if mirror != 1 else d
+            A[i, rows, :hull] = side * D[i, :, :hull]
+            A[i, rows, hull:] = (side * table.K) * S[i, :, hull:]
+            b[i, rows, : len(velocities[i])] = side * (S[i, :, :hull] @ velocities[i].T)
+    A[:, nodes, nodes] += np.where(nodes < hull, 2 * np.pi, 4 * np.pi)
+    return A, b

@@ -1,0 +1,262 @@
+"""The panel method at one frequency: potentials on the hull and what follows from them."""
+
+from __future__ import annotations
+
+import time
+from functools import cached_property
+
+import numpy as np
+
+from .. import DOFS
+from ..checks import at_least_haskind, estimate
+from ..frequency import FrequencyRun
+from ..green.tables import wave_table
+from ..kernels.threads import blas_threads
+from ..kochin import far_field_integrals
+from ..waves import depth_values
+from .incident_waves import class_waves
+from .influence import assembled
+
+
+class PanelRun(FrequencyRun):
+    """Only symmetry classes that hold a wanted degree of freedom or a wave are assembled and solved."""
+
+    def __init__(self, prepared, omega, headings, want, theta, dofs):
+        super().__init__(prepared, omega, headings, want, theta, dofs)
+        if self.far_field and prepared.setup.wall is not None:
+            raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
+        self.geometry = prepared.geometry.at(self.omega**2 / prepared.setup.gravity)
+        self.whole_field = "pressure" in self.want
+
+    @property
+    def solves(self):
+        """Whether any equations have to be solved"""
+        return bool(self.columns)
+
+    @property
+    def froude_krylov(self):
+        return self.incident[1]
+
+    @cached_property
+    def residual(self):
+        """Largest residual of the linear equations, relative to the right-hand sides"""
+        _ = self.pressing
+        return self._residual
+
+    @cached_property
+    def errors(self):
+        """`bem.checks.estimate` against the coarser mesh, and Haskind of what radiates; None without one"""
+        coarse = self.prepared.coarse
+        if coarse is None:
+            return None
+        rough = coarse.run(self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked])
+        radiation, excitation = estimate(self, rough, self.prepared.refinement)
+        if self.radiates and self.diffracts:
+            excitation = at_least_haskind(excitation, self.excitation, self.haskind, self.dofs)
+        return radiation, excitation
+
+    @property
+    def depth_values(self):
+        """`bem.waves.depth_values` of this frequency"""
+        return depth_values(self.k, self.setup.depth)
+
+    @cached_property
+    def hull(self):
+        """Nodes, weights and normals of the hull (without the lid)."""
+        e, n = self.geometry.elements, self.geometry.hull
+        return e.nodes[:n], e.weights[:n], e.normals[:n]
+
+    @cached_property
+    def incident(self):
+        """{class: φ_I and ∂φ_I/∂n at the nodes, each (m, n)} and the Froude–Krylov force (m, 6) about the origin"""
+        g = self.geometry
+        waves = np.empty((2, len(g.classes), len(self.headings), g.hull), complex)
+        for j, beta in enumerate(self.headings):
+            waves[:, :, j] = class_waves(g, beta, self.omega, self.k, self.setup.gravity)
+        out, force = {}, np.zeros((len(self.headings), 6), complex)
+        for i, cls in enumerate(g.classes):
+            out[cls] = waves[0, i], waves[1, i]
+            mine = g.members(cls)
+            force[:, mine] = out[cls][0] @ self.weighted_modes[:, mine]
+        return out, -1j * self.setup.density * self.omega * force
+
+    @cached_property
+    def weighted_modes(self):
+        """(n, 6) generalized normal times area of the node and its images"""
+        return self.prepared.modes * self.hull[1][:, None] * self.geometry.copies
+
+    @cached_property
+    def columns(self):
+        """{class: (its radiating dofs, its headings)}, empty classes left out."""
+        table, arriving = {}, self.arriving if self.diffracts else {}
+        for cls in self.geometry.classes:
+            mine = self.geometry.members(cls)
+            moving = [d for d in mine if d in self.dofs] if self.radiates else []
+            waves = []
+            if self.diffracts and (self.far_field or self.whole_field or any(d in self.dofs for d in mine)):
+                waves = arriving[cls]
+            if moving or waves:
+                table[cls] = moving, waves
+        return table
+
+    @property
+    def arriving(self):
+        """{class: headings whose waves move anything in it}"""
+        sizes = {cls: np.abs(velocity).max(axis=1) for cls, (_, velocity) in self.incident[0].items()}
+        least = 1e-12 * max(size.max() for size in sizes.values())
+        return {cls: np.flatnonzero(size > least).tolist() for cls, size in sizes.items()}
+
+    def velocities(self, cls):
+        """(columns, n) normal velocities: unit motions, then minus the incident waves"""
+        moving, waves = self.columns[cls]
+        parts = [self.prepared.modes[:, moving].T.astype(complex)]
+        if waves:
+            parts.append(-self.incident[0][cls][1][waves])
+        return np.concatenate(parts)
+
+    @cached_property
+    def potentials(self):
+        """{class: potentials (columns, n) on the hull}"""
+        with blas_threads(len(self.geometry.elements.nodes)):
+            return self._solved()
+
+    @property
+    def pressing(self):
+        """As `potentials`, but maybe without what pushes the body nowhere"""
+        return self.potentials
+
+    def _solved(self):
+        from scipy.linalg import lu_factor, lu_solve
+
+        start = time.perf_counter()
+        classes = list(self.columns)
+        velocities = {c: self.velocities(c) for c in classes}
+        self._timed("incident", start)
+        start = time.perf_counter()
+        _ = self.geometry.rankine
+        self._timed("rankine", start)
+        start = time.perf_counter()
+        g = self.geometry
+        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.draft)
+        self._timed("table", start)
+        start = time.perf_counter()
+        matrices, sides = self.equations(classes, table, [velocities[c] for c in classes])
+        self._timed("assemble", start)
+        start = time.perf_counter()
+        out, self._residual = {}, 0.0
+        for cls, A, b in zip(classes, matrices, sides, strict=True):
+            b = b[:, : len(velocities[cls])]
+            # LAPACK wants columns: the transposed view is factored and solved transposed, nothing is copied twice
+            x = lu_solve(lu_factor(A.T, check_finite=False), b, trans=1, check_finite=False)
+            if not np.all(np.isfinite(x)):
+                raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
+            scale = np.maximum(np.abs(b).max(axis=0), 1e-300)
+            self._residual = max(self._residual, float((np.abs(A @ x - b).max(axis=0) / scale).max()))
+            out[cls] = self.on_hull(x, velocities[cls])
+        self._timed("solve", start)
+        return out
+
+    def equations(self, classes, table, velocities):
+        """Matrices (c, n, n) and right-hand sides (c, n, columns) of the classes"""
+        return assembled(self.geometry, classes, 1.0, table, self.depth_values, velocities)
+
+    def on_hull(self, solution, velocities):
+        """Potentials (columns, hull nodes) of a solution (n, columns)"""
+        return np.ascontiguousarray(solution[: self.geometry.hull].T)
+
+    @cached_property
+    def pushing(self):
+        """{class: ∬ φ nⱼ dS (columns, its degrees of freedom)} over the whole hull"""
+        members = self.geometry.members
+        return {cls: self.pressing[cls] @ self.weighted_modes[:, members(cls)] for cls in self.columns}
+
+    @cached_property
+    def meeting_waves(self):
+        """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull"""
+        waves, areas = self.incident[0], self.hull[1] * self.geometry.copies
+        return {
+            cls: (waves[cls][1] * areas) @ self.pressing[cls][: len(moving)].T
+            for cls, (moving, _) in self.columns.items()
+        }
+
+    @cached_property
+    def radiation(self):
+        """Complex A + iB/ω (6, 6) about the origin, zero where a degree of freedom was left out"""
+        out = np.zeros((6, 6), complex)
+        for cls, (moving, _) in self.columns.items():
+            mine = [self.geometry.members(cls).index(d) for d in moving]
+            out[np.ix_(moving, moving)] = -self.setup.density * self.pushing[cls][: len(moving), mine].T
+        return out
+
+    @cached_property
+    def diffraction(self):
+        """Diffraction force (m, 6) about the origin"""
+        out = np.zeros((len(self.headings), 6), complex)
+        for cls, (moving, waves) in self.columns.items():
+            mine, pushing = self.geometry.members(cls), self.pushing[cls][len(moving) :]
+            out[np.ix_(waves, mine)] = -1j * self.setup.density * self.omega * pushing
+        return out
+
+    @cached_property
+    def haskind(self):
+        """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)"""
+        force = self.incident[1]
+        out = np.zeros(force.shape, complex)
+        for cls, (moving, _) in self.columns.items():
+            out[:, moving] = force[:, moving] + 1j * self.setup.density * self.omega * self.meeting_waves[cls]
+        return out
+
+    @cached_property
+    def kochin(self):
+        """H and H′ at `theta` and at the headings: radiation (6, t+m), diffraction (m, t+m); about the origin"""
+        start = time.perf_counter()
+        g = self.geometry
+        nodes, weights, normals = self.hull
+        at = np.concatenate([self.theta, self.headings])
+        radiation = np.zeros((2, 6, len(at)), complex)
+        diffraction = np.zeros((2, len(self.headings), len(at)), complex)
+        factor = -(self.k**2) / (4 * self.group_factor * self.omega)
+        for cls, (moving, waves) in self.columns.items():
+            both = far_field_integrals(
+                at, self.k, nodes, weights, normals, self.depth_values(nodes[:, 2]),
+                g.images, g.signs(cls), self.potentials[cls], self.velocities(cls),
+            )  # fmt: skip
+            for i in range(2):
+                radiation[i, moving] = -1j * self.omega * factor * both[i][: len(moving)]
+                diffraction[i, waves] += factor * both[i][len(moving) :]
+        self._timed("far field", start)
+        return radiation, diffraction
+
+    def disturbance(self, heading, moving):
+        """{class: φ_D + Σ(−iωX)φ at the nodes (n,)}, and the matching normal velocity"""
+        g = self.geometry
+        X = -1j * self.omega * self.setup.transform.T @ self.rao[heading] if moving else np.zeros(6, complex)
+        out = {}
+        for cls in g.classes:
+            phi, velocity = np.zeros((2, g.hull), complex)
+            if cls in self.columns:
+                moved, waves = self.columns[cls]
+                solved, given = self.potentials[cls], self.velocities(cls)
+                for i, d in enumerate(moved):
+                    phi, velocity = phi + X[d] * solved[i], velocity + X[d] * given[i]
+                if heading in waves:
+                    i = len(moved) + waves.index(heading)
+                    phi, velocity = phi + solved[i], velocity + given[i]
+            out[cls] = phi, velocity
+        return out
+
+    def pressure(self):
+        """(m, panels of the whole hull) mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude
+
+        Of the freely floating body where its inertia is known, else of the fixed one; panels as in `mesh.whole()`.
+        """
+        g, (_, weights, _) = self.geometry, self.hull
+        shares = weights.reshape(len(g.mesh), -1)
+        shares = shares / shares.sum(axis=1, keepdims=True)
+        out = np.empty((len(self.headings), g.copies, len(shares)), complex)
+        for j in range(len(self.headings)):
+            phi = {c: p + self.incident[0][c][0][j] for c, (p, _) in self.disturbance(j, self.free).items()}
+            for i in range(g.copies):
+                total = sum(g.signs(c)[i] * p for c, p in phi.items())
+                out[j, i] = np.sum(total.reshape(shares.shape) * shares, axis=1)
+        return 1j * self.omega * self.setup.density * out.reshape(len(self.headings), -1)

@@ -1,0 +1,182 @@
+"""Sectional coefficients of a rectangle, beam B and draft d, in two dimensions, in water of any depth.
+
+    A + iB/ω = −ρ ∮ φⱼ nᵢ dl,    F = −iρω ∮ (φ_I + φ_D) nᵢ dl,    φ_I = −(ig/ω) Z₀ exp(iky)
+
+per metre of length, for sway, heave and roll in this order: y to port, z up, roll from y to z about the origin at the
+middle of the waterline, exp(−iωt), waves towards +y, unit amplitude.  φⱼ is the potential of unit velocity.  Finite
+depth by matched eigenfunctions (`section_flow`), deep water by an integral equation (`section_deep`).
+
+A body that waves drive and that drives waves obeys (Haskind 1957; Newman 1975; n = C_g/C)
+
+    F = ±2iρg (n/k) η,     B = 2ρg (n/kω) |η|²,     |R|² + |T|² = 1,     R = ½(e^{2iε_H} + e^{2iε_S})
+
+with η the elevation radiated towards +y per unit motion, − for heave, + for sway and roll.  The tables 2.1.3.1-20 of
+the SR179 report (1982) follow from a `Section` by `report_row`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..body import check_gap
+from ..froude_krylov import incident_force
+from ..waves import group_factor, wavenumber
+
+SWAY, HEAVE, ROLL = range(3)
+TOLERANCE = 1e-6
+FINEST = 1e-8
+MOST_TERMS = 12
+DEEPEST = 300
+MODES_PER_LENGTH = ((1e-3, 25), (1e-5, 50), (1e-6, 100), (FINEST, 400))
+
+
+class Section(NamedTuple):
+    """Coefficients of one section at one frequency, per metre of its length; see the module for signs.
+
+    beam, draft, depth : m; omega : rad/s; density : kg/m³; gravity : m/s²; k : rad/m
+    added_mass : (3, 3) kg/m, kg, kg m; damping : (3, 3) kg/(m s) …
+    excitation : (3,) complex N/m² and N/m, on the fixed body, per unit amplitude, by diffraction
+    haskind : (3,) the same from the radiated flows
+    radiated : (3,) complex elevation far off towards +y, referred to y = 0, per unit amplitude of motion, m/m, m/rad
+    reflection, transmission : complex, of the fixed body, referred to y = 0
+    drift : mean sway force on the fixed body per amplitude squared, N/m³
+    """
+
+    beam: float
+    draft: float
+    depth: float
+    omega: float
+    density: float
+    gravity: float
+    k: float
+    added_mass: np.ndarray
+    damping: np.ndarray
+    excitation: np.ndarray
+    haskind: np.ndarray
+    radiated: np.ndarray
+    reflection: complex
+    transmission: complex
+    drift: float
+
+
+def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=TOLERANCE):
+    """`Section` of a rectangle at one frequency.
+
+    beam, draft : m; depth : m, may be inf; omega : rad/s
+    tolerance : relative error; of sway–roll coupling against √(sway · roll)
+    Raises ValueError for what cannot be solved to the tolerance.
+    """
+    flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance)
+    impedance = radiation(flow, density)
+    reflected, transmitted = flow.reflection_transmission()
+    n = float(group_factor(flow.k, depth))
+    radiated = omega**2 / gravity * np.array([flow.outgoing(mode) for mode in range(3)])
+    return Section(
+        beam, draft, depth, omega, density, gravity, flow.k,
+        added_mass=impedance.real,
+        damping=omega * impedance.imag,
+        excitation=-1j * density * omega * flow.excited,
+        haskind=2j * density * gravity * n / flow.k * np.array([1, -1, 1]) * radiated,
+        radiated=radiated,
+        reflection=complex(reflected),
+        transmission=complex(transmitted),
+        drift=density * gravity * n * abs(reflected) ** 2,
+    )  # fmt: skip
+
+
+def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERANCE):
+    """The radiated and diffracted flows of a section, accurate to `tolerance`.  Raises ValueError."""
+    check_shape(beam, draft, depth, tolerance)
+    if not 0 < omega < np.inf:
+        raise ValueError(f"omega is {omega:g} rad/s; allowed: above 0 and finite")
+    kd = float(wavenumber(omega, depth, gravity)) * draft
+    if kd > DEEPEST:
+        raise ValueError(
+            f"omega is {omega:g} rad/s, the wavenumber times draft {kd:.0f}; allowed: up to {DEEPEST}, where waves are "
+            "no longer felt: section_limits.added_mass_limit has the limit"
+        )
+    if np.isinf(depth):
+        from .deep_water import DeepFlow
+
+        return DeepFlow(beam, draft, omega, gravity, tolerance)
+    from .finite_depth import FiniteDepthFlow
+
+    terms, modes = effort(beam, draft, depth, tolerance)
+    return FiniteDepthFlow(beam, draft, depth, omega, gravity, terms, modes)
+
+
+def effort(beam, draft, depth, tolerance):
+    """Functions per family and modes per smallest length that keep the tolerance.
+
+    Measured over 0.3 ≤ B/d ≤ 100 and 0.02 ≤ ξ_B ≤ 3 with the gap's height r times the smaller of draft and half
+    beam: the error is below 10^(−6 (P − 1) / √r) while r ≤ 120.
+    """
+    ratio = (depth - draft) / min(draft, beam / 2)
+    terms = 1 + int(np.ceil(-np.log10(tolerance) / 6 * np.sqrt(max(ratio, 1.0))))
+    if terms > MOST_TERMS:
+        limit = (6 * (MOST_TERMS - 1) / -np.log10(tolerance)) ** 2
+        raise ValueError(
+            f"depth − draft is {ratio:.0f} times the smaller of draft and half beam; allowed: up to {limit:.0f} at "
+            f"tolerance {tolerance:g}, or depth inf"
+        )
+    return terms, next((count for finest, count in MODES_PER_LENGTH if tolerance >= finest))
+
+
+def radiation(flow, density):
+    """A + iB/ω (3, 3), kg/m, kg, kg m"""
+    out = np.zeros((3, 3), complex)
+    for i, j in ((SWAY, SWAY), (SWAY, ROLL), (ROLL, SWAY), (ROLL, ROLL), (HEAVE, HEAVE)):
+        out[i, j] = -density * flow.force(flow.radiated[j], i)
+    return out
+
+
+def froude_krylov(flow, density, sines):
+    """−iρω ∮ φ_I n dl of φ_I = −(ig/ω) Z₀ exp(iky sinβ), (m, 3) per metre; sines : sinβ (m,)"""
+    kappa = flow.k * np.asarray(sines, float)
+    return density * flow.gravity * incident_force(flow.beam / 2, flow.draft, flow.depth, flow.k, kappa)
+
+
+def diffraction(flow, density, sines):
+    """iρω ∮ φⱼ ∂φ_I/∂n dl (Haskind) in the same waves, (m, 3) per metre"""
+    return 1j * density * flow.omega * flow.against_wave(sines)
+
+
+def report_row(section):
+    """The columns of the SR179 report's (1982) tables 2.1.3.1-20, by name, and what makes the row.
+
+    ξ_B = ω²b/g, b = B/2, S = Bd.  M_H, M_S over ρS, M_R over ρS b², M_SR over ρS b; N likewise and over ω;
+    E_H, E_S over ρg b, E_R over ρg b²; ε in degrees.
+    """
+    b, area = section.beam / 2, section.beam * section.draft
+    row = {
+        "H_over_d": section.depth / section.draft,
+        "B_over_d": section.beam / section.draft,
+        "xi_B": section.omega**2 * b / section.gravity,
+    }
+    for name, i, j, arm in (("H", HEAVE, HEAVE, 0), ("S", SWAY, SWAY, 0), ("R", ROLL, ROLL, 2), ("SR", SWAY, ROLL, 1)):
+        unit = section.density * area * b**arm
+        row[f"M_{name}"] = section.added_mass[i, j] / unit
+        row[f"N_{name}"] = section.damping[i, j] / (unit * section.omega)
+    for name, i, arm in (("H", HEAVE, 1), ("S", SWAY, 1), ("R", ROLL, 2)):
+        force = section.excitation[i] / (section.density * section.gravity * b**arm)
+        row[f"E_{name}"], row[f"eps_{name}_deg"] = abs(force), np.degrees(np.angle(force))
+    return row
+
+
+def check_shape(beam, draft, depth, tolerance):
+    """Raises ValueError for a shape that is none, or a tolerance beyond reach."""
+    for name, value in (("beam", beam), ("draft", draft)):
+        if not 0 < value < np.inf:
+            raise ValueError(f"{name} is {value:g} m; allowed: above 0 and finite")
+    if not depth > draft:
+        raise ValueError(f"depth is {depth:g} m at draft {draft:g} m; allowed: above the draft, or inf")
+    check_gap(draft, depth)
+    if not FINEST <= tolerance < 1:
+        raise ValueError(f"tolerance is {tolerance:g}; allowed: {FINEST:g} to below 1")
+
+
+def frequency_of(xi, beam, gravity=9.80665):
+    """ω of ξ_B = ω²B/2g, rad/s"""
+    return np.sqrt(2 * gravity * np.asarray(xi, float) / beam)

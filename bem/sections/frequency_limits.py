@@ -1,0 +1,58 @@
+"""Added mass of a rectangle at ω → 0 and ω → ∞ in finite depth: the flows of `section_flow` without a wave.
+
+    ω → 0   ∂φ/∂z = 0 on z = 0: kₙ = nπ/h.  Sway and roll send no net flow away, φ tends to a constant;
+            heave sends away what it displaces, φ ~ |y| − b, and B/ω grows like 1/k
+    ω → ∞   φ = 0 on z = 0:     kₙ = (n − ½)π/h
+
+They are the limits of `sections.section`: at ω → 0 the wave's part 1/ik of the potential is imaginary, so that the
+added mass of heave stays finite, other than in deep water.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..depth_modes.gap import OuterModes, mode_sum
+from .coefficients import check_shape, effort, radiation
+from .finite_depth import HEAVE, FiniteDepthFlow, Flow, shape
+
+WHICH = ("zero", "infinity")
+
+
+def added_mass_limit(beam, draft, depth, which, *, density=1025.0, tolerance=1e-6):
+    """(3, 3) kg/m, kg, kg m for sway, heave, roll; which : "zero" or "infinity" of the frequency.
+
+    Raises ValueError for what cannot be solved, deep water included.
+    """
+    if which not in WHICH:
+        raise ValueError(f"limit is {which!r}; allowed: {' or '.join(WHICH)}")
+    check_shape(beam, draft, depth, tolerance)
+    if np.isinf(depth):
+        raise ValueError("depth is inf; the limits of sections need a finite depth")
+    flow = LimitFlow(beam, draft, depth, which == "zero", *effort(beam, draft, depth, tolerance))
+    return radiation(flow, density).real
+
+
+class LimitFlow(FiniteDepthFlow):
+    """The radiated flows under a rigid lid (`lid`) or under a surface of no pressure."""
+
+    def __init__(self, beam, draft, depth, lid, terms, modes):
+        self.shape, self.lid = shape(beam, draft, depth, terms, modes), lid
+        gap = self.shape.gap
+        n = np.arange(1, gap.mode_count(0.0, modes) + 1)
+        l = (n if lid else n - 0.5) * np.pi / depth
+        means = np.concatenate([gap.mean, [draft, -(draft**2) / 2]])  # of the rows, ⟨·, 1⟩
+        self.modes = OuterModes(0.0, depth, means, l, np.full(len(l), depth / 2), gap.outer_rows(l))
+        self.outside = mode_sum(self.modes.rows, gap.outer_decays, -1 / (l * self.modes.norms))
+        self.wave_rows = means
+        self.radiated = tuple(self._flow(i == HEAVE, motion) for i, motion in enumerate(self.shape.motions))
+
+    def _flow(self, symmetric, motion):
+        """Under a lid the drive is the constant that φ tends to: that which lets no net flow pass."""
+        plain = super()._flow(symmetric, motion)
+        if symmetric or not self.lid:
+            return plain
+        unit = super()._flow(False, drive=1.0)
+        outflow = self.wave_rows @ np.concatenate([plain.velocity, motion.side])
+        drive = -outflow / (self.shape.gap.mean @ unit.velocity)
+        return Flow(plain.velocity + drive * unit.velocity, 0.0, motion, drive)

@@ -1,0 +1,126 @@
+"""A box as a row of two-dimensional sections: strip and inverse strip method.
+
+Ordinary strips are sections B × d in a row along x; inverse strips are sections L × d in a row across, for the
+motions along the box (SR179 report, 1982, section 2.4.4).  Neither interacts with its neighbours.  In a frame with x′
+along the row and y′ across it, a the half length of the row, per metre a sectional impedance Zᵢⱼ (sway, heave, roll):
+
+    sway, roll, their coupling   2a Z₂₂, 2a Z₄₄, 2a Z₂₄        heave  2a Z₃₃
+    pitch  ∫x′² Z₃₃ dx′ = ⅔a³ Z₃₃                              yaw    ∫x′² Z₂₂ dx′ = ⅔a³ Z₂₂
+
+Froude–Krylov forces are exact, of the whole box.  The diffraction force is that of Salvesen, Tuck and Faltinsen,
+Trans. SNAME 78 (1970), at rest: Haskind's with the radiated flow of the section and the oblique wave,
+
+    fⱼ = iρω ∮ φⱼ ∂φ_I/∂n dl,  φ_I = −(ig/ω) Z₀ exp(iky′ sinβ′),    Fⱼ = ∫ fⱼ exp(ikx′ cosβ′) dx′
+
+for sway, heave, roll; pitch is the moment of heave, −∫x′f₃, and yaw that of sway, ∫x′f₂.  Surge along the row has no
+section in it: it is the sway of the row that runs the other way, whose sides are the ends.  It is not coupled to
+pitch, which comes from other sections: the damping matrix would not stay positive.  Waves around the ends are left
+out, and with them drift and the far field.
+
+Against a panel method in water of twice the draft, B/d = 5, L/B = 2, 4, 8, waves on the beam: the error of the
+exciting force in heave is 28, 6, 4 %, in sway 5, 2, 1 %, in roll 5, 2, 1 %.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..first_order import FirstOrder
+from ..froude_krylov import box_incident_force, first_moment
+from ..waves import wavenumber
+from .coefficients import diffraction, radiation, section_flow
+from .frequency_limits import added_mass_limit
+
+# rows: surge, sway, heave, roll, pitch, yaw of the box; columns: those of the frame x′ = −y, y′ = x
+TURN = np.zeros((6, 6))
+TURN[[0, 1, 2, 3, 4, 5], [1, 0, 2, 4, 3, 5]] = 1, -1, 1, 1, -1, 1
+
+
+@dataclass(frozen=True)
+class Strips:
+    """A box by strips; `inverse` takes them across instead of along.
+
+    length, beam, draft, depth : m, depth may be inf; tolerance : relative error of the sections, not of the method
+    """
+
+    length: float
+    beam: float
+    draft: float
+    depth: float
+    tolerance: float = 1e-3
+    inverse: bool = False
+
+    def first_order(self, omega, headings, theta=None, dofs=range(6), density=1025.0, gravity=9.80665):
+        """`FirstOrder` at ω rad/s for waves towards `headings` (m,) rad; no Kochin functions.
+
+        dofs : degrees of freedom needed; the others are zero.  Raises ValueError for what sections refuse.
+        """
+        headings = np.atleast_1d(np.asarray(headings, float))
+        impedance, scattered = np.zeros((6, 6), complex), np.zeros((len(headings), 6), complex)
+        for row in self._rows(dofs):
+            flow = section_flow(row.beam, self.draft, self.depth, omega, gravity=gravity, tolerance=self.tolerance)
+            impedance += row.impedance(radiation(flow, density))
+            scattered += row.diffraction(flow, density, headings)
+        incident = self.froude_krylov(omega, headings, dofs, density, gravity)
+        return FirstOrder(impedance, incident, scattered, None, None, None, np.nan)
+
+    def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
+        """(m, 6) force of the undisturbed waves on the whole box, N/m and N m/m; arguments as of `first_order`"""
+        k = float(wavenumber(omega, self.depth, gravity))
+        force = box_incident_force(self.length, self.beam, self.draft, self.depth, k, np.asarray(headings, float))
+        return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)
+
+    def added_mass_limit(self, which, density=1025.0):
+        """A (6, 6) about the origin for `which` "zero" or "infinity" of the frequency.  Raises ValueError."""
+        out = np.zeros((6, 6))
+        for row in self._rows(range(6)):
+            section = added_mass_limit(
+                row.beam, self.draft, self.depth, which, density=density, tolerance=self.tolerance
+            )
+            out += row.impedance(section)
+        return out
+
+    def _rows(self, dofs):
+        """The rows of sections that the degrees of freedom need"""
+        ends = 1 if self.inverse else 0
+        for across, mine in ((self.inverse, set(range(6)) - {ends}), (not self.inverse, {ends})):
+            if mine := sorted(mine & set(dofs)):
+                beam, length = (self.length, self.beam) if across else (self.beam, self.length)
+                yield Row(beam, length, across, tuple(mine))
+
+
+class Row(NamedTuple):
+    """Sections of `beam` m in a row of `length` m, across or along x, that give the degrees of freedom `mine`."""
+
+    beam: float
+    length: float
+    across: bool
+    mine: tuple
+
+    @property
+    def turn(self):
+        """(6, 6) from the frame of the row to that of the box, zero for what is not the row's"""
+        turn = TURN.copy() if self.across else np.eye(6)
+        turn[[i for i in range(6) if i not in self.mine]] = 0
+        return turn
+
+    def impedance(self, section):
+        """(6, 6) of the box from (3, 3) per metre of the row"""
+        out = np.zeros((6, 6), section.dtype)
+        out[1:4, 1:4] = self.length * section
+        out[4, 4], out[5, 5] = self.length**3 / 12 * section[1, 1], self.length**3 / 12 * section[0, 0]
+        return self.turn @ out @ self.turn.T
+
+    def diffraction(self, flow, density, headings):
+        """(m, 6) of the box"""
+        cosine, sine = np.cos(headings), np.sin(headings)
+        if self.across:
+            cosine, sine = -sine, cosine
+        sway, heave, roll = diffraction(flow, density, sine).T
+        x = flow.k * self.length / 2 * cosine
+        even, odd = self.length * np.sinc(x / np.pi), 0.5j * self.length**2 * first_moment(x)
+        forces = [0 * sway, even * sway, even * heave, even * roll, -odd * heave, odd * sway]
+        return np.stack(forces, axis=-1) @ self.turn.T

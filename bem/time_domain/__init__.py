@@ -1,0 +1,1 @@
+"""From frequency to time: retardation functions and state-space models of them."""

@@ -1,0 +1,1 @@
+"""One uniform line: closed forms, forces and stiffness."""

@@ -1,0 +1,236 @@
+"""One uniform line between two ends of any height over a flat bed, compiled: forces, and their exact derivatives.
+
+A free line is the elastic catenary of `mooring.lines.catenary.suspended`.  A line that touches the bed has a free
+piece S at
+each end with height h over the bed, and the horizontal tension H:
+
+    rise = 2wh/(s + √(s² + 2wh/EA)),  s = 1 + H/EA,    (wS)² = rise (rise + 2H),
+    x = Σ (H/w) asinh(wS/H) + H ΣS/EA + (L − ΣS) + stretch of the part on the bed,
+
+one monotone equation in ln H (SR179 report, 1982, section 3.1.1, with elasticity added).  On the bed friction
+μw takes up tension from the lift-off point to an end that lies on the bed; where both ends hang above it, none
+is counted.  A line lighter than water is the mirror image of a heavy one and is solved without a bed.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from .uniform import asinh_excess, suspended_shape, suspended_stiffness
+
+SLACK, GROUNDED, SUSPENDED, BEYOND_REACH, BELOW_BED = 0, 1, 2, 3, 4
+# status, horizontal pull at a and b towards the other end, downward pull at a and b, length on the bed,
+# then ∂(h_a, h_b, v_a, v_b)/∂(span, height of a, height of b) row by row
+ROW = 18
+
+
+@kernel()
+def asinh_ratio_less_one(u):
+    """asinh(u)/u − 1 without cancellation."""
+    if u > 0.1:
+        return np.arcsinh(u) / u - 1.0
+    v = u * u
+    series = 35 / 1152 + v * (-63 / 2816 + v * (231 / 13312 - v * 143 / 10240))
+    return v * (-1 / 6 + v * (3 / 40 + v * (-5 / 112 + v * series)))
+
+
+@kernel()
+def put_suspended(row, t, sine, cosine, length, weight, flexibility):
+    """Forces and derivatives of a free line; v_a + v_b is its weight, and only the difference of heights counts."""
+    half, root = 0.5 * weight * length, np.sqrt(1.0 + t * t)
+    xx, xz, zz = suspended_stiffness(t, sine, cosine, length, weight, flexibility)
+    row[0] = SUSPENDED
+    row[1] = row[2] = half * t * sine
+    row[3], row[4], row[5] = half * (1.0 - root * cosine), half * (1.0 + root * cosine), 0.0
+    row[6] = row[9] = xx
+    row[7] = row[10] = -xz
+    row[8] = row[11] = xz
+    row[12], row[13], row[14] = -xz, zz, -zz
+    row[15], row[16], row[17] = xz, -zz, zz
+
+
+@kernel()
+def free_length(horizontal, height, weight, flexibility):
+    """Length that `horizontal` holds up to a height over a flat bed."""
+    stretch = 1.0 + flexibility * horizontal
+    load = weight * height
+    rise = 2.0 * load / (stretch + np.sqrt(stretch * stretch + 2.0 * flexibility * load))
+    return np.sqrt(rise * (rise + 2.0 * horizontal)) / weight
+
+
+@kernel()
+def bed_stretch(horizontal, lying, weight, flexibility, friction):
+    """Stretch of the part on the bed, its derivatives to H and to its length, and the tension left at its far end."""
+    rate = weight * friction
+    pulled = lying if horizontal >= rate * lying else horizontal / rate
+    held = horizontal - rate * lying if pulled >= lying else 0.0
+    return flexibility * pulled * (horizontal - 0.5 * rate * pulled), flexibility * pulled, flexibility * held, held
+
+
+@kernel()
+def grounded_tension(x, a, b, length, weight, flexibility, friction):
+    """H > 0 of a line of which some length lies on the bed."""
+    at_rest = free_length(0.0, a, weight, flexibility) + free_length(0.0, b, weight, flexibility)
+    gain = x - (length - at_rest)
+    q = np.log(max(weight * (a + b), 1e-6 * weight * length))
+    low, high = -700.0, 700.0
+    for _ in range(300):
+        H = np.exp(q)
+        Sa, Sb = free_length(H, a, weight, flexibility), free_length(H, b, weight, flexibility)
+        lying = max(length - Sa - Sb, 0.0)
+        stretch, by_tension, by_length, _ = bed_stretch(H, lying, weight, flexibility, friction)
+        reached = at_rest + flexibility * H * (Sa + Sb) + stretch
+        rate = by_tension
+        for S in (Sa, Sb):
+            if S > 0.0:
+                u = weight * S / H
+                T = H * np.sqrt(1.0 + u * u)
+                reached += S * asinh_ratio_less_one(u)
+                bend = flexibility * H - by_length - (weight * S) ** 2 / (T * (T + H))
+                rate += flexibility * S + asinh_excess(u) / weight + bend * S / ((T + H) * (1.0 + flexibility * T))
+        if reached <= 0.0:
+            low, following = q, 0.5 * (q + high)
+        else:
+            value = np.log(reached / gain)
+            if value <= 0.0:
+                low = q
+            if value >= 0.0:
+                high = q
+            following = q - value * reached / (H * rate)
+        if not low <= following <= high:
+            following = 0.5 * (low + high)
+        settled = abs(following - q) <= 2e-15 * max(1.0, abs(q))
+        q = following
+        if settled:
+            break
+    return np.exp(q)
+
+
+@kernel()
+def put_grounded(row, H, a, b, length, weight, flexibility, friction):
+    """Forces and derivatives of a line partly on the bed, from its horizontal tension."""
+    Sa, Sb = free_length(H, a, weight, flexibility), free_length(H, b, weight, flexibility)
+    lying = max(length - Sa - Sb, 0.0)
+    _, by_tension, by_length, held = bed_stretch(H, lying, weight, flexibility, friction)
+    X_H, S_H, X_a, X_b, a_h, b_h, a_H, b_H = by_tension, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for end in range(2):
+        S = Sa if end == 0 else Sb
+        if S == 0.0:
+            continue
+        u = weight * S / H
+        T = H * np.sqrt(1.0 + u * u)
+        bend = flexibility * H - by_length - (weight * S) ** 2 / (T * (T + H))
+        by_H = S / ((T + H) * (1.0 + flexibility * T))
+        by_h = T / (weight * S * (1.0 + flexibility * T))
+        X_H += flexibility * S + asinh_excess(u) / weight + bend * by_H
+        S_H += by_H
+        if end == 0:
+            a_H, a_h, X_a = by_H, by_h, bend * by_h
+        else:
+            b_H, b_h, X_b = by_H, by_h, bend * by_h
+    row[0], row[2], row[3], row[4], row[5] = GROUNDED, H, weight * Sa, weight * Sb, lying
+    H_x, H_a, H_b = 1.0 / X_H, -X_a / X_H, -X_b / X_H
+    row[9], row[10], row[11] = H_x, H_a, H_b
+    row[12], row[13], row[14] = weight * a_H * H_x, weight * (a_H * H_a + a_h), weight * a_H * H_b
+    row[15], row[16], row[17] = weight * b_H * H_x, weight * b_H * H_a, weight * (b_H * H_b + b_h)
+    # end a feels what friction leaves: held = H − μw·lying, or nothing
+    row[1] = held
+    used = weight * friction if held > 0.0 else 0.0
+    along = 1.0 + used * S_H if held > 0.0 else 0.0
+    row[6], row[7], row[8] = along * H_x, along * H_a + used * a_h, along * H_b + used * b_h
+
+
+@kernel()
+def put_slack(row, Va, Vb, length, weight, flexibility):
+    """A line that hangs plumb from both ends above a heap on the bed."""
+    row[:] = 0.0
+    row[0], row[3], row[4], row[5] = SLACK, Va, Vb, length - (Va + Vb) / weight
+    row[13] = weight / (1.0 + flexibility * Va) if Va > 0.0 else 0.0
+    row[17] = weight / (1.0 + flexibility * Vb) if Vb > 0.0 else 0.0
+
+
+@kernel()
+def leaves_bed(x, h, length, weight, flexibility):
+    """Whether a line from an anchor on the bed has none of itself there: its span is beyond that of a grazing line."""
+    load = weight * length
+    c = weight * h - 0.5 * flexibility * load * load
+    if c <= 0.0:
+        return False
+    H = (load - c) * (load + c) / (2.0 * c)
+    return H <= 0.0 or x >= H * (flexibility * length + np.arcsinh(load / H) / weight)
+
+
+@kernel()
+def exchange(row):
+    """Turn the results for a line from b to a into those from a to b."""
+    row[1], row[2] = row[2], row[1]
+    row[3], row[4] = row[4], row[3]
+    for k in (6, 12):
+        ax, aa, ab = row[k], row[k + 1], row[k + 2]
+        row[k], row[k + 1], row[k + 2] = row[k + 3], row[k + 5], row[k + 4]
+        row[k + 3], row[k + 4], row[k + 5] = ax, ab, aa
+
+
+@kernel()
+def solve_line(row, x, a, b, length, weight, flexibility, friction, with_bed):
+    """Fill one row of results; x is the span, a and b the heights of the ends over the bed (or any level)."""
+    if with_bed and (a < 0.0 or b < 0.0):
+        row[:] = np.nan
+        row[0] = BELOW_BED
+        return
+    if with_bed:
+        Va = 2.0 * weight * a / (1.0 + np.sqrt(1.0 + 2.0 * flexibility * weight * a))
+        Vb = 2.0 * weight * b / (1.0 + np.sqrt(1.0 + 2.0 * flexibility * weight * b))
+        if length - (Va + Vb) / weight >= x:
+            put_slack(row, Va, Vb, length, weight, flexibility)
+            return
+    if with_bed and min(a, b) == 0.0:
+        grounded = not leaves_bed(x, max(a, b), length, weight, flexibility)
+        if grounded and flexibility == 0.0 and max(a, b) == 0.0:
+            row[:] = np.nan
+            row[0] = BEYOND_REACH
+            return
+    else:
+        grounded = False
+    if not grounded:
+        t, sine, cosine = suspended_shape(x, b - a, length, weight, flexibility)
+        if np.isinf(t):
+            row[:] = np.nan
+            row[0] = BEYOND_REACH
+            return
+        put_suspended(row, t, sine, cosine, length, weight, flexibility)
+        if with_bed and min(a, b) > 0.0 and row[3] > 0.0 and row[4] > 0.0:
+            drop = row[3] * row[3] * (1.0 / (np.hypot(row[1], row[3]) + row[1]) + 0.5 * flexibility) / weight
+            grounded = drop > a
+    if not grounded:
+        return
+    turned = b == 0.0 and a > 0.0
+    if turned:  # the end on the bed comes first
+        a, b = b, a
+    if a > 0.0:
+        friction = 0.0
+    H = grounded_tension(x, a, b, length, weight, flexibility, friction)
+    put_grounded(row, H, a, b, length, weight, flexibility, friction)
+    if turned:
+        exchange(row)
+
+
+@kernel()
+def mirror(row):
+    """Turn the results for heights measured downwards, and a line that pulls upwards, the right way up."""
+    row[3], row[4] = -row[3], -row[4]
+    for k in (7, 8, 10, 11, 12, 15):
+        row[k] = -row[k]
+
+
+@kernel()
+def solve_rows(rows, x, a, b, length, weight, flexibility, friction, with_bed):
+    """`solve_line` for (n,) lines; rows (n, ROW) is filled."""
+    for i in range(x.size):
+        if weight[i] > 0.0:
+            solve_line(rows[i], x[i], a[i], b[i], length[i], weight[i], flexibility[i], friction[i], with_bed)
+        else:
+            solve_line(rows[i], x[i], -a[i], -b[i], length[i], -weight[i], flexibility[i], 0.0, False)
+            mirror(rows[i])

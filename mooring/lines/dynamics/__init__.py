@@ -1,0 +1,1 @@
+"""One line in motion: lumped masses and implicit steps."""

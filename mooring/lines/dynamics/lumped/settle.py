@@ -1,0 +1,50 @@
+"""Static equilibrium of the nodes from a guess: Newton's method made safe by mass.
+
+    (m/τ² + K) δ = F(q),    τ growing while it goes well: pseudo-transient continuation (Kelley & Keyes 1998)
+
+At small τ the line falls for a moment and is stopped; at large τ the step is Newton's.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from .block_tridiagonal import factor, substitute
+from .forces import node_forces
+from .stage import change, copy, move, workspace
+from .surroundings import water_at
+
+PASSES = 400
+LIMIT = 1e-10  # of the largest tension and of the line's length, last correction
+ROUNDING = 1e-14  # of the line's length, in the distance of two nodes
+
+
+@kernel()
+def settle(s, water, q, slip):
+    """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 when it was not reached."""
+    n = q.shape[0]
+    work, still, tau = workspace(n), np.zeros((n, 3)), 0.3 * math.sqrt(s.length.max())
+    before, length = np.inf, s.length.sum()
+    shortest, noise = s.length.min(), ROUNDING * length * (s.stiffness / s.length).max()
+    for count in range(PASSES):
+        copy(work.q, q)
+        water_at(water, q, 0.0, work.u, work.du)
+        node_forces(s, work, still, slip, q, tau * tau, tau)
+        factor(work.D, work.B, 1, n - 2)
+        substitute(work.D, work.B, work.r, work.x, 1, n - 2)
+        tension, distance, _ = change(s, q, work.x, tau * tau)
+        if not (math.isfinite(tension) and math.isfinite(distance)):
+            return -1
+        share = min(1.0, 0.5 * shortest / distance) if distance > 0.0 else 1.0
+        move(q, q, work.x, share * tau * tau, 0.0)
+        size = max(tension / max(work.T.max(), s.weight.max()), distance / length)
+        if size <= LIMIT + noise / max(work.T.max(), s.weight.max()) and tau >= 1.0:
+            return count + 1
+        tau = min(tau * (3.0 if size < before and share == 1.0 else 0.5), 1e4)
+        tau = max(tau, 1e-3)
+        before = size
+    return -1

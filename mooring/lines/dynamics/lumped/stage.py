@@ -1,0 +1,127 @@
+"""One implicit stage: accelerations a with  m a = F(q̂ + c_q a, v̂ + c_v a, t),  by Newton's method.
+
+Every implicit scheme of second-order equations has this form; it differs by q̂, v̂, c_q and c_v only.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from .block_tridiagonal import factor, substitute
+from .forces import node_forces
+
+ITERATIONS = 12
+CONVERGED, NOT_FINITE, STALLED = range(3)
+
+
+class Work(NamedTuple):
+    """Arrays used over and over; n nodes."""
+
+    q: np.ndarray  # (n, 3)
+    v: np.ndarray
+    r: np.ndarray
+    x: np.ndarray
+    u: np.ndarray
+    du: np.ndarray
+    D: np.ndarray  # (n, 3, 3)
+    B: np.ndarray  # (n, 3, 3)
+    T: np.ndarray  # (n − 1,)
+    tangent: np.ndarray  # (n − 1, 3)
+    power: np.ndarray  # (6,)
+
+
+@kernel()
+def workspace(n):
+    """Work for n nodes."""
+    return Work(
+        np.zeros((n, 3)),
+        np.zeros((n, 3)),
+        np.zeros((n, 3)),
+        np.zeros((n, 3)),
+        np.zeros((n, 3)),
+        np.zeros((n, 3)),
+        np.zeros((n, 3, 3)),
+        np.zeros((n, 3, 3)),
+        np.zeros(n - 1),
+        np.zeros((n - 1, 3)),
+        np.zeros(6),
+    )
+
+
+@kernel()
+def copy(y, x):
+    """y = x for (n, 3) arrays: a loop compiles in a fraction of the time of the array expression, as does `add`."""
+    for j in range(y.shape[0]):
+        for i in range(3):
+            y[j, i] = x[j, i]
+
+
+@kernel()
+def add(y, f, x):
+    """y += f x for (n, 3) arrays."""
+    for j in range(y.shape[0]):
+        for i in range(3):
+            y[j, i] += f * x[j, i]
+
+
+@kernel()
+def change(s, q, x, scale):
+    """Largest change of any element's tension (N) and of any node's position (m) by displacements scale · x."""
+    tension, distance, worst = 0.0, 0.0, 0
+    for e in range(s.length.size):
+        axial, length, moved = 0.0, 0.0, 0.0
+        for i in range(3):
+            d = q[e + 1, i] - q[e, i]
+            axial += d * (x[e + 1, i] - x[e, i])
+            length += d * d
+            moved += x[e + 1, i] ** 2
+        here = s.stiffness[e] / s.length[e] * abs(axial) * scale / math.sqrt(length)
+        if not here <= tension:
+            tension, worst = here, e
+        distance = max(distance, scale * math.sqrt(moved))
+    return tension, distance, worst
+
+
+@kernel()
+def solve_stage(s, work, guess_q, guess_v, a, slip, since, cq, cv, tension_limit, distance_limit):
+    """Accelerations of the inner nodes, into a; leaves positions, velocities, forces and powers in `work`.
+
+    guess_q, guess_v : q̂ and v̂ (n, 3), with the end nodes where they are; a : guess, with those of the end nodes
+    returns : status, the node at fault, Newton steps
+    """
+    last, before = a.shape[0] - 1, np.inf
+    q, v = work.q, work.v
+    copy(q, guess_q)
+    copy(v, guess_v)
+    move(q, v, a, cq, cv)
+    for iteration in range(ITERATIONS):
+        node_forces(s, work, a, slip, since, cq, cv)
+        factor(work.D, work.B, 1, last - 1)
+        substitute(work.D, work.B, work.r, work.x, 1, last - 1)
+        tension, distance, worst = change(s, q, work.x, cq)
+        if not (math.isfinite(tension) and math.isfinite(distance)):
+            return NOT_FINITE, worst, iteration + 1
+        move(a, a, work.x, 1.0, 0.0)
+        move(q, v, work.x, cq, cv)
+        if tension <= tension_limit and distance <= distance_limit:
+            node_forces(s, work, a, slip, since, cq, cv)
+            return CONVERGED, worst, iteration + 1
+        size = max(tension / tension_limit, distance / distance_limit)
+        if iteration > 3 and size > 2.0 * before:
+            return STALLED, worst, iteration + 1
+        before = size
+    return STALLED, worst, ITERATIONS
+
+
+@kernel()
+def move(q, v, a, cq, cv):
+    """Add c_q a and c_v a to the inner nodes."""
+    for j in range(1, q.shape[0] - 1):
+        for i in range(3):
+            q[j, i] += cq * a[j, i]
+            v[j, i] += cv * a[j, i]

@@ -1,0 +1,233 @@
+"""One run of a dynamic line: what goes in, the loop around the kernels, and the history that comes out."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from .line import DynamicLine
+from .lumped.system import Control, State, Water
+from .surroundings import FairleadMotion
+
+ROWS = 1000  # of history at a time
+SHORTEST = 1e-8  # of the longest step
+FIRST = 0.02  # of the longest step
+FREE = 0.01  # of the line's length; a step may move no node wrongly by more than this times the tolerance
+HALVINGS = 10
+
+
+class DynamicLineError(ValueError):
+    """A run that could not go on: time, node and step are in the message."""
+
+
+class Energies(NamedTuple):
+    """All (n,) J, since the start: work done on the line at its ends, what was lost to what, and what is stored."""
+
+    work: np.ndarray
+    drag: np.ndarray
+    water_inertia: np.ndarray
+    structural: np.ndarray
+    bed: np.ndarray
+    friction: np.ndarray
+    kinetic: np.ndarray
+    elastic: np.ndarray
+    potential: np.ndarray
+    bed_elastic: np.ndarray
+
+    @property
+    def stored(self):
+        """(n,) J, less than at the start where negative"""
+        total = self.kinetic + self.elastic + self.potential + self.bed_elastic
+        return total - total[0]
+
+    @property
+    def lost(self):
+        """(n,) J"""
+        return self.drag + self.water_inertia + self.structural + self.bed + self.friction
+
+
+@dataclass(frozen=True)
+class Result:
+    """History of a line at the ends of the steps, n in all.
+
+    time : (n,) s; force_fairlead, force_anchor : (n, 3) N, of the line on its ends, inertia of the end included
+    station_tension : (n, k) N at the asked nodes; least_tension, largest_tension : (n,) N of all elements
+    energies : Energies; frame_time (f,) s and frames (f, N + 1, 3) m
+    steps, rejected, newton : counts
+    mesh_error : estimated relative error of the largest tension from the elements, nan where it was not asked for
+    end : State to go on from
+    """
+
+    time: np.ndarray
+    force_fairlead: np.ndarray
+    force_anchor: np.ndarray
+    station_tension: np.ndarray
+    least_tension: np.ndarray
+    largest_tension: np.ndarray
+    energies: Energies
+    frame_time: np.ndarray
+    frames: np.ndarray
+    steps: int
+    rejected: int
+    newton: int
+    end: State
+    mesh_error: float = np.nan
+
+    def __repr__(self):
+        return (
+            f"<Result {self.time[0]:g} to {self.time[-1]:g} s in {self.steps} steps, "
+            f"largest tension {self.tension_fairlead.max():.6g} N>"
+        )
+
+    @cached_property
+    def tension_fairlead(self):
+        """(n,) N"""
+        return np.linalg.norm(self.force_fairlead, axis=1)
+
+    @cached_property
+    def tension_anchor(self):
+        """(n,) N"""
+        return np.linalg.norm(self.force_anchor, axis=1)
+
+
+class Case(NamedTuple):
+    """Input of a run, checked; times in s, stations are node numbers; progress : called with the time reached, s."""
+
+    line: DynamicLine
+    motion: FairleadMotion
+    water: Water
+    duration: float
+    tolerance: float
+    longest_step: float
+    frames: int
+    stations: tuple
+    progress: object = None
+
+
+class _Pictures(NamedTuple):
+    time: np.ndarray
+    nodes: np.ndarray
+    stations: np.ndarray
+
+
+def _pictures(case, state):
+    return _Pictures(
+        np.linspace(state.time, state.time + case.duration, case.frames),
+        np.zeros((case.frames, case.line.elements + 1, 3)),
+        np.asarray(case.stations, np.int64).reshape(-1),
+    )
+
+
+def _control(case, state):
+    system = case.line.system
+    length = np.linalg.norm(np.diff(state.position, axis=0), axis=1)
+    tension = np.maximum(system.stiffness * (length / system.length - 1), 0.0).max()
+    longest = min(case.longest_step, case.motion.longest_step)
+    return Control(
+        case.tolerance, max(tension, np.abs(system.weight).max()), FREE * case.line.length, longest, SHORTEST * longest
+    )
+
+
+def run_esdirk(case, state):
+    """Result of steps chosen by their error; history in pieces, so that an interrupt is heard."""
+    from .lumped.esdirk import COLUMNS, DONE, TOO_SHORT, run, tableau
+
+    control, pictures, until = _control(case, state), _pictures(case, state), state.time + case.duration
+    first = state.step if np.isfinite(state.step) else FIRST * control.longest
+    state = State(state.time, *(np.array(x) for x in state[1:5]), first)
+    scheme, motion, counts, drawn = tableau(), case.motion.arrays, np.zeros(3, int), 0
+    parts, marks, energy = [], [], np.zeros(6)
+    why = None
+    while why != DONE:
+        rows, station_rows = np.zeros((ROWS, COLUMNS)), np.zeros((ROWS, pictures.stations.size))
+        rows[0, 7:13] = energy
+        why, used, n, time, step, rejected, newton, worst = run(
+            case.line.system,
+            case.water,
+            motion,
+            control,
+            scheme,
+            state,
+            until,
+            rows,
+            pictures.time[drawn:],
+            pictures.nodes[drawn:],
+            pictures.stations,
+            station_rows,
+        )
+        if why == TOO_SHORT:
+            raise DynamicLineError(
+                f"{case.line!r}: at t = {time:.6g} s the step fell to {step:.3g} s, below {control.shortest:.3g} s, "
+                f"near node {worst} of {case.line.elements}; give a larger tolerance, more damping or a softer bed"
+            )
+        drawn, counts, energy = drawn + n, counts + (used - 1, rejected, newton), rows[used - 1, 7:13]
+        again = 1 if parts else 0  # each piece begins with the last row of the one before
+        parts.append(rows[again:used])
+        marks.append(station_rows[again:used])
+        state = state._replace(time=time, step=step)
+        if case.progress is not None:
+            case.progress(float(time))
+    pictures.nodes[drawn:] = state.position
+    return _result(np.concatenate(parts), np.concatenate(marks), pictures, counts, state)
+
+
+def run_houbolt(case, state):
+    """Result of fixed steps, halved until the largest tension is the same within the tolerance."""
+    step = min(case.longest_step, case.motion.longest_step)
+    count, before, error = max(8, int(np.ceil(case.duration / step))), None, np.inf
+    for _ in range(HALVINGS):
+        found = run_fixed_steps(case, state, count)
+        if found is not None and before is not None:
+            scale = found.tension_fairlead.max()
+            error = np.abs(found.tension_fairlead[::2] - before.tension_fairlead).max() / (3 * scale)
+            if error <= case.tolerance:
+                return found
+        before, count = found, 2 * count
+    if before is None:
+        raise DynamicLineError(
+            f"{case.line!r}: Houbolt's scheme did not converge with steps of {2 * case.duration / count:.3g} s; "
+            "use method='esdirk'"
+        )
+    known = f"an estimated error of {error:.2g} of the largest tension" if np.isfinite(error) else "an unknown error"
+    warnings.warn(
+        f"{case.line!r}: Houbolt's scheme with steps of {2 * case.duration / count:.3g} s leaves {known}; "
+        f"asked {case.tolerance:g}; use method='esdirk'",
+        stacklevel=3,
+    )
+    return before
+
+
+def run_fixed_steps(case, state, count):
+    """Result of `count` fixed steps, or None where one of them did not converge."""
+    from .lumped.esdirk import COLUMNS
+    from .lumped.houbolt import run_fixed
+
+    state = State(state.time, *(np.array(x) for x in state[1:5]), case.duration / count)
+    pictures, rows = _pictures(case, state), np.zeros((count + 1, COLUMNS))
+    marks, motion = np.zeros((count + 1, pictures.stations.size)), case.motion.arrays
+    done, newton, _ = run_fixed(
+        case.line.system, case.water, motion, _control(case, state), state, state.step, rows, *pictures, marks
+    )
+    if done < count:
+        return None
+    return _result(rows, marks, pictures, (count, 0, newton), state._replace(time=state.time + case.duration))
+
+
+def _result(rows, marks, pictures, counts, state):
+    return Result(
+        rows[:, 0],
+        rows[:, 1:4],
+        rows[:, 4:7],
+        marks,
+        rows[:, 17],
+        rows[:, 18],
+        Energies(*rows[:, 7:17].T),
+        pictures.time,
+        pictures.nodes,
+        *map(int, counts),
+        state,
+    )

@@ -1,0 +1,145 @@
+"""Dynamic mooring line: lumped mass in three dimensions with implicit steps chosen by their error.
+
+Forces and signs: `lumped.forces`; steps: `lumped.esdirk` (default) and `lumped.houbolt`, the scheme of the SR179
+report (1982), section 2.2.  The report's iteration on tensions with lagged angles has a limit c Δt/ℓ of about 0.45;
+here every scheme solves for the nodes with the tangent of tension, geometry and bed, and none has.
+
+Energy is kept in books: work at the fairlead = what the line stores + drag + inertia of the water + structural
+damping + damping and friction of the bed.
+"""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import replace
+
+import numpy as np
+
+from .line import Bed, Body, DynamicLine, Segment
+from .run import Case, DynamicLineError, Energies, Result, run_esdirk, run_houbolt
+from .start import start as at_rest
+from .surroundings import CurrentProfile, FairleadMotion, WaveTrain, water_arrays
+
+__all__ = [
+    "Bed",
+    "Body",
+    "CurrentProfile",
+    "DynamicLine",
+    "DynamicLineError",
+    "Energies",
+    "FairleadMotion",
+    "Result",
+    "Segment",
+    "WaveTrain",
+    "simulate",
+]
+
+JOINT, JERK = 1e-6, 1e-3  # m by which a motion may miss the end of a run, m/s at which a line at rest is torn loose
+
+
+def simulate(
+    line,
+    motion,
+    duration,
+    *,
+    current=None,
+    waves=None,
+    tolerance=1e-3,
+    method="esdirk",
+    longest_step=np.inf,
+    frames=0,
+    stations=(),
+    start=None,
+    check_mesh=True,
+    mesh_tolerance=0.02,
+    progress=None,
+):
+    """Motion and tension of `line` while its fairlead follows `motion`, from rest or from the end of another run.
+
+    line : DynamicLine; motion : FairleadMotion; duration : s; current : CurrentProfile; waves : WaveTrain
+    tolerance : error of a step in any tension, of the largest tension
+    method : "esdirk", or "houbolt", whose step begins at `longest_step` and is halved until tensions agree
+    longest_step : s, an upper bound; frames : number of pictures, evenly in time; stations : node numbers
+    start : State, the `end` of a run before, which the fairlead goes on from (then the mesh is not checked)
+    check_mesh : run half as many elements too, estimate the error of the largest tension by the square of the
+    element length, and warn above `mesh_tolerance`
+    progress : called with the time reached (s) after every thousand steps of "esdirk"
+    returns : Result
+    raises : ValueError for impossible input, LineError without a static shape, DynamicLineError for a run that stops
+    """
+    _check(line, motion, duration, tolerance, method, longest_step, frames, stations, start)
+    water = water_arrays(current, waves, line.gravity)
+    rest = at_rest(line, motion.at(0.0)[0], water) if start is None else start
+    _check_joint(motion, rest, start is None)
+    _check_above_bed(line, motion, rest.time, duration)
+    case = Case(line, motion, water, duration, tolerance, longest_step, frames, stations, progress)
+    result = (run_esdirk if method == "esdirk" else run_houbolt)(case, rest)
+    if start is None and check_mesh:
+        result = replace(result, mesh_error=_mesh_error(case, result, mesh_tolerance))
+    return result
+
+
+def _mesh_error(case, result, limit):
+    """Estimated share of the largest tension that is due to the elements; warns above `limit`."""
+    counts = [s.elements for s in case.line.segments]
+    other = case.line.with_elements(0.5 if min(counts) >= 4 else 2)
+    state = at_rest(other, case.motion.at(0.0)[0], case.water)
+    peak = run_esdirk(case._replace(line=other, frames=0, stations=()), state).tension_fairlead.max()
+    ratio = (other.elements / case.line.elements) ** 2
+    error = abs(peak / result.tension_fairlead.max() - 1) * ratio / abs(1 - ratio)
+    if not error <= limit:
+        warnings.warn(
+            f"{case.line!r}: the largest tension is {result.tension_fairlead.max():.4g} N, with {other.elements} "
+            f"elements {peak:.4g} N: estimated error {error:.1%}, above mesh_tolerance {limit:.1%}; give more elements",
+            stacklevel=3,
+        )
+    return float(error)
+
+
+def _check(line, motion, duration, tolerance, method, longest_step, frames, stations, start):
+    begin = 0.0 if start is None else start.time
+    rounding = 1e-9 * (1.0 + begin + duration)
+    for name, value, good, allowed in (
+        ("duration", duration, 0 < duration < np.inf, "finite, above 0 s"),
+        ("tolerance", tolerance, 0 < tolerance <= 0.1, "above 0, at most 0.1"),
+        ("longest_step", longest_step, longest_step > 0, "above 0 s"),
+        ("frames", frames, frames >= 0, "0 or more"),
+        ("method", method, method in ("esdirk", "houbolt"), "'esdirk', 'houbolt'"),
+        ("method", method, method == "esdirk" or start is None, "'esdirk' where a run goes on from another"),
+        (
+            "end of the run",
+            begin + duration,
+            begin + duration <= motion.end + rounding,
+            f"up to {motion.end:g} s, motion's end",
+        ),
+        ("start of the run", begin, begin >= motion.begin - rounding, f"from {motion.begin:g} s, the motion's begin"),
+        ("start", "another line's", start is None or start.position.shape[0] == line.elements + 1, "of this line"),
+        ("stations", stations, all(0 <= j <= line.elements for j in stations), f"0 to {line.elements}"),
+    ):
+        if not good:
+            raise ValueError(f"{name} is {value}; allowed: {allowed}")
+
+
+def _check_joint(motion, state, from_rest):
+    """The fairlead has to go on where the line is; one that starts with a jerk is said."""
+    position, velocity, _ = motion.at(state.time)
+    gap = np.linalg.norm(position - state.position[-1])
+    if not gap <= JOINT * (1 + np.abs(position).max()):
+        raise ValueError(f"motion starts {gap:.3g} m from the end of the run before; allowed: where that run ended")
+    jerk = np.linalg.norm(velocity - state.velocity[-1])
+    if from_rest and jerk > JERK:
+        warnings.warn(
+            f"the fairlead starts at {jerk:.3g} m/s but the line at rest: the first tensions are those of a blow; "
+            "give the motion a ramp",
+            stacklevel=3,
+        )
+
+
+def _check_above_bed(line, motion, begin, duration):
+    """The bed holds the line, but nothing holds a fairlead that is moved through it."""
+    if line.bed is None:
+        return
+    times = np.linspace(begin, begin + duration, 201)
+    height = min(line.system.bed_normal @ motion.at(t)[0] for t in times) - line.system.bed_level
+    if height < 0:
+        warnings.warn(f"the fairlead goes {-height:.3g} m below the bed; allowed: at or above it", stacklevel=3)

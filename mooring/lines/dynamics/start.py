@@ -1,0 +1,106 @@
+"""The line at rest: nodes on the exact catenary, then moved into the equilibrium of the lumped line itself."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..catenary.solve import LineError, State, profile, solve_lines
+from .lumped import system as lumped
+
+LIGHTEST = 1e-6  # of all weights: a line of less is taken to hang with this, for the first guess only
+SOFT = 1e4  # times the weight: axial stiffness that Newton's method takes from the first guess
+LOOSE = 1e6  # times the slip that mobilises friction: it then acts as a force, not as a spring
+LEAST_PACKED = 0.5  # of its length; slack elements on the bed start no shorter
+
+
+def start(line, fairlead, water):
+    """State of a line at rest with its fairlead at (3,) m, in still water or a current.
+
+    Friction is what a line keeps that was pulled out from slack: from the touch-down on it holds all it can.
+    raises : LineError where no equilibrium was found
+    """
+    fairlead = np.asarray(fairlead, float)
+    q, slip = _guess(line, fairlead), np.zeros((line.elements + 1, 3))
+    q[0], q[-1] = line.anchor, fairlead
+    # with its true stiffness friction would keep the nodes where the guess has them
+    loose = line.system._replace(bed_slip=LOOSE * line.system.bed_slip)
+    good = _settled(loose, water, q, slip)
+    if good and loose.bed_friction > 0:
+        slip = _mobilised(line.system, q)
+        good = _settled(loose, water, q, LOOSE * slip)
+    if not good:
+        raise LineError(
+            f"no static shape found for {line!r} with its fairlead at x = {fairlead[0]:.6g}, y = {fairlead[1]:.6g}, "
+            f"z = {fairlead[2]:.6g} m; give more elements, or start where the line hangs freely"
+        )
+    zero = np.zeros_like(q)
+    return lumped.State(0.0, q, zero, zero.copy(), slip, np.inf)
+
+
+def _settled(system, water, q, slip):
+    """Whether q is now in equilibrium; a stiff line is stiffened in steps, as its nodes start 1e-4 of ℓ off."""
+    from .lumped.settle import settle
+
+    limit = SOFT * np.abs(system.weight).sum()
+    while limit < system.stiffness.max():
+        settle(system._replace(stiffness=np.minimum(system.stiffness, limit)), water, q, slip)
+        limit *= 10
+    return settle(system, water, q, slip) > 0
+
+
+def _mobilised(system, q):
+    """(N + 1, 3) m, slip of nodes at rest at q: from the highest one on the bed down, as far as there is tension."""
+    along = np.diff(q, axis=0)
+    length = np.linalg.norm(along, axis=1)
+    tension = np.maximum(system.stiffness * (length / system.length - 1), 0.0)
+    p, h = system.bed_level + system.bed_thickness - q @ system.bed_normal, system.bed_thickness
+    reaction = system.bed_stiffness * np.where(p < h, 0.5 * np.maximum(p, 0.0) ** 2 / h, p - 0.5 * h)
+    held, slip = 0.0, np.zeros_like(q)
+    for j in range(len(q) - 2, 0, -1):
+        most = system.bed_friction * reaction[j]
+        if most > 0:
+            force = min(max(tension[j - 1] - held, 0.0), most)
+            held += force
+            slip[j] = system.bed_slip * force / most * along[j - 1] / length[j - 1]
+    return slip
+
+
+def _guess(line, fairlead):
+    """Nodes (N + 1, 3) on the catenary of a uniform line of the same weight."""
+    away = fairlead - line.anchor
+    span = np.hypot(*away[:2])
+    heading = away[:2] / span if span > 0 else np.array([1.0, 0.0])
+    s, system = line.nodes, line.system
+    weight = (system.weight - system.body_buoyancy).sum() / line.length
+    EA = line.length / np.sum(system.length / system.stiffness)
+    up = -1.0 if weight < 0 else 1.0  # a line that floats is one that hangs, upside down
+    slope, friction, bed = _along(line, heading) if up > 0 else (0.0, 0.0, False)
+    least = LIGHTEST * np.abs(system.weight).sum() / line.length
+    given = (span, up * away[2], line.length, max(up * weight, least), EA, friction, slope)
+    uniform = len(line.segments) == 1
+    points = profile(*given, bed=bed, points=s.size if uniform else 20 * s.size)
+    along = np.linspace(0.0, line.length, len(points))
+    x, z = points.T if uniform else (np.interp(s, along, value) for value in points.T)
+    if bed:
+        found = solve_lines(*given)
+        if found.status == State.SLACK:
+            x, z = _folded(x, z, s, float(found.grounded_length), span, slope)
+    return line.anchor + np.column_stack([x * heading[0], x * heading[1], up * z])
+
+
+def _folded(x, z, s, lying, span, slope):
+    """A slack line whose part on the bed would be a heap lies straight out past the anchor and back instead."""
+    reach = span / np.cos(slope)
+    if lying == 0 or reach > LEAST_PACKED * lying:
+        return x, z
+    on_bed, back = s < lying, 0.5 * (lying - reach)
+    along = np.abs(s - back) - back
+    return np.where(on_bed, along * np.cos(slope), x), np.where(on_bed, along * np.sin(slope), z)
+
+
+def _along(line, heading):
+    """Slope under the line, friction, and whether the anchor lies on the bed."""
+    if line.bed is None or line.bed.below > 0:
+        return 0.0, 0.0, False
+    up = heading @ [np.cos(line.bed.uphill), np.sin(line.bed.uphill)]
+    return float(np.arctan(np.tan(line.bed.slope) * up)), line.bed.friction, True

@@ -1,4 +1,0 @@
-"""A mooring line as nodes joined by straight elastic elements: forces, implicit steps, static start.
-
-Public interface: `mooring.lines.dynamic`.  This folder holds what that module compiles.
-"""

@@ -1,0 +1,228 @@
+"""Kernels that write the equations of a walk with their exact derivatives.
+
+The steps found by `walk` fix which equations hold: a span ends on a facet, at a knuckle or at the anchor, a floating
+buoy lies in the surface, and the anchor is reached with no length left over.  The unknowns are H and V at the fairlead,
+the places, angles and pressures with which spans begin, s at knuckles, and the weights of floating buoys, in this
+order; two more columns of the derivatives belong to x and z of the fairlead.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from .crawl import crawl, land, put_on_facet, rest_sinker
+from .free_span import free_knot, free_step
+from .friction import leave, pin, turn_knuckle
+from .line_data import (
+    DERIVATIVE_ROWS,
+    EMERGED,
+    END,
+    FLOATING,
+    LENGTH,
+    NOTHING,
+    STATE_ROWS,
+    H,
+    S,
+    V,
+    X,
+    Z,
+    mix,
+    next_stop,
+    record,
+)
+from .touch import HALT, LIFT, SINKER, SPRING, TO_ANCHOR, TO_FACET, TO_KNUCKLE, TURN
+
+
+class Equations(NamedTuple):
+    """Room for n equations: u (n,) unknowns, r (n,) residuals, J (n, n+2) derivatives, states of the point loads.
+
+    done : equations written, next unknown of a step, next unknown of a floating buoy
+    """
+
+    u: np.ndarray
+    r: np.ndarray
+    J: np.ndarray
+    states: np.ndarray
+    done: np.ndarray
+    q: np.ndarray
+    g: np.ndarray
+    at: np.ndarray
+
+
+@kernel()
+def room_for(n, states):
+    done, at = np.zeros(3, np.int64), np.zeros(3, np.int64)
+    q, g = np.zeros(STATE_ROWS), np.zeros((DERIVATIVE_ROWS, n + 2))
+    return Equations(np.zeros(n), np.zeros(n), np.zeros((n, n + 2)), states, done, q, g, at)
+
+
+@kernel()
+def write(e, value, a, i, b, j):
+    """Write an equation: value = 0 with the derivatives a g[i] + b g[j]."""
+    row = e.done[0]
+    e.r[row] = value
+    for k in range(e.g.shape[1]):
+        e.J[row, k] = a * e.g[i, k] + b * e.g[j, k]
+    e.done[0] += 1
+
+
+@kernel()
+def take(e):
+    """The next unknown of a step."""
+    e.done[1] += 1
+    return e.done[1] - 1
+
+
+@kernel()
+def pass_load(line, e):
+    """Hang a point load on a free span; a floating buoy brings an unknown and the equation of the surface."""
+    load = e.at[1]
+    if e.states[load] == FLOATING:
+        write(e, e.q[Z] - line.surface, 1.0, Z, 0.0, Z)
+        e.q[V] -= e.u[e.done[2]]
+        e.g[V, e.done[2]] -= 1.0
+        e.done[2] += 1
+    else:
+        e.q[V] -= line.loads[load, 2 if e.states[load] == EMERGED else 1]
+    e.at[1] -= 1
+
+
+@kernel()
+def span(line, e, facet, load, target, unknown, rows):
+    """Go down a free span: to s = target, or, where that is nan, until it is parallel to a facet.
+
+    load : the point load that is next when that happens, or that makes it happen, if it is a sinker
+    unknown : which unknown the target is, below 0 for none
+    """
+    q, g, at = e.q, e.g, e.at
+    to_facet = math.isnan(target)
+    tan = math.tan(line.bed[facet, 2]) if to_facet else 0.0
+    mix(g, END, 0.0, S, 0.0, S)
+    if unknown >= 0:
+        g[END, unknown] = 1.0
+    for _ in range(10_000):
+        weight = line.segments[at[0], 1]
+        row, ds = free_knot(line, q, at[0])
+        stop, is_load = next_stop(line, at)
+        to_stop = q[S] - stop <= ds
+        if to_stop:
+            ds = q[S] - stop
+        last = q[S] - target
+        if to_facet:
+            last = (q[V] - q[H] * tan) / weight if at[1] == load else math.inf
+        ends = last < ds or (not to_facet and last == ds and not is_load)
+        if ends and to_facet:
+            mix(g, LENGTH, 1 / weight, V, -tan / weight, H)
+        elif ends:
+            mix(g, LENGTH, 1.0, S, -1.0, END)
+        else:
+            mix(g, LENGTH, 1.0 if to_stop else 0.0, S, 0.0, S)
+        if ends:
+            ds = last
+        record(rows, at, q, ds, 0.0, weight, row, 0.0, False, line.knots)
+        free_step(q, g, ds, weight, line.knots[row, 1], line.knots[row, 2])
+        if ends:
+            return
+        if to_stop:
+            q[S] = stop
+            if not is_load:
+                at[0] -= 1
+            elif to_facet and at[1] == load and line.loads[load, 1] > 0:
+                return
+            else:
+                pass_load(line, e)
+
+
+@kernel()
+def span_step(line, e, step, index, load, next_step, rows):
+    """A span and the equations of its end."""
+    q, g = e.q, e.g
+    target, unknown = math.nan, NOTHING
+    if step == TO_KNUCKLE:
+        unknown = take(e)
+        target = e.u[unknown]
+    elif step == TO_ANCHOR:
+        target = 0.0
+    span(line, e, index, load, target, unknown, rows)
+    if step == TO_FACET:
+        tan = math.tan(line.bed[index, 2])
+        write(e, q[Z] - line.bed[index, 1] - (q[X] - line.bed[index, 0]) * tan, 1.0, Z, -tan, X)
+        if next_step == SINKER:
+            put_on_facet(line, q, g, index)
+        else:
+            land(line, q, g, e.at, index)
+        return
+    write(e, q[X] - line.bed[index, 0], 1.0, X, 0.0, X)
+    write(e, q[Z] - line.bed[index, 1], 1.0, Z, 0.0, Z)
+    pin(line, q, g, index)
+
+
+@kernel()
+def bed_step_of_walk(line, e, step, index, load, rows):
+    """A step that starts on the bed."""
+    q, g = e.q, e.g
+    amount, unknown, halt = math.inf, NOTHING, NOTHING
+    if step == LIFT or step == SPRING or step == SINKER:  # noqa: SIM109
+        unknown = take(e)
+        amount = e.u[unknown]
+    if step == SINKER:
+        rest_sinker(line, q, g, e.at, index, amount, unknown)
+        return
+    if step == TURN or step == SPRING:  # noqa: SIM109
+        if step == TURN:
+            amount = line.bed[index - 1, 2]
+        turn_knuckle(line, q, g, amount, unknown)
+    else:
+        if step == HALT:
+            halt = load
+        crawl(line, q, g, e.at, index, amount, unknown, halt, rows)
+        if step != LIFT and step != HALT:
+            q[X], q[Z] = line.bed[index, 0], line.bed[index, 1]
+            mix(g, X, 0.0, X, 0.0, X)
+            mix(g, Z, 0.0, Z, 0.0, Z)
+    if step == LIFT or step == SPRING or step == HALT:  # noqa: SIM109
+        leave(line, q, g)
+
+
+@kernel()
+def start_equations(line, e, x, z):
+    """Stand at the fairlead."""
+    q, g, n = e.q, e.g, e.u.size
+    for i in range(g.shape[0]):
+        mix(g, i, 0.0, i, 0.0, i)
+    q[H], q[V], q[X], q[Z], q[S] = e.u[0], e.u[1], x, z, line.length
+    g[H, 0], g[V, 1], g[X, n], g[Z, n + 1] = 1.0, 1.0, 1.0, 1.0
+    e.at[0], e.at[1], e.at[2] = line.segments.shape[0] - 1, line.loads.shape[0] - 1, 0
+    e.done[0], e.done[1], e.done[2] = 0, 2, n
+    for load in range(e.states.size):
+        if e.states[load] == FLOATING:
+            e.done[2] -= 1
+
+
+@kernel()
+def equations(line, e, x, z, steps, slack, rows):
+    """Residuals of the steps (k, 3) of a walk from (x, z), and their derivatives; the state stands at the anchor.
+
+    slack : whether H, at its least, replaces the last equation; rows : room for the pieces, see `record`
+    """
+    start_equations(line, e, x, z)
+    last = steps.shape[0] - 1
+    for i in range(last + 1):
+        step, index, load = steps[i, 0], steps[i, 1], steps[i, 2]
+        if step <= TO_ANCHOR:
+            span_step(line, e, step, index, load, steps[min(i + 1, last), 0], rows)
+        else:
+            bed_step_of_walk(line, e, step, index, load, rows)
+    if steps[last, 0] > TO_ANCHOR:
+        write(e, e.q[S], 1.0, S, 0.0, S)
+        if slack:
+            row = e.u.size - 1
+            e.r[row] = 0.0
+            for k in range(e.J.shape[1]):
+                e.J[row, k] = 1.0 if k == 0 else 0.0
+        leave(line, e.q, e.g)

@@ -1,0 +1,105 @@
+"""Kernels for a free piece of line in closed form, and the point loads that hang on it.
+
+SR179 report (1982), section 3.1.1, integrated, with the strain λ − 1 + T/EA of one row of the tension table:
+
+    Δx = H Δs/EA + λ (H/w) [asinh(V/H) − asinh(V₋/H)],    Δz = (V² − V₋²)/2wEA + λ (T − T₋)/w,    V₋ = V − w Δs
+"""
+
+from __future__ import annotations
+
+import math
+
+from bem.kernels.jit import kernel
+
+from .line_data import EMERGED, FLOATING, LENGTH, SUBMERGED, H, S, V, X, Z, strain_piece
+
+
+@kernel()
+def free_step(q, g, ds, weight, factor, flexibility):
+    """Go down a free piece of length ds; its derivatives stand in g[LENGTH]."""
+    h, v = q[H], q[V]
+    low = v - weight * ds
+    upper, lower = math.hypot(h, v), math.hypot(h, low)
+    mean = (v + low) / (upper + lower)
+    # V₋ + T₋ without cancellation where the lower end points down
+    base = low + lower if low >= 0 else h * (h / (lower - low))
+    ratio = weight * ds * (1 + mean) / base
+    bend = math.log1p(ratio) if ratio > -0.5 else math.log((v + upper) / base)
+    q[X] -= h * (flexibility * ds + factor * bend / weight)
+    q[Z] -= ds * (0.5 * flexibility * (v + low) + factor * mean)
+    q[V] = low
+    q[S] -= ds
+    if g.shape[1] == 0:
+        return
+    if v * low > 0:
+        turn = h * h * (v + low) * weight * ds / ((v * lower + low * upper) * upper * lower)
+    else:
+        turn = v / upper - low / lower
+    x_h = flexibility * ds + factor * (bend - turn) / weight
+    x_v = -factor * h * ds * mean / (upper * lower)
+    z_v = flexibility * ds + factor * turn / weight
+    stretch = factor / lower + flexibility
+    for i in range(g.shape[1]):
+        gh, gv, slid = g[H, i], g[V, i], g[LENGTH, i]
+        g[X, i] -= x_h * gh + x_v * gv + stretch * h * slid
+        g[Z, i] -= x_v * gh + z_v * gv + stretch * low * slid
+        g[V, i] -= weight * slid
+        g[S, i] -= slid
+
+
+@kernel()
+def free_knot(line, q, segment):
+    """Row of the tension table of a free piece, and the length until it changes."""
+    first, last = line.first_knot[segment], line.first_knot[segment + 1] - 1
+    if first == last:
+        return first, math.inf
+    h, v = q[H], q[V]
+    row = strain_piece(line, segment, math.hypot(h, v), v > 0)
+    if v > 0 and line.knots[row, 0] > h:
+        end = math.sqrt(line.knots[row, 0] ** 2 - h * h)
+        return row, max(v - end, 0.0) / line.segments[segment, 1]
+    if row == last or line.knots[row + 1, 0] <= h:
+        return row, math.inf
+    end = -math.sqrt(line.knots[row + 1, 0] ** 2 - h * h)
+    return row, max(v - end, 0.0) / line.segments[segment, 1]
+
+
+@kernel()
+def soft_weight(line, load, z):
+    """Weight of a point load at the height z, a buoy losing its lift over a small height; and its state."""
+    wet, dry = line.loads[load, 1], line.loads[load, 2]
+    if wet >= 0 or z <= line.surface - line.soft:
+        return wet, SUBMERGED
+    if z >= line.surface:
+        return dry, EMERGED
+    share = (line.surface - z) / line.soft
+    return share * wet + (1 - share) * dry, FLOATING
+
+
+@kernel()
+def length_to(q, x, weight, factor, flexibility):
+    """Length of a free piece down to the abscissa x: Newton on u = asinh(V₋/H), in which Δx is convex."""
+    h = q[H]
+    start = math.asinh(q[V] / h)
+    target = (q[X] - x) * weight / h
+    pull = flexibility * h
+    u = start - target / (factor + pull * math.cosh(start)) if abs(start) < 300 else start - target / factor
+    # a span that rises to e^100 times H before it gets to x stops short of it: it clears the bed by far
+    low, high = max(start - target / factor, min(start, 0.0) - 100.0), start
+    u = min(max(u, low), high)
+    rise = 0.0
+    for _ in range(60):
+        # sinh a − sinh b without cancellation
+        rise = 2 * math.cosh(0.5 * (start + u)) * math.sinh(0.5 * (start - u))
+        value = factor * (start - u) + pull * rise - target
+        if value > 0:
+            low = u
+        else:
+            high = u
+        following = u + value / (factor + pull * math.cosh(u))
+        if not low <= following <= high:
+            following = 0.5 * (low + high)
+        if abs(following - u) <= 1e-15 * max(abs(start), abs(u)):
+            break
+        u = following
+    return h / weight * rise

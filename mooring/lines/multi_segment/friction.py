@@ -1,0 +1,135 @@
+"""Kernels for the tension of a line on the bed.
+
+On a facet of slope β, going down: T₋ = T − w (sin β ± μ cos β) Δs; plus where the line is being pulled towards the
+fairlead, minus where it gives way, and neither where the tension it was left with lies between the two.
+Over a knuckle T changes by exp(∓μ × turning), the limit of the same law on a rounded bed.
+SR179 report (1982), section 3.1.1, eq. 3.1.6.
+"""
+
+from __future__ import annotations
+
+import math
+
+from bem.kernels.jit import kernel
+
+from .line_data import HIGH, LENGTH, LOW, PHI, H, S, T, V, X, Z, mix
+
+
+@kernel()
+def kept_tension(line, s):
+    """Tension left at s by an earlier position, its slope dT/ds, and the s down to which that holds.
+
+    Without history the tension was as low as can be; where the line was off the bed it lands giving way.
+    """
+    if line.left.shape[0] == 0:
+        return -math.inf, 0.0, -math.inf
+    slack = 1e-12 * line.length
+    for j in range(line.left.shape[0]):
+        s0, s1, t0, t1 = line.left[j, 0], line.left[j, 1], line.left[j, 2], line.left[j, 3]
+        if s > s1 + slack:
+            return math.inf, 0.0, s1
+        if s > s0 + slack:
+            slope = (t1 - t0) / (s1 - s0)
+            return t1 + slope * (min(s, s1) - s1), slope, s0
+    return math.inf, 0.0, -math.inf
+
+
+@kernel()
+def held(line, q, g, low, high):
+    """Tension below a concentrated reaction: the one left there, kept between low and high, derivatives in g."""
+    kept, slope, _ = kept_tension(line, q[S] - 1e-9 * line.length)
+    if low <= kept <= high:
+        q[T] = kept
+        mix(g, T, slope, S, 0.0, T)
+        return
+    q[T] = max(low if kept < low else high, 0.0)
+    mix(g, T, 1.0 if q[T] > 0 else 0.0, LOW if kept < low else HIGH, 0.0, T)
+
+
+@kernel()
+def drop_load(line, q, g, angle, weight):
+    """Pass a weight that rests on the bed; its derivatives stand in g[LENGTH]."""
+    along, across = math.sin(angle), line.friction * math.cos(angle)
+    pull, give = along + across, along - across
+    mix(g, LOW, 1.0, T, -pull, LENGTH)
+    mix(g, HIGH, 1.0, T, -give, LENGTH)
+    held(line, q, g, q[T] - pull * weight, q[T] - give * weight)
+
+
+@kernel()
+def turn_knuckle(line, q, g, angle, unknown):
+    """Pass a knuckle from the angle φ to `angle`, which is the given unknown or, below 0, none.
+
+    The tension may change by exp(∓μ × turning).
+    """
+    if line.friction > 0:
+        grip = math.exp(-line.friction * (angle - q[PHI]))
+        slope = q[T] * line.friction
+        mix(g, LOW, grip, T, grip * slope, PHI)
+        mix(g, HIGH, 1 / grip, T, -slope / grip, PHI)
+        if unknown >= 0:
+            g[LOW, unknown] -= grip * slope
+            g[HIGH, unknown] += slope / grip
+        held(line, q, g, grip * q[T], q[T] / grip)
+    q[PHI] = angle
+    mix(g, PHI, 0.0, T, 0.0, T)
+    if unknown >= 0:
+        g[PHI, unknown] = 1.0
+
+
+@kernel()
+def friction_rate(line, q, weight, angle):
+    """dT/ds on the bed, the length for which it holds, and the tension met at its end (nan: no meeting)."""
+    along, across = weight * math.sin(angle), weight * line.friction * math.cos(angle)
+    kept, slope, until = kept_tension(line, q[S])
+    room = q[S] - until
+    t = q[T]
+    if abs(t - kept) <= 1e-13 * (abs(t) + weight * line.length):
+        return slope, room, math.nan
+    rate = along + across if t > kept else along - across
+    closing = (t - kept) / (rate - slope) if math.isfinite(kept) else math.inf
+    if 0 < closing < room:
+        return rate, closing, kept - slope * closing
+    return rate, room, math.nan
+
+
+@kernel()
+def bed_step(q, g, ds, rate, factor, flexibility, angle):
+    """Go down a piece on the bed of length ds; its derivatives stand in g[LENGTH]."""
+    t = q[T]
+    moved = ds * (factor + flexibility * (t - 0.5 * rate * ds))
+    cos, sin = math.cos(angle), math.sin(angle)
+    q[X] -= moved * cos
+    q[Z] -= moved * sin
+    q[T] = t - rate * ds
+    q[S] -= ds
+    stretch = factor + flexibility * q[T]
+    for i in range(g.shape[1]):
+        slid = stretch * g[LENGTH, i] + flexibility * ds * g[T, i]
+        g[X, i] -= slid * cos
+        g[Z, i] -= slid * sin
+        g[T, i] -= rate * g[LENGTH, i]
+        g[S, i] -= g[LENGTH, i]
+
+
+@kernel()
+def leave(line, q, g):
+    """Leave the bed with tension T at the angle φ; T is kept above 0, for spans that stand plumb on a buoy."""
+    if q[T] < line.least:
+        q[T] = line.least
+        mix(g, T, 0.0, T, 0.0, T)
+    cos, sin = math.cos(q[PHI]), math.sin(q[PHI])
+    q[H], q[V] = q[T] * cos, q[T] * sin
+    mix(g, H, cos, T, -q[V], PHI)
+    mix(g, V, sin, T, q[H], PHI)
+
+
+@kernel()
+def pin(line, q, g, vertex):
+    """Put the line on a point of the bed; T and φ from H and V."""
+    q[X], q[Z] = line.bed[vertex, 0], line.bed[vertex, 1]
+    mix(g, X, 0.0, H, 0.0, H)
+    mix(g, Z, 0.0, H, 0.0, H)
+    q[T], q[PHI] = math.hypot(q[H], q[V]), math.atan2(q[V], q[H])
+    mix(g, T, q[H] / q[T], H, q[V] / q[T], V)
+    mix(g, PHI, -q[V] / q[T] ** 2, H, q[H] / q[T] ** 2, V)

@@ -1,0 +1,182 @@
+"""Static lines of any number of segments and point loads over an uneven bed with friction, below a sea surface.
+
+Free spans are elastic catenaries in closed form (`hanging.free_span`), the line on a facet of the bed in closed form
+too (`hanging.friction`).  Which parts touch follows from one walk down the line for a given tension (`hanging.walk`),
+positions and forces from Newton's method on the equations of that walk (`hanging.equations`).
+SR179 report (1982), section 3.1, with these differences: no nodes and no finite differences; on a slope only T is
+propagated; friction acts at knuckles too, and only as far as it is needed.
+
+Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
+and down with V.  Bending, current on the line and the weight of the line above water are neglected.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from mooring.lines.catenary.solve import LineError
+
+from .bed import Bed
+from .segments import PointLoad, Segment
+from .solution import LineState, StaticSolution
+
+__all__ = ["Bed", "LineState", "PointLoad", "Segment", "StaticLine", "StaticSolution"]
+
+FLAT = Bed.sloping()
+LEAST = 1e-11  # of the line's weight: the pull below which a line is called slack
+RESIDUAL = 1e-10  # of the line length, on every equation
+SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
+SOLVED, BEYOND_REACH, SLACK = 0, 1, 2  # as `hanging.search` reports
+
+
+@dataclass(frozen=True)
+class StaticLine:
+    """A line from its anchor to its fairlead.
+
+    segments : from the anchor up; loads : point loads; bed : Bed, or None for a line that touches nothing
+    surface : m above the anchor; buoys do not rise above it but come out of the water; inf without
+    uplift_limit : rad, allowed angle of the pull on the anchor above the bed; see `StaticSolution.anchor_uplift`
+    """
+
+    segments: tuple[Segment, ...]
+    loads: tuple[PointLoad, ...] = ()
+    bed: Bed | None = FLAT
+    surface: float = np.inf
+    uplift_limit: float = np.inf
+
+    def __post_init__(self):
+        object.__setattr__(self, "segments", tuple(self.segments))
+        object.__setattr__(self, "loads", tuple(sorted(self.loads, key=lambda load: load.position)))
+        if not self.segments:
+            raise ValueError("a line needs at least one segment")
+        for load in self.loads:
+            if not 0 < load.position < self.length:
+                raise ValueError(
+                    f"point load {load.name}: position is {load.position:g} m; allowed: inside the line, "
+                    f"above 0 and below {self.length:g} m"
+                )
+        if np.isnan(self.surface):
+            raise ValueError("surface is nan; allowed: a height above the anchor, or inf")
+
+    def __repr__(self):
+        return f"<StaticLine {len(self.segments)} segments, {self.length:.6g} m, {len(self.loads)} point loads>"
+
+    @cached_property
+    def length(self):
+        """m, unstretched"""
+        return float(sum(segment.length for segment in self.segments))
+
+    @cached_property
+    def weight(self):
+        """N, submerged, without point loads"""
+        return float(sum(segment.length * segment.weight for segment in self.segments))
+
+    @cached_property
+    def anchor_slope(self):
+        """rad, of the bed at the anchor; −π/2 without a bed"""
+        return -0.5 * np.pi if self.bed is None else float(np.arctan2(*self.bed.points[1, ::-1]))
+
+    def solve(self, x, z, state=None):
+        """Forces, stiffness and shape with the fairlead at (x, z).
+
+        x : m ≥ 0, z : m above the anchor; broadcast, each position on its own
+        state : LineState of the position before, for friction with history; None: pulled out from slack
+        returns : StaticSolution; raises : LineError where there is no equilibrium, ValueError for impossible input
+        """
+        x, z = np.broadcast_arrays(np.asarray(x, float), np.asarray(z, float))
+        self._check(x, z)
+        data = self._data if state is None else self._data._replace(left=np.ascontiguousarray(state.pieces, float))
+        close = np.maximum(x.ravel(), 1e-9 * self.length)
+        from .search import solve_positions
+
+        room = self._room(data)
+        found, status, pieces, loads = solve_positions(data, close, np.ascontiguousarray(z.ravel()), self.weight, room)
+        self._judge(x, z, found, status)
+        return self._solution(x, z, found, status, loads, pieces)
+
+    def path(self, x, z, state=None):
+        """Solutions of positions (n,) visited one after another, each keeping the friction of the one before."""
+        solutions = []
+        for xi, zi in zip(*np.broadcast_arrays(np.atleast_1d(x), z), strict=True):
+            solutions.append(self.solve(xi, zi, state))
+            state = solutions[-1].state
+        return solutions
+
+    def _solution(self, x, z, found, status, loads, pieces):
+        slack = status == SLACK
+        found[slack, 0] = 0.0
+        found[slack, 5:7] = 0.0
+        H, V, H_anchor, V_anchor = (column.reshape(x.shape)[()] for column in found[:, :4].T)
+        words = ("submerged", "floating", "emerged")
+        one = x.ndim == 0
+        return StaticSolution(
+            self,
+            x[()],
+            z[()],
+            H,
+            V,
+            H_anchor,
+            V_anchor,
+            found[:, 5:9].reshape(*x.shape, 2, 2),
+            slack.reshape(x.shape)[()],
+            found[:, 9].reshape(x.shape)[()],
+            tuple(words[i] for i in loads) if one else (),
+            pieces if one else None,
+        )
+
+    def _check(self, x, z):
+        if not np.all(np.isfinite(x) & (x >= 0)):
+            raise ValueError(f"line x is {x[~(np.isfinite(x) & (x >= 0))].flat[0]:g} m; allowed: finite, at least 0 m")
+        if not np.all(np.isfinite(z)):
+            raise ValueError(f"line z is {z[~np.isfinite(z)].flat[0]:g} m; allowed: finite")
+        if self.bed is not None:
+            under = self.bed.depth_below(x, z)
+            if not np.all(under > 0):
+                raise ValueError(f"the fairlead is {-under.min():g} m below the bed; allowed: above it")
+        if not np.all(z <= self.surface) and self.loads:
+            raise ValueError(f"line z is {z.max():g} m, above the sea surface at {self.surface:g} m; allowed: below it")
+
+    def _judge(self, x, z, found, status):
+        wrong = ~((found[:, 9] <= RESIDUAL) & np.isin(status, (SOLVED, SLACK)))
+        if np.any(wrong):
+            i = int(np.argmax(wrong))
+            what = "cannot be reached" if status[i] == BEYOND_REACH else "is in reach, but no equilibrium was found"
+            raise LineError(
+                f"{np.count_nonzero(wrong)} of {x.size} position(s): fairlead at x = {x.flat[i]:.6g} m, "
+                f"z = {z.flat[i]:.6g} m {what}: {self!r}"
+            )
+
+    def _room(self, data):
+        parts = len(data.segments) + len(data.loads) + len(data.left) + len(data.knots)
+        return 4 * parts + 8 * len(data.bed) + 32
+
+    @cached_property
+    def _data(self):
+        """The line as the kernels read it."""
+        from .line_data import LineData
+
+        tables = [segment.strain_table for segment in self.segments]
+        ends = np.concatenate([[0.0], np.cumsum([segment.length for segment in self.segments])])
+        loads = np.array([(load.position, load.weight, load.weight_in_air) for load in self.loads], float)
+        loads = loads.reshape(-1, 3)
+        points = np.array([[0.0, 0.0], [1.0, 0.0]]) if self.bed is None else self.bed.points
+        slopes = np.diff(points[:, 1]) / np.diff(points[:, 0])
+        buoys = np.flatnonzero(loads[:, 1] < 0)
+        return LineData(
+            np.column_stack([ends[:-1], [segment.weight for segment in self.segments]]),
+            float(ends[-1]),
+            np.concatenate([[0], np.cumsum([len(table) for table in tables])]),
+            np.concatenate(tables),
+            loads,
+            int(buoys[0]) if buoys.size else len(loads),
+            float(self.surface),
+            SOFT * self.length,
+            np.column_stack([points[:-1], np.arctan(slopes), np.minimum.accumulate(slopes)]),
+            self.bed is None,
+            0.0 if self.bed is None else float(self.bed.friction),
+            LEAST * self.weight,
+            np.empty((0, 4)),
+        )

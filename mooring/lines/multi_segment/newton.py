@@ -1,0 +1,206 @@
+"""Kernels that solve the equations of a walk together, by Newton's method, at one position after another.
+
+The same derivatives with respect to the fairlead's position give the stiffness.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from .equations import equations, room_for
+from .line_data import FLOATING, H, S, V
+from .walk import walk
+
+
+@kernel()
+def solve_small(A, n):
+    """Solve in place by elimination with pivoting: A (n, n+m) holds the matrix and m right-hand sides, then solutions.
+
+    returns : False where the matrix is singular
+    """
+    m = A.shape[1]
+    for i in range(n):
+        best = i
+        for j in range(i + 1, n):
+            if abs(A[j, i]) > abs(A[best, i]):
+                best = j
+        if A[best, i] == 0 or not math.isfinite(A[best, i]):
+            return False
+        for k in range(m):
+            A[i, k], A[best, k] = A[best, k], A[i, k]
+        for j in range(i + 1, n):
+            share = A[j, i] / A[i, i]
+            for k in range(i, m):
+                A[j, k] -= share * A[i, k]
+    for i in range(n - 1, -1, -1):
+        for k in range(n, m):
+            for j in range(i + 1, n):
+                A[i, k] -= A[i, j] * A[j, k]
+            A[i, k] /= A[i, i]
+    return True
+
+
+@kernel()
+def largest(r):
+    worst = 0.0
+    for value in r:
+        if not abs(value) <= worst:
+            worst = abs(value)
+    return worst
+
+
+@kernel()
+def newton_step(e, A):
+    """Solve for a step and the derivatives of u with respect to x and z: columns n, n+1, n+2 of A."""
+    n = e.u.size
+    for i in range(n):
+        for k in range(n + 2):
+            A[i, k if k < n else k + 1] = e.J[i, k]
+        A[i, n] = e.r[i]
+    return solve_small(A, n)
+
+
+@kernel()
+def shortened(line, e, old, A, size, x, z, steps, slack, rows):
+    """Go a step on, shortened until the residual falls.  returns : the residual; -1 where none falls, u as it was"""
+    n = e.u.size
+    share = min(1.0, 0.7 * old[0] / A[0, n]) if A[0, n] > 0 else 1.0
+    for trial in range(13):
+        for i in range(n):
+            e.u[i] = old[i] - share * A[i, n]
+        equations(line, e, x, z, steps, slack, rows)
+        new = largest(e.r)
+        if trial == 12 or new < size or (new <= 1e-14 * line.length and share == 1.0):
+            break
+        share *= 0.5 if trial < 11 else 0.0
+    return new if share > 0 else -1.0
+
+
+@kernel()
+def polish(line, e, A, x, z, steps, slack, rows):
+    """Newton's method from e.u, which is overwritten; A : see `newton_step`.  returns : residual over the length"""
+    old = np.empty(e.u.size)
+    equations(line, e, x, z, steps, slack, rows)
+    size, settled = largest(e.r), False
+    for _ in range(40):
+        if not newton_step(e, A):
+            return math.inf
+        if settled:
+            break
+        for i in range(old.size):
+            old[i] = e.u[i]
+        new = shortened(line, e, old, A, size, x, z, steps, slack, rows)
+        if new < 0:
+            break
+        settled = new == 0 or (size <= 1e-13 * line.length and new >= 0.5 * size)
+        size = new
+    return size / line.length
+
+
+@kernel()
+def same_contacts(w, e, steps):
+    """Whether a walk touches what the equations say, within 1e-4 of the same starts."""
+    if w.count[0] != steps.shape[0]:
+        return False
+    for i in range(steps.shape[0]):
+        for k in range(3):
+            if w.steps[i, k] != steps[i, k]:
+                return False
+    apart = 0.0
+    for i in range(w.count[1]):
+        apart = max(apart, abs(w.unknowns[i] - e.u[i]) / (abs(e.u[i]) + 1e-4 * e.u[0]))
+    return apart <= 1e-4
+
+
+@kernel()
+def same_buoys(line, w, e):
+    """Whether a walk finds the buoys in the same states, and floating ones carry no more than they can."""
+    floating = e.u.size
+    for load in range(e.states.size):
+        if w.states[load] != e.states[load]:
+            return False
+        floating -= 1 if e.states[load] == FLOATING else 0
+    for load in range(e.states.size - 1, -1, -1):
+        if e.states[load] == FLOATING:
+            if not line.loads[load, 1] <= e.u[floating] <= line.loads[load, 2]:
+                return False
+            floating += 1
+    return True
+
+
+@kernel()
+def confirmed(line, w, e, x, z, steps, slack):
+    """Whether a walk with the pull found ends at the anchor too, and starts as Newton's method says.
+
+    The small height over which a buoy emerges in a walk may be felt in the length left over: then the contacts count.
+    """
+    for i in range(w.near.size):
+        w.near[i] = e.u[i] if i < e.u.size else math.nan
+    left_over = walk(line, w, e.u[0], x, z)
+    if not abs(w.unknowns[1] - e.u[1]) <= 1e-5 * (abs(e.u[1]) + e.u[0]):
+        return False
+    buoys = same_buoys(line, w, e)
+    if slack or abs(left_over) <= 1e-7 * line.length + line.soft:
+        return buoys or abs(left_over) <= line.soft
+    return buoys and same_contacts(w, e, steps)
+
+
+@kernel()
+def equations_of(w):
+    """Room for the equations of a walk, with its unknowns and the weights of floating buoys."""
+    floating = 0
+    for load in range(w.states.size):
+        floating += 1 if w.states[load] == FLOATING else 0
+    e = room_for(w.count[1] + floating, w.states.copy())
+    known = 0
+    for i in range(w.count[1]):
+        e.u[i] = w.unknowns[i]
+        known += 1
+    for load in range(w.states.size - 1, -1, -1):
+        if w.states[load] == FLOATING:
+            e.u[known] = w.hung[load]
+            known += 1
+    return e
+
+
+@kernel()
+def store(e, A, residual, result):
+    """H, V; H, V and s left over at the anchor; stiffness; residual and rows recorded, into result (11,)."""
+    n = e.u.size
+    result[0], result[1] = e.u[0], e.u[1]
+    result[2], result[3], result[4] = e.q[H], e.q[V], e.q[S]
+    result[5], result[6] = -A[0, n + 1], -A[0, n + 2]
+    result[7], result[8] = -A[1, n + 1], -A[1, n + 2]
+    result[9], result[10] = residual, e.at[2]
+
+
+@kernel()
+def follow(line, w, x, z, first, slack, rows, result):
+    """Solve positions from the given one on, for as long as the steps of the walk hold.
+
+    Each starts from the one before, moved on by its derivatives.  A position counts once a walk with its H confirms it.
+    rows : pieces of the last position solved; result : (n, 11) see `store`; w.states : left as they were
+    returns : the position at which the steps hold no longer
+    """
+    e = equations_of(w)
+    n = e.u.size
+    A, steps = np.empty((n, n + 3)), w.steps[: w.count[0]].copy()
+    i = first
+    while i < x.size:
+        residual = polish(line, e, A, x[i], z[i], steps, slack, rows)
+        if not (residual <= 1e-10 and e.u[0] > 0 and confirmed(line, w, e, x[i], z[i], steps, slack)):
+            break
+        store(e, A, residual, result[i])
+        i += 1
+        if slack:
+            break
+        if i < x.size:
+            for k in range(n):
+                e.u[k] -= A[k, n + 1] * (x[i] - x[i - 1]) + A[k, n + 2] * (z[i] - z[i - 1])
+    for load in range(e.states.size):
+        w.states[load] = e.states[load]
+    return i

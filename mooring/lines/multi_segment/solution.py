@@ -1,0 +1,151 @@
+"""A solved static line: its forces, stiffness, grounded parts, profile, and the friction that it keeps.
+
+Coordinates and signs : `static`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from .line import StaticLine
+
+
+class LineState(NamedTuple):
+    """What a line remembers: (k, 4) rows of s₀, s₁ (m from the anchor), T₀, T₁ (N) on the bed, downwards."""
+
+    pieces: np.ndarray
+
+
+@dataclass(frozen=True)
+class StaticSolution:
+    """A solved line, or the same line at many positions, all of one shape (...).
+
+    horizontal_fairlead, vertical_fairlead : N, pull on the fairlead towards the anchor and down
+    horizontal_anchor, vertical_anchor : N, pull on the anchor towards the fairlead and up
+    stiffness : (..., 2, 2) N/m, ∂(H, V at the fairlead)/∂(x, z)
+    slack : whether the line hangs plumb with its rest in a heap
+    residual : largest error of an equation over the line length
+    loads : states of the point loads, "submerged", "floating" or "emerged"; pieces : see `profile`; one position only
+    """
+
+    line: StaticLine
+    x: np.ndarray
+    z: np.ndarray
+    horizontal_fairlead: np.ndarray
+    vertical_fairlead: np.ndarray
+    horizontal_anchor: np.ndarray
+    vertical_anchor: np.ndarray
+    stiffness: np.ndarray
+    slack: np.ndarray
+    residual: np.ndarray
+    loads: tuple = ()
+    pieces: np.ndarray = field(default=None, repr=False)
+
+    @property
+    def tension_fairlead(self):
+        """(...,) N"""
+        return np.hypot(self.horizontal_fairlead, self.vertical_fairlead)
+
+    @property
+    def tension_anchor(self):
+        """(...,) N"""
+        return np.hypot(self.horizontal_anchor, self.vertical_anchor)
+
+    @property
+    def anchor_uplift(self):
+        """(...,) rad, angle of the pull on the anchor above the bed there; 0 where the line lies on the bed"""
+        up = np.arctan2(self.vertical_anchor, self.horizontal_anchor)
+        beta = self.line.anchor_slope
+        lifted = (self.tension_anchor > 0) & (up > beta + 1e-9)
+        return np.where(lifted, up - beta, 0.0)
+
+    @property
+    def anchor_holds(self):
+        """(...,) whether the uplift stays within the line's `uplift_limit`"""
+        return self.anchor_uplift <= self.line.uplift_limit
+
+    @property
+    def stiffness_in_space(self):
+        """(..., 3, 3) N/m along the line, across it and up: the plane's own stiffness, and H over the span across"""
+        k = np.zeros((*np.shape(self.x), 3, 3))
+        k[..., 0::2, 0::2] = self.stiffness
+        span = np.where(self.x > 0, self.x, 1.0)
+        k[..., 1, 1] = np.where(self.x > 0, self.horizontal_fairlead / span, self.stiffness[..., 0, 0])
+        return k
+
+    @cached_property
+    def _one(self):
+        if self.pieces is None:
+            raise ValueError(f"this needs one position; the solution holds {np.shape(self.x)}; solve one at a time")
+        return self.pieces
+
+    @cached_property
+    def state(self):
+        """LineState to give to the next `solve`: the friction the line keeps"""
+        p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
+        return LineState(_joined(np.column_stack([p[:, 1] - p[:, 2], p[:, 1], p[:, 5] - p[:, 6] * p[:, 2], p[:, 5]])))
+
+    @property
+    def grounded(self):
+        """(k, 2) m from the anchor: where the parts on the bed begin and end, from the anchor up"""
+        p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
+        spans = []
+        for top, length in p[:, 1:3]:
+            if spans and spans[-1][0] - top <= 1e-12 * self.line.length:
+                spans[-1][0] = top - length
+            else:
+                spans.append([top - length, top])
+        return np.maximum(np.array(spans[::-1]).reshape(-1, 2), 0.0)
+
+    @property
+    def grounded_length(self):
+        """m, unstretched length on the bed"""
+        return float(np.sum(np.diff(self.grounded, axis=1)))
+
+    def profile(self, points=101):
+        """The line, drawn: (points, 4) of s from the anchor, x, z (m) and tension (N), joints of pieces not included.
+
+        Where the line is slack the heap on the bed is drawn stretched out towards the anchor.
+        """
+        s = np.linspace(0.0, self.line.length, points)
+        p = self._one
+        top = p[:, 1]
+        index = np.clip(np.searchsorted(-top, -s, side="right") - 1, 0, len(p) - 1)
+        down = np.minimum(top[index] - s, p[index, 2])
+        return np.column_stack([s, _along(p[index], down)])
+
+
+def _joined(pieces):
+    """Pieces whose tensions lie on one straight line made one, so that a long history stays short."""
+    joined = []
+    for s0, s1, t0, t1 in pieces:
+        if joined:
+            above = joined[-1]
+            slope = (above[3] - above[2]) / (above[1] - above[0])
+            size = 1e-12 * (abs(above[2]) + abs(above[3]))
+            meets = above[0] - s1 <= 1e-12 * above[1] and abs(above[2] - t1) <= size
+            if meets and abs(above[2] - slope * (above[0] - s0) - t0) <= size:
+                above[0], above[2] = s0, t0
+                continue
+        joined.append([s0, s1, t0, t1])
+    return np.array(joined).reshape(-1, 4)
+
+
+def _along(p, down):
+    """x, z and tension a length `down` below the tops of pieces `p` (n, 11)."""
+    from mooring.lines.catenary.grounded import free_span
+
+    _, _, _, x, z, first, second, weight, factor, flexibility, angle = p.T
+    on_bed = p[:, 0] == 1
+    H, V = np.where(on_bed, 1.0, first), np.where(on_bed, 0.0, second)
+    dx, dz = free_span(H, V - weight * down, down, weight, flexibility / factor)
+    slid = down * (factor + flexibility * (first - 0.5 * second * down))
+    dx = np.where(on_bed, slid * np.cos(angle), factor * dx)
+    dz = np.where(on_bed, slid * np.sin(angle), factor * dz)
+    tension = np.where(on_bed, first - second * down, np.hypot(H, V - weight * down))
+    return np.column_stack([x - dx, z - dz, tension])

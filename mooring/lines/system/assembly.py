@@ -1,0 +1,158 @@
+"""Forces and stiffness of a whole system of lines, compiled: one pass over the lines, straight into the matrices.
+
+A line end on a body at arm a with force f and stiffness block k adds, as in `mooring.equilibrium`,
+J' k J − S(f) S(a) with J = [1, −S(a)]; an end on a free point adds k itself.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from ..catenary.two_ends import BEYOND_REACH, exchange, mirror, solve_line
+
+FIXED, FREE = -1, -2  # owners of points; a body is named by its number
+
+
+@kernel()
+def place_points(position, owner, column, place, turn, free):
+    """Where every point is, (p, 3) in space."""
+    bodies = place.shape[0]
+    points = position.copy()
+    for i in range(owner.size):
+        if owner[i] >= 0:
+            R, r = turn[owner[i]], place[owner[i]]
+            for j in range(3):
+                points[i, j] = r[j] + R[j, 0] * position[i, 0] + R[j, 1] * position[i, 1] + R[j, 2] * position[i, 2]
+        elif owner[i] == FREE:
+            points[i] = free[(column[i] - 6 * bodies) // 3]
+    return points
+
+
+@kernel()
+def end_blocks(row, k, x, ox, oy):
+    """k (2, 2, 3, 3): −∂(force on end i)/∂(place of end j), from the derivatives in a vertical plane."""
+    for i in range(2):
+        pull = row[1 + i]
+        across = pull / x if x > 0.0 else row[6 + 3 * i]
+        for j in range(2):
+            sign = 1.0 if i == j else -1.0
+            along = sign * row[6 + 3 * i]
+            side = sign * across
+            k[i, j, 0, 0] = along * ox * ox + side * oy * oy
+            k[i, j, 1, 1] = along * oy * oy + side * ox * ox
+            k[i, j, 0, 1] = k[i, j, 1, 0] = (along - side) * ox * oy
+            # the pull on a points to b, that on b to a; the span grows with b and shrinks with a
+            to = 1.0 if i == 1 else -1.0
+            k[i, j, 0, 2], k[i, j, 1, 2] = to * row[7 + 3 * i + j] * ox, to * row[7 + 3 * i + j] * oy
+            span = 1.0 if j == 1 else -1.0
+            k[i, j, 2, 0], k[i, j, 2, 1] = span * row[12 + 3 * i] * ox, span * row[12 + 3 * i] * oy
+            k[i, j, 2, 2] = row[13 + 3 * i + j]
+
+
+@kernel()
+def add_moment_rows(block, arm):
+    """(6, 3) from (3, 3): the force rows, then arm × them."""
+    out = np.zeros((6, 3))
+    for j in range(3):
+        for i in range(3):
+            out[i, j] = block[i, j]
+        out[3, j] = arm[1] * block[2, j] - arm[2] * block[1, j]
+        out[4, j] = arm[2] * block[0, j] - arm[0] * block[2, j]
+        out[5, j] = arm[0] * block[1, j] - arm[1] * block[0, j]
+    return out
+
+
+@kernel()
+def add_block(K, block, row, rows, column, columns, arm_row, arm_column):
+    """Add J' block J at (row, column); bodies have 6 rows or columns, free points 3."""
+    tall = add_moment_rows(block, arm_row)
+    for i in range(rows):
+        for j in range(3):
+            K[row + i, column + j] += tall[i, j]
+        if columns == 6:  # tall times −S(arm)
+            a, b, c = tall[i, 0], tall[i, 1], tall[i, 2]
+            K[row + i, column + 3] += c * arm_column[1] - b * arm_column[2]
+            K[row + i, column + 4] += a * arm_column[2] - c * arm_column[0]
+            K[row + i, column + 5] += b * arm_column[0] - a * arm_column[1]
+
+
+@kernel()
+def add_force(force, K, f, arm, column, width):
+    """Add the force of one line end, its moment, and −S(f) S(arm)."""
+    for i in range(3):
+        force[column + i] += f[i]
+    if width == 6:
+        force[column + 3] += arm[1] * f[2] - arm[2] * f[1]
+        force[column + 4] += arm[2] * f[0] - arm[0] * f[2]
+        force[column + 5] += arm[0] * f[1] - arm[1] * f[0]
+        inner = f[0] * arm[0] + f[1] * arm[1] + f[2] * arm[2]
+        for i in range(3):  # S(f) S(a) = a f' − (a·f) 1
+            for j in range(3):
+                K[column + 3 + i, column + 3 + j] -= arm[i] * f[j]
+            K[column + 3 + i, column + 3 + i] += inner
+
+
+@kernel()
+def add_float(force, K, points, owner, column, floats):
+    """Weight of free points and the buoyancy of what is under water; floats : (p, 3) N, N, m."""
+    for i in range(owner.size):
+        if owner[i] == FREE:
+            weight, buoyancy, height = floats[i]
+            under = 0.5 - points[i, 2] / height
+            force[column[i] + 2] += buoyancy * min(max(under, 0.0), 1.0) - weight
+            if 0.0 < under < 1.0:
+                K[column[i] + 2, column[i] + 2] += buoyancy / height
+
+
+@kernel()
+def assemble(position, owner, column, floats, ends, turned, lines, bed, place, turn, free):
+    """force (N,), K (N, N) = −∂force, rows (n, ROW) and points (p, 3) of a system; N = 6 bodies + 3 free points.
+
+    lines : (n, 4) length, weight, 1/EA, friction; bed : height of the bed, m
+    turned : (n,) whether end b is the one at which friction arrives last
+    """
+    size = 6 * place.shape[0] + 3 * free.shape[0]
+    force, K = np.zeros(size), np.zeros((size, size))
+    rows = np.zeros((ends.shape[0], 18))
+    points = place_points(position, owner, column, place, turn, free)
+    k, f, arm = np.zeros((2, 2, 3, 3)), np.zeros((2, 3)), np.zeros((2, 3))
+    pair = np.zeros(2, np.int64)
+    add_float(force, K, points, owner, column, floats)
+    for n in range(ends.shape[0]):
+        pair[0], pair[1] = (ends[n, 1], ends[n, 0]) if turned[n] else (ends[n, 0], ends[n, 1])
+        A, B = points[pair[0]], points[pair[1]]
+        dx, dy = B[0] - A[0], B[1] - A[1]
+        x = np.sqrt(dx * dx + dy * dy)
+        ox, oy = (dx / x, dy / x) if x > 0.0 else (1.0, 0.0)
+        length, weight, flexibility, friction = lines[n]
+        row = rows[n]
+        if weight > 0.0:
+            solve_line(row, x, A[2] - bed, B[2] - bed, length, weight, flexibility, friction, True)
+        else:
+            solve_line(row, x, -A[2], -B[2], length, -weight, flexibility, 0.0, False)
+            mirror(row)
+        if row[0] >= BEYOND_REACH:
+            force[:] = np.nan
+            return force, K, rows, points
+        end_blocks(row, k, x, ox, oy)
+        f[0, 0], f[0, 1], f[0, 2] = row[1] * ox, row[1] * oy, -row[3]
+        f[1, 0], f[1, 1], f[1, 2] = -row[2] * ox, -row[2] * oy, -row[4]
+        for i in range(2):
+            who = owner[pair[i]]
+            if who >= 0:
+                arm[i] = points[pair[i]] - place[who]
+        for i in range(2):
+            p = pair[i]
+            if owner[p] == FIXED:
+                continue
+            width = 6 if owner[p] >= 0 else 3
+            add_force(force, K, f[i], arm[i], column[p], width)
+            for j in range(2):
+                r = pair[j]
+                if owner[r] != FIXED:
+                    add_block(K, k[i, j], column[p], width, column[r], 6 if owner[r] >= 0 else 3, arm[i], arm[j])
+        if turned[n]:
+            exchange(row)
+    return force, K, rows, points

@@ -1,0 +1,232 @@
+"""Where a system of lines comes to rest: Newton on the exact stiffness, with the bed as a one-sided support.
+
+A free point on the bed stays there while forces press it down (z = −depth, R ≥ 0, one of them at its limit);
+its support carries no friction.  A step is halved while the force left behind it points back, as in
+`mooring.equilibrium`; where the stiffness gives no way, damping makes a drift along the force of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bem import DOFS
+
+from ...equilibrium import EquilibriumError
+from .bodies import angles, turned
+from .findings import culprit, freedom_name, warn_of_floating, warn_of_friction
+from .graph import LineForces, Pose, System, line_forces
+from .parts import Fairlead
+
+TARGET, LIMIT = 1e-12, 1e-9  # of all forces at work: aim of the iteration, and what is accepted
+
+
+@dataclass(frozen=True)
+class SystemEquilibrium:
+    """A system at rest.
+
+    pose : Pose; points : (p, 3) m; lines : LineForces; iterations : steps taken
+    residual : (N,) N and N m left on the degrees of freedom that may move, 0 on the others
+    stiffness : (N, N) of lines, buoyancy and hydrostatics; moving : (N,) what may move
+    on_bed : (f,) whether a free point rests on the bed, with `bed_reaction` N
+    """
+
+    system: System
+    pose: Pose
+    points: np.ndarray
+    lines: LineForces
+    iterations: int
+    force: np.ndarray
+    residual: np.ndarray
+    stiffness: np.ndarray
+    moving: np.ndarray
+    on_bed: np.ndarray
+    bed_reaction: np.ndarray
+
+    def __repr__(self):
+        largest = np.max(np.maximum(self.lines.tension_a, self.lines.tension_b))
+        return f"<SystemEquilibrium {len(self.system.lines)} lines, largest tension {largest:.5g} N>"
+
+    @property
+    def position(self):
+        """(b, 6) m and rad: origins of the bodies, then roll, pitch and yaw"""
+        turned = np.array([angles(R) for R in self.pose.turn]).reshape(-1, 3)
+        return np.hstack([self.pose.place, turned])
+
+    @property
+    def tension(self):
+        """(n,) N, the larger of both ends of each line"""
+        return np.maximum(self.lines.tension_a, self.lines.tension_b)
+
+
+def freedom(system):
+    """(N,) which degrees of freedom forces may move."""
+    bodies = [[name in body.freedom for name in DOFS] for body in system.bodies]
+    return np.concatenate([np.array(bodies, bool).ravel(), np.ones(3 * len(system.free_points), bool)])
+
+
+def moved(system, pose, step):
+    """The pose after a step (N,) of every degree of freedom; free points stop at the bed."""
+    count = len(system.bodies)
+    if count:
+        steps = step[: 6 * count].reshape(count, 6)
+        place = pose.place + steps[:, :3]
+        turn = np.array([turned(R, s) for R, s in zip(pose.turn, steps[:, 3:], strict=True)])
+    else:
+        place, turn = pose.place, pose.turn
+    free = pose.free + step[6 * count :].reshape(-1, 3)
+    if len(free):
+        free[:, 2] = np.maximum(free[:, 2], -system.depth)
+    return Pose(place, turn, free)
+
+
+def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilibrium:
+    """The equilibrium of a system under the loads of its bodies, sought from a pose.
+
+    start : Pose, that of the system if not given
+    raises : EquilibriumError with what is left of the forces, and where
+    """
+    pose = system.pose if start is None else start
+    pose = moved(system, pose, np.zeros(6 * len(system.bodies) + 3 * len(system.free_points)))
+    may = freedom(system)
+    unit = _units(system)
+    radius = longest = 0.05 * float(np.median([line.length for line in system.lines]))
+    load = system.total_load(pose)
+    if not np.isfinite(load.force).all():
+        raise EquilibriumError(f"{culprit(system, load)} at the position the search starts from")
+    count, before = 0, np.zeros(len(unit))
+    while count < steps:
+        moving = may & ~_held_by_bed(system, pose, load.force)
+        residual = np.where(moving, load.force, 0.0) / unit
+        if np.abs(residual).max(initial=0.0) <= TARGET * _scale(system, load):
+            break
+        found = _advance(system, pose, load, moving, residual, unit, radius)
+        count += 1
+        if found is None:
+            break
+        pose, load, step = found
+        radius = min(_next_radius(radius, step, before), 4 * longest)
+        before = step
+    return _found(system, pose, load, may, unit, count)
+
+
+def _next_radius(radius, step, before):
+    """m; to and fro across a kink, of a line that falls slack say, the steps grow ever shorter"""
+    size = np.sqrt(step @ step)
+    back = before @ step < -0.5 * np.sqrt(before @ before) * size
+    return 0.5 * size if back else max(2 * size, radius)
+
+
+def _units(system):
+    """(N,) moments are compared as forces at the outermost fairlead of the body."""
+    unit = np.ones(6 * len(system.bodies) + 3 * len(system.free_points))
+    for i, body in enumerate(system.bodies):
+        arms = [p.position for p in system.points if isinstance(p, Fairlead) and p.body == body.name]
+        unit[6 * i + 3 : 6 * i + 6] = max([np.linalg.norm(arm) for arm in arms] + [1.0])
+    return unit
+
+
+def _scale(system, load):
+    """N, all forces at work"""
+    total = np.abs(load.rows[:, 1:5]).sum() + sum(np.abs(body.load[:3]).sum() for body in system.bodies)
+    return total + system.arrays[3][:, :2].sum()
+
+
+def _held_by_bed(system, pose, force):
+    """(N,) vertical freedoms of free points that lie on the bed and are pressed down"""
+    held = np.zeros(len(force), bool)
+    if len(pose.free):
+        vertical = slice(6 * len(system.bodies) + 2, None, 3)
+        held[vertical] = (pose.free[:, 2] <= -system.depth) & (force[vertical] <= 0)
+    return held
+
+
+def _advance(system, pose, load, moving, residual, unit, radius):
+    """The next pose, its load and the step (N,) m to it; None where no step is short enough.
+
+    A step that overshoots is taken back, and sought anew within a smaller radius from the same stiffness.
+    """
+    chosen = np.flatnonzero(moving)
+    K = load.stiffness[np.ix_(chosen, chosen)] / np.outer(unit[chosen], unit[chosen])
+    steps = _Steps(0.5 * (K + K.T), K, residual[chosen])
+    step, least = np.zeros_like(residual), 1e-14 * radius
+    while radius > least:
+        step[chosen] = steps.within(radius)
+        size = np.sqrt(step @ step)
+        following = moved(system, pose, step / unit)
+        ahead = system.total_load(following)
+        left = np.where(_held_by_bed(system, following, ahead.force), 0.0, ahead.force) / unit
+        if step @ left >= -0.5 * abs(step @ residual):  # false for nan: out of reach
+            return following, ahead, step
+        radius = 0.5 * min(size, radius)
+    return None
+
+
+class _Steps:
+    """Newton's step, or the step of a given length for a stiffness raised evenly until it is positive.
+
+    (|K| + m) s = r with the least m ≥ 0 for which s is not too long: stiff ways are followed to their end while
+    soft ones, slack lines say, wait.
+    """
+
+    def __init__(self, symmetric, stiffness, residual):
+        self.symmetric, self.residual, self.spectrum = symmetric, residual, None
+        try:
+            np.linalg.cholesky(symmetric)
+            self.newton = np.linalg.solve(stiffness, residual)
+        except np.linalg.LinAlgError:
+            self.newton = None
+
+    def within(self, radius):
+        """(k,) m, of at most `radius`"""
+        if self.newton is not None and self.newton @ self.newton <= radius * radius:
+            return self.newton
+        if self.spectrum is None:
+            values, vectors = np.linalg.eigh(self.symmetric)
+            self.spectrum = np.abs(values), vectors
+        values, vectors = self.spectrum
+        along = vectors.T @ self.residual
+        high = np.linalg.norm(along) / radius
+        values = np.maximum(values, 1e-9 * high)
+        if np.linalg.norm(along / values) <= radius:
+            return vectors @ (along / values)
+        low = 0.0
+        for _ in range(60):
+            if high - low <= 1e-2 * high:
+                break
+            middle = np.sqrt(max(low, 1e-12 * high) * high)
+            low, high = (middle, high) if np.linalg.norm(along / (values + middle)) > radius else (low, middle)
+        return vectors @ (along / (values + high))
+
+
+def _found(system, pose, load, may, unit, count):
+    held = _held_by_bed(system, pose, load.force)
+    moving = may & ~held
+    residual = np.where(moving, load.force, 0.0)
+    share = np.abs(residual / unit).max(initial=0.0) / (_scale(system, load) or 1.0)
+    if not share <= LIMIT:
+        worst = int(np.argmax(np.abs(residual / unit)))
+        raise EquilibriumError(
+            f"no equilibrium within {count} steps: {residual[worst]:.4g} {'N' if unit[worst] == 1 else 'N m'} "
+            f"is left on {freedom_name(system, worst)}, {share:.2g} of all forces; allowed: {LIMIT:g}; "
+            "start nearer to it"
+        )
+    vertical = slice(6 * len(system.bodies) + 2, None, 3)
+    on_bed = held[vertical]
+    reaction = np.where(on_bed, -load.force[vertical], 0.0)
+    lines = line_forces(load)
+    warn_of_floating(system, load)
+    warn_of_friction(system, lines)
+    return SystemEquilibrium(
+        system, pose, load.points, lines, count, load.force, residual, load.stiffness, moving, on_bed, reaction
+    )
+
+
+def held_at(system, positions):
+    """The system with some bodies held in new places: {body name: (6,) m and rad}."""
+    bodies = [
+        replace(body, position=tuple(map(float, positions[body.name])), freedom=()) if body.name in positions else body
+        for body in system.bodies
+    ]
+    return replace(system, bodies=tuple(bodies))

@@ -1,0 +1,62 @@
+"""What is said of a system of lines: warnings of what is not counted, and names for what went wrong."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from bem import DOFS
+
+
+def warn_of_floating(system, load):
+    """Warn of lines lighter than water that would rise above it: the surface holds no line here."""
+    for i, line in enumerate(system.lines):
+        down = load.rows[i, 3:5]
+        if line.type.weight > 0 or np.any(down >= 0):
+            continue
+        z, tension = load.points[system.arrays[4][i, 0], 2], np.hypot(load.rows[i, 1], down[0])
+        bend = 1 / (tension + load.rows[i, 1]) + 0.5 / line.type.axial_stiffness
+        top = z + down[0] ** 2 * bend / -line.type.weight
+        if top > 0:
+            warnings.warn(
+                f"line {line.name} floats and its middle would be {top:.3g} m above the water; allowed: below it, "
+                "the surface holds no line here; shorten the line or give it its weight in air",
+                stacklevel=4,
+            )
+
+
+def warn_of_friction(system, lines):
+    """Warn of lines whose friction is not counted although they lie on the bed."""
+    left = [
+        f"{line.name} ({lying:.3g} m)"
+        for line, end, lying in zip(system.lines, system.anchored_ends, lines.grounded_length, strict=True)
+        if not end and line.bed_friction > 0 and lying > 0
+    ]
+    if left:
+        warnings.warn(
+            f"bed friction is not counted on {', '.join(left)}: between free points it depends on history; "
+            "allowed: lines that end at an anchor on the bed",
+            stacklevel=4,
+        )
+
+
+def freedom_name(system, index):
+    """Name of a degree of freedom: body and motion, or point and axis."""
+    count = 6 * len(system.bodies)
+    if index < count:
+        return f"{system.bodies[index // 6].name} {DOFS[index % 6].lower()}"
+    return f"{system.free_points[(index - count) // 3].name} {'xyz'[(index - count) % 3]}"
+
+
+def culprit(system, load):
+    """What is wrong with the first line that has no solution."""
+    from ..catenary.two_ends import BELOW_BED, BEYOND_REACH
+
+    bad = int(np.argmax(load.rows[:, 0] >= BEYOND_REACH))
+    line = system.lines[bad]
+    if load.rows[bad, 0] == BELOW_BED:
+        return f"line {line.name} has an end below the bed, {-system.depth:g} m,"
+    ends = load.points[system.arrays[4][bad]]
+    reach = np.linalg.norm(ends[1] - ends[0])
+    return f"line {line.name}, inextensible and {line.length:g} m long, cannot span {reach:g} m"

@@ -1,0 +1,169 @@
+"""What is asked of a system at rest: its stiffness as one body feels it, offset curves, the loss of one line, periods.
+
+Free points and other bodies follow a small motion of one body so that nothing is left on them.  With their
+freedoms e and those of the body b the stiffness it feels is K_bb − K_be K_ee⁻¹ K_eb.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...equilibrium import EquilibriumError
+from ...natural_periods import natural_periods
+from .bodies import cross_matrix, hydrostatic_load
+from .equilibrium import SystemEquilibrium, held_at, rest
+from .parts import LineSystemError
+
+
+@dataclass(frozen=True)
+class OffsetCurve:
+    """A body held at offsets from its place at rest.
+
+    offset : (m,) m along direction, rad; force : (m, 6) N and N m of the lines on the body
+    tension : (m, n) N, the larger of both ends of each line; grounded_length : (m, n) m
+    """
+
+    body: str
+    direction: float
+    offset: np.ndarray
+    force: np.ndarray
+    tension: np.ndarray
+    grounded_length: np.ndarray
+
+    @property
+    def restoring(self):
+        """(m,) N against the offset"""
+        return -self.force[:, 0] * np.cos(self.direction) - self.force[:, 1] * np.sin(self.direction)
+
+
+def body_number(system, name):
+    """Number of a body; LineSystemError if there is none of that name."""
+    names = [body.name for body in system.bodies]
+    if name not in names:
+        raise LineSystemError(
+            f"body {name!r} is unknown; allowed: {', '.join(names) or 'none, the system has no body'}"
+        )
+    return names.index(name)
+
+
+def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
+    """(6, 6) stiffness of the lines as one body feels it, without its own hydrostatics.
+
+    others : "free", other bodies follow as far as they may; "held", they stay where they are
+    raises : LineSystemError where a free point is held by nothing in some direction
+    """
+    if others not in ("free", "held"):
+        raise LineSystemError(f"others is {others!r}; allowed: 'free', 'held'")
+    system, i = state.system, body_number(state.system, body)
+    own = np.arange(6 * i, 6 * i + 6)
+    follows = state.moving.copy()
+    follows[own if others == "free" else slice(0, 6 * len(system.bodies))] = False
+    K = state.stiffness.copy()
+    if system.bodies[i].hydrostatic_stiffness is not None:
+        sinkage = state.pose.place[i, 2] - system.bodies[i].position[2]
+        K[np.ix_(own, own)] -= hydrostatic_load(system.bodies[i].hydrostatic_stiffness, sinkage, state.pose.turn[i])[1]
+    rest_of = np.flatnonzero(follows)
+    if not len(rest_of):
+        return K[np.ix_(own, own)]
+    inner = K[np.ix_(rest_of, rest_of)]
+    if np.linalg.cond(inner) > 1e14:
+        raise LineSystemError(
+            "a free point or another body is held by nothing in some direction; hold it, or give it weight"
+        )
+    return K[np.ix_(own, own)] - K[np.ix_(own, rest_of)] @ np.linalg.solve(inner, K[np.ix_(rest_of, own)])
+
+
+def offset_curve(state: SystemEquilibrium, body, direction, offsets) -> OffsetCurve:
+    """Forces and tensions with a body held at offsets from its place at rest, its attitude kept.
+
+    direction : rad; offsets : (m,) m; everything else comes to rest anew at each
+    raises : EquilibriumError naming the offset at which no equilibrium was found
+    """
+    i = body_number(state.system, body)
+    at_rest = state.position[i]
+    along = np.array([np.cos(direction), np.sin(direction), 0, 0, 0, 0])
+    offsets = np.asarray(offsets, float)
+    order = np.argsort(np.abs(offsets), kind="stable")
+    found, starts = {}, {1.0: state.pose, -1.0: state.pose}
+    for j in order:
+        side = 1.0 if offsets[j] >= 0 else -1.0
+        held = held_at(state.system, {body: at_rest + offsets[j] * along})
+        start = held.pose._replace(free=starts[side].free)
+        for k in range(len(held.bodies)):
+            if k != i:
+                start.place[k], start.turn[k] = starts[side].place[k], starts[side].turn[k]
+        try:
+            found[int(j)] = rest(held, start)
+        except EquilibriumError as error:
+            raise EquilibriumError(f"body {body} at offset {offsets[j]:g} m: {error}") from None
+        starts[side] = found[int(j)].pose
+    states = [found[j] for j in range(len(offsets))]
+    own = slice(6 * i, 6 * i + 6)
+    force = np.array([s.system.load(s.pose).force[own] for s in states]).reshape(-1, 6)
+    tension = np.array([s.tension for s in states])
+    return OffsetCurve(body, direction, offsets, force, tension, np.array([s.lines.grounded_length for s in states]))
+
+
+def one_line_broken(state: SystemEquilibrium):
+    """The equilibrium after the loss of each line: {name: SystemEquilibrium, or EquilibriumError where there is none}.
+
+    The search starts from the intact equilibrium; what hangs loose by one end goes with its line.
+    """
+    found = {}
+    for name in state.system.line_names:
+        try:
+            left = state.system.without(name)
+            kept = [p.name for p in left.free_points]
+            chosen = [k for k, p in enumerate(state.system.free_points) if p.name in kept]
+            found[name] = rest(left, state.pose._replace(free=state.pose.free[chosen]))
+        except (EquilibriumError, LineSystemError) as error:
+            found[name] = error
+    return found
+
+
+def moored_periods(state: SystemEquilibrium, body, db):
+    """NaturalPeriods of one body of the system, its hydrodynamics from an opened database of the same body.
+
+    The axes of the body are those of the database; the stiffness is taken to them and to its rotation centre.
+    raises : ValueError where the database lacks added mass, inertia or hydrostatics
+    """
+    if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
+        raise ValueError(
+            "natural periods need inertia_matrix and hydrostatic_stiffness, which the database does not have"
+        )
+    db.require("added_mass")
+    i = body_number(state.system, body)
+    pull = state.system.load(state.pose).force[6 * i : 6 * i + 3]
+    K = about_body_axes(mooring_stiffness(state, body), pull, state.pose.turn[i], np.asarray(db.rotation_center, float))
+    zero = db["added_mass_zero"] if "added_mass_zero" in db.names else None
+    total = np.asarray(db.hydrostatic_stiffness, float) + K
+    return natural_periods(db.omega, db["added_mass"], db.inertia_matrix, total, zero)
+
+
+def about_body_axes(stiffness, force, R, center):
+    """(6, 6) stiffness about space axes and the origin, taken to the body's axes and the point `center` in them.
+
+    force : (3,) N in space, which turns with the change of the lever
+    """
+    turn = np.kron(np.eye(2), R)
+    K = turn.T @ stiffness @ turn
+    S = cross_matrix(center)
+    shift = np.block([[np.eye(3), S], [np.zeros((3, 3)), np.eye(3)]])
+    K = shift.T @ K @ shift
+    K[3:, 3:] += cross_matrix(R.T @ force) @ S
+    return K
+
+
+def balanced(system):
+    """The system with steady loads added to its bodies so that its given pose is one of rest for heave, roll, pitch.
+
+    A body designed to float at its draft with its lines on has their pull in its displacement.
+    """
+    state = rest(held_at(system, {body.name: body.position for body in system.bodies}))
+    loads = {}
+    for i, body in enumerate(system.bodies):
+        pull = system.load(state.pose).force[6 * i : 6 * i + 6]
+        loads[body.name] = np.asarray(body.load) - np.array([0, 0, 1, 1, 1, 0]) * pull
+    return system.with_loads(loads)

@@ -1,0 +1,1 @@
+"""What several commands share: flags, typed tables, units, output files, progress, Ctrl-C."""

@@ -1,0 +1,25 @@
+"""Whether a picture can be made: the kind of file, its folder, a display for a window."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from bem.database.file import check_place
+
+PLOTS = (".png", ".svg", ".pdf")
+VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
+
+
+def check_picture(path, kinds):
+    """Raise ValueError if no picture can be written there, before any work is done for it."""
+    if path.suffix.lower() not in kinds:
+        raise ValueError(f"{path} has the suffix {path.suffix!r}; allowed: {', '.join(kinds)}")
+    check_place(path)
+
+
+def check_display():
+    """Raise ValueError where a window would never appear, which VTK passes over."""
+    drawn_by_x = sys.platform.startswith("linux")
+    if drawn_by_x and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        raise ValueError("there is no display to open a window on (DISPLAY is not set); give --screenshot out.png")

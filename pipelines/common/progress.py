@@ -1,0 +1,88 @@
+"""Lines that tell how far a run is."""
+
+from __future__ import annotations
+
+import math
+import time
+from itertools import takewhile
+
+TRUST = 0.1  # the part of a preparation over which its pace comes to be taken from what is done, not from the estimate
+ONCE = "reduction", "rankine"  # parts of a frequency's time that only the first one takes
+
+
+class Progress:
+    """Prints one line per frequency, with the time left estimated from the ones before."""
+
+    def __init__(self, console, total):
+        self.console, self.total, self.done, self.started = console, total, 0, time.perf_counter()
+        self.once = 0.0  # s, of what is done for all frequencies, by every process at the same time
+
+    def step(self, where, result, reason):
+        """where : ω in rad/s, or the name of a limit; result : of the solver; reason : of a failure, or empty"""
+        self.done += 1
+        self.once = max(self.once, sum(_times(result).get(part, 0.0) for part in ONCE))
+        left = max(0.0, time.perf_counter() - self.started - self.once) / self.done * (self.total - self.done)
+        place = where if isinstance(where, str) else f"ω {where:7.4f} rad/s  T {2 * math.pi / where:7.2f} s"
+        took, rest = (" failed", reason) if reason else (_seconds(result), checks_text(result))
+        line = (
+            f"{self.done:{len(str(self.total))}}/{self.total}  {place:30}  {took:>9}  {duration(left):>8} left  {rest}"
+        )
+        self.console.print(line.rstrip(), highlight=False, markup=False, soft_wrap=True)
+
+
+class Preparing:
+    """Prints now and then how far the preparation of a large body is, and what is left of it."""
+
+    EVERY = 10.0  # seconds
+
+    def __init__(self, console, cost):
+        """cost : `bem.panels.band.cost.Cost`"""
+        self.console, self.stages, self.seconds = console, cost.stages, cost.seconds
+        self.counts = dict.fromkeys(self.stages, 0.0)
+        self.started = self.told = time.perf_counter()
+
+    def __call__(self, stage, count):
+        """`bem.kernels.progress.listening`; the stages come one after the other"""
+        for before in takewhile(lambda other: other != stage, self.stages):
+            self.counts[before] = self.stages[before][0]  # guessed generously
+        self.counts[stage] += count
+        now = time.perf_counter()
+        if now - self.told < self.EVERY:
+            return
+        self.told, share = now, self.share
+        if share == 1.0:  # what comes now, of the coarser mesh, is little
+            return
+        trusted = TRUST * self.seconds
+        pace = (now - self.started + trusted) / (share * self.seconds + trusted)
+        text = f"preparing: {100 * share:3.0f} %  {duration((1 - share) * self.seconds * pace):>8} left"
+        self.console.print(text, highlight=False, markup=False, soft_wrap=True)
+
+    @property
+    def share(self):
+        """What of the estimated time is done, 0 to 1"""
+        done = sum(min(self.counts[stage], count) * seconds for stage, (count, seconds) in self.stages.items())
+        return done / self.seconds
+
+
+def _times(result):
+    return result.get("wall_time", {}) if isinstance(result, dict) else {}
+
+
+def _seconds(result):
+    return f"{sum(_times(result).values()):.2f} s" if _times(result) else ""
+
+
+def checks_text(result):
+    """`reciprocity 2e-04  energy 1e-03` of a result's checks that apply."""
+    checks = result.get("checks", {}) if isinstance(result, dict) else {}
+    return "  ".join(f"{name} {value:.0e}" for name, value in checks.items() if math.isfinite(value))
+
+
+def duration(seconds):
+    """`12 s`, `3 min 20 s`, `2 h 05 min`"""
+    seconds = round(seconds)
+    if seconds < 60:
+        return f"{seconds} s"
+    if seconds < 3600:
+        return f"{seconds // 60} min {seconds % 60:02} s"
+    return f"{seconds // 3600} h {seconds % 3600 // 60:02} min"

@@ -1,0 +1,1 @@
+"""`hakobune line-dynamics`: one line whose fairlead moves."""

@@ -1,0 +1,154 @@
+"""`hakobune line-dynamics`: one line whose fairlead moves → tensions, slack, work, regime, statics beside them."""
+
+from __future__ import annotations
+
+import sys
+import time
+import warnings
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from ..common.outputs import check_output
+from ..common.picture import PLOTS, check_picture
+from ..common.progress import duration as spoken
+from ..common.study import StudyError
+from .figures import figures, regime_of
+from .motion import course_of
+from .parts import current_of, line_of, wave_of
+from .report import findings, show
+from .study import read_line_dynamics
+
+KN = 1e3
+EVERY = 2.0  # s between two lines of progress
+FRAMES = 20  # of a cycle, or of a run without one at least 200
+
+
+def line_dynamics(file, duration, tolerance, output, picture):
+    """Run the line of a study.  Returns the exit status; raises ValueError, one line."""
+    from mooring.formats.results import is_channels
+
+    if picture is not None:
+        check_picture(picture, PLOTS)
+    if output is not None:
+        check_output(output, "a file of channels", is_channels)
+    study, text = read_line_dynamics(file)
+    given = {"duration": duration, "tolerance": tolerance}
+    study = msgspec.structs.replace(study, **{key: value for key, value in given.items() if value is not None})
+    try:
+        return _run(study, text, Path(file).parent, output, picture)
+    except KeyboardInterrupt:
+        print("hakobune line-dynamics: interrupted; nothing was written", file=sys.stderr)
+        return 130
+
+
+def _run(study, text, folder, output, picture):
+    from rich.console import Console
+
+    from mooring.lines.dynamics.simulation import simulate
+
+    line, breaking = line_of(study)
+    course = course_of(study, folder)
+    if not 0 < course.duration < np.inf:
+        raise StudyError(f"duration is {course.duration:g} s; allowed: finite, above 0")
+    window = course.window(study.measure_from)
+    current, wave = current_of(study), wave_of(study, course.ramp or None)
+    console = Console()
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        check_reach(line, breaking, course)
+        result = simulate(
+            line,
+            course.motion,
+            course.duration,
+            current=current,
+            waves=wave,
+            tolerance=study.tolerance,
+            frames=frames_of(study, course),
+            progress=Progress(console, course.duration),
+        )
+    harmonics = sum(any(part.amplitude) for part in study.fairlead.motions)
+    found = figures(line, course, window, result, current, regime_of(line, course, harmonics))
+    show(console, study.name, found, course, result, breaking)
+    for warning in [*dict.fromkeys(str(w.message) for w in said), *findings(found, result, breaking)]:
+        console.print(f"warning: {warning}", style="yellow", highlight=False, soft_wrap=True)
+    for path in _write(study, text, course, result, found, line, breaking, output, picture):
+        console.print(f"written: {path}", highlight=False, soft_wrap=True)
+    return 0
+
+
+def frames_of(study, course):
+    """Number of frames asked for, or about 20 for each cycle"""
+    if study.frames is not None:
+        if not 2 <= study.frames <= 100_000:
+            raise StudyError(f"frames is {study.frames}; allowed: 2 to 100000")
+        return study.frames
+    cycles = 0.0 if course.cycle is None else course.duration / course.cycle
+    return int(min(max(200, FRAMES * cycles), 2000)) + 1
+
+
+def check_reach(line, breaking, course):
+    """Raise StudyError where the fairlead goes farther from the anchor than the line at its breaking load reaches."""
+    times = np.linspace(0.0, min(course.duration, course.motion.end), 1001)
+    places = np.array([course.motion.at(t)[0] for t in times])
+    away = np.linalg.norm(places - np.array(line.anchor), axis=1)
+    far = int(np.argmax(away))
+    flexibility = sum(segment.length / segment.axial_stiffness for segment in line.segments)
+    reach = line.length + flexibility * breaking
+    if np.isfinite(reach) and away[far] > reach:
+        raise StudyError(
+            f"the fairlead is {away[far]:.2f} m from the anchor at t = {times[far]:.2f} s; allowed: up to "
+            f"{reach:.2f} m, where the line of {line.length:g} m breaks at {breaking / KN:.0f} kN"
+        )
+    if away[far] > line.length:
+        pull = (away[far] - line.length) / flexibility
+        warnings.warn(
+            f"the fairlead goes {away[far] - line.length:.2f} m farther from the anchor than the line is long, at "
+            f"t = {times[far]:.2f} s: stretching it so takes {pull / KN:.0f} kN",
+            stacklevel=2,
+        )
+
+
+class Progress:
+    """Prints how far a run is, every two seconds of waiting; a second run over the same time is the mesh check."""
+
+    def __init__(self, console, until):
+        self.console, self.until, self.reached, self.check = console, until, np.inf, ""
+        self.begin, self.started = 0.0, time.perf_counter()
+        self.printed = self.started
+
+    def __call__(self, reached):
+        now = time.perf_counter()
+        if reached < self.reached:  # the clock starts here, when kernels are compiled
+            self.check = "" if self.reached == np.inf else "with fewer elements: "
+            self.begin, self.started = reached, now
+        elif now - self.printed >= EVERY and reached < self.until:
+            left = spoken((now - self.started) * (self.until - reached) / (reached - self.begin))
+            self.console.print(f"{self.check}{reached:.4g} of {self.until:g} s, {left} left", highlight=False)
+            self.printed = now
+        self.reached = reached
+
+
+def _write(study, text, course, result, found, line, breaking, output, picture):
+    written = []
+    if output is not None:
+        from mooring.formats.results import channels_of_line, write_channels
+
+        places = np.array([course.motion.at(t)[0] for t in result.time])
+        channels = channels_of_line(result)
+        channels |= {f"Point2P{axis}": (values, "m") for axis, values in zip("XYZ", places.T, strict=True)}
+        channels |= {
+            f"Point1P{axis}": (np.full(len(places), x), "m") for axis, x in zip("XYZ", line.anchor, strict=True)
+        }
+        names = {"lines": [study.name], "points": ["anchor", "fairlead"]}
+        frames = result.frame_time, result.frames
+        attributes = {"study": text, "duration": course.duration, "tolerance": study.tolerance, **found.attributes()}
+        write_channels(output, result.time, channels, names, frames, attributes)
+        written.append(output)
+    if picture is not None:
+        from .picture import draw_run
+
+        draw_run(picture, study.name, line, course, result, found, breaking)
+        written.append(picture)
+    return written

@@ -1,0 +1,183 @@
+"""What a designer asks of a run of a dynamic line: tensions, slack, work and where it went, statics beside it.
+
+An end is slack where its tension is below a tenth of that at rest: the dynamic force then exceeds 0.9 of the static
+one, the slack criterion of DNV-RP-H103 (2011), section 4.4.3.  Means are over time; the figures of a run that repeats
+are those of whole cycles.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+SLACK = 0.1  # of the tension at rest
+POSITIONS = 48  # of the fairlead, for the quasi-static tension
+INSTANT = 1e-3  # s, a run whose first row is the line at rest
+LOSSES = ("drag", "water_inertia", "structural", "bed", "friction")
+
+
+@dataclass(frozen=True)
+class End:
+    """Tension at one end, N, in the window: largest at `time` s, mean, least; rest : before the motion
+
+    slack : s of the window in which it is below a tenth of that at rest, nan where nothing pulls at rest
+    quasi_static : largest of the line at rest in every position
+    """
+
+    largest: float
+    time: float
+    mean: float
+    least: float
+    rest: float
+    slack: float
+    quasi_static: float
+
+
+@dataclass(frozen=True)
+class Figures:
+    """begin, end : s, the window; cycles : in it, or None where nothing repeats
+
+    work : J in the window, at the ends; losses : {name: J}; stored : J, change; change : of the largest tension from
+    the last cycle but one to the last, as a share; regime : HarmonicTension, or why there is none
+    """
+
+    begin: float
+    end: float
+    cycles: int | None
+    fairlead: End
+    anchor: End
+    work: float
+    losses: dict = field(default_factory=dict)
+    stored: float = 0.0
+    change: float = np.nan
+    regime: object = ""
+
+    @property
+    def imbalance(self):
+        """J, of work not found again in losses and store: the error of the time steps"""
+        return self.work - sum(self.losses.values()) - self.stored
+
+    def attributes(self):
+        """{name: number} in SI units, for a file of results"""
+        made = {"window_begin": self.begin, "window_end": self.end, "window_cycles": self.cycles or 0}
+        for name in ("fairlead", "anchor"):
+            end = getattr(self, name)
+            made |= {f"{key}_{name}": value for key, value in vars(end).items()}
+        return made | {
+            "work": self.work,
+            "work_stored": self.stored,
+            **{f"work_{key}": value for key, value in self.losses.items()},
+        }
+
+
+def figures(line, course, window, result, current, regime):
+    """Figures of a Result.
+
+    window : begin, end (s) and cycles of `Course.window`; regime : function of the displacement (3,) m of the fairlead
+    with the largest quasi-static tension, or a text that says why there is none
+    """
+    begin, end, cycles = window
+    statics, places = quasi_static(line, course, window, current)
+    ends = [
+        _end(result.time, tension, begin, end, static)
+        for tension, static in zip((result.tension_fairlead, result.tension_anchor), statics.T, strict=True)
+    ]
+    work, stored, *losses = (
+        float(np.diff(np.interp([begin, end], result.time, values))[0])
+        for values in (result.energies.work, result.energies.stored, *(getattr(result.energies, n) for n in LOSSES))
+    )
+    change = np.nan
+    if cycles is not None and cycles > 1:
+        last, before = (
+            _end(result.time, result.tension_fairlead, end - i * course.cycle, end - (i - 1) * course.cycle).largest
+            for i in (1, 2)
+        )
+        change = abs(last / before - 1)
+    if not isinstance(regime, str):
+        away = places[np.nanargmax(statics[:, 0])] - course.motion.mean
+        regime = regime(away) if np.any(np.isfinite(statics)) else "no static shape"
+    return Figures(begin, end, cycles, *ends, work, dict(zip(LOSSES, losses, strict=True)), stored, change, regime)
+
+
+def _end(time, tension, begin, end, static=(np.nan,)):
+    inside = (time > begin) & (time < end)
+    t = np.concatenate([[begin], time[inside], [end]])
+    T = np.interp(t, time, tension)
+    rest, top = float(tension[0]), int(np.argmax(T))
+    slack = time_below(t, T, SLACK * rest) if rest > 0 else np.nan
+    known = np.asarray(static)[np.isfinite(static)]
+    return End(
+        float(T[top]),
+        float(t[top]),
+        float(np.trapezoid(T, t) / (end - begin)),
+        float(T.min()),
+        rest,
+        slack,
+        float(known.max()) if known.size else np.nan,
+    )
+
+
+def time_below(t, values, level):
+    """s in which the straight lines between `values` (n,) at t (n,) run below `level`"""
+    low, high = np.minimum(values[:-1], values[1:]), np.maximum(values[:-1], values[1:])
+    span = np.where(high > low, high - low, 1.0)
+    share = np.where(high > low, np.clip((level - low) / span, 0.0, 1.0), low < level)
+    return float(share @ np.diff(t))
+
+
+def quasi_static(line, course, window, current):
+    """(m, 2) N at fairlead and anchor, of the line at rest in `current` with its fairlead held at places (m, 3)
+
+    The places are those of one cycle, or of the whole window; nan where the line has no static shape.
+    """
+    from mooring.lines.catenary.solve import LineError
+    from mooring.lines.dynamics.simulation import FairleadMotion, simulate
+
+    begin = window[0] if course.cycle is None else window[1] - course.cycle
+    places = np.array([course.motion.at(t)[0] for t in np.linspace(begin, window[1], POSITIONS + 1)])
+    found = np.full((len(places), 2), np.nan)
+    for row, place in zip(found, places, strict=True):
+        try:
+            held = simulate(line, FairleadMotion.still(place), INSTANT, current=current, check_mesh=False)
+        except LineError:
+            continue
+        row[:] = held.tension_fairlead[0], held.tension_anchor[0]
+    return found, places
+
+
+def regime_of(line, course, harmonics):
+    """Function of a displacement (3,) m → HarmonicTension or a text, or a text where the method does not apply."""
+    from mooring.lines.regimes import harmonic_tension
+
+    if len(line.segments) > 1:
+        return "the simplified method is for a uniform line without bodies"
+    if line.bed is None or line.bed.slope != 0 or line.bed.below > 0:
+        return "the simplified method is for a line whose anchor lies on a flat bed"
+    if harmonics != 1:
+        return "the simplified method is for one harmonic motion"
+    segment, away = line.segments[0], course.motion.mean - np.array(line.anchor)
+    span = float(np.hypot(*away[:2]))
+    heading = away[:2] / span if span > 0 else np.array([1.0, 0.0])
+
+    def judged(displacement):
+        try:
+            return harmonic_tension(
+                span,
+                float(away[2]),
+                segment.length,
+                segment.weight,
+                segment.mass,
+                segment.diameter,
+                (float(displacement[:2] @ heading), float(displacement[2])),
+                2 * np.pi / float(course.motion.omega[0]),
+                axial_stiffness=segment.axial_stiffness,
+                drag=segment.drag_normal,
+                added_mass=segment.added_normal,
+                density=line.density,
+                gravity=line.gravity,
+            )
+        except ValueError as error:
+            return str(error)
+
+    return judged

@@ -1,0 +1,23 @@
+"""The flags of `hakobune line-dynamics`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def line_dynamics(
+    study: Path,
+    /,
+    *,
+    duration: Annotated[float | None, Parameter(help="s, in place of the study's")] = None,
+    tolerance: Annotated[float | None, Parameter(help="error of a time step, of the largest tension")] = None,
+    output: Annotated[Path | None, Parameter(help="histories and frames, .h5")] = None,
+    picture: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
+):
+    """Tension, slack and work of one mooring line whose fairlead moves (TOML), beside its quasi-static tension."""
+    from .command import line_dynamics
+
+    return line_dynamics(study, duration, tolerance, output, picture)

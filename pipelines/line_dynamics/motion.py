@@ -1,0 +1,128 @@
+"""How the fairlead of a dynamic line moves, in which cycle, and for how long: from a study or a table of positions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..common.study import StudyError, _positive
+
+CYCLES = 12  # of a harmonic run whose duration is not given
+TOGETHER = 1e-6  # by which the longest period may miss a multiple of another
+
+
+@dataclass(frozen=True)
+class Course:
+    """motion : FairleadMotion; ramp, duration : s; cycle : s after which everything repeats, or None"""
+
+    motion: object
+    ramp: float
+    duration: float
+    cycle: float | None
+
+    def window(self, begin=None):
+        """Begin and end (s) of what is measured, and how many cycles it holds: whole ones, back from the end.
+
+        begin : s, not before which; the end of the ramp by default.  Raises StudyError where nothing is left.
+        """
+        begin = self.ramp if begin is None else begin
+        least = 0.0 if self.cycle is None else self.cycle
+        if not 0 <= begin <= self.duration - least * (1 - 1e-9) or begin == self.duration:
+            one = "" if self.cycle is None else f", one cycle of {least:g} s before the end"
+            raise StudyError(
+                f"the figures begin at {begin:g} s of {self.duration:g} s; allowed: 0 to "
+                f"{max(self.duration - least, 0.0):g} s{one}; give a longer duration, or an earlier measure_from"
+            )
+        if self.cycle is None:
+            return begin, self.duration, None
+        count = int((self.duration - begin) / self.cycle + 1e-9)
+        return self.duration - count * self.cycle, self.duration, count
+
+
+def course_of(study, folder):
+    """The Course of a LineDynamicsStudy whose table lies in `folder`.  Raises ValueError."""
+    from mooring.lines.dynamics.simulation import FairleadMotion
+
+    given = study.fairlead
+    if (given.table is None) == (given.position is None):
+        state = "neither is given" if given.table is None else "both are given"
+        raise StudyError(f"fairlead: position and table: {state}; allowed: one of them")
+    if given.ramp is not None and not 0 <= given.ramp < np.inf:
+        raise StudyError(f"fairlead.ramp is {given.ramp:g} s; allowed: finite, at least 0")
+    if given.table is not None:
+        if given.motions:
+            raise StudyError("fairlead: motions are given beside a table; allowed: one of them")
+        time, position = read_positions(Path(folder) / given.table)
+        ramp = 0.0 if given.ramp is None else given.ramp
+        motion = FairleadMotion.table(time, faded(time, position, ramp))
+        duration = float(time[-1]) if study.duration is None else study.duration
+        return Course(motion, ramp, duration, None)
+    return _harmonic(study, FairleadMotion)
+
+
+def _harmonic(study, kind):
+    given = study.fairlead
+    moving = [part for part in given.motions if any(part.amplitude)]
+    for i, part in enumerate(given.motions):
+        _positive(f"fairlead.motions[{i}].period", part.period)
+    periods = [part.period for part in moving] + (
+        [] if study.wave is None else [_positive("wave.period", study.wave.period)]
+    )
+    longest = max(periods, default=0.0)
+    ramp = longest if given.ramp is None else given.ramp
+    if study.duration is None and not periods:
+        raise StudyError("duration is not given and nothing moves; allowed: above 0 s, or a motion or a wave")
+    duration = ramp + CYCLES * longest if study.duration is None else study.duration
+    if not moving:
+        return Course(kind.still(given.position), ramp, duration, longest or None)
+    X = [np.multiply(part.amplitude, np.exp(1j * np.radians(part.phase_deg))) for part in moving]
+    motion = kind.harmonic(given.position, X, [part.period for part in moving], ramp)
+    whole = all(abs(longest / T - round(longest / T)) <= TOGETHER * longest / T for T in periods)
+    return Course(motion, ramp, duration, longest if whole else None)
+
+
+def read_positions(path):
+    """(k,) s and (k, 3) m of a CSV of t,x,y,z; lines with `#`, and one line of names, are passed over.
+
+    raises : StudyError
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise StudyError(f"fairlead.table: {path} does not exist") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise StudyError(f"fairlead.table: {path}: {getattr(error, 'strerror', None) or 'not text'}") from None
+    rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and line.lstrip()[0] != "#"]
+    if rows and [cell.strip().lower()[:1] for cell in rows[0][1].split(",")] == ["t", "x", "y", "z"]:
+        rows = rows[1:]
+    values = np.array([_row(path, number, line) for number, line in rows]).reshape(-1, 4)
+    time = values[:, 0]
+    if len(time) < 4:
+        raise StudyError(f"fairlead.table: {path} has {len(time)} rows; allowed: 4 or more of t,x,y,z")
+    if not np.all(np.diff(time) > 0):
+        at = rows[int(np.argmin(np.diff(time) > 0)) + 1][0]
+        raise StudyError(f"fairlead.table: {path}, line {at}: the time does not rise; allowed: later than before")
+    if time[0] > 0:
+        raise StudyError(f"fairlead.table: {path} begins at {time[0]:g} s; allowed: at 0 s or before")
+    return time, values[:, 1:]
+
+
+def _row(path, number, line):
+    try:
+        row = [float(cell) for cell in line.split(",")]
+    except ValueError:
+        row = []
+    if len(row) != 4 or not np.all(np.isfinite(row)):
+        raise StudyError(f"fairlead.table: {path}, line {number} is {line.strip()!r}; allowed: four numbers t,x,y,z")
+    return row
+
+
+def faded(time, position, ramp):
+    """The table with its motion about its mean fading in over `ramp` s from 0, as harmonic motions do; (k, 3) m."""
+    if ramp == 0:
+        return position
+    x = np.clip(time / ramp, 0.0, 1.0)
+    mean = position[time >= 0].mean(axis=0)
+    return mean + (x**3 * (10 - 15 * x + 6 * x * x))[:, None] * (position - mean)

@@ -1,0 +1,152 @@
+"""A study of a moving line made into the values of `mooring.lines.dynamics.simulation`: line, bed, bodies, current
+and wave.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ..common.study import LineType as StaticType
+from ..common.study import StudyError, _direction, _positive, _speed, line_properties
+from .study import BedTable
+
+ELEMENTS = 40  # of a line whose segments do not say how many, at least 4 each
+LEVELS = 41  # at which a current over the depth is sampled
+
+
+def line_of(study):
+    """DynamicLine, and the least breaking load of its segments (N, inf where none is known).  Raises ValueError."""
+    from mooring.lines.dynamics.simulation import DynamicLine
+
+    kinds = {name: _properties(f"types.{name}", kind, study.water) for name, kind in study.types.items()}
+    total = sum(_positive(f"segments[{i}].length", part.length) for i, part in enumerate(study.segments))
+    parts = [_segment(f"segments[{i}]", part, kinds, total) for i, part in enumerate(study.segments)]
+    return DynamicLine(
+        tuple(segment for segment, _ in parts),
+        study.anchor,
+        _bodies(study),
+        _bed(study),
+        study.water.density,
+        study.water.gravity,
+    ), min(breaking for _, breaking in parts)
+
+
+def _segment(where, part, kinds, total):
+    from mooring.lines.dynamics.simulation import Segment
+
+    if part.type not in kinds:
+        raise StudyError(f"{where}.type is {part.type!r}; allowed: {', '.join(kinds)}")
+    properties, breaking = kinds[part.type]
+    elements = part.elements if part.elements is not None else max(4, round(ELEMENTS * part.length / total))
+    try:
+        return Segment(part.length, elements=elements, **properties), breaking
+    except ValueError as error:
+        raise StudyError(f"{where}, type {part.type}: {error}") from None
+
+
+def _properties(where, kind, water):
+    """Keywords of a Segment, and the breaking load in N"""
+    from mooring.lines.catalogue import line_type
+
+    shared = {key: getattr(kind, key) for key in StaticType.__struct_fields__ if hasattr(kind, key)}
+    static = line_properties(where, StaticType(**shared), water.density)
+    known = None if kind.catalogue is None else line_type(kind.catalogue, water.density, water.gravity)
+    if known is not None and kind.weight_N_per_m is None and kind.weight_kg_per_m is None:
+        static["weight"] = known.weight  # with the gravity of this file
+    if math.isinf(static["axial_stiffness"]):
+        raise StudyError(
+            f"{where}: no axial stiffness is given, a dynamic line has to stretch; "
+            "allowed: one of axial_stiffness_tonf, axial_stiffness_kN"
+        )
+    given = {"mass": kind.mass_kg_per_m, "diameter": kind.diameter}
+    for key, name in (("mass", "mass_kg_per_m"), ("diameter", "diameter")):
+        if given[key] is None and known is None:
+            raise StudyError(f"{where}: {name} is not given; allowed: a number above 0, or a catalogue name")
+        given[key] = getattr(known, key) if given[key] is None else _positive(f"{where}.{name}", given[key])
+    rest = ("drag_normal", "drag_tangential", "added_normal", "added_tangential", "damping_ratio")
+    made = {"weight": static["weight"], "axial_stiffness": static["axial_stiffness"], **given}
+    return made | {key: getattr(kind, key) for key in rest}, static["breaking_load"]
+
+
+def _bodies(study):
+    from mooring.lines.dynamics.simulation import Body
+
+    joints = len(study.segments) - 1
+    found = [None] * joints
+    for i, body in enumerate(study.bodies):
+        where, at = f"bodies[{i}]", body.after_segment
+        if not 1 <= at <= joints:
+            allowed = f"1 to {joints}" if joints else "none, the line has one segment; cut it in two where the body is"
+            raise StudyError(f"{where}.after_segment is {at}; allowed: {allowed}")
+        if found[at - 1] is not None:
+            raise StudyError(f"{where}.after_segment is {at}, where another body is; allowed: one at a joint")
+        try:
+            found[at - 1] = Body(body.mass, body.volume, body.drag_area, body.added_mass)
+        except ValueError as error:
+            raise StudyError(f"{where}: {error}") from None
+    return tuple(found)
+
+
+def _bed(study):
+    from mooring.lines.dynamics.simulation import Bed
+
+    if math.isinf(study.water.depth):
+        if study.bed is not None:
+            raise StudyError("bed is given and water.depth is inf; allowed: a bed in finite depth")
+        return None
+    below, table = study.anchor[2] + study.water.depth, study.bed or BedTable()
+    if below < -1e-9 * study.water.depth:
+        raise StudyError(
+            f"anchor is at z = {study.anchor[2]:g} m, under the bed; allowed: {-study.water.depth:g} m or higher"
+        )
+    try:
+        return Bed(
+            math.radians(table.slope_deg),
+            math.radians(table.uphill_deg),
+            max(below, 0.0),
+            1e3 * table.stiffness_kPa_per_m,
+            1e3 * table.damping_kPa_s_per_m,
+            table.friction,
+        )
+    except ValueError as error:
+        raise StudyError(f"bed: {error}") from None
+
+
+def current_of(study):
+    """CurrentProfile of `mooring.lines.dynamics.simulation`, or None.  Raises ValueError."""
+    from mooring.environment.current_profile import power_law, table
+    from mooring.lines.dynamics.simulation import CurrentProfile
+
+    given, depth = study.current, study.water.depth
+    if given is None:
+        return None
+    heading = _direction("current", given)
+    if (given.z is None) != (given.speeds is None):
+        raise StudyError("current: one of z and speeds is given; allowed: both, as many of each, or speed")
+    if given.z is None:
+        profile = power_law(_speed("current", given), heading, depth, given.exponent)
+        z = np.linspace(-depth, 0.0, LEVELS) if math.isfinite(depth) else np.array([0.0])
+    elif given.speed is not None or given.speed_knots is not None or given.exponent != 0:
+        raise StudyError("current: z and speeds are given beside speed or exponent; allowed: one of the two")
+    else:
+        profile = table(given.z, given.speeds, heading)
+        z = np.unique(np.concatenate([given.z, np.linspace(given.z[0], given.z[-1], LEVELS)]))
+    return CurrentProfile(z, profile.velocity(z)[:, :2])
+
+
+def wave_of(study, ramp):
+    """WaveTrain that fades in over `ramp` s, or None.  Raises ValueError, also for a wave that would break (Miche)."""
+    from bem.waves import wavenumber
+    from mooring.lines.dynamics.simulation import WaveTrain
+
+    wave, depth = study.wave, study.water.depth
+    if wave is None:
+        return None
+    height, period = _positive("wave.height", wave.height), _positive("wave.period", wave.period)
+    k = float(wavenumber(2 * math.pi / period, depth, study.water.gravity))
+    breaking = 0.142 * 2 * math.pi / k * math.tanh(min(k * depth, 20.0))
+    if height > breaking:
+        raise StudyError(f"wave.height is {height:g} m; allowed: up to {breaking:.3g} m, where a wave of it breaks")
+    return WaveTrain(0.5 * height, period, _direction("wave", wave), math.radians(wave.phase_deg), depth, ramp)

@@ -1,0 +1,113 @@
+"""What is printed of a run of a dynamic line: tensions, work, regime, and what a reader has to know of them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .figures import LOSSES
+
+KN = 1e3
+STEADY = 0.02  # change of the largest tension between the last two cycles
+DYNAMIC = 0.1  # over the largest quasi-static tension, where inertia and drag are said not to matter
+BALANCE = 0.01  # of the work, or of what was lost: left over by the time steps
+
+
+def show(console, name, found, course, result, breaking):
+    """Print the tables of a run.  found : Figures; course : Course; result : Result; breaking : N, or inf"""
+    from ..lines.lines_command import _table
+
+    cycles = "" if found.cycles is None else f", {found.cycles} cycles of {course.cycle:g} s"
+    console.print(f"{name}: {found.begin:g} to {found.end:g} s{cycles}", highlight=False, soft_wrap=True)
+    table = _table("tension, kN", "", "fairlead", "anchor")
+    ends = (found.fairlead, found.anchor)
+    share = np.nan if found.cycles is None else 1 / found.cycles
+    rows = [
+        ("largest", [_kN(e.largest) for e in ends]),
+        ("at t, s", [f"{e.time:.2f}" for e in ends]),
+        ("mean", [_kN(e.mean) for e in ends]),
+        ("least", [_kN(e.least) for e in ends]),
+        ("at rest", [_kN(e.rest) for e in ends]),
+        ("largest, quasi-static", [_kN(e.quasi_static) for e in ends]),
+        ("largest over quasi-static", [_number(e.largest / e.quasi_static, ".2f") for e in ends]),
+        ("slack, s", [_number(e.slack, ".2f") for e in ends]),
+    ]
+    if found.cycles is not None:
+        rows.append(("slack, s in a cycle", [_number(e.slack * share, ".2f") for e in ends]))
+    if np.isfinite(breaking):
+        rows.append(("breaking load used, %", [f"{100 * e.largest / breaking:.1f}" for e in ends]))
+    for title, cells in rows:
+        table.add_row(title, *cells)
+    console.print(table)
+    _show_work(console, found, _table)
+    for text in (*_regime(found.regime), _steps(result)):
+        console.print(text, highlight=False, soft_wrap=True)
+
+
+def _show_work(console, found, make_table):
+    count = found.cycles or 1
+    table = make_table(
+        "work per cycle" if found.cycles else f"work in {found.end - found.begin:g} s", "", "kJ", "% of the work"
+    )
+    rows = [("done on the line", found.work)]
+    rows += [(name.replace("_", " "), found.losses[name]) for name in LOSSES]
+    rows += [("stored", found.stored), ("not found again", found.imbalance)]
+    for name, value in rows:
+        share = _number(100 * value / found.work, ".2f") if found.work else "–"
+        table.add_row(name, f"{value / count / KN:.4g}", share)
+    console.print(table)
+
+
+def _regime(found):
+    if isinstance(found, str):
+        return (f"regime: not judged, {found}",)
+    words = {1: "quasi-static", 2: "harmonic", 3: "slack and taut", 4: "free fall"}
+    bounds = f"{found.harmonic:.3g}, {found.slack:.3g}, {found.fall:.3g}"
+    lines = [f"regime: {words[int(found.regime)]}, α = {found.acceleration:.3g} of g; bounds {bounds}"]
+    if found.regime <= 2:
+        lines.append(f"simplified method of the SR179 report (1982), 3.2.1: largest {found.largest / KN:.1f} kN")
+    return lines
+
+
+def _steps(result):
+    return (
+        f"{result.steps} steps, {result.rejected} repeated; largest tension known to {result.mesh_error:.1%} "
+        "of itself for its elements"
+    )
+
+
+def _kN(value):
+    return _number(value / KN, ".1f")
+
+
+def _number(value, form):
+    return format(value, form) if np.isfinite(value) else "–"
+
+
+def findings(found, result, breaking):
+    """Lines on what a reader of the figures has to know."""
+    largest = result.tension_fairlead.max()
+    if max(largest, result.tension_anchor.max()) > breaking:
+        yield f"the largest tension is {largest / KN:.0f} kN, the breaking load {breaking / KN:.0f} kN: the line parts"
+    if largest > 1.01 * found.fairlead.largest:
+        when = result.time[np.argmax(result.tension_fairlead)]
+        yield (
+            f"before the figures begin the fairlead had {largest / KN:.1f} kN at t = {when:.2f} s, more than in them; "
+            "give a longer ramp"
+        )
+    if found.change > STEADY:
+        yield (
+            f"the largest tension changes by {found.change:.1%} between the last two cycles, allowed {STEADY:.0%}: "
+            "give a longer duration; a line that snaps may never repeat"
+        )
+    size = max(abs(found.work), sum(map(abs, found.losses.values())))
+    if abs(found.imbalance) > BALANCE * size > 0:
+        share = abs(found.imbalance) / size
+        yield f"{share:.1%} of the work is not found again, allowed {BALANCE:.0%}; give a smaller tolerance"
+    dynamic = found.fairlead.largest / found.fairlead.quasi_static - 1
+    if not isinstance(found.regime, str) and found.regime.regime == 1 and abs(dynamic) > DYNAMIC:
+        yield (
+            f"the simplified method calls this line quasi-static, but the run is {dynamic:+.0%} off statics, allowed "
+            f"{DYNAMIC:.0%}: believe the run"
+        )
+    if np.isnan(found.fairlead.quasi_static):
+        yield "the line has no static shape at any place of its fairlead; no quasi-static tension is given"

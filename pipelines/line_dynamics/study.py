@@ -1,0 +1,163 @@
+"""One mooring line and the motion of its fairlead, as typed TOML.
+
+In m, s, kg and degrees, other units in the key.  Segments, and the bodies between them, count from the anchor up;
+z is measured from still water, and the bed lies `water.depth` below it under the anchor.  Every fault is one line
+that names key, value and what is allowed.
+"""
+
+from __future__ import annotations
+
+import msgspec
+
+from ..common.study import StudyError
+from ..common.typed import read_toml, typed
+
+
+class _Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    pass
+
+
+class WaterTable(_Table):
+    """depth : m under the anchor, inf for a line that touches no bed; density : kg/m³"""
+
+    depth: float
+    density: float = 1025.0
+    gravity: float = 9.80665
+
+
+class BedTable(_Table):
+    """slope_deg, upwards towards uphill_deg (0: +x); stiffness, damping : kPa/m and kPa s/m, times diameter"""
+
+    friction: float = 0.0
+    slope_deg: float = 0.0
+    uphill_deg: float = 0.0
+    stiffness_kPa_per_m: float = 300.0
+    damping_kPa_s_per_m: float = 30.0
+
+
+class TypeTable(_Table):
+    """Properties of a line; `catalogue` fills in what is not given
+
+    mass_kg_per_m in air; diameter : m, of the displaced volume; drag_normal on D, drag_tangential on πD
+    damping_ratio : structural damping over that which is critical for one element
+    """
+
+    catalogue: str | None = None
+    weight_kg_per_m: float | None = None
+    weight_N_per_m: float | None = None
+    axial_stiffness_tonf: float | None = None
+    axial_stiffness_kN: float | None = None
+    breaking_load_tonf: float | None = None
+    breaking_load_kN: float | None = None
+    mass_kg_per_m: float | None = None
+    diameter: float | None = None
+    drag_normal: float = 1.2
+    drag_tangential: float = 0.1
+    added_normal: float = 1.0
+    added_tangential: float = 0.0
+    damping_ratio: float = 1.0
+
+
+class SegmentTable(_Table):
+    """length : m, unstretched; elements : by default 40 for the whole line, shared out by length"""
+
+    type: str
+    length: float
+    elements: int | None = None
+
+
+class BodyTable(_Table):
+    """A clump or a buoy at the upper end of segment `after_segment`, from 1; drag_area : C_d A, m²
+
+    added_mass : times the displaced mass
+    """
+
+    after_segment: int
+    mass: float
+    volume: float = 0.0
+    drag_area: float = 0.0
+    added_mass: float = 0.5
+
+
+class HarmonicTable(_Table):
+    """amplitude : m along x, y, z; phase_deg : lag of each behind the time origin"""
+
+    amplitude: tuple[float, float, float]
+    period: float
+    phase_deg: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+class FairleadTable(_Table):
+    """Either position with harmonic motions about it, or table : CSV of t,x,y,z in s and m, beside this file
+
+    ramp : s in which the motion fades in from rest; by default the longest period, and none for a table
+    """
+
+    position: tuple[float, float, float] | None = None
+    motions: list[HarmonicTable] = msgspec.field(default_factory=list)
+    table: str | None = None
+    ramp: float | None = None
+
+
+class CurrentTable(_Table):
+    """speed at the surface : m/s, or speed_knots; direction_deg travelled to, or incidence_deg
+
+    exponent : α of U(z) = U₀ (1 + z/h)^α; or z, rising from the bed, with the speeds (m/s) there
+    """
+
+    speed: float | None = None
+    speed_knots: float | None = None
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    exponent: float = 0.0
+    z: list[float] | None = None
+    speeds: list[float] | None = None
+
+
+class WaveTable(_Table):
+    """A regular wave; height : m, crest to trough; phase_deg : lag at the origin"""
+
+    height: float
+    period: float
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    phase_deg: float = 0.0
+
+
+class LineDynamicsStudy(_Table):
+    """anchor : m in space; duration : s, by default to the end of a table or twelve of the longest period
+
+    tolerance : error of a step in any tension, of the largest; measure_from : s, where the figures begin, by default
+    at the end of the ramp; frames : pictures of the line that are stored, by default about 20 for each cycle
+    """
+
+    water: WaterTable
+    types: dict[str, TypeTable]
+    segments: list[SegmentTable]
+    anchor: tuple[float, float, float]
+    fairlead: FairleadTable
+    name: str = "line"
+    bodies: list[BodyTable] = msgspec.field(default_factory=list)
+    bed: BedTable | None = None
+    current: CurrentTable | None = None
+    wave: WaveTable | None = None
+    duration: float | None = None
+    tolerance: float = 1e-3
+    measure_from: float | None = None
+    frames: int | None = None
+
+
+def read_line_dynamics(path):
+    """The LineDynamicsStudy of a TOML file and its text.  Raises StudyError."""
+    raw, text = read_toml(path, "a study", StudyError)
+    return make_line_dynamics(raw), text
+
+
+def make_line_dynamics(raw):
+    """The LineDynamicsStudy of nested dictionaries as TOML gives them.  Raises StudyError."""
+    study = typed(raw, LineDynamicsStudy, StudyError)
+    if not study.water.depth > 0:
+        raise StudyError(f"water.depth is {study.water.depth:g}; allowed: above 0, inf for a line without a bed")
+    if not study.segments:
+        raise StudyError("segments is empty; allowed: at least one [[segments]], from the anchor up")
+    return study

@@ -1,0 +1,1 @@
+"""`hakobune line` and `hakobune lines`: one mooring line, and systems of them."""

@@ -1,0 +1,73 @@
+"""The flags of `hakobune line` and `lines`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def line(
+    *,
+    type: Annotated[
+        str | None, Parameter(help='of the catalogue: "R3 studless 76 mm", "wire 6x36 IWRC 52 mm" …')
+    ] = None,
+    weight: Annotated[float | None, Parameter(help="N/m in water, where no type is given")] = None,
+    stiffness: Annotated[float | None, Parameter(help="EA in kN, with --weight; without it inextensible")] = None,
+    length: float,
+    depth: float,
+    fairlead_z: Annotated[float, Parameter(allow_leading_hyphen=True)] = 0.0,
+    span: Annotated[float | None, Parameter(help="m, horizontal from anchor to fairlead")] = None,
+    tension: Annotated[float | None, Parameter(help="kN, horizontal at the fairlead, instead of a span")] = None,
+    friction: float = 0.0,
+    slope_deg: Annotated[float, Parameter(allow_leading_hyphen=True)] = 0.0,
+    output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+):
+    """Forces of one mooring line, its profile and its tension–offset curve; lengths in m."""
+    from .line_command import line
+
+    return line(type, weight, stiffness, length, depth, fairlead_z, span, tension, friction, slope_deg, output)
+
+
+def lines(
+    file: Path,
+    /,
+    *,
+    body: Annotated[str | None, Parameter(help="that forces and offsets are for; the first if not given")] = None,
+    force: Annotated[str | None, Parameter(help="Fx,Fy,Mz in kN and kN m on it", allow_leading_hyphen=True)] = None,
+    offset: Annotated[float | None, Parameter(help="m, draw and print the offset curve to both sides")] = None,
+    direction: Annotated[str | None, Parameter(help="degrees of the offsets: a,b,c", allow_leading_hyphen=True)] = None,
+    broken: Annotated[bool, Parameter(help="the equilibrium after the loss of each line", negative="")] = False,
+    depth: Annotated[float | None, Parameter(help="m, for a YAML file that does not say it")] = None,
+    database: Annotated[Path | None, Parameter(help="of the body, for its natural periods")] = None,
+    output: Annotated[Path | None, Parameter(help="results, .h5")] = None,
+    picture: Annotated[
+        Path | None,
+        Parameter(help="plan, profile, curves: .png .svg .pdf; of a result its frames, .gif too [NAME_frames.png]"),
+    ] = None,
+    moordyn: Annotated[Path | None, Parameter(help="write the system as a MoorDyn v2 input file")] = None,
+):
+    """Equilibrium of a system of lines (TOML, MoorDyn or MoorPy file), or frames of a stored line (.h5)."""
+    if file.suffix.lower() in (".h5", ".hdf5"):
+        from .pictures import draw_result
+
+        print(draw_result(file, picture))
+        return 0
+    from .lines_command import lines
+
+    load = _numbers("--force", force) if force else None
+    directions = _numbers("--direction", direction) if direction else [0.0, 90.0]
+    return lines(file, body, load, depth, offset, directions, broken, database, output, picture, moordyn)
+
+
+def _numbers(flag, text):
+    """`a,b,c` as finite numbers"""
+    try:
+        made = [float(part) for part in text.split(",")]
+    except ValueError:
+        made = [math.nan]
+    if not all(map(math.isfinite, made)):
+        raise ValueError(f"{flag} is {text!r}; allowed: finite numbers a,b,c")
+    return made

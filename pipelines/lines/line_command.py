@@ -1,0 +1,172 @@
+"""`hakobune line`: one uniform line, its forces on the terminal, its profile and tension–offset curve as a picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..common.picture import PLOTS, check_picture
+from ..common.study import TONF, StudyError
+
+KN = 1e3
+STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
+STEEPEST = np.degrees(1.5)  # of a bed that `mooring.catenary` knows
+FLAGS = {  # unit, whether a value is good, what is allowed
+    "weight": (" N/m", lambda value: 0 < value < np.inf, "above 0, finite"),
+    "stiffness": (" kN", lambda value: value > 0, "above 0"),
+    "length": (" m", lambda value: 0 < value < np.inf, "above 0, finite"),
+    "depth": (" m", lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "fairlead_z": (" m", np.isfinite, "finite"),
+    "span": (" m", lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "tension": (" kN", lambda value: 0 < value < np.inf, "above 0, finite"),
+    "friction": ("", lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "slope_deg": ("°", lambda value: abs(value) < STEEPEST, f"above −{STEEPEST:.2f} and below {STEEPEST:.2f}"),
+}
+
+
+@dataclass(frozen=True)
+class OneLine:
+    """A line and where it hangs, SI; type : LineType; height : m, fairlead above anchor"""
+
+    type: object
+    length: float
+    height: float
+    friction: float
+    slope: float
+
+    @property
+    def properties(self):
+        return self.length, self.type.weight, self.type.axial_stiffness, self.friction, self.slope
+
+
+def line(type, weight, stiffness, length, depth, fairlead_z, span, tension, friction, slope_deg, output):
+    """Solve one line for a span, or for the span at a horizontal tension.
+
+    weight : N/m; stiffness : kN; length, depth, fairlead_z, span : m; tension : kN; raises : ValueError, one line
+    """
+    from mooring.lines.catenary.solve import solve_lines, span_at_tension
+
+    if output is not None:
+        check_picture(output, PLOTS)
+    _check_flags(weight=weight, stiffness=stiffness, length=length, depth=depth, fairlead_z=fairlead_z)
+    _check_flags(span=span, tension=tension, friction=friction, slope_deg=slope_deg)
+    one = OneLine(_kind(type, weight, stiffness), length, fairlead_z + depth, friction, np.radians(slope_deg))
+    if (span is None) == (tension is None):
+        state = "neither is given" if span is None else "both are given"
+        raise StudyError(f"--span and --tension: {state}; allowed: one of them")
+    if span is None:
+        if one.slope >= 0:  # the bed is nowhere lower than at the anchor
+            _check_above_bed(one, 0.0, depth)
+        span = float(span_at_tension(KN * tension, one.height, *one.properties)[0])
+    _check_above_bed(one, span, depth)
+    found = solve_lines(span, one.height, *one.properties)
+    _show(one, span, found)
+    if output is not None:
+        _draw(one, span, found, output)
+        print(output)
+    return 0
+
+
+def _check_flags(**given):
+    """Raise StudyError for the first value that cannot be; None is not given."""
+    for name, value in given.items():
+        unit, good, allowed = FLAGS[name]
+        if value is not None and not good(value):
+            raise StudyError(f"--{name.replace('_', '-')} is {value:g}{unit}; allowed: {allowed}")
+
+
+def _check_above_bed(one, span, depth):
+    """Raise StudyError for a fairlead below the bed."""
+    bed = span * np.tan(one.slope)
+    if one.height < bed:
+        where = f"{span:g} m from the anchor (--depth, --slope-deg)" if one.slope else "(--depth)"
+        raise StudyError(f"--fairlead-z is {one.height - depth:g} m; allowed: from {bed - depth:g} m, the bed {where}")
+
+
+def _kind(name, weight, stiffness):
+    from mooring.lines.catalogue import line_type
+    from mooring.lines.system.parts import LineType
+
+    if (name is None) == (weight is None):
+        state = "neither is given" if name is None else "both are given"
+        raise StudyError(f"--type and --weight: {state}; allowed: a name of the catalogue, or N/m")
+    if name is not None and stiffness is not None:
+        raise StudyError(f"--stiffness is {stiffness:g} and --type has its own; allowed: one of them")
+    if name is not None:
+        return line_type(name)
+    return LineType("line", weight, np.inf if stiffness is None else KN * stiffness)
+
+
+def _show(one, span, found):
+    rows = [
+        ("span", f"{span:.3f} m", STATES[int(found.status)]),
+        ("at the fairlead", _force(found.horizontal_fairlead, found.vertical_fairlead), "horizontal, down"),
+        ("at the anchor", _force(found.horizontal_anchor, found.vertical_anchor), "horizontal, up"),
+        ("tension at the fairlead", f"{_kN(found.tension_fairlead)} = {found.tension_fairlead / TONF:.2f} tonf", ""),
+        ("length on the bed", f"{float(found.grounded_length):.3f} m", f"of {one.length:g} m"),
+        ("stiffness", f"{found.stiffness[0, 0] / KN:.4g} kN/m", "horizontal"),
+    ]
+    if np.isfinite(one.type.breaking_load):
+        used = float(found.tension_fairlead) / one.type.breaking_load
+        rows.append(("breaking load", _kN(one.type.breaking_load), f"{100 * used:.1f} % used"))
+    print(f"{one.type.name}: {one.type.weight:.2f} N/m in water, EA {one.type.axial_stiffness / KN:.6g} kN")
+    for name, value, note in rows:
+        print(f"  {name:<24}{value:<28}{note}".rstrip())
+    largest = max(found.tension_fairlead, found.tension_anchor)
+    if largest > one.type.breaking_load:
+        print(
+            f"warning: the tension is {_kN(largest)}, the breaking load {_kN(one.type.breaking_load)}: the line parts"
+        )
+
+
+def _kN(value):
+    return f"{float(value) / KN:.3f} kN"
+
+
+def _force(horizontal, vertical):
+    return f"{float(horizontal) / KN:.3f}, {float(vertical) / KN:.3f} kN"
+
+
+def tension_curve(one, points=120):
+    """Spans from slack to the breaking load (or a taut line) and the forces there: (m,) m, LineSolution"""
+    from mooring.lines.catenary.solve import solve_lines, span_at_tension
+
+    top = 0.8 * one.type.breaking_load if np.isfinite(one.type.breaking_load) else 20 * one.type.weight * one.length
+    least = 1e-3 * one.type.weight * max(one.height, 0.01 * one.length)
+    ends = [float(span_at_tension(H, one.height, *one.properties)[0]) for H in (least, top)]
+    reach = np.sqrt(max(one.length**2 - one.height**2, 0.0))
+    # tension climbs steeply at the end: half of the points lie in the last tenth
+    share = np.concatenate(
+        [np.linspace(0, 0.9, points // 2, endpoint=False), np.linspace(0.9, 1, points - points // 2)]
+    )
+    spans = ends[0] + share * (ends[1] - ends[0])
+    if np.isinf(one.type.axial_stiffness):
+        spans = spans[spans < reach * (1 - 1e-9)] if one.slope == 0 else spans
+    return spans, solve_lines(spans, one.height, *one.properties)
+
+
+def _draw(one, span, found, output):
+    from matplotlib.figure import Figure
+
+    from mooring.lines.catenary.solve import profile
+
+    figure = Figure(figsize=(12, 4.6), layout="constrained")
+    left, right = figure.subplots(1, 2, width_ratios=(3, 2))
+    shape = profile(span, one.height, *one.properties, points=400)
+    left.plot(*shape.T, color="C0", lw=2)
+    reach = np.array([0.0, max(1.02 * span, shape[:, 0].max())])
+    left.plot(reach, reach * np.tan(one.slope), color="0.5", lw=4, zorder=0)
+    left.plot([0], [0], "k^")
+    left.plot([span], [one.height], "ko")
+    left.set(xlabel="x from the anchor, m", ylabel="height, m", aspect="equal" if one.height > 0.1 * span else "auto")
+    left.set_title(f"{one.type.name}: {STATES[int(found.status)]}")
+    spans, curve = tension_curve(one)
+    right.plot(spans, curve.horizontal_fairlead / KN, label="horizontal at the fairlead")
+    right.plot(spans, curve.tension_fairlead / KN, label="tension at the fairlead")
+    right.plot([span], [found.tension_fairlead / KN], "ko", ms=5)
+    right.set(xlabel="span, m", ylabel="kN", ylim=(0, None), title="tension and offset")
+    right.legend(frameon=False)
+    right.grid(alpha=0.3)
+    figure.savefig(Path(output), dpi=130)

@@ -1,0 +1,230 @@
+"""`hakobune lines`: a system of lines from a file → equilibrium, stiffness, tensions, offsets, loss of each line."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+from bem import DOFS
+from bem.database.file import check_place
+
+from ..common.outputs import check_output
+from ..common.picture import PLOTS, check_picture
+from ..common.study import StudyError
+from .system_file import read_system
+
+KN = 1e3
+SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
+
+
+def lines(file, body, force, depth, offset, directions, broken, database, output, picture, moordyn):
+    """Run the system of a file.
+
+    force : (3,) kN, kN and kN m on the body; offset : m; directions : degrees; returns the exit status
+    raises : ValueError, one line
+    """
+    from mooring.formats.results import is_channels
+    from mooring.lines.system.equilibrium import rest
+    from mooring.lines.system.studies import one_line_broken
+
+    if picture is not None:
+        check_picture(picture, PLOTS)
+    if output is not None:
+        check_output(output, "a file of channels", is_channels)
+    if moordyn is not None:
+        check_place(moordyn)
+    system = read_system(file, depth)
+    name = _body(system, body, needed=bool(force) or offset is not None or database is not None)
+    if force:
+        system = _loaded(system, name, force)
+    exported = None if moordyn is None else _moordyn_file(system, moordyn)
+    console = _console()
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        state = rest(system)
+    _show_rest(console, state)
+    for warning in said:
+        console.print(f"warning: {warning.message}", style="yellow", highlight=False, soft_wrap=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # said already of the intact system
+        losses = one_line_broken(state) if broken else {}
+        curves = [] if offset is None else _curves(state, name, offset, directions)
+    if name is not None:
+        _show_stiffness(console, state, name)
+    if curves:
+        _show_curves(console, name, curves, directions)
+    if broken:
+        _show_losses(console, state, losses, name)
+    if database is not None:
+        _show_periods(console, state, name, database)
+    written = _write(state, output, picture, curves, losses)
+    if exported is not None:
+        from mooring.formats.moordyn import write_moordyn
+
+        write_moordyn(exported, moordyn)
+        written.append(moordyn)
+    for path in written:
+        console.print(f"written: {path}", highlight=False, soft_wrap=True)
+    return 1 if any(isinstance(left, Exception) for left in losses.values()) else 0
+
+
+def _console():
+    from rich.console import Console
+
+    return Console()
+
+
+def _body(system, name, needed):
+    """The body meant: the one named, or the only or first one."""
+    names = [body.name for body in system.bodies]
+    if name is not None and name not in names:
+        raise StudyError(f"--body is {name!r}; allowed: {', '.join(names) or 'none, the system has no body'}")
+    if needed and not names:
+        raise StudyError("the system has no body; allowed with --force, --offset and --database: one with a body")
+    return name if name is not None else names[0] if names else None
+
+
+def _loaded(system, name, force):
+    if len(force) != 3:
+        raise StudyError(f"--force has {len(force)} numbers; allowed: 3, Fx and Fy in kN and Mz in kN m")
+    load = np.array(next(body.load for body in system.bodies if body.name == name), float)
+    load[[0, 1, 5]] += KN * np.asarray(force, float)
+    return system.with_loads({name: load})
+
+
+def _table(title, *columns):
+    from rich.table import Table
+
+    table = Table(title=title, title_justify="left")
+    for i, column in enumerate(columns):
+        table.add_column(column, justify="right" if i else "left")
+    return table
+
+
+def _show_rest(console, state):
+    system = state.system
+    table = _table("lines at rest, kN", "line", "tension a", "tension b", "horizontal", "on the bed m", "used %")
+    used = 100 * state.tension / system.breaking_load
+    for i, line in enumerate(system.lines):
+        forces = state.lines
+        cells = (
+            forces.tension_a[i] / KN,
+            forces.tension_b[i] / KN,
+            forces.horizontal_b[i] / KN,
+            forces.grounded_length[i],
+        )
+        share = f"{used[i]:.1f}" if np.isfinite(system.breaking_load[i]) else "–"
+        table.add_row(line.name, *(f"{value:.1f}" for value in cells), share)
+    console.print(table)
+    for body, position in zip(system.bodies, state.position, strict=True):
+        x, y, z = position[:3]
+        roll, pitch, yaw = np.degrees(position[3:])
+        console.print(
+            f"{body.name}: x {x:.3f} m, y {y:.3f} m, z {z:.3f} m, roll {roll:.3f}°, pitch {pitch:.3f}°, yaw {yaw:.3f}°",
+            highlight=False,
+        )
+    for point, place, lies, reaction in zip(
+        system.free_points, state.pose.free, state.on_bed, state.bed_reaction, strict=True
+    ):
+        where = f", on the bed with {reaction / KN:.1f} kN" if lies else ""
+        console.print(
+            f"{point.name}: x {place[0]:.3f} m, y {place[1]:.3f} m, z {place[2]:.3f} m{where}", highlight=False
+        )
+    left = np.abs(state.residual).max(initial=0.0)
+    console.print(f"left unbalanced: {left:.2g} N after {state.iterations} steps", highlight=False)
+
+
+def _show_stiffness(console, state, name):
+    from mooring.lines.system.studies import mooring_stiffness
+
+    K = mooring_stiffness(state, name)
+    unit = np.sqrt(np.maximum(np.abs(np.diag(K)), 1e-300))
+    table = _table(f"stiffness of the lines on {name}, kN/m, kN/rad, kN m/rad", "", *DOFS)
+    for i, dof in enumerate(DOFS):
+        shown = [f"{K[i, j] / KN:.4g}" if abs(K[i, j]) > SHOWN * unit[i] * unit[j] else "0" for j in range(6)]
+        table.add_row(dof, *shown)
+    console.print(table)
+
+
+def _curves(state, name, offset, directions):
+    from mooring.lines.system.studies import offset_curve
+
+    if not offset > 0:
+        raise StudyError(f"--offset is {offset:g} m; allowed: above 0")
+    offsets = np.linspace(-offset, offset, 21)
+    return [offset_curve(state, name, np.radians(direction), offsets) for direction in directions]
+
+
+def _show_curves(console, name, curves, directions):
+    table = _table(
+        f"{name} held at offsets from rest: restoring force and largest tension",
+        "offset m",
+        *(f"{d:g}° kN" for d in directions),
+        *(f"{d:g}° tension kN" for d in directions),
+    )
+    for j, value in enumerate(curves[0].offset):
+        forces = [f"{curve.restoring[j] / KN:.1f}" for curve in curves]
+        tension = [f"{curve.tension[j].max() / KN:.1f}" for curve in curves]
+        table.add_row(f"{value:.2f}", *forces, *tension)
+    console.print(table)
+
+
+def _show_losses(console, state, losses, name):
+    from mooring.lines.system.studies import body_number
+
+    table = _table("one line broken", "lost line", "largest tension kN", "in", "used %", f"{name or 'system'} moves m")
+    i = None if name is None else body_number(state.system, name)
+    for lost, left in losses.items():
+        if isinstance(left, Exception):
+            table.add_row(lost, "no equilibrium", str(left), "", "")
+            continue
+        worst = int(np.argmax(left.tension))
+        used = 100 * np.max(left.tension / left.system.breaking_load)
+        shift = "–" if i is None else f"{np.linalg.norm(left.position[i, :3] - state.position[i, :3]):.2f}"
+        table.add_row(
+            lost,
+            f"{left.tension[worst] / KN:.1f}",
+            left.system.lines[worst].name,
+            f"{used:.1f}" if used > 0 else "–",
+            shift,
+        )
+    console.print(table)
+
+
+def _show_periods(console, state, name, database):
+    from bem.database import open_database
+    from mooring.lines.system.studies import moored_periods
+
+    periods = moored_periods(state, name, open_database(database))
+    table = _table(f"natural periods of {name}", "mode", "s")
+    for mode, period in zip(periods.names, periods.period, strict=True):
+        table.add_row(mode, f"{period:.2f}")
+    console.print(table)
+
+
+def _moordyn_file(system, path):
+    """The MoorDynFile of a system, before anything is solved for it."""
+    from mooring.formats.moordyn_system import moordyn_of_system
+
+    if Path(path).exists():
+        raise StudyError(f"{path} exists and is not replaced; give another name")
+    return moordyn_of_system(system)
+
+
+def _write(state, output, picture, curves, losses):
+    written, system = [], state.system
+    if output is not None:
+        from mooring.formats.results import channels_of_rest, write_channels
+
+        names = {kind: [part.name for part in getattr(system, kind)] for kind in ("lines", "points", "bodies")}
+        write_channels(output, 0.0, channels_of_rest(state), names)
+        written.append(output)
+    if picture is not None:
+        from .pictures import draw_system
+
+        kept = {name: left for name, left in losses.items() if not isinstance(left, Exception)}
+        draw_system(state, picture, curves, kept)
+        written.append(picture)
+    return written

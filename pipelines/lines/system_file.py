@@ -1,0 +1,144 @@
+"""A system of mooring lines from a file: TOML of this house, MoorDyn input, or MoorPy's YAML.
+
+TOML, in m, kg and degrees, with [water], [types.<name>] as in a mooring study, and the lists [[bodies]], [[anchors]],
+[[fairleads]], [[points]] (free: buoys, sinkers, joints) and [[lines]].
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import msgspec
+
+from mooring.lines.system.graph import System
+from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
+
+from ..common.study import LineType as TypeTable
+from ..common.study import StudyError, line_properties
+from ..common.typed import read_toml, typed
+
+YAML, TOML = (".yaml", ".yml"), (".toml",)
+
+
+class _Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    pass
+
+
+class WaterTable(_Table):
+    """depth : m; density : kg/m³"""
+
+    depth: float
+    density: float = 1025.0
+    gravity: float = 9.80665
+
+
+class BodyTable(_Table):
+    """position : m; freedom : Surge … Yaw, what loads may move; force_kN, moment_kNm : steady"""
+
+    name: str
+    position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    heading_deg: float = 0.0
+    freedom: list[str] = msgspec.field(default_factory=lambda: ["Surge", "Sway", "Yaw"])
+    force_kN: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    moment_kNm: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+class AnchorTable(_Table):
+    """position : m in space"""
+
+    name: str
+    position: tuple[float, float, float]
+
+
+class FairleadTable(_Table):
+    """position : m in the axes of the body"""
+
+    name: str
+    body: str
+    position: tuple[float, float, float]
+
+
+class PointTable(_Table):
+    """A buoy, sinker or joint; mass : kg; volume : m³; height : m over which it comes out of the water"""
+
+    name: str
+    position: tuple[float, float, float]
+    mass: float = 0.0
+    volume: float = 0.0
+    height: float | None = None
+
+
+class LineTable(_Table):
+    """from and to : names of points; length : m, unstretched"""
+
+    name: str
+    type: str
+    length: float
+    start: str = msgspec.field(name="from")
+    end: str = msgspec.field(name="to")
+
+
+class SystemTable(_Table):
+    water: WaterTable
+    types: dict[str, TypeTable]
+    lines: list[LineTable]
+    bodies: list[BodyTable] = msgspec.field(default_factory=list)
+    anchors: list[AnchorTable] = msgspec.field(default_factory=list)
+    fairleads: list[FairleadTable] = msgspec.field(default_factory=list)
+    points: list[PointTable] = msgspec.field(default_factory=list)
+
+
+def read_system(path, depth=None) -> System:
+    """The System of a file, by its suffix: .toml, .yaml or .yml, anything else is MoorDyn's.
+
+    depth : m, for a YAML file that does not say it.  Raises ValueError, one line.
+    """
+    path = Path(path)
+    if path.suffix.lower() in TOML:
+        return make_system(read_toml(path, "a system", StudyError)[0])
+    if path.suffix.lower() in YAML:
+        from mooring.formats.moorpy import read_moorpy
+
+        return read_moorpy(path, depth)
+    from mooring.formats.moordyn_system import read_moordyn_system
+
+    return read_moordyn_system(path)
+
+
+def make_system(raw) -> System:
+    """The System of nested dictionaries as TOML gives them.  Raises ValueError, one line."""
+    table = typed(raw, SystemTable, StudyError)
+    kinds = {name: _type(name, kind, table.water) for name, kind in table.types.items()}
+    bodies = [
+        Body(
+            body.name,
+            (*body.position, 0.0, 0.0, math.radians(body.heading_deg)),
+            tuple(body.freedom),
+            load=tuple(1e3 * value for value in (*body.force_kN, *body.moment_kNm)),
+        )
+        for body in table.bodies
+    ]
+    points = [Anchor(point.name, point.position) for point in table.anchors]
+    points += [Fairlead(point.name, point.body, point.position) for point in table.fairleads]
+    points += [FreePoint(p.name, p.position, p.mass, p.volume, p.height) for p in table.points]
+    lines = [_line(line, table, kinds) for line in table.lines]
+    return System(table.water.depth, lines, points, bodies, table.water.density, table.water.gravity)
+
+
+def _type(name, kind, water):
+    made = line_properties(f"types.{name}", kind, water.density)
+    mass, diameter = None, None
+    if kind.catalogue is not None:
+        from mooring.lines.catalogue import line_type
+
+        known = line_type(kind.catalogue, water.density, water.gravity)
+        mass, diameter = known.mass, known.diameter
+    return LineType(name, made["weight"], made["axial_stiffness"], mass, diameter, made["breaking_load"])
+
+
+def _line(line, table, kinds):
+    if line.type not in kinds:
+        raise StudyError(f"line {line.name}: type is {line.type!r}; allowed: {', '.join(kinds)}")
+    friction = table.types[line.type].bed_friction
+    return SystemLine(line.name, kinds[line.type], line.length, line.start, line.end, friction)

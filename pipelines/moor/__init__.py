@@ -1,0 +1,1 @@
+"""`hakobune moor`: a moored body by the simplified method."""

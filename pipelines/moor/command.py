@@ -1,0 +1,169 @@
+"""`hakobune moor`: a study on a database → results file, table on the terminal, plan of the lines."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import numpy as np
+
+from bem import DOFS
+from bem.database.file import has_schema
+
+from ..common.outputs import check_output
+from ..common.study import TONF, read_study
+
+SCHEMA = "hakobune mooring study 1"
+LINE_QUANTITIES = {
+    "pretension": ("N", lambda r: r.rest.tension_fairlead),
+    "horizontal_pretension": ("N", lambda r: r.rest.horizontal_fairlead),
+    "static_tension": ("N", lambda r: r.equilibrium.lines.tension_fairlead),
+    "maximum_tension": ("N", lambda r: r.tension),
+    "utilisation": ("1", lambda r: r.utilisation),
+    "maximum_vertical_anchor_force": ("N", lambda r: r.extreme.vertical_anchor),
+    "maximum_horizontal_anchor_force": ("N", lambda r: r.extreme.horizontal_anchor),
+    "grounded_length_at_rest": ("m", lambda r: r.rest.grounded_length),
+    "grounded_length_at_maximum": ("m", lambda r: r.extreme.grounded_length),
+    "fairlead_outward": ("m", lambda r: r.outward),
+    "fairlead_upward": ("m", lambda r: r.upward),
+    "breaking_load": ("N", lambda r: r.layout.breaking_load),
+    "length": ("m", lambda r: r.layout.length),
+    "anchor": ("m", lambda r: r.layout.anchors),
+    "fairlead": ("m", lambda r: r.layout.fairleads),
+}
+
+
+def moor(study_path, database_path, output_path=None, quiet=False):
+    """Run the study of a TOML file on a database; returns the MultiPoint result.
+
+    With `output_path` the results are written there (HDF5), with a plan of the lines beside it (…_plan.png).
+    raises : ValueError, one line, before anything is written
+    """
+    from bem.database import open_database
+    from mooring.multi_point import multi_point
+
+    study, text = read_study(study_path)
+    db = open_database(database_path)
+    hull = study.hull_of(db.dimensions)
+    layout = study.layout(hull)
+    output = None if output_path is None else _checked_output(Path(output_path), study_path, database_path)
+    result = multi_point(db, layout, hull, study.conditions(), study.water.depth, study.allowable)
+    if output is not None:
+        _write(output, result, text, Path(database_path))
+        from .plan_picture import draw_plan
+
+        draw_plan(result, hull, output.with_name(output.stem + "_plan.png"), db.rotation_center)
+    if not quiet:
+        _show(result, study, output)
+    return result
+
+
+def _checked_output(output, *inputs):
+    check_output(output, "the result of a study", lambda path: has_schema(path, SCHEMA), inputs)
+    return output
+
+
+def _write(output, result, text, database):
+    import h5py
+
+    from bem.database.file import beside
+
+    with beside(output) as file:
+        file.attrs["schema"] = SCHEMA
+        file.attrs["study"] = text
+        file.attrs["database"] = str(database)
+        file.attrs["database_sha256"] = hashlib.sha256(database.read_bytes()).hexdigest()
+        file.attrs["allowable"] = result.allowable
+        file.attrs["warnings"] = "\n".join(result.warnings)
+        _put(file, "equilibrium", result.equilibrium.position, "m, m, rad")
+        _put(file, "residual", result.equilibrium.residual, "N, N, N m")
+        _put(file, "mooring_stiffness", result.equilibrium.stiffness, "N/m, N/rad, N m/m, N m/rad")
+        _put(file, "motion_amplitude", result.amplitudes, "m, m, m, rad, rad, rad")
+        for name, load in result.loads.items():
+            _put(file, f"loads/{name}", load, "N, N, N m")
+        for state in ("at_rest", "at_equilibrium"):
+            periods = getattr(result, state)
+            _put(file, f"natural_periods/{state}/period", periods.period, "s")
+            _put(file, f"natural_periods/{state}/shape", periods.shapes, "1")
+            file[f"natural_periods/{state}"].attrs["rotation_scale"] = periods.scale
+        file["natural_periods"].attrs["modes"] = list(result.at_rest.names)
+        file.create_dataset("lines/name", data=result.layout.names, dtype=h5py.string_dtype())
+        for name, (unit, value) in LINE_QUANTITIES.items():
+            _put(file, f"lines/{name}", value(result), unit)
+
+
+def _put(file, name, value, unit):
+    file.create_dataset(name, data=np.asarray(value, float)).attrs["units"] = unit
+
+
+def _show(result, study, output):
+    from rich.console import Console
+
+    console = Console()
+    console.print(_loads_table(result))
+    console.print(_periods_table(result))
+    console.print(_lines_table(result))
+    x, y, turn = result.equilibrium.position
+    console.print(f"equilibrium: x {x:.3f} m, y {y:.3f} m, yaw {np.degrees(turn):.3f}°", highlight=False)
+    if result.conditions.waves:
+        console.print(_motions(result.amplitudes), highlight=False, soft_wrap=True)
+    worst = int(np.argmax(result.tension))
+    console.print(
+        f"largest tension: {result.tension[worst] / TONF:.0f} tonf in {result.layout.names[worst]}, "
+        f"{100 * result.utilisation[worst]:.0f} % of its breaking load "
+        f"(allowable {100 * result.allowable:.0f} %)",
+        highlight=False,
+        soft_wrap=True,
+    )
+    for text in result.warnings:
+        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+    if output is not None:
+        console.print(f"written: {output}, {output.stem}_plan.png", highlight=False, soft_wrap=True)
+
+
+def _motions(amplitudes):
+    shift, turn = amplitudes[:3], np.degrees(amplitudes[3:])
+    words = [f"{name} {value:.3g} m" for name, value in zip(DOFS[:3], shift, strict=True)]
+    words += [f"{name} {value:.3g}°" for name, value in zip(DOFS[3:], turn, strict=True)]
+    return f"amplitudes of the free motions: {', '.join(words).lower()}"
+
+
+def _table(title, *columns):
+    from rich.table import Table
+
+    table = Table(title=title, title_justify="left")
+    for i, column in enumerate(columns):
+        table.add_column(column, justify="right" if i else "left")
+    return table
+
+
+def _loads_table(result):
+    table = _table("steady forces", "load", "Fx tonf", "Fy tonf", "Mz tonf m")
+    total = result.equilibrium.force
+    for name, load in [*result.loads.items(), ("sum", total)]:
+        table.add_row(name, *(f"{value / TONF:.1f}" for value in load))
+    return table
+
+
+def _periods_table(result):
+    table = _table("natural periods", "mode", "at rest s", "under steady forces s")
+    for name, rest, loaded in zip(
+        result.at_rest.names, result.at_rest.period, result.at_equilibrium.period, strict=True
+    ):
+        table.add_row(name, f"{rest:.2f}", f"{loaded:.2f}")
+    return table
+
+
+def _lines_table(result):
+    table = _table("lines, tension at the fairlead", "line", "at rest tonf", "steady tonf", "largest tonf", "used %")
+    for row in zip(
+        result.layout.names,
+        result.rest.tension_fairlead / TONF,
+        result.equilibrium.lines.tension_fairlead / TONF,
+        result.tension / TONF,
+        100 * result.utilisation,
+        strict=True,
+    ):
+        style = "red" if row[-1] > 100 * result.allowable else None
+        table.add_row(row[0], *(f"{value:.1f}" for value in row[1:]), style=style)
+    return table

@@ -1,0 +1,1 @@
+"""`hakobune response`: a floating body in a sea or a climate."""

@@ -1,0 +1,118 @@
+"""`hakobune response`: a body of a database in a sea or a climate → tables, CSV or HDF5, picture."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+TABLES = (".csv", ".h5")
+
+
+def response(
+    study: Path,
+    /,
+    *,
+    database: Path,
+    output: Annotated[Path | None, Parameter(help=".csv or .h5")] = None,
+    plot: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
+):
+    """Motions, accelerations, air gap and drift of a body in a sea state, or their extremes in a climate.
+
+    The study (TOML) says which sea or scatter diagram, and which points of the body.
+    """
+    from bem.database import open_database
+    from mooring.response.body import read_body
+
+    from ..common.study import StudyError
+    from .study import read_response_study
+
+    read, text = read_response_study(study)
+    scatter = [study.parent / read.climate.scatter] if read.climate else []
+    _check_places(output, plot, study, database, *scatter)
+    points = read.places()
+    db = open_database(database)
+    body = read.restrained(read_body(db))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        if db.has_viscous_motions and read.body.viscous is None:
+            warnings.warn(
+                "viscous damping of the database's scene is that of one regular wave and is left out here; "
+                "give it to the study as body.viscous", stacklevel=2
+            )  # fmt: skip
+        try:
+            result = _in_sea(read, body, db, points) if read.sea else _in_climate(read, body, points, study)
+        except TypeError as error:
+            raise StudyError(f"{study}: {error}") from None
+    warned = [str(w.message) for w in caught] + list(result.warnings)
+    _write(read, result, body.radius, points, warned, text, database, output, plot)
+    return 0
+
+
+def _in_sea(read, body, db, points):
+    from bem import DOFS
+    from mooring.response.sea_state import sea_state
+    from mooring.response.viscous import linearised
+
+    from ..common.study import _positive
+    from ..scene.viscous_table import laws_of
+    from .study import sea_of
+
+    sea = sea_of(read.sea)
+    if read.body.viscous is not None:
+        box = db.dimensions if "beam" in db.dimensions else {}
+        laws = laws_of("body.viscous", read.body.viscous, box, db.density, db.gravity)
+        body, damping = linearised(body, sea, laws)
+        for dof in laws:
+            i = DOFS.index(dof)
+            share = damping[i, i] / body.critical_damping(i)
+            warnings.warn(
+                f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical", stacklevel=2
+            )
+    return sea_state(body, sea, 3600 * _positive("sea.duration_hours", read.sea.duration_hours), points)
+
+
+def _in_climate(read, body, points, study):
+    from ..common.study import StudyError
+
+    if read.body.viscous is not None:
+        raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a climate")
+    from mooring.response.climate import climate
+
+    from .study import climate_of
+
+    return climate(body, **climate_of(read.climate, study), points=points)
+
+
+def _write(read, result, radius, points, warned, text, database, output, plot):
+    from . import output as response_output
+    from . import report as response_report
+
+    years = read.climate and read.climate.years
+    rows = response_report.sea_rows(result) if read.sea else response_report.climate_rows(result, years)
+    lines = response_report.notes(result, radius, years)
+    if output is not None and output.suffix == ".csv":
+        response_output.write_csv(output, rows, lines + warned)
+    elif output is not None:
+        response_output.write_h5(output, result, rows, text, database, warned)
+    if plot is not None:
+        from .plot import draw
+
+        draw(result, plot)
+    response_report.show(rows, points, lines, warned, [path for path in (output, plot) if path])
+
+
+def _check_places(output, plot, *inputs):
+    from ..common.outputs import check_output
+    from ..common.picture import PLOTS, check_picture
+    from ..common.study import StudyError
+    from .output import is_response
+
+    if output is not None:
+        if output.suffix not in TABLES:
+            raise StudyError(f"{output} has the suffix {output.suffix!r}; allowed: {', '.join(TABLES)}")
+        check_output(output, "the result of a response study", is_response, inputs)
+    if plot is not None:
+        check_picture(plot, PLOTS)

@@ -1,0 +1,164 @@
+"""Tables of a response: rotations in degrees, forces in tonf; one row per response that is not zero."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bem import DOFS
+from mooring.response.long_term import YEAR
+from mooring.response.return_period import probability_not_exceeded
+from mooring.response.sea_state import TINY
+
+from ..common.study import TONF
+
+RAD = {"rad": ("°", 180 / np.pi)}
+FRACTILE = 0.9
+MOTIONS = {name.upper() for name in DOFS}
+FELT = {f"{word} {axis}" for word in ("displacement", "velocity", "acceleration") for axis in "xyz"}
+FELT |= {"relative elevation"}
+SHORT = {
+    "standard_deviation": "σ",
+    "significant_amplitude": "1/3",
+    "expected_maximum": "max",
+    "maximum_not_exceeded_90": "max 90 %",
+    "zero_crossing_period_s": "T zero",
+    "peak_to_peak_period_s": "T peak",
+    "bandwidth": "ε",
+}
+
+
+class Rows(NamedTuple):
+    """Columns with units, and a row of values per response: (names, units, (c, columns))"""
+
+    columns: tuple[str, ...]
+    names: list[str]
+    units: list[str]
+    values: np.ndarray
+
+
+def sea_rows(result) -> Rows:
+    """Standard deviation, significant and extreme values in a SeaState"""
+    columns = ("standard_deviation", "significant_amplitude", "expected_maximum", "maximum_not_exceeded_90")
+    columns += ("zero_crossing_period_s", "peak_to_peak_period_s", "bandwidth")
+    with_unit = (result.sigma, result.significant, result.expected_maximum, result.not_exceeded(FRACTILE))
+    excited = np.flatnonzero(result.sigma > 0)
+    units, factors = _units([result.units[i] for i in excited])
+    values = np.array([v[excited] * factors for v in with_unit] + [v[excited] for v in _periods(result)])
+    return Rows(columns, [result.names[i] for i in excited], units, values.T)
+
+
+def climate_rows(result, years) -> Rows:
+    """Extremes of responses in a Climate: once in a year, in `years`, and not exceeded in them with 90 %"""
+    columns = ("once_in_1_year", f"once_in_{years:g}_years", f"not_exceeded_90_in_{years:g}_years")
+    excited = np.flatnonzero(result.excited)
+    units, factors = _units([result.units[i] for i in excited])
+    values = []
+    for i, factor in zip(excited, factors, strict=True):
+        term = result.long_term(result.names[i])
+        times = (YEAR, years * YEAR, years * YEAR / -np.log(FRACTILE))
+        values.append([factor * term.level(time) for time in times])
+    return Rows(columns, [result.names[i] for i in excited], units, np.array(values))
+
+
+def notes(result, radius, years=None):
+    """Lines on drift, air gap and duration, without markup; radius : m, of the hull, the lever of its forces"""
+    if years is None:
+        return [_sea_line(result), *_drift_lines(result.slow, radius), *_gap_lines(result)]
+    lines = [f"{len(result.height)} sea states"]
+    if years > 1:
+        q = 100 * probability_not_exceeded(years, years)
+        lines.append(f"the value once in {years:g} years stays unexceeded in {years:g} years with {q:.0f} %")
+    if result.mean_drift is not None:
+        lines.append(f"mean drift over all time: {_forces(result.mean_drift, radius, result.drift)}")
+    return lines
+
+
+def show(rows, points, lines, warned, written):
+    """Print the table, lines of `notes`, warnings and the names of the files written."""
+    from rich.box import SIMPLE
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console()
+    for title, members in _groups(rows.names, points).items():
+        table = Table(title=title, title_justify="left", box=SIMPLE, pad_edge=False)
+        table.add_column("", no_wrap=True)
+        for column in rows.columns:
+            table.add_column(SHORT.get(column, column.replace("_", " ")), justify="right")
+        for i, label in members.items():
+            table.add_row(f"{label}, {rows.units[i]}", *(f"{value:.3g}" for value in rows.values[i]))
+        console.print(table)
+    for line in lines:
+        console.print(line, highlight=False, soft_wrap=True)
+    for text in warned:
+        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+    if written:
+        console.print(f"written: {', '.join(map(str, written))}", highlight=False, soft_wrap=True)
+
+
+def _groups(names, points):
+    """{title: {row: label}}: the motions, then every point"""
+    groups = {"motions, amplitudes": {i: name for i, name in enumerate(names) if name.upper() in MOTIONS}}
+    for point in points:
+        prefix = f"{point.name} "
+        own = {i: name.removeprefix(prefix) for i, name in enumerate(names) if name.removeprefix(prefix) in FELT}
+        groups[f"{point.name}, amplitudes"] = {i: label for i, label in own.items() if names[i] == prefix + label}
+    return groups
+
+
+def _periods(result):
+    return result.zero_period, result.peak_period, result.bandwidth
+
+
+def _units(units):
+    return [RAD.get(u, (u, 1.0))[0] for u in units], np.array([RAD.get(u, (u, 1.0))[1] for u in units])
+
+
+def sea_in_words(result):
+    """Spectrum, direction and duration of a SeaState"""
+    s = result.sea.spectrum
+    crests = "long-crested" if result.sea.spreading is None else repr(result.sea.spreading)
+    return (
+        f"{s.name} spectrum, {s.significant_height:.4g} m, T01 {s.T01:.4g} s, travelling to "
+        f"{np.degrees(result.sea.direction) % 360:.4g}°, {crests}, {result.duration / 3600:.3g} h"
+    )
+
+
+def _sea_line(result):
+    return (
+        f"{sea_in_words(result)}; amplitudes: "
+        "standard deviation, mean of the highest third, largest expected and not exceeded with 90 %; periods in s"
+    )
+
+
+def _drift_lines(slow, radius):
+    if slow is None:
+        return ["no drift: the database holds no drift_force"]
+    lines = [
+        f"mean drift: {_forces(slow.drift, radius)}",
+        f"standard deviation of slow drift, beats up to {slow.difference[-1]:g} rad/s: {_forces(slow.sigma, radius)}",
+    ]
+    if slow.damping is None:
+        return [*lines, "no wave drift damping: the direction has no stored neighbours to differentiate drift over"]
+    along, across = slow.damping[0, 0] / TONF, slow.damping[1, 1] / TONF
+    return [*lines, f"wave drift damping: surge {along:.4g}, sway {across:.4g} tonf s/m"]
+
+
+def _forces(force, radius, among=None):
+    """Fx, Fy and Mz in words; zero where they are rounding beside the largest force of `among` (n, 3), or their own
+
+    A moment is small beside a force times the radius in m.
+    """
+    largest = np.abs(force if among is None else among)[..., :2].max()
+    x, y, m = np.where(np.abs(force) > TINY * largest * np.array([1.0, 1.0, radius]), force, 0.0) / TONF
+    return f"Fx {x:.4g}, Fy {y:.4g} tonf, Mz {m:.4g} tonf m"
+
+
+def _gap_lines(result):
+    for name, (clearance, left, reached) in result.air_gaps().items():
+        yield (
+            f"air gap at {name}: {left:.3g} of {clearance:.3g} m left by the largest rise, water reaches it with "
+            f"probability {reached:.3g}; waves scattered and made by the body not included"
+        )

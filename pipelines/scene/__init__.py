@@ -1,0 +1,1 @@
+"""Scenes: typed TOML, products, methods."""

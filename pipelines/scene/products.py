@@ -1,0 +1,39 @@
+"""What can be asked for: names of the database, and words for groups of them."""
+
+from __future__ import annotations
+
+from bem.database.schema import NEEDS_MOTION, ONLY_BY_NAME, QUANTITIES
+
+GROUPS = {
+    "radiation": ("added_mass", "radiation_damping"),
+    "limits": ("added_mass_zero", "added_mass_infinity"),
+    "diffraction": ("Froude_Krylov_force", "diffraction_force", "excitation_force"),
+    "kochin": ("kochin_radiation", "kochin_diffraction"),
+    "motions": ("rao",),
+    "drift": ("drift_force_fixed", "drift_force"),
+}
+
+
+def expand(want, motions_known):
+    """Names of the database for a list of names and group words, in the order of its table.
+
+    want : list of str, or None for everything but `bem.database.schema.ONLY_BY_NAME`
+    motions_known : whether the body's inertia is known; without it nothing is asked of its motions
+    Raises ValueError for a word that nothing makes, and for motions asked for by name without inertia.
+    """
+    if want is None:
+        asked = set(QUANTITIES) - set(ONLY_BY_NAME)
+    else:
+        if not want:
+            raise ValueError("want is an empty list; leave it out to get everything")
+        unknown = [word for word in want if word not in GROUPS and word not in QUANTITIES]
+        if unknown:
+            words = ", ".join((*GROUPS, *QUANTITIES))
+            raise ValueError(f"nothing makes {unknown[0]!r}; allowed in want: {words}")
+        asked = {name for word in want for name in GROUPS.get(word, (word,))}
+    if not motions_known:
+        named = [word for word in want or () if word in NEEDS_MOTION or word == "motions"]
+        if named:
+            raise ValueError(f"{named[0]} needs the radii of gyration (m); give gyration (--gyration)")
+        asked -= set(NEEDS_MOTION)
+    return tuple(name for name in QUANTITIES if name in asked)

@@ -1,0 +1,1 @@
+"""`hakobune sea`: spectra and records of waves."""

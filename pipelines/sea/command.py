@@ -1,0 +1,258 @@
+"""`hakobune sea`: a wave spectrum from parameters, a table or a record → moments, periods, heights, picture, record."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from .flags import SPREADINGS, ReadingFlags, RecordFlags, SpectrumFlags
+
+LONGEST = 10_000_000  # values of a record
+PHASES = 2**26  # components times √values; 64 bytes of memory were measured for each
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What is known of a sea: its spectrum; a record, its waves and the estimate of its spectrum.
+
+    analysed : the spectrum is that estimate
+    """
+
+    title: str
+    spectrum: object
+    record: object = None
+    waves: object = None
+    estimate: object = None
+    analysed: bool = False
+
+
+def sea(
+    file: Annotated[Path | None, Parameter(help="record of waves (CSV: time_s,elevation_m) to be analysed")] = None,
+    /,
+    *,
+    spectrum: SpectrumFlags = SpectrumFlags(),  # noqa: B008 - a frozen value
+    record: RecordFlags = RecordFlags(),  # noqa: B008
+    reading: ReadingFlags = ReadingFlags(),  # noqa: B008
+    output: Annotated[Path | None, Parameter(help="write the spectrum to this CSV file")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+):
+    """Moments, periods and heights of a wave spectrum, or of a record of waves; records made of a spectrum.
+
+    Heights in m, periods in s.  hakobune sea --height 3 --mean-period 8 --record waves.csv
+    """
+    from .report import show, write_spectrum
+
+    _check_places(file, spectrum.table, record.record, output, plot)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = _analysed(file, spectrum, record, reading) if file else _made(spectrum, record, reading)
+    if record.record is not None:
+        _write(found, record)
+    if output is not None:
+        write_spectrum(output, found)
+    if plot is not None:
+        from .plot import draw
+
+        draw(found, plot)
+    show(found, [str(w.message) for w in caught], [path for path in (record.record, output, plot) if path])
+    return 0
+
+
+def _check_places(file, table, record, output, plot):
+    from ..common.outputs import check_output
+    from ..common.picture import PLOTS, check_picture
+    from .report import is_record, is_spectrum
+
+    paths = [path.resolve() for path in (file, table, record, output, plot) if path is not None]
+    for i, path in enumerate(paths):
+        if path in paths[:i]:
+            raise ValueError(f"{path.name} is named twice; give each file a name of its own")
+    if record is not None:
+        check_output(record, "a record made here", is_record)
+    if output is not None:
+        check_output(output, "a spectrum written here", is_spectrum)
+    if plot is not None:
+        check_picture(plot, PLOTS)
+
+
+def _analysed(file, spectrum, record, reading):
+    from mooring.environment.crossings import zero_crossings
+    from mooring.environment.spectrum_estimate import estimate
+    from mooring.environment.wave_records import read_record
+
+    _refuse("a record file is given", spectrum, SpectrumFlags())
+    _refuse("a record file is given", record, RecordFlags(step=record.step))
+    read = read_record(file, record.step, reading.column)
+    estimated = estimate(read.elevation, read.step, reading.segment)
+    waves = zero_crossings(read.elevation, read.step)
+    title = f"{file}: {len(read.elevation)} values at {read.step:g} s, {len(waves)} waves"
+    return Findings(title, estimated.spectrum(file.stem), read, waves, estimated, analysed=True)
+
+
+def _made(flags, record, reading):
+    _refuse("no record file is given", reading, ReadingFlags())
+    spectrum = _spectrum(flags)
+    title = f"{spectrum.name} spectrum"
+    if record.record is None:
+        _refuse("no --record is given", record, RecordFlags())
+        return Findings(title, spectrum)
+    from mooring.environment.crossings import zero_crossings
+    from mooring.environment.spectrum_estimate import estimate
+
+    made = _record(spectrum, record)
+    waves = zero_crossings(made.elevation, made.step)
+    title += f", record of {len(made.elevation)} values at {made.step:g} s, {len(waves)} waves"
+    return Findings(title, spectrum, made, waves, estimate(made.elevation, made.step))
+
+
+def _refuse(state, flags, quiet):
+    """Raise ValueError for a flag that would have no effect."""
+    for name, value in vars(flags).items():
+        if value != getattr(quiet, name):
+            raise ValueError(f"--{name.replace('_', '-')} has no effect, {state}; leave it out")
+
+
+def _spectrum(flags):
+    from mooring.environment import spectra
+
+    if flags.table is not None:
+        _refuse("--table is given", flags, SpectrumFlags(table=flags.table))
+        return spectra.read_spectrum(flags.table)
+    if flags.spectrum not in spectra.FAMILIES:
+        raise ValueError(f"--spectrum is {flags.spectrum!r}; allowed: {', '.join(spectra.FAMILIES)}")
+    if flags.gamma is not None and flags.spectrum != "jonswap" and flags.wind_speed is None:
+        raise ValueError(f"--gamma is given for {flags.spectrum}; allowed: with --spectrum jonswap")
+    gamma = {} if flags.gamma is None else {"gamma": flags.gamma}
+    if flags.wind_speed is not None or flags.fetch is not None:
+        return _by_fetch(flags, gamma)
+    if flags.height is None:
+        raise ValueError(
+            "nothing says what sea; give --height and a period, --wind-speed and --fetch, --table, or a record file"
+        )
+    return spectra.FAMILIES[flags.spectrum](flags.height, **gamma, **flags.periods)
+
+
+def _by_fetch(flags, gamma):
+    from mooring.environment.spectra import jonswap_fetch
+
+    if flags.wind_speed is None or flags.fetch is None:
+        missing = "--wind-speed" if flags.wind_speed is None else "--fetch"
+        raise ValueError(f"{missing} is missing; a sea by fetch needs --wind-speed and --fetch")
+    known = SpectrumFlags(
+        wind_speed=flags.wind_speed,
+        fetch=flags.fetch,
+        gamma=flags.gamma,
+        spectrum="jonswap" if flags.spectrum == "jonswap" else "issc",
+    )
+    _refuse("--wind-speed and --fetch are given", flags, known)
+    return jonswap_fetch(flags.wind_speed, flags.fetch, **gamma)
+
+
+def _record(spectrum, flags):
+    """Record of one realisation"""
+    import math
+
+    import numpy as np
+
+    from mooring.environment.sea import Sea
+    from mooring.environment.wave_records import Record, elevation
+
+    step, duration = _positive("step", flags.step, 0.5), _positive("duration", flags.duration, 3600.0)
+    count = round(duration / step)
+    if not 16 <= count <= LONGEST:
+        raise ValueError(f"--duration {duration:g} s is {count} steps of {step:g} s; allowed: 16 to {LONGEST}")
+    _warn_of_long_steps(spectrum, step)
+    state = Sea(spectrum, math.radians(flags.direction or 0.0), _spreading(flags.spreading, spectrum))
+    words = {"frequencies": flags.frequencies, "amplitudes": flags.amplitudes}
+    seed = _whole("seed", flags.seed, 0, 1)
+    number = _whole("components", flags.components, 1, _number_of_components(spectrum, flags, duration))
+    _check_memory(number, count)
+    components = state.components(number, seed, **{key: word for key, word in words.items() if word is not None})
+    depth = math.inf if flags.depth is None else flags.depth
+    return Record(elevation(components, step * np.arange(count), *_point(flags.point), depth), step)
+
+
+def _number_of_components(spectrum, flags, duration):
+    """Random amplitudes show the energy they happen to have unless neighbours are as near as the record resolves."""
+    import math
+
+    resolved = math.ceil(spectrum.quantile(0.999) * duration / (2 * math.pi))
+    return max(500, resolved) if flags.amplitudes == "random" else 500
+
+
+def _check_memory(components, count):
+    most = int(PHASES / count**0.5)
+    if components > most:
+        raise ValueError(
+            f"{components} components need {64e-9 * components * count**0.5:.3g} GB for {count} steps; allowed: "
+            f"{64e-9 * PHASES:.2g} GB, {most} components; give fewer with --components, or a shorter --duration"
+        )
+
+
+def _warn_of_long_steps(spectrum, step):
+    import numpy as np
+
+    beyond = 1 - spectrum.moment(0, 0.0, np.pi / step) / spectrum.moment(0)
+    if beyond > 0.01:
+        warnings.warn(
+            f"step {step:g} s is longer than half the period of {100 * beyond:.1f} % of the energy; "
+            "allowed: 1 %; give a shorter --step",
+            stacklevel=2,
+        )
+
+
+def _whole(name, text, least, otherwise):
+    if text is None:
+        return otherwise
+    if not text.isdecimal() or int(text) < least:
+        raise ValueError(f"--{name} is {text!r}; allowed: a whole number from {least}")
+    return int(text)
+
+
+def _positive(name, value, otherwise):
+    value = otherwise if value is None else value
+    if not 0 < value < float("inf"):
+        raise ValueError(f"--{name} is {value:g}; allowed: above 0, finite")
+    return value
+
+
+def _point(text):
+    try:
+        x, y = map(float, (text or "0,0").split(","))
+    except ValueError:
+        raise ValueError(f"--point is {text!r}; allowed: two numbers x,y") from None
+    return x, y
+
+
+def _spreading(text, spectrum):
+    import math
+
+    from mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
+
+    if text is None:
+        return None
+    makers = {
+        "cosine": CosinePower,
+        "half_cosine": HalfCosinePower,
+        "mitsuyasu": lambda s: Mitsuyasu(s, spectrum.peak_omega),
+        "wrapped_normal": lambda degrees: WrappedNormal(math.radians(degrees)),
+    }
+    kind, _, number = text.partition(":")
+    try:
+        maker, value = makers[kind], float(number)
+    except (KeyError, ValueError):
+        raise ValueError(f"--spreading is {text!r}; allowed: {SPREADINGS}") from None
+    return maker(value)
+
+
+def _write(found, flags):
+    from mooring.environment.wave_records import write_record
+
+    spectrum = found.spectrum
+    comment = f"{spectrum.name} spectrum, 4 sqrt(m0) {spectrum.significant_height:.6g} m, Tp {spectrum.Tp:.6g} s"
+    given = [f"{name} {value}" for name, value in vars(flags).items() if value is not None and name != "record"]
+    write_record(flags.record, found.record, "\n".join([comment, *given]))

@@ -1,0 +1,65 @@
+"""Flags of `hakobune sea`: the spectrum, the record made of it, the reading of a given one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from ..scene.flags import _flag
+
+SPREADINGS = "cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES"
+
+
+@Parameter(name="*")
+@dataclass(frozen=True, kw_only=True)
+class SpectrumFlags:
+    """The spectrum, where no record is given."""
+
+    spectrum: Annotated[str, _flag("issc, mitsuyasu_bretschneider, bretschneider or jonswap")] = "issc"
+    height: Annotated[float | None, _flag("significant wave height, m")] = None
+    mean_period: Annotated[float | None, _flag("T01, s; one period of any kind is needed")] = None
+    zero_crossing_period: Annotated[float | None, _flag("T02, s")] = None
+    energy_period: Annotated[float | None, _flag("Te, s")] = None
+    peak_period: Annotated[float | None, _flag("Tp, s")] = None
+    significant_period: Annotated[float | None, _flag("T1/3, s")] = None
+    gamma: Annotated[float | None, _flag("peak enhancement of jonswap [3.3]")] = None
+    wind_speed: Annotated[float | None, _flag("m/s at 10 m; with fetch instead of height and period, jonswap")] = None
+    fetch: Annotated[float | None, _flag("m, with wind-speed")] = None
+    table: Annotated[Path | None, _flag("CSV of omega_rad_s,density_m2_s_rad or frequency_hz,density_m2_hz")] = None
+
+    @property
+    def periods(self):
+        """{kind: s or None}"""
+        from mooring.environment.periods import KINDS
+
+        return {kind: getattr(self, kind) for kind in KINDS}
+
+
+@Parameter(name="*")
+@dataclass(frozen=True, kw_only=True)
+class RecordFlags:
+    """The record that is made of the spectrum, or how the given one is read."""
+
+    record: Annotated[Path | None, _flag("write a record of the spectrum to this CSV file")] = None
+    duration: Annotated[float | None, _flag("s, of the record made [3600]")] = None
+    step: Annotated[float | None, _flag("s, of the record made [0.5], or of one read that has no times")] = None
+    seed: Annotated[str | None, _flag("the same seed makes the same record [1]")] = None
+    point: Annotated[str | None, _flag("x,y m, where the record is made [0,0]")] = None
+    components: Annotated[str | None, _flag("wave components of the record made [500, more if random]")] = None
+    frequencies: Annotated[str | None, _flag("of the components: equal_step or equal_energy [equal_step]")] = None
+    amplitudes: Annotated[str | None, _flag("of the components: deterministic or random [deterministic]")] = None
+    direction: Annotated[float | None, _flag("degrees the waves travel to (0: +x, 90: +y) [0]")] = None
+    spreading: Annotated[str | None, _flag(f"about it: {SPREADINGS} [none, long crests]")] = None
+    depth: Annotated[float | None, _flag("water depth, m; inf for deep water [inf]")] = None
+
+
+@Parameter(name="*")
+@dataclass(frozen=True, kw_only=True)
+class ReadingFlags:
+    """How a given record is read and its spectrum estimated."""
+
+    column: Annotated[str | None, _flag("name of the column of elevations [the second]")] = None
+    segment: Annotated[float | None, _flag("s, of the averaged periodograms [an eighth of the record]")] = None

@@ -1,0 +1,86 @@
+"""Few frequencies for a whole band: solved where most is unknown until everything between is within tolerance.
+
+Each frequency goes to the database as usual; the error between them is estimated from what is stored
+(`bem.database.between_frequencies`).  A run that is resumed, or repeated, therefore asks only for what is missing
+to the tolerance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from bem.database import extend, open_database
+from bem.database.between_frequencies import FORCES, RADIATION, between
+from bem.database.interpolant import Abscissa, abscissa, chosen
+
+FIRST = 12  # frequencies before an error is estimated
+MOST = 120  # frequencies in a band; more means that the solver's own error is above the tolerance
+PLACES = 400  # in a band, equally far apart
+WIDTH = 1.35  # standard deviations; series boxes are wrong by 1.3 to 1.8 of them at worst (tests/bench/band.py)
+CONTROLLED = (*RADIATION, FORCES[0])
+
+
+def filled_band(scene, output, fill, console):
+    """The outcome of all frequencies of the band.
+
+    fill : solves what the file lacks, returning its `pipelines.solve.run.Outcome`
+    """
+    outcome = fill()
+    while outcome.exit_status == 0:
+        db = open_database(output)
+        places, error = _estimated(scene, db)
+        if console:
+            console.print(_told(scene, db, error), highlight=False, markup=False, soft_wrap=True)
+        if error <= scene.accuracy or _inside(scene, db.omega) >= MOST:
+            break
+        extend(output, omega=_next(scene, db, places, error))
+        after = fill()
+        outcome = replace(after, solved=outcome.solved + after.solved, jobs=outcome.jobs + after.jobs)
+    if outcome.exit_status:
+        return outcome
+    left = "" if error <= scene.accuracy else "; the tolerance is not reached: ask for less, or solve more accurately"
+    return replace(outcome, remarks=(*outcome.remarks, _told(scene, db, error) + left))
+
+
+def controlled(scene, db):
+    """Names of what is held to the tolerance: coefficients and excitation; only without them, what there is."""
+    names = [name for name in CONTROLLED if name in db.names]
+    smooth = ("Froude_Krylov_force", "diffraction_force", "drift_force_fixed", "kochin_radiation", "kochin_diffraction")
+    return names or [name for name in smooth if name in db.names][:1]
+
+
+def _estimated(scene, db):
+    """Places (p,) rad/s over the band, and the largest error there; infinite before there is something to go by."""
+    places, names = np.linspace(scene.waves.band.first, scene.waves.band.last, PLACES), controlled(scene, db)
+    if not names:
+        return places, 0.0
+    if _inside(scene, db.omega) < FIRST:
+        return places, np.inf
+    return places, WIDTH * float(between(db).largest_error(places, names).max())
+
+
+def _next(scene, db, places, error):
+    """The next frequencies: one, or more at a time while far from the tolerance."""
+    missing = FIRST - _inside(scene, db.omega)
+    far = error / scene.accuracy
+    count = missing if missing > 0 else 3 if far > 10 else 1
+    length = between(db).length
+    known, open_ = (abscissa(w, db.water_depth, db.gravity, length) for w in (db.omega, places))
+    return places[chosen(Abscissa(*known), open_, count)]
+
+
+def _inside(scene, omega):
+    band = scene.waves.band
+    return int(np.sum((omega >= band.first * (1 - 1e-9)) & (omega <= band.last * (1 + 1e-9))))
+
+
+def _told(scene, db, error):
+    band = scene.waves.band
+    solved = f"{_inside(scene, db.omega)} frequencies from {band.first:g} to {band.last:g} rad/s"
+    if not np.isfinite(error):
+        return f"{solved}: too few to estimate the error between them"
+    told = f"{solved}: estimated error between them {100 * error:.2g} % (tolerance {100 * scene.accuracy:.2g} %)"
+    less_sure = any("drift" in name for name in set(db.names) - set(controlled(scene, db)))
+    return told + ", of drift more" * less_sure

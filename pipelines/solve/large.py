@@ -1,0 +1,72 @@
+"""Large panel problems: which frequencies share their work, what it takes, and whether it fits."""
+
+from __future__ import annotations
+
+from bem.methods.panel_setup import Setup
+from bem.methods.shape_setup import ShapeSetup
+
+from ..common.progress import duration
+from ..scene.scene import SceneError
+
+PER_PANEL = 4  # nodes
+# frequencies times nodes of a symmetric part from which the preparation pays: it takes as long as 11, 5, 2.6 and 1.1
+# frequencies on 472, 944, 1976 and 3936 nodes.  A single one on more nodes would not fit.
+WORTH_SHARING = 5000
+FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
+# on a body of revolution (`bem.panels.revolution`): it takes as long as 115 of 1 000 or 4 000 panels, with two
+# threads 190 and 145
+WORTH_SHARING_ROUND = 150
+ADAPTIVE = 20  # frequencies that an adaptive band takes, about
+WORTH_TELLING = 3000
+
+
+def shared_band(scene, mesh, lid=None):
+    """(low, high) rad/s of frequencies that share their work (`bem.panels.band.equations`), or None"""
+    omegas, nodes = scene.omegas(), PER_PANEL * len(mesh)
+    count = len(omegas) if scene.waves.band is None else ADAPTIVE
+    if nodes < FEWEST or count * nodes <= WORTH_SHARING:
+        return None
+    alone = Setup(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
+    if count < WORTH_SHARING_ROUND and alone.turned.wedges:
+        return None
+    return float(omegas.min()), float(omegas.max())
+
+
+def announced(setup, limits, console, processes=1):
+    """`bem.panels.band.cost.Cost` of a large problem, after saying what it will take; None of others, and without a
+    band.
+
+    limits : how many limits of the frequency are still to be computed; processes : that each prepare the body
+    Raises SceneError if the memory is not there.
+    """
+    panels = setup.panels if isinstance(setup, ShapeSetup) else setup
+    if not isinstance(panels, Setup) or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
+        return None
+    from bem.panels.band.cost import cost, memory_alone
+
+    prepared = panels.prepared()
+    needed = cost(prepared.geometry, panels.band, panels.gravity) if panels.band else None
+    memory = processes * (needed.memory if needed else memory_alone(prepared))
+    _check_memory(panels.mesh.total, memory, processes)
+    if console:
+        told = f"{panels.mesh.total} panels: about {memory / 1e9:.1f} GB"
+        console.print(told + (_times(needed, limits) if needed else ""), highlight=False, soft_wrap=True)
+    return needed
+
+
+def _check_memory(total, memory, processes):
+    from bem.panels.band.cost import available_memory
+
+    free = available_memory()
+    if memory > free:
+        raise SceneError(
+            f"{total} panels need about {memory / 1e9:.1f} GB, {free / 1e9:.1f} GB are free; "
+            "give fewer panels (--panels)" + (" or fewer processes (--executor)" if processes > 1 else "")
+        )
+
+
+def _times(needed, limits):
+    before, after = duration(needed.seconds), duration(limits * needed.seconds)
+    return f", about {before} before the first frequency" + (
+        f", about {after} for added mass at the limits" if limits else ""
+    )

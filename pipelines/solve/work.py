@@ -1,0 +1,119 @@
+"""What an executor is given: one frequency, or one limit, of one body.
+
+Everything here can be sent to another process.  A process keeps the geometry of the last body it worked on,
+since that is expensive once and cheap for every frequency after.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from concurrent.futures import Future, ProcessPoolExecutor
+from dataclasses import fields
+
+_prepared = {}
+
+
+def solve_one(setup, omega, headings, want, theta):
+    """`bem.frequency.solve_frequency` for a setup.
+
+    omega : rad/s; headings : (m,) rad; want : names; theta : (t,) rad, or None
+    """
+    from bem.frequency import solve_frequency
+
+    return solve_frequency(_prepare(setup), omega, headings, want, theta)
+
+
+def limit_one(setup, name):
+    """`added_mass_zero` or `added_mass_infinity` (6, 6) of a setup."""
+    return _prepare(setup).added_mass_limit(name.removeprefix("added_mass_"))
+
+
+class Here:
+    """An executor without processes: the work is done in the call of `submit`."""
+
+    count = 1
+
+    def submit(self, function, *arguments):
+        """A future that is already done.  KeyboardInterrupt passes through."""
+        future = Future()
+        try:
+            future.set_result(function(*arguments))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+    def shutdown(self, wait=True, cancel_futures=False):
+        """Nothing to do; here for the interface."""
+
+
+class Processes(ProcessPoolExecutor):
+    """Spawned processes, because a fork has none of the threads that BLAS may wait for; they end with their parent."""
+
+    def __init__(self, count):
+        import multiprocessing
+        import os
+
+        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+        self.count = count
+        super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, cores // count),))
+
+    def shutdown(self, wait=True, *, cancel_futures=False):
+        """Without waiting the processes are ended: nobody is left to take what they are at.
+
+        Otherwise the interpreter waits for them at its end, and a Ctrl-C there leaves it waiting for ever.
+        """
+        for process in () if wait else list((self._processes or {}).values()):  # public from Python 3.14 on
+            process.terminate()
+        super().shutdown(wait=True, cancel_futures=cancel_futures)
+
+
+def executor_of(text):
+    """`local` or `processes:N`, each with its share of the cores.  Raises ValueError for anything else."""
+    kind, _, count = text.partition(":")
+    if text == "local":
+        return Here()
+    if kind != "processes" or not count.isdigit() or not 1 <= int(count) <= 256:
+        raise ValueError(f"executor is {text!r}; allowed: local, processes:N with N from 1 to 256")
+    return Processes(int(count))
+
+
+def _start(threads):
+    import os
+    import signal
+    import threading
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides what Ctrl-C means
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"):
+        os.environ[name] = str(threads)
+
+
+def _end_with_parent():
+    """A killed parent cannot end its processes, which would wait for work for ever."""
+    import multiprocessing
+    import os
+    from multiprocessing.connection import wait
+
+    wait([multiprocessing.parent_process().sentinel])
+    os._exit(1)
+
+
+def _prepare(setup):
+    from bem.methods.panel_setup import prepare
+
+    key = _key(setup)
+    if key not in _prepared:
+        _prepared.clear()
+        _prepared[key] = prepare(setup)
+    return _prepared[key]
+
+
+def _key(setup):
+    """Hash of the values of a setup; derived quantities that its meshes remember do not count."""
+    digest = hashlib.sha256()
+    for field in fields(setup):
+        value = getattr(setup, field.name)
+        parts = (value.points, value.corners, value.symmetry) if hasattr(value, "corners") else (value,)
+        for part in parts:
+            digest.update(part.tobytes() if hasattr(part, "tobytes") else repr(part).encode())
+    return digest.hexdigest()

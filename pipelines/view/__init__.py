@@ -1,0 +1,1 @@
+"""Pictures of meshes and databases: `hakobune look` and `hakobune plot`."""

@@ -1,0 +1,159 @@
+"""`hakobune look`: the mesh of a database, a scene or a mesh file, and a value on its panels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from meshing.panels import PanelMesh
+
+from ..common.picture import VIEWS, check_display, check_picture
+from ..scene.scene import Scene, SceneError, make_scene, read_scene
+
+FIELDS = {
+    "area": ("panel area, m²", lambda mesh: mesh.areas),
+    "size": ("longest edge, m", lambda mesh: mesh.sizes),
+    "aspect": ("edge² / area", lambda mesh: mesh.sizes**2 / mesh.areas),
+}
+DATABASES = (".h5", ".hdf5")
+SAME_HEADING = 1e-6  # degrees
+MOST_LISTED = 12  # headings in a message
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """What is shown: hull, lid or None, depth in m, and one value a panel of the hull or of its whole, or None"""
+
+    mesh: object
+    lid: object = None
+    depth: float = np.inf
+    field: np.ndarray | None = None
+    field_name: str = ""
+
+
+def look(path, screenshot=None, field=None, omega=None, heading=None):
+    """Show a mesh in a window, or write a picture of it.
+
+    field : one of FIELDS, or pressure, coloured on the panels
+    omega : rad/s, heading : degrees, of the pressure; the nearest stored frequency is taken, a heading must be stored
+    """
+    if field is not None and field not in (*FIELDS, "pressure"):
+        raise SceneError(f"field is {field!r}; allowed: {', '.join(FIELDS)}, pressure")
+    if field != "pressure" and (omega, heading) != (None, None):
+        raise SceneError("--omega and --heading belong to --field pressure; leave them out or ask for it")
+    source = _opened(path)
+    if screenshot is None:
+        check_display()
+    else:
+        check_picture(screenshot, VIEWS)
+    _show(_pressure(source, path, omega, heading) if field == "pressure" else _mesh(source, field), screenshot)
+    if screenshot:
+        print(screenshot)
+    return 0
+
+
+def _show(picture, screenshot):
+    from vtkmodules.vtkCommonCore import vtkLogger
+
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # it warns in colour of a display nobody asked for
+    plotter = drawn(picture, off_screen=screenshot is not None)
+    try:
+        if screenshot is None:
+            plotter.show(title=picture.mesh.name or "panel mesh")
+        else:
+            plotter.screenshot(str(screenshot))
+    finally:
+        plotter.close()
+
+
+def drawn(picture, off_screen=True):
+    """A pyvista Plotter with a Picture whole in it"""
+    from meshing.view import scene
+
+    from .camera import hold
+
+    plotter = scene(
+        picture.mesh,
+        picture.lid,
+        field=picture.field,
+        field_name=picture.field_name,
+        normals=picture.field is None,
+        depth=picture.depth,
+        off_screen=off_screen,
+    )
+    hold(plotter, picture.mesh, bar=picture.field is not None)
+    return plotter
+
+
+def _opened(path):
+    """The database, Scene or PanelMesh of a file"""
+    if path.suffix in DATABASES:
+        from bem.database import open_database
+
+        return open_database(path)
+    if path.suffix == ".toml":
+        return make_scene(read_scene(path))
+    from meshing.files import read_mesh
+
+    return read_mesh(path)
+
+
+def _mesh(source, field):
+    mesh, lid, depth = _meshes(source)
+    name, values = FIELDS[field] if field else ("", lambda mesh: None)
+    return Picture(mesh, lid, depth, values(mesh), name)
+
+
+def _meshes(source):
+    """(hull, lid or None, depth in m) of a database, a Scene or a PanelMesh"""
+    if isinstance(source, PanelMesh):
+        return source, None, np.inf
+    if isinstance(source, Scene):
+        from ..solve.hull import make_hull
+
+        hull = make_hull(source, source.omegas())
+        return hull.mesh, hull.lid, source.water.depth
+    return source.mesh, source.lid, source.water_depth
+
+
+def _pressure(db, path, omega, heading):
+    """Amplitude of the dynamic pressure at a stored heading and the stored frequency nearest to that asked for"""
+    if path.suffix not in DATABASES:
+        raise SceneError(f"{path} holds no pressure; allowed: a database made with --only pressure")
+    if omega is None or heading is None:
+        raise SceneError("the pressure has a frequency and a heading; give --omega rad/s and --heading degrees")
+    amplitude = np.abs(db["pressure"])
+    i, j = _nearest(db, omega), _stored(db, heading)
+    if abs(db.omega[i] - omega) > 1e-9 * omega:
+        print(f"note: omega {omega:g} rad/s is not stored; shown is the nearest, {db.omega[i]:.4g} rad/s")
+    state = "fixed" if db.inertia_matrix is None else "floating freely"
+    place = f"omega {db.omega[i]:.4g} rad/s, heading {np.degrees(db.wave_direction[j]):.4g}°"  # VTK has no Greek
+    title = f"dynamic pressure in Pa per m of wave, {place}: {db.mesh.name}, {state}"
+    return Picture(replace(db.mesh, name=title), None, db.water_depth, amplitude[i, j], "Pa/m")
+
+
+def _nearest(db, omega):
+    """Number of the nearest stored frequency.  Raises SceneError for one that is not within reach."""
+    if not db.omega[0] * 0.9 <= omega <= db.omega[-1] * 1.1:
+        raise SceneError(f"--omega is {omega:g}; stored in {db.path}: {db.omega[0]:.4g} to {db.omega[-1]:.4g} rad/s")
+    return int(np.argmin(np.abs(db.omega - omega)))
+
+
+def _stored(db, heading):
+    """Number of a stored heading in degrees, whole turns aside.  Raises SceneError for one that is not stored."""
+    if not -360 <= heading <= 360:
+        raise SceneError(f"--heading is {heading:g}; allowed: -360 to 360")
+    stored = np.degrees(db.wave_direction)
+    turn = np.abs((stored - heading + 180) % 360 - 180)
+    if turn.min() > SAME_HEADING:
+        raise SceneError(
+            f"--heading is {heading:g}; stored in {db.path}: {_listed(stored)} degrees; "
+            f"give one of these, or add it by the command that made the file, with --heading {heading:g}"
+        )
+    return int(np.argmin(turn))
+
+
+def _listed(degrees):
+    shown = ", ".join(f"{value:.7g}" for value in degrees[:MOST_LISTED])
+    return shown + (f" … {degrees[-1]:.7g} ({len(degrees)} in all)" if len(degrees) > MOST_LISTED else "")

@@ -1,0 +1,191 @@
+"""A page of curves from a database: one column per degree of freedom, one row per kind of result."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem import DOFS
+from bem.database import DatabaseError
+from bem.database.schema import DRIFT_DOFS, QUANTITIES
+
+PREFIXES = ((1e9, "G", "10⁹ "), (1e6, "M", "10⁶ "), (1e3, "k", "10³ "))
+QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symmetry makes it zero
+FORCES, MOMENTS = slice(0, 3), slice(3, 6)
+ROWS = {
+    "A and B/ω": ("added_mass", "radiation_damping"),
+    "excitation": ("excitation_force",),
+    "phase lag": ("excitation_force",),
+    "response": ("rao",),
+    "mean drift": ("drift_force_fixed", "drift_force"),
+}
+
+
+def plot(db, output):
+    """Draw what the database holds to `output` (.png, .svg or .pdf); returns the matplotlib figure.
+
+    Raises DatabaseError if it holds nothing that can be drawn.
+    """
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
+    if not rows or not len(db.omega):
+        raise DatabaseError(f"{db.path} has no solved curve to draw; run its command again to go on")
+    with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
+        figure = Figure(figsize=(17, 1.1 + 2.35 * len(rows)), layout="constrained")
+        grid = figure.subplots(len(rows), 6, sharex=True, squeeze=False)
+        for name, axes in zip(rows, grid, strict=True):
+            DRAW[name](db, axes)
+        _dress(db, figure, grid)
+        figure.savefig(output, dpi=130)
+    return figure
+
+
+def heading_colors(count):
+    """(count, 4) colours from dark to light, none too pale to read on white"""
+    from matplotlib import colormaps
+
+    return colormaps["viridis"](np.linspace(0.0, 0.85, count))
+
+
+def _coefficients(db, axes):
+    curves = {}
+    if "added_mass" in db.names:
+        curves["A", "-"] = np.einsum("wii->wi", db["added_mass"])
+    if "radiation_damping" in db.names:
+        curves["B/ω", "--"] = np.einsum("wii->wi", db["radiation_damping"]) / db.omega[:, None]
+    size = np.max([np.abs(curve).max(axis=0) for curve in curves.values()], axis=0)
+    loud = size > QUIET * _largest_of_kind(size, _length(db) ** 2)
+    for columns, unit in ((FORCES, "kg"), (MOMENTS, "kg m²")):
+        scale, _, power = _prefix(size[columns].max())
+        for i in range(6)[columns]:
+            for (label, style), curve in curves.items() if loud[i] else ():
+                _curve(axes[i], db.omega, curve[:, i] / scale, style, "C0" if style == "-" else "C3", label)
+            axes[i].set_ylabel(f"{power}{unit}")
+    if loud.any():
+        axes[np.argmax(loud)].legend(frameon=False)
+
+
+def _excitation(db, axes):
+    _amplitudes(db, axes, np.abs(db["excitation_force"]), ("N/m", "N m/m"), _length(db))
+
+
+def _phases(db, axes):
+    force = db["excitation_force"]
+    loud = _loud(np.abs(force), _length(db))
+    for i, axis in enumerate(axes):
+        for j, color in enumerate(heading_colors(len(db.wave_direction))):
+            if loud[j, i]:
+                lag = np.degrees(np.angle(force[:, j, i]))
+                _curve(axis, db.omega, _broken_at_jumps(lag), "-", color)
+        axis.set(ylim=(-190, 190), yticks=(-180, -90, 0, 90, 180), ylabel="degrees")
+
+
+def _responses(db, axes):
+    response = np.abs(db["rao"])
+    response[:, :, MOMENTS] = np.degrees(response[:, :, MOMENTS])
+    _amplitudes(db, axes, response, ("m/m", "°/m"), np.degrees(1 / _length(db)), prefixes=False)
+
+
+def _drift(db, axes):
+    styles = {"drift_force": "-", "drift_force_fixed": "--"}
+    drift = {name: db[name] for name in styles if name in db.names}
+    places = {name: DOFS.index(name) for name in DRIFT_DOFS}
+    size = np.max([np.abs(value).max(axis=(0, 1)) for value in drift.values()], axis=0)
+    forces, moment = size[:2].max(), size[2]
+    for part, dof in enumerate(places):
+        largest = forces if dof != "Yaw" else moment
+        floor = QUIET * (forces if dof != "Yaw" else max(moment, forces * _length(db)))
+        scale, prefix, _ = _prefix(largest)
+        axis = axes[places[dof]]
+        for name, value in drift.items():
+            for j, color in enumerate(heading_colors(len(db.wave_direction))):
+                if np.abs(value[:, j, part]).max() > floor:
+                    _curve(axis, db.omega, value[:, j, part] / scale, styles[name], color)
+        if axis.lines:
+            axis.axhline(0, color="0.6", linewidth=0.6)
+        axis.set_ylabel(f"{prefix}{'N m/m²' if dof == 'Yaw' else 'N/m²'}")
+    for i in set(range(6)) - set(places.values()):
+        axes[i].set_axis_off()
+    words = {"drift_force": "solid: floating freely", "drift_force_fixed": "dashed: held fixed"}
+    axes[2].text(0.02, 0.6, "\n".join(words[name] for name in drift), transform=axes[2].transAxes, va="center")
+
+
+DRAW = dict(zip(ROWS, (_coefficients, _excitation, _phases, _responses, _drift), strict=True))
+
+
+def _length(db):
+    """m, the longer side of the hull seen from above: the lever of forces"""
+    return float(np.ptp(db.mesh.whole().vertices.reshape(-1, 3), axis=0)[:2].max())
+
+
+def _largest_of_kind(size, lever):
+    """(6,) what forces and moments are rounding beside: the largest of their kind, or force times lever"""
+    forces, moments = size[..., FORCES].max(), size[..., MOMENTS].max()
+    return np.repeat([forces, max(moments, forces * lever)], 3)
+
+
+def _loud(size, lever):
+    """(m, 6) whether a curve of `size` (n, m, 6) is more than rounding"""
+    return size.max(axis=0) > QUIET * _largest_of_kind(size, lever)
+
+
+def _amplitudes(db, axes, size, units, lever, prefixes=True):
+    loud = _loud(size, lever)
+    for columns, unit in zip((FORCES, MOMENTS), units, strict=True):
+        scale, prefix, _ = _prefix(size[:, :, columns].max()) if prefixes else (1.0, "", "")
+        for i in range(6)[columns]:
+            for j, color in enumerate(heading_colors(len(db.wave_direction))):
+                if loud[j, i]:
+                    _curve(axes[i], db.omega, size[:, j, i] / scale, "-", color)
+            axes[i].set_ylabel(f"{prefix}{unit}")
+            axes[i].set_ylim(bottom=0)
+
+
+def _curve(axis, omega, value, style, color, label=None):
+    marker = "o" if len(omega) <= 30 else None
+    axis.plot(omega, value, style, color=color, label=label, linewidth=1.2, marker=marker, markersize=2.2)
+
+
+def _prefix(largest):
+    """(factor, SI prefix, power of ten) that leave one to three digits before the point"""
+    return next((step for step in PREFIXES if largest >= step[0]), (1.0, "", ""))
+
+
+def _broken_at_jumps(degrees):
+    degrees = degrees.copy()
+    degrees[1:][np.abs(np.diff(degrees)) > 180] = np.nan
+    return degrees
+
+
+def _dress(db, figure, grid):
+    rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
+    for axis, dof in zip(grid[0], DOFS, strict=True):
+        axis.set_title(dof, fontweight="bold")
+    for axes, row in zip(grid, rows, strict=True):
+        axes[0].set_title(row, loc="left", fontweight="bold", color="0.35")
+    for axis in grid.flat:
+        axis.grid(True, color="0.9", linewidth=0.6)
+        axis.spines[["top", "right"]].set_visible(False)
+        if not axis.lines and axis.axison:
+            axis.text(0.5, 0.5, "zero by symmetry", transform=axis.transAxes, ha="center", color="0.5")
+    for axis in grid[-1]:
+        axis.set_xlabel("ω  rad/s")
+    if any("wave_direction" in QUANTITIES[name][0] for row in rows for name in ROWS[row]):
+        _name_headings(db, figure)
+    depth = "deep water" if np.isinf(db.water_depth) else f"water {db.water_depth:g} m deep"
+    figure.suptitle(f"{db.mesh.name or db.path.stem}, {depth}", x=0.01, ha="left", fontsize=12)
+
+
+def _name_headings(db, figure):
+    from matplotlib.lines import Line2D
+
+    angles = np.degrees(db.wave_direction)
+    handles = [
+        Line2D([], [], color=color, label=f"{angle:g}°")
+        for angle, color in zip(angles, heading_colors(len(angles)), strict=True)
+    ]
+    figure.legend(
+        handles=handles, title="waves travel to", ncols=min(len(handles), 12), loc="outside upper right",
+        frameon=False,
+    )  # fmt: skip

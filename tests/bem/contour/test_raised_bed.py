@@ -1,0 +1,118 @@
+"""Short waves over deep water by a raised bed: what they must not notice, and that the estimate covers what they do."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bem import DOFS
+from bem.checks import check, excitation_scale, radiation_scale
+from bem.contour.raised_bed import EFFECT, HIGHEST, LEAST_GAP, effect_of_bed, raised_bed
+from bem.methods.panel_setup import Setup
+from bem.methods.shape_setup import ShapeSetup
+from bem.waves import group_factor, wavenumber
+from meshing.shapes import box
+
+GRAVITY = 9.80665
+WANT = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"}
+BODIES = {"box": [(60.0, 40.0, 5.0), (20.0, 2.0, 10.0), (80.0, 10.0, 2.0)], "buoy": [(10.0, 1.0), (2.0, 10.0)]}
+ALL = [(shape, sizes) for shape, several in BODIES.items() for sizes in several]
+
+
+def longest(shape, sizes, tolerance):
+    """Smallest k that is answered over a raised bed, rad/m, to a per cent"""
+    k = 1e-3 / max(sizes)
+    while raised_bed(shape, sizes, tolerance, k) is None:
+        k *= 1.01
+    return k
+
+
+def short_waves(shape, sizes, k, tolerance=0.01, times=1.0):
+    """The run in endless depth over the bed that is chosen, or over one `times` as far below the keel"""
+    bed = sizes[-1] + times * (raised_bed(shape, sizes, 0.01, k) - sizes[-1])
+    setup = ShapeSetup(method="contour", shape=shape, sizes=sizes, tolerance=tolerance, bed=bed)
+    return setup.prepared().run(np.sqrt(GRAVITY * k), np.radians([0.0, 25.0]), WANT, None, DOFS)
+
+
+@pytest.mark.parametrize("tolerance", [0.2, 0.01, 3e-3])
+@pytest.mark.parametrize(("shape", "sizes"), ALL)
+def test_waves_have_the_wavenumber_and_group_velocity_of_endless_depth(shape, sizes, tolerance):
+    k = longest(shape, sizes, tolerance)
+    bed = raised_bed(shape, sizes, tolerance, k)
+    assert wavenumber(np.sqrt(GRAVITY * k), bed, GRAVITY) == pytest.approx(k, rel=1e-10)
+    assert group_factor(k, bed) == pytest.approx(0.5, rel=1e-10)
+
+
+@pytest.mark.parametrize(("shape", "sizes"), ALL)
+def test_the_error_against_a_bed_four_times_as_deep_is_below_the_stored_estimate(shape, sizes):
+    for factor in (1, 4):
+        k = factor * longest(shape, sizes, 0.01)
+        ours, deep = short_waves(shape, sizes, k), short_waves(shape, sizes, k, 1e-3, times=4)
+        radiation = np.abs(ours.radiation - deep.radiation) / radiation_scale(deep)
+        force = np.abs(ours.excitation - deep.excitation) / excitation_scale(deep)
+        estimate = ours.estimated_error()
+        assert max(radiation.max(), force.max()) < estimate < 0.02
+        assert estimate >= effect_of_bed(shape, sizes, ours.setup.bed)
+
+
+@pytest.mark.parametrize(("shape", "sizes"), ALL)
+def test_energy_reciprocity_and_haskind_hold_with_the_waves_of_endless_depth(shape, sizes):
+    run = short_waves(shape, sizes, 2 * longest(shape, sizes, 0.01))
+    laws = check(run)
+    assert run.k == pytest.approx(run.omega**2 / run.setup.gravity, rel=1e-15) and run.group_factor == 0.5
+    assert max(laws["energy"], laws["reciprocity"], laws["Haskind"]) < run.estimated_error()
+
+
+@pytest.mark.parametrize("sizes", [(200.0, 20.0, 10.0), (20.0, 20.0, 10.0)])
+def test_the_effect_of_the_bed_falls_at_second_order_or_faster(sizes):
+    """A dipole in the still surface and its images below the bed"""
+    k = longest("box", sizes, 0.01) * 3
+    runs = [short_waves("box", sizes, k, 1e-4, times) for times in (0.3, 0.6, 4.0)]
+    scale = radiation_scale(runs[-1])
+    near, far = (np.abs(run.radiation - runs[-1].radiation) / scale for run in runs[:2])
+    assert np.log2(near[2, 2] / far[2, 2]) > 1.9
+    for part, run in ((near, runs[0]), (far, runs[1])):
+        assert part.max() < effect_of_bed("box", sizes, run.setup.bed)
+
+
+def test_estimates_of_what_symmetry_makes_zero_stay_zero():
+    setup = ShapeSetup(method="contour", shape="box", sizes=(60.0, 40.0, 5.0), tolerance=0.01, bed=205.0)
+    question = (1.2, [0.0], WANT, None, DOFS)
+    run, bare = (s.prepared().run(*question) for s in (setup, replace(setup, depth=205.0)))
+    (with_it, force), (without, _) = run.errors, bare.errors
+    scale = radiation_scale(run)
+    zero = without == 0
+    assert zero[0, 2] and np.all(with_it[zero] == 0) and np.all(force[:, [1, 3, 5]] == 0)
+    grown = (np.abs(with_it) - np.abs(without))[~zero] / scale[~zero]
+    np.testing.assert_allclose(grown, 0.7 * (20 / 200) ** 2, rtol=1e-6)
+
+
+def test_limits_are_those_of_the_real_depth():
+    sizes = (60.0, 40.0, 5.0)
+    setup = ShapeSetup(method="contour", shape="box", sizes=sizes, bed=405.0, panels=Setup(box(*sizes, panels=300)))
+    zero, infinity = (setup.prepared().added_mass_limit(which) for which in ("zero", "infinity"))
+    assert np.isfinite(zero).all()
+    over = replace(setup, bed=None, depth=405.0).prepared().added_mass_limit("infinity")
+    size = np.sqrt(np.abs(np.diag(over)))
+    np.testing.assert_allclose(infinity / np.outer(size, size), over / np.outer(size, size), atol=0.01)
+    finite = replace(setup, depth=3000.0, panels=replace(setup.panels, depth=3000.0))
+    assert finite.prepared().added_mass_limit("zero")[2, 2] == np.inf
+
+
+def test_long_waves_and_bodies_too_flat_or_too_slender_have_no_raised_bed():
+    assert raised_bed("box", (100.0, 40.0, 12.0), 0.01, 2 * np.pi / 101) is None
+    assert raised_bed("box", (1000.0, 4.0, 2.0), 0.01, 2 * np.pi / 900) is None  # kh of 1
+    assert raised_bed("buoy", (100.0, 0.9), 0.01, 1.0) is None
+    assert raised_bed("buoy", (1.0, 110.0), 0.01, 10.0) is None
+    assert raised_bed("buoy", (10.0, 5.0), 1e-4, 1.0) is None
+    assert raised_bed("buoy", (10.0, 5.0), 1e-3, 1.0) is not None
+
+
+@pytest.mark.parametrize("tolerance", [0.1, 0.01, 2e-3])
+def test_the_contour_method_takes_the_flattest_and_slenderest_bodies_over_their_bed(tolerance):
+    ratio = 0.999 * HIGHEST / max(LEAST_GAP**2, 2 * EFFECT / tolerance)
+    for sizes in ((ratio, 1.0), (1.0, ratio)):
+        bed = raised_bed("buoy", sizes, tolerance, 100.0)
+        assert bed is not None and raised_bed("buoy", tuple(np.array(sizes) ** 1.01), tolerance, 100.0) is None
+        setup = ShapeSetup(method="contour", shape="buoy", sizes=sizes, tolerance=tolerance, bed=bed)
+        assert setup.prepared().solver.depth == bed

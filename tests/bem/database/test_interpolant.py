@@ -1,0 +1,164 @@
+"""Functions of frequency from few values: a known function of waves, and the box of the series calculations."""
+
+from decimal import Decimal, localcontext
+
+import numpy as np
+import pytest
+
+from bem.database import open_database
+from bem.database.between_frequencies import Between, BetweenError
+from bem.database.interpolant import FAMILY, NUGGET, Abscissa, Interpolant, _left_open, _root, abscissa, chosen
+from bem.methods.panel_setup import prepare
+from bem.waves import wavenumber
+from pipelines.scene.scene import make_scene
+from pipelines.solve.hull import setup_of
+from pipelines.solve.run import solve
+
+LENGTH, GRAVITY = 100.0, 9.80665
+
+
+def echoing(omega, depth=20.0):
+    """A damped mode, the same heard once more after the length of the body, and a constant (q, 2)"""
+    k = wavenumber(omega, depth, GRAVITY)
+    smooth = 1 / (0.8 - 0.4j - omega)
+    return np.stack([smooth * (1 + 0.1 * np.exp(1j * k * LENGTH)), np.full_like(smooth, 2.0)], axis=1)
+
+
+def fitted(count, depth=20.0):
+    omega = np.linspace(0.1, 2.0, 300)
+    places = abscissa(omega, depth, GRAVITY, LENGTH)
+    ends = Abscissa(*(a[[0, -1]] for a in places))
+    nodes = np.sort([0, 299, *chosen(ends, places, count - 2)])
+    x = Abscissa(*(a[nodes] for a in places))
+    value, deviation = Interpolant(x, echoing(omega[nodes]), np.zeros(2))(places)
+    return np.abs(value - echoing(omega)), deviation, nodes
+
+
+def test_at_its_nodes_it_has_their_values():
+    error, deviation, nodes = fitted(20)
+    assert error[nodes].max() < 1e-4 and deviation[nodes].max() < 1e-3  # of values up to 2.5; the nugget's share
+
+
+@pytest.mark.parametrize("member", [FAMILY[0], FAMILY[-1]])
+def test_the_variance_left_open_is_exact_to_the_nugget(member):
+    """Of 24 nodes, as in a band that is nearly known, against forty digits; entries of the inverse are 1e9"""
+    omega = np.linspace(0.1, 2.0, 300)
+    places = abscissa(omega, 100.0, GRAVITY, LENGTH)
+    nodes = np.sort([0, 299, *chosen(Abscissa(*(a[[0, -1]] for a in places)), places, 22)])
+    x, y = (Abscissa(*(a[some] for a in places)) for some in (nodes, slice(None, None, 23)))
+    kernel, row = member.kernel(x, x).real, member.kernel(y, x).real
+    n, both = len(nodes), np.block([[kernel, row.T], [row, np.eye(len(row))]])
+    with localcontext(prec=40):
+        exact = np.vectorize(Decimal, otypes=[object])(both)
+        exact[range(n), range(n)] += Decimal(NUGGET)
+        for i in range(n):  # what is left of the corner is 1 − r κ⁻¹ r*
+            exact[i + 1 :] -= np.multiply.outer(exact[i + 1 :, i] / exact[i, i], exact[i])
+    np.testing.assert_allclose(
+        _left_open(row, _root(kernel)), np.diag(exact)[n:].astype(float), rtol=0, atol=NUGGET / 10
+    )
+
+
+def test_the_error_falls_faster_than_the_eighth_power_of_the_number_of_nodes():
+    coarse, fine = fitted(14)[0].max(), fitted(28)[0].max()
+    assert fine < coarse / 2**8
+
+
+@pytest.mark.parametrize("count", [14, 18, 22, 26, 28])
+def test_the_largest_deviation_is_not_less_than_the_largest_error(count):
+    error, deviation, _ = fitted(count)
+    assert deviation.max() > error.max()
+
+
+def test_nodes_are_chosen_apart_and_once():
+    for count in (12, 24, 60):
+        nodes = fitted(count)[2]
+        assert len(set(nodes)) == count
+
+
+def band_scene(**changes):
+    raw = {
+        "water": {"depth": 20.0},
+        "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "gyration": [17, 29, 29]}],
+        "waves": {"band": {"from": 0.1, "to": 2.0}, "headings_deg": [0, 45, 90]},
+        "tolerance": 0.005,
+        "want": ["radiation", "diffraction", "motions"],
+    }
+    return make_scene({**raw, **changes})
+
+
+@pytest.fixture(scope="module")
+def solved(tmp_path_factory):
+    path = tmp_path_factory.mktemp("band") / "box.h5"
+    return solve(band_scene(), path), open_database(path)
+
+
+def direct(db, omega, names):
+    body = prepare(setup_of(db.header, band_scene()))
+    rows = [body.run(w, db.wave_direction, set(names), None, tuple(db["influenced_dof"])).result() for w in omega]
+    return {name: np.array([row[name] for row in rows]) for name in names}
+
+
+def test_fewer_than_25_solves_give_the_series_box_from_0p1_to_2_to_half_a_per_cent(solved):
+    outcome, db = solved
+    assert outcome.exit_status == 0 and len(db.omega) == outcome.solved < 25
+    omega = np.linspace(0.1, 2.0, 400)[5::9]  # of the 400 of tests/bench/band.py
+    exact = direct(db, omega, ("added_mass", "radiation_damping", "excitation_force", "rao"))
+    for name in ("added_mass", "radiation_damping"):
+        scale = np.sqrt(np.einsum("nii->ni", db[name]).max(axis=0))
+        assert np.max(np.abs(db.at(omega, name)[0] - exact[name]) / np.outer(scale, scale)) < 0.005
+    for name in ("excitation_force", "rao"):
+        scale = np.abs(db[name]).max(axis=(0, 1))
+        assert np.max(np.abs(db.at(omega, name)[0] - exact[name]) / scale) < 0.005
+
+
+def test_a_band_within_tolerance_asks_for_nothing_more(solved):
+    _, db = solved
+    again = solve(band_scene(), db.path)
+    assert again.jobs == 0 and again.total == len(db.omega) and again.exit_status == 0
+
+
+def test_outside_the_stored_band_and_without_what_it_follows_from_nothing_is_guessed(solved):
+    _, db = solved
+    with pytest.raises(BetweenError, match=r"omega is 2.2 rad/s; stored: 0.1 to 2"):
+        db.at(2.2, "added_mass")
+    with pytest.raises(BetweenError, match="kochin_radiation, kochin_diffraction must be stored"):
+        db.at(1.0, "drift_force")
+    with pytest.raises(BetweenError, match="no function of frequency"):
+        db.at(1.0, "mesh")
+    few = Between(db.omega[:3], {}, 20.0, GRAVITY, 1025.0, np.zeros(1), np.zeros(1), np.eye(2), np.zeros(3))
+    with pytest.raises(BetweenError, match="3 frequencies are stored"):
+        few.at(0.15, "added_mass")
+
+
+@pytest.fixture(scope="module")
+def drifting(tmp_path_factory):
+    path = tmp_path_factory.mktemp("drift") / "box.h5"
+    outcome = solve(band_scene(tolerance=0.01, want=["radiation", "diffraction", "kochin", "drift"]), path)
+    assert "of drift more" in outcome.remarks[-1]
+    return open_database(path)
+
+
+@pytest.mark.parametrize("name", ["drift_force_fixed", "drift_force"])
+def test_drift_between_frequencies_is_as_far_off_as_it_says(drifting, name):
+    db = drifting
+    omega = np.linspace(0.12, 1.98, 32)
+    exact = direct(db, omega, (name,))[name]
+    value, error = db.at(omega, name)
+    scale = np.abs(db[name]).max(axis=(0, 1))
+    wrong, told = (np.abs(value - exact) / scale, error / scale)
+    # a deviation that is known to a quarter; roundings of what symmetry makes zero left out
+    counts = np.maximum(wrong, told) > 1e-6
+    assert np.mean((wrong < 3 * told)[counts]) > 0.9
+    rms = [np.sqrt(np.mean(part**2, axis=(0, 1))) for part in (wrong, told)]
+    assert np.all(rms[0] < 2 * rms[1])
+    if name == "drift_force_fixed":
+        assert np.all(rms[0] < [0.01, 0.01, 0.03])
+
+
+def test_kochin_functions_keep_their_values_where_they_are_small(drifting):
+    """H of long waves is a hundredth of that of short ones; a fit that knows one size would lose it"""
+    db = drifting
+    value, _ = db.at(db.omega, "kochin_diffraction")
+    size = np.abs(db["kochin_diffraction"]).max(axis=-1, keepdims=True)
+    assert size[0].max() < size[-1].max() / 100
+    assert np.max(np.abs(value - db["kochin_diffraction"]) / size) < 0.01

@@ -1,0 +1,75 @@
+"""The cache of kernels: what a kernel is made of changes where it is kept."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import bem
+from bem.kernels import jit
+
+ROOT = Path(bem.__file__).parents[1]
+CALLEE = """from bem.kernels.jit import kernel
+from {constants} import STEP
+
+
+@kernel()
+def step(x):
+    return x + STEP
+"""
+CALLER = """import sys
+from bem.kernels import jit
+jit.ROOT = jit.Path(sys.argv[1])
+from bem.kernels.jit import kernel
+from {callee} import step
+
+
+@kernel()
+def called(x):
+    return 10 * step(x)
+
+
+print(called(1.0))
+"""
+
+
+def test_a_changed_callee_or_constant_in_any_folder_changes_the_result_of_a_cached_caller(tmp_path):
+    house = tmp_path / "house"
+    for room in ("near", "far/away"):
+        (house / room).mkdir(parents=True)
+    (house / "far/away/constants.py").write_text("STEP = 1.0\n")
+    (house / "near/callee.py").write_text(CALLEE.format(constants="far.away.constants"))
+    (house / "caller.py").write_text(CALLER.format(callee="near.callee"))
+
+    def result():
+        environment = {"PYTHONPATH": f"{house}:{ROOT}", "HAKOBUNE_CACHE": str(tmp_path / "cache"), "PATH": ""}
+        command = [sys.executable, str(house / "caller.py"), str(house)]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        return float(done.stdout)
+
+    assert result() == result() == 20.0
+    (house / "far/away/constants.py").write_text("STEP = 2.0\n")
+    assert result() == 30.0
+    callee = house / "near/callee.py"
+    callee.write_text(callee.read_text().replace("x + STEP", "x + 2 * STEP"))
+    assert result() == 50.0
+
+
+@pytest.mark.parametrize("package", ["bem", "mooring"])
+def test_every_module_that_a_source_imports_is_found(package):
+    for file in (ROOT / package).rglob("*.py"):
+        assert set(jit.imported(file)) >= set(by_parsing(file)), file
+
+
+def by_parsing(file):
+    """Files of the modules that the syntax tree of a source imports"""
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom):
+            folder = file.parents[node.level - 1] if node.level else ROOT
+            places = [folder.joinpath(*(node.module or "").split("."))]
+            places += [places[0] / alias.name for alias in node.names]
+            yield from (
+                place.with_suffix(".py") for place in places if place.name and place.with_suffix(".py").is_file()
+            )

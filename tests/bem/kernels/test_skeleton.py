@@ -1,0 +1,61 @@
+"""Rows that stand for all rows: exact where they are, as good as asked for elsewhere."""
+
+import numpy as np
+import pytest
+
+from bem.kernels.interpolative import Sketch, chosen_rows, least_squares
+
+
+def smooth_matrix(n=300, m=500):
+    """1/distance between two separated clouds: singular values fall exponentially"""
+    generator = np.random.default_rng(5)
+    x, y = generator.random((n, 3)), generator.random((m, 3)) + [0, 0, 1.5]
+    return 1 / np.linalg.norm(x[:, None] - y, axis=-1)
+
+
+def sketched(A, width=256):
+    sketch = Sketch(len(A), width)
+    for block in np.array_split(A, 3, axis=1):
+        sketch.add(block)
+    return sketch.sums
+
+
+def test_a_sketch_keeps_the_norms_of_combinations_of_rows():
+    A = smooth_matrix()
+    x = np.random.default_rng(1).standard_normal((len(A), 20))
+    sizes, kept = (np.linalg.norm(x.T @ M, axis=1) for M in (A, sketched(A, 1024)))
+    # a sum of m squares of random signs: the relative deviation is about √(2/width)
+    np.testing.assert_allclose(kept, sizes, rtol=5 * np.sqrt(2 / 1024))
+
+
+def test_complex_columns_count_as_two_real_ones():
+    A = smooth_matrix(40, 60)
+    whole = np.concatenate([A, 2 * A], axis=1)
+    x = np.random.default_rng(2).standard_normal(40)
+    sketch = Sketch(40, 2048)
+    sketch.add(A + 2j * A)
+    assert np.linalg.norm(x @ sketch.sums) == pytest.approx(np.linalg.norm(x @ whole), rel=0.15)
+
+
+@pytest.mark.parametrize("allowed", [1e-2, 1e-4, 1e-7])
+def test_chosen_rows_give_the_others_to_the_accuracy_asked(allowed):
+    A = smooth_matrix()
+    rows, X = chosen_rows(sketched(A), allowed)
+    np.testing.assert_allclose(X[rows], np.eye(len(rows)), atol=1e-12)
+    assert np.all(np.diff(rows) > 0)
+    # Gu & Eisenstat: within √(1 + r(n − r)) of the next singular value, in practice a few times the last pivot
+    assert np.linalg.norm(A - X @ A[rows], axis=1).max() < 10 * allowed
+
+
+def test_a_finer_accuracy_takes_more_rows_but_never_more_than_the_rank():
+    A = smooth_matrix()
+    counts = [len(chosen_rows(sketched(A), allowed)[0]) for allowed in (1e-2, 1e-4, 1e-6)]
+    assert counts == sorted(counts) and counts[0] < counts[2]
+    low = A[:, :7] @ np.random.default_rng(3).standard_normal((7, 500))
+    assert len(chosen_rows(sketched(low), 1e-8)[0]) == 7
+
+
+def test_least_squares_leaves_out_directions_that_are_not_there():
+    A = np.outer(np.arange(1.0, 5.0), [1.0, 1.0])
+    x = least_squares(A, 2 * A[:, :1], 1e-10)
+    np.testing.assert_allclose(x, [[1.0], [1.0]], rtol=1e-12)

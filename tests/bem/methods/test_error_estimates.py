@@ -1,0 +1,142 @@
+"""Estimated errors on random scenes: shares that a bad rule would not reach, and what an estimate is made of.
+
+A fair share p leaves at most so many of n scenes as a binomial variable exceeds once in a thousand times.
+"""
+
+import numpy as np
+import pytest
+from bench.tolerance import NEGLIGIBLE, RANGES, Ranges, campaign, right
+from scipy.stats import binom
+
+from bem import DOFS
+from bem.checks import at_least_haskind
+from bem.contour.accuracy import accuracy, finer
+from bem.frequency import solve_frequency
+from bem.methods.panel_setup import Setup
+from bem.methods.shape_setup import ShapeSetup
+from meshing.lid import lid
+from meshing.shapes import box, buoy
+
+EVERYTHING = {"added_mass", "radiation_damping", "excitation_force"}
+CAMPAIGNS = {
+    "contour": (16, Ranges((1, 4), (0.5, 30), (0.05, 10), (0.5, 20), (1e-3, 1e-2))),
+    "panel": (10, RANGES["panel"]._replace(tolerances=(0.02, 0.02))),
+}
+
+
+@pytest.fixture(scope="module", params=CAMPAIGNS)
+def outcomes(request):
+    """Outcomes of scenes that are solved in a few seconds"""
+    count, ranges = CAMPAIGNS[request.param]
+    return campaign(count, 7, request.param, ranges)
+
+
+def allowed_failures(count, share):
+    return binom.ppf(0.999, count, 1 - share)
+
+
+def test_nineteen_of_twenty_scenes_meet_their_tolerance(outcomes):
+    missed = [o for o in outcomes if o.error > o.scene.tolerance]
+    assert len(missed) <= allowed_failures(len(outcomes), 0.95), "\n".join(map(str, missed))
+
+
+def test_nine_of_ten_estimates_are_within_a_factor_of_three(outcomes):
+    wrong = [o for o in outcomes if not right(o.ratio)]
+    assert len(wrong) <= allowed_failures(len(outcomes), 0.9), "\n".join(map(str, wrong))
+
+
+def test_nine_of_ten_coefficients_have_an_error_within_a_factor_of_three(outcomes):
+    """Coefficients of a scene fail together: scenes are counted in which more than a tenth of them does"""
+    poor = [o for o in outcomes if np.mean(right(o.ratios)) < 0.9]
+    ratios = np.concatenate([o.ratios for o in outcomes])
+    assert len(poor) <= allowed_failures(len(outcomes), 0.75) and np.mean(right(ratios)) > 0.85
+    assert len(ratios) > 10 * len(outcomes)  # that many are above `NEGLIGIBLE`
+    assert NEGLIGIBLE <= 1e-3
+
+
+def body(method="contour", **changes):
+    values = dict(method=method, shape="box", sizes=(100.0, 50.0, 10.0), depth=20.0, tolerance=1e-2)
+    return ShapeSetup(**{**values, **changes}).prepared()
+
+
+def test_errors_of_coefficients_are_absolute_and_about_the_rotation_centre():
+    """A moment about a point below is the one about the origin and the arm times the force, and so are their errors"""
+    headings, arm = [0.4], 7.0
+    here = solve_frequency(body(), 0.6, headings, EVERYTHING)["estimated_error"]
+    run = body(rotation_center=(0.0, 0.0, -arm)).run(0.6, headings, EVERYTHING, None, DOFS)
+    below = run.estimated_errors()
+    assert set(here) == EVERYTHING
+    for name, error in here.items():
+        assert np.all(error >= 0) and error.dtype == float
+        forces = np.s_[:3, :3] if error.shape == (6, 6) else np.s_[:, :3]
+        np.testing.assert_allclose(below[name][forces], error[forces], rtol=1e-6, err_msg=name)
+    force = run.errors[1][0]
+    assert below["excitation_force"][0, 4] == pytest.approx(abs(force[4] + arm * force[0]), rel=1e-6)
+    assert below["excitation_force"][0, 4] != pytest.approx(here["excitation_force"][0, 4], rel=1e-2)
+
+
+def panels():
+    meshes = (box(100.0, 50.0, 10.0, panels=n) for n in (120, 60))
+    (mesh, cover), coarse = ((m, lid(m)) for m in meshes)
+    return Setup(mesh, cover, coarse=coarse, depth=20.0).prepared()
+
+
+@pytest.mark.parametrize("prepared, solved", [(body, True), (panels, False)])
+def test_the_error_of_excitation_is_no_less_than_that_between_two_ways_to_it(prepared, solved):
+    """Haskind's way is free where radiation is solved: for the wanted motions, with the contour method always"""
+    prepared = prepared()
+    for want, dofs, known in (
+        (EVERYTHING, DOFS, True),
+        (EVERYTHING, ("Heave",), True),
+        ({"excitation_force"}, DOFS, solved),
+    ):
+        run = prepared.run(0.9, [0.4, 1.3], want, None, dofs)
+        error = np.abs(run.errors[1])
+        if known:
+            gap = np.abs(run.haskind - run.excitation)
+            assert np.all(error[:, run.dofs] >= gap[:, run.dofs] * (1 - 1e-12))
+    everything, alone = (prepared.run(0.9, [0.4], w, None, DOFS).errors[1] for w in (EVERYTHING, {"excitation_force"}))
+    assert np.all(np.abs(alone) <= np.abs(everything) * (1 + 1e-9))
+
+
+def test_two_ways_to_the_excitation_raise_an_error_but_never_lower_it():
+    error, force = np.array([[3.0, 1.0, 1.0j]]), np.array([[5.0, 5.0j, 9.0]])
+    raised = at_least_haskind(error, force, np.array([[4.0, 2.0j, 0.0]]), [0, 1])
+    np.testing.assert_array_equal(raised, [[3.0, 3.0j, 1.0j]])
+
+
+def test_what_moves_water_does_not_depend_on_where_the_mesh_lies():
+    length = 3452.5
+    mesh = box(length, 261.6, 5.12, panels=200)
+    here, there = (Setup(m, depth=20.0).prepared().displacing for m in (mesh, mesh.moved(dx=length / 2, dy=80.0)))
+    np.testing.assert_array_equal(here, there)
+    assert here[5]
+    pile = buoy(5.0, 5.0, panels=400)
+    for m in (pile, pile.whole().moved(dx=40.0)):
+        np.testing.assert_array_equal(Setup(m, depth=20.0).prepared().displacing, [True] * 5 + [False])
+
+
+def test_errors_are_given_for_what_is_wanted_only():
+    some = solve_frequency(body(), 0.6, [0.4], {"added_mass"}, dofs=("Heave",))
+    (name, error), *more = some["estimated_error"].items()
+    assert name == "added_mass" and not more
+    assert error[2, 2] > 0 and np.all(np.isnan(np.delete(error.ravel(), 14)))
+    none = solve_frequency(body(), 0.6, [0.4], {"Froude_Krylov_force"})
+    assert "estimated_error" not in none
+
+
+def test_a_method_without_an_estimate_says_so():
+    strips = solve_frequency(body("strip"), 0.6, [0.4], EVERYTHING)
+    assert np.isnan(strips["checks"]["estimated_error"]) and strips["estimated_error"] == {}
+
+
+@pytest.mark.parametrize("gap", [0.3, 5.0, 100.0, 2000.0])
+@pytest.mark.parametrize("digits", [1.5, 3.5, 5.5, 7.5])
+def test_no_part_of_a_finer_body_is_coarser(gap, digits):
+    coarse = accuracy(digits, 10.0, gap, 25.0)
+    fine, more = finer(coarse, 10.0, gap, 25.0), accuracy(digits + 0.1, 10.0, gap, 25.0)
+    for one, other in ((coarse, fine), (coarse, more)):
+        for part in ("terms", "modes", "kappa", "plan", "extra"):
+            assert getattr(other, part) >= getattr(one, part), part
+        assert other.smallest <= one.smallest
+    assert fine.kappa > coarse.kappa and fine.plan > coarse.plan and fine.further > coarse.further

@@ -1,0 +1,87 @@
+"""A body beside a vertical wall that reflects all waves, by its image."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bem.frequency import solve_frequency
+from bem.methods.panel_setup import Setup, prepare
+from bem.sections.coefficients import section
+from bem.sections.quay import force_before_wall
+from meshing.lid import lid
+from meshing.shapes import box
+
+WANT = {"added_mass", "radiation_damping", "excitation_force"}
+OMEGA, DEPTH, HEADING = 0.6, 20.0, 0.7
+TABLE = 1e-5  # of the largest entry: the tables of the Green function, which depend on the extent of the mesh
+
+
+def solved(mesh, lid_mesh=None, headings=(HEADING,), **options):
+    return solve_frequency(prepare(Setup(mesh, lid_mesh, depth=DEPTH, **options)), OMEGA, headings, WANT)
+
+
+@pytest.fixture(scope="module")
+def beside():
+    mesh = box(60, 30, 8, counts=(5, 3, 3))
+    return solved(mesh, lid(mesh), wall=-25.0)
+
+
+def test_a_body_fastened_to_the_wall_is_half_of_one_that_straddles_it():
+    whole = box(60, 30, 8, counts=(5, 3, 3), symmetry="xy")
+    half = replace(replace(whole, symmetry="x").whole(), symmetry="")
+    wall, both = solved(half, wall=0.0), solved(whole, headings=(HEADING, -HEADING))
+    for d in (0, 2, 4):
+        assert wall["added_mass"][d, d] == pytest.approx(0.5 * both["added_mass"][d, d], rel=TABLE)
+        assert wall["radiation_damping"][d, d] == pytest.approx(0.5 * both["radiation_damping"][d, d], rel=TABLE)
+        assert wall["excitation_force"][0, d] == pytest.approx(0.5 * both["excitation_force"][:, d].sum(), rel=TABLE)
+
+
+def test_reciprocity_and_haskind_hold_beside_a_wall(beside):
+    assert beside["checks"]["reciprocity"] < 0.01
+    assert beside["checks"]["Haskind"] < 0.01
+
+
+def test_a_mirror_plane_across_the_wall_changes_nothing(beside):
+    mesh = box(60, 30, 8, counts=(5, 3, 3)).whole()
+    other = solved(mesh, lid(box(60, 30, 8, counts=(5, 3, 3))).whole(), wall=-25.0)
+    for name in ("added_mass", "radiation_damping", "excitation_force"):
+        scale = np.abs(beside[name]).max(axis=0)
+        assert np.all(np.abs(other[name] - beside[name]) <= TABLE * scale.max())
+
+
+def test_wall_couples_sway_and_heave(beside):
+    assert abs(beside["added_mass"][1, 2]) > 0.01 * beside["added_mass"][2, 2]
+
+
+def test_walls_on_both_sides_are_mirror_images(beside):
+    mesh = box(60, 30, 8, counts=(5, 3, 3))
+    other = solved(mesh, lid(mesh), headings=(-HEADING,), wall=25.0)
+    parity = np.array([1, -1, 1, -1, 1, -1])
+    scale = np.abs(beside["added_mass"]).max()
+    assert np.abs(other["added_mass"] * np.outer(parity, parity) - beside["added_mass"]).max() < TABLE * scale
+    gap = other["excitation_force"] * parity - beside["excitation_force"]
+    assert np.abs(gap).max() < TABLE * np.abs(beside["excitation_force"]).max()
+
+
+def test_far_field_quantities_are_refused_beside_a_wall():
+    mesh = box(60, 30, 8, counts=(2, 2, 2))
+    with pytest.raises(ValueError, match="wall"):
+        solve_frequency(prepare(Setup(mesh, depth=DEPTH, wall=-25.0)), OMEGA, [0.0], {"drift_force_fixed"})
+
+
+def test_a_long_box_before_the_wall_bears_what_its_section_does_with_repeated_reflection():
+    """Ends let waves past: the gap closes as the box grows longer; the report's single reflection stays off."""
+    beam, draft, wall, omega = 50.0, 10.0, 50.0, 0.65
+    part = section(beam, draft, DEPTH, omega)
+    dofs = ("Sway", "Heave", "Roll")
+    gaps = []
+    for length, panels in ((200.0, 400), (800.0, 800)):
+        mesh = box(length, beam, draft, panels=panels)
+        body = prepare(Setup(mesh, lid(mesh, 12.0), depth=DEPTH, wall=wall))
+        force = solve_frequency(body, omega, [np.pi / 2], {"excitation_force"}, None, dofs)["excitation_force"][0, 1:4]
+        gaps.append(np.abs(force / length - force_before_wall(part, wall)) / np.abs(part.excitation))
+    single = np.abs(force / length - force_before_wall(part, wall, repeated=False)) / np.abs(part.excitation)
+    assert np.all(gaps[1] < 0.04), gaps
+    assert np.all(gaps[1] < gaps[0] / 3), gaps
+    assert np.all(single > 2 * gaps[1]), (single, gaps)

@@ -1,0 +1,98 @@
+"""Tables of sections in the report's order, interpolation between shapes, the command that writes them."""
+
+import csv
+import io
+
+import h5py
+import numpy as np
+import pytest
+
+from bem.sections.tables import COLUMNS, FORCES, IMPEDANCES, interpolant, row_of, table_name, tables
+from pipelines.cli import main
+from pipelines.reports.sections_command import csv_text
+
+
+def complex_values(row):
+    """M + iN and E exp(iε) in the order of the interpolant"""
+    forces = [row[f"E_{mode}"] * np.exp(1j * np.radians(row[f"eps_{mode}_deg"])) for mode in FORCES]
+    return np.array([row[f"M_{name}"] + 1j * row[f"N_{name}"] for name in IMPEDANCES] + forces)
+
+
+@pytest.fixture(scope="module")
+def between():
+    return interpolant(xi=(0.2, 1.0, 3.0), beam_draft=(5.0, 12.0), depth_draft=(1.2, 4.0), tolerance=1e-4)
+
+
+def test_interpolated_rows_keep_to_their_bound_at_shapes_between(between):
+    rng = np.random.default_rng(1982)
+    for beam, depth in zip(rng.uniform(5, 12, 25), rng.uniform(1.2, 4, 25), strict=True):
+        bound = between.error(beam, depth)
+        for row, limit in zip(between.rows(beam, depth), bound, strict=True):
+            direct = row_of(beam, depth, row["xi_B"], tolerance=1e-7)
+            assert np.all(np.abs(complex_values(row) - complex_values(direct)) < limit), (beam, depth, row["xi_B"])
+
+
+def test_the_bound_is_within_the_tolerance_asked_for(between):
+    for beam, depth in ((5.0, 1.2), (8.0, 2.0)):
+        largest = np.abs([complex_values(row) for row in between.rows(beam, depth)])
+        assert np.all(between.error(beam, depth)[:, :2] < 1e-2 * largest[:, :2])
+    scaled = np.abs(between.series).sum((0, 1))  # no value is larger
+    assert np.all(between.bound < 1e-4 * scaled)
+
+
+def test_shapes_outside_the_range_are_refused(between):
+    with pytest.raises(ValueError, match="B/d is 20; this table holds 5 to 12"):
+        between.rows(20.0, 2.0)
+    with pytest.raises(ValueError, match="H/d is 10"):
+        between.error(6.0, 10.0)
+
+
+def test_the_twenty_tables_come_in_the_order_of_the_report():
+    names = [
+        table_name({"H_over_d": H, "B_over_d": B}) for H in (1.2, 1.4, 2.0, 3.0, 10.0) for B in (5.0, 10.0, 15.0, 20.0)
+    ]
+    assert names == [f"2.1.3.{i}" for i in range(1, 21)]
+    assert table_name({"H_over_d": 2.0, "B_over_d": 6.0}) == ""
+
+
+def test_rows_run_over_frequency_first_then_beam_then_depth():
+    rows = tables((5.0, 6.0), (1.4, np.inf), (0.5, 1.0), tolerance=1e-3)
+    order = [(row["H_over_d"], row["B_over_d"], row["xi_B"]) for row in rows]
+    assert order == [(H, B, x) for H in (1.4, np.inf) for B in (5.0, 6.0) for x in (0.5, 1.0)]
+    text = [line for line in csv_text(rows, 1e-3).splitlines() if not line.startswith("#")]
+    read = list(csv.DictReader(io.StringIO("\n".join(text))))
+    assert [row["table"] for row in read] == ["2.1.3.5"] * 2 + [""] * 6
+    assert list(read[0])[1:] == list(COLUMNS)
+    assert float(read[3]["M_H"]) == pytest.approx(rows[3]["M_H"], rel=1e-6)
+
+
+def test_the_command_writes_the_same_numbers_as_text_and_as_hdf5(tmp_path):
+    flags = ["--beam-draft", "5,10", "--depth-draft", "1.4", "--xi", "0.5:1.5:3", "--tolerance", "1e-4"]
+    for name in ("a.csv", "a.h5"):
+        assert main(["sections", *flags, "--output", str(tmp_path / name)]) == 0
+    lines = (line for line in (tmp_path / "a.csv").read_text().splitlines() if not line.startswith("#"))
+    text = list(csv.DictReader(lines))
+    with h5py.File(tmp_path / "a.h5") as file:
+        assert file["M_H"].shape == (1, 2, 3)
+        assert file["M_H"].dims[1][0].name == "/B_over_d"
+        for name in COLUMNS[3:]:
+            assert [float(row[name]) for row in text] == pytest.approx(file[name][()].ravel(), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        (["--depth-draft", "0.9"], "--depth-draft is 0.9; allowed: above 1, or inf"),
+        (["--beam-draft", "0", "--depth-draft", "2", "--xi", "1"], "--beam-draft is 0; allowed: above 0, finite"),
+        (["--xi", "-1"], "--xi is -1; allowed: above 0, finite"),
+        (["--output", "a.txt"], "allowed: a name that ends in .csv or .h5"),
+        (["--output", "nowhere/a.csv"], "there is no folder nowhere"),
+        (["--beam-draft", "wide"], "--beam-draft is 'wide'; allowed: a,b,c or start:stop:count"),
+        (["--tolerance", "0"], "tolerance is 0; allowed: 1e-08 to below 1"),
+    ],
+)
+def test_what_cannot_be_tabulated_is_one_line(flags, said, capsys):
+    assert main(["sections", *flags]) == 2
+    line = capsys.readouterr().err
+    assert said in line
+    assert line.count("\n") == 1

@@ -1,0 +1,217 @@
+"""`hakobune line-dynamics` as a user calls it, and what it makes of a run."""
+
+import re
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+import pipelines
+from mooring.formats.results import read_channels, read_frames
+from mooring.lines.catenary.solve import solve_lines
+from pipelines.cli import main
+from pipelines.line_dynamics import command as line_dynamics_command
+from pipelines.line_dynamics.figures import time_below
+from pipelines.line_dynamics.motion import course_of
+from pipelines.line_dynamics.parts import current_of, line_of
+from pipelines.line_dynamics.study import make_line_dynamics, read_line_dynamics
+
+SCENES = sorted((Path(pipelines.__file__).parent / "scenes").glob("line_*.toml"))
+CHAIN = """\
+anchor = [0.0, 0.0, -60.0]
+duration = 24.0
+[water]
+depth = 60.0
+[types.chain]
+catalogue = "R3 studless 76 mm"
+[[segments]]
+type = "chain"
+length = 315.0
+elements = 24
+[fairlead]
+position = [292.0, 0.0, -2.0]
+[[fairlead.motions]]
+period = 8.0
+amplitude = [1.0, 0.0, 0.5]
+"""
+
+
+def changed(tmp_path, *changes, name="line.toml"):
+    text = CHAIN
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new, 1)
+    path = tmp_path / name
+    path.write_text(text)
+    return path
+
+
+def attributes(path):
+    with h5py.File(path) as file:
+        return dict(file.attrs)
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+def test_a_scene_prints_writes_and_draws_what_it_found(scene, tmp_path, monkeypatch, capsys):
+    monkeypatch.delenv("DISPLAY", raising=False)
+    out, picture = tmp_path / "run.h5", tmp_path / "strip.png"
+    assert main(["line-dynamics", str(scene), "--output", str(out), "--picture", str(picture)]) == 0
+    shown = capsys.readouterr().out
+    for text in ("largest, quasi-static", "slack, s in a cycle", "work per cycle", "friction", "regime:"):
+        assert text in shown
+    assert picture.stat().st_size > 30_000 and sorted(p.name for p in tmp_path.iterdir()) == ["run.h5", "strip.png"]
+    data, found = read_channels(out), attributes(out)
+    inside = (data["Time"] >= found["window_begin"]) & (data["Time"] <= found["window_end"])
+    assert found["largest_fairlead"] == data["FairTen1"][inside].max()
+    assert found["least_fairlead"] == pytest.approx(data["FairTen1"][inside].min(), rel=1e-6)
+    assert found["study"] == scene.read_text()
+    time, nodes = read_frames(out)
+    ends = np.stack([np.interp(time, data["Time"], data[f"Point2P{axis}"]) for axis in "XYZ"], axis=-1)
+    # a chord of the fairlead's path between two steps misses it by aω²Δt²/8, with steps of up to T/12
+    assert np.abs(nodes[:, -1] - ends).max() < 3.0 * (2 * np.pi / 12) ** 2 / 8
+    losses = sum(found[f"work_{name}"] for name in ("drag", "water_inertia", "structural", "bed", "friction", "stored"))
+    assert losses == pytest.approx(found["work"], rel=5e-3)  # five times the tolerance of a step
+
+
+def test_a_slow_fairlead_pulls_as_the_catenary_at_its_outermost_place(tmp_path):
+    slow = changed(tmp_path, ("period = 8.0", "period = 600.0"), ("duration = 24.0", "duration = 1200.0"),
+                   ("[1.0, 0.0, 0.5]", "[3.0, 0.0, 0.0]"), ("elements = 24", "elements = 60"))  # fmt: skip
+    assert main(["line-dynamics", str(slow), "--output", str(tmp_path / "slow.h5")]) == 0
+    line, _ = line_of(read_line_dynamics(slow)[0])
+    part, found = line.segments[0], attributes(tmp_path / "slow.h5")
+    exact = solve_lines(np.array([292.0, 295.0]), 58.0, part.length, part.weight, part.axial_stiffness).tension_fairlead
+    # elements of 5 m put the touch-down wrongly by up to half of one; drag goes with the period to the power −2
+    assert found["quasi_static_fairlead"] == pytest.approx(exact[1], rel=5e-3)
+    assert found["largest_fairlead"] == pytest.approx(exact[1], rel=1e-2)
+    assert found["rest_fairlead"] == pytest.approx(exact[0], rel=5e-3)
+
+
+def test_a_table_of_a_harmonic_motion_pulls_as_the_motion_does(tmp_path):
+    t = np.linspace(0.0, 24.0, 481)
+    place = [292 + np.cos(np.pi / 4 * t), 0 * t, -2 + 0.5 * np.cos(np.pi / 4 * t)]
+    np.savetxt(tmp_path / "motion.csv", np.transpose([t, *place]), delimiter=",", header="t,x,y,z", comments="")
+    text = CHAIN[: CHAIN.index("position =")] + 'table = "motion.csv"\nramp = 8.0\n'
+    (tmp_path / "table.toml").write_text(text)
+    runs = []
+    for path in (changed(tmp_path), tmp_path / "table.toml"):
+        out = path.with_suffix(".h5")
+        assert main(["line-dynamics", str(path), "--output", str(out)]) == 0
+        runs.append(attributes(out))
+    # the mean of the table holds one value more than whole cycles, 1/481 of the amplitude off
+    assert runs[1]["largest_fairlead"] == pytest.approx(runs[0]["largest_fairlead"], rel=5e-3)
+    assert runs[1]["window_cycles"] == 0 and runs[0]["window_cycles"] == 2
+
+
+def test_time_below_a_level_is_that_of_a_cosine():
+    t = np.linspace(0.0, 2.0, 4001)
+    exact = 2.0 * (1 - np.arccos(-0.3) / np.pi)
+    assert time_below(t, np.cos(2 * np.pi * t), -0.3) == pytest.approx(exact, abs=1e-6)
+    assert time_below(t, np.ones_like(t), 1.0) == 0.0 and time_below(t, np.zeros_like(t), 1.0) == 2.0
+
+
+def course(**fairlead):
+    raw = {"water": {"depth": 60.0}, "types": {"c": {}}, "segments": [{"type": "c", "length": 1.0}],
+           "anchor": [0, 0, -60], "fairlead": {"position": [0, 0, 0], **fairlead}}  # fmt: skip
+    return course_of(make_line_dynamics(raw), ".")
+
+
+def test_figures_are_of_whole_cycles_up_to_the_end():
+    two = course(motions=[{"amplitude": (1, 0, 0), "period": T} for T in (12.0, 4.0)], ramp=5.0)
+    assert two.cycle == 12.0 and two.duration == 5.0 + 12 * 12.0
+    assert two.window() == (5.0, 149.0, 12)
+    begin, end, count = two.window(20.0)
+    assert (end, count) == (149.0, 10) and begin == 149.0 - 120.0
+    uneven = course(motions=[{"amplitude": (1, 0, 0), "period": T} for T in (12.0, 5.0)])
+    assert uneven.cycle is None and uneven.window()[2] is None
+
+
+def test_a_phase_is_a_lag():
+    moved = course(motions=[{"amplitude": (2, 0, 0), "period": 8.0, "phase_deg": (90, 0, 0)}], ramp=0.0)
+    assert moved.motion.at(2.0)[0] == pytest.approx([2.0, 0.0, 0.0])
+
+
+def test_a_current_of_one_exponent_is_sheared_over_the_depth():
+    raw = {"water": {"depth": 60.0}, "types": {"c": {}}, "segments": [{"type": "c", "length": 1.0}],
+           "anchor": [0, 0, -60], "fairlead": {"position": [0, 0, 0]},
+           "current": {"speed_knots": 2.0, "incidence_deg": 180.0, "exponent": 1.0}}  # fmt: skip
+    made = current_of(make_line_dynamics(raw))
+    U = np.stack([np.interp([-60.0, -30.0, 0.0], made.z, column) for column in made.velocity.T], axis=-1)
+    assert pytest.approx(2 * 1852 / 3600 * np.array([[0, 0], [0.5, 0], [1, 0]]), abs=1e-9) == U
+
+
+def test_an_interrupted_run_leaves_no_file(tmp_path, monkeypatch, capsys):
+    def stop(self, reached):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(line_dynamics_command.Progress, "__call__", stop)
+    path = changed(tmp_path)
+    arguments = ["--output", str(tmp_path / "run.h5"), "--picture", str(tmp_path / "run.png")]
+    assert main(["line-dynamics", str(path), *arguments]) == 130
+    assert capsys.readouterr().err == "hakobune line-dynamics: interrupted; nothing was written\n"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_line_pulled_beyond_its_length_is_said_with_the_force_it_takes(tmp_path, capsys):
+    own = "weight_N_per_m = 985.0\naxial_stiffness_kN = 4.6e5\nmass_kg_per_m = 115.5\ndiameter = 0.137"
+    path = changed(tmp_path, ('catalogue = "R3 studless 76 mm"', own), ("[1.0, 0.0, 0.5]", "[18.0, 0.0, 0.0]"),
+                   ("period = 8.0", "period = 60.0"), ("duration = 24.0", "duration = 120.0"))  # fmt: skip
+    assert main(["line-dynamics", str(path), "--output", str(tmp_path / "taut.h5")]) == 0
+    shown = capsys.readouterr().out
+    said = float(re.search(r"stretching it so takes (\d+) kN", shown)[1])
+    away = np.hypot(310.0, 58.0) - 315.0
+    assert said == pytest.approx(4.6e5 * away / 315.0, abs=1.0)
+    assert attributes(tmp_path / "taut.h5")["largest_fairlead"] > 1e3 * said
+
+
+FAULTS = [
+    (("R3 studless", "R3 stuffed"), [], "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes"),
+    (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown; allowed: depth"),
+    (('type = "chain"', 'type = "rope"'), [], "segments[0].type is 'rope'; allowed: chain"),
+    (("length = 315.0", "length = 250.0"), [], "m from the anchor at t ="),
+    (("[1.0, 0.0, 0.5]", "[40.0, 0.0, 0.5]"), [], "where the line of 315 m breaks at 4884 kN"),
+    (("-60.0]", "-61.0]"), [], "anchor is at z = -61 m, under the bed; allowed: -60 m or higher"),
+    (("period = 8.0", "period = 0.0"), [], "fairlead.motions[0].period is 0; allowed: above 0"),
+    (("position = [292.0, 0.0, -2.0]", 'table = "none.csv"'), [], "motions are given beside a table"),
+    (('catalogue = "R3 studless 76 mm"', "weight_N_per_m = 900"), [], "types.chain: no axial stiffness is given"),
+    (("[fairlead]", "[[bodies]]\nafter_segment = 1\nmass = 9.0\n[fairlead]"), [], "cut it in two where the body is"),
+    (("[fairlead]", "[wave]\nheight = 12\nperiod = 6\ndirection_deg = 0\n[fairlead]"), [], "wave.height is 12 m"),
+    (("duration = 24.0", "duration = 15.0"), [], "one cycle of 8 s before the end; give a longer duration"),
+    (("", ""), ["--duration", "-1"], "duration is -1 s; allowed: finite, above 0"),
+    (("", ""), ["--tolerance", "0"], "tolerance is 0.0; allowed: above 0"),
+    (("", ""), ["--picture", "x.doc"], "has the suffix '.doc'; allowed"),
+    (("", ""), ["--output", "/nowhere/x.h5"], "there is no folder /nowhere"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("change", "arguments", "message"), FAULTS)
+def test_what_cannot_be_run_is_one_line(tmp_path, change, arguments, message, capsys):
+    path = changed(tmp_path, change)
+    assert main(["line-dynamics", str(path), *arguments]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("hakobune line-dynamics: ") and message in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        (None, "none.csv does not exist"),
+        ("t,x,y,z\n0,1,2\n", "line 2 is '0,1,2'; allowed: four numbers t,x,y,z"),
+        ("0,1,2,3\n1,1,2,3\n1,1,2,3\n2,1,2,3\n", "line 3: the time does not rise"),
+        ("5,1,2,3\n6,1,2,3\n7,1,2,3\n8,1,2,3\n", "begins at 5 s; allowed: at 0 s or before"),
+        ("", "has 0 rows; allowed: 4 or more"),
+    ],
+)
+def test_a_table_that_cannot_be_read_is_one_line(tmp_path, rows, message, capsys):
+    (tmp_path / "t.toml").write_text(CHAIN[: CHAIN.index("position =")] + 'table = "none.csv"\n')
+    if rows is not None:
+        (tmp_path / "none.csv").write_text(rows)
+    assert main(["line-dynamics", str(tmp_path / "t.toml")]) == 2
+    said = capsys.readouterr().err
+    assert message in said and said.count("\n") == 1
+
+
+def test_a_missing_study_and_a_folder_are_one_line(tmp_path, capsys):
+    for place, message in ((tmp_path / "none.toml", "does not exist"), (tmp_path, "Is a directory")):
+        assert main(["line-dynamics", str(place)]) == 2
+        assert message in capsys.readouterr().err

@@ -1,0 +1,236 @@
+"""`hakobune line` and `hakobune lines` as a user calls them."""
+
+import re
+
+import h5py
+import numpy as np
+import pytest
+
+from mooring.formats.results import write_channels
+from mooring.lines.catenary.solve import solve_lines
+from pipelines.cli import main
+from pipelines.common.study import LineType as TypeTable
+from pipelines.common.study import StudyError, line_properties
+from pipelines.lines.system_file import read_system
+
+SPREAD = """\
+[water]
+depth = 60.0
+[types.chain]
+catalogue = "R3 studless 76 mm"
+bed_friction = 0.5
+[types.wire]
+weight_N_per_m = 120.0
+axial_stiffness_kN = 2.0e5
+breaking_load_kN = 2500
+bed_friction = 0.5
+[[bodies]]
+name = "barge"
+force_kN = [60.0, 20.0, 0.0]
+[[anchors]]
+name = "A1"
+position = [-320.0, 0.0, -60.0]
+[[anchors]]
+name = "A2"
+position = [280.0, 190.0, -60.0]
+[[anchors]]
+name = "A3"
+position = [280.0, -190.0, -60.0]
+[[fairleads]]
+name = "stern"
+body = "barge"
+position = [-40.0, 0.0, -2.0]
+[[fairleads]]
+name = "port"
+body = "barge"
+position = [40.0, 12.0, -2.0]
+[[fairleads]]
+name = "starboard"
+body = "barge"
+position = [40.0, -12.0, -2.0]
+[[points]]
+name = "sinker"
+position = [-100.0, 0.0, -50.0]
+mass = 8000.0
+volume = 1.0
+[[lines]]
+name = "stern chain"
+type = "chain"
+length = 215.0
+from = "A1"
+to = "sinker"
+[[lines]]
+name = "stern wire"
+type = "wire"
+length = 80.0
+from = "sinker"
+to = "stern"
+[[lines]]
+name = "port"
+type = "chain"
+length = 312.0
+from = "A2"
+to = "port"
+[[lines]]
+name = "starboard"
+type = "chain"
+length = 312.0
+from = "A3"
+to = "starboard"
+"""
+
+
+HANGING = ["--weight", "1000", "--length", "300", "--depth", "60"]
+
+
+@pytest.fixture
+def spread(tmp_path):
+    path = tmp_path / "spread.toml"
+    path.write_text(SPREAD)
+    return path
+
+
+def test_line_prints_the_forces_of_the_line_and_draws_it(tmp_path, capsys):
+    picture = tmp_path / "line.png"
+    arguments = ["--weight", "1000", "--stiffness", "5e5", "--length", "300", "--depth", "60", "--span", "285"]
+    assert main(["line", *arguments, "--output", str(picture)]) == 0
+    shown = capsys.readouterr().out
+    expected = solve_lines(285.0, 60.0, 300.0, 1000.0, 5e8)
+    pair = re.search(r"at the fairlead\s+([\d.]+), ([\d.]+) kN", shown)
+    assert float(pair[1]) == pytest.approx(expected.horizontal_fairlead / 1e3, abs=6e-4)
+    assert float(pair[2]) == pytest.approx(expected.vertical_fairlead / 1e3, abs=6e-4)
+    assert picture.stat().st_size > 10_000
+
+
+def test_line_finds_the_span_of_a_tension(capsys):
+    assert main(["line", "--type", "R4 studlink 84 mm", "--length", "400", "--depth", "80", "--tension", "500"]) == 0
+    assert "500.000," in capsys.readouterr().out
+
+
+def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
+    hung = ["line", "--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--span"]
+    assert main([*hung, "280"]) == 0
+    assert "warning" not in capsys.readouterr().out
+    assert main([*hung, "400"]) == 0
+    (warning,) = (line for line in capsys.readouterr().out.splitlines() if line.startswith("warning: "))
+    assert "the breaking load 4884.278 kN: the line parts" in warning
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--length", "300", "--depth", "60", "--span", "1"], "--type and --weight: neither is given"),
+        (["--weight", "9", "--length", "300", "--depth", "60"], "--span and --tension: neither is given"),
+        (["--type", "rope", "--length", "300", "--depth", "60", "--span", "1"], "'rope' is not in the catalogue"),
+        (["--weight", "9", "--length", "50", "--depth", "60", "--span", "40"], "cannot be reached"),
+        (["--weight", "9", "--length", "-5", "--depth", "60", "--span", "40"], "--length is -5 m; allowed"),
+        ([*HANGING, "--span", "250", "--slope-deg", "95"], "--slope-deg is 95°; allowed: above −85.94 and below 85.94"),
+        ([*HANGING, "--span", "250", "--fairlead-z", "-70"], "--fairlead-z is -70 m; allowed: from -60 m, the bed"),
+        ([*HANGING, "--tension", "9", "--fairlead-z", "-70"], "--fairlead-z is -70 m; allowed: from -60 m, the bed"),
+        (
+            [*HANGING, "--span", "250", "--slope-deg", "20"],
+            "--fairlead-z is 0 m; allowed: from 30.9926 m, the bed 250 m from the anchor (--depth, --slope-deg)",
+        ),
+        ([*HANGING, "--span", "-5"], "--span is -5 m; allowed: at least 0, finite"),
+        ([*HANGING, "--tension", "0"], "--tension is 0 kN; allowed: above 0, finite"),
+        ([*HANGING, "--tension", "9", "--friction", "-1"], "--friction is -1; allowed: at least 0, finite"),
+        ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
+    ],
+)
+def test_line_says_in_one_line_what_it_cannot_do(arguments, message, capsys):
+    assert main(["line", *arguments]) == 2
+    said = capsys.readouterr().err
+    assert message in said and said.count("\n") == 1
+
+
+def test_lines_runs_a_system_and_writes_results_picture_and_moordyn_file(spread, tmp_path, capsys):
+    own = SPREAD[SPREAD.index("weight_N_per_m") : SPREAD.index("bed_friction = 0.5\n[[bodies]]")]
+    spread.write_text(SPREAD.replace(own, 'catalogue = "wire 6x36 IWRC 60 mm"\n'))
+    out, picture, deck = tmp_path / "rest.h5", tmp_path / "rest.svg", tmp_path / "deck.txt"
+    extra = ["--offset", "3", "--direction", "0,90", "--broken", "--output", str(out), "--picture", str(picture)]
+    assert main(["lines", str(spread), *extra, "--moordyn", str(deck)]) == 0
+    shown = capsys.readouterr().out
+    for text in (
+        "lines at rest",
+        "stiffness of the lines on barge",
+        "held at offsets",
+        "one line broken",
+        "stern wire",
+    ):
+        assert text in shown
+    with h5py.File(out) as file:
+        assert file["FairTen1"].attrs["units"] == "N" and next(iter(file["names/lines"].asstr())) == "stern chain"
+        position = [file[f"Body1P{axis}"][0] for axis in "XYZ"]
+    assert picture.stat().st_size > 10_000
+    # a file of its own, whose forces at the given pose are the same
+    again = read_system(deck)
+    assert np.allclose(again.load().force, read_system(spread).load().force, rtol=1e-9, atol=1e-3)
+    assert 0 < position[0] < 20
+
+
+def test_lines_moves_the_body_where_a_force_on_the_command_line_pushes_it(spread, capsys):
+    places = []
+    for force in ("0,0,0", "100,0,0"):
+        assert main(["lines", str(spread), "--force", force]) == 0
+        places.append(float(re.search(r"barge: x (-?[\d.]+) m", capsys.readouterr().out)[1]))
+    assert places[1] > places[0] + 0.1
+
+
+FAULTS = [
+    (("type = \"wire\"", "type = \"rope\""), [], "line stern wire: type is 'rope'; allowed: chain, wire"),
+    (("R3 studless", "R3 stuffed"), [],
+     "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes studlink or studless"),
+    (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown; allowed: depth"),
+    (("mass = 8000.0", "mass = -1"), [], "point sinker: mass is -1; allowed: finite, at least 0 kg"),
+    (("to = \"stern\"", "to = \"bow\""), [], "its end 'bow' is no point of the system"),
+    (("", ""), ["--body", "tug"], "--body is 'tug'; allowed: barge"),
+    (("", ""), ["--force", "1,2"], "--force has 2 numbers; allowed: 3"),
+    (("", ""), ["--force", "a"], "--force is 'a'; allowed: finite numbers"),
+    (("", ""), ["--offset", "-2"], "--offset is -2 m; allowed: above 0"),
+    (("", ""), ["--picture", "x.doc"], "has the suffix '.doc'; allowed"),
+    (("", ""), ["--output", "/nowhere/x.h5"], "/nowhere"),
+    (("bed_friction = 0.5\n[[bodies]]", "[[bodies]]"), ["--moordyn", "never.txt"], "bed friction is 0 and 0.5"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("change", "arguments", "message"), FAULTS)
+def test_lines_says_in_one_line_what_it_cannot_do(tmp_path, change, arguments, message, capsys):
+    path = tmp_path / "bad.toml"
+    path.write_text(SPREAD.replace(*change, 1) if change[0] else SPREAD)
+    assert main(["lines", str(path), *arguments]) == 2
+    said = capsys.readouterr().err
+    assert message in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", ["none.toml", "none.txt", "none.yaml", "none.h5"])
+def test_a_missing_file_is_one_line(tmp_path, name, capsys):
+    assert main(["lines", str(tmp_path / name)]) == 2
+    assert "does not exist" in capsys.readouterr().err
+
+
+def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
+    time, s = np.linspace(0, 2, 12), np.linspace(0, 1, 20)
+    nodes = np.zeros((12, 20, 3))
+    nodes[..., 0], nodes[..., 2] = 100 * s, -20 * s * (1 - s) * (1 + 0.3 * np.sin(3 * time[:, None]))
+    run = tmp_path / "run.h5"
+    write_channels(run, time, {}, frames=(time, nodes))
+    for name in ("strip.png", "film.gif"):
+        assert main(["lines", str(run), "--picture", str(tmp_path / name)]) == 0
+        assert (tmp_path / name).stat().st_size > 5_000
+    picture = tmp_path / "run.png"  # of `line-dynamics --output run.h5 --picture run.png`
+    picture.write_text("tensions")
+    assert main(["lines", str(run)]) == 0
+    assert picture.read_text() == "tensions" and (tmp_path / "run_frames.png").stat().st_size > 5_000
+    assert "run_frames.png" in capsys.readouterr().out
+    write_channels(run, time, {})
+    assert main(["lines", str(run)]) == 2
+    assert "holds no frames" in capsys.readouterr().err
+
+
+def test_a_type_of_a_study_may_come_from_the_catalogue_and_be_corrected():
+    plain = line_properties("types.x", TypeTable(catalogue="R3 studless 76 mm"))
+    assert plain["breaking_load"] == pytest.approx(4884e3, rel=1e-3) and plain["weight"] == pytest.approx(985, rel=1e-3)
+    heavier = line_properties("types.x", TypeTable(catalogue="R3 studless 76 mm", weight_N_per_m=1200.0))
+    assert heavier["weight"] == 1200.0 and heavier["axial_stiffness"] == plain["axial_stiffness"]
+    with pytest.raises(StudyError, match="nothing is given"):
+        line_properties("types.x", TypeTable())

@@ -1,0 +1,196 @@
+"""`hakobune response` as a person runs it, on a small database of the series box."""
+
+import csv
+import shutil
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+import pipelines
+from bem.database import open_database
+from mooring.environment.sea import Sea
+from mooring.environment.spectra import issc
+from mooring.response.body import read_body
+from mooring.response.sea_state import sea_state
+from pipelines.cli import main
+from pipelines.response.report import _forces
+
+SCENES = Path(pipelines.__file__).parent / "scenes"
+WORDS = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.55,29.44,32.28"
+STUDY = """
+[sea]
+height = 3.0
+mean_period = 10.0
+incidence_deg = 180.0
+duration_hours = 2.0
+[[points]]
+name = "stern"
+position = [-50.0, 0.0, 10.0]
+clearance = 9.0
+"""
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    path = tmp_path_factory.mktemp("response") / "box.h5"
+    words = [*WORDS.split(), "--omega", "0.25:1.05:9", "--heading", "0,30,60,90", "--output", str(path)]
+    assert main(words) == 0
+    return path
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch, database):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "study.toml").write_text(STUDY)
+    shutil.copy(database, tmp_path / "box.h5")
+    return tmp_path
+
+
+def table(path):
+    with open(path, encoding="utf-8") as file:
+        return {row["response"]: row for row in csv.DictReader(line for line in file if line[0] != "#")}
+
+
+@pytest.mark.parametrize("name", ["response_box_20m", "response_climate"])
+def test_every_study_that_is_shipped_runs(name, database, tmp_path, capsys):
+    words = ["--output", str(tmp_path / "out.csv"), "--plot", str(tmp_path / "out.png")]
+    assert main(["response", str(SCENES / f"{name}.toml"), "--database", str(database), *words]) == 0
+    said = capsys.readouterr().out
+    assert "heave, m" in said and "mean drift" in said and "out.csv" in said
+    assert (tmp_path / "out.png").stat().st_size > 20_000
+    assert {"surge", "roll", "bow acceleration z"} <= set(table(tmp_path / "out.csv"))
+
+
+def test_csv_has_the_numbers_of_the_library_with_rotations_in_degrees(folder, database):
+    assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.csv"]) == 0
+    state = sea_state(read_body(open_database(database)), Sea(issc(3.0, mean_period=10.0), 0.0), 7200.0)
+    rows = table("out.csv")
+    assert np.isclose(float(rows["heave"]["standard_deviation"]), state.sigma[2], rtol=1e-5)
+    assert rows["pitch"]["unit"] == "°"
+    assert np.isclose(float(rows["pitch"]["expected_maximum"]), np.degrees(state.expected_maximum[4]), rtol=1e-5)
+    assert "roll" not in rows  # head seas
+    text = Path("out.csv").read_text(encoding="utf-8")
+    assert "# mean drift: Fx" in text and "# air gap at stern" in text
+
+
+def test_hdf5_has_units_at_every_number_and_the_study(folder):
+    assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.h5"]) == 0
+    assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.h5"]) == 0  # its own is replaced
+    bare = []
+
+    def look(name, item):
+        if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" and "units" not in item.attrs:
+            bare.append(name)
+
+    with h5py.File("out.h5") as file:
+        file.visititems(look)
+        assert file.attrs["study"] == STUDY and file["drift/mean"].shape == (3,)
+        assert file["response/spectrum"].shape == (len(file["omega"]), len(file["response/names"]))
+    assert bare == []
+
+
+def test_damping_of_the_study_lowers_roll(folder):
+    beam = STUDY.replace("incidence_deg = 180.0", "direction_deg = 90.0")
+    rolls = []
+    for extra in ("", "[body]\ndamping_ratio = { roll = 0.05 }\n"):
+        Path("study.toml").write_text(beam + extra)
+        assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.csv"]) == 0
+        rolls.append(float(table("out.csv")["roll"]["standard_deviation"]))
+    assert rolls[1] < 0.9 * rolls[0]
+
+
+def test_stiffness_of_the_study_holds_heave(folder):
+    rows = [[1e12 if i == j == 2 else 0.0 for j in range(6)] for i in range(6)]
+    heave = []
+    for extra in ("", f"[body]\nstiffness = {rows}\n"):
+        Path("study.toml").write_text(STUDY + extra)
+        assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.csv"]) == 0
+        heave.append(float(table("out.csv")["heave"]["standard_deviation"]))
+    assert heave[1] < 1e-3 * heave[0]
+
+
+FAULTS = [
+    (("height = 3.0", "height = -1.0"), "sea.height is -1; allowed: above 0"),
+    (("height = 3.0", "heigth = 3.0"), "sea.heigth is unknown; allowed: height"),
+    (("mean_period = 10.0", ""), "no period is given; allowed: one of mean_period"),
+    (("mean_period = 10.0", "mean_period = 10.0\npeak_period = 12.0"), "mean_period and peak_period are given"),
+    (("incidence_deg = 180.0", ""), "sea: neither is given; allowed: one of direction_deg, incidence_deg"),
+    (("duration_hours = 2.0", "duration_hours = 0"), "sea.duration_hours is 0"),
+    (("duration_hours = 2.0", 'spectrum = "isc"'), "sea.spectrum is 'isc'; allowed: issc"),
+    (("duration_hours = 2.0", "gamma = 3.3"), "sea.gamma is given for issc"),
+    (("duration_hours = 2.0", 'spreading = "cosin:4"'), "sea.spreading is 'cosin:4'; allowed: cosine:N"),
+    (("clearance = 9.0", "clearance = -9.0"), r"points[0].clearance is -9"),
+    (("clearance = 9.0", "[body]\ndamping_ratio = { rol = 0.1 }"), "body.damping_ratio.rol is unknown"),
+    (("clearance = 9.0", "[body]\ndamping_ratio = { surge = 0.1 }"), "surge has no restoring"),
+    (("clearance = 9.0", "[body]\ndamping = [[1.0]]"), "body.damping has rows of [1] numbers"),
+    (("[sea]", "[climate]"), "climate"),
+    (("[sea]", "[sea"), "is not TOML"),
+]
+
+
+@pytest.mark.parametrize(("change", "words"), FAULTS, ids=[words for _, words in FAULTS])
+def test_faulty_study_is_refused_in_one_line(folder, capsys, change, words):
+    assert change[0] in STUDY
+    Path("study.toml").write_text(STUDY.replace(*change))
+    assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.csv"]) == 2
+    said = capsys.readouterr().err
+    assert words in said and said.count("\n") == 1
+    assert not Path("out.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["none.toml", "--database", "box.h5"], "none.toml does not exist"),
+        (["study.toml", "--database", "none.h5"], "none.h5 does not exist"),
+        (["study.toml"], "--database"),
+        (["study.toml", "--database", "box.h5", "--output", "out.txt"], "suffix '.txt'; allowed: .csv, .h5"),
+        (["study.toml", "--database", "box.h5", "--plot", "out.bmp"], "suffix '.bmp'"),
+        (["study.toml", "--database", "box.h5", "--output", "box.h5"], "box.h5 is an input of the study"),
+        (["study.toml", "--database", "box.h5", "--output", "nowhere/out.csv"], "nowhere"),
+        (["study.toml", "--database", "study.toml"], "study.toml is not an HDF5 file"),
+        ([".", "--database", "box.h5"], "cannot be read as a study"),
+    ],
+)
+def test_impossible_command_is_refused_in_one_line(folder, capsys, words, message):
+    before = Path("box.h5").read_bytes()
+    assert main(["response", *words]) == 2
+    said = capsys.readouterr().err
+    assert message in said and said.count("\n") == 1
+    assert Path("box.h5").read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("force", "among", "words"),
+    [
+        ((1e5, 1e-9, -4.9e-9), None, "Fx 10.2, Fy 0 tonf, Mz 0 tonf m"),
+        ((1e5, -2e5, 3e4), None, "Fx 10.2, Fy -20.39 tonf, Mz 3.059 tonf m"),
+        ((1e-10, 0.0, 1e-8), ((1e5, 0, 0), (-1e5, 0, 0)), "Fx 0, Fy 0 tonf, Mz 0 tonf m"),
+        ((0.0, 0.0, 0.0), None, "Fx 0, Fy 0 tonf, Mz 0 tonf m"),
+    ],
+)
+def test_forces_that_are_rounding_are_printed_as_zero(force, among, words):
+    assert _forces(np.array(force), 50.0, among) == words
+
+
+def test_another_hdf5_file_is_not_replaced(folder, capsys):
+    with h5py.File("other.h5", "w") as file:
+        file["kept"] = 1.0
+    assert main(["response", "study.toml", "--database", "box.h5", "--output", "other.h5"]) == 2
+    assert "other.h5 is not the result of a response study" in capsys.readouterr().err
+
+
+def test_scatter_diagram_that_is_missing_or_an_output_is_named(folder, capsys):
+    Path("study.toml").write_text(
+        '[climate]\nscatter = "table.csv"\ndirections = [{ direction_deg = 0, share = 1.0 }]\n'
+    )
+    assert main(["response", "study.toml", "--database", "box.h5"]) == 2
+    assert "table.csv does not exist" in capsys.readouterr().err
+    Path("table.csv").write_text("mean_period, 8, 10\n1.0, 3, 4\n2.0, 1, 2\n")
+    assert main(["response", "study.toml", "--database", "box.h5", "--output", "table.csv"]) == 2
+    assert "table.csv is an input of the study" in capsys.readouterr().err
+    assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.h5"]) == 0
+    with h5py.File("out.h5") as file:
+        assert np.isclose(file["state/probability"][()].sum(), 1.0)

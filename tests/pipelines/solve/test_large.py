@@ -1,0 +1,160 @@
+"""Large panel problems: which share their work, what is said of them first, what is refused."""
+
+import subprocess
+import sys
+from dataclasses import replace
+from io import StringIO
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from bem.kernels.progress import FACTORS, MATRICES, WAVES, listening
+from bem.methods.panel_setup import Setup
+from bem.panels.band import cost
+from bem.panels.band.cost import Cost
+from bem.panels.influence import Geometry
+from meshing.lid import lid
+from meshing.shapes import box, buoy
+from pipelines.common import progress
+from pipelines.common.progress import Preparing, Progress
+from pipelines.scene.scene import SceneError, make_scene
+from pipelines.solve import large
+from pipelines.solve.large import announced, shared_band
+
+
+def scene(**waves):
+    return make_scene(
+        {
+            "water": {"depth": 20.0},
+            "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0}],
+            "waves": waves,
+            "method": "panel",
+        }
+    )
+
+
+def test_many_frequencies_on_many_panels_share_their_work():
+    many, few = {"from": 0.2, "to": 1.0, "count": 10}, {"from": 0.2, "to": 1.0, "count": 8}
+    fine, coarse = box(100, 50, 10, panels=600), box(100, 50, 10, panels=104)
+    assert shared_band(scene(omegas=many), fine) == pytest.approx((0.2, 1.0))
+    assert shared_band(scene(omegas=few), fine) is None
+    assert shared_band(scene(omegas=many), coarse) is None
+
+
+def test_bodies_of_revolution_share_their_work_in_hundreds_of_frequencies_only():
+    many, more = {"from": 0.2, "to": 1.0, "count": 100}, {"from": 0.2, "to": 1.0, "count": 200}
+    fine = buoy(10, 8, panels=1000)
+    assert shared_band(scene(omegas=many), fine, lid(fine)) is None
+    assert shared_band(scene(omegas=more), fine, lid(fine)) == pytest.approx((0.2, 1.0))
+    skew = replace(fine, points=fine.points * (1.001, 1, 1))
+    assert shared_band(scene(omegas=many), skew) == pytest.approx((0.2, 1.0))
+
+
+def test_two_frequencies_share_their_work_where_one_takes_long():
+    fine = box(100, 50, 10, panels=3000)
+    assert shared_band(scene(omegas=[0.4, 0.6]), fine) == (0.4, 0.6)
+    assert shared_band(scene(omegas=[0.4]), fine) is None
+
+
+def test_a_single_frequency_takes_few_nodes_where_all_would_not_fit(monkeypatch):
+    monkeypatch.setattr(large, "WORTH_SHARING", 300)
+    assert shared_band(scene(omegas=[0.5]), box(100, 50, 10, panels=600)) == (0.5, 0.5)
+
+
+def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
+    mesh = box(100, 50, 10, panels=120)
+    setup = Setup(mesh, lid(mesh), depth=20.0, band=(0.5, 0.5))
+    monkeypatch.setattr(large, "WORTH_TELLING", 100)
+    monkeypatch.setattr(cost, "cost", lambda *_: Cost(5e9, {WAVES: (60.0, 1.0)}))
+    monkeypatch.setattr(cost, "available_memory", lambda: 8e9)
+    announced(setup, 0, None)
+    with pytest.raises(SceneError, match=r"need about 10.0 GB, 8.0 GB are free; give fewer panels .* fewer processes"):
+        announced(setup, 0, None, processes=2)
+    monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
+    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5.0 GB, 4.0 GB are free; give fewer panels"):
+        announced(setup, 0, None)
+
+
+@pytest.mark.parametrize("options", [{"depth": 20.0}, {"depth": 20.0, "zero_draft": True}])
+def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, monkeypatch):
+    monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
+    mesh = box(100, 50, 1, panels=8000)
+    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, 4.0 GB are free; give fewer panels"):
+        announced(Setup(mesh, **options), 0, None)
+
+
+ALONE = """
+import sys
+from bem import DOFS
+from bem.cost import memory_alone
+from bem.setup import Setup
+from meshing.shapes import box, buoy
+from pipelines.bench.peers.repeated import peak_memory
+name, panels, *sizes = sys.argv[1:]
+hull = {"box": box, "buoy": buoy}[name](*map(int, sizes), panels=int(panels))
+body = Setup(hull, depth=20.0).prepared()
+body.run(0.6, [0.5], {"added_mass", "excitation_force", "drift_force_fixed"}, None, DOFS).result()
+print(memory_alone(body) / 1e6, peak_memory() * 1.048576)
+"""
+
+
+@pytest.mark.parametrize("shape, panels", [("box 100 50 10", ("400", "1600")), ("buoy 20 10", ("400", "8000"))])
+def test_memory_of_a_frequency_alone_is_what_was_estimated(shape, panels):
+    """What grows with the panels; of two processes, since a peak does not come down"""
+    name, *sizes = shape.split()
+    commands = [[sys.executable, "-c", ALONE, name, n, *sizes] for n in panels]
+    told = [subprocess.run(command, capture_output=True, check=True) for command in commands]
+    few, many = (np.array(one.stdout.split(), float) for one in told)
+    estimated, taken = many - few
+    assert 0.7 * taken < estimated < 1.4 * taken
+
+
+def test_the_estimate_of_memory_counts_the_matrices_of_all_classes():
+    few, many = (Geometry(box(100, 50, 10, panels=n), None, 20.0) for n in (240, 944))
+    matrices = [8.0 * len(g.classes) * g.hull**2 for g in (few, many)]
+    needed = [cost.cost(g, (0.4, 0.6), 9.81) for g in (few, many)]
+    # twice the nodes to a class: four times the matrices, and what goes with the first power
+    assert all(n.memory > m for n, m in zip(needed, matrices, strict=True))
+    assert needed[1].memory - needed[0].memory >= matrices[1] - matrices[0]
+    assert 0 < needed[0].seconds < needed[1].seconds < np.inf
+
+
+def test_what_the_preparation_tells_adds_up_to_what_was_estimated():
+    mesh, band = box(100, 50, 10, panels=240), (0.4, 1.2)
+    body = Setup(mesh, lid(mesh), depth=20.0, band=band).prepared()
+    stages, told = cost.cost(body.geometry, band, 9.81).stages, []
+    with listening(lambda stage, count: told.append((stage, count))):
+        assert len(body.reduced) == 2  # without and with the lid
+    sums = {stage: sum(count for one, count in told if one == stage) for stage in stages}
+    assert sums[MATRICES] == stages[MATRICES][0] == len(body.geometry.elements.nodes)
+    assert sums[FACTORS] == stages[FACTORS][0] == 4
+    assert 0 < sums[WAVES] < stages[WAVES][0]  # a generous guess
+    assert [stage for stage, _ in told] == sorted((stage for stage, _ in told), key=list(stages).index)
+
+
+def test_the_share_that_is_prepared_grows_to_the_whole(monkeypatch):
+    monkeypatch.setattr(Preparing, "EVERY", 0.0)
+    console = Console(record=True, quiet=False, file=StringIO(), width=100)
+    preparing = Preparing(console, Cost(0.0, {WAVES: (10, 1.0), MATRICES: (4, 5.0), FACTORS: (2, 5.0)}))
+    for stage in (WAVES, WAVES, MATRICES, MATRICES, MATRICES, MATRICES, FACTORS, FACTORS):
+        preparing(stage, 1)
+    lines = console.export_text().splitlines()
+    assert [line.split()[1] for line in lines] == ["2", "5", "38", "50", "62", "75", "88"]  # 40 s in all; not of 100 %
+    assert all(line.endswith(" left") for line in lines)
+
+
+def test_time_left_is_that_of_frequencies_whoever_prepared_the_body(monkeypatch):
+    """Four processes that each prepared for 90 s, all at the same time"""
+    clock = iter([0.0, 100.0, 101.0, 102.0, 103.0])
+    monkeypatch.setattr(progress.time, "perf_counter", lambda: next(clock))
+    console = Console(record=True, file=StringIO(), width=200)
+    lines = Progress(console, 30)
+    for _ in range(4):
+        lines.step(0.5, {"wall_time": {"reduction": 90.0, "solve": 1.0}}, "")
+    left = [" ".join(line.split(" left")[0].split()[-4:]) for line in console.export_text().splitlines()]
+    assert left == ["4 min 50 s", "2 min 34 s", "1 min 48 s", "1 min 24 s"]
+
+
+def test_free_memory_is_known_or_without_limit():
+    assert cost.available_memory() > 1e6

@@ -1,0 +1,95 @@
+"""Panels for a tolerance, and the coarse mesh beside them."""
+
+import numpy as np
+import pytest
+
+from bem import DOFS
+from bem.checks import ERROR_ORDER
+from bem.methods.panel_setup import prepare
+from bem.methods.shape_setup import ShapeSetup
+from meshing.shapes import box
+from pipelines.scene.scene import make_scene
+from pipelines.solve.hull import coarse_hull, make_header, make_hull, setup_of
+from pipelines.solve.panel_counts import coarse_counts, counts_of, fine_counts, meshed, panels_for
+
+BODIES = {
+    "series box": {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0},
+    "barge": {"shape": "box", "length": 400.0, "beam": 40.0, "draft": 2.0},
+    "across": {"shape": "box", "length": 30.0, "beam": 90.0, "draft": 16.0},
+    "buoy": {"shape": "buoy", "radius": 10.0, "draft": 10.0},
+    "pile": {"shape": "buoy", "radius": 3.0, "draft": 20.0},
+}
+
+
+def scene_of(body, **more):
+    raw = {"water": {"depth": 30.0}, "bodies": [body], "waves": {"omegas": [0.3]}, "method": "panel", **more}
+    return make_scene(raw)
+
+
+@pytest.fixture(params=BODIES)
+def body(request):
+    return scene_of(BODIES[request.param]).body
+
+
+def test_panels_grow_as_the_order_of_the_error_asks(body):
+    assert panels_for(body, 0.001) / panels_for(body, 0.01) == pytest.approx(10 ** (1 / ERROR_ORDER), rel=0.01)
+    assert 250 <= panels_for(body, 0.01) <= 385
+
+
+def test_boxes_longer_than_those_that_were_measured_take_as_many_panels_as_the_longest_of_them():
+    counts = [
+        panels_for(scene_of({"shape": "box", "length": 20.0 * ratio, "beam": 20.0, "draft": 8.7}).body, 0.01)
+        for ratio in (2, 5, 7, 20, 100)
+    ]
+    assert counts[0] < counts[1] < counts[2] == counts[3] == counts[4]
+
+
+def test_a_long_box_that_rolls_without_moving_much_water_keeps_the_tolerance_in_roll():
+    size, depth, omega = (350.0, 50.0, 21.2), 37.5, 0.032
+    body = dict(zip(("length", "beam", "draft"), size, strict=True))
+    scene = scene_of({"shape": "box", **body}, water={"depth": depth}, tolerance=0.01)
+    hull = make_hull(scene, [omega])
+    panels = setup_of(make_header(scene, hull, [omega]), scene)
+    exact = ShapeSetup(method="contour", shape="box", sizes=size, depth=depth, tolerance=1e-5)
+    runs = (prepare(setup).run(omega, [0.0], ("added_mass",), None, DOFS[3:4]) for setup in (panels, exact))
+    found, true = (run.result()["added_mass"][3, 3] for run in runs)
+    assert abs(found / true - 1) <= scene.accuracy
+
+
+def test_counts_are_read_back_from_the_mesh(body):
+    counts = fine_counts(body, 0.01, np.inf)
+    mesh = meshed(body, counts)
+    assert counts_of(body, mesh) == counts
+    assert min(counts) >= 3
+
+
+def test_no_edge_is_longer_than_waves_allow(body):
+    longest = body.draft / 3
+    mesh = meshed(body, fine_counts(body, 0.05, longest))
+    corners = mesh.points[mesh.corners]
+    edges = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+    assert edges.max() <= longest * 1.05  # of a buoy the corners stand out a little
+
+
+@pytest.mark.parametrize("tolerance", [0.02, 0.01, 0.003])
+def test_the_coarse_mesh_has_about_half_the_panels_in_the_same_proportion(body, tolerance):
+    fine = fine_counts(body, tolerance, np.inf)
+    mesh = meshed(body, fine)
+    coarse = coarse_counts(body, mesh)
+    assert 0.35 <= meshed(body, coarse).total / mesh.total <= 0.7
+    assert all(2 <= c < n for c, n in zip(coarse, fine, strict=True))
+
+
+def test_a_mesh_too_coarse_to_be_halved_has_no_estimate():
+    few = scene_of(BODIES["series box"], panels=48)
+    assert coarse_hull(few, make_hull(few, few.omegas()).mesh) is None
+    more = scene_of(BODIES["series box"], panels=104)
+    mesh, lid = coarse_hull(more, make_hull(more, more.omegas()).mesh)
+    assert mesh.total < 104 and lid is not None
+
+
+def test_the_counts_of_an_asked_number_of_panels_are_those_of_its_mesh():
+    scene = scene_of(BODIES["series box"], panels=300)
+    mesh = make_hull(scene, scene.omegas()).mesh
+    same = box(100.0, 50.0, 10.0, counts=counts_of(scene.body, mesh))
+    np.testing.assert_allclose(np.sort(same.points, axis=0), np.sort(mesh.points, axis=0), atol=1e-6)

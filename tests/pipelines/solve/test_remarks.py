@@ -1,0 +1,58 @@
+"""What a run remarks on its body: what is left out of what was asked for, and numbers in another unit."""
+
+import pytest
+
+from meshing.shapes import box
+from pipelines.scene.scene import make_scene
+from pipelines.solve.hull import Hull, body_properties, inspected, remarks_on_body
+
+MESH = box(100, 50, 10, panels=60)
+
+
+def remarks(want=None, density=1025.0, gyration=None, **more):
+    body = {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0}
+    raw = {
+        "water": {"depth": 20.0, "density": density},
+        "bodies": [body if gyration is None else {**body, "gyration": gyration}],
+        "waves": {"omegas": [0.5]},
+        **more,
+    }
+    scene = make_scene(raw if want is None else {**raw, "want": want})
+    found = inspected(Hull(MESH, None), scene, scene.omegas()).remarks
+    return [*found, *remarks_on_body(scene, body_properties(scene, MESH))]
+
+
+@pytest.mark.parametrize(
+    ("want", "words"),
+    [
+        (None, "rao and drift_force are left out: they need"),
+        (["drift"], "drift_force is left out: it needs"),
+        (["added_mass"], ""),
+        (["excitation_force"], ""),
+        (["radiation", "diffraction"], ""),
+    ],
+    ids=str,
+)
+def test_motions_are_left_out_of_what_was_asked_for_only(want, words):
+    said = [line for line in remarks(want) if "gyration" in line]
+    assert [words in line for line in said] == ([True] if words else [])
+
+
+def test_beside_a_wall_only_what_there_would_be_is_left_out():
+    (said,) = [line for line in remarks(wall=-60.0) if "gyration" in line]
+    assert said.startswith("rao is left out")
+
+
+@pytest.mark.parametrize(("density", "odd"), [(1.025, True), (899.0, True), (1000.0, False), (1300.0, False)])
+def test_a_density_that_is_not_of_water_is_remarked_with_its_unit(density, odd):
+    said = [line for line in remarks(["added_mass"], density) if "density" in line]
+    assert len(said) == odd
+    assert all(f"density {density:g} kg/m³" in line and "900 to 1300 kg/m³" in line for line in said)
+
+
+@pytest.mark.parametrize(("gyration", "odd"), [([1e5, 1.0, 1.0], True), ([15.0, 100.0, 99.0], False)])
+@pytest.mark.parametrize("method", ["panel", "contour"])
+def test_a_radius_of_gyration_larger_than_the_body_is_remarked(gyration, odd, method):
+    said = [line for line in remarks(["added_mass"], gyration=gyration, method=method) if "gyration" in line]
+    assert len(said) == odd
+    assert all("100000 m" in line and "dimension of the wetted body, 100 m" in line for line in said)

@@ -1,0 +1,188 @@
+"""The run loop: what is pending is submitted, stored and marked.  The executor makes the numbers up."""
+
+from concurrent.futures import Future
+
+import numpy as np
+import pytest
+
+from bem.database import open_database, pending
+from bem.database.schema import QUANTITIES
+from pipelines.scene.scene import make_scene
+from pipelines.solve.run import solve
+from pipelines.solve.work import executor_of, solve_one
+
+
+def scene(**changes):
+    raw = {
+        "water": {"depth": 20.0},
+        "bodies": [{"shape": "box", "length": 40.0, "beam": 20.0, "draft": 5.0, "gyration": [6, 12, 13]}],
+        "waves": {"omegas": [0.4, 0.8, 1.2], "headings_deg": [0, 90]},
+        "panels": 40,
+        "want": ["radiation", "drift", "added_mass_infinity"],
+    }
+    return make_scene({**raw, **changes})
+
+
+class MadeUp:
+    """An executor that notes what it is asked for and answers with numbers that tell where they belong.
+
+    failing : frequencies that raise; stopping : the frequency at which Ctrl-C is pressed
+    """
+
+    def __init__(self, failing=(), stopping=None):
+        self.failing, self.stopping, self.asked, self.angles = failing, stopping, [], []
+
+    def submit(self, function, setup, *arguments):
+        future = Future()
+        try:
+            future.set_result(self._answer(function, *arguments))
+        except ArithmeticError as error:
+            future.set_exception(error)
+        return future
+
+    def shutdown(self, wait=True, cancel_futures=False):
+        pass
+
+    def _answer(self, function, first, *rest):
+        if function is not solve_one:
+            return np.eye(6)
+        headings, want, theta = rest
+        self.asked.append((round(first, 6), tuple(np.round(np.degrees(headings), 6)), want))
+        self.angles.append(theta)
+        if first == self.stopping:
+            raise KeyboardInterrupt
+        if any(abs(first - w) < 1e-9 for w in self.failing):
+            raise ZeroDivisionError("nothing\nto divide by")
+        angles = 0 if theta is None else len(theta)
+        size = {"wave_direction": len(headings), "theta": angles, "drift_dof": 3}
+        shapes = {name: [size.get(axis, 6) for axis in QUANTITIES[name][0][1:]] for name in want}
+        return {name: np.full(shape, first, QUANTITIES[name][2]) for name, shape in shapes.items()}
+
+
+def frequencies(executor):
+    return [omega for omega, _, _ in executor.asked]
+
+
+def test_a_finished_database_asks_for_nothing(tmp_path):
+    path, first, second = tmp_path / "box.h5", MadeUp(), MadeUp()
+    outcome = solve(scene(), path, executor=first)
+    assert outcome.exit_status == 0 and outcome.stored == outcome.total == 3
+    assert frequencies(first) == [0.4, 0.8, 1.2]
+    before = path.read_bytes()
+    assert solve(scene(), path, executor=second).exit_status == 0
+    assert second.asked == [] and path.read_bytes() == before
+
+
+def test_only_what_is_wanted_is_asked_for(tmp_path):
+    executor = MadeUp()
+    solve(scene(want=["added_mass"]), tmp_path / "box.h5", executor=executor)
+    assert {want for _, _, want in executor.asked} == {frozenset({"added_mass"})}
+    assert {headings for _, headings, _ in executor.asked} == {()}
+
+
+def test_more_frequencies_headings_and_products_ask_for_no_more_than_these(tmp_path):
+    path = tmp_path / "box.h5"
+    solve(scene(), path, executor=MadeUp())
+    wider = MadeUp()
+    solve(scene(waves={"omegas": [0.4, 0.6], "headings_deg": [0, 90]}), path, executor=wider)
+    assert frequencies(wider) == [0.6]
+    turned = MadeUp()
+    solve(scene(waves={"omegas": [0.4], "headings_deg": [0, 45]}), path, executor=turned)
+    assert frequencies(turned) == [0.4, 0.6, 0.8, 1.2]
+    assert {headings for _, headings, _ in turned.asked} == {(45.0,)}
+    assert {want for _, _, want in turned.asked} == {frozenset({"drift_force", "drift_force_fixed"})}
+    more = MadeUp()
+    solve(scene(want=["rao"]), path, executor=more)
+    assert {want for _, _, want in more.asked} == {frozenset({"rao"})}
+    assert open_database(path).complete
+    np.testing.assert_allclose(open_database(path)["rao"][:, 0, 0], open_database(path).omega)
+
+
+def test_a_frequency_that_fails_is_named_and_retried_and_the_others_are_stored(tmp_path):
+    path = tmp_path / "box.h5"
+    outcome = solve(scene(), path, executor=MadeUp(failing=[0.8]))
+    assert outcome.exit_status == 1 and outcome.stored == 2
+    assert outcome.failures == ((0.8, "ZeroDivisionError: nothing to divide by"),)
+    np.testing.assert_allclose(open_database(path).omega, [0.4, 1.2])
+    again = MadeUp()
+    assert solve(scene(), path, executor=again).exit_status == 0
+    assert frequencies(again) == [0.8]
+
+
+def test_ctrl_c_before_the_first_result_leaves_everything_pending(tmp_path):
+    path = tmp_path / "box.h5"
+    outcome = solve(scene(), path, executor=MadeUp(stopping=0.8))
+    assert outcome.exit_status == 130
+    assert [row.omega for row in pending(path).rows] == [0.4, 0.8, 1.2]
+    again = MadeUp()
+    assert solve(scene(), path, executor=again).exit_status == 0
+    assert set(frequencies(again)) <= {0.4, 0.8, 1.2}
+
+
+def test_another_scene_is_refused_by_name_and_replaced_when_fresh(tmp_path):
+    path = tmp_path / "box.h5"
+    solve(scene(), path, executor=MadeUp())
+    before = path.read_bytes()
+    deeper = scene(water={"depth": 25.0})
+    with pytest.raises(ValueError, match=r"water.depth was 20.0, is 25.0; give --fresh") as caught:
+        solve(deeper, path, executor=MadeUp())
+    assert "\n" not in str(caught.value) and path.read_bytes() == before
+    assert solve(deeper, path, executor=MadeUp(), fresh=True).exit_status == 0
+    assert open_database(path).water_depth == 25.0
+
+
+def test_a_file_of_something_else_is_left_alone(tmp_path):
+    path = tmp_path / "box.h5"
+    path.write_text("my notes")
+    with pytest.raises(ValueError, match="not an HDF5 file"):
+        solve(scene(), path, executor=MadeUp())
+    with pytest.raises(ValueError, match="is not replaced"):
+        solve(scene(), path, executor=MadeUp(), fresh=True)
+    assert path.read_text() == "my notes"
+
+
+def test_a_body_without_inertia_has_no_motions_and_says_so(tmp_path):
+    body = {"shape": "box", "length": 40.0, "beam": 20.0, "draft": 5.0}
+    outcome = solve(scene(bodies=[body]), tmp_path / "box.h5", executor=MadeUp())
+    assert any("gyration" in remark for remark in outcome.remarks)
+    with pytest.raises(ValueError, match=r"no drift_force; .*--gyration"):
+        open_database(tmp_path / "box.h5").require("drift_force")
+
+
+def test_the_database_knows_the_body(tmp_path):
+    solve(scene(), tmp_path / "box.h5", executor=MadeUp())
+    db = open_database(tmp_path / "box.h5")
+    assert db.dimensions == {"length": 40.0, "beam": 20.0, "draft": 5.0}
+    np.testing.assert_allclose(db.displaced_volume, 4000.0, rtol=1e-12)
+    np.testing.assert_allclose(db.mass, 1025 * 4000.0, rtol=1e-12)
+    np.testing.assert_allclose(np.diag(db.inertia_matrix)[:4] / db.mass, [1, 1, 1, 36], rtol=1e-9)
+    assert "length = 40.0" in db.attributes["scene"]
+
+
+def test_kochin_functions_have_the_angles_of_the_file_and_drift_its_own(tmp_path):
+    drift, kochin = MadeUp(), MadeUp()
+    solve(scene(), tmp_path / "drift.h5", executor=drift)
+    assert drift.angles == [None] * 3
+    solve(scene(want=["kochin"]), tmp_path / "kochin.h5", executor=kochin)
+    theta = open_database(tmp_path / "kochin.h5")["theta"]
+    assert all(np.array_equal(angles, theta) for angles in kochin.angles)
+
+
+def test_only_stored_kochin_functions_hold_a_file_to_its_angles(tmp_path):
+    long = {"bodies": [{"shape": "box", "length": 1000.0, "beam": 20.0, "draft": 5.0}], "panels": 4000}
+    short = {**long, "waves": {"omegas": [1.2, 1.8], "headings_deg": [0, 90]}}
+    for want, fits in ((["radiation", "drift"], True), (["kochin"], False)):
+        path = tmp_path / f"{want[0]}.h5"
+        solve(scene(**long, want=want), path, executor=MadeUp())
+        if fits:
+            assert solve(scene(**short, want=want), path, executor=MadeUp()).exit_status == 0
+        else:
+            with pytest.raises(ValueError, match=r"ω = 1.8 rad/s needs \d+; give --fresh"):
+                solve(scene(**short, want=want), path, executor=MadeUp())
+
+
+def test_executors_are_local_or_a_number_of_processes():
+    executor_of("local").shutdown()
+    for text in ("processes", "processes:0", "processes:many", "threads:2", ""):
+        with pytest.raises(ValueError, match="processes:N"):
+            executor_of(text)

@@ -1,0 +1,93 @@
+"""Pages of curves: rounding is no curve, and a legend is there where something follows it."""
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from meshing.shapes import buoy
+from pipelines.view.plots import plot
+
+ZERO = "zero by symmetry"
+SURGE, SWAY, HEAVE, ROLL, PITCH, YAW = range(6)
+NOISE = 1e-15
+
+
+class Results(SimpleNamespace):
+    """As much of a database as a page takes: a buoy with rounding where symmetry makes zero"""
+
+    omega, wave_direction = np.array([0.3, 0.6, 0.9]), np.zeros(1)
+    mesh, water_depth, path = buoy(10, 8, panels=60), 12.0, Path("buoy.h5")
+
+    def __getitem__(self, name):
+        return self.values[name]
+
+    @property
+    def names(self):
+        return list(self.values)
+
+
+@pytest.fixture
+def page(tmp_path):
+    """Draws values and returns ({row of the page: axes}, figure)"""
+
+    def draw(**values):
+        figure = plot(Results(values=values), tmp_path / "page.png")
+        return np.reshape(figure.axes[: 6 * (len(figure.axes) // 6)], (-1, 6)), figure
+
+    return draw
+
+
+def words(axis):
+    return [text.get_text() for text in axis.texts]
+
+
+def coefficients(largest, turning):
+    return np.array(3 * [np.diag([largest, largest, largest, *turning])])
+
+
+def test_coefficients_that_are_rounding_are_zero_by_symmetry(page):
+    (axes,), _ = page(
+        added_mass=coefficients(2e6, (4e7, 4e7, 2e6 * NOISE)), radiation_damping=coefficients(1e6, (1e6, 1e6, 1e-27))
+    )
+    assert [ZERO in words(axis) for axis in axes] == 5 * [False] + [True]
+    assert [len(axis.lines) for axis in axes] == 5 * [2] + [0]
+
+
+def test_a_body_that_turns_without_moving_water_has_no_curves_of_moments(page):
+    (axes,), _ = page(added_mass=coefficients(2e6, (1e-6, 2e-6, 3e-7)))  # a sphere about its centre
+    assert [len(axis.lines) for axis in axes] == [1, 1, 1, 0, 0, 0]
+    assert axes[SURGE].get_legend() is not None
+
+
+@pytest.mark.parametrize("turn", [1.0, 1e-4])
+def test_a_small_moment_that_is_none_of_rounding_is_drawn(page, turn):
+    (axes,), _ = page(added_mass=coefficients(2e6, (4e7, 4e7, 4e7 * turn)))
+    assert len(axes[YAW].lines) == 1 and words(axes[YAW]) == []
+
+
+def test_mean_drift_that_is_rounding_is_zero_by_symmetry(page):
+    drift = np.array([[[1e5, 1e5 * NOISE, 1e-12]]] * 3)
+    (axes,), _ = page(drift_force=drift, drift_force_fixed=drift)
+    assert len(axes[SURGE].lines) == 3  # two curves and the axis
+    assert all(words(axes[i]) == [ZERO] and not axes[i].lines for i in (SWAY, YAW))
+
+
+def test_a_moment_of_drift_is_measured_by_force_times_length(page):
+    drift = np.array([[[1e5, 0.0, 1e3]]] * 3)
+    (axes,), _ = page(drift_force=drift)
+    assert len(axes[YAW].lines) == 2
+
+
+@pytest.mark.parametrize("name", ["excitation_force", "rao"])
+def test_excitation_and_responses_of_moments_that_are_all_rounding_are_not_drawn(page, name):
+    axes, _ = page(**{name: np.array([[[1.0, 0, 1, 0, NOISE, 0]]] * 3) * (1 + 1j)})
+    assert [len(axis.lines) for axis in axes[0]] == [1, 0, 1, 0, 0, 0]
+
+
+def test_headings_are_named_only_where_something_depends_on_them(page):
+    _, figure = page(added_mass=coefficients(2e6, (4e7, 4e7, 4e7)))
+    assert not figure.legends
+    _, figure = page(excitation_force=np.ones((3, 1, 6), complex))
+    assert figure.legends[0].get_title().get_text() == "waves travel to"
