@@ -87,8 +87,8 @@ def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, mon
 ALONE = """
 import sys
 from bem import DOFS
-from bem.cost import memory_alone
-from bem.setup import Setup
+from bem.panels.band.cost import memory_alone
+from bem.methods.panel_setup import Setup
 from meshing.shapes import box, buoy
 from pipelines.bench.peers.repeated import peak_memory
 name, panels, *sizes = sys.argv[1:]
