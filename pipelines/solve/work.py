@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import hashlib
 from concurrent.futures import Future, ProcessPoolExecutor
-from dataclasses import fields
+from dataclasses import fields, is_dataclass
+
+import numpy as np
 
 _prepared = {}
 
@@ -109,11 +111,26 @@ def _prepare(setup):
 
 
 def _key(setup):
-    """Hash of the values of a setup; derived quantities that its meshes remember do not count."""
+    """Hash of the values of a setup, to the last bit; derived quantities that its meshes remember do not count."""
     digest = hashlib.sha256()
-    for field in fields(setup):
-        value = getattr(setup, field.name)
-        parts = (value.points, value.corners, value.symmetry) if hasattr(value, "corners") else (value,)
-        for part in parts:
-            digest.update(part.tobytes() if hasattr(part, "tobytes") else repr(part).encode())
+    _add(digest, setup)
     return digest.hexdigest()
+
+
+def _add(digest, value):
+    """Kind, number of parts and parts of a value; arrays by shape and bytes, since their text leaves out the middle"""
+    if isinstance(value, np.ndarray):
+        digest.update(f"{value.dtype.str} {value.shape} ".encode() + value.tobytes())
+        return
+    if is_dataclass(value):
+        parts = [getattr(value, field.name) for field in fields(value)]
+    elif isinstance(value, dict):
+        parts = [*value, *value.values()]
+    elif isinstance(value, tuple | list):
+        parts = value
+    else:
+        digest.update(f"{value!r} ".encode())
+        return
+    digest.update(f"{type(value).__name__} {len(parts)} ".encode())
+    for part in parts:
+        _add(digest, part)

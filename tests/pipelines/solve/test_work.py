@@ -1,0 +1,61 @@
+"""What a process keeps of the body it last worked on: taken again for the same body, and for no other."""
+
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bem.methods.panel_setup import Setup
+from bem.methods.shape_setup import ShapeSetup
+from bem.viscous import Quadratic, Viscous
+from meshing.lid import lid
+from meshing.shapes import box
+from pipelines.solve.work import solve_one
+
+
+def moved(mesh):
+    """The mesh with one of its middle points a millimetre along the hull; as many panels, area and volume alike"""
+    points = mesh.points.copy()
+    points[len(points) // 2, 0] += 1e-3
+    return replace(mesh, points=points)
+
+
+@pytest.fixture
+def kept(monkeypatch):
+    """A setup → the setup whose preparation its frequencies are solved with"""
+    monkeypatch.setattr("pipelines.solve.work._prepared", {})
+    monkeypatch.setattr("bem.methods.panel_setup.prepare", lambda setup: setup)
+    monkeypatch.setattr("bem.frequency.solve_frequency", lambda prepared, *question: prepared)
+    return lambda setup: solve_one(setup, 0.5, [0.0], {"added_mass"}, None)
+
+
+FINE, COARSE = box(100, 50, 10, panels=400), box(100, 50, 10, panels=200)
+PANELS = Setup(FINE, lid(FINE), coarse=(COARSE, lid(COARSE)), inertia_matrix=np.eye(6))
+SHAPE = ShapeSetup(method="contour", shape="box", sizes=(100.0, 50.0, 10.0), depth=20.0, panels=PANELS)
+
+
+@pytest.mark.parametrize(
+    "one, other",
+    [
+        (PANELS, replace(PANELS, mesh=moved(FINE))),
+        (PANELS, replace(PANELS, coarse=(moved(COARSE), PANELS.coarse[1]))),
+        (PANELS, replace(PANELS, coarse=(COARSE, moved(PANELS.coarse[1])))),
+        (PANELS, replace(PANELS, inertia_matrix=np.eye(6) * (1 + 1e-12))),
+        (SHAPE, replace(SHAPE, panels=replace(PANELS, mesh=moved(FINE)))),
+        (
+            replace(PANELS, viscous=Viscous({"Roll": Quadratic(1e9)}, 1.0)),
+            replace(PANELS, viscous=Viscous({"Pitch": Quadratic(1e9)}, 1.0)),
+        ),
+    ],
+    ids=["mesh", "coarse mesh", "coarse lid", "inertia", "panels of a shape", "viscous"],
+)
+def test_a_body_that_differs_anywhere_is_prepared_anew(kept, one, other):
+    assert kept(one) is one and kept(other) is other
+
+
+@pytest.mark.parametrize("setup", [PANELS, SHAPE], ids=["panels", "shape"])
+def test_a_copy_that_came_to_another_process_finds_the_prepared_body(kept, setup):
+    assert kept(setup) is setup
+    FINE.areas.sum()  # what a mesh remembers does not count
+    assert kept(pickle.loads(pickle.dumps(setup))) is setup
