@@ -15,7 +15,7 @@ import numpy as np
 
 from mooring.layout import Layout, Line, corner_spread, pretensioned
 from mooring.loads.box_drag import drag_table
-from mooring.multi_point import Conditions, Current, Hull, Waves, Wind
+from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
 
 from .typed import read_toml, typed
 

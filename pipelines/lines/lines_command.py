@@ -195,7 +195,7 @@ def _show_losses(console, state, losses, name):
 
 def _show_periods(console, state, name, database):
     from bem.database import open_database
-    from mooring.lines.system.studies import moored_periods
+    from mooring.studies.natural_periods import moored_periods
 
     periods = moored_periods(state, name, open_database(database))
     table = _table(f"natural periods of {name}", "mode", "s")

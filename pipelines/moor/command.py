@@ -40,7 +40,7 @@ def moor(study_path, database_path, output_path=None, quiet=False):
     raises : ValueError, one line, before anything is written
     """
     from bem.database import open_database
-    from mooring.multi_point import multi_point
+    from mooring.studies.multi_point import multi_point
 
     study, text = read_study(study_path)
     db = open_database(database_path)

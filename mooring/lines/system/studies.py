@@ -1,4 +1,4 @@
-"""What is asked of a system at rest: its stiffness as one body feels it, offset curves, the loss of one line, periods.
+"""What is asked of a system at rest: its stiffness as one body feels it, offset curves, the loss of one line.
 
 Free points and other bodies follow a small motion of one body so that nothing is left on them.  With their
 freedoms e and those of the body b the stiffness it feels is K_bb − K_be K_ee⁻¹ K_eb.
@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...equilibrium import EquilibriumError
-from ...natural_periods import natural_periods
 from .bodies import cross_matrix, hydrostatic_load
 from .equilibrium import SystemEquilibrium, held_at, rest
 from .parts import LineSystemError
@@ -121,25 +120,6 @@ def one_line_broken(state: SystemEquilibrium):
         except (EquilibriumError, LineSystemError) as error:
             found[name] = error
     return found
-
-
-def moored_periods(state: SystemEquilibrium, body, db):
-    """NaturalPeriods of one body of the system, its hydrodynamics from an opened database of the same body.
-
-    The axes of the body are those of the database; the stiffness is taken to them and to its rotation centre.
-    raises : ValueError where the database lacks added mass, inertia or hydrostatics
-    """
-    if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
-        raise ValueError(
-            "natural periods need inertia_matrix and hydrostatic_stiffness, which the database does not have"
-        )
-    db.require("added_mass")
-    i = body_number(state.system, body)
-    pull = state.system.load(state.pose).force[6 * i : 6 * i + 3]
-    K = about_body_axes(mooring_stiffness(state, body), pull, state.pose.turn[i], np.asarray(db.rotation_center, float))
-    zero = db["added_mass_zero"] if "added_mass_zero" in db.names else None
-    total = np.asarray(db.hydrostatic_stiffness, float) + K
-    return natural_periods(db.omega, db["added_mass"], db.inertia_matrix, total, zero)
 
 
 def about_body_axes(stiffness, force, R, center):

@@ -19,11 +19,11 @@ from mooring.lines.system.shapes import line_shapes
 from mooring.lines.system.studies import (
     about_body_axes,
     balanced,
-    moored_periods,
     mooring_stiffness,
     offset_curve,
     one_line_broken,
 )
+from mooring.studies.natural_periods import moored_periods
 
 ROOT = Path(__file__).parents[3]
 CHAIN = LineType("chain", 1000.0, 5e8, breaking_load=4e6)

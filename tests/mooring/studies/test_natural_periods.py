@@ -5,7 +5,7 @@ import pytest
 
 from mooring.equilibrium import mooring_stiffness
 from mooring.layout import corner_spread
-from mooring.natural_periods import natural_periods
+from mooring.studies.natural_periods import natural_periods
 
 OMEGA = np.linspace(0.1, 2.0, 20)
 

@@ -12,6 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..lines.system.equilibrium import SystemEquilibrium
+from ..lines.system.studies import about_body_axes, body_number, mooring_stiffness
+
 NAMES = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
 
 
@@ -106,3 +109,22 @@ def _by_motion(energies):
     shares = energies / energies.sum(axis=1, keepdims=True)
     modes, motions = linear_sum_assignment(-shares)
     return modes[np.argsort(motions)]
+
+
+def moored_periods(state: SystemEquilibrium, body, db):
+    """NaturalPeriods of one body of the system, its hydrodynamics from an opened database of the same body.
+
+    The axes of the body are those of the database; the stiffness is taken to them and to its rotation centre.
+    raises : ValueError where the database lacks added mass, inertia or hydrostatics
+    """
+    if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
+        raise ValueError(
+            "natural periods need inertia_matrix and hydrostatic_stiffness, which the database does not have"
+        )
+    db.require("added_mass")
+    i = body_number(state.system, body)
+    pull = state.system.load(state.pose).force[6 * i : 6 * i + 3]
+    K = about_body_axes(mooring_stiffness(state, body), pull, state.pose.turn[i], np.asarray(db.rotation_center, float))
+    zero = db["added_mass_zero"] if "added_mass_zero" in db.names else None
+    total = np.asarray(db.hydrostatic_stiffness, float) + K
+    return natural_periods(db.omega, db["added_mass"], db.inertia_matrix, total, zero)

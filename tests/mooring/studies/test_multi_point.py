@@ -14,7 +14,9 @@ from meshing.panels import PanelMesh
 from mooring.equilibrium import mooring_stiffness
 from mooring.layout import Layout, Line, corner_spread
 from mooring.lines.catenary.solve import State, solve_lines
-from mooring.multi_point import Conditions, Current, Hull, Waves, Wind, multi_point, resonances
+from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
+from mooring.studies.multi_point import multi_point
+from mooring.studies.multi_point_findings import resonances
 from pipelines.common.study import KNOT, TONF, StudyError, make_study, read_study
 from pipelines.moor.command import moor
 
@@ -317,7 +319,7 @@ def test_command_leaves_no_file_when_the_study_has_no_answer(tmp_path, database)
 
 
 def test_example_study_is_the_floater_of_the_report():
-    study, _ = read_study(Path(__file__).parents[2] / "pipelines" / "scenes" / "moor_chain_12.toml")
+    study, _ = read_study(Path(__file__).parents[3] / "pipelines" / "scenes" / "moor_chain_12.toml")
     layout = study.layout(study.hull_of({}))
     assert len(layout) == 12
     lines, _ = layout.solve(layout.fairleads)
