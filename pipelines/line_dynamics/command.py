@@ -13,7 +13,7 @@ import numpy as np
 from ..common.outputs import check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
-from ..common.study import StudyError
+from ..common.quantities import StudyError
 from .figures import figures, regime_of
 from .motion import course_of
 from .parts import current_of, line_of, wave_of

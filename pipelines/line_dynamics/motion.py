@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..common.study import StudyError, _positive
+from ..common.quantities import StudyError, positive
 
 CYCLES = 12  # of a harmonic run whose duration is not given
 TOGETHER = 1e-6  # by which the longest period may miss a multiple of another
@@ -66,9 +66,9 @@ def _harmonic(study, kind):
     given = study.fairlead
     moving = [part for part in given.motions if any(part.amplitude)]
     for i, part in enumerate(given.motions):
-        _positive(f"fairlead.motions[{i}].period", part.period)
+        positive(f"fairlead.motions[{i}].period", part.period)
     periods = [part.period for part in moving] + (
-        [] if study.wave is None else [_positive("wave.period", study.wave.period)]
+        [] if study.wave is None else [positive("wave.period", study.wave.period)]
     )
     longest = max(periods, default=0.0)
     ramp = longest if given.ramp is None else given.ramp

@@ -8,8 +8,9 @@ import math
 
 import numpy as np
 
-from ..common.study import LineType as StaticType
-from ..common.study import StudyError, _direction, _positive, _speed, line_properties
+from ..common.line_types import LineType as StaticType
+from ..common.line_types import line_properties
+from ..common.quantities import StudyError, direction, positive, speed
 from .study import BedTable
 
 ELEMENTS = 40  # of a line whose segments do not say how many, at least 4 each
@@ -21,7 +22,7 @@ def line_of(study):
     from mooring.lines.dynamics.simulation import DynamicLine
 
     kinds = {name: _properties(f"types.{name}", kind, study.water) for name, kind in study.types.items()}
-    total = sum(_positive(f"segments[{i}].length", part.length) for i, part in enumerate(study.segments))
+    total = sum(positive(f"segments[{i}].length", part.length) for i, part in enumerate(study.segments))
     parts = [_segment(f"segments[{i}]", part, kinds, total) for i, part in enumerate(study.segments)]
     return DynamicLine(
         tuple(segment for segment, _ in parts),
@@ -64,7 +65,7 @@ def _properties(where, kind, water):
     for key, name in (("mass", "mass_kg_per_m"), ("diameter", "diameter")):
         if given[key] is None and known is None:
             raise StudyError(f"{where}: {name} is not given; allowed: a number above 0, or a catalogue name")
-        given[key] = getattr(known, key) if given[key] is None else _positive(f"{where}.{name}", given[key])
+        given[key] = getattr(known, key) if given[key] is None else positive(f"{where}.{name}", given[key])
     rest = ("drag_normal", "drag_tangential", "added_normal", "added_tangential", "damping_ratio")
     made = {"weight": static["weight"], "axial_stiffness": static["axial_stiffness"], **given}
     return made | {key: getattr(kind, key) for key in rest}, static["breaking_load"]
@@ -122,11 +123,11 @@ def current_of(study):
     given, depth = study.current, study.water.depth
     if given is None:
         return None
-    heading = _direction("current", given)
+    heading = direction("current", given)
     if (given.z is None) != (given.speeds is None):
         raise StudyError("current: one of z and speeds is given; allowed: both, as many of each, or speed")
     if given.z is None:
-        profile = power_law(_speed("current", given), heading, depth, given.exponent)
+        profile = power_law(speed("current", given), heading, depth, given.exponent)
         z = np.linspace(-depth, 0.0, LEVELS) if math.isfinite(depth) else np.array([0.0])
     elif given.speed is not None or given.speed_knots is not None or given.exponent != 0:
         raise StudyError("current: z and speeds are given beside speed or exponent; allowed: one of the two")
@@ -144,9 +145,9 @@ def wave_of(study, ramp):
     wave, depth = study.wave, study.water.depth
     if wave is None:
         return None
-    height, period = _positive("wave.height", wave.height), _positive("wave.period", wave.period)
+    height, period = positive("wave.height", wave.height), positive("wave.period", wave.period)
     k = float(wavenumber(2 * math.pi / period, depth, study.water.gravity))
     breaking = 0.142 * 2 * math.pi / k * math.tanh(min(k * depth, 20.0))
     if height > breaking:
         raise StudyError(f"wave.height is {height:g} m; allowed: up to {breaking:.3g} m, where a wave of it breaks")
-    return WaveTrain(0.5 * height, period, _direction("wave", wave), math.radians(wave.phase_deg), depth, ramp)
+    return WaveTrain(0.5 * height, period, direction("wave", wave), math.radians(wave.phase_deg), depth, ramp)

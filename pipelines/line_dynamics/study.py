@@ -9,15 +9,11 @@ from __future__ import annotations
 
 import msgspec
 
-from ..common.study import StudyError
+from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 
 
-class _Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    pass
-
-
-class WaterTable(_Table):
+class WaterTable(Table):
     """depth : m under the anchor, inf for a line that touches no bed; density : kg/m³"""
 
     depth: float
@@ -25,7 +21,7 @@ class WaterTable(_Table):
     gravity: float = 9.80665
 
 
-class BedTable(_Table):
+class BedTable(Table):
     """slope_deg, upwards towards uphill_deg (0: +x); stiffness, damping : kPa/m and kPa s/m, times diameter"""
 
     friction: float = 0.0
@@ -35,7 +31,7 @@ class BedTable(_Table):
     damping_kPa_s_per_m: float = 30.0
 
 
-class TypeTable(_Table):
+class TypeTable(Table):
     """Properties of a line; `catalogue` fills in what is not given
 
     mass_kg_per_m in air; diameter : m, of the displaced volume; drag_normal on D, drag_tangential on πD
@@ -58,7 +54,7 @@ class TypeTable(_Table):
     damping_ratio: float = 1.0
 
 
-class SegmentTable(_Table):
+class SegmentTable(Table):
     """length : m, unstretched; elements : by default 40 for the whole line, shared out by length"""
 
     type: str
@@ -66,7 +62,7 @@ class SegmentTable(_Table):
     elements: int | None = None
 
 
-class BodyTable(_Table):
+class BodyTable(Table):
     """A clump or a buoy at the upper end of segment `after_segment`, from 1; drag_area : C_d A, m²
 
     added_mass : times the displaced mass
@@ -79,7 +75,7 @@ class BodyTable(_Table):
     added_mass: float = 0.5
 
 
-class HarmonicTable(_Table):
+class HarmonicTable(Table):
     """amplitude : m along x, y, z; phase_deg : lag of each behind the time origin"""
 
     amplitude: tuple[float, float, float]
@@ -87,7 +83,7 @@ class HarmonicTable(_Table):
     phase_deg: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
-class FairleadTable(_Table):
+class FairleadTable(Table):
     """Either position with harmonic motions about it, or table : CSV of t,x,y,z in s and m, beside this file
 
     ramp : s in which the motion fades in from rest; by default the longest period, and none for a table
@@ -99,7 +95,7 @@ class FairleadTable(_Table):
     ramp: float | None = None
 
 
-class CurrentTable(_Table):
+class CurrentTable(Table):
     """speed at the surface : m/s, or speed_knots; direction_deg travelled to, or incidence_deg
 
     exponent : α of U(z) = U₀ (1 + z/h)^α; or z, rising from the bed, with the speeds (m/s) there
@@ -114,7 +110,7 @@ class CurrentTable(_Table):
     speeds: list[float] | None = None
 
 
-class WaveTable(_Table):
+class WaveTable(Table):
     """A regular wave; height : m, crest to trough; phase_deg : lag at the origin"""
 
     height: float
@@ -124,7 +120,7 @@ class WaveTable(_Table):
     phase_deg: float = 0.0
 
 
-class LineDynamicsStudy(_Table):
+class LineDynamicsStudy(Table):
     """anchor : m in space; duration : s, by default to the end of a table or twelve of the longest period
 
     tolerance : error of a step in any tension, of the largest; measure_from : s, where the figures begin, by default

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from ..common.picture import PLOTS, check_picture
-from ..common.study import TONF, StudyError
+from ..common.quantities import StudyError
+from ..common.units import TONF
 
 KN = 1e3
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")

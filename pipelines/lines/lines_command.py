@@ -12,7 +12,7 @@ from bem.database.file import check_place
 
 from ..common.outputs import check_output
 from ..common.picture import PLOTS, check_picture
-from ..common.study import StudyError
+from ..common.quantities import StudyError
 from .system_file import read_system
 
 KN = 1e3

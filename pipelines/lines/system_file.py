@@ -14,18 +14,15 @@ import msgspec
 from mooring.lines.system.graph import System
 from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
 
-from ..common.study import LineType as TypeTable
-from ..common.study import StudyError, line_properties
+from ..common.line_types import LineType as TypeTable
+from ..common.line_types import line_properties
+from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 
 YAML, TOML = (".yaml", ".yml"), (".toml",)
 
 
-class _Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    pass
-
-
-class WaterTable(_Table):
+class WaterTable(Table):
     """depth : m; density : kg/m³"""
 
     depth: float
@@ -33,7 +30,7 @@ class WaterTable(_Table):
     gravity: float = 9.80665
 
 
-class BodyTable(_Table):
+class BodyTable(Table):
     """position : m; freedom : Surge … Yaw, what loads may move; force_kN, moment_kNm : steady"""
 
     name: str
@@ -44,14 +41,14 @@ class BodyTable(_Table):
     moment_kNm: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
-class AnchorTable(_Table):
+class AnchorTable(Table):
     """position : m in space"""
 
     name: str
     position: tuple[float, float, float]
 
 
-class FairleadTable(_Table):
+class FairleadTable(Table):
     """position : m in the axes of the body"""
 
     name: str
@@ -59,7 +56,7 @@ class FairleadTable(_Table):
     position: tuple[float, float, float]
 
 
-class PointTable(_Table):
+class PointTable(Table):
     """A buoy, sinker or joint; mass : kg; volume : m³; height : m over which it comes out of the water"""
 
     name: str
@@ -69,7 +66,7 @@ class PointTable(_Table):
     height: float | None = None
 
 
-class LineTable(_Table):
+class LineTable(Table):
     """from and to : names of points; length : m, unstretched"""
 
     name: str
@@ -79,7 +76,7 @@ class LineTable(_Table):
     end: str = msgspec.field(name="to")
 
 
-class SystemTable(_Table):
+class SystemTable(Table):
     water: WaterTable
     types: dict[str, TypeTable]
     lines: list[LineTable]

@@ -11,7 +11,8 @@ from bem import DOFS
 from bem.database.file import has_schema
 
 from ..common.outputs import check_output
-from ..common.study import TONF, read_study
+from ..common.units import TONF
+from .study import read_study
 
 SCHEMA = "hakobune mooring study 1"
 LINE_QUANTITIES = {

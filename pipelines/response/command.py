@@ -26,7 +26,7 @@ def response(
     from bem.database import open_database
     from mooring.response.body import read_body
 
-    from ..common.study import StudyError
+    from ..common.quantities import StudyError
     from .study import read_response_study
 
     read, text = read_response_study(study)
@@ -56,7 +56,7 @@ def _in_sea(read, body, db, points):
     from mooring.response.sea_state import sea_state
     from mooring.response.viscous import linearised
 
-    from ..common.study import _positive
+    from ..common.quantities import positive
     from ..scene.viscous_table import laws_of
     from .study import sea_of
 
@@ -71,11 +71,11 @@ def _in_sea(read, body, db, points):
             warnings.warn(
                 f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical", stacklevel=2
             )
-    return sea_state(body, sea, 3600 * _positive("sea.duration_hours", read.sea.duration_hours), points)
+    return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
 
 
 def _in_climate(read, body, points, study):
-    from ..common.study import StudyError
+    from ..common.quantities import StudyError
 
     if read.body.viscous is not None:
         raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a climate")
@@ -107,7 +107,7 @@ def _write(read, result, radius, points, warned, text, database, output, plot):
 def _check_places(output, plot, *inputs):
     from ..common.outputs import check_output
     from ..common.picture import PLOTS, check_picture
-    from ..common.study import StudyError
+    from ..common.quantities import StudyError
     from .output import is_response
 
     if output is not None:

@@ -6,7 +6,7 @@ import numpy as np
 
 from mooring.response.long_term import YEAR
 
-from ..common.study import TONF
+from ..common.units import TONF
 from .report import RAD, sea_in_words
 
 COLUMNS = 3

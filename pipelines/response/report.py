@@ -11,7 +11,7 @@ from mooring.response.long_term import YEAR
 from mooring.response.return_period import probability_not_exceeded
 from mooring.response.sea_state import TINY
 
-from ..common.study import TONF
+from ..common.units import TONF
 
 RAD = {"rad": ("°", 180 / np.pi)}
 FRACTILE = 0.9

@@ -29,12 +29,12 @@ import numpy as np
 
 from bem import DOFS
 
-from ..common.study import StudyError, _direction, _positive, _Table
+from ..common.quantities import StudyError, Table, direction, positive
 from ..common.typed import read_toml, typed
 from ..scene.viscous_table import Laws
 
 
-class SeaTable(_Table):
+class SeaTable(Table):
     """height : m, significant; one period (s); direction_deg travelled to, or incidence_deg; duration_hours of it"""
 
     height: float
@@ -51,7 +51,7 @@ class SeaTable(_Table):
     duration_hours: float = 3.0
 
 
-class DirectionTable(_Table):
+class DirectionTable(Table):
     """share of the time with waves of this direction"""
 
     share: float
@@ -59,7 +59,7 @@ class DirectionTable(_Table):
     incidence_deg: float | None = None
 
 
-class ClimateTable(_Table):
+class ClimateTable(Table):
     """scatter : CSV file beside the study; years : return period of the extremes"""
 
     scatter: str
@@ -70,7 +70,7 @@ class ClimateTable(_Table):
     years: float = 50.0
 
 
-class PointTable(_Table):
+class PointTable(Table):
     """position : m, x, y, z; clearance : m above still water of what has to stay dry"""
 
     name: str
@@ -78,7 +78,7 @@ class PointTable(_Table):
     clearance: float | None = None
 
 
-class BodyTable(_Table):
+class BodyTable(Table):
     """damping_ratio : of critical, by motion, beyond radiation; damping, stiffness : 6 × 6 in SI units, added
 
     viscous : damping that grows with the motion
@@ -90,7 +90,7 @@ class BodyTable(_Table):
     stiffness: list[list[float]] | None = None
 
 
-class ResponseStudy(_Table):
+class ResponseStudy(Table):
     """Either a sea or a climate"""
 
     sea: SeaTable | None = None
@@ -124,7 +124,7 @@ class ResponseStudy(_Table):
             if not all(map(math.isfinite, point.position)):
                 raise StudyError(f"points[{i}].position is {list(point.position)}; allowed: finite, m")
             if point.clearance is not None:
-                _positive(f"points[{i}].clearance", point.clearance)
+                positive(f"points[{i}].clearance", point.clearance)
         return [Point(point.name, point.position, point.clearance) for point in self.points]
 
 
@@ -144,21 +144,21 @@ def sea_of(table):
     from mooring.environment.sea import Sea
 
     periods = {kind: getattr(table, kind) for kind in KINDS if getattr(table, kind) is not None}
-    spectrum = family_of("sea", table)(_positive("sea.height", table.height), **_shape(table), **periods)
-    return Sea(spectrum, _direction("sea", table), _spreading("sea", table, spectrum))
+    spectrum = family_of("sea", table)(positive("sea.height", table.height), **_shape(table), **periods)
+    return Sea(spectrum, direction("sea", table), _spreading("sea", table, spectrum))
 
 
 def climate_of(table, beside):
     """Arguments of `mooring.response.climate.climate` after the body; `beside` is the path of the study."""
     from mooring.environment.scatter import read_scatter
 
-    _positive("climate.years", table.years)
+    positive("climate.years", table.years)
     named = [(f"climate.directions[{i}]", entry) for i, entry in enumerate(table.directions)]
     spreading = None if table.spreading is None else lambda spectrum: _spreading("climate", table, spectrum)
     return dict(
         scatter=read_scatter(Path(beside).parent / table.scatter),
         family=family_of("climate", table),
-        directions_and_shares=[(_direction(where, entry), entry.share) for where, entry in named],
+        directions_and_shares=[(direction(where, entry), entry.share) for where, entry in named],
         spreading=spreading,
         **_shape(table),
     )

@@ -17,8 +17,10 @@ from mooring.lines.catenary.solve import State, solve_lines
 from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
 from mooring.studies.multi_point import multi_point
 from mooring.studies.multi_point_findings import resonances
-from pipelines.common.study import KNOT, TONF, StudyError, make_study, read_study
+from pipelines.common.quantities import StudyError
+from pipelines.common.units import KNOT, TONF
 from pipelines.moor.command import moor
+from pipelines.moor.study import make_study, read_study
 
 MASS = 51.25e6
 INERTIA = MASS * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])

@@ -9,8 +9,9 @@ import pytest
 from mooring.formats.results import write_channels
 from mooring.lines.catenary.solve import solve_lines
 from pipelines.cli import main
-from pipelines.common.study import LineType as TypeTable
-from pipelines.common.study import StudyError, line_properties
+from pipelines.common.line_types import LineType as TypeTable
+from pipelines.common.line_types import line_properties
+from pipelines.common.quantities import StudyError
 from pipelines.lines.system_file import read_system
 
 SPREAD = """\

@@ -17,28 +17,18 @@ from mooring.layout import Layout, Line, corner_spread, pretensioned
 from mooring.loads.box_drag import drag_table
 from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
 
-from .typed import read_toml, typed
-
-KNOT = 1852 / 3600  # m/s
-TONF = 9806.65  # N
-KGF = 9.80665  # N
+from ..common.line_types import LineType, line_properties
+from ..common.quantities import StudyError, Table, direction, force, positive, speed
+from ..common.typed import read_toml, typed
 
 
-class StudyError(ValueError):
-    """A study cannot be used; one line names the key, its value and what is allowed."""
-
-
-class _Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    pass
-
-
-class WaterTable(_Table):
+class WaterTable(Table):
     """depth : m"""
 
     depth: float
 
 
-class HullTable(_Table):
+class HullTable(Table):
     """freeboard : m, depth of the hull less draft; the rest is taken from the database where it is known"""
 
     freeboard: float
@@ -47,7 +37,7 @@ class HullTable(_Table):
     draft: float | None = None
 
 
-class Coefficients(_Table):
+class Coefficients(Table):
     """Drag coefficients of a box for angles from 0 to 90° between stream and x axis; lever over length"""
 
     angles_deg: list[float]
@@ -56,7 +46,7 @@ class Coefficients(_Table):
     lever: list[float] | None = None
 
 
-class StreamTable(_Table):
+class StreamTable(Table):
     """speed : m/s, or speed_knots; direction_deg travelled to, or incidence_deg"""
 
     speed: float | None = None
@@ -66,7 +56,7 @@ class StreamTable(_Table):
     coefficients: Coefficients | None = None
 
 
-class WavesTable(_Table):
+class WavesTable(Table):
     """height : m, significant; period : s, mean; direction_deg travelled to, or incidence_deg"""
 
     height: float
@@ -75,23 +65,7 @@ class WavesTable(_Table):
     incidence_deg: float | None = None
 
 
-class LineType(_Table):
-    """Submerged weight, axial stiffness EA and breaking load, each in one of its units; EA left out: inextensible
-
-    catalogue : a name such as "R3 studless 76 mm", for what is not given
-    """
-
-    catalogue: str | None = None
-    weight_kg_per_m: float | None = None
-    weight_N_per_m: float | None = None
-    axial_stiffness_tonf: float | None = None
-    axial_stiffness_kN: float | None = None
-    breaking_load_tonf: float | None = None
-    breaking_load_kN: float | None = None
-    bed_friction: float = 0.0
-
-
-class Spread(_Table):
+class Spread(Table):
     """Lines from the four corners of the hull; headings_deg from the x axis, for the corner at +x, +y"""
 
     type: str
@@ -102,7 +76,7 @@ class Spread(_Table):
     fairlead_z: float = 0.0
 
 
-class OneLine(_Table):
+class OneLine(Table):
     """A line to an anchor at (x, y), or along heading_deg to where it carries the pretension; m"""
 
     name: str
@@ -115,7 +89,7 @@ class OneLine(_Table):
     pretension_kN: float | None = None
 
 
-class Study(_Table):
+class Study(Table):
     """allowable : fraction of the breaking load a line may carry"""
 
     water: WaterTable
@@ -133,15 +107,15 @@ class Study(_Table):
         wind, current, waves = self.wind, self.current, self.waves
         if wind:
             extra = {} if wind.coefficients is None else {"table": _coefficients("wind", wind)}
-            wind = Wind(_speed("wind", wind), _direction("wind", wind), **extra)
+            wind = Wind(speed("wind", wind), direction("wind", wind), **extra)
         if current:
             table = None if current.coefficients is None else _coefficients("current", current)
-            current = Current(_speed("current", current), _direction("current", current), table)
+            current = Current(speed("current", current), direction("current", current), table)
         if waves:
             waves = Waves(
-                _positive("waves.height", waves.height),
-                _positive("waves.period", waves.period),
-                _direction("waves", waves),
+                positive("waves.height", waves.height),
+                positive("waves.period", waves.period),
+                direction("waves", waves),
             )
         return Conditions(wind, current, waves)
 
@@ -154,14 +128,14 @@ class Study(_Table):
                 raise StudyError(f"hull.{key} is not given and the database does not know it; allowed: m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(f"hull.{key} is {own:g} m, the database is for {stored:g} m")
-            sizes[key] = _positive(f"hull.{key}", stored if own is None else own)
-        return Hull(**sizes, freeboard=_positive("hull.freeboard", self.hull.freeboard))
+            sizes[key] = positive(f"hull.{key}", stored if own is None else own)
+        return Hull(**sizes, freeboard=positive("hull.freeboard", self.hull.freeboard))
 
     def layout(self, hull):
         """Layout of all spreads and lines around a Hull"""
         if not self.spreads and not self.lines:
             raise StudyError("the study has no lines; allowed: at least one [[spreads]] or [[lines]]")
-        depth = _positive("water.depth", self.water.depth)
+        depth = positive("water.depth", self.water.depth)
         lines = []
         for i, spread in enumerate(self.spreads):
             where = f"spreads[{i}]"
@@ -170,8 +144,8 @@ class Study(_Table):
                 hull.beam,
                 _corner_headings(where, spread.corner_headings_deg),
                 depth,
-                _positive(f"{where}.length", spread.length),
-                pretension=_force(where, spread, "pretension", required=True),
+                positive(f"{where}.length", spread.length),
+                pretension=force(where, spread, "pretension", required=True),
                 z=spread.fairlead_z,
                 **self._properties(where, spread.type),
             )
@@ -181,9 +155,9 @@ class Study(_Table):
         return Layout(lines)
 
     def _line(self, where, line, depth):
-        length = _positive(f"{where}.length", line.length)
+        length = positive(f"{where}.length", line.length)
         properties = self._properties(where, line.type)
-        pretension = _force(where, line, "pretension")
+        pretension = force(where, line, "pretension")
         if line.anchor is not None and line.heading_deg is None and pretension is None:
             return Line(line.name, (*line.anchor, -depth), line.fairlead, length, **properties)
         if line.anchor is None and line.heading_deg is not None and pretension is not None:
@@ -197,25 +171,6 @@ class Study(_Table):
         return line_properties(f"types.{name}", self.types[name])
 
 
-def line_properties(where, kind, density=1025.0):
-    """weight, axial_stiffness, bed_friction and breaking_load of a LineType, in SI; density : kg/m³ of the water"""
-    from mooring.lines.catalogue import line_type
-
-    try:
-        known = None if kind.catalogue is None else line_type(kind.catalogue, density)
-    except ValueError as error:
-        raise StudyError(f"{where}.catalogue: {error}") from None
-    weight = _one(where, kind, {"weight_kg_per_m": KGF, "weight_N_per_m": 1.0}, required=known is None)
-    if not (kind.bed_friction >= 0 and math.isfinite(kind.bed_friction)):
-        raise StudyError(f"{where}.bed_friction is {kind.bed_friction:g}; allowed: at least 0")
-    return {
-        "weight": weight or known.weight,
-        "axial_stiffness": _force(where, kind, "axial_stiffness") or (known.axial_stiffness if known else math.inf),
-        "bed_friction": kind.bed_friction,
-        "breaking_load": _force(where, kind, "breaking_load") or (known.breaking_load if known else math.inf),
-    }
-
-
 def read_study(path):
     """The Study of a TOML file and its text.  Raises StudyError."""
     raw, text = read_toml(path, "a study", StudyError)
@@ -227,44 +182,8 @@ def make_study(raw):
     study = typed(raw, Study, StudyError)
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
-    _positive("water.depth", study.water.depth)
+    positive("water.depth", study.water.depth)
     return study
-
-
-def _positive(key, value):
-    if not 0 < value < math.inf:
-        raise StudyError(f"{key} is {value:g}; allowed: above 0, finite")
-    return value
-
-
-def _one(where, table, units, required=False):
-    """The value of the one key of `units` {key: factor} that is given, in SI; None if none is and none has to be."""
-    given = [key for key in units if getattr(table, key) is not None]
-    if len(given) > 1 or (required and not given):
-        state = " and ".join(given) + " are given" if given else "nothing is given"
-        raise StudyError(f"{where}: {state}; allowed: one of {', '.join(units)}")
-    return _positive(f"{where}.{given[0]}", getattr(table, given[0])) * units[given[0]] if given else None
-
-
-def _force(where, table, name, required=False):
-    return _one(where, table, {f"{name}_tonf": TONF, f"{name}_kN": 1e3}, required)
-
-
-def _speed(where, table):
-    return _one(where, table, {"speed": 1.0, "speed_knots": KNOT}, required=True)
-
-
-def _direction(where, table):
-    """rad travelled to"""
-    to, incidence = table.direction_deg, table.incidence_deg
-    if (to is None) == (incidence is None):
-        state = "neither is given" if to is None else "both are given"
-        raise StudyError(f"{where}: {state}; allowed: one of direction_deg, incidence_deg")
-    degrees = incidence + 180.0 if to is None else to
-    if not -360 <= degrees <= 720:
-        key = "incidence_deg" if to is None else "direction_deg"
-        raise StudyError(f"{where}.{key} is {getattr(table, key):g}; allowed: −360 to 360")
-    return math.radians(degrees % 360.0)
 
 
 def _corner_headings(where, degrees):

@@ -1,0 +1,58 @@
+"""Quantities of a study file in SI, and the one line that is said of a value that cannot be.
+
+A quantity carries its unit in the key where it is not SI: `speed_knots`, `pretension_tonf`.  Wind, current and waves
+have either `direction_deg`, travelled to, 0 → +x, or `incidence_deg`, the angle χ of the reports, 0 from ahead:
+direction = incidence + 180°.
+"""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+
+from .units import KNOT, TONF
+
+
+class StudyError(ValueError):
+    """A study cannot be used; one line names the key, its value and what is allowed."""
+
+
+class Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    pass
+
+
+def positive(key, value):
+    if not 0 < value < math.inf:
+        raise StudyError(f"{key} is {value:g}; allowed: above 0, finite")
+    return value
+
+
+def one_of(where, table, units, required=False):
+    """The value of the one key of `units` {key: factor} that is given, in SI; None if none is and none has to be."""
+    given = [key for key in units if getattr(table, key) is not None]
+    if len(given) > 1 or (required and not given):
+        state = " and ".join(given) + " are given" if given else "nothing is given"
+        raise StudyError(f"{where}: {state}; allowed: one of {', '.join(units)}")
+    return positive(f"{where}.{given[0]}", getattr(table, given[0])) * units[given[0]] if given else None
+
+
+def force(where, table, name, required=False):
+    return one_of(where, table, {f"{name}_tonf": TONF, f"{name}_kN": 1e3}, required)
+
+
+def speed(where, table):
+    return one_of(where, table, {"speed": 1.0, "speed_knots": KNOT}, required=True)
+
+
+def direction(where, table):
+    """rad travelled to"""
+    to, incidence = table.direction_deg, table.incidence_deg
+    if (to is None) == (incidence is None):
+        state = "neither is given" if to is None else "both are given"
+        raise StudyError(f"{where}: {state}; allowed: one of direction_deg, incidence_deg")
+    degrees = incidence + 180.0 if to is None else to
+    if not -360 <= degrees <= 720:
+        key = "incidence_deg" if to is None else "direction_deg"
+        raise StudyError(f"{where}.{key} is {getattr(table, key):g}; allowed: −360 to 360")
+    return math.radians(degrees % 360.0)

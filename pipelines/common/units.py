@@ -1,0 +1,5 @@
+"""Units that studies are written in, in SI."""
+
+KNOT = 1852 / 3600  # m/s
+TONF = 9806.65  # N
+KGF = 9.80665  # N
