@@ -16,7 +16,7 @@ from ..lines.system.graph import System
 from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
 from .fault import FormatError, read_text
 from .moordyn_system import read_moordyn_system
-from .yaml_subset import parse_yaml
+from .yaml_text import parse_yaml
 
 KNOWN = {
     "line_types": {"name", "diameter", "mass_density", "stiffness", "breaking_load", "cost", "transverse_added_mass",
@@ -57,7 +57,7 @@ def _table(data, key, path):
         raise FormatError(f"{path}: {key} is {type(rows).__name__}; allowed: a list of tables")
     for i, row in enumerate(rows):
         where = f"{key}[{i}]"
-        unknown = set(row) - KNOWN[key]
+        unknown = {str(name) for name in row} - KNOWN[key]
         if unknown:
             raise FormatError(f"{path}: {where}.{min(unknown)} is unknown; allowed: {', '.join(sorted(KNOWN[key]))}")
         if row.get("name") is None:
@@ -68,10 +68,15 @@ def _table(data, key, path):
 
 def _number(row, keys, path, where, default=None):
     value = next((row[key] for key in keys if row.get(key) is not None), default)
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if not _is_number(value):
         state = "missing" if value is None else repr(value)
         raise FormatError(f"{path}: {keys[0]} of {where} is {state}; allowed: a number")
     return float(value)
+
+
+def _is_number(value):
+    """Finite; true and false are words, a whole number of four hundred digits has no place among the others"""
+    return isinstance(value, int | float) and not isinstance(value, bool) and -1e300 < value < 1e300
 
 
 def _type(row, density, path):
@@ -84,7 +89,7 @@ def _type(row, density, path):
 
 def _point(row, path):
     name, place, kind = row["name"], row.get("location"), str(row.get("type", "")).lower()
-    if not isinstance(place, list) or len(place) != 3 or not all(isinstance(v, int | float) for v in place):
+    if not isinstance(place, list) or len(place) != 3 or not all(map(_is_number, place)):
         raise FormatError(f"{path}: location of point {name} is {place!r}; allowed: [x, y, z] in m")
     place = tuple(map(float, place))
     if "anch" in kind or "fix" in kind:

@@ -10,7 +10,7 @@ from mooring.formats.moordyn import MoorDynFile, moordyn_text, parse_moordyn, re
 from mooring.formats.moordyn_system import moordyn_of_system, renamed, system_of_moordyn
 from mooring.formats.moorpy import read_moorpy, system_of_moorpy
 from mooring.formats.results import channels_of_rest, read_channels, read_frames, write_channels
-from mooring.formats.yaml_subset import parse_yaml
+from mooring.formats.yaml_text import parse_yaml
 from mooring.lines.catalogue import line_type
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.graph import System
@@ -275,21 +275,27 @@ def test_yaml_scalars_and_collections():
     }
     assert parse_yaml("- 1\n- - 2\n  - 3\n-\n  a: 4\n") == [1, [2, 3], {"a": 4}]
     assert parse_yaml("") is None
+    assert parse_yaml("a: &x [1, yes]\nb: *x\nc: |\n  text\n") == {"a": [1, "yes"], "b": [1, "yes"], "c": "text\n"}
 
 
 YAML_FAULTS = [
-    ("a: &x 1", "line 1: '&x' is YAML that is not read here"),
-    ("a: 1\na: 2", "line 2: key 'a' is there twice"),
-    ("a: [1, 2", "line 1: a bracket is opened and not closed"),
-    ("a: 1\n   b: 2", "line 2: is indented differently"),
-    ("a:\n  - b: 1\n    c", "line 3: 'c' is not a key and its value"),
-    ("a: |\n  text", "line 1: '|' is YAML that is not read here"),
-    ("a: 'x", "a quotation mark is opened"),
+    ("a: 1\na: 2", 'line 2: while constructing a mapping found duplicate key "a"'),
+    ("a: [1, 2", "line 1: while parsing a flow sequence expected ',' or ']'"),
+    ("a: 1\n   b: 2", "line 2: mapping values are not allowed here"),
+    ("a:\n  - b: 1\n    c", "line 3: while scanning a simple key could not find expected ':'"),
+    ("a:\n\t- 1", "line 2: while scanning for the next token found character '\\t'"),
+    ("a: 'x", "line 1: while scanning a quoted scalar found unexpected end of stream"),
+    ("a: 1\n---\nb: 2", "line 2: expected a single document in the stream but found another document"),
+    ("a: 1\nb: !!python/name:os.system", "line 2: could not determine a constructor for the tag"),
+    ("a: *x", "line 1: found undefined alias 'x'"),
+    ("a: \x00", "unacceptable character"),
+    ("[" * 5000, "nested too deep"),
+    ("a: 1" + "0" * 5000, "4300 digits"),
 ]
 
 
 @pytest.mark.parametrize(("text", "message"), YAML_FAULTS)
-def test_yaml_outside_the_subset_is_refused_with_its_line(text, message):
+def test_yaml_that_is_not_plain_data_is_refused_with_its_line(text, message):
     with pytest.raises(FormatError) as fault:
         parse_yaml(text)
     assert message in str(fault.value)
@@ -301,6 +307,9 @@ MOORPY_FAULTS = [
     ("type: poly", "type: silk", "type of line upper is 'silk'; allowed: poly, chain 84"),
     ("location: [-800, 0, -200]", "location: [-800, 0]", "location of point anchor1 is [-800, 0]"),
     ("water_depth: 200", "depht: 200", "water_depth of the file is missing"),
+    ("water_depth: 200", "water_depth: .nan", "water_depth of the file is nan; allowed: a number"),
+    ("water_depth: 200", "water_depth: 1" + "0" * 400, "water_depth of the file is 10000"),
+    ("length: 315", "1: 315", "lines[1].1 is unknown; allowed: endA"),
     ("type: free", "type: loose", "type of point joint is 'loose'"),
     ("endB: joint", "endB: knee", "its end 'knee' is no point of the system"),
 ]  # fmt: skip
