@@ -9,16 +9,10 @@ import msgspec
 
 
 def to_toml(scene):
-    """The scene as TOML text that reads back as the same scene; defaults are left out."""
-    raw = msgspec.to_builtins(scene)
-    plain = {key: value for key, value in raw.items() if not isinstance(value, dict) and key != "bodies"}
-    lines = _pairs(plain, {"method": "auto", "lid": True})
-    for table in ("water", "waves", "viscous"):
-        if raw[table] is not None:
-            lines += ["", f"[{table}]", *_pairs(raw[table], {})]
-    for body in raw["bodies"]:
-        lines += ["", "[[bodies]]", *_pairs(body, {})]
-    return "\n".join(lines).strip() + "\n"
+    """The scene as TOML text that reads back as the same scene."""
+    import tomli_w
+
+    return tomli_w.dumps(_given(msgspec.to_builtins(scene)))
 
 
 def fixed_part(scene):
@@ -45,21 +39,11 @@ def difference(old, new):
     return "; ".join(shown) + (f" and {len(keys) - 2} more" if len(keys) > 2 else "")
 
 
-def _pairs(table, defaults):
-    given = {k: v for k, v in table.items() if v is not None and not (k in defaults and v == defaults[k])}
-    return [f"{key} = {_toml(value)}" for key, value in given.items()]
-
-
-def _toml(value):
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, str):
-        return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+def _given(value):
+    """Without what is None, which TOML cannot say"""
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key} = {_toml(part)}" for key, part in value.items() if part is not None) + " }"
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(_toml, value)) + "]"
-    return repr(value)
+        return {key: _given(part) for key, part in value.items() if part is not None}
+    return [_given(part) for part in value] if isinstance(value, list | tuple) else value
 
 
 def _flat(value, path=""):

@@ -51,9 +51,10 @@ def solved(cases, folder, console, fresh=False):
 
 
 def is_scene(path):
-    """Whether a file is a scene as it is written here, touched by nobody"""
+    """Whether a file is a scene in which nobody left a word: what is lost with it can be written again"""
     try:
-        return to_toml(make_scene(read_scene(path))) == path.read_text(encoding="utf-8")
+        make_scene(read_scene(path))
+        return "#" not in path.read_text(encoding="utf-8")
     except ValueError:
         return False
 

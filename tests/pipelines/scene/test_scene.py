@@ -144,6 +144,13 @@ def test_text_of_a_scene_reads_back_as_the_same_scene():
         assert make_scene(tomllib.loads(to_toml(one))) == one
 
 
+def test_names_of_files_are_text_whatever_is_in_them(tmp_path):
+    file = tmp_path / 'a "hull"\nof\ttwo \\ lines é #1.gdf'
+    file.write_text("")
+    raw = {"water": {"depth": 9.0}, "bodies": [{"shape": "mesh", "file": str(file)}], "waves": {"omegas": [1.0]}}
+    assert make_scene(tomllib.loads(to_toml(make_scene(raw)))) == make_scene(raw)
+
+
 def test_lists_of_waves_and_products_do_not_change_what_a_database_is_of():
     base = scene_hash(fixed_part(scene()))
     same = [("[0.4, 0.8]", "[0.1]"), ("[0, 45]", "[90]"), ("tolerance", 'want = ["drift"]\ntolerance')]
