@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -106,9 +107,20 @@ def _seconds(work):
 
 
 def available_memory():
-    """Bytes that can be had without swapping; infinite where the system does not tell"""
+    """Bytes that can be had without swapping, of the machine or of the container that the process is in"""
+    import psutil
+
+    return min(float(psutil.virtual_memory().available), _left_to_container())
+
+
+def _left_to_container(place=Path("/sys/fs/cgroup")):
+    """Bytes below the limit of Linux' control group (version 2), its cache of files counted as free; infinite without
+
+    place : where the group of the process is seen from inside a container
+    """
     try:
-        with open("/proc/meminfo", encoding="ascii") as file:
-            return next(1024.0 * int(line.split()[1]) for line in file if line.startswith("MemAvailable"))
-    except (OSError, StopIteration):
+        limit, used = (float((place / name).read_text()) for name in ("memory.max", "memory.current"))
+        stat = dict(line.split() for line in (place / "memory.stat").read_text().splitlines())
+    except (OSError, ValueError):  # no such group, or its limit is the word "max"
         return np.inf
+    return limit - used + float(stat.get("inactive_file", 0)) + float(stat.get("active_file", 0))

@@ -156,5 +156,12 @@ def test_time_left_is_that_of_frequencies_whoever_prepared_the_body(monkeypatch)
     assert left == ["4 min 50 s", "2 min 34 s", "1 min 48 s", "1 min 24 s"]
 
 
-def test_free_memory_is_known_or_without_limit():
-    assert cost.available_memory() > 1e6
+def test_free_memory_is_known_and_no_more_than_a_container_leaves(tmp_path):
+    assert 1e6 < cost.available_memory() < np.inf
+    assert cost._left_to_container(tmp_path) == np.inf
+    files = {"memory.max": "8000", "memory.current": "5000", "memory.stat": "anon 4000\ninactive_file 700\n"}
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    assert cost._left_to_container(tmp_path) == 3700
+    (tmp_path / "memory.max").write_text("max")
+    assert cost._left_to_container(tmp_path) == np.inf
