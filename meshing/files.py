@@ -16,6 +16,7 @@ import numpy as np
 
 from . import text_formats
 from .panels import PanelMesh, joined
+from .text_files import check_size
 
 TEXT_READERS = {
     ".gdf": text_formats.read_gdf,
@@ -48,8 +49,9 @@ def read_mesh(path):
     suffix = path.suffix.lower()
     if suffix not in READABLE:
         raise ValueError(f"{path}: cannot read {suffix or 'a file without suffix'}; allowed: {', '.join(READABLE)}")
-    if not path.is_file():
+    if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
+    check_size(path)
     read = TEXT_READERS.get(suffix, _read_with_meshio)
     mesh = read(path)
     if not len(mesh):

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from .panels import PanelMesh
+from .text_files import read_text
 
 FOOT = 0.3048  # m
 
@@ -19,7 +20,7 @@ def read_gdf(path):
 
     GRAV says whether lengths are metres or feet; ULEN does not scale the corners.
     """
-    lines = path.read_text(errors="replace").splitlines()
+    lines = read_text(path, errors="replace").splitlines()
     if len(lines) < 4:
         raise ValueError(f"{path}: {len(lines)} lines; a GDF file has a header, ULEN GRAV, ISX ISY, NPAN, panels")
     _, gravity = _numbers(path, 2, lines[1], 2)
@@ -49,7 +50,7 @@ def write_gdf(mesh, path, gravity=9.80665):
 
 def read_nemoh(path):
     """Nemoh mesh: `2 s` with s = 1 for the mirror plane y = 0, points, a line of zeros, panels, zeros."""
-    rows = [(k, line.split()) for k, line in enumerate(path.read_text(errors="replace").splitlines(), 1)]
+    rows = [(k, line.split()) for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1)]
     rows = [(k, [_number(path, k, word) for word in words]) for k, words in rows if words]
     if not rows or len(rows[0][1]) < 2 or rows[0][1][1] not in (0, 1):
         raise ValueError(f"{path}, line 1: allowed: '2 0' or '2 1', the second for the mirror plane y = 0")
@@ -88,7 +89,7 @@ def write_nemoh(mesh, path):
 def read_pnl(path):
     """HAMS hull mesh: numbers of panels and points and mirror planes, then points, then panels of 3 or 4."""
     rows = []
-    for k, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+    for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1):
         words = line.split("!")[0].split()
         if words and _is_number(words[0]):
             rows.append((k, [_number(path, k, word) for word in words]))

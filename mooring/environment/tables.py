@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from meshing.text_files import read_text
+
 
 class TableError(ValueError):
     """A file cannot be read as a table; one line names the file, the place and what is allowed."""
@@ -19,7 +21,11 @@ def read_table(path, blank=None):
     Raises TableError.
     """
     path = Path(path)
-    rows = [(number, _parted(line)) for number, line in enumerate(_text(path).splitlines(), 1) if _counts(line)]
+    rows = [
+        (number, _parted(line))
+        for number, line in enumerate(read_text(path, TableError).splitlines(), 1)
+        if _counts(line)
+    ]
     if not rows:
         raise TableError(f"{path} has no rows")
     names = None if _is_number(rows[0][1][0]) else rows.pop(0)[1]
@@ -40,15 +46,6 @@ def column_of(path, names, wanted):
     if wanted not in names:
         raise TableError(f"{path} has no column {wanted!r}; allowed: {', '.join(names)}")
     return names.index(wanted)
-
-
-def _text(path):
-    try:
-        return path.read_text(encoding="utf-8-sig")
-    except FileNotFoundError:
-        raise TableError(f"{path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise TableError(f"{path} cannot be read: {getattr(error, 'strerror', None) or 'not text'}") from None
 
 
 def _counts(line):

@@ -11,14 +11,3 @@ def fault(path, line, section, what):
     """FormatError at a line (counted from 1, None for the whole file) of a section (None before the first)."""
     place = f"{path}" + (f" line {line}" if line else "") + (f", section {section}" if section else "")
     return FormatError(f"{place}: {what}")
-
-
-def read_text(path):
-    """The text of a file.  Raises FormatError."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            return file.read()
-    except FileNotFoundError:
-        raise FormatError(f"{path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise FormatError(f"{path} cannot be read: {getattr(error, 'strerror', None) or 'not text'}") from None

@@ -12,7 +12,9 @@ import typing
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from .fault import FormatError, fault, read_text
+from meshing.text_files import read_text
+
+from .fault import FormatError, fault
 from .moordyn_rows import SECTIONS, BodyRow, FailureRow, LineRow, LineTypeRow, PointRow, RodRow, RodTypeRow
 
 
@@ -45,7 +47,7 @@ FORCES = ("fx", "fy", "fz")  # of points, version 1: only nought is understood
 
 def read_moordyn(path) -> MoorDynFile:
     """The MoorDynFile of a path.  Raises FormatError with line and section."""
-    return parse_moordyn(read_text(path), path)
+    return parse_moordyn(read_text(path, FormatError), path)
 
 
 def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:

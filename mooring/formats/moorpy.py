@@ -12,9 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
+from meshing.text_files import read_text
+
 from ..lines.system.graph import System
 from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
-from .fault import FormatError, read_text
+from .fault import FormatError
 from .moordyn_system import read_moordyn_system
 from .yaml_text import parse_yaml
 
@@ -28,7 +30,7 @@ KNOWN = {
 
 def read_moorpy(path, depth=None) -> System:
     """The System of a MoorPy or RAFT file; depth : m, for files that leave it to the program."""
-    return system_of_moorpy(parse_yaml(read_text(path), path), path, depth)
+    return system_of_moorpy(parse_yaml(read_text(path, FormatError), path), path, depth)
 
 
 def system_of_moorpy(data, path="YAML file", depth=None) -> System:

@@ -12,9 +12,10 @@ from __future__ import annotations
 import csv
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 
 import numpy as np
+
+from meshing.text_files import read_text
 
 from .box_drag import check_positive, stream_pressure
 from .smooth import smooth
@@ -101,12 +102,7 @@ def read_hull_coefficients(path):
     With OCIMF's current coefficients all areas are length times draft.
     raises : ValueError naming the file, the line or the value
     """
-    path = Path(path)
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or "not text"
-        raise ValueError(f"{path} cannot be read as hull coefficients: {reason}") from None
+    lines = read_text(path).splitlines()
     try:
         sizes, columns = _sizes(lines), _columns(lines)
         lateral, moment = _lateral(columns, sizes)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 import tomllib
 import typing
-from pathlib import Path
 
 import msgspec
+
+from meshing.text_files import read_text
 
 WORDS = {
     "float": "a number",
@@ -25,15 +26,11 @@ def read_toml(path, what, error):
 
     what : "a study", for messages; error : class raised with one line
     """
-    path = Path(path)
+    text = read_text(path, error)
     try:
-        text = path.read_text(encoding="utf-8")
         return tomllib.loads(text), text
-    except FileNotFoundError:
-        raise error(f"{path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as fault:
-        reason = getattr(fault, "strerror", None) or "not text"
-        raise error(f"{path} cannot be read as {what}: {reason}") from None
+    except RecursionError:
+        raise error(f"{path} is not {what}: its lists are nested too deeply") from None
     except tomllib.TOMLDecodeError as fault:
         raise error(f"{path} is not TOML: {fault}") from None
 

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from meshing.text_files import read_text
+
 from ..common.quantities import StudyError, positive
 
 CYCLES = 12  # of a harmonic run whose duration is not given
@@ -88,12 +90,7 @@ def read_positions(path):
 
     raises : StudyError
     """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except FileNotFoundError:
-        raise StudyError(f"fairlead.table: {path} does not exist") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise StudyError(f"fairlead.table: {path}: {getattr(error, 'strerror', None) or 'not text'}") from None
+    text = read_text(path, lambda line: StudyError(f"fairlead.table: {line}"))
     rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and line.lstrip()[0] != "#"]
     if rows and [cell.strip().lower()[:1] for cell in rows[0][1].split(",")] == ["t", "x", "y", "z"]:
         rows = rows[1:]

@@ -19,6 +19,7 @@ from bem.waves import wavenumber
 from meshing.files import read_mesh
 from meshing.hydrostatics import hydrostatics, inertia_matrix
 from meshing.lid import lid
+from meshing.mirror import folded
 from meshing.panels import PanelMesh
 from meshing.quality import findings
 from meshing.shapes import box, buoy
@@ -62,7 +63,7 @@ def make_hull(scene, omegas):
         _check_waves_along(scene, omegas)
         return Hull(_meshed(scene.body, FOR_SHOW), None)
     if scene.body.shape == "mesh":
-        mesh = read_mesh(scene.body.file)
+        mesh = folded(read_mesh(scene.body.file))
     elif scene.panels is not None:
         mesh = _meshed(scene.body, scene.panels)
     else:

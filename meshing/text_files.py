@@ -1,0 +1,37 @@
+"""Text files as other programs leave them: UTF-8 with or without the byte order mark of Windows, regular, of a size."""
+
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+
+LARGEST = 256  # MB; a record of a year at 10 Hz
+
+
+def read_text(path, error=ValueError, *, errors="strict"):
+    """The text of a regular file, without a byte order mark.
+
+    error : class raised with one line; errors : as of `bytes.decode`
+    raises : error where there is no file, no text, no permission, something endless (a device, a pipe), or too much
+    """
+    path = Path(path)
+    try:
+        check_size(path, error)
+        return path.read_bytes().decode("utf-8-sig", errors).replace("\r\n", "\n")
+    except FileNotFoundError:
+        raise error(f"{path} does not exist") from None
+    except UnicodeDecodeError:
+        raise error(f"{path} cannot be read: not text") from None
+    except OSError as fault:
+        raise error(f"{path} cannot be read: {fault.strerror}") from None
+
+
+def check_size(path, error=ValueError):
+    """Raises `error` where a path is no regular file or larger than LARGEST; OSError where it cannot be looked at."""
+    found = Path(path).stat()
+    if stat.S_ISDIR(found.st_mode):
+        raise error(f"{path} cannot be read: Is a directory")
+    if not stat.S_ISREG(found.st_mode):
+        raise error(f"{path} cannot be read: it is a device or a pipe, which may never end; give a file")
+    if found.st_size > LARGEST * 1e6:
+        raise error(f"{path} has {found.st_size / 1e6:.0f} MB; allowed: {LARGEST} MB of text")
