@@ -24,10 +24,11 @@ from meshing.panels import PanelMesh
 from meshing.quality import findings
 from meshing.shapes import box, buoy
 
+from ..scene.identity import MESH_FILE, content, fixed_part, scene_hash
 from ..scene.methods import METHODS, bed_for_contour, highest_resolved, names_given
 from ..scene.products import expand
 from ..scene.scene import SceneError
-from ..scene.text import fixed_part, scene_hash, to_toml
+from ..scene.text import to_toml
 from ..scene.viscous_table import viscous_of
 from .large import shared_band
 from .panel_counts import coarse_counts, fine_counts, meshed, sizes
@@ -182,7 +183,12 @@ def make_header(scene, hull, omegas):
         dimensions=scene.dimensions,
         scene=to_toml(scene),
         scene_hash=scene_hash(fixed_part(scene)),
-        attributes={"tolerance": scene.accuracy, "method": scene.chosen_method, **_raised(scene)},
+        attributes={
+            "tolerance": scene.accuracy,
+            "method": scene.chosen_method,
+            **_raised(scene),
+            **({MESH_FILE: content(scene.body.file)} if scene.body.shape == "mesh" else {}),
+        },
     )
 
 

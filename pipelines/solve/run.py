@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -19,9 +17,10 @@ from bem.kernels.progress import listening
 
 from ..common.interrupt import ctrl_c
 from ..common.progress import Preparing, Progress
+from ..scene.identity import check_same
 from ..scene.methods import FAR_FIELD, check_method, highest_resolved
-from ..scene.scene import SceneError, make_scene
-from ..scene.text import difference, fixed_part, scene_hash, to_toml
+from ..scene.scene import SceneError
+from ..scene.text import to_toml
 from .adaptive import filled_band
 from .hull import Hull, inspected, kochin_angles, make_header, make_hull, remarks_on_body, setup_of
 from .large import announced
@@ -66,7 +65,7 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
     omegas, headings, names = scene.omegas(), scene.headings(), scene.names()
     if output.exists() and not fresh:
         header = open_database(output).header
-        _check_same(scene, header, output)
+        check_same(scene, header, output)
         text, scene = to_toml(scene), _by_the_same_method(scene, header, output)
         _check_angles(scene, header, output)
         _check_far_field(scene, output)
@@ -86,16 +85,6 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
         console.print(f"{output}: {hull.mesh!r}", highlight=False, markup=False)
     fill = partial(_fill, output, setup_of(header, scene), header.theta, remarks, executor or Here(), console, cost)
     return fill() if scene.waves.band is None else filled_band(scene, output, fill, console)
-
-
-def _check_same(scene, header, output):
-    fixed = fixed_part(scene)
-    if scene_hash(fixed) == header.scene_hash:
-        return
-    what = "the mesh file has changed"
-    with suppress(SceneError, OSError):
-        what = difference(fixed_part(make_scene(tomllib.loads(header.scene))), fixed) or what
-    raise SceneError(f"{output} is of another scene: {what}; give --fresh to replace it or another --output")
 
 
 def _by_the_same_method(scene, header, output):

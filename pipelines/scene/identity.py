@@ -1,0 +1,97 @@
+"""What a database is of: all of a scene that may not change while the file grows, and how two of them differ.
+
+Compared is what the texts of scenes mean to the reader of today: a key that came after a file was made has its default
+there.  A mesh file counts by its content, wherever it lies: by a hash that is stored, or, in files from before it was,
+by its panels.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import tomllib
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from ..common.typed import typed
+from .scene import Scene, SceneError
+
+MESH_FILE = "mesh_file"  # attribute of a database: `content` of the mesh file
+FILE = "bodies[0].file"
+
+
+def content(path):
+    """A hash of the bytes of a file, as text"""
+    return "sha256 " + hashlib.sha256(Path(path).read_bytes()).hexdigest()[:16]
+
+
+def fixed_part(scene, mesh_file=None):
+    """{key: value} of all that may not change while a database grows.
+
+    mesh_file : what counts for the mesh file, None: its content now
+    """
+    raw = msgspec.to_builtins(scene)
+    raw = {key: value for key, value in raw.items() if key not in ("waves", "want")}
+    if scene.panels is None:
+        raw["tolerance"] = scene.accuracy
+    for body in raw["bodies"]:
+        if body["file"] is not None:
+            body["file"] = mesh_file or content(body["file"])
+    return {key: repr(value) for key, value in _flat(raw) if value is not None}
+
+
+def scene_hash(fixed):
+    """Hash of `fixed_part`."""
+    return hashlib.sha256(repr(sorted(fixed.items())).encode()).hexdigest()
+
+
+def difference(old, new):
+    """One phrase on the first keys in which two fixed parts differ, "" where they are the same."""
+    keys = [key for key in {**old, **new} if old.get(key) != new.get(key)]
+    shown = [_phrase(key, old.get(key, "not given"), new.get(key, "not given")) for key in keys[:2]]
+    return "; ".join(shown) + (f" and {len(keys) - 2} more" if len(keys) > 2 else "")
+
+
+def check_same(scene, header, output):
+    """Raise SceneError if the database `output` with this header is of another scene, naming what differs."""
+    fixed = fixed_part(scene)
+    if scene_hash(fixed) == header.scene_hash:
+        return
+    try:
+        stored = typed(tomllib.loads(header.scene), Scene, SceneError)
+    except ValueError as error:
+        raise SceneError(
+            f"{output} is of a scene that cannot be read: {error}; give --fresh to replace it or another --output"
+        ) from None
+    what = difference(fixed_part(stored, _stored_content(scene, header)), fixed)
+    if what:
+        raise SceneError(f"{output} is of another scene: {what}; give --fresh to replace it or another --output")
+
+
+def _stored_content(scene, header):
+    """`content` of the mesh file a database was made from; "unknown" if it is not stored and panels are others now"""
+    from meshing.files import read_mesh
+
+    if MESH_FILE in header.attributes or scene.body.file is None:
+        return header.attributes.get(MESH_FILE, "unknown")
+    now, then = read_mesh(scene.body.file), header.mesh
+    same = np.array_equal(now.points, then.points) and np.array_equal(now.corners, then.corners)
+    return content(scene.body.file) if same and now.symmetry == then.symmetry else "unknown"
+
+
+def _phrase(key, old, new):
+    if key == FILE and "not given" not in (old, new):
+        return "the mesh file has changed"
+    return f"{key} was {old}, is {new}"
+
+
+def _flat(value, path=""):
+    if isinstance(value, dict):
+        for key, part in value.items():
+            yield from _flat(part, f"{path}.{key}" if path else key)
+    elif isinstance(value, list):
+        for i, part in enumerate(value):
+            yield from _flat(part, f"{path}[{i}]")
+    else:
+        yield path, value
