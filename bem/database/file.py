@@ -129,7 +129,13 @@ def beside(path):
 
 @contextlib.contextmanager
 def opened(path, mode="r"):
-    """The open HDF5 file.  Raises DatabaseError if it is not a database of this schema version."""
+    """The open HDF5 file, given by its path or open already.
+
+    Raises DatabaseError if it is not a database of this schema version.
+    """
+    if isinstance(path, h5py.File):
+        yield path
+        return
     path = Path(path)
     if not path.is_file():
         raise DatabaseError(f"{path} does not exist" if not path.exists() else f"{path} is not a file")

@@ -55,7 +55,7 @@ def create(path, header, omega, wave_direction, names):
 def extend(path, *, omega=(), wave_direction=(), names=(), scene=None):
     """Widen a file by frequencies, headings and quantities; what it holds is kept, the rest is pending.
 
-    Returns whether anything had to be added.
+    Returns whether anything had to be added: then a new file has the name, and one that was given open is the old one.
     """
     with writing(path) as old:
         header = read_header(old)
@@ -69,7 +69,7 @@ def extend(path, *, omega=(), wave_direction=(), names=(), scene=None):
             or len(wider) > len(stored)
         )
         if grown:
-            with beside(path) as file:
+            with beside(old.filename) as file:
                 lay_out(file, replace(header, scene=scene or header.scene), wider_omega, wider_heading, wider)
                 _take_over(old, file)
     return grown
@@ -140,7 +140,7 @@ def append_limit(file, name, value):
 
 
 def pending(path):
-    """What the file still lacks of everything it was made or extended for."""
+    """What the file, by path or open, still lacks of everything it was made or extended for."""
     with opened(path) as file:
         names = [name for name in QUANTITIES if name in file]
         limits = tuple(name for name in names if name in LIMITS and not file["stored"][name][()])
@@ -151,7 +151,10 @@ def pending(path):
 
 
 def open_database(path):
-    """Read access to a database.  Raises DatabaseError if `path` is not one of this version."""
+    """Read access to a database.  Raises DatabaseError if `path` is not one of this version.
+
+    path : of the file, which is opened again for every reading; or the file, open from `writing`
+    """
     with opened(path) as file:
         header = read_header(file)
         names = tuple(name for name in QUANTITIES if name in file)
@@ -160,13 +163,14 @@ def open_database(path):
         for mark in (mark for mark in marks if mark.ndim):
             rows &= (mark == 1).reshape(len(rows), -1).all(axis=1)
         return Database(
-            Path(path),
+            Path(file.filename),
             header,
             names,
             rows,
             file["omega"][()][rows],
             file["wave_direction"][()],
             {key: value for key, value in file.attrs.items()},
+            path if isinstance(path, h5py.File) else None,
         )
 
 
@@ -176,6 +180,7 @@ class Database:
 
     names : quantities the file is for; rows : (all,) which of its frequencies are solved
     omega : (n,) rad/s, the solved ones; wave_direction : (m,) rad; attributes : those of the file
+    file : what is read from while it is open; None, or closed, opens `path` for every reading
     """
 
     path: Path
@@ -185,6 +190,7 @@ class Database:
     omega: np.ndarray
     wave_direction: np.ndarray
     attributes: dict
+    file: h5py.File | None = None
 
     def __repr__(self):
         return (
@@ -201,7 +207,7 @@ class Database:
         """Solved rows of a quantity, axes as in `schema.QUANTITIES`; also period, wavenumber, theta."""
         if name in QUANTITIES:
             self.require(name)
-        with opened(self.path) as file:
+        with self._opened() as file:
             if name not in file:
                 known = ", ".join(n for n in (*COORDINATES, *DERIVED, *self.names))
                 raise DatabaseError(f"{self.path} holds no {name!r}; it holds: {known}")
@@ -247,7 +253,7 @@ class Database:
 
     def checks(self):
         """{name: (n,)} of `schema.CHECKS` for the solved frequencies; NaN where a check did not apply."""
-        with opened(self.path) as file:
+        with self._opened() as file:
             return {name: file["checks"][name][()][self.rows] for name in CHECKS}
 
     def estimated_errors(self):
@@ -256,7 +262,7 @@ class Database:
         NaN where the method gives no estimate, and in a file of a time before there were any.
         """
         names = [name for name in ESTIMATES if name in self.names]
-        with opened(self.path) as file:
+        with self._opened() as file:
             return {
                 name: file[_estimate(name)][()][self.rows]
                 if _estimate(name) in file
@@ -266,7 +272,7 @@ class Database:
 
     def wall_times(self):
         """(n,) dictionaries {step: s} of the solved frequencies."""
-        with opened(self.path) as file:
+        with self._opened() as file:
             return [json.loads(text) for text in file["wall_time"][()][self.rows]]
 
     @property
@@ -309,8 +315,11 @@ class Database:
         """PanelMesh of the interior free surface, or None"""
         return self.header.lid
 
+    def _opened(self):
+        return opened(self.file or self.path)  # a closed file is false
+
     def _stored(self, name):
-        with opened(self.path) as file:
+        with self._opened() as file:
             return bool(file["stored"][name][()])
 
     def _remedy(self, missing):

@@ -19,6 +19,7 @@ from .scene import Scene, SceneError
 
 MESH_FILE = "mesh_file"  # attribute of a database: `content` of the mesh file
 FILE = "bodies[0].file"
+SAME = 1e-6  # of the hull: what is left of its points in mesh files
 
 
 def content(path):
@@ -75,9 +76,19 @@ def _stored_content(scene, header):
 
     if MESH_FILE in header.attributes or scene.body.file is None:
         return header.attributes.get(MESH_FILE, "unknown")
-    now, then = read_mesh(scene.body.file), header.mesh
-    same = np.array_equal(now.points, then.points) and np.array_equal(now.corners, then.corners)
-    return content(scene.body.file) if same and now.symmetry == then.symmetry else "unknown"
+    return content(scene.body.file) if _same_hull(read_mesh(scene.body.file), header.mesh) else "unknown"
+
+
+def _same_hull(one, other):
+    """Whether two meshes have the same panels, in whatever order, and written out or mirrored"""
+    from scipy.spatial import KDTree
+
+    (one, other), reach = (one.whole(), other.whole()), SAME * np.ptp(one.points, axis=0).max()
+    if len(one) != len(other):
+        return False
+    apart, nearest = KDTree(one.centroids).query(other.centroids)
+    turned = np.linalg.norm(one.area_vectors[nearest] - other.area_vectors, axis=1)
+    return bool(apart.max() <= reach and np.all(turned <= SAME * other.areas.max()))
 
 
 def _phrase(key, old, new):

@@ -354,3 +354,22 @@ def test_a_killed_writer_leaves_a_file_that_opens_and_can_be_finished(tmp_path):
         fill(path)
         assert open_database(path).complete
         assert_right(path, open_database(path).omega, db.wave_direction, NAMES)
+
+
+def test_an_open_file_is_read_and_widened_as_by_its_name(tmp_path):
+    path = tmp_path / "box.h5"
+    create(path, header(), OMEGAS, HEADINGS, NAMES)
+    fill(path, limit=2)
+    with writing(path) as file:
+        assert pending(file) == pending(path)
+        assert not extend(file, omega=[])
+        db = open_database(file)
+        assert (
+            db.path == path
+            and len(db.omega) == 2
+            and np.array_equal(db["added_mass"], open_database(path)["added_mass"])
+        )
+    assert np.isfinite(db["added_mass"]).all()  # its file is closed, and opened again
+    with writing(path) as file:
+        assert extend(file, omega=[1.7])
+    assert 1.7 in [row.omega for row in pending(path).rows]
