@@ -22,7 +22,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .catenary.solve import State, solve_lines
+from .catenary.solve import solve_lines
+from .catenary.state import State
 
 
 class Regime(IntEnum):

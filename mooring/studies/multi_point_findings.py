@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..environment.between_waves import between_frequencies, between_headings
-from ..lines.catenary.solve import State
+from ..lines.catenary.state import State
 
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
 ROLLING = 1e-4  # rad per m of wave amplitude; less is rounding in waves that do not roll the body

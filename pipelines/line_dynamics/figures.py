@@ -131,7 +131,7 @@ def quasi_static(line, course, window, current):
 
     The places are those of one cycle, or of the whole window; nan where the line has no static shape.
     """
-    from mooring.lines.catenary.solve import LineError
+    from mooring.lines.catenary.state import LineError
     from mooring.lines.dynamics.simulation import FairleadMotion, simulate
 
     begin = window[0] if course.cycle is None else window[1] - course.cycle

@@ -16,7 +16,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from mooring.lines.catenary.solve import State, solve_lines
+from mooring.lines.catenary.solve import solve_lines
+from mooring.lines.catenary.state import State
 from mooring.lines.multi_segment.line import Bed, LineError, PointLoad, Segment, StaticLine
 
 PEER = r"""

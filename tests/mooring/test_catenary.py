@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.solve import LineError, State, profile, solve_lines, span_at_tension
-from mooring.lines.catenary.uniform import asinh_excess
+from mooring.lines.catenary.free_piece import asinh_excess
+from mooring.lines.catenary.solve import profile, solve_lines, span_at_tension
+from mooring.lines.catenary.state import LineError, State
 
 PUBLISHED = Path(__file__).parents[1] / "published"
 KGF = 9.80665

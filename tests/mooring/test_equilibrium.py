@@ -12,7 +12,8 @@ from mooring.equilibrium import (
     mooring_stiffness,
 )
 from mooring.layout import Layout, Line, corner_spread, pretensioned
-from mooring.lines.catenary.solve import State, solve_lines
+from mooring.lines.catenary.solve import solve_lines
+from mooring.lines.catenary.state import State
 
 TONF = 9806.65
 

@@ -2,34 +2,18 @@
 
 The line is uniform, hangs in a vertical plane, and may lie on a straight bed through its anchor with Coulomb
 friction pulling against the fairlead.  Bending, current on the line and history of friction are neglected.
-Each line is sorted into one of four states, solved in closed form up to one monotone scalar equation
-(kernels in `lines.hanging.uniform`), and its geometry is recomputed from its forces before it is returned.
+Kernels in `uniform` solve the lines; here input and results are checked.
 """
 
 from __future__ import annotations
 
-from enum import IntEnum
 from typing import NamedTuple
 
 import numpy as np
 
-from . import grounded, suspended
-from .grounded import Bed, free_span
+from .state import LineError, State
 
 TOLERANCE = 1e-10  # of the line length, on the recomputed fairlead position
-
-
-class LineError(ValueError):
-    """A line that has no equilibrium, or whose equilibrium was not found."""
-
-
-class State(IntEnum):
-    """What a line does: hang plumb with H = 0, lie partly on the bed, touch nothing, or fail to reach."""
-
-    SLACK = 0
-    GROUNDED = 1
-    SUSPENDED = 2
-    BEYOND_REACH = 3
 
 
 class LineSolution(NamedTuple):
@@ -61,27 +45,6 @@ class LineSolution(NamedTuple):
         return np.hypot(self.horizontal_anchor, self.vertical_anchor)
 
 
-class _Lines(NamedTuple):
-    x: np.ndarray
-    z: np.ndarray
-    length: np.ndarray
-    weight: np.ndarray
-    flexibility: np.ndarray
-    friction: np.ndarray
-    slope: np.ndarray
-
-    def some(self, chosen):
-        return _Lines(*(value[chosen] for value in self))
-
-    @property
-    def properties(self):
-        return self.length, self.weight, self.flexibility
-
-    @property
-    def bed(self):
-        return Bed(self.slope, self.friction)
-
-
 def solve_lines(
     x,
     z,
@@ -109,16 +72,16 @@ def solve_lines(
     if beyond_reach not in ("raise", "mark"):
         raise ValueError(f"beyond_reach is {beyond_reach!r}; allowed: 'raise', 'mark'")
     lines, shape = _lines(x, z, length, weight, axial_stiffness, bed_friction, bed_slope, bed)
-    found = solve_uniform_lines(np.stack(lines, axis=-1), bed)
-    H, V, H_anchor, V_anchor, lying = found[:, :5].T
-    status = found[:, 9].astype(int)
+    found = solve_uniform_lines(lines, bed)
+    status, missed = found[:, 9].astype(int), found[:, 10]
     lost = status == State.BEYOND_REACH
     if np.any(lost) and beyond_reach == "raise":
-        raise _failure(lines.some(lost), "cannot be reached by an inextensible line")
-    _check(lines.some(~lost), H[~lost], V[~lost], lying[~lost], status[~lost])
-    values = (H, V, H_anchor, V_anchor, lying)
-    k = found[:, 5:9].reshape(*shape, 2, 2)
-    return LineSolution(*(v.reshape(shape) for v in values), k, status.reshape(shape))
+        raise _failure(lines[lost], "cannot be reached by an inextensible line")
+    bad = ~(missed <= TOLERANCE * np.maximum(lines[:, 2], np.hypot(lines[:, 0], lines[:, 1])))
+    if np.any(bad):
+        raise _failure(lines[bad], f"was missed by {missed[bad][0]:.3g} m")
+    values = (column.reshape(shape) for column in found[:, :5].T)
+    return LineSolution(*values, found[:, 5:9].reshape(*shape, 2, 2), status.reshape(shape))
 
 
 def span_at_tension(
@@ -134,51 +97,37 @@ def span_at_tension(
 
     horizontal_tension : N, > 0; the other arguments as in `solve_lines`
     returns : x, grounded length
+    raises : LineError where the bed rises above the fairlead; ValueError for impossible input
     """
+    from .uniform import spans_at_tension
+
     H = np.asarray(horizontal_tension, float)
-    lines, shape = _lines(0.0 * H, z, length, weight, axial_stiffness, bed_friction, 0.0 * H, True)
-    H, slope = np.broadcast_to(H, shape).ravel(), np.broadcast_to(bed_slope, shape).ravel().astype(float)
+    lines, shape = _lines(0.0 * H, z, length, weight, axial_stiffness, bed_friction, bed_slope, True)
+    H = np.broadcast_to(H, shape).ravel()
     if not np.all((H > 0) & np.isfinite(H)):
         raise ValueError(f"horizontal_tension is {H.min():g} N; allowed: finite values above 0")
-    bed = Bed(slope, lines.friction)
-    S = _free_length_at(H, lines, bed)
-    x, _ = free_span(H, H * np.tan(slope), np.minimum(S, lines.length), lines.weight, lines.flexibility)
-    x = x + np.cos(slope) * grounded.lying_span(
-        H, np.maximum(lines.length - S, 0), lines.weight, lines.flexibility, bed
-    )
-    lifted = lines.length < S
-    if np.any(lifted):
-        some = lines.some(lifted)
-        form = suspended.shape_at_tension(H[lifted], some.z, *some.properties)
-        kappa = 0.5 * some.flexibility * some.weight * some.length
-        x[lifted] = some.length * form.sine * form.t * (np.arcsinh(1 / form.t) + kappa)
-    return x.reshape(shape), np.maximum(lines.length - S, 0.0).reshape(shape)
+    x, lying = spans_at_tension(lines, H).T
+    if np.any(np.isnan(lying)):
+        raise LineError("the fairlead lies below the upper end of the bed under the line")
+    if np.any(np.isnan(x)):
+        raise ValueError("an inextensible line shorter than the height of its fairlead cannot be hung")
+    return x.reshape(shape), lying.reshape(shape)
 
 
 def profile(x, z, length, weight, axial_stiffness=np.inf, bed_friction=0.0, bed_slope=0.0, *, bed=True, points=101):
     """Points along one line for drawing: (points, 2) m, x and z from the anchor at (0, 0) to the fairlead."""
+    from .uniform import points_along
+
     line = solve_lines(x, z, length, weight, axial_stiffness, bed_friction, bed_slope, bed=bed)
     if line.horizontal_fairlead.shape:
         raise ValueError(f"profile draws one line, not an array of shape {line.horizontal_fairlead.shape}")
-    H, lying = float(line.horizontal_fairlead), float(line.grounded_length)
-    flexibility = 1.0 / axial_stiffness
-    low = float(line.vertical_fairlead) - weight * (length - lying)
-    s = np.linspace(0.0, length, points)
-    on_bed = np.minimum(s, lying)
-    if line.status == State.SLACK:
-        reach = x / np.cos(bed_slope)
-        distance = on_bed * (reach / lying if lying > 0 else 0.0)
-    else:
-        ground = Bed(np.full_like(s, bed_slope), np.full_like(s, bed_friction))
-        whole = grounded.lying_span(H, np.full_like(s, lying), weight, flexibility, ground)
-        # tension is used up from the lift-off point downwards, so measure from there
-        distance = whole - grounded.lying_span(H, lying - on_bed, weight, flexibility, ground)
-    dx, dz = free_span(H, low, np.maximum(s - lying, 0.0), weight, flexibility)
-    return np.stack([distance * np.cos(bed_slope) + dx, distance * np.sin(bed_slope) + dz], axis=-1)
+    row = np.array([*map(float, line[:5]), *line.stiffness.ravel(), float(line.status)])
+    given = (x, z, length, weight, 1 / axial_stiffness, bed_friction, bed_slope)
+    return points_along(row, tuple(map(float, given)), np.linspace(0.0, length, points))
 
 
 def _lines(x, z, length, weight, axial_stiffness, friction, slope, bed):
-    """Checked, broadcast, flattened input."""
+    """Checked input, (n, 7) as `uniform` reads it, and the shape it was given in."""
     given = np.broadcast_arrays(
         *(np.asarray(v, float) for v in (x, z, length, weight, axial_stiffness, friction, slope))
     )
@@ -201,57 +150,14 @@ def _lines(x, z, length, weight, axial_stiffness, friction, slope, bed):
         if not np.all(good):
             value = given[names.index(name)][~good].flat[0]
             raise ValueError(f"line {name} is {value:g}; allowed: {allowed}")
-    flat = [v.ravel() for v in (x, z, length, weight, 1.0 / axial_stiffness, friction, slope)]
-    return _Lines(*flat), x.shape
-
-
-def _free_length_at(H, lines, bed):
-    """Free length for a given H where only the height of the fairlead is fixed: a root in S on a slope."""
-    S = grounded.free_length_on_flat_bed(H, lines.z, lines.weight, lines.flexibility)
-    if not np.any(bed.slope):
-        return S
-    tan, sin = np.tan(bed.slope), np.sin(bed.slope)
-
-    def height(S):
-        _, rise = free_span(H, H * tan, S, lines.weight, lines.flexibility)
-        lying = grounded.lying_span(H, np.maximum(lines.length - S, 0.0), lines.weight, lines.flexibility, bed)
-        return lying * sin + rise - lines.z
-
-    if np.any(height(np.zeros_like(S)) > 0):
-        raise LineError("the fairlead lies below the upper end of the bed under the line")
-    low, high = np.zeros_like(S), lines.length * 1.0
-    whole = height(high) < 0
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        rising = height(middle) < 0
-        low, high = np.where(rising, middle, low), np.where(rising, high, middle)
-        if np.all(high - low <= 4 * np.finfo(float).eps * lines.length):
-            break
-    return np.where(bed.slope == 0, S, np.where(whole, np.inf, high))
-
-
-def _check(lines, H, V, lying, status):
-    """Recompute the fairlead from the forces; raise where it is not where it was asked for."""
-    free = lines.length - lying
-    x, z = free_span(H, V - lines.weight * free, free, lines.weight, lines.flexibility)
-    along = grounded.lying_span(H, lying, lines.weight, lines.flexibility, lines.bed)
-    x, z = x + along * np.cos(lines.slope), z + along * np.sin(lines.slope)
-    wrong = np.hypot(x - lines.x, z - lines.z)
-    # the part on the bed of a slack line lies in a heap, only its height counts
-    heap = np.abs(z - along * np.sin(lines.slope) - _clearance(lines))
-    wrong = np.where(status == State.SLACK, heap, wrong)
-    bad = ~(wrong <= TOLERANCE * np.maximum(lines.length, np.hypot(lines.x, lines.z)))
-    if np.any(bad):
-        raise _failure(lines.some(bad), f"was missed by {wrong[bad][0]:.3g} m")
-
-
-def _clearance(lines):
-    return lines.z - lines.x * np.tan(lines.slope)
+    columns = (x, z, length, weight, 1.0 / axial_stiffness, friction, slope)
+    return np.stack([v.ravel() for v in columns], axis=-1), x.shape
 
 
 def _failure(lines, what):
+    x, z, length, weight, flexibility = lines[0, :5]
     return LineError(
-        f"{lines.x.size} line(s): fairlead at x = {lines.x[0]:.6g} m, z = {lines.z[0]:.6g} m {what}: "
-        f"length {lines.length[0]:.6g} m, weight {lines.weight[0]:.6g} N/m, "
-        f"EA {1 / lines.flexibility[0] if lines.flexibility[0] > 0 else np.inf:.6g} N"
+        f"{len(lines)} line(s): fairlead at x = {x:.6g} m, z = {z:.6g} m {what}: "
+        f"length {length:.6g} m, weight {weight:.6g} N/m, "
+        f"EA {1 / flexibility if flexibility > 0 else np.inf:.6g} N"
     )

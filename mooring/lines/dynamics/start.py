@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..catenary.solve import LineError, State, profile, solve_lines
+from ..catenary.solve import profile, solve_lines
+from ..catenary.state import LineError, State
 from .lumped import system as lumped
 
 LIGHTEST = 1e-6  # of all weights: a line of less is taken to hang with this, for the first guess only

@@ -1,8 +1,8 @@
 """Static lines of any number of segments and point loads over an uneven bed with friction, below a sea surface.
 
-Free spans are elastic catenaries in closed form (`hanging.free_span`), the line on a facet of the bed in closed form
-too (`hanging.friction`).  Which parts touch follows from one walk down the line for a given tension (`hanging.walk`),
-positions and forces from Newton's method on the equations of that walk (`hanging.equations`).
+Free spans are elastic catenaries in closed form (`equations.span`), the line on a facet of the bed in closed form
+too (`friction`).  Which parts touch follows from one walk down the line for a given tension (`walk`),
+positions and forces from Newton's method on the equations of that walk (`equations`).
 SR179 report (1982), section 3.1, with these differences: no nodes and no finite differences; on a slope only T is
 propagated; friction acts at knuckles too, and only as far as it is needed.
 
@@ -17,8 +17,7 @@ from functools import cached_property
 
 import numpy as np
 
-from mooring.lines.catenary.solve import LineError
-
+from ..catenary.state import LineError, State
 from .bed import Bed
 from .segments import PointLoad, Segment
 from .solution import LineState, StaticSolution
@@ -29,7 +28,6 @@ FLAT = Bed.sloping()
 LEAST = 1e-11  # of the line's weight: the pull below which a line is called slack
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
-SOLVED, BEYOND_REACH, SLACK = 0, 1, 2  # as `hanging.search` reports
 
 
 @dataclass(frozen=True)
@@ -106,7 +104,7 @@ class StaticLine:
         return solutions
 
     def _solution(self, x, z, found, status, loads, pieces):
-        slack = status == SLACK
+        slack = status == State.SLACK
         found[slack, 0] = 0.0
         found[slack, 5:7] = 0.0
         H, V, H_anchor, V_anchor = (column.reshape(x.shape)[()] for column in found[:, :4].T)
@@ -140,10 +138,10 @@ class StaticLine:
             raise ValueError(f"line z is {z.max():g} m, above the sea surface at {self.surface:g} m; allowed: below it")
 
     def _judge(self, x, z, found, status):
-        wrong = ~((found[:, 9] <= RESIDUAL) & np.isin(status, (SOLVED, SLACK)))
+        wrong = ~((found[:, 9] <= RESIDUAL) & (status != State.BEYOND_REACH))
         if np.any(wrong):
             i = int(np.argmax(wrong))
-            what = "cannot be reached" if status[i] == BEYOND_REACH else "is in reach, but no equilibrium was found"
+            what = "cannot be reached" if status[i] == State.BEYOND_REACH else "is in reach, but no equilibrium was found"
             raise LineError(
                 f"{np.count_nonzero(wrong)} of {x.size} position(s): fairlead at x = {x.flat[i]:.6g} m, "
                 f"z = {z.flat[i]:.6g} m {what}: {self!r}"

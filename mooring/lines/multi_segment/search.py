@@ -13,13 +13,14 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
+from ..catenary.state import BEYOND_REACH, SLACK
 from .line_data import PIECE_COLUMNS
 from .newton import follow
 from .touch import REST
 from .walk import walk
 from .walk_storage import room_for_walk
 
-SOLVED, BEYOND_REACH, SLACK, LOST = 0, 1, 2, 3
+SOLVED, LOST = -1, -2  # what a search says beside `State`: an equilibrium that is not slack, none found in reach
 TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-15)  # of the length, left over by the walk of a search
 
 

@@ -138,12 +138,12 @@ def _joined(pieces):
 
 def _along(p, down):
     """x, z and tension a length `down` below the tops of pieces `p` (n, 11)."""
-    from mooring.lines.catenary.grounded import free_span
+    from ..catenary.free_piece import free_pieces
 
     _, _, _, x, z, first, second, weight, factor, flexibility, angle = p.T
     on_bed = p[:, 0] == 1
     H, V = np.where(on_bed, 1.0, first), np.where(on_bed, 0.0, second)
-    dx, dz = free_span(H, V - weight * down, down, weight, flexibility / factor)
+    dx, dz = free_pieces(H, V - weight * down, down, weight, flexibility / factor)
     slid = down * (factor + flexibility * (first - 0.5 * second * down))
     dx = np.where(on_bed, slid * np.cos(angle), factor * dx)
     dz = np.where(on_bed, slid * np.sin(angle), factor * dz)

@@ -10,7 +10,7 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from ..catenary.two_ends import BEYOND_REACH, exchange, mirror, solve_line
+from ..catenary.flat_bed import BEYOND_REACH, exchange, mirror, solve_line
 
 FIXED, FREE = -1, -2  # owners of points; a body is named by its number
 

@@ -51,7 +51,7 @@ def freedom_name(system, index):
 
 def culprit(system, load):
     """What is wrong with the first line that has no solution."""
-    from ..catenary.two_ends import BELOW_BED, BEYOND_REACH
+    from ..catenary.flat_bed import BELOW_BED, BEYOND_REACH
 
     bad = int(np.argmax(load.rows[:, 0] >= BEYOND_REACH))
     line = system.lines[bad]

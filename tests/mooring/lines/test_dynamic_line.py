@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.solve import LineError, solve_lines
+from mooring.lines.catenary.solve import solve_lines
+from mooring.lines.catenary.state import LineError
 from mooring.lines.dynamics.run import Case, run_fixed_steps
 from mooring.lines.dynamics.simulation import (
     Bed,

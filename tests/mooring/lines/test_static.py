@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.solve import LineError, solve_lines, span_at_tension
+from mooring.lines.catenary.solve import solve_lines, span_at_tension
+from mooring.lines.catenary.state import LineError
 from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 from mooring.lines.surrogate import tabulate
 

@@ -13,7 +13,8 @@ from bem.waves import incident_wave, wavenumber
 from meshing.panels import PanelMesh
 from mooring.equilibrium import mooring_stiffness
 from mooring.layout import Layout, Line, corner_spread
-from mooring.lines.catenary.solve import State, solve_lines
+from mooring.lines.catenary.solve import solve_lines
+from mooring.lines.catenary.state import State
 from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
 from mooring.studies.multi_point import multi_point
 from mooring.studies.multi_point_findings import resonances

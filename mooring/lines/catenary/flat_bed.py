@@ -1,8 +1,7 @@
 """One uniform line between two ends of any height over a flat bed, compiled: forces, and their exact derivatives.
 
-A free line is the elastic catenary of `mooring.lines.catenary.suspended`.  A line that touches the bed has a free
-piece S at
-each end with height h over the bed, and the horizontal tension H:
+A free line is the elastic catenary of `suspended`.  A line that touches the bed has a free piece S at each end with
+height h over the bed, and the horizontal tension H:
 
     rise = 2wh/(s + √(s² + 2wh/EA)),  s = 1 + H/EA,    (wS)² = rise (rise + 2H),
     x = Σ (H/w) asinh(wS/H) + H ΣS/EA + (L − ΣS) + stretch of the part on the bed,
@@ -18,9 +17,10 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .uniform import asinh_excess, suspended_shape, suspended_stiffness
+from .free_piece import asinh_excess
+from .state import BELOW_BED, BEYOND_REACH, GROUNDED, SLACK, SUSPENDED
+from .suspended import suspended_shape, suspended_stiffness
 
-SLACK, GROUNDED, SUSPENDED, BEYOND_REACH, BELOW_BED = 0, 1, 2, 3, 4
 # status, horizontal pull at a and b towards the other end, downward pull at a and b, length on the bed,
 # then ∂(h_a, h_b, v_a, v_b)/∂(span, height of a, height of b) row by row
 ROW = 18

@@ -1,0 +1,24 @@
+"""What a line does, counted once for solutions and kernels."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+
+class State(IntEnum):
+    """A line hangs plumb with H = 0, lies partly on the bed, touches nothing; or it cannot be: too short for its ends,
+    or an end of it lies below the bed.
+    """
+
+    SLACK = 0
+    GROUNDED = 1
+    SUSPENDED = 2
+    BEYOND_REACH = 3
+    BELOW_BED = 4
+
+
+SLACK, GROUNDED, SUSPENDED, BEYOND_REACH, BELOW_BED = map(int, State)  # for kernels
+
+
+class LineError(ValueError):
+    """A line that has no equilibrium, or whose equilibrium was not found."""
