@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 from contextlib import contextmanager
 
+AGAIN = 0.02  # s, after which is looked again whether a module is loaded
 STORING = ("box", "buoy", "solve", "compare")  # into databases, which the same command completes
 
 
@@ -13,6 +14,27 @@ def interrupted(command, arguments):
     if command in STORING and "--mesh-only" not in arguments:
         return "interrupted; what was solved is stored, the same command goes on"
     return "interrupted"
+
+
+def after_loading(number, frame):
+    """Signal handler: KeyboardInterrupt, but not while a module is being loaded or a weak reference dropped.
+
+    There it would leave the module half loaded, or be printed and lost in a callback: it comes when that is over.
+    """
+    if _would_be_lost(frame) and hasattr(signal, "setitimer"):
+        signal.signal(signal.SIGALRM, after_loading)
+        signal.setitimer(signal.ITIMER_REAL, AGAIN)
+    else:
+        raise KeyboardInterrupt
+
+
+def _would_be_lost(frame):
+    while frame is not None:
+        code = frame.f_code
+        if code.co_filename.startswith("<frozen importlib") or code.co_filename.endswith("weakref.py"):
+            return True
+        frame = frame.f_back
+    return False
 
 
 class Stop:
