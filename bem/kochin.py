@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from .kernels.jit import kernel
-from .kernels.threads import share_rows
+from .kernels.threads import parallel_rows
 
 
 def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, phi, velocity):
@@ -32,7 +32,7 @@ def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, ph
     def work(low, high):
         _integrals(low, high, *question, value, slope)
 
-    share_rows(work, len(theta), len(theta) * len(points) * len(images))
+    parallel_rows(work, len(theta), len(theta) * len(points) * len(images))
     return value, slope
 
 

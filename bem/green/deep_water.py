@@ -1,4 +1,4 @@
-"""The deep-water function and the Bessel functions of the wave, tabulated once for every frequency.
+"""The Green function of deep water, less its 1/r terms, and Bessel functions, tabulated once for all frequencies.
 
     F(X, Y) = PV∫ e^(−μY) J₀(μX)/(μ−1) dμ = −π e^(−Y) Y₀(X) + N(X, Y),   N = −∫₀^∞ e^(−s) (X² + (Y−s)²)^(−½) ds
 
@@ -7,9 +7,10 @@
     r < 1           F + e^(−Y) J₀(X) ln r is smooth in r and c
     r < 4           F is smooth in r and c
     X, Y < 32       F is smooth in X and Y
-    beyond          N = −Σ n! Pₙ(c)/r^(n+1), smooth in 1/r and c; the wave is left to the caller
+    beyond          N = −Σ n! Pₙ(c)/r^(n+1), smooth in 1/r and c; the caller adds the wave −π e^(−Y) Y₀(X)
 
-all as pieces of degree 7; error of F below 1e-10 of |F| + 1/r, measured in tests/bem/test_green.py.
+each approximated by piecewise polynomials of degree 7 in both variables; error of F below 1e-10 of |F| + 1/r,
+measured in tests/bem/green/test_green.py.
 """
 
 from __future__ import annotations
@@ -22,8 +23,8 @@ import numpy as np
 from scipy import special
 
 from ..kernels.jit import kernel
-from ..kernels.simd import bits, from_bits
-from .piecewise_polynomials import aligned, fitted, fitted_line, look, look_line, sample_points
+from ..kernels.simd import bits_to_float, float_to_bits
+from .piecewise_polynomials import aligned, evaluate_line, evaluate_piece, fit_line, fit_pieces, sample_points
 
 FAR = 32.0  # where the asymptotic series is good to 24!/32²⁴ = 5e-13
 POLAR_RINGS, POLAR_SECTORS = 16, 8  # r of 0 … 4, c of 0 … 1
@@ -38,8 +39,8 @@ SMALLEST, OCTAVE_PIECES = 2.0**FIRST_OCTAVE, 8 * (1 - FIRST_OCTAVE)
 FIRST_EIGHTH, FRACTION, ONE = 8 * (1023 + FIRST_OCTAVE), (1 << 52) - 1, 1023 << 52
 
 
-class Universal(NamedTuple):
-    """What holds for every frequency."""
+class UniversalTables(NamedTuple):
+    """Tables that hold for every frequency, coefficients of `bem.green.piecewise_polynomials`"""
 
     deep: np.ndarray  # (pieces, 8, 8): rings, the far range, the square
     bessel: np.ndarray  # (pieces, 4, 8): J₀, Y₀, −J₁, −Y₁
@@ -48,11 +49,11 @@ class Universal(NamedTuple):
 @cache
 def universal():
     """The tables, made on first use (15 ms)."""
-    return Universal(aligned(np.concatenate([_polar(), _far(), _square()])), aligned(_bessel_lines()))
+    return UniversalTables(aligned(np.concatenate([_polar(), _far(), _square()])), aligned(_bessel_lines()))
 
 
 def exact(X, Y, order=24):
-    """F by quadrature in u, s = Y + X sinh u; X > 0 and 0 ≤ Y ≤ 4 of one shape."""
+    """F by Gauss quadrature in u, with s = Y + X sinh u in the integral; X > 0 and 0 ≤ Y ≤ 4 of one shape"""
     u0 = -np.arcsinh(Y / X)
     width = (np.arcsinh((45 - Y) / X) - u0) / 6
     node, weight = np.polynomial.legendre.leggauss(order)
@@ -69,7 +70,7 @@ def _polar():
     X = r[:, None] * np.sqrt(1 - c * c)
     F = exact(X, Y)
     inside = np.exp(-Y) * special.j0(X) * np.log(r[:, None])
-    return fitted(F + np.where(r[:, None] < 1, inside, 0.0))
+    return fit_pieces(F + np.where(r[:, None] < 1, inside, 0.0))
 
 
 def _far():
@@ -78,11 +79,11 @@ def _far():
     c = sample_points(np.linspace(0, 1, FAR_SECTORS + 1))
     n = np.arange(1, 25)
     size = special.factorial(n) * (u[:, None] / FAR) ** n
-    return fitted(-size @ np.array([special.eval_legendre(i, c) for i in n]))
+    return fit_pieces(-size @ np.array([special.eval_legendre(i, c) for i in n]))
 
 
 def _square():
-    """F in X and Y: the integral carries on from level to level, its past decays."""
+    """F on the grid of X and Y: F(X, Y + t) = e^(−t) F(X, Y) − ∫₀ᵗ e^(s−t) / r(X, Y + s) ds from level to level"""
     X = sample_points(np.linspace(0, FAR, COLUMNS + 1))
     Y = sample_points(np.arange(ROWS + 1.0)).reshape(ROWS, 8)
     t, W = _level_weights(np.append(Y[0], 1.0))
@@ -94,7 +95,7 @@ def _square():
             add = (x[:, None] ** 2 + (j + t) ** 2) ** -0.5 @ W.T
             F[part, j] = np.exp(j - Y[j]) * now[:, None] - add[:, :-1]
             now = math.exp(-1) * now - add[:, -1]
-    return fitted(F.reshape(len(X), -1))
+    return fit_pieces(F.reshape(len(X), -1))
 
 
 def _level_weights(y, order=16):
@@ -110,33 +111,34 @@ def _level_weights(y, order=16):
 def _bessel_lines():
     octaves = 2.0 ** np.arange(FIRST_OCTAVE, 1)[:, None] * (1 + np.arange(8) / 8)
     x = sample_points(np.concatenate([octaves.ravel(), np.arange(4, 2 * FAR + 1) / 2]))
-    return fitted_line(np.stack([special.j0(x), special.y0(x), -special.j1(x), -special.y1(x)], axis=-1))
+    return fit_line(np.stack([special.j0(x), special.y0(x), -special.j1(x), -special.y1(x)], axis=-1))
 
 
 @kernel(inline=True)
 def bessel(x, lines):
     """J₀, Y₀ and their derivatives −J₁, −Y₁ at x ≥ 0; Y₀ and Y₁ from SMALLEST on.
 
-    Pieces that shrink with x hold Y₀ and Y₁ without their logarithm and 1/x: these cost 8 ns.
+    Below x = 2 the pieces are eighths of octaves, so that the logarithm and 1/x of Y₀ and Y₁ are approximated with
+    them; taking these out instead would cost 8 ns.
     """
     if x < 32.0:
         if x < 2.0:
-            b = bits(max(x, SMALLEST))
-            n, a = (b >> 49) - FIRST_EIGHTH, 2 * from_bits((b << 3 & FRACTION) | ONE) - 3
+            b = float_to_bits(max(x, SMALLEST))
+            n, a = (b >> 49) - FIRST_EIGHTH, 2 * bits_to_float((b << 3 & FRACTION) | ONE) - 3
         else:
             n = int(2 * x)
             a = 4 * x - 2 * n - 1
             n += OCTAVE_PIECES - 4
-        return look_line(lines, n, a)
+        return evaluate_line(lines, n, a)
     # Hankel's expansion (DLMF 10.17.3) with θ = x − π/4
-    turns = math.floor(x * (2 / math.pi) + 0.5)
-    a = x - turns * (0.5 * math.pi)
+    quarter_turns = math.floor(x * (2 / math.pi) + 0.5)
+    a = x - quarter_turns * (0.5 * math.pi)
     a2 = a * a
     sine = a * (1 - a2 * (1 / 6 - a2 * (1 / 120 - a2 * (1 / 5040 - a2 * (1 / 362880 - a2 * 2.505210838544172e-8)))))
     cosine = 1 - a2 * (
         0.5 - a2 * (1 / 24 - a2 * (1 / 720 - a2 * (1 / 40320 - a2 * (1 / 3628800 - a2 * 2.08767569878681e-9))))
     )
-    quarter = int(turns) & 3
+    quarter = int(quarter_turns) & 3
     if quarter & 1:
         sine, cosine = cosine, -sine
     if quarter & 2:
@@ -156,18 +158,18 @@ def bessel(x, lines):
 
 @kernel()
 def deep_water(X, Y, pieces):
-    """F, ∂F/∂X and r; beyond FAR N in place of F, with 1 as the fourth value; pieces : address."""
+    """F, ∂F/∂X, F + 1/r and 0; in the far range N, ∂N/∂X, N + 1/r and 1.  pieces : address of `UniversalTables.deep`"""
     square = X * X + Y * Y
     r = math.sqrt(square)
     if square >= 16.0 and X < 32.0 and Y < 32.0:
         i, j = int(2 * X), int(Y)
-        F, slope, _ = look(pieces, SQUARE_START + j * COLUMNS + i, 4 * X - 2 * i - 1, 2 * (Y - j) - 1)
+        F, slope, _ = evaluate_piece(pieces, SQUARE_START + j * COLUMNS + i, 4 * X - 2 * i - 1, 2 * (Y - j) - 1)
         return F, 4 * slope, F + 1 / r, 0.0
     inverse = 1 / r
     c = Y * inverse
     if square < 16.0:
         i, j = int(4 * r), min(int(POLAR_SECTORS * c), POLAR_SECTORS - 1)
-        F, by_r, by_c = look(pieces, j * POLAR_RINGS + i, 8 * r - 2 * i - 1, 2 * (POLAR_SECTORS * c - j) - 1)
+        F, by_r, by_c = evaluate_piece(pieces, j * POLAR_RINGS + i, 8 * r - 2 * i - 1, 2 * (POLAR_SECTORS * c - j) - 1)
         FX = (8 * by_r - 2 * POLAR_SECTORS * by_c * c * inverse) * X * inverse
         if square < 1.0:
             q = 0.25 * X * X
@@ -181,7 +183,7 @@ def deep_water(X, Y, pieces):
     u = FAR * inverse
     i, j = min(int(FAR_RINGS * u), FAR_RINGS - 1), min(int(FAR_SECTORS * c), FAR_SECTORS - 1)
     x, y = 2 * (FAR_RINGS * u - i) - 1, 2 * (FAR_SECTORS * c - j) - 1
-    M, by_u, by_c = look(pieces, FAR_START + j * FAR_RINGS + i, x, y)
+    M, by_u, by_c = evaluate_piece(pieces, FAR_START + j * FAR_RINGS + i, x, y)
     rest = M * inverse
     N = rest - inverse
     return N, -(N + 2 * (FAR_RINGS * u * by_u + FAR_SECTORS * c * by_c) * inverse) * X * inverse * inverse, rest, 1.0

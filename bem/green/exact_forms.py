@@ -1,7 +1,8 @@
 """Exact forms of the finite-depth Green function that fill its tables (equations in `bem.green.finite_depth`).
 
-An integral with few nodes where R is less than half the depth, John's (1950) eigenfunction series beyond.  Both
-separate into a factor of R and one of depth, so that a table is a product of two matrices.  Each class gives
+For R < h/2 a quadrature of the integral, beyond it John's (1950) eigenfunction series.  Every term of both is a
+product of a function of R and one of a depth, so that a table is a product of two matrices.  The classes, for positive,
+zero and infinite frequency, have
 
     near(R, Y, V)   g₁ − 2KF (R, Y) and g₂ (R, V), smooth as far as the next images in surface and bed
     modes           km and their factors in E(R, V) = Σ factor K₀(km R) cos(km V),  f = E + the propagating wave
@@ -18,10 +19,11 @@ import numpy as np
 from scipy import special
 
 
-def _panels(breaks, digits):
+def _gauss_intervals(breaks, digits):
     """Gauss nodes and weights on consecutive intervals.
 
-    The nearest pole is 1.57 half-widths away: the error is 3.4^(−2n) for n nodes.  n is even: no node meets the pole.
+    The nearest pole is 1.57 half-widths away: the error is 3.4^(−2n) for n nodes.  n is even, so that none lies in the
+    middle of an interval, where the pole of a principal value is.
     """
     node, weight = _gauss(2 * math.ceil(digits / 4.4))
     breaks = np.asarray(breaks)
@@ -44,7 +46,7 @@ def _gauss(order):
     return np.polynomial.legendre.leggauss(order)
 
 
-def _around(pole, end, widest, digits):
+def _principal_value_nodes(pole, end, widest, digits):
     """Nodes of a principal value from 0 to `end`: symmetric about the pole, graded away from it."""
     half = min(pole, widest)
     if half < pole:
@@ -53,25 +55,25 @@ def _around(pole, end, widest, digits):
     else:
         left = [0.0]
     right = _graded(pole + half, max(end, pole + half), half, widest)
-    return _panels(left + right, digits)
+    return _gauss_intervals(left + right, digits)
 
 
-class Waves:
-    """One frequency; `digits` is −ln of what may be neglected."""
+class PositiveFrequency:
+    """0 < ω < ∞; K = ω²/g, k wavenumber, 1/m; depth : m; digits : −ln of the truncation error allowed"""
 
     net, mirror = 0.0, 1.0
 
     def __init__(self, K, k, depth, digits):
         self.K, self.k, self.h = K, k, depth
         far = digits / depth
-        if k > far:  # the wave carries a factor e^(−kh) at least, but for what the deep-water function holds
+        if k > far:  # but for the deep-water function, waves have a factor e^(−kh): negligible
             self.whole = self.deep = None
-            self.tail = _panels(_graded(0.0, far, 2 / depth, 2 / depth), digits)
+            self.tail = _gauss_intervals(_graded(0.0, far, 2 / depth, 2 / depth), digits)
         else:
             end = max(2 * k, 2 * K)
-            self.whole, self.deep = (_around(pole, end, 2 / depth, digits) for pole in (k, K))
+            self.whole, self.deep = (_principal_value_nodes(pole, end, 2 / depth, digits) for pole in (k, K))
             breaks = _graded(end, far, min(end, 2 / depth), 2 / depth)
-            self.tail = _panels(breaks, digits) if far > end else None
+            self.tail = _gauss_intervals(breaks, digits) if far > end else None
 
     def near(self, R, Y, V):
         K, h = self.K, self.h
@@ -82,7 +84,7 @@ class Waves:
             mu, w = part[0][:, None], part[1][:, None]
             decay = np.exp(-2 * mu * h)
             a = w * (mu + K) / (-mu * np.expm1(-2 * mu * h) - K * (1 + decay))
-            # beyond the poles the deep-water integrand is taken off under the integral, up to them separately
+            # the deep-water integrand is subtracted: in the same quadrature beyond the poles, in its own up to them
             direct = 1.0 if part is self.whole else (mu + K) / (mu - K) * decay
             j0 = special.j0(R[:, None] * part[0])
             surface += j0 @ (a * (direct * np.exp(-mu * Y) + np.exp(mu * (Y - 4 * h))))
@@ -107,14 +109,14 @@ class Waves:
         return km, 2 * (km**2 + K * K) / ((km**2 + K * K) * h - K)
 
 
-class Rigid:
-    """Zero frequency: no flow through the surface; fixed up to a constant, which the integrals choose."""
+class ZeroFrequency:
+    """ω = 0, ∂φ/∂z = 0 on the surface; G is defined up to a constant, here that of the regularised integrals."""
 
     mirror = 1.0
 
     def __init__(self, depth, digits):
         self.h, self.net = depth, 1 / depth
-        self.node, self.weight = _panels(_graded(0.0, digits / depth, 1 / depth, 2 / depth), digits)
+        self.node, self.weight = _gauss_intervals(_graded(0.0, digits / depth, 1 / depth, 2 / depth), digits)
 
     def near(self, R, Y, V):
         mu, h = self.node[:, None], self.h
@@ -130,14 +132,14 @@ class Rigid:
         return m, np.full(m.shape, 2 / self.h)
 
 
-class Free:
-    """Infinite frequency: φ = 0 on the surface; g₁ is what is left of G without −1/r₁."""
+class InfiniteFrequency:
+    """ω = ∞, φ = 0 on the surface: G = 1/r + 1/r₂ − 1/r₁ + g₁ + g₂."""
 
     net, mirror = 0.0, -1.0
 
     def __init__(self, depth, digits):
         self.h = depth
-        self.node, self.weight = _panels(_graded(0.0, digits / depth, 1 / depth, 2 / depth), digits)
+        self.node, self.weight = _gauss_intervals(_graded(0.0, digits / depth, 1 / depth, 2 / depth), digits)
 
     def near(self, R, Y, V):
         mu, h = self.node[:, None], self.h

@@ -8,8 +8,8 @@ Z(z) = cosh k(z+h)/cosh kh and C = 2πk²/((k²−K²)h + K).  With (SR179 repor
     f(R, V) = PV∫ (μ+K) e^(−μh) cosh μV / (μ sinh μh − K cosh μh) J₀(μR) dμ
     g₁(R, Y) = f(R, 2h−Y) − 1/√(R²+Y²),    g₂(R, V) = f(R, V)
 
-Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is taken off g₁; beyond, the wave −C Z(z) Z(ζ) Y₀(kR) is taken off
-g₁ + g₂.  What is left is smooth and comes from the tables of `bem.green.tables`.
+Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is subtracted from g₁; beyond, the wave −C Z(z) Z(ζ) Y₀(kR) from
+g₁ + g₂.  The remainder is smooth and interpolated in the tables of `bem.green.tables`.
 """
 
 from __future__ import annotations
@@ -20,21 +20,21 @@ from typing import NamedTuple
 import numpy as np
 
 from ..kernels.jit import kernel
-from ..kernels.simd import bits, from_bits, plus, times
+from ..kernels.simd import added, bits_to_float, float_to_bits, scaled
 from .deep_water import ONE, deep_water
 from .deep_water import bessel as bessel_functions
-from .piecewise_polynomials import address, by_first, by_second
+from .piecewise_polynomials import address, sum_over_x, sum_over_y
 from .tables import TABLE_ONLY, WITH_IMAGES, whole_table
 
-BLOCK = 128  # pairs at a time: what is kept of them takes 11 kB, of the 32 that a processor has nearest
-# of e^(−x): ln 2 in two parts, the first of which times n is exact; 1/13! … 1/0!; 1.5 × 2⁵²
+BLOCK = 128  # pairs at a time: their workspace takes 11 kB of a first-level cache of 32 or more
+# for e^(−x): ln 2 in two parts, n times the first of which is exact; 1/13! … 1/0!; 1.5 × 2⁵²
 LN2_HIGH, LN2_LOW = 0.69314718036912382, 1.9082149292705877e-10
 SERIES = tuple(1 / math.factorial(n) for n in range(13, -1, -1))
 INTEGER = 1.5 * 2.0**52
 
 
-class Layout(NamedTuple):
-    """A Table with the addresses of its arrays, which must be alive as long as this is used."""
+class TableView(NamedTuple):
+    """A `Table` with addresses in place of its arrays, which must be alive as long as this is used."""
 
     K: float
     k: float
@@ -51,39 +51,40 @@ class Layout(NamedTuple):
 
 
 @kernel()
-def layout_of(t):
-    return Layout(
+def table_view(t):
+    """`TableView` of a `bem.green.tables.Table`"""
+    return TableView(
         t.K, t.k, t.per_metre, t.double_depth, t.entries, t.beyond, t.net, t.mirror,
         address(t.pieces), address(t.zones), address(t.deep), address(t.bessel),
     )  # fmt: skip
 
 
 @kernel()
-def levels(z, zeta):
-    """Y, V and the sign of ζ − z, the same for every horizontal distance."""
+def depth_variables(z, zeta):
+    """Y = −(z + ζ) and V = |z − ζ| in m, and the sign of ζ − z"""
     return -(z + zeta), abs(z - zeta), 1.0 if zeta > z else -1.0
 
 
 @kernel(inline=True)
-def wave_part(R, level, wave, slope, layout):
+def wave_part(R, depths, wave, slope, view):
     """g₁ + g₂ and ∂/∂R, ∂/∂ζ of it, with J₀(kR) and its ∂/∂R; all real.
 
-    level : from `levels`; wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; layout : `layout_of` the Table
+    R : m; depths : of `depth_variables`; wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; view : `TableView`
     """
-    return wave_part_at(spot(R, level, layout), R, level, wave, slope, layout)
+    return wave_part_at(table_position(R, depths, view), R, depths, wave, slope, view)
 
 
 @kernel(inline=True)
-def spot(R, level, layout):
-    """Where a pair is in the tables: zone, piece of g₁, piece of g₂, local variables of R, Y and V.
+def table_position(R, depths, view):
+    """Position of a pair in the tables: zone, pieces of g₁ and of g₂, local variables (−1 to 1) of R, Y and V.
 
-    `wave_part_at` of some pairs after `spot` of all of them takes a quarter less time than `wave_part` of each.
+    First `table_position` of many pairs, then `wave_part_at` of all takes a quarter less time than `wave_part` of each.
     """
-    n = int(R * layout.per_metre)
-    if n >= layout.entries:
+    n = int(R * view.per_metre)
+    if n >= view.entries:
         return n, 0, 0, 0.0, 0.0, 0.0
-    Y, V, _ = level
-    zones, first = layout.zones, 9 * n
+    Y, V, _ = depths
+    zones, first = view.zones, 9 * n
     columns, surface_rows, bed_rows = zones[first + 1], zones[first + 2], zones[first + 3]
     x, y, v = (R - zones[first]) * columns, Y * surface_rows, V * bed_rows
     last = int(zones[first + 6])
@@ -93,54 +94,55 @@ def spot(R, level, layout):
 
 
 @kernel(inline=True)
-def wave_part_at(place, R, level, wave, slope, layout):
-    """`wave_part` of a pair whose `spot` is `place`."""
-    Y, V, upwards = level
+def wave_part_at(position, R, depths, wave, slope, view):
+    """`wave_part` of a pair at its `table_position`"""
+    Y, V, upwards = depths
     g, gr, gz = 0.0, 0.0, 0.0
-    K, n = layout.K, place[0]
-    if layout.double_depth > 0.0:
-        if n < layout.entries:
-            g, gr, gz = _tabulated(place, upwards, layout)
-        elif layout.beyond != TABLE_ONLY:
-            g, gr, gz = _beyond(R, Y, V, upwards, layout)
+    K, n = view.K, position[0]
+    if view.double_depth > 0.0:
+        if n < view.entries:
+            g, gr, gz = _tabulated(position, upwards, view)
+        elif view.beyond != TABLE_ONLY:
+            g, gr, gz = _beyond(R, Y, V, upwards, view)
     explicit = n > 0
     if K > 0.0 and not explicit:
         X = K * R
-        F, FX, sink, far = deep_water(X, K * Y, layout.deep)
+        F, FX, sink, far = deep_water(X, K * Y, view.deep)
         g += 2 * K * F
         gr += 2 * K * K * FX
         gz += 2 * K * K * sink
-        explicit = far > 0.0 and X > 1.0  # on the axis of the far range the wave is below 1e-13
+        explicit = far > 0.0 and X > 1.0  # elsewhere in the far range the wave is below 1e-13
     j0, j1 = 1.0, 0.0
     if K > 0.0:
-        j0, y0, j1, y1 = bessel_functions(layout.k * R, layout.bessel)
-        j1 *= layout.k
+        j0, y0, j1, y1 = bessel_functions(view.k * R, view.bessel)
+        j1 *= view.k
         if explicit:
             g -= wave * y0
-            gr -= wave * layout.k * y1
+            gr -= wave * view.k * y1
             gz -= slope * y0
     return g, gr, gz, j0, j1
 
 
 @kernel(inline=True)
-def _tabulated(place, upwards, layout):
-    n, surface, bed, x, y, v = place
-    zones, first = layout.zones, 9 * n
-    f, fy = by_second(layout.pieces, surface, y)
-    b, bv = by_second(layout.pieces, bed, v)
-    value, slope = by_first(plus(f, b), x)
-    rise, _ = by_first(plus(times(bv, 2 * upwards * zones[first + 3]), times(fy, -2 * zones[first + 2])), x)
+def _tabulated(position, upwards, view):
+    """Interpolated remainder of g₁ + g₂ and its ∂/∂R, ∂/∂ζ"""
+    n, surface, bed, x, y, v = position
+    zones, first = view.zones, 9 * n
+    f, fy = sum_over_y(view.pieces, surface, y)
+    b, bv = sum_over_y(view.pieces, bed, v)
+    value, slope = sum_over_x(added(f, b), x)
+    rise, _ = sum_over_x(added(scaled(bv, 2 * upwards * zones[first + 3]), scaled(fy, -2 * zones[first + 2])), x)
     return value, 2 * zones[first + 1] * slope, rise
 
 
 @kernel()
-def _beyond(R, Y, V, upwards, layout):
-    """g₁ + g₂ without the wave beyond the tables, where G without it is zero; NaN where the tables ended before."""
-    if layout.beyond != WITH_IMAGES:
+def _beyond(R, Y, V, upwards, view):
+    """g₁ + g₂ less the wave beyond the last zone, where G less the wave vanishes; NaN if the zones end before that"""
+    if view.beyond != WITH_IMAGES:
         return math.nan, math.nan, math.nan
-    g, gr, gz = 2 * layout.net * math.log(layout.double_depth / R), -2 * layout.net / R, 0.0
+    g, gr, gz = 2 * view.net * math.log(view.double_depth / R), -2 * view.net / R, 0.0
     for height, sign, along in (
-        (layout.double_depth - Y, 1.0, 1.0), (Y, layout.mirror, -1.0), (V, 1.0, upwards),
+        (view.double_depth - Y, 1.0, 1.0), (Y, view.mirror, -1.0), (V, 1.0, upwards),
     ):  # fmt: skip
         inverse = sign / math.sqrt(R * R + height * height)
         cube = inverse / (R * R + height * height)
@@ -161,7 +163,7 @@ def wave_factors(Y, V, upwards, C, k, q):
 
 @kernel(inline=True)
 def decay(x):
-    """e^(−x) for x ≥ 0, below e^(−700) of that order; a loop over this becomes vectors, over the library's it does not.
+    """e^(−x) for x ≥ 0, at least e^(−700); the compiler vectorises a loop over this, not one over the library's.
 
     e^(−x) = 2ⁿ eʳ with |r| ≤ ½ ln 2, eʳ by its series
     """
@@ -170,44 +172,53 @@ def decay(x):
     p = SERIES[0]
     for c in SERIES[1:]:
         p = p * r + c
-    # the last digits of n + INTEGER are those of the integer n
-    return p * from_bits((bits(n + INTEGER) << 52) + ONE)
+    # the lowest bits of n + INTEGER are those of the integer n
+    return p * bits_to_float((float_to_bits(n + INTEGER) << 52) + ONE)
 
 
 @kernel()
 def pair(R, z, zeta, t):
     """`wave_part` of one pair and a Table."""
-    level = levels(z, zeta)
+    depths = depth_variables(z, zeta)
     q = math.exp(-t.k * t.double_depth) if t.double_depth > 0.0 else 0.0
-    wave, slope = wave_factors(level[0], level[1], level[2], t.C, t.k, q)
-    return wave_part(R, level, wave, slope, layout_of(t))
+    wave, slope = wave_factors(depths[0], depths[1], depths[2], t.C, t.k, q)
+    return wave_part(R, depths, wave, slope, table_view(t))
 
 
 @kernel()
-def _pairs(R, z, zeta, t, whole, room, G):
-    """G, ∂G/∂R and ∂G/∂z into G (3, n), as many at a time as the rows of room (11, ·) hold.
+def _pairs(R, z, zeta, t, whole, workspace, G):
+    """G, ∂G/∂R and ∂G/∂z into G (3, n), in blocks of as many pairs as workspace (11, ·) has columns.
 
-    Rows: depth factor and its slope, images and their two derivatives, the six values of `spot`.  What can be done in
-    vectors comes first, then `spot` of all: in turn they take 1.5 times as long.
+    Its rows: depth factor and its slope, images and their two derivatives, the six values of `table_position`.  A block
+    runs through three loops, of which the first is vectorised: one loop over all steps takes 1.5 times as long.
     """
-    layout, (_, most) = layout_of(t), room.shape
+    view, (_, most) = table_view(t), workspace.shape
     for start in range(0, len(R), most):
         end = min(start + most, len(R))
         Rs, zs, zetas = R[start:end], z[start:end], zeta[start:end]
-        _all_wave_factors(zs, zetas, t.C, t.k, layout.double_depth, room[0], room[1])
-        _all_images(Rs, zs, zetas, layout.double_depth, layout.per_metre if whole else 0.0, room[2], room[3], room[4])
+        _all_wave_factors(zs, zetas, t.C, t.k, view.double_depth, workspace[0], workspace[1])
+        _all_images(
+            Rs, zs, zetas, view.double_depth, view.per_metre if whole else 0.0, workspace[2], workspace[3], workspace[4]
+        )
         for i in range(end - start):
-            # G is symmetric: the derivative by the source's depth with the two exchanged is the one wanted
-            place = spot(Rs[i], levels(zetas[i], zs[i]), layout)
-            room[5, i], room[6, i], room[7, i] = place[0], place[1], place[2]
-            room[8, i], room[9, i], room[10, i] = place[3], place[4], place[5]
+            # G is symmetric: ∂/∂z is ∂/∂ζ with z and ζ exchanged
+            position = table_position(Rs[i], depth_variables(zetas[i], zs[i]), view)
+            workspace[5, i], workspace[6, i], workspace[7, i] = position[0], position[1], position[2]
+            workspace[8, i], workspace[9, i], workspace[10, i] = position[3], position[4], position[5]
         for i in range(end - start):
-            place = int(room[5, i]), int(room[6, i]), int(room[7, i]), room[8, i], room[9, i], room[10, i]
-            wave, slope = room[0, i], room[1, i]
-            g, gr, gz, j0, j1 = wave_part_at(place, Rs[i], levels(zetas[i], zs[i]), wave, slope, layout)
-            G[0, start + i] = complex(g + room[2, i], wave * j0)
-            G[1, start + i] = complex(gr + room[3, i], wave * j1)
-            G[2, start + i] = complex(gz + room[4, i], slope * j0)
+            position = (
+                int(workspace[5, i]),
+                int(workspace[6, i]),
+                int(workspace[7, i]),
+                workspace[8, i],
+                workspace[9, i],
+                workspace[10, i],
+            )
+            wave, slope = workspace[0, i], workspace[1, i]
+            g, gr, gz, j0, j1 = wave_part_at(position, Rs[i], depth_variables(zetas[i], zs[i]), wave, slope, view)
+            G[0, start + i] = complex(g + workspace[2, i], wave * j0)
+            G[1, start + i] = complex(gr + workspace[3, i], wave * j1)
+            G[2, start + i] = complex(gz + workspace[4, i], slope * j0)
 
 
 @kernel()
@@ -215,7 +226,7 @@ def _all_wave_factors(z, zeta, C, k, double_depth, wave, slope):
     """`wave_factors` of pairs, the derivative by z"""
     q = math.exp(-k * double_depth) if double_depth > 0.0 else 0.0
     for i in range(len(z)):
-        Y, V, upwards = levels(zeta[i], z[i])
+        Y, V, upwards = depth_variables(zeta[i], z[i])
         wave[i], slope[i] = wave_factors(Y, V, upwards, C, k, q)
 
 
@@ -255,8 +266,8 @@ def table_pairs(table, R, z, zeta, whole=False):
     table : `bem.green.tables.Table`; R, z, zeta : (n,) m, not checked; whole : the table is one of `whole_table`
     returns : (3, n) complex: G in 1/m, ∂G/∂R and ∂G/∂z in 1/m²; NaN beyond the reach of the table
     """
-    G, room = np.empty((3, len(R)), complex), np.empty((11, BLOCK))
-    _pairs(R, z, zeta, table, whole, room, G)
+    G, workspace = np.empty((3, len(R)), complex), np.empty((11, BLOCK))
+    _pairs(R, z, zeta, table, whole, workspace, G)
     return G
 
 

@@ -1,11 +1,10 @@
 """Tables of the Green function's wave part for one frequency, of the accuracy asked for (equations in
 `bem.green.finite_depth`).
 
-What is singular is left out or known: the deep-water function near the axis and the wave itself beyond half the
-depth are the same for every frequency (`bem.green.deep_water`).  The rest varies over half the depth or over R,
-whichever
-is larger, whatever the frequency, and takes a few pieces of degree 7: R in pieces that grow with R until it has
-died out, both depths in equal ones.
+The singular and oscillating parts are subtracted: for R < h/2 the deep-water function, beyond that the wave, both
+known for every frequency (`bem.green.deep_water`).  The remainder varies over the larger of h/2 and R at every
+frequency, so that few piecewise polynomials of degree 7 represent it: pieces in R that grow with R until the remainder
+is negligible, pieces of equal size in the two depth variables.
 """
 
 from __future__ import annotations
@@ -19,29 +18,30 @@ from scipy import special
 
 from ..waves import propagating_factor, wavenumber
 from .deep_water import universal
-from .exact_forms import Free, Rigid, Waves
-from .piecewise_polynomials import aligned, fitted, pieces_per_distance, sample_points
+from .exact_forms import InfiniteFrequency, PositiveFrequency, ZeroFrequency
+from .piecewise_polynomials import aligned, fit_pieces, pieces_per_distance, sample_points
 
-FINEST, COARSEST = 1e-8, 1e-3  # accuracies that are built for
-WHOLE = 5e-10  # accuracy of `whole_table`, of 1/r, of which G can be a small part
-TABLE_ONLY, WITH_IMAGES, NOTHING = 0, 1, 2  # what holds beyond the last piece
+FINEST, COARSEST = 1e-8, 1e-3  # accuracies that can be asked for
+WHOLE = 5e-10  # accuracy of `whole_table` relative to 1/r, of which G may be a small part
+# beyond the last zone: nothing is added to wave and deep water; minus the images, since G without wave is 0; NaN
+TABLE_ONLY, WITH_IMAGES, NOTHING = 0, 1, 2
 
 
 class Table(NamedTuple):
-    """What the pair kernel needs of one frequency."""
+    """All that the kernels need for G of one frequency, coefficients of `bem.green.piecewise_polynomials` included"""
 
     K: float  # 1/m, ω²/g, the factor of the logarithm; zero for the limits, which have none
     k: float  # 1/m
     C: float  # 1/m, factor of the propagating part; zero for the limits
-    per_metre: float  # 2/h: below R = h/2 the integral holds and the deep-water function is added
+    per_metre: float  # 1/m, 2/h: where R · per_metre < 1 the deep-water function has been subtracted
     double_depth: float  # m, zero in infinite depth: there are no pieces
     entries: int  # rows of `zones`, one for every h/2 of R
-    beyond: int  # what holds after them: TABLE_ONLY, WITH_IMAGES or NOTHING
+    beyond: int  # beyond the last zone: TABLE_ONLY, WITH_IMAGES or NOTHING
     net: float  # 1/m, factor of ln(2h/R) of zero frequency
     mirror: float  # sign of 1/r₁ in G
     pieces: np.ndarray  # (pieces, 8, 8): zone by zone g₁ (Y rows of R columns) and g₂ (V rows of R columns)
     zones: np.ndarray  # (entries, 9): of `_zone`
-    deep: np.ndarray  # of `green_deep.universal`
+    deep: np.ndarray  # of `bem.green.deep_water.universal`
     bessel: np.ndarray
 
 
@@ -55,15 +55,15 @@ def wave_table(omega, depth, gravity, reach, draft, accuracy=1e-5):
     if not FINEST <= accuracy <= COARSEST:
         raise ValueError(f"accuracy is {accuracy:g}; allowed: {FINEST:g} to {COARSEST:g}")
     K, k, C = _wave_numbers(omega, depth, gravity)
-    form = None if np.isinf(depth) else Waves(K, k, depth, _digits(accuracy))
+    form = None if np.isinf(depth) else PositiveFrequency(K, k, depth, _digits(accuracy))
     return _table(form, K, k, C, depth, reach, draft, accuracy)
 
 
 @lru_cache(maxsize=16)
 def whole_table(omega, depth, gravity):
-    """Table for pairs anywhere between surface and bed; where R > h/2 it holds all of G but the wave."""
+    """`Table` for points at any depth and distance, to `WHOLE`; where R > h/2 it holds all of G except the wave."""
     K, k, C = _wave_numbers(omega, depth, gravity)
-    form = None if np.isinf(depth) else Waves(K, k, depth, _digits(1e-4 * WHOLE))
+    form = None if np.isinf(depth) else PositiveFrequency(K, k, depth, _digits(1e-4 * WHOLE))
     return _table(form, K, k, C, depth, np.inf, depth, WHOLE, whole=True)
 
 
@@ -73,7 +73,9 @@ def limit_table(which, depth, reach, draft, accuracy=1e-5):
     At zero frequency in finite depth G holds −(2/h) ln R and is fixed only up to a constant, which drops out of
     every mode without net flux.  At infinite frequency 1/r₁ counts negative, and g₁ is what is left of G without it.
     """
-    form = None if np.isinf(depth) else (Rigid if which == "zero" else Free)(depth, _digits(accuracy))
+    form = (
+        None if np.isinf(depth) else (ZeroFrequency if which == "zero" else InfiniteFrequency)(depth, _digits(accuracy))
+    )
     return _table(form, 0.0, 0.0, 0.0, depth, reach, draft, accuracy)
 
 
@@ -83,7 +85,7 @@ def _wave_numbers(omega, depth, gravity):
 
 
 def _digits(accuracy):
-    """−ln of what is left out: a few times less than the accuracy asked for"""
+    """−ln of the truncation error: a few times less than the accuracy asked for"""
     return 5.0 - math.log(accuracy)
 
 
@@ -95,9 +97,9 @@ def _table(form, K, k, C, depth, reach, draft, accuracy, whole=False):
     near, draft, digits = 0.5 * depth, min(draft, depth), _digits(1e-4 * accuracy if whole else accuracy)
     modes = form.modes(math.ceil(2 * digits / math.pi) + 1)
     slowest = modes[0][0]
-    octaves = max(math.ceil(math.log2(digits / (slowest * near))), 1)  # after them nothing is left
+    octaves = max(math.ceil(math.log2(digits / (slowest * near))), 1)  # beyond them the remainder is negligible
     wanted = octaves if reach > near * 2**octaves else max(math.ceil(math.log2(reach / near)), 0)
-    # the images in surface and bed next to those that are known are 2h − draft away from the body
+    # the nearest images in surface and bed that are not subtracted are 2h − draft away from the body
     sharper = 0.05 * accuracy if whole else accuracy  # near the axis ∇G may vanish
     half = min(_wave_piece(k, depth, draft, sharper), (2 * depth - draft) / pieces_per_distance(sharper))
     parts = [_zone(0.0, near, half, draft, form.near)]
@@ -119,7 +121,7 @@ def _table(form, K, k, C, depth, reach, draft, accuracy, whole=False):
 
 
 def _wave_piece(k, depth, draft, accuracy):
-    """Half-width that resolves the waves left below R = h/2, which decay with the distance from the surface."""
+    """Half-width (m) that resolves the waves in the remainder for R < h/2, which decay away from the surface"""
     if k == 0:
         return np.inf
     strength = min(1.0, 4 * math.exp(-k * (2 * depth - draft)))
@@ -127,10 +129,11 @@ def _wave_piece(k, depth, draft, accuracy):
 
 
 def _zone(start, end, half, draft, values):
-    """Pieces of g₁ and g₂ between two R, of half-width `half` at most in R and in depth, and what finds them:
+    """Row of `Table.zones` and pieces of g₁ and g₂ for start < R < end, of half-width at most `half` m.
 
-    start, columns per metre, rows of g₁ and g₂ per metre, their first pieces (filled in later), the last column, the
-    last rows of g₁ and g₂.
+    values : function (R, Y, V) → g₁ (R, Y), g₂ (R, V)
+    The row holds start, columns per metre, rows of g₁ and of g₂ per metre, number of the first piece of each (filled
+    in by `_table`), number of the last column, of the last rows of g₁ and of g₂.
     """
     R, Y, V = (
         np.linspace(low, high, max(math.ceil((high - low) / (2 * half)), 1) + 1)
@@ -138,11 +141,15 @@ def _zone(start, end, half, draft, values):
     )
     surface, bed = values(sample_points(R), sample_points(Y), sample_points(V))
     scales = [(len(edges) - 1) / (edges[-1] - edges[0]) for edges in (R, Y, V)]
-    return [start, scales[0], *scales[1:], 0, 0, *(len(edges) - 2 for edges in (R, Y, V))], fitted(surface), fitted(bed)
+    return (
+        [start, scales[0], *scales[1:], 0, 0, *(len(edges) - 2 for edges in (R, Y, V))],
+        fit_pieces(surface),
+        fit_pieces(bed),
+    )
 
 
 class _Far(NamedTuple):
-    """g₁ and g₂ without the wave beyond R = h/2; if `whole`, all of G without it."""
+    """g₁ and g₂ less the wave for R > h/2, by John's series; if `whole`, all of G less the wave."""
 
     form: object
     modes: tuple

@@ -1,3 +1,1 @@
-"""What every kernel is compiled, threaded and vectorised by, and dense linear algebra that more than one method
-uses.
-"""
+"""Infrastructure of the methods: compiled kernels, threads, SIMD vectors, progress, dense linear algebra."""

@@ -2,8 +2,8 @@
 
 numba stamps a cached function with its own file only: a callee edited in another file would go on returning its old
 values, and so would a constant imported from there, which is frozen into the machine code.  The cache folder of a
-kernel therefore carries a hash of the sources of its module and of all modules of this house that it imports, and
-these import, in any folder.
+kernel therefore carries a hash of the sources of its module and of all modules of this repository that it
+imports directly or through others, in any folder.
 """
 
 from __future__ import annotations
@@ -82,9 +82,9 @@ def _bytes(source):
 def kernel(inline=False):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
-    Those of `bem` write to arrays that they are given: to make one takes a second to compile, for the message that it
-    is too large.  Threads are those of `bem.kernels.threads`.
-    inline : put into each kernel that calls it, however large; else as the compiler sees fit
+    Kernels of `bem` write to arrays that they are given: an allocation takes a second to compile, for its error
+    message.  They start no threads themselves (`bem.kernels.threads.parallel_rows` does).
+    inline : always inlined into the kernels that call it; else as the compiler decides
     """
 
     def compile_later(function):

@@ -1,26 +1,27 @@
-"""How far a long preparation is, told to whoever listens."""
+"""Progress callback of long preparations: they call it after every part, without knowing who shows it."""
 
 from __future__ import annotations
 
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-WAVES, MATRICES, FACTORS = "waves", "matrices", "factors"  # counted in rows, rows, and symmetry classes
-_listener = ContextVar("listener", default=None)
+# stages and what is counted in them: rows of the wave matrices, rows of the Rankine matrices, symmetry classes
+WAVES, MATRICES, FACTORS = "waves", "matrices", "factors"
+_callback = ContextVar("progress callback", default=None)
 
 
 @contextmanager
-def listening(listener):
-    """Context in which listener(stage, count) is called when `count` more of a stage are done; None for nobody"""
-    token = _listener.set(listener)
+def progress_callback(callback):
+    """Context in which callback(stage, count) is called when `count` more of a stage are done; None for no callback"""
+    token = _callback.set(callback)
     try:
         yield
     finally:
-        _listener.reset(token)
+        _callback.reset(token)
 
 
-def done(stage, count):
-    """Tell that `count` more of a stage are done"""
-    listener = _listener.get()
-    if listener:
-        listener(stage, count)
+def report_progress(stage, count):
+    """Call the callback of the context, if any: `count` more of `stage` are done"""
+    callback = _callback.get()
+    if callback:
+        callback(stage, count)

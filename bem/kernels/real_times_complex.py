@@ -1,16 +1,16 @@
-"""Products of a real and a complex matrix as one real product: half of what numpy takes, which makes both complex."""
+"""Products of a real and a complex matrix as one real product: half the work of numpy, which makes both complex."""
 
 from __future__ import annotations
 
 import numpy as np
 
 
-def times(real, values):
+def real_times_complex(real, values):
     """real (…, a, b) @ complex (…, b, c)"""
     return (real @ np.ascontiguousarray(values).view(float)).view(complex)
 
 
-def acted(values, real):
+def complex_times_real(values, real):
     """complex (…, a, b) @ real (…, b, c)"""
     both = np.concatenate([values.real, values.imag], axis=-2) @ real
     half = both.shape[-2] // 2

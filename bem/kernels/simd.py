@@ -1,7 +1,7 @@
-"""Vectors of 2, 4 or 8 numbers inside a kernel, for polynomials whose coefficients lie side by side.
+"""SIMD vectors of 2, 4 or 8 doubles inside a kernel, for polynomials whose coefficients are adjacent in memory.
 
-A loop over eight is made into vectors or not, as the compiler sees fit in each place; these are vectors everywhere,
-in pieces of the width that the processor has, and their sums have one order.
+The compiler may or may not vectorise a loop over eight numbers; these operations are always vector instructions, split
+into those of the width that the processor has, and add in a fixed order.  Numba intrinsics, by LLVM vector types.
 """
 
 from __future__ import annotations
@@ -10,58 +10,62 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic, models, register_model
 
-WIDTH = 8
+WIDTH = 8  # doubles of a vector as it is loaded
 CONTRACT = ("contract",)  # a product and a sum may be one instruction
 
 
-class Lanes(types.Type):
+class SimdVector(types.Type):
+    """Numba type of a vector of `width` doubles"""
+
     def __init__(self, width):
         self.width = width
-        super().__init__(name=f"Lanes({width})")
+        super().__init__(name=f"SimdVector({width})")
 
 
-@register_model(Lanes)
+@register_model(SimdVector)
 class _Model(models.PrimitiveModel):
     def __init__(self, manager, kind):
         super().__init__(manager, kind, ir.VectorType(ir.DoubleType(), kind.width))
 
 
-def _filled(builder, kind, number):
-    """The vector with `number` in every lane"""
+def _broadcast(builder, kind, number):
+    """The vector of `number` repeated"""
     vector = ir.VectorType(number.type, kind.width)
     first = builder.insert_element(ir.Constant(vector, ir.Undefined), number, ir.Constant(ir.IntType(32), 0))
-    return _picked(builder, first, [0] * kind.width)
+    return _shuffled(builder, first, [0] * kind.width)
 
 
-def _picked(builder, vector, lanes):
-    order = ir.Constant(ir.VectorType(ir.IntType(32), len(lanes)), lanes)
+def _shuffled(builder, vector, indices):
+    order = ir.Constant(ir.VectorType(ir.IntType(32), len(indices)), indices)
     return builder.shuffle_vector(vector, ir.Constant(vector.type, ir.Undefined), order)
 
 
 @intrinsic
-def lanes(typing, pointer, n):
-    """Eight numbers from number n on of what `bem.green.piecewise_polynomials.address` points to."""
+def load_vector(typing, pointer, n):
+    """Elements n … n + 7 of the array that `pointer` (of `bem.green.piecewise_polynomials.address`) points to."""
 
     def build(context, builder, signature, arguments):
         start = builder.gep(arguments[0], [arguments[1]])
         vector = context.get_value_type(signature.return_type)
         return builder.load(builder.bitcast(start, vector.as_pointer()), align=8)
 
-    return Lanes(WIDTH)(pointer, types.int64), build
+    return SimdVector(WIDTH)(pointer, types.int64), build
 
 
 @intrinsic
-def times(typing, a, x):
-    """a x with a number x"""
+def scaled(typing, a, x):
+    """a x of a vector a and a number x"""
 
     def build(context, builder, signature, arguments):
-        return builder.fmul(arguments[0], _filled(builder, a, arguments[1]), flags=CONTRACT)
+        return builder.fmul(arguments[0], _broadcast(builder, a, arguments[1]), flags=CONTRACT)
 
     return a(a, types.float64), build
 
 
 @intrinsic
-def plus(typing, a, b):
+def added(typing, a, b):
+    """a + b of two vectors"""
+
     def build(context, builder, signature, arguments):
         return builder.fadd(*arguments, flags=CONTRACT)
 
@@ -69,20 +73,20 @@ def plus(typing, a, b):
 
 
 @intrinsic
-def halves(typing, a):
-    """The first and the second half of the lanes"""
-    half = Lanes(a.width // 2)
+def split_halves(typing, a):
+    """The first and the second half of a vector"""
+    half = SimdVector(a.width // 2)
 
     def build(context, builder, signature, arguments):
-        parts = [_picked(builder, arguments[0], list(range(i, i + half.width))) for i in (0, half.width)]
+        parts = [_shuffled(builder, arguments[0], list(range(i, i + half.width))) for i in (0, half.width)]
         return context.make_tuple(builder, signature.return_type, parts)
 
     return types.UniTuple(half, 2)(a), build
 
 
 @intrinsic
-def numbers(typing, a):
-    """The lanes as a tuple of numbers"""
+def to_scalars(typing, a):
+    """The elements of a vector as a tuple of numbers"""
 
     def build(context, builder, signature, arguments):
         parts = [builder.extract_element(arguments[0], ir.Constant(ir.IntType(32), i)) for i in range(a.width)]
@@ -92,7 +96,7 @@ def numbers(typing, a):
 
 
 @intrinsic
-def bits(typing, number):
+def float_to_bits(typing, number):
     """The 64 bits of a number as an integer"""
 
     def build(context, builder, signature, arguments):
@@ -102,7 +106,7 @@ def bits(typing, number):
 
 
 @intrinsic
-def from_bits(typing, integer):
+def bits_to_float(typing, integer):
     """The number with these 64 bits"""
 
     def build(context, builder, signature, arguments):

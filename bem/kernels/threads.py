@@ -1,12 +1,12 @@
-"""Threads: how many a linear system is worth, and rows of pairs shared out among them.
+"""Threads of linear systems (BLAS) and of kernels that fill a matrix row by row.
 
-Below about seven hundred unknowns a second BLAS thread gains nothing, and where another program holds the core it
-waits for it at every step: 316 unknowns took 915 ms instead of 10 on a busy machine with two cores.  Blocks of a few
-milliseconds are the same: beside the threads of BLAS, which look for work for a while longer, 2 ms took 30 in threads
-that were kept for it.
+A linear system of less than about 700 unknowns gains nothing from a second BLAS thread, and where another program
+holds the core every step waits for it: 316 unknowns took 915 ms instead of 10 on a busy machine with two cores.
+Kernels of a few milliseconds suffer alike: beside the threads of BLAS, which spin for a while after their work, 2 ms
+took 30 in a pool of threads.
 
-Kernels work on some rows at a time and let go of the interpreter; threads of Python call them.  Loops that the
-compiler shares out itself (`prange`) take as long, and two to three times as long to compile.
+A kernel computes a range of rows and releases the interpreter lock; Python threads call it.  Loops that numba
+distributes itself (`prange`) run as fast and take two to three times as long to compile.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from threading import Thread
 import numpy as np
 from numba import config
 
-WORTH_THREADS = 700
-WORTH_PAIRS = 20_000  # a millisecond of them: two threads take 0.4 of one less, a thread begins in 0.17
-SHARES = 4  # of the rows, for each thread: one that is held up leaves its last to the others
+UNKNOWNS_WORTH_THREADS = 700
+PAIRS_WORTH_THREADS = 20_000  # these take a millisecond: a second thread saves 0.4 of it, starting it costs 0.17
+CHUNKS_PER_THREAD = 4  # of rows: the others take over the last ones of a thread that is held up
 
 
 def blas_threads(unknowns):
-    """Context in which BLAS works with one thread for small systems and is left alone for large ones."""
-    return _controller().limit(limits=1, user_api="blas") if unknowns < WORTH_THREADS else nullcontext()
+    """Context in which BLAS uses one thread for systems of few unknowns, and its own setting for others"""
+    return _controller().limit(limits=1, user_api="blas") if unknowns < UNKNOWNS_WORTH_THREADS else nullcontext()
 
 
 def thread_count():
@@ -34,38 +34,39 @@ def thread_count():
     return config.NUMBA_NUM_THREADS
 
 
-def share_rows(work, rows, pairs):
-    """Call `work(low, high)` until all of `rows` rows are done, in threads if they have pairs enough.
+def parallel_rows(work, rows, pairs):
+    """Call `work(low, high)` on ranges that cover 0 … rows, in several threads if there are enough pairs.
 
-    work : a kernel's call that writes to its own rows alone, so that results do not depend on the number of threads
+    work : a kernel call that writes to its own rows alone, so that results do not depend on the number of threads
     pairs : of points and sources, in all rows together
+    raises : the exception of the first range that fails; ranges not yet begun are then left out
     """
-    threads = 1 if pairs < WORTH_PAIRS else min(thread_count(), rows)
+    threads = 1 if pairs < PAIRS_WORTH_THREADS else min(thread_count(), rows)
     if threads == 1:
         work(0, rows)
         return
-    ends = np.linspace(0, rows, min(SHARES * threads, rows) + 1).astype(int)
-    shares, faults = iter(list(pairwise(ends.tolist()))), []
+    ends = np.linspace(0, rows, min(CHUNKS_PER_THREAD * threads, rows) + 1).astype(int)
+    chunks, faults = iter(list(pairwise(ends.tolist()))), []
 
-    def take():
-        for low, high in shares:
+    def process():
+        for low, high in chunks:
             work(low, high)
 
-    def help_out():
+    def process_in_thread():
         try:
-            take()
+            process()
         except Exception as fault:
             faults.append(fault)
-            _drop(shares)
+            _drop(chunks)
 
-    # a pool of threads is begun, and hands out work, in a millisecond; a thread begins in a sixth of that
-    helpers = [Thread(target=help_out) for _ in range(threads - 1)]
+    # a pool takes a millisecond to start and distribute work; a thread starts in a sixth of that
+    helpers = [Thread(target=process_in_thread) for _ in range(threads - 1)]
     try:
         for helper in helpers:
             helper.start()
-        take()
+        process()
     except BaseException:  # Ctrl-C as well
-        _drop(shares)
+        _drop(chunks)
         raise
     finally:
         for helper in helpers:
@@ -75,9 +76,9 @@ def share_rows(work, rows, pairs):
         raise faults.pop()
 
 
-def _drop(shares):
-    """Nothing is left to the other threads"""
-    for _ in shares:
+def _drop(chunks):
+    """Exhaust the iterator, so that no thread begins another range"""
+    for _ in chunks:
         pass
 
 

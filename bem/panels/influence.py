@@ -23,7 +23,7 @@ import numpy as np
 
 from ..green.rankine import panel_moments
 from ..kernels.jit import kernel
-from ..kernels.threads import share_rows
+from ..kernels.threads import parallel_rows
 from ..modes import class_of, normal_velocities
 from .elements import elements, quadrature
 from .irregular_frequencies import extent, lid_needed_from
@@ -129,7 +129,7 @@ class Geometry:
         def work(low, high):
             _rankine_rows(low, high, *question, np.empty((2, e.inverse.shape[2])), *rows)
 
-        share_rows(work, len(points), rows[0, 0].size * len(self.images))
+        parallel_rows(work, len(points), rows[0, 0].size * len(self.images))
         return tuple(rows)
 
     @cached_property

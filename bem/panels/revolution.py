@@ -26,7 +26,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..kernels.jit import kernel
-from ..kernels.threads import blas_threads, share_rows
+from ..kernels.threads import blas_threads, parallel_rows
 from .wave_influence import wave_blocks
 
 SAME = 1e-7  # of the smallest panel: nodes are carried into each other
@@ -203,7 +203,7 @@ def _of_harmonics(geometry, rows, m):
     def work(low, high):
         _add_harmonics(low, high, rows, signs, turn, place, factors, of_rows)
 
-    share_rows(work, len(mine.rows), len(mine.rows) * mine.node.size)
+    parallel_rows(work, len(mine.rows), len(mine.rows) * mine.node.size)
     of_rows = np.moveaxis(of_rows, 2, 0)
     if not len(mine.twin):
         return of_rows

@@ -1,6 +1,7 @@
-"""Blocks of the wave part of S and D: some points, some sources, all symmetry classes.
+"""Wave part of the influence matrices S and D: blocks of some points, some sources, all symmetry classes.
 
-S and D are the integrals over panels of `bem.panels.influence`; the exact part of 1/r and its images is there.
+S and D are the integrals of G and ∂G/∂n over panels (`bem.panels.influence`, where their Rankine part 1/r + 1/r₁ + 1/r₂
+is); here G is the remainder of `bem.green.finite_depth`, by Gauss quadrature.
 """
 
 from __future__ import annotations
@@ -10,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..green.finite_depth import layout_of, levels, spot, wave_part_at
+from ..green.finite_depth import depth_variables, table_position, table_view, wave_part_at
 from ..kernels.jit import kernel
-from ..kernels.threads import share_rows
+from ..kernels.threads import parallel_rows
 
 # the wave part of a panel is integrated with FINE × FINE instead of COARSE × COARSE points where its surface image is
 # closer than NEAR of its sizes, or where the wave or the depth is shorter than the panel divided by PER_WAVE
@@ -21,11 +22,11 @@ NEAR, PER_WAVE = 1.0, 2.2
 
 
 class Sources(NamedTuple):
-    """m nodes of s panels: first[a] to first[a + 1] are those of panels[a]."""
+    """m nodes of s panels, in compressed rows: nodes first[a] … first[a + 1] − 1 belong to panels[a]."""
 
     panels: np.ndarray  # (s,)
     first: np.ndarray  # (s + 1,)
-    corners: np.ndarray  # (m,) which of its panel's nodes each is
+    corners: np.ndarray  # (m,) number of each node within its panel
 
     @classmethod
     def of(cls, nodes, per_panel):
@@ -36,7 +37,7 @@ class Sources(NamedTuple):
 
 
 class Pairs(NamedTuple):
-    """Some points, some sources and what no frequency changes about them; arrays over the panels of the sources."""
+    """Points, sources and their frequency-independent data: r points, m sources on s panels."""
 
     at: np.ndarray  # (r, 3) m
     sources: Sources
@@ -64,14 +65,14 @@ class Pairs(NamedTuple):
             quadrature, g.images, signs, g.depth,
         )  # fmt: skip
 
-    def blocks(self, table, depth_values, mine=slice(None)):
+    def blocks(self, table, depth_values, classes=slice(None)):
         """Wave part of S and D, each (classes, r, m) and complex.
 
-        table : `bem.green.tables.Table`; depth_values : z → (…, 2) of Z and Z′; mine : which of the classes
+        table : `bem.green.tables.Table`; depth_values : z → (…, 2) of Z and Z′; classes : index of the classes wanted
         """
-        where, sources, signs = self.quadrature.points, self.sources, self.signs[mine]
+        where, sources, signs = self.quadrature.points, self.sources, self.signs[classes]
         length = min(1 / table.k if table.k > 0 else np.inf, self.depth)
-        question = (
+        arguments = (
             self.at, depth_values(self.at[:, 2])[:, 0].copy(), sources.corners, sources.first,
             self.normals, self.origins, np.where(self.sizes > PER_WAVE * length, np.inf, NEAR * self.sizes),
             self.images, signs, COARSE**2, *self.quadrature, depth_values(where[..., 2]), table,
@@ -80,10 +81,10 @@ class Pairs(NamedTuple):
         images, most = len(self.images), len(self.images) * self.quadrature.weights.shape[1]
 
         def work(low, high):
-            room = np.empty(images, np.int64), np.empty((most, 3), np.int64), np.empty((most, 5))
-            _blocks(low, high, *question, *room, S, D)
+            workspace = np.empty(images, np.int64), np.empty((most, 3), np.int64), np.empty((most, 5))
+            _blocks(low, high, *arguments, *workspace, S, D)
 
-        share_rows(work, len(self.at), S[0].size * images)
+        parallel_rows(work, len(self.at), S[0].size * images)
         return S, D
 
 
@@ -95,52 +96,52 @@ def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
 @kernel()
 def _blocks(
     first_row, end_row, at, at_depth, corners, first, normals, centers, distances, images, signs,
-    coarse, points, weights, shape, depth_z, table, chosen, pieces, seen, S, D,
+    coarse, points, weights, shape, depth_z, table, chosen, pieces, values, S, D,
 ):  # fmt: skip
-    """Of the points `first_row` to `end_row` into S and D (classes, r, m), zero before.
+    """Rows `first_row` to `end_row` of S and D (classes, r, m), which are zero before.
 
     at (r, 3), at_depth (r,) Z; corners (m,), first (s + 1,) of `Sources`; then arrays over the s panels.
 
-    points, weights, shape, depth_z : of the `coarse` points, then of the fine ones, which images closer than
-    `distances` take.  Room for one thread: chosen (images,), and of all pairs of a panel the `pieces` (·, 3) and
-    `seen` (·, 5), R, its slope and the pieces' variables, later the values.  No part of an array has a name here, and
-    no array goes to a kernel that is not put in place: it would be counted each time.  Where all threads shared one
-    count two of them took longer than one; now each call has its own.  Indices that are computed or read are `uintp`:
-    of signed ones numba asks each time whether they count from the end, an eighth of all time.
+    points, weights, shape, depth_z : quadrature, first of the `coarse` points, then of the fine ones, which images
+    closer than `distances` take.  Workspace of one thread: chosen (images,); of all pairs on a panel pieces (·, 3), the
+    integers of `table_position`, and values (·, 5): R, ∂R/∂n and the local variables, later the values of G.
+    There are no views of arrays and no array arguments of kernels that are not inlined: numba would update their
+    reference counts, and where all threads shared one count two of them took longer than one; now each call has its
+    own.  Computed indices are `uintp`: numba tests signed ones for being negative, an eighth of all time.
     """
-    c, several, layout = len(signs), shape.shape[2] > 1, layout_of(table)
+    c, several, view = len(signs), shape.shape[2] > 1, table_view(table)
     for i in range(first_row, end_row):
         for j in range(len(distances)):
             for fine in range(2):
                 count = _choose(at, i, centers, j, distances[j], images, fine == 1, chosen)
-                at_nodes = several and fine == 0  # the 2 × 2 points are the nodes, and may come alone
+                at_nodes = several and fine == 0  # the 2 × 2 points are the nodes; some of a panel may be missing
                 low, high = (coarse, weights.shape[1]) if fine == 1 else (0, coarse)
                 if at_nodes:
                     low, high = first[j], first[j + 1]
                 if count == 0:
                     continue
-                _look_out(
-                    at, i, points, j, normals, images, count, corners, at_nodes, low, high, layout, chosen, pieces, seen
+                _locate(
+                    at, i, points, j, normals, images, count, corners, at_nodes, low, high, view, chosen, pieces, values
                 )
                 for n in range(low, high):
                     q = np.uintp(corners[n] if at_nodes else n)
-                    level, factor = levels(at[i, 2], points[j, q, 2]), table.C * at_depth[i]
+                    depths, factor = depth_variables(at[i, 2], points[j, q, 2]), table.C * at_depth[i]
                     Z = depth_z[j, q, 0], depth_z[j, q, 1]
                     for m in range(count):
                         e = np.uintp((n - low) * count + m)
                         zone, surface, bed = pieces[e, 0], pieces[e, 1], pieces[e, 2]
-                        place = zone, surface, bed, seen[e, 2], seen[e, 3], seen[e, 4]
-                        seen[e, 0], seen[e, 1], seen[e, 2], seen[e, 3] = _see(
-                            place, seen[e, 0], seen[e, 1], level, factor, Z, normals[j, 2], layout
+                        position = zone, surface, bed, values[e, 2], values[e, 3], values[e, 4]
+                        values[e, 0], values[e, 1], values[e, 2], values[e, 3] = _green_values(
+                            position, values[e, 0], values[e, 1], depths, factor, Z, normals[j, 2], view
                         )
                     for a in range(c):
                         g, j0, flux, slope = 0.0, 0.0, 0.0, 0.0
                         for m in range(count):
                             sign, e = signs[a, np.uintp(chosen[m])], np.uintp((n - low) * count + m)
-                            g += sign * seen[e, 0]
-                            j0 += sign * seen[e, 1]
-                            flux += sign * seen[e, 2]
-                            slope += sign * seen[e, 3]
+                            g += sign * values[e, 0]
+                            j0 += sign * values[e, 1]
+                            flux += sign * values[e, 2]
+                            slope += sign * values[e, 3]
                         s = weights[j, q] * complex(g, factor * j0)
                         d = weights[j, q] * complex(flux, factor * slope)
                         if at_nodes:
@@ -154,7 +155,7 @@ def _blocks(
 
 @kernel(inline=True)
 def _choose(at, i, centers, j, distance, images, close, chosen):
-    """The images whose own images in the surface are closer than `distance`, or if not `close` the others; how many"""
+    """Count of the images of panel j whose reflection in the surface is nearer than `distance`, or farther"""
     up = at[i, 2] + centers[j, 2]
     count = 0
     for m in range(len(images)):
@@ -166,29 +167,29 @@ def _choose(at, i, centers, j, distance, images, close, chosen):
 
 
 @kernel(inline=True)
-def _look_out(
-    at, i, points, j, normals, images, count, corners, at_nodes, low, high, layout, chosen, pieces, seen
+def _locate(
+    at, i, points, j, normals, images, count, corners, at_nodes, low, high, view, chosen, pieces, values
 ):  # fmt: skip
-    """`spot` of the chosen images of all points of panel j, R and its derivative along the normal.
+    """R, ∂R/∂n and `table_position` of the chosen images of all quadrature points of panel j.
 
-    All before the first is evaluated: the processor sees few pairs at a time, and in turn they take 1.3 times as long.
+    A loop of its own, before the one that evaluates G: one loop over both takes 1.3 times as long.
     """
     for n in range(low, high):
         q = np.uintp(corners[n] if at_nodes else n)
-        level = levels(at[i, 2], points[j, q, 2])
+        depths = depth_variables(at[i, 2], points[j, q, 2])
         for m in range(count):
             e, o = np.uintp((n - low) * count + m), np.uintp(chosen[m])
             sx, sy = images[o, 0], images[o, 1]
             dx, dy = sx * points[j, q, 0] - at[i, 0], sy * points[j, q, 1] - at[i, 1]
             R = math.sqrt(dx * dx + dy * dy)
-            seen[e, 0] = R
-            seen[e, 1] = (sx * normals[j, 0] * dx + sy * normals[j, 1] * dy) / (R + 1e-300)
-            zone, surface, bed, seen[e, 2], seen[e, 3], seen[e, 4] = spot(R, level, layout)
+            values[e, 0] = R
+            values[e, 1] = (sx * normals[j, 0] * dx + sy * normals[j, 1] * dy) / (R + 1e-300)
+            zone, surface, bed, values[e, 2], values[e, 3], values[e, 4] = table_position(R, depths, view)
             pieces[e, 0], pieces[e, 1], pieces[e, 2] = zone, surface, bed
 
 
 @kernel(inline=True)
-def _see(place, R, along, level, factor, Z, upwards, layout):
-    """Of one image the real part of G and the imaginary part over `factor`, then the same of ∂G/∂n."""
-    g, gr, gz, j0, j1 = wave_part_at(place, R, level, factor * Z[0], factor * Z[1], layout)
+def _green_values(position, R, along, depths, factor, Z, upwards, view):
+    """Real part of G and imaginary part over `factor` of one image, then the same of ∂G/∂n"""
+    g, gr, gz, j0, j1 = wave_part_at(position, R, depths, factor * Z[0], factor * Z[1], view)
     return g, Z[0] * j0, gr * along + gz * upwards, Z[0] * j1 * along + Z[1] * j0 * upwards

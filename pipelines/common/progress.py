@@ -42,7 +42,7 @@ class Preparing:
         self.started = self.told = time.perf_counter()
 
     def __call__(self, stage, count):
-        """`bem.kernels.progress.listening`; the stages come one after the other"""
+        """`bem.kernels.progress.progress_callback`; the stages come one after the other"""
         for before in takewhile(lambda other: other != stage, self.stages):
             self.counts[before] = self.stages[before][0]  # guessed generously
         self.counts[stage] += count

@@ -13,7 +13,7 @@ import numpy as np
 from bem.database import append, append_limit, create, extend, open_database, pending, writing
 from bem.database.file import check_place, check_replaceable
 from bem.database.schema import LIMITS
-from bem.kernels.progress import listening
+from bem.kernels.progress import progress_callback
 
 from ..common.interrupt import ctrl_c
 from ..common.progress import Preparing, Progress
@@ -132,7 +132,7 @@ def _fill(output, setup, theta, remarks, executor, console, cost):
     before = int(open_database(output).rows.sum())
     say = partial(console.print, highlight=False) if console else lambda text: None
     preparing = Preparing(console, cost) if console and cost and isinstance(executor, Here) else None
-    with writing(output) as file, ctrl_c(say) as stop, listening(preparing):
+    with writing(output) as file, ctrl_c(say) as stop, progress_callback(preparing):
         jobs = [*_rows(file, setup, todo.rows, theta), *_limits(file, setup, todo.limits)]
         progress = Progress(console, len(jobs)) if console else None
         try:

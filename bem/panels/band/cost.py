@@ -10,7 +10,7 @@ import numpy as np
 
 from ...green.tables import wave_table
 from ...kernels.progress import FACTORS, MATRICES, WAVES
-from ...kernels.threads import WORTH_PAIRS
+from ...kernels.threads import PAIRS_WORTH_THREADS
 from ...waves import depth_values
 from ..wave_influence import wave_blocks
 from .equations import parted
@@ -85,7 +85,7 @@ def _seconds_of_rows(geometry):
 def _trial_rows(geometry):
     """Nodes whose rows are tried: as many as are shared out among threads, like all rows are"""
     n = len(geometry.elements.nodes)
-    rows = max(TRIAL_ROWS, int(np.ceil(WORTH_PAIRS / (n * len(geometry.images)))))
+    rows = max(TRIAL_ROWS, int(np.ceil(PAIRS_WORTH_THREADS / (n * len(geometry.images)))))
     return np.arange(0, n, max(n // rows, 1))
 
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...checks import ERROR_ORDER
-from ...kernels.progress import FACTORS, MATRICES, done
+from ...kernels.progress import FACTORS, MATRICES, report_progress
 from ..wave_influence import Pairs
 from .low_rank_waves import wave_space
 
@@ -97,7 +97,7 @@ def reduced(geometry, band, gravity, accuracy):
             mine = np.r_[before : before + count, velocities.shape[2] : side.shape[1]]
             part.fill(i, factors, on_lid[i], side[:, mine])
             before += count
-        done(FACTORS, 1)
+        report_progress(FACTORS, 1)
     return tuple(out)
 
 
@@ -126,7 +126,7 @@ def _exact(geometry, velocities):
             on_lid[i][max(start - n, 0) : max(stop - n, 0)] = d[i, hull:, :n]
             sides[i][start:stop, : v.shape[1]] = s[i, :, :n] @ v
             sides[i][start:stop, v.shape[1] :] = s[i, :, n:]
-        done(MATRICES, stop - start)
+        report_progress(MATRICES, stop - start)
     for A in matrices:
         A.flat[:: n + 1] += 2 * np.pi
     return matrices, on_lid, sides

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...kernels.real_times_complex import acted, times
+from ...kernels.real_times_complex import complex_times_real, real_times_complex
 
 
 class Samples(NamedTuple):
@@ -74,9 +74,11 @@ class Trial(NamedTuple):
         mine : which classes these are
         """
         e, represented = self.samples.hull, self.samples.represented
-        W, S = (times(self.X, part) for part in held)
-        missed = ((here[0] - acted(W, self.Y)) * represented) @ potentials
-        missed -= ((here[1] - acted(S, self.N[mine])) * represented[:e]) @ times(self.V[mine], given)
+        W, S = (real_times_complex(self.X, part) for part in held)
+        missed = ((here[0] - complex_times_real(W, self.Y)) * represented) @ potentials
+        missed -= ((here[1] - complex_times_real(S, self.N[mine])) * represented[:e]) @ real_times_complex(
+            self.V[mine], given
+        )
         return missed
 
     def lost_flux(self, flux, crests):
@@ -84,6 +86,6 @@ class Trial(NamedTuple):
         if not len(flux):
             return 0.0
         Z = self.V[0, :, self.V.shape[2] - crests.shape[1] :]
-        missed = np.abs(flux - acted(crests, Z.T)) * self.sample_size
+        missed = np.abs(flux - complex_times_real(crests, Z.T)) * self.sample_size
         size = np.maximum(np.abs(flux).max(axis=1), np.abs(crests).max(axis=1))
         return float((missed.max(axis=1) / size).max())

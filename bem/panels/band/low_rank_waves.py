@@ -17,8 +17,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...green.tables import wave_table
-from ...kernels.interpolative import SEED, Sketch, chosen_rows, least_squares
-from ...kernels.progress import WAVES, done
+from ...kernels.interpolative_decomposition import SEED, Sketch, interpolative_decomposition, truncated_least_squares
+from ...kernels.progress import WAVES, report_progress
 from ...waves import depth_values, wavenumber
 from ..incident_waves import class_waves
 from ..wave_influence import wave_blocks
@@ -95,13 +95,13 @@ def _velocities(geometry, Z):
 
 
 def _skeleton(fill, rows, allowed):
-    """`chosen_rows` of what `fill` puts into a sketch, wide enough for the rank that it has"""
+    """`interpolative_decomposition` of what `fill` puts into a sketch, wide enough for the rank that it has"""
     width = FIRST_WIDTH
     while True:
         sketch = Sketch(rows, min(width, WIDTH * rows))
         fill(sketch)
-        chosen, X = chosen_rows(sketch.sums, allowed)
-        if WIDTH * len(chosen) <= sketch.sums.shape[1] or width >= WIDTH * rows:
+        chosen, X = interpolative_decomposition(sketch.matrix, allowed)
+        if WIDTH * len(chosen) <= sketch.matrix.shape[1] or width >= WIDTH * rows:
             return chosen, X
         width = max(2 * width, 2 * WIDTH * len(chosen))
 
@@ -125,7 +125,7 @@ class Cases:
             omega = float(np.sqrt(self.gravity * k * np.tanh(k * g.depth)))
             table = wave_table(omega, g.depth, self.gravity, g.reach, g.draft)
             S, D = wave_blocks(g, points, sources, table, depth_values(k, g.depth))
-            done(WAVES, len(points) * len(sources) / len(self.root))
+            report_progress(WAVES, len(points) * len(sources) / len(self.root))
             yield table.K, S, D
 
     def samples(self, seed=SEED, deep=SAMPLES, most=np.inf):
@@ -188,7 +188,9 @@ class Cases:
         for _, S, _ in self.blocks(points, sources):
             for s, values in zip(S, few, strict=True):
                 values.append(s * weights[:, None])
-        return np.stack([least_squares(_real(a), _real(b), 0.1 * accuracy) for a, b in zip(few, moved, strict=True)])
+        return np.stack(
+            [truncated_least_squares(_real(a), _real(b), 0.1 * accuracy) for a, b in zip(few, moved, strict=True)]
+        )
 
     def waves(self, sketch):
         """∂φ_I/∂n at all nodes of the hull, from all sides, of every class"""

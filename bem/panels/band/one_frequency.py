@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...green.tables import wave_table
-from ...kernels.real_times_complex import acted, times
+from ...kernels.real_times_complex import complex_times_real, real_times_complex
 from ...kernels.threads import blas_threads
 from ..one_frequency import PanelRun
 from .low_rank_waves import FEW, acting
@@ -108,7 +108,9 @@ class ReducedRun(PanelRun):
     def at_samples(self, flow):
         """(c, s, columns) φ, and φ' of the lid"""
         lid = self.reduced.space.trial.samples.on_lid - self.geometry.hull
-        return np.concatenate([times(self.reduced.at_samples[self.mine], flow.shares), flow.lid[:, lid]], axis=1)
+        return np.concatenate(
+            [real_times_complex(self.reduced.at_samples[self.mine], flow.shares), flow.lid[:, lid]], axis=1
+        )
 
     @cached_property
     def residual(self):
@@ -124,7 +126,9 @@ class ReducedRun(PanelRun):
         with blas_threads(len(self.reduced.space.points)):
             for i, (cls, columns) in enumerate(self.columns.items()):
                 response = self.reduced.response[self.geometry.classes.index(cls)]
-                out[cls] = self.on_hull(times(response, self.flow.shares[i, :, : sum(map(len, columns))]), None)
+                out[cls] = self.on_hull(
+                    real_times_complex(response, self.flow.shares[i, :, : sum(map(len, columns))]), None
+                )
         self._timed("potentials", start)
         return out
 
@@ -180,10 +184,13 @@ def solved(reduced, mine, W, S, K, given):
         answer = np.linalg.solve(T + 4 * np.pi / K * np.eye(lid), answer)
         H = H - (at_sources[..., r + v :] + reduced.from_lid / K) @ answer
     # m = W H (m, −v) − S_w M v
-    A, b = np.eye(r) - acted(W, H[..., :r]), -(W @ times(H[..., r:], given) + S @ times(M, given))
+    A, b = (
+        np.eye(r) - complex_times_real(W, H[..., :r]),
+        -(W @ real_times_complex(H[..., r:], given) + S @ real_times_complex(M, given)),
+    )
     m = np.linalg.solve(A, b)
     rest = np.abs(A @ m - b).max(axis=1) / np.maximum(np.abs(b).max(axis=1), 1e-300)
     sides = np.concatenate([m, -given], axis=1)
-    lid = -times(answer, sides)
+    lid = -real_times_complex(answer, sides)
     shares = np.concatenate([sides, lid], axis=1)
-    return Flow(shares, lid / K, times(reduced.integrals[mine], shares), float(rest.max()))
+    return Flow(shares, lid / K, real_times_complex(reduced.integrals[mine], shares), float(rest.max()))

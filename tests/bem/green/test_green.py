@@ -7,7 +7,7 @@ from scipy import special
 
 from bem.green.deep_water import bessel, universal
 from bem.green.finite_depth import BLOCK, decay, green, green_function, pair
-from bem.green.piecewise_polynomials import address, fitted, look, sample_points
+from bem.green.piecewise_polynomials import address, evaluate_piece, fit_pieces, sample_points
 from bem.green.tables import limit_table, wave_table
 from bem.kernels.jit import kernel
 from bem.waves import wavenumber
@@ -146,14 +146,14 @@ def test_a_pair_has_the_same_bits_alone_and_among_others(depth):
 
 @kernel()
 def look_at(pieces, n, x, y):
-    return look(address(pieces), n, x, y)
+    return evaluate_piece(address(pieces), n, x, y)
 
 
 def test_a_polynomial_of_degree_seven_is_its_own_piece():
     c = np.random.default_rng(4).normal(size=(8, 8))
     p = np.polynomial.Polynomial
     x, y = sample_points([0, 2, 4]), sample_points([0, 1, 2, 3])
-    pieces = fitted(np.polynomial.polynomial.polyval2d(*np.meshgrid(x / 4, y / 3, indexing="ij"), c))
+    pieces = fit_pieces(np.polynomial.polynomial.polyval2d(*np.meshgrid(x / 4, y / 3, indexing="ij"), c))
     # second piece of x, third of y: their local variables −0.2 and 0.6
     u, v = 2.8 / 4, 2.8 / 3
     f, fx, fy = look_at(pieces, 2 * 2 + 1, -0.2, 0.6)

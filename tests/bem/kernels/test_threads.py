@@ -7,7 +7,7 @@ import pytest
 
 from bem.green.tables import wave_table
 from bem.kernels import threads
-from bem.kernels.threads import WORTH_PAIRS, share_rows
+from bem.kernels.threads import PAIRS_WORTH_THREADS, parallel_rows
 from bem.kochin import far_field_integrals
 from bem.methods.panel_setup import Setup, prepare
 from bem.panels.wave_influence import wave_blocks
@@ -28,7 +28,7 @@ def test_every_row_is_worked_on_once(rows, three_threads):
         with lock:
             times[low:high] += 1
 
-    share_rows(work, rows, WORTH_PAIRS)
+    parallel_rows(work, rows, PAIRS_WORTH_THREADS)
     assert np.all(times == 1)
 
 
@@ -47,7 +47,7 @@ def test_kernels_give_the_same_bits_with_any_number_of_threads(monkeypatch):
             body.images, body.all_signs[0], phi, 1j * phi,
         )  # fmt: skip
 
-    assert len(body.images) * len(nodes) * min(len(nodes), len(theta)) > WORTH_PAIRS
+    assert len(body.images) * len(nodes) * min(len(nodes), len(theta)) > PAIRS_WORTH_THREADS
     found = []
     for count in (1, 3):
         monkeypatch.setattr(threads, "thread_count", lambda count=count: count)
@@ -57,7 +57,7 @@ def test_kernels_give_the_same_bits_with_any_number_of_threads(monkeypatch):
 
 def test_few_pairs_stay_in_the_thread_that_asks(three_threads):
     seen = []
-    share_rows(lambda low, high: seen.append((low, high, threading.current_thread())), 500, WORTH_PAIRS - 1)
+    parallel_rows(lambda low, high: seen.append((low, high, threading.current_thread())), 500, PAIRS_WORTH_THREADS - 1)
     assert seen == [(0, 500, threading.current_thread())]
 
 
@@ -67,7 +67,7 @@ def test_a_fault_in_one_share_comes_out(three_threads):
             raise FloatingPointError("row 40")
 
     with pytest.raises(FloatingPointError, match="row 40"):
-        share_rows(work, 100, WORTH_PAIRS)
+        parallel_rows(work, 100, PAIRS_WORTH_THREADS)
 
 
 def test_ctrl_c_leaves_out_the_shares_that_wait(three_threads):
@@ -80,6 +80,6 @@ def test_ctrl_c_leaves_out_the_shares_that_wait(three_threads):
         go_on.wait(1.0)
 
     with pytest.raises(KeyboardInterrupt):
-        share_rows(work, 1200, WORTH_PAIRS)
+        parallel_rows(work, 1200, PAIRS_WORTH_THREADS)
     assert len(begun) <= 3
     assert threading.active_count() == before

@@ -7,7 +7,7 @@ import sys
 import h5py
 import pytest
 
-from bem.kernels.threads import WORTH_THREADS
+from bem.kernels.threads import UNKNOWNS_WORTH_THREADS
 from meshing.shapes import box
 from pipelines.scene.scene import make_scene
 from pipelines.solve.large import PER_PANEL, shared_band
@@ -38,7 +38,7 @@ def test_one_run_shares_its_work_in_systems_worth_threads():
         }
     )
     mesh = box(100, 50, 10, panels=800)
-    assert shared_band(scene, mesh) is not None and PER_PANEL * len(mesh) >= WORTH_THREADS
+    assert shared_band(scene, mesh) is not None and PER_PANEL * len(mesh) >= UNKNOWNS_WORTH_THREADS
 
 
 def made(name, threads):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from bem.kernels.progress import FACTORS, MATRICES, WAVES, listening
+from bem.kernels.progress import FACTORS, MATRICES, WAVES, progress_callback
 from bem.methods.panel_setup import Setup
 from bem.panels.band import cost
 from bem.panels.band.cost import Cost
@@ -124,7 +124,7 @@ def test_what_the_preparation_tells_adds_up_to_what_was_estimated():
     mesh, band = box(100, 50, 10, panels=240), (0.4, 1.2)
     body = Setup(mesh, lid(mesh), depth=20.0, band=band).prepared()
     stages, told = cost.cost(body.geometry, band, 9.81).stages, []
-    with listening(lambda stage, count: told.append((stage, count))):
+    with progress_callback(lambda stage, count: told.append((stage, count))):
         assert len(body.reduced) == 2  # without and with the lid
     sums = {stage: sum(count for one, count in told if one == stage) for stage in stages}
     assert sums[MATRICES] == stages[MATRICES][0] == len(body.geometry.elements.nodes)

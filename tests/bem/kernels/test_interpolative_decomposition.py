@@ -1,9 +1,9 @@
-"""Rows that stand for all rows: exact where they are, as good as asked for elsewhere."""
+"""Row interpolative decomposition: exact at the selected rows, to the tolerance at the others."""
 
 import numpy as np
 import pytest
 
-from bem.kernels.interpolative import Sketch, chosen_rows, least_squares
+from bem.kernels.interpolative_decomposition import Sketch, interpolative_decomposition, truncated_least_squares
 
 
 def smooth_matrix(n=300, m=500):
@@ -17,7 +17,7 @@ def sketched(A, width=256):
     sketch = Sketch(len(A), width)
     for block in np.array_split(A, 3, axis=1):
         sketch.add(block)
-    return sketch.sums
+    return sketch.matrix
 
 
 def test_a_sketch_keeps_the_norms_of_combinations_of_rows():
@@ -34,28 +34,28 @@ def test_complex_columns_count_as_two_real_ones():
     x = np.random.default_rng(2).standard_normal(40)
     sketch = Sketch(40, 2048)
     sketch.add(A + 2j * A)
-    assert np.linalg.norm(x @ sketch.sums) == pytest.approx(np.linalg.norm(x @ whole), rel=0.15)
+    assert np.linalg.norm(x @ sketch.matrix) == pytest.approx(np.linalg.norm(x @ whole), rel=0.15)
 
 
-@pytest.mark.parametrize("allowed", [1e-2, 1e-4, 1e-7])
-def test_chosen_rows_give_the_others_to_the_accuracy_asked(allowed):
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-7])
+def test_selected_rows_reproduce_the_others_to_the_tolerance(tolerance):
     A = smooth_matrix()
-    rows, X = chosen_rows(sketched(A), allowed)
+    rows, X = interpolative_decomposition(sketched(A), tolerance)
     np.testing.assert_allclose(X[rows], np.eye(len(rows)), atol=1e-12)
     assert np.all(np.diff(rows) > 0)
     # Gu & Eisenstat: within √(1 + r(n − r)) of the next singular value, in practice a few times the last pivot
-    assert np.linalg.norm(A - X @ A[rows], axis=1).max() < 10 * allowed
+    assert np.linalg.norm(A - X @ A[rows], axis=1).max() < 10 * tolerance
 
 
-def test_a_finer_accuracy_takes_more_rows_but_never_more_than_the_rank():
+def test_a_smaller_tolerance_selects_more_rows_but_never_more_than_the_rank():
     A = smooth_matrix()
-    counts = [len(chosen_rows(sketched(A), allowed)[0]) for allowed in (1e-2, 1e-4, 1e-6)]
+    counts = [len(interpolative_decomposition(sketched(A), tolerance)[0]) for tolerance in (1e-2, 1e-4, 1e-6)]
     assert counts == sorted(counts) and counts[0] < counts[2]
     low = A[:, :7] @ np.random.default_rng(3).standard_normal((7, 500))
-    assert len(chosen_rows(sketched(low), 1e-8)[0]) == 7
+    assert len(interpolative_decomposition(sketched(low), 1e-8)[0]) == 7
 
 
-def test_least_squares_leaves_out_directions_that_are_not_there():
+def test_least_squares_leave_out_vanishing_singular_values():
     A = np.outer(np.arange(1.0, 5.0), [1.0, 1.0])
-    x = least_squares(A, 2 * A[:, :1], 1e-10)
+    x = truncated_least_squares(A, 2 * A[:, :1], 1e-10)
     np.testing.assert_allclose(x, [[1.0], [1.0]], rtol=1e-12)

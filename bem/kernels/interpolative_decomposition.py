@@ -1,0 +1,63 @@
+"""Row interpolative decomposition: a matrix from some of its own rows, by randomised pivoted QR.
+
+    A ≈ X A[rows],    X[rows] = 1
+
+A (n, m), rows (r,) the selected rows, X (n, r) the interpolation matrix (Cheng, Gimbutas, Martinsson & Rokhlin, SIAM
+J. Sci. Comput. 26, 2005).  A matrix with very many columns is never stored: pivoted QR selects the same rows from
+A Ω, with Ω (m, width) a sparse random sign matrix, which keeps the norm of every combination of rows up to a factor
+1 + O(width^(−1/2)) (Martinsson & Tropp, Acta Numerica 29, 2020).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+ENTRIES = 4  # of Ω, not zero, in each of its rows
+SEED = 1_982
+
+
+class Sketch:
+    """A Ω of a matrix A (n, m) whose columns come block by block."""
+
+    def __init__(self, rows, width):
+        self.transposed, self.generator = np.zeros((width, rows)), np.random.default_rng(SEED)
+
+    @property
+    def matrix(self):
+        """A Ω (n, width), real"""
+        return self.transposed.T
+
+    def add(self, block):
+        """Append columns (n, m) to A, real or complex; a complex one counts as two, its real and imaginary part"""
+        from scipy.sparse import csr_matrix
+
+        m, width = block.shape[1], len(self.transposed)
+        for part in (block.real, block.imag) if np.iscomplexobj(block) else (block,):
+            column = self.generator.integers(0, width, m * ENTRIES)
+            sign = self.generator.choice([-1.0, 1.0], m * ENTRIES) / np.sqrt(ENTRIES)
+            touched, place = np.unique(column, return_inverse=True)
+            omega = csr_matrix((sign, (place, np.repeat(np.arange(m), ENTRIES))), (len(touched), m))
+            self.transposed[touched] += omega @ np.ascontiguousarray(part.T)
+
+
+def interpolative_decomposition(matrix, tolerance):
+    """(rows, X) with A ≈ X A[rows], the error of a row at most about `tolerance` in the 2-norm.
+
+    matrix : (n, m) A itself or `Sketch.matrix`; rows : (r,) increasing, r ≥ 1; X : (n, r)
+    """
+    from scipy.linalg import qr, solve_triangular
+
+    R, order = qr(matrix.T, mode="r", pivoting=True, check_finite=False)
+    rank = max(int(np.count_nonzero(np.abs(np.diag(R)) > tolerance)), 1)
+    X = np.empty((len(matrix), rank))
+    X[order[:rank]] = np.eye(rank)
+    X[order[rank:]] = solve_triangular(R[:rank, :rank], R[:rank, rank:], check_finite=False).T
+    sorting = np.argsort(order[:rank])
+    return order[:rank][sorting], np.ascontiguousarray(X[:, sorting])
+
+
+def truncated_least_squares(A, b, cutoff):
+    """x of least norm with A x ≈ b by singular values, those below `cutoff` times the largest left out"""
+    U, size, Vh = np.linalg.svd(A, full_matrices=False)
+    kept = size > cutoff * size[0]
+    return (Vh[kept].T / size[kept]) @ (U[:, kept].T @ b)
