@@ -141,7 +141,9 @@ class StaticLine:
         wrong = ~((found[:, 9] <= RESIDUAL) & (status != State.BEYOND_REACH))
         if np.any(wrong):
             i = int(np.argmax(wrong))
-            what = "cannot be reached" if status[i] == State.BEYOND_REACH else "is in reach, but no equilibrium was found"
+            what = (
+                "cannot be reached" if status[i] == State.BEYOND_REACH else "is in reach, but no equilibrium was found"
+            )
             raise LineError(
                 f"{np.count_nonzero(wrong)} of {x.size} position(s): fairlead at x = {x.flat[i]:.6g} m, "
                 f"z = {z.flat[i]:.6g} m {what}: {self!r}"
