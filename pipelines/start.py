@@ -10,10 +10,13 @@ def main():
     """The command line of this process.  Returns the exit status."""
     signal.signal(signal.SIGINT, _leave)
     from . import cli
-    from .common.interrupt import after_loading
+    from .common.interrupt import Interrupt
 
-    signal.signal(signal.SIGINT, after_loading)
-    return cli.main()
+    signal.signal(signal.SIGINT, Interrupt())
+    try:
+        return cli.main()
+    finally:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # the work is done; the interpreter's end is no part of it
 
 
 def _leave(number, frame):

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import signal
+import time
 from contextlib import contextmanager
+from pathlib import Path
 
-AGAIN = 0.02  # s, after which is looked again whether a module is loaded
+ROOT = Path(__file__).parents[2]
+AGAIN, PATIENCE = 0.01, 1.0  # s, between looks at what is at work, and altogether
 STORING = ("box", "buoy", "solve", "compare")  # into databases, which the same command completes
 
 
@@ -16,22 +19,35 @@ def interrupted(command, arguments):
     return "interrupted"
 
 
-def after_loading(number, frame):
-    """Signal handler: KeyboardInterrupt, but not while a module is being loaded or a weak reference dropped.
+class Interrupt:
+    """Signal handler: KeyboardInterrupt where it can neither be lost nor leave anything half done.
 
-    There it would leave the module half loaded, or be printed and lost in a callback: it comes when that is over.
+    Raised while a module is being loaded it would leave that half loaded; raised in a callback (of a weak reference,
+    of the compiler) it would be printed and lost.  So it waits until code of this program is at work, but in other
+    code than loading no longer than PATIENCE.
     """
-    if _would_be_lost(frame) and hasattr(signal, "setitimer"):
-        signal.signal(signal.SIGALRM, after_loading)
-        signal.setitimer(signal.ITIMER_REAL, AGAIN)
-    else:
-        raise KeyboardInterrupt
+
+    def __init__(self):
+        self.asked = None
+
+    def __call__(self, number, frame):
+        now, loading = time.monotonic(), _is_loading(frame)
+        self.asked = now if loading or self.asked is None else self.asked
+        if hasattr(signal, "setitimer") and (loading or (now - self.asked < PATIENCE and not _is_ours(frame))):
+            signal.signal(signal.SIGALRM, self)
+            signal.setitimer(signal.ITIMER_REAL, AGAIN)
+        else:
+            self.asked = None
+            raise KeyboardInterrupt
 
 
-def _would_be_lost(frame):
+def _is_ours(frame):
+    return frame is not None and Path(frame.f_code.co_filename).is_relative_to(ROOT)
+
+
+def _is_loading(frame):
     while frame is not None:
-        code = frame.f_code
-        if code.co_filename.startswith("<frozen importlib") or code.co_filename.endswith("weakref.py"):
+        if frame.f_code.co_filename.startswith("<frozen importlib"):
             return True
         frame = frame.f_back
     return False

@@ -16,7 +16,7 @@ from pathlib import Path
 
 START = "import sys; from pipelines.start import main; sys.exit(main())"
 BOX = "box --length 20 --beam 10 --draft 2 --depth 8 --omega 0.5:1.5:4 --heading 0 --output"
-FIRST = 0.06  # s, before which Python itself has not begun
+FIRST = 0.15  # s, before which Python itself may not have begun
 
 
 def interrupted_after(seconds, folder):
