@@ -16,7 +16,10 @@ def main():
     try:
         return cli.main()
     finally:
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # the work is done; the interpreter's end is no part of it
+        # the work is done; the interpreter's end is no part of it
+        for name in ("SIGINT", "SIGALRM"):
+            if hasattr(signal, name):
+                signal.signal(getattr(signal, name), signal.SIG_IGN)
 
 
 def _leave(number, frame):
