@@ -55,7 +55,7 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
         *_orientation(welded, edges),
         *_clearance(mesh, depth, edges),
         *_resolution(mesh, shortest_wave),
-        *_lid(mesh, lid),
+        *lid_findings(mesh, lid),
     ]
     return sorted(found, key=lambda finding: finding.severity != "error")
 
@@ -264,7 +264,8 @@ def _resolution(mesh, shortest_wave):
         )
 
 
-def _lid(mesh, lid):
+def lid_findings(mesh, lid):
+    """Findings on the lid (PanelMesh or None) of a hull mesh"""
     if lid is None:
         return
     off = np.abs(lid.points[np.unique(lid.corners), 2]).max(initial=0.0)

@@ -204,7 +204,7 @@ def _write_mesh(raw, output):
         raw["waves"]["periods"] = [1000.0]
     scene = make_scene(raw)
     check_place(output)
-    hull = make_hull(scene, scene.omegas())
+    hull = make_hull(scene)
     write_mesh(hull.mesh, output)
     print(f"{output}: {hull.mesh!r}")
     return 0

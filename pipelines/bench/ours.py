@@ -40,12 +40,11 @@ def scene_of(case, asked):
 def make(case, asked):
     """The scene and the body, prepared"""
     from bem.methods.panel_setup import prepare
-    from pipelines.solve.hull import make_header, make_hull, setup_of
+    from pipelines.solve.plan import planned
 
     scene = scene_of(case, asked)
-    omegas = scene.omegas()
-    hull = make_hull(scene, omegas)
-    setup = setup_of(make_header(scene, hull, omegas), scene)
+    plan = planned(scene)
+    setup, omegas = plan.setup, plan.omegas
     if "tolerance" in asked:
         setup = replace(setup, tolerance=asked["tolerance"])
     if asked.get("band"):

@@ -37,23 +37,39 @@ METHODS = {
 }
 
 
-def chosen(scene):
-    """Name of the method; `auto` takes contour where it can represent the scene and no panels are asked for.
+class Approach(NamedTuple):
+    """How a scene is solved.
+
+    method : name, of METHODS; bed : m, over which the contour method works (`bem.contour.raised_bed`), None for the
+        one that there is
+    highest_resolved : rad/s above which frequencies are answered by `bem.contour.short_wave_frequency`, None where
+        none is
+    """
+
+    method: str
+    bed: float | None
+    highest_resolved: float | None
+
+
+def approach(scene):
+    """`Approach` of a scene; `auto` takes contour where it can represent the scene and no panels are asked for.
 
     Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
-    a bed far below the keel it loses digits, unless waves are so short that the bed can be raised (`bed_for_contour`).
+    a bed far below the keel it loses digits, unless waves are so short that the bed can be raised.
     """
-    if scene.method != "auto":
-        return scene.method
-    if scene.panels is not None or _obstacles(scene, METHODS["contour"]):
+    bed = _raised_bed(scene)
+    method = _chosen(scene, bed) if scene.method == "auto" else scene.method
+    return Approach(method, bed, _highest_resolved(scene)) if method == "contour" else Approach(method, None, None)
+
+
+def _chosen(scene, bed):
+    if scene.panels is not None or _obstacles(scene, METHODS["contour"], bed):
         return "panel"
-    return "contour" if _relative_gap(scene) <= DEEPEST_GAP or bed_for_contour(scene) is not None else "panel"
+    return "contour" if _relative_gap(scene) <= DEEPEST_GAP or bed is not None else "panel"
 
 
-def bed_for_contour(scene):
-    """m, the bed over which contour answers a scene of short waves alone in deep water (`bem.contour.raised_bed`),
-    or None
-    """
+def _raised_bed(scene):
+    """m, the bed over which contour answers a scene of short waves alone in deep water, or None"""
     body, water = scene.body, scene.water
     if body.shape == "mesh" or _relative_gap(scene) <= DEEPEST_GAP:
         return None
@@ -62,11 +78,8 @@ def bed_for_contour(scene):
     return None if bed is None else min(bed, water.depth)
 
 
-def highest_resolved(scene):
-    """rad/s above which frequencies of the scene are answered by `bem.contour.short_wave_frequency`; None where
-    none is
-    """
-    if chosen(scene) != "contour":
+def _highest_resolved(scene):
+    if scene.body.shape not in MOST_WAVES:
         return None
     sizes, water = tuple(scene.dimensions.values()), scene.water
     highest = wavenumber(scene.omegas()[-1], water.depth, water.gravity)
@@ -82,11 +95,11 @@ def names_given(scene, names, named):
     named : words asked for one by one
     raises : ValueError if one of these is among them, or a far field where waves are too many
     """
-    method = chosen(scene)
+    method, _, highest = scene.approach
     missing = _lacking(scene, METHODS[method])
     refused = [name for name in named if name in missing]
     far = [word for word in named if word in (*FAR_FIELD, *FAR_FIELD_GROUPS)]
-    if far and (highest := highest_resolved(scene)):
+    if far and highest:
         raise ValueError(
             f"want has {far[0]}, which frequencies above {highest:.4g} rad/s, with more than "
             f"{MOST_WAVES[scene.body.shape]} waves along the body, do not have; leave it or them out"
@@ -110,12 +123,12 @@ def check_method(scene):
         check_gap(scene.body.draft, scene.water.depth)
     if scene.method != "auto" and scene.method not in METHODS:
         raise ValueError(f"method is {scene.method!r}; allowed: auto, {', '.join(METHODS)}")
-    name = chosen(scene)
-    obstacles = _obstacles(scene, METHODS[name])
+    name, bed = scene.approach.method, _raised_bed(scene)
+    obstacles = _obstacles(scene, METHODS[name], bed)
     if scene.panels is not None and not METHODS[name].panels:
         obstacles.append("has no panels: leave panels out, or give a tolerance")
     if obstacles:
-        able = [other for other, method in METHODS.items() if not _obstacles(scene, method)]
+        able = [other for other, method in METHODS.items() if not _obstacles(scene, method, bed)]
         way_out = f"; method {' or '.join(able)} can" if able and "leave" not in obstacles[0] else ""
         raise ValueError(f"method {name} {obstacles[0]}{way_out}")
 
@@ -124,7 +137,7 @@ def _lacking(scene, method):
     """Names of the database that a method does not give for a scene"""
     beside_wall = FAR_FIELD if scene.wall is not None else ()
     deep = method.without_in_deep_water if math.isinf(scene.water.depth) else ()
-    short = FAR_FIELD if method is METHODS["contour"] and highest_resolved(scene) else ()
+    short = FAR_FIELD if method is METHODS["contour"] and scene.approach.highest_resolved else ()
     return method.without + beside_wall + deep + short
 
 
@@ -135,12 +148,12 @@ def _relative_gap(scene):
     return (scene.water.depth - body.draft) / min(body.draft, width)
 
 
-def _obstacles(scene, method):
-    """Why a method cannot represent a scene"""
+def _obstacles(scene, method, bed):
+    """Why a method cannot represent a scene, over the bed (m) that can be raised for it, or None"""
     out = []
     if scene.body.shape not in method.shapes:
         out.append(f"cannot represent a body of shape {scene.body.shape!r}")
-    elif math.isfinite(method.highest_gap) and bed_for_contour(scene) is None:
+    elif math.isfinite(method.highest_gap) and bed is None:
         if math.isinf(scene.water.depth):
             out.append("needs a finite water depth")
         elif _relative_gap(scene) > method.highest_gap:

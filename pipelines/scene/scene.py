@@ -7,15 +7,17 @@ and what is allowed.  Angles are degrees here, as everywhere in this package and
 from __future__ import annotations
 
 import math
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
+from bem.waves import wavenumber
+
 from ..common.typed import read_toml, typed
 from . import products
-from .methods import check_method, chosen, names_given
+from .methods import approach, check_method, names_given
 from .viscous_table import ViscousTable, viscous_of
 
 SHAPES = {"box": ("length", "beam", "draft"), "buoy": ("radius", "draft"), "mesh": ("file",)}
@@ -87,7 +89,7 @@ class Waves(_Table):
     headings_deg: list[float] | Span = msgspec.field(default_factory=lambda: [0.0])
 
 
-class Scene(_Table):
+class Scene(_Table, dict=True):  # where derived quantities are kept
     """tolerance : wanted relative error, or panels : on the whole hull; rotation_center : m
 
     want : names or groups of `pipelines.scene.products`, left out: everything; lid : interior lid against
@@ -130,13 +132,7 @@ class Scene(_Table):
 
     def omegas(self):
         """(n,) rad/s ascending; of a band its ends"""
-        key = next(key for key in FREQUENCY_KEYS if getattr(self.waves, key) is not None)
-        values = np.array(_listed(f"waves.{key}", getattr(self.waves, key)))
-        if key == "periods":
-            values = 2 * np.pi / values
-        elif key == "xi_B":
-            values = np.sqrt(2 * self.water.gravity * values / self._beam())
-        return np.sort(values)
+        return self._omegas
 
     def headings(self):
         """(m,) rad ascending"""
@@ -146,10 +142,31 @@ class Scene(_Table):
         """Names of the database that are wanted."""
         return names_given(self, products.expand(self.want, self.motions_known), self.want or ())
 
+    @cached_property
+    def approach(self):
+        """`pipelines.scene.methods.Approach`: the method that solves the scene, and what it means for it"""
+        return approach(self)
+
     @property
-    def chosen_method(self):
-        """The method that solves the scene"""
-        return chosen(self)
+    def raised_bed(self):
+        """m, of the bed over which the contour method works if it is above the one that there is, else None"""
+        bed = self.approach.bed
+        return bed if bed is not None and bed < self.water.depth else None
+
+    @property
+    def shortest_wave(self):
+        """m, of the highest frequency"""
+        return 2 * math.pi / float(wavenumber(self.omegas()[-1], self.water.depth, self.water.gravity))
+
+    @cached_property
+    def _omegas(self):
+        key = next(key for key in FREQUENCY_KEYS if getattr(self.waves, key) is not None)
+        values = np.array(_listed(f"waves.{key}", getattr(self.waves, key)))
+        if key == "periods":
+            values = 2 * np.pi / values
+        elif key == "xi_B":
+            values = np.sqrt(2 * self.water.gravity * values / self._beam())
+        return np.sort(values)
 
     def _beam(self):
         return self.body.beam if self.body.shape == "box" else 2 * self.body.radius

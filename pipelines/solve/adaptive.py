@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from bem.database import extend, open_database
+from bem.database import open_database
 from bem.database.between_frequencies import FORCES, RADIATION, between
 from bem.database.interpolant import Abscissa, abscissa, chosen
 
@@ -22,21 +22,22 @@ WIDTH = 1.35  # standard deviations; series boxes are wrong by 1.3 to 1.8 of the
 CONTROLLED = (*RADIATION, FORCES[0])
 
 
-def filled_band(scene, output, fill, console):
+def filled_band(scene, file, fill, wider, console):
     """The outcome of all frequencies of the band.
 
-    fill : solves what the file lacks, returning its `pipelines.solve.run.Outcome`
+    file : open database; fill(file) solves what it lacks, returning its `pipelines.solve.run.Outcome`
+    wider(file, omega=…) → the open file with more frequencies
     """
-    outcome = fill()
+    outcome = fill(file)
     while outcome.exit_status == 0:
-        db = open_database(output)
+        db = open_database(file)
         places, error = _estimated(scene, db)
         if console:
             console.print(_told(scene, db, error), highlight=False, markup=False, soft_wrap=True)
         if error <= scene.accuracy or _inside(scene, db.omega) >= MOST:
             break
-        extend(output, omega=_next(scene, db, places, error))
-        after = fill()
+        file = wider(file, omega=_next(scene, db, places, error))
+        after = fill(file)
         outcome = replace(after, solved=outcome.solved + after.solved, jobs=outcome.jobs + after.jobs)
     if outcome.exit_status:
         return outcome

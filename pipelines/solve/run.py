@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-
-import msgspec
-import numpy as np
 
 from bem.database import append, append_limit, create, extend, open_database, pending, writing
 from bem.database.file import check_place, check_replaceable
@@ -17,16 +15,10 @@ from bem.kernels.progress import progress_callback
 
 from ..common.interrupt import ctrl_c
 from ..common.progress import Preparing, Progress
-from ..scene.identity import check_same
-from ..scene.methods import FAR_FIELD, check_method, highest_resolved
-from ..scene.scene import SceneError
-from ..scene.text import to_toml
 from .adaptive import filled_band
-from .hull import Hull, inspected, kochin_angles, make_header, make_hull, remarks_on_body, setup_of
 from .large import announced
+from .plan import KOCHIN, planned, resumed
 from .work import Here, limit_one, solve_one
-
-KOCHIN = {"kochin_radiation", "kochin_diffraction"}
 
 
 @dataclass(frozen=True)
@@ -60,80 +52,50 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
     console : rich console, or None for silence
     Raises ValueError, leaving the file as it was, if scene and file do not go together.
     """
-    output, count = Path(output), getattr(executor, "count", 1)
+    output, executor = Path(output), executor or Here()
     check_place(output)
-    omegas, headings, names = scene.omegas(), scene.headings(), scene.names()
-    if output.exists() and not fresh:
-        header = open_database(output).header
-        check_same(scene, header, output)
-        text, scene = to_toml(scene), _by_the_same_method(scene, header, output)
-        _check_angles(scene, header, output)
-        _check_far_field(scene, output)
-        hull = inspected(Hull(header.mesh, header.lid), scene, omegas)
-        extend(output, omega=omegas, wave_direction=headings, names=names, scene=text)
-        cost = None
-        if pending(output).rows:
-            cost = announced(setup_of(header, scene), len(pending(output).limits), console, count)
-    else:
-        check_replaceable(output)
-        hull = inspected(make_hull(scene, omegas), scene, omegas)
-        header = make_header(scene, hull, omegas)
-        cost = announced(setup_of(header, scene), len(set(LIMITS) & set(names)), console, count)
-        create(output, header, omegas, headings, names)
-    remarks = (*hull.remarks, *remarks_on_body(scene, header.body))
-    if console:
-        console.print(f"{output}: {hull.mesh!r}", highlight=False, markup=False)
-    fill = partial(_fill, output, setup_of(header, scene), header.theta, remarks, executor or Here(), console, cost)
-    return fill() if scene.waves.band is None else filled_band(scene, output, fill, console)
+    with ExitStack() as stack:
+        if output.exists() and not fresh:
+            file = stack.enter_context(writing(output))
+            plan = resumed(scene, file)
+            asked = {"omega": plan.omegas, "wave_direction": plan.headings, "names": plan.names}
+            file = _wider(stack, file, **asked, scene=plan.header.scene)
+            todo = pending(file)
+            cost = _announced(plan, len(todo.limits), executor, console) if todo.rows else None
+        else:
+            check_replaceable(output)
+            plan = planned(scene)
+            cost = _announced(plan, len(set(LIMITS) & set(plan.names)), executor, console)
+            create(output, plan.header, plan.omegas, plan.headings, plan.names)
+            file = stack.enter_context(writing(output))
+        if console:
+            console.print(f"{output}: {plan.header.mesh!r}", highlight=False, markup=False)
+        fill = partial(_fill, plan, executor, console, cost)
+        if plan.scene.waves.band is None:
+            return fill(file)
+        return filled_band(plan.scene, file, fill, partial(_wider, stack), console)
 
 
-def _by_the_same_method(scene, header, output):
-    """The scene with the method of its first frequencies, where it leaves the choice.  Raises SceneError."""
-    if scene.method != "auto":
-        return scene
-    same = msgspec.structs.replace(scene, method=header.attributes["method"])
-    try:
-        check_method(same)
-    except ValueError as error:
-        raise SceneError(
-            f"{output} is by method {same.method} so far, and {str(error).partition(';')[0]}; "
-            "give --fresh to replace it or another --output"
-        ) from None
-    return same
+def _wider(stack, file, **more):
+    """The open file, or the one that has taken its name, with more frequencies, headings and names"""
+    path = Path(file.filename)
+    if not extend(file, **more):
+        return file
+    file.close()
+    return stack.enter_context(writing(path))
 
 
-def _check_angles(scene, header, output):
-    """The angles of the Kochin functions stay what they are; mean drift has its own at every frequency."""
-    db = open_database(output)
-    if not KOCHIN & {*db.names, *scene.names()}:
-        return
-    omegas = np.array([*db.omega, *(row.omega for row in pending(output).rows), *scene.omegas()])
-    needed = len(kochin_angles(scene, header.mesh, omegas))
-    if needed > len(header.theta):
-        raise SceneError(
-            f"{output} has Kochin functions at {len(header.theta)} angles, "
-            f"ω = {omegas.max():.4g} rad/s needs {needed}; give --fresh to replace it or another --output"
-        )
+def _announced(plan, limits, executor, console):
+    return announced(plan.setup, limits, console, getattr(executor, "count", 1))
 
 
-def _check_far_field(scene, output):
-    """Frequencies that have no far field cannot go into a file with one.  Raises SceneError."""
-    stored = [name for name in FAR_FIELD if name in open_database(output).names]
-    if stored and (highest := highest_resolved(scene)):
-        raise SceneError(
-            f"{output} has {stored[0]}, which frequencies above {highest:.4g} rad/s, with too many waves along the "
-            "body, do not have; leave them out or give another --output"
-        )
-
-
-def _fill(output, setup, theta, remarks, executor, console, cost):
-    todo = pending(output)
+def _fill(plan, executor, console, cost, file):
+    todo, before = pending(file), int(open_database(file).rows.sum())
     failures, interrupted = [], False
-    before = int(open_database(output).rows.sum())
     say = partial(console.print, highlight=False) if console else lambda text: None
     preparing = Preparing(console, cost) if console and cost and isinstance(executor, Here) else None
-    with writing(output) as file, ctrl_c(say) as stop, progress_callback(preparing):
-        jobs = [*_rows(file, setup, todo.rows, theta), *_limits(file, setup, todo.limits)]
+    jobs = [*_rows(file, plan, todo.rows), *_limits(file, plan, todo.limits)]
+    with ctrl_c(say) as stop, progress_callback(preparing):
         progress = Progress(console, len(jobs)) if console else None
         try:
             for job, result in _results(executor, jobs):
@@ -147,9 +109,11 @@ def _fill(output, setup, theta, remarks, executor, console, cost):
         except KeyboardInterrupt:
             interrupted = True
             executor.shutdown(wait=False, cancel_futures=True)
-    rows = open_database(output).rows
-    stored, jobs = int(rows.sum()), len(todo.rows) + len(todo.limits)
-    return Outcome(output, stored - before, stored, len(rows), jobs, tuple(failures), tuple(remarks), interrupted)
+    db = open_database(file)
+    stored = int(db.rows.sum())
+    return Outcome(
+        db.path, stored - before, stored, len(db.rows), len(jobs), tuple(failures), plan.remarks, interrupted
+    )
 
 
 @dataclass(frozen=True)
@@ -161,15 +125,16 @@ class Job:
     store: Callable
 
 
-def _rows(file, setup, rows, theta):
+def _rows(file, plan, rows):
     for row in rows:
-        call = (solve_one, setup, row.omega, row.headings, row.want, theta if row.want & KOCHIN else None)
+        theta = plan.header.theta if row.want & KOCHIN else None
+        call = (solve_one, plan.setup, row.omega, row.headings, row.want, theta)
         yield Job(row.omega, call, partial(_store_row, file, row))
 
 
-def _limits(file, setup, names):
+def _limits(file, plan, names):
     for name in names:
-        yield Job(name, (limit_one, setup, name), partial(append_limit, file, name))
+        yield Job(name, (limit_one, plan.setup, name), partial(append_limit, file, name))
 
 
 def _store_row(file, row, result):

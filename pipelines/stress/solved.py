@@ -13,7 +13,7 @@ from bem.methods.panel_setup import prepare
 
 from ..scene.methods import METHODS
 from ..scene.scene import make_scene
-from ..solve.hull import inspected, make_header, make_hull, setup_of
+from ..solve.plan import planned
 
 QUANTITIES = ("added_mass", "radiation_damping", "excitation_force")
 
@@ -45,14 +45,13 @@ class Solved:
 def solved(scene, method="auto", tolerance=0.01):
     """`Solved` of a `StressScene`.  Raises what the commands report: ValueError, FloatingPointError."""
     checked = make_scene(scene.tables(method, tolerance))
-    omegas, names = checked.omegas(), set(checked.names()) - set(LIMITS)
-    hull = inspected(make_hull(checked, omegas), checked, omegas)
-    header = make_header(checked, hull, omegas)
-    prepared = prepare(setup_of(header, checked))
+    plan = planned(checked)
+    prepared, omega, names = prepare(plan.setup), plan.omegas[0], set(plan.names) - set(LIMITS)
     # the order in which they were drawn, not the ascending one of a database
-    result = solve_frequency(prepared, omegas[0], np.radians(scene.headings), names, header.theta)
-    panels = hull.mesh.total if METHODS[checked.chosen_method].panels else 0
-    return scaled(checked.chosen_method, panels, prepared, omegas[0], result)
+    result = solve_frequency(prepared, omega, np.radians(scene.headings), names, plan.header.theta)
+    chosen = checked.approach.method
+    panels = plan.header.mesh.total if METHODS[chosen].panels else 0
+    return scaled(chosen, panels, prepared, omega, result)
 
 
 def scaled(method, panels, prepared, omega, result):

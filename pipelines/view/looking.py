@@ -112,7 +112,7 @@ def _meshes(source):
     if isinstance(source, Scene):
         from ..solve.hull import make_hull
 
-        hull = make_hull(source, source.omegas())
+        hull = make_hull(source)
         return hull.mesh, hull.lid, source.water.depth
     return source.mesh, source.lid, source.water_depth
 

@@ -20,8 +20,8 @@ from bem.methods.panel_setup import prepare
 from bem.time_domain.retardation import from_database, retardation
 from bem.time_domain.state_space import state_space
 from pipelines.scene.scene import make_scene
-from pipelines.solve.hull import setup_of
 from pipelines.solve.run import solve
+from pipelines.solve.setup import setup_of
 
 TOLERANCE, TIMES = 0.005, np.arange(0, 300.01, 0.1)
 NAMES = ("added_mass", "radiation_damping", "excitation_force")

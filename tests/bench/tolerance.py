@@ -28,7 +28,7 @@ from bem.checks import excitation_scale, largest_error, radiation_scale
 from bem.methods.panel_setup import prepare
 from bem.methods.shape_setup import ShapeSetup
 from pipelines.scene.scene import make_scene
-from pipelines.solve.hull import make_header, make_hull, setup_of
+from pipelines.solve.plan import planned
 
 BEAM, GRAVITY = 50.0, 9.80665
 FLOOR = 1e-8
@@ -124,8 +124,7 @@ def solved(scene):
         "want": list(WANT),
     }
     made = make_scene(raw)
-    hull = make_hull(made, made.omegas())
-    prepared = prepare(setup_of(make_header(made, hull, made.omegas()), made))
+    prepared = prepare(planned(made).setup)
     return prepared.run(scene.omega, made.headings(), WANT, None, DOFS), prepared
 
 

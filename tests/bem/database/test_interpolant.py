@@ -11,8 +11,8 @@ from bem.database.interpolant import FAMILY, NUGGET, Abscissa, Interpolant, _lef
 from bem.methods.panel_setup import prepare
 from bem.waves import wavenumber
 from pipelines.scene.scene import make_scene
-from pipelines.solve.hull import setup_of
 from pipelines.solve.run import solve
+from pipelines.solve.setup import setup_of
 
 LENGTH, GRAVITY = 100.0, 9.80665
 

@@ -7,7 +7,7 @@ import pytest
 
 from bem.database import open_database
 from pipelines.scene.scene import SceneError, make_scene
-from pipelines.solve.hull import make_header, make_hull, setup_of
+from pipelines.solve.plan import planned
 from pipelines.solve.run import solve
 
 BUOY = {"shape": "buoy", "radius": 30.0, "draft": 6.0}
@@ -21,12 +21,12 @@ def scene(omegas=SHORT, body=BUOY, depth=np.inf, **more):
 
 
 def setup(made):
-    return setup_of(make_header(made, make_hull(made, made.omegas()), made.omegas()), made)
+    return planned(made).setup
 
 
 def test_short_waves_alone_over_deep_water_take_the_contour_method():
-    assert scene().chosen_method == "contour" and scene(method="contour").chosen_method == "contour"
-    assert scene(depth=5000.0).chosen_method == "contour"
+    assert scene().approach.method == "contour" and scene(method="contour").approach.method == "contour"
+    assert scene(depth=5000.0).approach.method == "contour"
 
 
 @pytest.mark.parametrize(
@@ -42,7 +42,7 @@ def test_short_waves_alone_over_deep_water_take_the_contour_method():
     ids=lambda changes: next(iter(changes)),
 )
 def test_panels_stay_where_a_raised_bed_is_not_for(changes):
-    assert scene(**changes).chosen_method == "panel"
+    assert scene(**changes).approach.method == "panel"
 
 
 def test_the_bed_depends_on_body_and_tolerance_alone_and_is_never_below_the_real_one():
@@ -108,7 +108,7 @@ def test_short_waves_added_to_a_database_by_panels_stay_with_them(tmp_path):
     body, path = {"shape": "buoy", "radius": 5.0, "draft": 4.0}, tmp_path / "panels.h5"
     assert solve(scene([0.8], body, want=["added_mass"], tolerance=0.1), path).exit_status == 0
     alone = scene([2.6], body, want=["added_mass"], tolerance=0.1)
-    assert alone.chosen_method == "contour"
+    assert alone.approach.method == "contour"
     solve(alone, path)
     db = open_database(path)
     assert db.attributes["method"] == "panel" and "raised_bed" not in db.attributes

@@ -9,8 +9,9 @@ from bem.methods.panel_setup import prepare
 from bem.methods.shape_setup import ShapeSetup
 from meshing.shapes import box
 from pipelines.scene.scene import make_scene
-from pipelines.solve.hull import coarse_hull, make_header, make_hull, setup_of
+from pipelines.solve.hull import coarse_hull, make_hull
 from pipelines.solve.panel_counts import coarse_counts, counts_of, fine_counts, meshed, panels_for
+from pipelines.solve.plan import planned
 
 BODIES = {
     "series box": {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0},
@@ -47,9 +48,9 @@ def test_boxes_longer_than_those_that_were_measured_take_as_many_panels_as_the_l
 def test_a_long_box_that_rolls_without_moving_much_water_keeps_the_tolerance_in_roll():
     size, depth, omega = (350.0, 50.0, 21.2), 37.5, 0.032
     body = dict(zip(("length", "beam", "draft"), size, strict=True))
-    scene = scene_of({"shape": "box", **body}, water={"depth": depth}, tolerance=0.01)
-    hull = make_hull(scene, [omega])
-    panels = setup_of(make_header(scene, hull, [omega]), scene)
+    waves = {"omegas": [omega]}
+    scene = scene_of({"shape": "box", **body}, water={"depth": depth}, tolerance=0.01, waves=waves)
+    panels = planned(scene).setup
     exact = ShapeSetup(method="contour", shape="box", sizes=size, depth=depth, tolerance=1e-5)
     runs = (prepare(setup).run(omega, [0.0], ("added_mass",), None, DOFS[3:4]) for setup in (panels, exact))
     found, true = (run.result()["added_mass"][3, 3] for run in runs)
@@ -82,14 +83,14 @@ def test_the_coarse_mesh_has_about_half_the_panels_in_the_same_proportion(body, 
 
 def test_a_mesh_too_coarse_to_be_halved_has_no_estimate():
     few = scene_of(BODIES["series box"], panels=48)
-    assert coarse_hull(few, make_hull(few, few.omegas()).mesh) is None
+    assert coarse_hull(few, make_hull(few).mesh) is None
     more = scene_of(BODIES["series box"], panels=104)
-    mesh, lid = coarse_hull(more, make_hull(more, more.omegas()).mesh)
+    mesh, lid = coarse_hull(more, make_hull(more).mesh)
     assert mesh.total < 104 and lid is not None
 
 
 def test_the_counts_of_an_asked_number_of_panels_are_those_of_its_mesh():
     scene = scene_of(BODIES["series box"], panels=300)
-    mesh = make_hull(scene, scene.omegas()).mesh
+    mesh = make_hull(scene).mesh
     same = box(100.0, 50.0, 10.0, counts=counts_of(scene.body, mesh))
     np.testing.assert_allclose(np.sort(same.points, axis=0), np.sort(mesh.points, axis=0), atol=1e-6)

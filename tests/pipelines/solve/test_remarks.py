@@ -4,7 +4,9 @@ import pytest
 
 from meshing.shapes import box
 from pipelines.scene.scene import make_scene
-from pipelines.solve.hull import Hull, body_properties, inspected, remarks_on_body
+from pipelines.solve.header import make_header
+from pipelines.solve.hull import Hull
+from pipelines.solve.remarks import remarks as remarks_on
 
 MESH = box(100, 50, 10, panels=60)
 
@@ -18,8 +20,8 @@ def remarks(want=None, density=1025.0, gyration=None, **more):
         **more,
     }
     scene = make_scene(raw if want is None else {**raw, "want": want})
-    found = inspected(Hull(MESH, None), scene, scene.omegas()).remarks
-    return [*found, *remarks_on_body(scene, body_properties(scene, MESH))]
+    hull = Hull(MESH, None)
+    return remarks_on(scene, hull, make_header(scene, hull).body)
 
 
 @pytest.mark.parametrize(

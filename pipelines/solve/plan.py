@@ -1,0 +1,107 @@
+"""All that is decided before a frequency is solved: once, from a scene and from the header of its database."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import msgspec
+import numpy as np
+
+from bem.body import Body
+from bem.database import open_database, pending
+from bem.database.file import Header
+from bem.waves import wavenumber
+
+from ..scene.identity import check_same
+from ..scene.methods import FAR_FIELD, check_method
+from ..scene.scene import Scene, SceneError
+from ..scene.text import to_toml
+from .header import kochin_angles, make_header
+from .hull import make_hull, stored_hull
+from .remarks import remarks
+from .setup import setup_of
+
+KOCHIN = {"kochin_radiation", "kochin_diffraction"}
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """What a run solves, and with what.
+
+    scene : with the method that solves it (`scene.approach`)
+    omegas : (n,) rad/s and headings : (m,) rad, ascending; names : of the database, wanted
+    header : of the database, with the mesh, the lid, the body at rest and the scene as text
+    setup : what the solver takes; remarks : for the reader, one line each
+    """
+
+    scene: Scene
+    omegas: np.ndarray
+    headings: np.ndarray
+    names: tuple[str, ...]
+    header: Header
+    setup: Body
+    remarks: tuple[str, ...]
+
+
+def planned(scene):
+    """`Plan` of a scene for a new database.  Raises SceneError if it cannot be solved."""
+    hull = make_hull(scene)
+    return _plan(scene, hull, make_header(scene, hull))
+
+
+def resumed(scene, file):
+    """`Plan` of a scene for a database, given by its path or open, which it does not change.
+
+    Raises SceneError if they do not go together, or the scene cannot be solved.
+    """
+    db = open_database(file)
+    check_same(scene, db.header, db.path)
+    header = replace(db.header, scene=to_toml(scene))
+    scene = _by_the_same_method(scene, header, db.path)
+    _check_angles(scene, db, pending(file))
+    _check_far_field(scene, db)
+    return _plan(scene, stored_hull(scene, header), header)
+
+
+def _plan(scene, hull, header):
+    asked = scene.omegas(), scene.headings(), scene.names()
+    return Plan(scene, *asked, header, setup_of(header, scene), remarks(scene, hull, header.body))
+
+
+def _by_the_same_method(scene, header, output):
+    """The scene with the method of its first frequencies, where it leaves the choice.  Raises SceneError."""
+    if scene.method != "auto":
+        return scene
+    same = msgspec.structs.replace(scene, method=header.attributes["method"])
+    try:
+        check_method(same)
+    except ValueError as error:
+        raise SceneError(
+            f"{output} is by method {same.method} so far, and {str(error).partition(';')[0]}; "
+            "give --fresh to replace it or another --output"
+        ) from None
+    return same
+
+
+def _check_angles(scene, db, lacking):
+    """The angles of the Kochin functions stay what they are; mean drift has its own at every frequency."""
+    if not KOCHIN & {*db.names, *scene.names()}:
+        return
+    highest = max([*db.omega, *(row.omega for row in lacking.rows), *scene.omegas()])
+    wave = 2 * np.pi / float(wavenumber(highest, scene.water.depth, scene.water.gravity))
+    needed = len(kochin_angles(scene, db.mesh, wave))
+    if needed > len(db.header.theta):
+        raise SceneError(
+            f"{db.path} has Kochin functions at {len(db.header.theta)} angles, "
+            f"ω = {highest:.4g} rad/s needs {needed}; give --fresh to replace it or another --output"
+        )
+
+
+def _check_far_field(scene, db):
+    """Frequencies that have no far field cannot go into a file with one.  Raises SceneError."""
+    stored, highest = [name for name in FAR_FIELD if name in db.names], scene.approach.highest_resolved
+    if stored and highest:
+        raise SceneError(
+            f"{db.path} has {stored[0]}, which frequencies above {highest:.4g} rad/s, with too many waves along the "
+            "body, do not have; leave them out or give another --output"
+        )

@@ -1,0 +1,100 @@
+"""What a run remarks on its scene before it starts, one line each: doubtful numbers, and what is left out."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.contour.raised_bed import effect_of_bed
+from bem.contour.short_waves import MOST_WAVES
+from bem.database.schema import NEEDS_MOTION
+
+from ..scene.methods import names_given
+from ..scene.products import expand
+from .hull import panels_matter
+
+DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Sea
+
+
+def remarks(scene, hull, body):
+    """Remarks on mesh and lid or on the waves, on water, mass and stability, and on motions that are left out.
+
+    hull : `pipelines.solve.hull.Hull`; body : as from `pipelines.solve.header.body_properties`
+    """
+    lid_or_waves = _lid_remarks(hull.lid, scene.shortest_wave) if panels_matter(scene) else _wave_remarks(scene)
+    return (
+        *hull.findings,
+        *lid_or_waves,
+        *_size_remarks(scene, hull.mesh),
+        *_density_remarks(scene.water.density),
+        *_body_remarks(scene, body),
+        *_motion_remarks(scene),
+    )
+
+
+def _body_remarks(scene, body):
+    displaced = scene.water.density * body["displaced_volume"]
+    if abs(body["mass"] / displaced - 1) > 0.01:
+        yield (
+            f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; "
+            "allowed where lines or moorings carry the difference"
+        )
+    for name in ("transverse", "longitudinal"):
+        height = body[f"{name}_metacentric_height"]
+        if height <= 0:
+            yield f"{name} metacentric height {height:.4g} m is not positive: the body capsizes"
+
+
+def _density_remarks(density):
+    low, high = DENSITIES
+    if not low <= density <= high:
+        yield f"density {density:g} kg/m³ is not that of water, {low:g} to {high:g} kg/m³; check its unit (--density)"
+
+
+def _motion_remarks(scene):
+    """What would be there if the inertia were known"""
+    if scene.motions_known:
+        return
+    wanted = names_given(scene, expand(scene.want, motions_known=True), ())
+    lacking = [name for name in NEEDS_MOTION if name in wanted]
+    if lacking:
+        words = "are left out: they need" if len(lacking) > 1 else "is left out: it needs"
+        yield f"{' and '.join(lacking)} {words} the radii of gyration (--gyration)"
+
+
+def _size_remarks(scene, mesh):
+    """No body has mass farther from its middle than it is long."""
+    if scene.body.gyration is None:
+        return
+    largest = float(np.ptp(mesh.whole().vertices.reshape(-1, 3), axis=0).max())
+    longest = max(scene.body.gyration)
+    if longest > largest:
+        yield (
+            f"radius of gyration {longest:g} m is larger than the largest dimension of the wetted body, "
+            f"{largest:.4g} m; check its unit (--gyration)"
+        )
+
+
+def _lid_remarks(lid, wave):
+    """The lid of a database that is extended to shorter waves stays what it was."""
+    largest = 0.0 if lid is None else lid.sizes.max()
+    if largest > wave / 3:
+        yield (
+            f"lid panels up to {largest:.3g} m are coarse for the shortest wave {wave:.3g} m; "
+            f"good: ≤ {wave / 3:.3g} m (a third); --fresh makes them anew"
+        )
+
+
+def _wave_remarks(scene):
+    """Of methods without panels, in short waves"""
+    if scene.raised_bed is not None:
+        effect = effect_of_bed(scene.body.shape, tuple(scene.dimensions.values()), scene.raised_bed)
+        yield (
+            f"waves too short to feel a bed at {scene.raised_bed:.4g} m: the contour method works over one, whose "
+            f"effect, at most {100 * effect:.2g} %, is in the estimated errors; added mass at the limits is by panels"
+        )
+    highest = scene.approach.highest_resolved
+    if highest:
+        yield (
+            f"above {highest:.4g} rad/s more than {MOST_WAVES[scene.body.shape]} waves along the body are answered as "
+            "far shorter than its walls, within the estimated errors; kochin and drift are left out"
+        )
