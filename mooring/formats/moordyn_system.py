@@ -14,7 +14,7 @@ import numpy as np
 from bem import DOFS
 
 from ..lines.system.graph import System
-from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
+from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, UniformLine
 from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
 from .moordyn_rows import BodyRow, LineRow, LineTypeRow, PointRow
@@ -36,7 +36,7 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file") -> System:
     points = [_point(row, file.bodies, path) for row in file.points]
     if any(isinstance(point, Fairlead) and point.body == VESSEL for point in points):
         bodies.insert(0, Body(VESSEL))
-    lines = [SystemLine(row.id, types[row.type], row.length, _end(row.a), _end(row.b), friction) for row in file.lines]
+    lines = [UniformLine(row.id, types[row.type], row.length, _end(row.a), _end(row.b), friction) for row in file.lines]
     return System(depth, lines, points, bodies, density, gravity)
 
 

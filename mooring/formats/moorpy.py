@@ -15,7 +15,7 @@ import numpy as np
 from meshing.text_files import read_text
 
 from ..lines.system.graph import System
-from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
+from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, UniformLine
 from .fault import FormatError
 from .moordyn_system import read_moordyn_system
 from .yaml_text import parse_yaml
@@ -113,4 +113,4 @@ def _line(row, types, path):
     if str(row.get("type")) not in types:
         raise FormatError(f"{path}: type of {where} is {row.get('type')!r}; allowed: {', '.join(types)}")
     length = _number(row, ("length",), path, where)
-    return SystemLine(row["name"], types[str(row["type"])], length, str(row.get("endA")), str(row.get("endB")))
+    return UniformLine(row["name"], types[str(row["type"])], length, str(row.get("endA")), str(row.get("endB")))

@@ -16,56 +16,67 @@ from functools import cached_property
 import numpy as np
 
 from ..environment.between_waves import motion_amplitudes
-from ..equilibrium import Equilibrium, displaced, find_equilibrium, mooring_load
-from ..layout import Layout
-from ..lines.catenary.solve import LineSolution
+from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
+from ..lines.system.graph import LineForces, System
+from ..lines.system.parts import Anchor, Fairlead
 from .conditions import Conditions
-from .multi_point_findings import findings
+from .multi_point_findings import HORIZONTAL, findings
 from .natural_periods import NaturalPeriods, natural_periods
 from .steady_loads import steady_loads, with_coefficients
+
+PLANE = [0, 1, 5]
 
 
 @dataclass(frozen=True)
 class MultiPoint:
-    """Result of a study; per-line arrays follow the layout.
+    """Result of a study; per-line arrays follow the lines of the system.
 
     at_rest, at_equilibrium : natural periods without and with the steady forces
     loads : {"wind", "current", "drift": (3,)} N, N, N m about the rotation centre
-    rest, extreme : lines at rest and at the largest displacement; `equilibrium` has them under steady forces
+    rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : lines at their largest
     amplitudes : (6,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead
     """
 
-    layout: Layout
+    system: System
     conditions: Conditions
     allowable: float
     at_rest: NaturalPeriods
     at_equilibrium: NaturalPeriods
     loads: dict
-    rest: LineSolution
-    equilibrium: Equilibrium
+    rest: SystemEquilibrium
+    equilibrium: SystemEquilibrium
     amplitudes: np.ndarray
     outward: np.ndarray
     upward: np.ndarray
-    extreme: LineSolution
+    extreme: LineForces
     warnings: tuple[str, ...]
 
     def __repr__(self):
         worst = int(np.argmax(self.tension))
         return (
-            f"<MultiPoint {len(self.layout)} lines, largest tension {self.tension[worst]:.4g} N "
-            f"in {self.layout.names[worst]}, {self.utilisation.max():.3g} of breaking load>"
+            f"<MultiPoint {len(self.system.lines)} lines, largest tension {self.tension[worst]:.4g} N "
+            f"in {self.system.line_names[worst]}, {self.utilisation.max():.3g} of breaking load>"
         )
+
+    @cached_property
+    def steady_force(self):
+        """(3,) N, N, N m, sum of the steady loads"""
+        return sum(self.loads.values(), np.zeros(3))
+
+    @cached_property
+    def displacement(self):
+        """(3,) m, m, rad: surge, sway and yaw of the body under the steady forces"""
+        return (self.equilibrium.position - self.rest.position)[0, PLANE]
 
     @cached_property
     def tension(self):
         """(n,) N, largest at each fairlead"""
-        return self.extreme.tension_fairlead
+        return self.extreme.tension_b
 
-    @cached_property
+    @property
     def utilisation(self):
         """(n,) largest tension over breaking load; infinite beyond reach, 0 where no breaking load is given"""
-        finite = np.where(np.isfinite(self.tension), self.tension, 0.0)
-        return np.where(np.isfinite(self.tension), finite / self.layout.breaking_load, np.inf)
+        return self.extreme.utilisation
 
     @cached_property
     def acceptable(self):
@@ -73,74 +84,101 @@ class MultiPoint:
         return bool(np.all(self.utilisation <= self.allowable))
 
 
-def multi_point(db, layout, hull, conditions, depth, allowable=0.4) -> MultiPoint:
+def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
     """Study of a body, its stored wave database `db`, and its lines.
 
-    depth : m, water depth of the study; allowable : fraction of the breaking load
+    system : of one body whose axes have their origin at the rotation centre of `db`, and of lines from anchors to it,
+        as `lines.system.moored_body` makes one; allowable : fraction of the breaking load
     raises : ValueError naming what does not fit or has no solution
     """
-    _check(db, layout, hull, depth, allowable)
-    conditions = with_coefficients(conditions, hull, depth)
-    center = np.asarray(db.rotation_center, float)
-    rest = mooring_load(layout, (0.0, 0.0, 0.0), center, "raise")
-    at_rest = _periods(db, rest.stiffness)
-    loads = steady_loads(db, hull, conditions, depth)
-    equilibrium = find_equilibrium(layout, sum(loads.values(), np.zeros(3)), center)
-    at_equilibrium = _periods(db, equilibrium.stiffness)
+    _check(db, system, hull, allowable)
+    conditions = with_coefficients(conditions, hull, system.depth)
+    body = system.bodies[0].name
+    at_rest = rest(held_at(system, {body: system.bodies[0].position}))
+    periods_at_rest = _periods(db, at_rest.stiffness)
+    loads = steady_loads(db, hull, conditions, system.depth)
+    x, y, turn = sum(loads.values(), np.zeros(3))
+    equilibrium = rest(system.with_loads({body: (x, y, 0.0, 0.0, 0.0, turn)}))
     amplitudes = np.zeros(6)
     if conditions.waves:
         w = conditions.waves
         amplitudes = motion_amplitudes(db, w.height, w.period, w.direction)
-    outward, upward = fairlead_displacements(layout, equilibrium, amplitudes, center)
-    moved = equilibrium.points + np.column_stack([outward[:, None] * equilibrium.outward, upward])
-    extreme, _ = layout.solve(moved)
+    outward, upward = fairlead_displacements(equilibrium, amplitudes)
+    anchors, fairleads = line_ends(equilibrium)
+    moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
     result = MultiPoint(
-        layout,
+        system,
         conditions,
         allowable,
-        at_rest,
-        at_equilibrium,
+        periods_at_rest,
+        _periods(db, equilibrium.stiffness),
         loads,
-        rest.lines,
+        at_rest,
         equilibrium,
         amplitudes,
         outward,
         upward,
-        extreme,
+        system.forces_between(anchors, moved),
         (),
     )
     return replace(result, warnings=tuple(findings(result, db)))
 
 
-def fairlead_displacements(layout, equilibrium, amplitudes, center):
+def line_ends(state):
+    """Anchors and fairleads of the lines of a SystemEquilibrium, (n, 3) m in space each"""
+    ends = state.system.arrays.ends
+    return state.points[ends[:, 0]], state.points[ends[:, 1]]
+
+
+def outward_directions(state):
+    """(n, 2) unit vectors from anchor to fairlead; a line above its anchor has no direction and is given +x"""
+    anchors, fairleads = line_ends(state)
+    away = (fairleads - anchors)[:, :2]
+    span = np.hypot(*away.T)[:, None]
+    return np.where(span > 0, away / np.where(span > 0, span, 1.0), [1.0, 0.0])
+
+
+def fairlead_displacements(state, amplitudes):
     """Largest displacement of each fairlead outward along its line and upward, all modes in phase: two (n,) m.
 
     Σⱼ |Dⱼ| Xⱼ with Dⱼ the displacement per unit of mode j; signs are chosen for each line and direction.
-    The sum is an upper bound of the displacement; how far it is above depends on `center`, to which the motions refer.
+    The sum is an upper bound of the displacement; how far it is above depends on the origin of the body's axes, to
+    which the motions refer.
     """
-    moved = displaced(np.asarray(center)[None, :], equilibrium.position, center)[0]
-    arm = equilibrium.points - moved
+    arm = line_ends(state)[1] - state.pose.place[0]
     turns = np.stack([np.cross(axis, arm) for axis in np.eye(3)])
     shifts = np.broadcast_to(np.eye(3)[:, None, :], (3, *arm.shape))
     modes = np.concatenate([shifts, turns])
-    along = np.einsum("jni,ni->jn", modes[..., :2], equilibrium.outward)
+    along = np.einsum("jni,ni->jn", modes[..., :2], outward_directions(state))
     return np.abs(along).T @ amplitudes, np.abs(modes[..., 2]).T @ amplitudes
 
 
-def _check(db, layout, hull, depth, allowable):
+def _check(db, system, hull, allowable):
     for name in ("length", "beam", "draft", "freeboard"):
         if not 0 < getattr(hull, name) < np.inf:
             raise ValueError(f"hull {name} is {getattr(hull, name):g} m; allowed: above 0")
+    depth = system.depth
     if not abs(depth - db.water_depth) <= 1e-6 * depth:
         raise ValueError(f"the study is for {depth:g} m of water, its database for {db.water_depth:g} m")
-    low = layout.anchors[:, 2]
-    if np.any(np.abs(low + depth) > 1e-6 * depth):
-        worst = int(np.argmax(np.abs(low + depth)))
-        raise ValueError(f"line {layout.names[worst]}: anchor z = {low[worst]:g} m; allowed: the bed at {-depth:g} m")
     if not 0 < allowable <= 1:
         raise ValueError(f"allowable fraction is {allowable:g}; allowed: above 0, at most 1")
     if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
         raise ValueError("the database has no inertia of the body; give --gyration kxx,kyy,kzz and solve again")
+    _check_body(system, np.asarray(db.rotation_center, float))
+
+
+def _check_body(system, center):
+    if len(system.bodies) != 1:
+        raise ValueError(f"the system has {len(system.bodies)} bodies; allowed: one")
+    body, points = system.bodies[0], {point.name: point for point in system.points}
+    if not np.allclose(body.position, [*center, 0, 0, 0], rtol=0, atol=1e-9) or body.freedom != HORIZONTAL:
+        raise ValueError(
+            f"body {body.name} has its axes at {body.position} and moves in {', '.join(body.freedom) or 'nothing'}; "
+            f"allowed: at the rotation centre {center}, unturned, moving in {', '.join(HORIZONTAL)}"
+        )
+    for line in system.lines:
+        if not (isinstance(points[line.a], Anchor) and isinstance(points[line.b], Fairlead)):
+            raise ValueError(f"line {line.name} runs from {line.a} to {line.b}; allowed: from an anchor to the body")
 
 
 def _periods(db, stiffness):

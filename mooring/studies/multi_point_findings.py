@@ -107,7 +107,7 @@ def _held(periods):
 
 
 def _outside_the_method(result, depth):
-    turn = abs(result.equilibrium.position[2])
+    turn = abs(result.displacement[2])
     if turn > TURNED:
         yield (
             f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: they and the motions are those "
@@ -121,15 +121,15 @@ def _outside_the_method(result, depth):
 
 
 def _line_findings(result):
-    names, lines = np.array(result.layout.names), result.extreme
-    rest, mean = result.rest, result.equilibrium.lines
+    names, lines = np.array(result.system.line_names), result.extreme
+    rest, mean = result.rest.lines, result.equilibrium.lines
     beyond = lines.status == State.BEYOND_REACH
     groups = (
         (rest.status == State.SLACK, "slack at rest"),
         ((mean.status == State.SLACK) & (rest.status != State.SLACK), "slack under the steady forces"),
-        ((mean.vertical_anchor > 0) & ~beyond, "lifting the anchor under the steady forces"),
+        ((mean.vertical_a < 0) & ~beyond, "lifting the anchor under the steady forces"),
         (
-            (lines.vertical_anchor > 0) & (mean.vertical_anchor <= 0) & ~beyond,
+            (lines.vertical_a < 0) & (mean.vertical_a >= 0) & ~beyond,
             "lifting the anchor at the largest tension",
         ),
         (beyond, "beyond reach at the largest displacement: an inextensible line cannot follow, give its EA"),

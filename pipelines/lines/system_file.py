@@ -12,7 +12,7 @@ from pathlib import Path
 import msgspec
 
 from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, SystemLine
+from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, UniformLine
 
 from ..common.line_types import LineType as TypeTable
 from ..common.line_types import line_properties
@@ -138,4 +138,4 @@ def _line(line, table, kinds):
     if line.type not in kinds:
         raise StudyError(f"line {line.name}: type is {line.type!r}; allowed: {', '.join(kinds)}")
     friction = table.types[line.type].bed_friction
-    return SystemLine(line.name, kinds[line.type], line.length, line.start, line.end, friction)
+    return UniformLine(line.name, kinds[line.type], line.length, line.start, line.end, friction)

@@ -9,6 +9,7 @@ import numpy as np
 
 from bem import DOFS
 from bem.database.file import has_schema
+from mooring.studies.multi_point import PLANE, line_ends, multi_point
 
 from ..common.outputs import check_output
 from ..common.units import TONF
@@ -16,21 +17,21 @@ from .study import read_study
 
 SCHEMA = "hakobune mooring study 1"
 LINE_QUANTITIES = {
-    "pretension": ("N", lambda r: r.rest.tension_fairlead),
-    "horizontal_pretension": ("N", lambda r: r.rest.horizontal_fairlead),
-    "static_tension": ("N", lambda r: r.equilibrium.lines.tension_fairlead),
+    "pretension": ("N", lambda r: r.rest.lines.tension_b),
+    "horizontal_pretension": ("N", lambda r: r.rest.lines.horizontal_b),
+    "static_tension": ("N", lambda r: r.equilibrium.lines.tension_b),
     "maximum_tension": ("N", lambda r: r.tension),
     "utilisation": ("1", lambda r: r.utilisation),
-    "maximum_vertical_anchor_force": ("N", lambda r: r.extreme.vertical_anchor),
-    "maximum_horizontal_anchor_force": ("N", lambda r: r.extreme.horizontal_anchor),
-    "grounded_length_at_rest": ("m", lambda r: r.rest.grounded_length),
+    "maximum_vertical_anchor_force": ("N", lambda r: -r.extreme.vertical_a),
+    "maximum_horizontal_anchor_force": ("N", lambda r: r.extreme.horizontal_a),
+    "grounded_length_at_rest": ("m", lambda r: r.rest.lines.grounded_length),
     "grounded_length_at_maximum": ("m", lambda r: r.extreme.grounded_length),
     "fairlead_outward": ("m", lambda r: r.outward),
     "fairlead_upward": ("m", lambda r: r.upward),
-    "breaking_load": ("N", lambda r: r.layout.breaking_load),
-    "length": ("m", lambda r: r.layout.length),
-    "anchor": ("m", lambda r: r.layout.anchors),
-    "fairlead": ("m", lambda r: r.layout.fairleads),
+    "breaking_load": ("N", lambda r: r.system.breaking_load),
+    "length": ("m", lambda r: [line.length for line in r.system.lines]),
+    "anchor": ("m", lambda r: line_ends(r.rest)[0]),
+    "fairlead": ("m", lambda r: line_ends(r.rest)[1]),
 }
 
 
@@ -41,19 +42,18 @@ def moor(study_path, database_path, output_path=None, quiet=False):
     raises : ValueError, one line, before anything is written
     """
     from bem.database import open_database
-    from mooring.studies.multi_point import multi_point
 
     study, text = read_study(study_path)
     db = open_database(database_path)
     hull = study.hull_of(db.dimensions)
-    layout = study.layout(hull)
+    system = study.system(hull, db.rotation_center, db.density, db.gravity)
     output = None if output_path is None else _checked_output(Path(output_path), study_path, database_path)
-    result = multi_point(db, layout, hull, study.conditions(), study.water.depth, study.allowable)
+    result = multi_point(db, system, hull, study.conditions(), study.allowable)
     if output is not None:
         _write(output, result, text, Path(database_path))
         from .plan_picture import draw_plan
 
-        draw_plan(result, hull, output.with_name(output.stem + "_plan.png"), db.rotation_center)
+        draw_plan(result, hull, output.with_name(output.stem + "_plan.png"))
     if not quiet:
         _show(result, study, output)
     return result
@@ -76,8 +76,8 @@ def _write(output, result, text, database):
         file.attrs["database_sha256"] = hashlib.sha256(database.read_bytes()).hexdigest()
         file.attrs["allowable"] = result.allowable
         file.attrs["warnings"] = "\n".join(result.warnings)
-        _put(file, "equilibrium", result.equilibrium.position, "m, m, rad")
-        _put(file, "residual", result.equilibrium.residual, "N, N, N m")
+        _put(file, "equilibrium", result.displacement, "m, m, rad")
+        _put(file, "residual", result.equilibrium.residual[PLANE], "N, N, N m")
         _put(file, "mooring_stiffness", result.equilibrium.stiffness, "N/m, N/rad, N m/m, N m/rad")
         _put(file, "motion_amplitude", result.amplitudes, "m, m, m, rad, rad, rad")
         for name, load in result.loads.items():
@@ -88,7 +88,7 @@ def _write(output, result, text, database):
             _put(file, f"natural_periods/{state}/shape", periods.shapes, "1")
             file[f"natural_periods/{state}"].attrs["rotation_scale"] = periods.scale
         file["natural_periods"].attrs["modes"] = list(result.at_rest.names)
-        file.create_dataset("lines/name", data=result.layout.names, dtype=h5py.string_dtype())
+        file.create_dataset("lines/name", data=result.system.line_names, dtype=h5py.string_dtype())
         for name, (unit, value) in LINE_QUANTITIES.items():
             _put(file, f"lines/{name}", value(result), unit)
 
@@ -104,13 +104,13 @@ def _show(result, study, output):
     console.print(_loads_table(result))
     console.print(_periods_table(result))
     console.print(_lines_table(result))
-    x, y, turn = result.equilibrium.position
+    x, y, turn = result.displacement
     console.print(f"equilibrium: x {x:.3f} m, y {y:.3f} m, yaw {np.degrees(turn):.3f}°", highlight=False)
     if result.conditions.waves:
         console.print(_motions(result.amplitudes), highlight=False, soft_wrap=True)
     worst = int(np.argmax(result.tension))
     console.print(
-        f"largest tension: {result.tension[worst] / TONF:.0f} tonf in {result.layout.names[worst]}, "
+        f"largest tension: {result.tension[worst] / TONF:.0f} tonf in {result.system.line_names[worst]}, "
         f"{100 * result.utilisation[worst]:.0f} % of its breaking load "
         f"(allowable {100 * result.allowable:.0f} %)",
         highlight=False,
@@ -140,7 +140,7 @@ def _table(title, *columns):
 
 def _loads_table(result):
     table = _table("steady forces", "load", "Fx tonf", "Fy tonf", "Mz tonf m")
-    total = result.equilibrium.force
+    total = result.steady_force
     for name, load in [*result.loads.items(), ("sum", total)]:
         table.add_row(name, *(f"{value / TONF:.1f}" for value in load))
     return table
@@ -158,9 +158,9 @@ def _periods_table(result):
 def _lines_table(result):
     table = _table("lines, tension at the fairlead", "line", "at rest tonf", "steady tonf", "largest tonf", "used %")
     for row in zip(
-        result.layout.names,
-        result.rest.tension_fairlead / TONF,
-        result.equilibrium.lines.tension_fairlead / TONF,
+        result.system.line_names,
+        result.rest.lines.tension_b / TONF,
+        result.equilibrium.lines.tension_b / TONF,
         result.tension / TONF,
         100 * result.utilisation,
         strict=True,

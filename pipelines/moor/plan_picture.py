@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.equilibrium import displaced
+from mooring.studies.multi_point import line_ends
 
 
-def draw_plan(result, hull, path, center):
+def draw_plan(result, hull, path):
     """Write the plan of a MultiPoint result as a picture."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.cm import ScalarMappable
@@ -19,13 +19,8 @@ def draw_plan(result, hull, path, center):
     axes = figure.add_subplot()
     used = np.where(np.isfinite(result.utilisation), result.utilisation, 0.0)
     colours = ScalarMappable(Normalize(0, max(1.0, used.max())), "turbo")
-    for anchor, rest, now, share in zip(
-        result.layout.anchors,
-        result.layout.fairleads,
-        result.equilibrium.points,
-        used,
-        strict=True,
-    ):
+    anchors, at_rest = line_ends(result.rest)
+    for anchor, rest, now, share in zip(anchors, at_rest, line_ends(result.equilibrium)[1], used, strict=True):
         axes.plot([anchor[0], rest[0]], [anchor[1], rest[1]], color="0.75", lw=1, ls="--")
         axes.plot([anchor[0], now[0]], [anchor[1], now[1]], color=colours.to_rgba(share), lw=2.5)
         axes.plot(*anchor[:2], "k^", ms=5)
@@ -40,7 +35,8 @@ def draw_plan(result, hull, path, center):
         )
     corners = 0.5 * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0], [1, 1, 0]], float)
     outline = corners * [hull.length, hull.beam, 0.0]
-    moved = displaced(outline, result.equilibrium.position, center)
+    pose = result.equilibrium.pose
+    moved = pose.place[0] + (outline - result.rest.pose.place[0]) @ pose.turn[0].T
     axes.plot(outline[:, 0], outline[:, 1], color="0.6", ls="--", label="at rest")
     axes.plot(moved[:, 0], moved[:, 1], color="k", label="under steady forces")
     _draw_loads(axes, result, hull)
@@ -68,5 +64,5 @@ def _draw_loads(axes, result, hull):
 
 
 def _title(result):
-    x, y, turn = result.equilibrium.position
+    x, y, turn = result.displacement
     return f"offset {x:.2f} m, {y:.2f} m, yaw {np.degrees(turn):.2f}°; dashed: at rest"

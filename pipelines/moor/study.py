@@ -13,11 +13,13 @@ from dataclasses import replace
 import msgspec
 import numpy as np
 
-from mooring.layout import Layout, Line, corner_spread, pretensioned
+from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
+from mooring.lines.system.parts import LineType, UniformLine
 from mooring.loads.box_drag import drag_table
 from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
 
-from ..common.line_types import LineType, line_properties
+from ..common.line_types import LineType as TypeTable
+from ..common.line_types import line_properties
 from ..common.quantities import StudyError, Table, direction, force, positive, speed
 from ..common.typed import read_toml, typed
 
@@ -94,7 +96,7 @@ class Study(Table):
 
     water: WaterTable
     hull: HullTable
-    types: dict[str, LineType]
+    types: dict[str, TypeTable]
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
     wind: StreamTable | None = None
@@ -131,44 +133,39 @@ class Study(Table):
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         return Hull(**sizes, freeboard=positive("hull.freeboard", self.hull.freeboard))
 
-    def layout(self, hull):
-        """Layout of all spreads and lines around a Hull"""
+    def system(self, hull, center, density=1025.0, gravity=9.80665):
+        """System of the hull on all spreads and lines, its axes at `center` (3,) m; density : kg/m³; gravity : m/s²"""
         if not self.spreads and not self.lines:
             raise StudyError("the study has no lines; allowed: at least one [[spreads]] or [[lines]]")
-        depth = positive("water.depth", self.water.depth)
-        lines = []
+        legs = []
         for i, spread in enumerate(self.spreads):
-            where = f"spreads[{i}]"
-            made = corner_spread(
-                hull.length,
-                hull.beam,
-                _corner_headings(where, spread.corner_headings_deg),
-                depth,
-                positive(f"{where}.length", spread.length),
-                pretension=force(where, spread, "pretension", required=True),
-                z=spread.fairlead_z,
-                **self._properties(where, spread.type),
-            )
             prefix = f"spread {i + 1} " if len(self.spreads) > 1 else ""
-            lines += [replace(line, name=prefix + line.name) for line in made.lines]
-        lines += [self._line(f"lines[{i}]", line, depth) for i, line in enumerate(self.lines)]
-        return Layout(lines)
+            made = self._spread(f"spreads[{i}]", spread, hull, density)
+            legs += [leg._replace(line=replace(leg.line, name=prefix + leg.line.name)) for leg in made]
+        legs += [self._leg(f"lines[{i}]", line, density) for i, line in enumerate(self.lines)]
+        return moored_body(legs, self.water.depth, center, density, gravity)
 
-    def _line(self, where, line, depth):
-        length = positive(f"{where}.length", line.length)
-        properties = self._properties(where, line.type)
-        pretension = force(where, line, "pretension")
-        if line.anchor is not None and line.heading_deg is None and pretension is None:
-            return Line(line.name, (*line.anchor, -depth), line.fairlead, length, **properties)
-        if line.anchor is None and line.heading_deg is not None and pretension is not None:
-            heading = math.radians(line.heading_deg)
-            return pretensioned(line.name, line.fairlead, heading, depth, length, pretension=pretension, **properties)
-        raise StudyError(f"{where} ({line.name}): allowed: either anchor, or heading_deg with a pretension")
+    def _spread(self, where, spread, hull, density):
+        line = self._line(where, spread, "spread", density)
+        headings = _corner_headings(where, spread.corner_headings_deg)
+        pretension = force(where, spread, "pretension", required=True)
+        return corner_legs(line, hull.length, hull.beam, headings, self.water.depth, pretension, spread.fairlead_z)
 
-    def _properties(self, where, name):
-        if name not in self.types:
-            raise StudyError(f"{where}.type is {name!r}; allowed: {', '.join(self.types)}")
-        return line_properties(f"types.{name}", self.types[name])
+    def _leg(self, where, given, density):
+        line, depth = self._line(where, given, given.name, density), self.water.depth
+        pretension = force(where, given, "pretension")
+        if given.anchor is not None and given.heading_deg is None and pretension is None:
+            return Leg(line, (*given.anchor, -depth), given.fairlead)
+        if given.anchor is None and given.heading_deg is not None and pretension is not None:
+            return leg_at_tension(line, given.fairlead, math.radians(given.heading_deg), depth, pretension)
+        raise StudyError(f"{where} ({given.name}): allowed: either anchor, or heading_deg with a pretension")
+
+    def _line(self, where, given, name, density):
+        if given.type not in self.types:
+            raise StudyError(f"{where}.type is {given.type!r}; allowed: {', '.join(self.types)}")
+        made = line_properties(f"types.{given.type}", self.types[given.type], density)
+        kind = LineType(given.type, made["weight"], made["axial_stiffness"], breaking_load=made["breaking_load"])
+        return UniformLine(name, kind, positive(f"{where}.length", given.length), "", "", made["bed_friction"])
 
 
 def read_study(path):

@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from bem import DOFS
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Body, Fairlead, LineType, SystemLine
+from mooring.lines.system.parts import Anchor, Body, Fairlead, LineType, UniformLine
 
 DEPTH, LENGTH, WEIGHT, EA = 100.0, 595.0, 1000.0, 5e8
 HEADINGS = [20, 60, 120, 160, 200, 240, 300, 340]
@@ -70,7 +70,7 @@ def eight_lines():
     for i, a in enumerate(np.radians(HEADINGS)):
         points.append(Anchor(f"A{i}", (600 * np.cos(a), 600 * np.sin(a), -DEPTH)))
         points.append(Fairlead(f"F{i}", "body", (50 * np.cos(a), 20 * np.sin(a), -5.0)))
-        lines.append(SystemLine(f"L{i}", kind, LENGTH, f"A{i}", f"F{i}"))
+        lines.append(UniformLine(f"L{i}", kind, LENGTH, f"A{i}", f"F{i}"))
     C = np.diag([0.0, 0.0, RHO * G * WATERPLANE, MASS * G * GM, MASS * G * GM, 0.0])
     return System(DEPTH, lines, points, (Body("body", freedom=DOFS, hydrostatic_stiffness=C, load=LOAD),), RHO, G)
 

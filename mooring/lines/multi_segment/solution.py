@@ -113,11 +113,26 @@ class StaticSolution:
         Where the line is slack the heap on the bed is drawn stretched out towards the anchor.
         """
         s = np.linspace(0.0, self.line.length, points)
+        return np.column_stack([s, self.at(s)])
+
+    def at(self, s):
+        """(k, 3) x, z (m) and tension (N) at unstretched lengths s (k,) m from the anchor"""
         p = self._one
         top = p[:, 1]
         index = np.clip(np.searchsorted(-top, -s, side="right") - 1, 0, len(p) - 1)
-        down = np.minimum(top[index] - s, p[index, 2])
-        return np.column_stack([s, _along(p[index], down)])
+        return _along(p[index], np.minimum(top[index] - s, p[index, 2]))
+
+    @property
+    def segment_tensions(self):
+        """(k,) N, the largest tension in each segment, from the anchor up"""
+        on_bed, top, length, _, _, first, second, weight = self._one[:, :8].T
+        on_bed = on_bed == 1
+        upper = np.where(on_bed, first, np.hypot(first, second))
+        lower = np.where(on_bed, first - second * length, np.hypot(first, second - weight * length))
+        joints = np.cumsum([segment.length for segment in self.line.segments])[:-1]
+        largest = np.zeros(len(self.line.segments))
+        np.maximum.at(largest, np.searchsorted(joints, top - 0.5 * length), np.maximum(upper, lower))
+        return largest
 
 
 def _joined(pieces):

@@ -1,7 +1,8 @@
-"""Forces and stiffness of a whole system of lines, compiled: one pass over the lines, straight into the matrices.
+"""Forces and stiffness of a whole system of lines, compiled: the rows of its lines, and from them the matrices.
 
-A line end on a body at arm a with force f and stiffness block k adds, as in `mooring.equilibrium`,
-J' k J − S(f) S(a) with J = [1, −S(a)]; an end on a free point adds k itself.
+A line end on a body at arm a with force f and stiffness block k = −∂f/∂r adds J' k J − S(f) S(a) to the stiffness
+about the moving origin, with J = [1, −S(a)] and S(a) v = a × v; an end on a free point adds k itself.
+Rows and columns surge, sway and yaw are the coefficients a11 … a33 of the SR179 report (1982), eq. 3.5.1.2.
 """
 
 from __future__ import annotations
@@ -10,7 +11,8 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from ..catenary.flat_bed import BEYOND_REACH, exchange, mirror, solve_line
+from ..catenary.flat_bed import ROW, exchange, mirror, solve_line
+from ..catenary.state import BEYOND_REACH
 
 FIXED, FREE = -1, -2  # owners of points; a body is named by its number
 
@@ -107,35 +109,46 @@ def add_float(force, K, points, owner, column, floats):
 
 
 @kernel()
-def assemble(position, owner, column, floats, ends, turned, lines, bed, place, turn, free):
-    """force (N,), K (N, N) = −∂force, rows (n, ROW) and points (p, 3) of a system; N = 6 bodies + 3 free points.
+def uniform_rows(points, ends, turned, lines, bed):
+    """(n, ROW) forces and derivatives of the uniform lines, each from the end at which friction arrives last.
 
-    lines : (n, 4) length, weight, 1/EA, friction; bed : height of the bed, m
-    turned : (n,) whether end b is the one at which friction arrives last
+    A row of `lines` without a length is left for others to fill.
     """
-    size = 6 * place.shape[0] + 3 * free.shape[0]
+    rows = np.zeros((ends.shape[0], ROW))
+    for n in range(ends.shape[0]):
+        length, weight, flexibility, friction = lines[n]
+        if length == 0.0:
+            continue
+        A, B = points[ends[n, 0]], points[ends[n, 1]]
+        if turned[n]:
+            A, B = B, A
+        dx, dy = B[0] - A[0], B[1] - A[1]
+        x = np.sqrt(dx * dx + dy * dy)
+        if weight > 0.0:
+            solve_line(rows[n], x, A[2] - bed, B[2] - bed, length, weight, flexibility, friction, True)
+        else:
+            solve_line(rows[n], x, -A[2], -B[2], length, -weight, flexibility, 0.0, False)
+            mirror(rows[n])
+    return rows
+
+
+@kernel()
+def add_rows(rows, points, owner, column, floats, ends, turned, place, size):
+    """force (N,) and K (N, N) from the rows of all lines, which are left in the order of their ends."""
     force, K = np.zeros(size), np.zeros((size, size))
-    rows = np.zeros((ends.shape[0], 18))
-    points = place_points(position, owner, column, place, turn, free)
     k, f, arm = np.zeros((2, 2, 3, 3)), np.zeros((2, 3)), np.zeros((2, 3))
     pair = np.zeros(2, np.int64)
     add_float(force, K, points, owner, column, floats)
     for n in range(ends.shape[0]):
+        row = rows[n]
+        if row[0] >= BEYOND_REACH:
+            force[:] = np.nan
+            return force, K
         pair[0], pair[1] = (ends[n, 1], ends[n, 0]) if turned[n] else (ends[n, 0], ends[n, 1])
         A, B = points[pair[0]], points[pair[1]]
         dx, dy = B[0] - A[0], B[1] - A[1]
         x = np.sqrt(dx * dx + dy * dy)
         ox, oy = (dx / x, dy / x) if x > 0.0 else (1.0, 0.0)
-        length, weight, flexibility, friction = lines[n]
-        row = rows[n]
-        if weight > 0.0:
-            solve_line(row, x, A[2] - bed, B[2] - bed, length, weight, flexibility, friction, True)
-        else:
-            solve_line(row, x, -A[2], -B[2], length, -weight, flexibility, 0.0, False)
-            mirror(row)
-        if row[0] >= BEYOND_REACH:
-            force[:] = np.nan
-            return force, K, rows, points
         end_blocks(row, k, x, ox, oy)
         f[0, 0], f[0, 1], f[0, 2] = row[1] * ox, row[1] * oy, -row[3]
         f[1, 0], f[1, 1], f[1, 2] = -row[2] * ox, -row[2] * oy, -row[4]
@@ -155,4 +168,18 @@ def assemble(position, owner, column, floats, ends, turned, lines, bed, place, t
                     add_block(K, k[i, j], column[p], width, column[r], 6 if owner[r] >= 0 else 3, arm[i], arm[j])
         if turned[n]:
             exchange(row)
+    return force, K
+
+
+@kernel()
+def assemble(position, owner, column, floats, ends, turned, lines, bed, place, turn, free):
+    """force (N,), K (N, N) = −∂force, rows (n, ROW) and points (p, 3) of a system; N = 6 bodies + 3 free points.
+
+    lines : (n, 4) length, weight, 1/EA, friction; bed : height of the bed, m
+    turned : (n,) whether end b is the one at which friction arrives last
+    """
+    points = place_points(position, owner, column, place, turn, free)
+    rows = uniform_rows(points, ends, turned, lines, bed)
+    size = 6 * place.shape[0] + 3 * free.shape[0]
+    force, K = add_rows(rows, points, owner, column, floats, ends, turned, place, size)
     return force, K, rows, points

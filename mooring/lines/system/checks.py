@@ -21,6 +21,7 @@ def check_system(system):
         raise LineSystemError("the system has no lines; allowed: at least one")
     _check_points(system)
     _check_ends(system)
+    _ = system.composites  # raises for lines of segments that cannot be
 
 
 def _check_names(what, parts):

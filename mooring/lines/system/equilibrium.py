@@ -1,8 +1,8 @@
 """Where a system of lines comes to rest: Newton on the exact stiffness, with the bed as a one-sided support.
 
 A free point on the bed stays there while forces press it down (z = −depth, R ≥ 0, one of them at its limit);
-its support carries no friction.  A step is halved while the force left behind it points back, as in
-`mooring.equilibrium`; where the stiffness gives no way, damping makes a drift along the force of it.
+its support carries no friction.  A step is halved while the force left behind it points back; where the stiffness
+gives no way, damping makes a drift along the force of it.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ import numpy as np
 
 from bem import DOFS
 
-from ...equilibrium import EquilibriumError
 from .bodies import angles, turned
+from .composite import check_free
 from .findings import culprit, freedom_name, warn_of_floating, warn_of_friction
 from .graph import LineForces, Pose, System, line_forces
-from .parts import Fairlead
+from .parts import EquilibriumError
 
 TARGET, LIMIT = 1e-12, 1e-9  # of all forces at work: aim of the iteration, and what is accepted
 
@@ -121,16 +121,16 @@ def _next_radius(radius, step, before):
 def _units(system):
     """(N,) moments are compared as forces at the outermost fairlead of the body."""
     unit = np.ones(6 * len(system.bodies) + 3 * len(system.free_points))
-    for i, body in enumerate(system.bodies):
-        arms = [p.position for p in system.points if isinstance(p, Fairlead) and p.body == body.name]
-        unit[6 * i + 3 : 6 * i + 6] = max([np.linalg.norm(arm) for arm in arms] + [1.0])
+    arms = np.sqrt((system.arrays.position**2).sum(axis=1))
+    for i in range(len(system.bodies)):
+        unit[6 * i + 3 : 6 * i + 6] = arms[system.arrays.owner == i].max(initial=1.0)
     return unit
 
 
 def _scale(system, load):
     """N, all forces at work"""
     total = np.abs(load.rows[:, 1:5]).sum() + sum(np.abs(body.load[:3]).sum() for body in system.bodies)
-    return total + system.arrays[3][:, :2].sum()
+    return total + system.arrays.floats[:, :2].sum()
 
 
 def _held_by_bed(system, pose, force):
@@ -215,7 +215,8 @@ def _found(system, pose, load, may, unit, count):
     vertical = slice(6 * len(system.bodies) + 2, None, 3)
     on_bed = held[vertical]
     reaction = np.where(on_bed, -load.force[vertical], 0.0)
-    lines = line_forces(load)
+    lines = line_forces(system, load.rows, load.solutions)
+    check_free(system, load.points, load.solutions)
     warn_of_floating(system, load)
     warn_of_friction(system, lines)
     return SystemEquilibrium(

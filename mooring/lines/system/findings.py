@@ -8,14 +8,18 @@ import numpy as np
 
 from bem import DOFS
 
+from ..catenary.state import State
+from .composite import solution
+from .parts import CompositeLine
+
 
 def warn_of_floating(system, load):
     """Warn of lines lighter than water that would rise above it: the surface holds no line here."""
     for i, line in enumerate(system.lines):
         down = load.rows[i, 3:5]
-        if line.type.weight > 0 or np.any(down >= 0):
+        if isinstance(line, CompositeLine) or line.type.weight > 0 or np.any(down >= 0):
             continue
-        z, tension = load.points[system.arrays[4][i, 0], 2], np.hypot(load.rows[i, 1], down[0])
+        z, tension = load.points[system.arrays.ends[i, 0], 2], np.hypot(load.rows[i, 1], down[0])
         bend = 1 / (tension + load.rows[i, 1]) + 0.5 / line.type.axial_stiffness
         top = z + down[0] ** 2 * bend / -line.type.weight
         if top > 0:
@@ -41,6 +45,15 @@ def warn_of_friction(system, lines):
         )
 
 
+def fault_of(one, a, b):
+    """What the solver of a Composite says of its ends a and b, (3,) m each."""
+    try:
+        solution(one, *((b, a) if one.turned else (a, b)))
+    except ValueError as error:
+        return str(error)
+    return "it has an equilibrium"
+
+
 def freedom_name(system, index):
     """Name of a degree of freedom: body and motion, or point and axis."""
     count = 6 * len(system.bodies)
@@ -51,12 +64,13 @@ def freedom_name(system, index):
 
 def culprit(system, load):
     """What is wrong with the first line that has no solution."""
-    from ..catenary.flat_bed import BELOW_BED, BEYOND_REACH
-
-    bad = int(np.argmax(load.rows[:, 0] >= BEYOND_REACH))
+    bad = int(np.argmax(load.rows[:, 0] >= State.BEYOND_REACH))
     line = system.lines[bad]
-    if load.rows[bad, 0] == BELOW_BED:
+    if isinstance(line, CompositeLine):
+        one = next(one for one in system.composites if one.number == bad)
+        return f"line {line.name}: {fault_of(one, *load.points[system.arrays.ends[bad]])};"
+    if load.rows[bad, 0] == State.BELOW_BED:
         return f"line {line.name} has an end below the bed, {-system.depth:g} m,"
-    ends = load.points[system.arrays[4][bad]]
+    ends = load.points[system.arrays.ends[bad]]
     reach = np.linalg.norm(ends[1] - ends[0])
     return f"line {line.name}, inextensible and {line.length:g} m long, cannot span {reach:g} m"

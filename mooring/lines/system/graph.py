@@ -15,9 +15,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..catenary.state import State
 from .bodies import hydrostatic_load, rotation
 from .checks import ON_BED, check_system
-from .parts import Anchor, Body, Fairlead, FreePoint, LineSystemError, LineType, SystemLine
+from .composite import composite, fill_row
+from .parts import Anchor, Body, CompositeLine, Fairlead, FreePoint, LineSystemError, UniformLine
 
 
 class Pose(NamedTuple):
@@ -36,6 +38,9 @@ class LineForces(NamedTuple):
 
     horizontal : N towards the other end; vertical : N, downward pull on what the end is made fast to
     tension : N; grounded_length : m; status : values of `mooring.catenary.State`
+    utilisation : largest tension in the line over breaking load, of the segment that is nearest to it; 0 where none is
+        known.  Beyond reach forces and utilisation are infinite
+    solutions : {number of a line of segments: its StaticSolution}
     """
 
     horizontal_a: np.ndarray
@@ -46,15 +51,40 @@ class LineForces(NamedTuple):
     tension_b: np.ndarray
     grounded_length: np.ndarray
     status: np.ndarray
+    utilisation: np.ndarray
+    solutions: dict
 
 
 class SystemLoad(NamedTuple):
-    """force : (N,) on every degree of freedom; stiffness : (N, N); rows : (n, 18); points : (p, 3) m in space"""
+    """force : (N,) on every degree of freedom; stiffness : (N, N); rows : (n, 18); points : (p, 3) m in space
+
+    solutions : {number of a line of segments: its StaticSolution, None where it has none}
+    """
 
     force: np.ndarray
     stiffness: np.ndarray
     rows: np.ndarray
     points: np.ndarray
+    solutions: dict
+
+
+class SystemArrays(NamedTuple):
+    """A system as its kernels read it.
+
+    position : (p, 3) m of points, in space or in the axes of their body; owner : (p,) number of the body, FIXED or FREE
+    column : (p,) first degree of freedom; floats : (p, 3) weight and buoyancy of free points, N, and their height, m
+    ends : (n, 2) points of each line; turned : (n,) whether end b is the anchor on the bed
+    lines : (n, 4) length, weight, 1/EA and friction, 0 for a line of segments; bed : its height, m
+    """
+
+    position: np.ndarray
+    owner: np.ndarray
+    column: np.ndarray
+    floats: np.ndarray
+    ends: np.ndarray
+    turned: np.ndarray
+    lines: np.ndarray
+    bed: float
 
 
 @dataclass(frozen=True)
@@ -62,7 +92,7 @@ class System:
     """Lines, the points they join and the bodies these belong to.  depth : m; density : kg/m³; gravity : m/s²"""
 
     depth: float
-    lines: tuple[SystemLine, ...]
+    lines: tuple[UniformLine | CompositeLine, ...]
     points: tuple[Anchor | Fairlead | FreePoint, ...]
     bodies: tuple[Body, ...] = ()
     density: float = 1025.0
@@ -86,10 +116,10 @@ class System:
     def line_names(self):
         return [line.name for line in self.lines]
 
-    @property
+    @cached_property
     def breaking_load(self):
-        """(n,) N"""
-        return np.array([line.type.breaking_load for line in self.lines])
+        """(n,) N, of a line of segments the least"""
+        return np.array([line.breaking_load for line in self.lines])
 
     @cached_property
     def pose(self):
@@ -101,7 +131,7 @@ class System:
 
     @cached_property
     def arrays(self):
-        """What the kernel wants: position, owner, column, floats, ends, turned, lines, bed"""
+        """SystemArrays"""
         from .assembly import FIXED, FREE
 
         number = {body.name: i for i, body in enumerate(self.bodies)}
@@ -125,25 +155,33 @@ class System:
         index = {point.name: i for i, point in enumerate(self.points)}
         ends = np.array([[index[line.a], index[line.b]] for line in self.lines], np.int64).reshape(-1, 2)
         anchored = self.anchored_ends
-        lines = np.array(
-            [
-                [line.length, line.type.weight, 1 / line.type.axial_stiffness, line.bed_friction * bool(end)]
-                for line, end in zip(self.lines, anchored, strict=True)
-            ]
-        )
+        lines = np.zeros((len(self.lines), 4))
+        for i, (line, end) in enumerate(zip(self.lines, anchored, strict=True)):
+            if isinstance(line, UniformLine):
+                friction = line.bed_friction * bool(end)
+                lines[i] = line.length, line.type.weight, 1 / line.type.axial_stiffness, friction
         turned = np.array([end == "b" for end in anchored])
-        return position, owner, column, floats, ends, turned, lines.reshape(-1, 4), -float(self.depth)
+        return SystemArrays(position, owner, column, floats, ends, turned, lines, -float(self.depth))
+
+    @cached_property
+    def composites(self):
+        """Composite of every line of segments, in the order of the lines"""
+        numbers = [i for i, line in enumerate(self.lines) if isinstance(line, CompositeLine)]
+        return tuple(composite(self, i, self.anchored_ends[i]) for i in numbers)
 
     @cached_property
     def anchored_ends(self):
         """(n,) which end of each line is an anchor on the bed: "a", "b", or "" where neither or both are"""
-        on_bed = {
-            point.name
-            for point in self.points
-            if isinstance(point, Anchor) and abs(point.position[2] + self.depth) <= ON_BED
-        }
-        found = [(line.a in on_bed, line.b in on_bed) for line in self.lines]
-        return ["" if a == b else "a" if a else "b" for a, b in found]
+        anchors = {point.name: point.position[2] for point in self.points if isinstance(point, Anchor)}
+        on_bed = {name for name, z in anchors.items() if abs(z + self.depth) <= ON_BED}
+        found = []
+        for line in self.lines:
+            if isinstance(line, CompositeLine) and line.bed is not None:  # its own bed begins at its anchor
+                found.append("a" if line.a in anchors else "b" if line.b in anchors else "")
+            else:
+                a, b = line.a in on_bed, line.b in on_bed
+                found.append("" if a == b else "a" if a else "b")
+        return found
 
     def load(self, pose=None) -> SystemLoad:
         """Forces of the lines and of the free points' weight and buoyancy, and their stiffness.
@@ -151,9 +189,40 @@ class System:
         The force is nan where a line cannot reach or an end is below the bed.  Loads and hydrostatics of the
         bodies are not in it: see `total_load`.
         """
-        from .assembly import assemble
+        from .assembly import add_rows, assemble, place_points
 
-        return SystemLoad(*assemble(*self.arrays, *(self.pose if pose is None else pose)))
+        pose = self.pose if pose is None else pose
+        if not self.composites:
+            return SystemLoad(*assemble(*self.arrays, *pose), {})
+        position, owner, column, floats, ends, turned, _, _ = self.arrays
+        points = place_points(position, owner, column, *pose)
+        rows, solutions = self._rows(points, ends)
+        size = 6 * len(self.bodies) + 3 * len(self.free_points)
+        force, K = add_rows(rows, points, owner, column, floats, ends, turned, pose.place, size)
+        return SystemLoad(force, K, rows, points, solutions)
+
+    def _rows(self, points, ends):
+        """Rows of all lines, each from its anchored end, and {number: StaticSolution} of those of segments."""
+        from .assembly import uniform_rows
+
+        arrays, solutions = self.arrays, {}
+        rows = uniform_rows(points, ends, arrays.turned, arrays.lines, arrays.bed)
+        for one in self.composites:
+            A, B = points[ends[one.number][::-1] if one.turned else ends[one.number]]
+            solutions[one.number] = fill_row(rows[one.number], one, A, B)
+        return rows, solutions
+
+    def forces_between(self, starts, ends) -> LineForces:
+        """Forces of every line with its ends held at `starts` and `ends`, (n, 3) m in space each."""
+        from ..catenary.flat_bed import exchange
+
+        count = len(self.lines)
+        pairs = np.column_stack([np.arange(count), count + np.arange(count)])
+        rows, solutions = self._rows(np.concatenate([starts, ends]), pairs)
+        for row, turned in zip(rows, self.arrays.turned, strict=True):
+            if turned:
+                exchange(row)
+        return line_forces(self, rows, solutions)
 
     def total_load(self, pose=None) -> SystemLoad:
         """`load` with the steady loads and the hydrostatic forces of the bodies."""
@@ -198,22 +267,19 @@ class System:
         return replace(self, lines=tuple(lines), points=tuple(points))
 
 
-def line_forces(load: SystemLoad) -> LineForces:
-    """The forces at the ends of the lines, by name."""
-    status, ha, hb, va, vb, lying = load.rows[:, :6].T
-    return LineForces(ha, hb, va, vb, np.hypot(ha, va), np.hypot(hb, vb), lying, status.astype(int))
-
-
-def system_of_layout(layout, depth, body=None, density=1025.0, gravity=9.80665):
-    """The System of a `mooring.layout.Layout` on one Body (at the origin if none is given)."""
-    body = body or Body("body")
-    points, lines = [], []
-    for line in layout.lines:
-        points += [
-            Anchor(f"{line.name} anchor", line.anchor),
-            Fairlead(f"{line.name} fairlead", body.name, line.fairlead),
-        ]
-        kind = LineType(line.name, line.weight, line.axial_stiffness, breaking_load=line.breaking_load)
-        ends = points[-2].name, points[-1].name
-        lines.append(SystemLine(line.name, kind, line.length, *ends, line.bed_friction))
-    return System(depth, lines, points, (body,), density, gravity)
+def line_forces(system, rows, solutions) -> LineForces:
+    """The forces at the ends of the lines, by name, from the rows of a SystemLoad."""
+    beyond = np.flatnonzero(rows[:, 0] == State.BEYOND_REACH)
+    if len(beyond):
+        rows = rows.copy()
+        rows[beyond, 1:5], rows[beyond, 5] = np.inf, 0.0
+    status, ha, hb, va, vb, lying = rows[:, :6].T
+    tension_a, tension_b = np.hypot(ha, va), np.hypot(hb, vb)
+    with np.errstate(invalid="ignore"):
+        used = np.maximum(tension_a, tension_b) / system.breaking_load
+    used[beyond] = np.inf
+    for number, found in solutions.items():
+        if found is not None:
+            segments = zip(found.segment_tensions, found.line.segments, strict=True)
+            used[number] = max(tension / segment.breaking_load for tension, segment in segments)
+    return LineForces(ha, hb, va, vb, tension_a, tension_b, lying, status.astype(int), used, solutions)

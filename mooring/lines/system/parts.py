@@ -1,5 +1,9 @@
 """What a system of lines is made of: kinds of line, lines, anchors, fairleads, free points and floating bodies.
 
+A line joins two points.  `assembly` wants of it the forces at both ends in the vertical plane through them, and their
+derivatives, in one row: compiled for a `UniformLine`, from its own solver for a `CompositeLine`; whatever joins two
+points fits in there.
+
 All values SI, all frozen.  A `Fairlead` is given in the axes of its body, everything else in space.
 """
 
@@ -11,9 +15,16 @@ import numpy as np
 
 from bem import DOFS
 
+from ..multi_segment.bed import Bed
+from ..multi_segment.segments import PointLoad, Segment
+
 
 class LineSystemError(ValueError):
     """A system that cannot be: the message names the part, its value and what is allowed."""
+
+
+class EquilibriumError(ValueError):
+    """No position was found in which the lines balance the steady forces."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +53,7 @@ class LineType:
 
 
 @dataclass(frozen=True)
-class SystemLine:
+class UniformLine:
     """A uniform line between two points, named by their names.  length : m, unstretched"""
 
     name: str
@@ -55,6 +66,50 @@ class SystemLine:
     def __post_init__(self):
         _check(f"line {self.name}: length", self.length, self.length > 0, "finite, above 0 m")
         _check(f"line {self.name}: bed_friction", self.bed_friction, self.bed_friction >= 0, "finite, at least 0")
+
+    @property
+    def breaking_load(self):
+        """N, inf where it is not known"""
+        return self.type.breaking_load
+
+
+@dataclass(frozen=True)
+class CompositeLine:
+    """A line of several segments, with sinkers and buoys on it, between two points named by their names.
+
+    segments : from end a on; loads : PointLoads, their position in m of unstretched line from end a
+    bed_friction : of the flat bed of the system, where one end is an anchor on it
+    bed : a Bed of its own, measured from the anchor the line ends at; the same section whichever way the line swings
+    A line that is not anchored on a bed has to hang free of it, and its buoys stay under water.
+    """
+
+    name: str
+    segments: tuple[Segment, ...]
+    a: str
+    b: str
+    loads: tuple[PointLoad, ...] = ()
+    bed_friction: float = 0.0
+    bed: Bed | None = None
+
+    def __post_init__(self):
+        object.__setattr__(self, "segments", tuple(self.segments))
+        object.__setattr__(self, "loads", tuple(self.loads))
+        if not self.segments:
+            raise LineSystemError(f"line {self.name}: it has no segments; allowed: at least one")
+        _check(f"line {self.name}: bed_friction", self.bed_friction, self.bed_friction >= 0, "finite, at least 0")
+        for load in self.loads:
+            inside = 0 < load.position < self.length
+            _check(f"line {self.name}: position of a load", load.position, inside, f"above 0, below {self.length:g} m")
+
+    @property
+    def length(self):
+        """m, unstretched"""
+        return float(sum(segment.length for segment in self.segments))
+
+    @property
+    def breaking_load(self):
+        """N, least of the segments; inf where none is known"""
+        return min(segment.breaking_load for segment in self.segments)
 
 
 @dataclass(frozen=True)

@@ -10,20 +10,43 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..catenary.state import State
+from .composite import points_along
+
 
 def line_shapes(state, points=80):
     """One (points, 3) m array for each line, from end a to end b of a SystemEquilibrium."""
     return [_shape(state, i, points) for i in range(len(state.system.lines))]
 
 
+def composite_points(state, number, s):
+    """(k, 3) m in space at unstretched lengths s (k,) m from end a of a line of segments."""
+    one = next(one for one in state.system.composites if one.number == number)
+    ends = state.points[state.system.arrays.ends[number]]
+    return points_along(one, state.lines.solutions[number], *(ends[::-1] if one.turned else ends), s)
+
+
+def loads_on_lines(state):
+    """(k, 3) m in space: the sinkers and buoys on lines of segments"""
+    lines = enumerate(state.system.lines)
+    found = [
+        composite_points(state, i, np.array([load.position for load in line.loads]))
+        for i, line in lines
+        if i in state.lines.solutions and line.loads
+    ]
+    return np.concatenate([np.empty((0, 3)), *found])
+
+
 def _shape(state, i, count):
     system, forces, line = state.system, state.lines, state.system.lines[i]
-    a, b = state.points[system.arrays[4][i]]
+    a, b = state.points[system.arrays.ends[i]]
     away = (b - a)[:2]
     span = np.hypot(*away)
     outward = away / span if span > 0 else np.array([1.0, 0.0])
+    if i in forces.solutions:
+        return composite_points(state, i, np.linspace(0, line.length, count))
     w, flexibility = line.type.weight, 1 / line.type.axial_stiffness
-    if forces.status[i] == 2:
+    if forces.status[i] == State.SUSPENDED:
         s = np.linspace(0, line.length, count)
         x, z = _hung(forces.horizontal_b[i], -forces.vertical_a[i], s, w, flexibility)
     else:

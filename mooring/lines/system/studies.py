@@ -10,10 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...equilibrium import EquilibriumError
 from .bodies import cross_matrix, hydrostatic_load
 from .equilibrium import SystemEquilibrium, held_at, rest
-from .parts import LineSystemError
+from .parts import EquilibriumError, LineSystemError
 
 
 @dataclass(frozen=True)

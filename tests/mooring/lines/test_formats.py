@@ -14,7 +14,7 @@ from mooring.formats.yaml_text import parse_yaml
 from mooring.lines.catalogue import line_type
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, SystemLine
+from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, UniformLine
 
 VERSION_2 = """\
 --------------------- MoorDyn Input File ------------------------------------
@@ -178,7 +178,7 @@ def bridle():
     chain, rope = line_type("R3 studless 76 mm"), line_type("polyester 120 mm")
     return System(
         60.0,
-        [SystemLine("chain", chain, 180.0, "anchor", "buoy", 0.4), SystemLine("bow", rope, 40.0, "buoy", "bow", 0.4)],
+        [UniformLine("chain", chain, 180.0, "anchor", "buoy", 0.4), UniformLine("bow", rope, 40.0, "buoy", "bow", 0.4)],
         [
             Anchor("anchor", (220.0, 10.0, -60.0)),
             FreePoint("buoy", (70.0, 0.0, -2.0), 5e3, 20.0),

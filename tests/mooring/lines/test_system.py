@@ -9,12 +9,19 @@ import numpy as np
 import pytest
 
 from bem import DOFS
-from mooring.equilibrium import find_equilibrium, mooring_load
-from mooring.layout import Layout, Line
 from mooring.lines.system.bodies import angles, cross_matrix, heading, hydrostatic_load, rotation, turned
-from mooring.lines.system.equilibrium import EquilibriumError, held_at, moved, rest
-from mooring.lines.system.graph import System, system_of_layout
-from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineSystemError, LineType, SystemLine
+from mooring.lines.system.equilibrium import moved, rest
+from mooring.lines.system.graph import System
+from mooring.lines.system.parts import (
+    Anchor,
+    Body,
+    EquilibriumError,
+    Fairlead,
+    FreePoint,
+    LineSystemError,
+    LineType,
+    UniformLine,
+)
 from mooring.lines.system.shapes import line_shapes
 from mooring.lines.system.studies import (
     about_body_axes,
@@ -38,7 +45,7 @@ def turbine(depth, anchor_radius, fairlead_radius, fairlead_z, length, weight, s
     for i, (c, s) in enumerate(zip(np.cos(angle), np.sin(angle), strict=True)):
         points.append(Anchor(f"A{i}", (anchor_radius * c, anchor_radius * s, -depth)))
         points.append(Fairlead(f"F{i}", "platform", (fairlead_radius * c, fairlead_radius * s, fairlead_z)))
-        lines.append(SystemLine(f"L{i}", kind, length, f"A{i}", f"F{i}"))
+        lines.append(UniformLine(f"L{i}", kind, length, f"A{i}", f"F{i}"))
     return System(depth, lines, points, (Body("platform", freedom=DOFS),))
 
 
@@ -124,7 +131,7 @@ def eight_lines(freedom=DOFS, load=(2e5, 1e5, 1e6, 0.0, 0.0, 2e6)):
     for i, a in enumerate(np.radians([20, 60, 120, 160, 200, 240, 300, 340])):
         points.append(Anchor(f"A{i}", (600 * np.cos(a), 600 * np.sin(a), -100.0)))
         points.append(Fairlead(f"F{i}", "ship", (50 * np.cos(a), 20 * np.sin(a), -5.0)))
-        lines.append(SystemLine(f"L{i}", CHAIN, 595.0, f"A{i}", f"F{i}"))
+        lines.append(UniformLine(f"L{i}", CHAIN, 595.0, f"A{i}", f"F{i}"))
     C = np.zeros((6, 6))
     C[2:5, 2:5] = [[3e7, 0, 1e7], [0, 5e9, 0], [1e7, 0, 3e10]]
     return System(100.0, lines, points, (Body("ship", freedom=freedom, hydrostatic_stiffness=C, load=load),))
@@ -135,10 +142,10 @@ def catalogue_of_systems():
     bridle = System(
         60.0,
         [
-            SystemLine("chain", CHAIN, 180.0, "anchor", "buoy"),
-            SystemLine("port", ROPE, 40.0, "buoy", "port bow"),
-            SystemLine("starboard", ROPE, 40.0, "buoy", "starboard bow"),
-            SystemLine("stern", CHAIN, 260.0, "stern anchor", "stern"),
+            UniformLine("chain", CHAIN, 180.0, "anchor", "buoy"),
+            UniformLine("port", ROPE, 40.0, "buoy", "port bow"),
+            UniformLine("starboard", ROPE, 40.0, "buoy", "starboard bow"),
+            UniformLine("stern", CHAIN, 260.0, "stern anchor", "stern"),
         ],
         [
             Anchor("anchor", (220.0, 10.0, -60.0)),
@@ -153,14 +160,14 @@ def catalogue_of_systems():
     two = System(
         80.0,
         [
-            SystemLine("west", CHAIN, 300.0, "W", "west ship"),
-            SystemLine("between", ROPE, 70.0, "west in", "float"),
-            SystemLine("between too", ROPE, 70.0, "float", "east in"),
-            SystemLine("down", CHAIN, 75.0, "sinker", "float"),
-            SystemLine("guy", CHAIN, 90.0, "G", "sinker"),
-            SystemLine("east", CHAIN, 300.0, "east ship", "E"),
-            SystemLine("north", CHAIN, 300.0, "west north", "NW"),
-            SystemLine("north too", CHAIN, 300.0, "east north", "NE"),
+            UniformLine("west", CHAIN, 300.0, "W", "west ship"),
+            UniformLine("between", ROPE, 70.0, "west in", "float"),
+            UniformLine("between too", ROPE, 70.0, "float", "east in"),
+            UniformLine("down", CHAIN, 75.0, "sinker", "float"),
+            UniformLine("guy", CHAIN, 90.0, "G", "sinker"),
+            UniformLine("east", CHAIN, 300.0, "east ship", "E"),
+            UniformLine("north", CHAIN, 300.0, "west north", "NW"),
+            UniformLine("north too", CHAIN, 300.0, "east north", "NE"),
         ],
         [
             Anchor("W", (-360.0, -60.0, -80.0)),
@@ -273,37 +280,13 @@ def test_friction_on_the_bed_leaves_the_stiffness_of_inextensible_lines_reciproc
     assert asymmetry(*(lambda s: (s.system, s.pose))(rest(with_friction(5e7)))) > 1e-6
 
 
-def test_the_layout_of_one_body_gives_the_same_forces_and_equilibrium():
-    lines = [
-        Line(
-            f"L{i}",
-            (500 * np.cos(a), 450 * np.sin(a), -90.0),
-            (40 * np.cos(a), 15 * np.sin(a), -3.0),
-            490.0,
-            800.0,
-            3e8,
-            0.3,
-        )
-        for i, a in enumerate(np.radians([30, 75, 140, 200, 250, 320]))
-    ]
-    layout, force = Layout(lines), np.array([3e5, -2e5, 4e6])
-    system = system_of_layout(layout, 90.0)
-    one = mooring_load(layout, (1.0, -2.0, 0.05), (0.0, 0.0, 0.0))
-    other = held_at(system, {"body": (1.0, -2.0, 0, 0, 0, 0.05)}).load()
-    assert np.allclose(one.force, other.force, rtol=1e-10, atol=1e-3)
-    assert np.allclose(one.stiffness, other.stiffness, rtol=1e-8, atol=1e-3)
-    expected = find_equilibrium(layout, force)
-    found = rest(system.with_loads({"body": (*force[:2], 0, 0, 0, force[2])}))
-    assert np.allclose(found.position[0, [0, 1, 5]], expected.position, rtol=1e-8, atol=1e-10)
-
-
 def test_a_sinker_too_light_is_lifted_and_one_too_heavy_rests_on_the_bed():
     def chain_with(mass, ship):
         return System(
             50.0,
             [
-                SystemLine("ground", CHAIN, 100.0, "anchor", "sinker"),
-                SystemLine("riser", CHAIN, 70.0, "sinker", "ship"),
+                UniformLine("ground", CHAIN, 100.0, "anchor", "sinker"),
+                UniformLine("riser", CHAIN, 70.0, "sinker", "ship"),
             ],
             [
                 Anchor("anchor", (0.0, 0.0, -50.0)),
@@ -324,7 +307,7 @@ def test_a_sinker_too_light_is_lifted_and_one_too_heavy_rests_on_the_bed():
 def test_a_buoy_floats_where_its_volume_carries_its_weight_and_its_chain():
     mooring = System(
         40.0,
-        [SystemLine("chain", CHAIN, 45.0, "anchor", "buoy")],
+        [UniformLine("chain", CHAIN, 45.0, "anchor", "buoy")],
         [Anchor("anchor", (0.0, 0.0, -40.0)), FreePoint("buoy", (1.0, 0.0, 0.0), mass=2e3, volume=20.0, height=2.0)],
     )
     found = rest(mooring)
@@ -340,7 +323,7 @@ def test_a_buoy_floats_where_its_volume_carries_its_weight_and_its_chain():
 def test_a_deep_buoy_on_a_short_chain_stays_under_water():
     mooring = System(
         40.0,
-        [SystemLine("chain", CHAIN, 25.0, "anchor", "buoy")],
+        [UniformLine("chain", CHAIN, 25.0, "anchor", "buoy")],
         [Anchor("anchor", (0.0, 0.0, -40.0)), FreePoint("buoy", (3.0, 0.0, -20.0), mass=2e3, volume=20.0)],
     )
     found = rest(mooring)
@@ -391,7 +374,7 @@ def test_the_loss_of_a_line_takes_what_hangs_loose_with_it():
 def test_no_line_left_to_hold_a_load_is_an_error_that_names_what_is_left():
     hawser = System(
         20.0,
-        [SystemLine("bow", ROPE, 30.0, "pile", "bow")],
+        [UniformLine("bow", ROPE, 30.0, "pile", "bow")],
         [Anchor("pile", (0.0, 0.0, 2.0)), Fairlead("bow", "ship", (0.0, 0.0, 1.0))],
         [Body("ship", (20.0, 0, 0, 0, 0, 0), freedom=("Surge",), load=(-1e30, 0, 0, 0, 0, 0))],
     )
@@ -454,7 +437,7 @@ def test_stiffness_about_another_point_is_that_of_fairleads_measured_from_it():
 
 
 WRONG = [
-    (lambda: SystemLine("x", CHAIN, -3.0, "a", "b"), "line x: length is -3; allowed: finite, above 0 m"),
+    (lambda: UniformLine("x", CHAIN, -3.0, "a", "b"), "line x: length is -3; allowed: finite, above 0 m"),
     (lambda: LineType("t", 0.0), "line type t: weight is 0; allowed: finite, not 0 N/m"),
     (lambda: Body("b", freedom=("Jump",)), "body b: freedom 'Jump' is unknown"),
     (lambda: FreePoint("p", (0, 0, 0), mass=-1.0), "point p: mass is -1; allowed: finite, at least 0 kg"),
@@ -495,7 +478,7 @@ def test_shapes_of_lines_join_their_points_and_stay_above_the_bed(name):
 def test_a_light_line_that_would_float_is_warned_of():
     light = LineType("light", -40.0, 5e6)
     hung = System(
-        50.0, [SystemLine("x", light, 90.0, "a", "b")], [Anchor("a", (0, 0, -2.0)), Anchor("b", (80.0, 0, -2.0))]
+        50.0, [UniformLine("x", light, 90.0, "a", "b")], [Anchor("a", (0, 0, -2.0)), Anchor("b", (80.0, 0, -2.0))]
     )
     with pytest.warns(UserWarning, match="line x floats and its middle would be .* m above the water"):
         rest(hung)
@@ -505,7 +488,7 @@ def ground_chain(friction, turned=False):
     """A ship on two chains; turned: the lines named from the ship to the anchor"""
     ends = [("A1", "bow"), ("A2", "stern")]
     lines = [
-        SystemLine(f"L{i}", CHAIN, 240.0, *(pair[::-1] if turned else pair), friction) for i, pair in enumerate(ends)
+        UniformLine(f"L{i}", CHAIN, 240.0, *(pair[::-1] if turned else pair), friction) for i, pair in enumerate(ends)
     ]
     return System(
         40.0,
@@ -532,8 +515,8 @@ def test_friction_between_free_points_is_not_counted_and_that_is_said():
     leg = System(
         50.0,
         [
-            SystemLine("ground", CHAIN, 100.0, "anchor", "sinker", 0.5),
-            SystemLine("riser", CHAIN, 120.0, "sinker", "ship", 0.5),
+            UniformLine("ground", CHAIN, 100.0, "anchor", "sinker", 0.5),
+            UniformLine("riser", CHAIN, 120.0, "sinker", "ship", 0.5),
         ],
         [
             Anchor("anchor", (0.0, 0.0, -50.0)),
@@ -567,7 +550,7 @@ def test_legs_of_many_pieces_come_to_rest_from_a_rough_start(seed):
         length = np.linalg.norm(end - start) * rng.uniform(1.0, 1.15) / pieces
         for j in range(pieces):
             kind = LineType(f"T{i}{j}", 10 ** rng.uniform(1.5, 3.7), 10 ** rng.uniform(7, 9.3))
-            lines.append(SystemLine(f"L{i}{j}", kind, length, names[j], names[j + 1]))
+            lines.append(UniformLine(f"L{i}{j}", kind, length, names[j], names[j + 1]))
     state = rest(System(depth, lines, points, [Body("hull", load=(*rng.normal(size=2) * 2e5, 0, 0, 0, 1e5))]))
     assert np.abs(state.residual).max() < 1e-8 * state.tension.sum()
     assert np.all(state.pose.free[:, 2] >= -depth) and np.all(state.bed_reaction >= 0)

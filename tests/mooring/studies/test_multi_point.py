@@ -11,12 +11,13 @@ import pytest
 from bem.database import Header, append, append_limit, create, open_database, pending, writing
 from bem.waves import incident_wave, wavenumber
 from meshing.panels import PanelMesh
-from mooring.equilibrium import mooring_stiffness
-from mooring.layout import Layout, Line, corner_spread
 from mooring.lines.catenary.solve import solve_lines
 from mooring.lines.catenary.state import State
+from mooring.lines.system.equilibrium import rest
+from mooring.lines.system.moored_body import corner_legs, moored_body
+from mooring.lines.system.parts import LineType, UniformLine
 from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
-from mooring.studies.multi_point import multi_point
+from mooring.studies.multi_point import line_ends, multi_point
 from mooring.studies.multi_point_findings import resonances
 from pipelines.common.quantities import StudyError
 from pipelines.common.units import KNOT, TONF
@@ -85,10 +86,11 @@ class StandIn:
         return np.broadcast_to(MADE_UP[name], shape + MADE_UP[name].shape)
 
 
-def spread(**changes):
-    values = dict(axial_stiffness=2.2e5 * TONF, breaking_load=1700 * TONF)
-    values.update(changes)
-    return corner_spread(100, 50, np.radians([30, 45, 60]), 20.0, 260.0, 0.406 * TONF, 40 * TONF, **values)
+def spread(length=260.0, **changes):
+    kind = LineType("chain", 0.406 * TONF, **{"axial_stiffness": 2.2e5 * TONF, "breaking_load": 1700 * TONF, **changes})
+    chain = UniformLine("chain", kind, 260.0, "anchor", "fairlead")
+    legs = corner_legs(chain, 100, 50, np.radians([30, 45, 60]), 20.0, 40 * TONF)
+    return moored_body([leg._replace(line=replace(leg.line, length=length)) for leg in legs], 20.0)
 
 
 def storm(**changes):
@@ -98,7 +100,7 @@ def storm(**changes):
 
 @pytest.fixture(scope="module")
 def stormy():
-    return multi_point(StandIn(), spread(), HULL, storm(), 20.0)
+    return multi_point(StandIn(), spread(), HULL, storm())
 
 
 @pytest.fixture
@@ -133,55 +135,55 @@ def database(tmp_path):
 def test_tension_is_the_statics_of_the_displaced_fairlead(stormy):
     """Every mode adds its largest displacement, outward and up, for each line by itself."""
     i = int(np.argmax(stormy.tension))
-    arm = stormy.equilibrium.points[i] - [*stormy.equilibrium.position[:2], 0.0]
-    n = stormy.equilibrium.outward[i]
+    anchor, fairlead = (points[i] for points in line_ends(stormy.equilibrium))
+    arm, away = fairlead - stormy.equilibrium.pose.place[0], (fairlead - anchor)[:2]
+    n = away / np.hypot(*away)
     a = np.abs(MADE_UP["rao"]) * 4.5 / 2
     turn = [np.cross(axis, arm) for axis in np.eye(3)]
     out = sum(a[:2] * np.abs(n)) + sum(a[3 + j] * abs(turn[j][:2] @ n) for j in range(3))
     up = a[2] + sum(a[3 + j] * abs(turn[j][2]) for j in range(3))
-    span = np.hypot(*(stormy.equilibrium.points - stormy.layout.anchors)[i, :2])
-    line = solve_lines(span + out, 20.0 + up, 260.0, 0.406 * TONF, 2.2e5 * TONF)
+    line = solve_lines(np.hypot(*away) + out, 20.0 + up, 260.0, 0.406 * TONF, 2.2e5 * TONF)
     assert np.isclose(stormy.tension[i], line.tension_fairlead, rtol=1e-9)
 
 
 def test_steady_forces_add_up_and_push_the_way_they_go(stormy):
     assert set(stormy.loads) == {"wind", "current", "drift"}
-    assert np.allclose(sum(stormy.loads.values()), stormy.equilibrium.force)
+    assert np.allclose(sum(stormy.loads.values()), np.array(stormy.equilibrium.system.bodies[0].load)[[0, 1, 5]])
     assert np.allclose(stormy.loads["drift"], MADE_UP["drift_force"] * 2.25**2)
     assert stormy.loads["wind"][0] < 0 and stormy.loads["current"][1] < 0
-    assert stormy.equilibrium.position[0] < 0 and stormy.equilibrium.position[1] < 0
+    assert stormy.displacement[0] < 0 and stormy.displacement[1] < 0
 
 
 def test_lines_against_the_load_carry_most(stormy):
-    assert stormy.layout.names[int(np.argmax(stormy.tension))].startswith("fore port")
-    assert np.all(stormy.tension >= stormy.equilibrium.lines.tension_fairlead)
+    assert stormy.system.line_names[int(np.argmax(stormy.tension))].startswith("fore port")
+    assert np.all(stormy.tension >= stormy.equilibrium.lines.tension_b)
 
 
 def test_calm_leaves_the_body_at_rest():
-    calm = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0)
-    assert np.abs(calm.equilibrium.position).max() < 1e-9
-    assert np.allclose(calm.tension, calm.rest.tension_fairlead)
+    calm = multi_point(StandIn(), spread(), HULL, Conditions())
+    assert np.abs(calm.displacement).max() < 1e-9
+    assert np.allclose(calm.tension, calm.rest.lines.tension_b)
     assert calm.acceptable
 
 
 def test_surge_period_at_rest_follows_from_mass_and_stiffness():
-    calm = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0)
+    calm = multi_point(StandIn(), spread(), HULL, Conditions())
     # slow against heave and pitch, which therefore follow statically: the stiffness seen by surge alone
-    flexibility = np.linalg.inv(mooring_stiffness(spread()) + STIFFNESS)[0, 0]
+    flexibility = np.linalg.inv(spread().load().stiffness + STIFFNESS)[0, 0]
     assert np.isclose(calm.at_rest.period[0], 2 * np.pi * np.sqrt(1.2 * MASS * flexibility), rtol=1e-3)
 
 
 def test_high_waves_lift_anchors_and_say_so():
-    result = multi_point(StandIn(), spread(), HULL, storm(waves=Waves(9.0, 10.0, np.radians(240))), 20.0)
-    lifted = result.extreme.vertical_anchor > 0
+    result = multi_point(StandIn(), spread(), HULL, storm(waves=Waves(9.0, 10.0, np.radians(240))))
+    lifted = result.extreme.vertical_a < 0
     named = [w for w in result.warnings if "lifting the anchor" in w]
     assert lifted.any() == bool(named)
-    assert all(result.layout.names[i] in named[0] for i in np.flatnonzero(lifted))
+    assert all(result.system.line_names[i] in named[0] for i in np.flatnonzero(lifted))
     assert all("\n" not in line for line in result.warnings)
 
 
 def test_natural_period_near_the_wave_period_is_warned_of():
-    calm = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0)
+    calm = multi_point(StandIn(), spread(), HULL, Conditions())
     surge = calm.at_rest.period[0]
     for ratio, near in ((1.0, True), (1.45, True), (0.75, True), (1.6, False), (0.6, False)):
         text = "".join(resonances(calm, surge / ratio))
@@ -189,10 +191,10 @@ def test_natural_period_near_the_wave_period_is_warned_of():
 
 
 def test_roll_near_the_wave_period_is_warned_of():
-    roll = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0).at_rest.period[3]
+    roll = multi_point(StandIn(), spread(), HULL, Conditions()).at_rest.period[3]
     for ratio, near in ((1.0, True), (1.3, False)):
         waves = Waves(0.1, roll / ratio, np.radians(240))
-        result = multi_point(StandIn(), spread(), HULL, Conditions(waves=waves), 20.0)
+        result = multi_point(StandIn(), spread(), HULL, Conditions(waves=waves))
         assert any("no viscous damping" in w for w in result.warnings) == near
 
 
@@ -202,25 +204,25 @@ def test_waves_that_do_not_roll_the_body_bring_no_warning_of_roll():
             along = np.array([1, 0, 1, 0, 1, 0])
             return super().__getitem__(name) * (along if name in ("rao", "excitation_force") else 1)
 
-    roll = multi_point(Ahead(), spread(), HULL, Conditions(), 20.0).at_rest.period[3]
-    result = multi_point(Ahead(), spread(), HULL, Conditions(waves=Waves(0.1, roll, 0.0)), 20.0)
+    roll = multi_point(Ahead(), spread(), HULL, Conditions()).at_rest.period[3]
+    result = multi_point(Ahead(), spread(), HULL, Conditions(waves=Waves(0.1, roll, 0.0)))
     assert not any("no viscous damping" in w for w in result.warnings)
 
 
 def test_waves_between_stored_ones_are_said_to_be_guesses():
-    stored = multi_point(StandIn(), spread(), HULL, storm(), 20.0)
+    stored = multi_point(StandIn(), spread(), HULL, storm())
     assert not any("linear guess" in w for w in stored.warnings)
     for waves, words in (
         (Waves(4.5, 8.0, np.radians(240)), "wave period 8 s lies between the stored 6.981 and 10 s"),
         (Waves(4.5, 10.0, np.radians(250)), "wave direction 250° lies between the stored 240° and 270°"),
     ):
-        warnings = multi_point(StandIn(), spread(), HULL, storm(waves=waves), 20.0).warnings
+        warnings = multi_point(StandIn(), spread(), HULL, storm(waves=waves)).warnings
         assert [words in w for w in warnings if "linear guess" in w] == [True]
 
 
 def test_shallow_water_is_said_to_be_outside_the_method(stormy):
     assert any("water depth 20 m is not above 20 m" in w for w in stormy.warnings)
-    calm = multi_point(StandIn(), spread(), HULL, Conditions(), 20.0)
+    calm = multi_point(StandIn(), spread(), HULL, Conditions())
     assert calm.warnings == ()
 
 
@@ -229,22 +231,21 @@ def test_a_body_turned_far_by_its_loads_is_warned_of():
         def __getitem__(self, name):
             return super().__getitem__(name) + (np.array([0, 0, 2e8]) if name == "drift_force" else 0)
 
-    turned = multi_point(Twisted(), spread(), HULL, storm(), 20.0)
-    assert abs(turned.equilibrium.position[2]) > 0.1
+    turned = multi_point(Twisted(), spread(), HULL, storm())
+    assert abs(turned.displacement[2]) > 0.1
     assert any("turn the body by" in w for w in turned.warnings)
 
 
 def test_slack_and_broken_lines_are_named():
-    weak = multi_point(StandIn(), spread(breaking_load=100 * TONF), HULL, storm(), 20.0)
+    weak = multi_point(StandIn(), spread(breaking_load=100 * TONF), HULL, storm())
     assert any("beyond the breaking load" in w for w in weak.warnings)
     assert not weak.acceptable
-    lines = [replace(line, length=line.length + 60) for line in spread().lines]
-    loose = multi_point(StandIn(), Layout(lines), HULL, Conditions(), 20.0)
+    loose = multi_point(StandIn(), spread(length=320.0), HULL, Conditions())
     assert any("12 of 12 lines slack at rest" in w for w in loose.warnings)
 
 
 def test_inextensible_line_that_cannot_follow_is_reported_with_infinite_tension():
-    result = multi_point(StandIn(), spread(axial_stiffness=np.inf), HULL, storm(), 20.0)
+    result = multi_point(StandIn(), spread(axial_stiffness=np.inf), HULL, storm())
     beyond = result.extreme.status == State.BEYOND_REACH
     assert beyond.any() == any("beyond reach" in w for w in result.warnings)
     assert np.all(np.isinf(result.tension[beyond]))
@@ -252,10 +253,17 @@ def test_inextensible_line_that_cannot_follow_is_reported_with_infinite_tension(
 
 def test_study_and_database_have_to_agree_on_the_depth():
     with pytest.raises(ValueError, match="30 m of water, its database for 20 m"):
-        multi_point(StandIn(), spread(), HULL, storm(), 30.0)
-    high = Layout([Line("a", (100.0, 0.0, -15.0), (50.0, 0.0, 0.0), 60.0, 1e3)])
-    with pytest.raises(ValueError, match="line a: anchor z = -15 m"):
-        multi_point(StandIn(), high, HULL, storm(), 20.0)
+        multi_point(StandIn(), replace(spread(), depth=30.0), HULL, storm())
+
+
+def test_a_system_that_is_not_one_body_on_lines_from_anchors_is_refused():
+    system = spread()
+    line = system.lines[0]
+    turned = replace(system, lines=(replace(line, a=line.b, b=line.a), *system.lines[1:]))
+    moved = replace(system, bodies=(replace(system.bodies[0], position=(1.0, 0, 0, 0, 0, 0)),))
+    for wrong, message in ((turned, "runs from fore port 1 fairlead to"), (moved, "has its axes at")):
+        with pytest.raises(ValueError, match=message):
+            multi_point(StandIn(), wrong, HULL, Conditions())
 
 
 def test_incidence_of_the_reports_is_the_opposite_direction():
@@ -306,7 +314,7 @@ def test_command_writes_results_and_plan(tmp_path, database, capsys):
         assert file["lines/maximum_tension"].attrs["units"] == "N"
         assert file["natural_periods/at_rest/period"].shape == (6,)
         assert file["equilibrium"].shape == (3,)
-    reference = multi_point(StandIn(), spread(axial_stiffness=221700 * TONF), HULL, storm(), 20.0)
+    reference = multi_point(StandIn(), spread(axial_stiffness=221700 * TONF), HULL, storm())
     assert np.allclose(result.tension, reference.tension, rtol=1e-9)
 
 
@@ -323,12 +331,11 @@ def test_command_leaves_no_file_when_the_study_has_no_answer(tmp_path, database)
 
 def test_example_study_is_the_floater_of_the_report():
     study, _ = read_study(Path(__file__).parents[3] / "pipelines" / "scenes" / "moor_chain_12.toml")
-    layout = study.layout(study.hull_of({}))
-    assert len(layout) == 12
-    lines, _ = layout.solve(layout.fairleads)
-    assert np.allclose(lines.horizontal_fairlead, 40 * TONF, rtol=1e-9)
+    system = study.system(study.hull_of({}), np.zeros(3))
+    assert len(system.lines) == 12
+    assert np.allclose(rest(system).lines.horizontal_b, 40 * TONF, rtol=1e-9)
     steel = 2 * np.pi / 4 * 142**2 * 7000 * 9.80665
-    assert np.isclose(layout.lines[0].axial_stiffness, steel, rtol=1e-3)
+    assert np.isclose(system.lines[0].type.axial_stiffness, steel, rtol=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -350,7 +357,7 @@ def test_faulty_study_is_refused_by_key_in_one_line(old, new, message):
     assert old in STUDY
     with pytest.raises(ValueError, match=message) as caught:
         study = make_study(tomllib.loads(STUDY.replace(old, new, 1)))
-        study.layout(study.hull_of({"length": 100.0, "beam": 50.0, "draft": 10.0}))
+        study.system(study.hull_of({"length": 100.0, "beam": 50.0, "draft": 10.0}), np.zeros(3))
         study.conditions()
     assert "\n" not in str(caught.value)
 

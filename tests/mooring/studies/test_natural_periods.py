@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from mooring.equilibrium import mooring_stiffness
-from mooring.layout import corner_spread
+from mooring.lines.system.moored_body import corner_legs, moored_body
+from mooring.lines.system.parts import LineType, UniformLine
 from mooring.studies.natural_periods import natural_periods
 
 OMEGA = np.linspace(0.1, 2.0, 20)
@@ -77,11 +77,12 @@ def test_model_barge_on_chains_has_nearly_its_measured_surge_period():
     above; the measured motions are not small and stiffen the chains, which shortens the period by some per cent.
     """
     weight, tension = 0.871 * 9.80665, 2.78 * 9.80665
-    layout = corner_spread(3.872, 1.936, [np.pi / 4], 1.2, 7.53, weight, tension - 1.2 * weight, z=0.0)
+    chain = UniformLine("chain", LineType("chain", weight), 7.53, "anchor", "fairlead")
+    lines = moored_body(corner_legs(chain, 3.872, 1.936, [np.pi / 4], 1.2, tension - 1.2 * weight), 1.2)
     mass = 1451.0
     inertia = mass * np.diag([1, 1, 1, 0.674**2, 1.12**2, 1.408**2])
     hydrostatic = np.diag([0, 0, 7.35e4, 2e4, 9e4, 0])
-    total = hydrostatic + mooring_stiffness(layout)
+    total = hydrostatic + lines.load().stiffness
     low = natural_periods(OMEGA, np.zeros((20, 6, 6)), inertia, total).period[0]
     high = natural_periods(OMEGA, np.broadcast_to(0.2 * inertia, (20, 6, 6)), inertia, total).period[0]
     assert 0.9 * low < 16.48 < high

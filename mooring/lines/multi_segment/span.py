@@ -1,0 +1,35 @@
+"""Where the fairlead of a line has to be for its horizontal tension: Newton's method on the exact stiffness."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..catenary.state import LineError
+
+
+def span_of(line, horizontal_tension, z):
+    """Span x (m) at which a StaticLine carries a horizontal tension (N, above 0) with its fairlead at height z m.
+
+    The tension grows with the span: a step that leaves the bracket is halved into it.
+    raises : LineError where the line is too short for its height, or no span was found
+    """
+    if not (np.isfinite(horizontal_tension) and horizontal_tension > 0):
+        raise ValueError(f"horizontal_tension is {horizontal_tension:g} N; allowed: finite, above 0")
+    low, high = 0.0, np.inf
+    x = np.sqrt(max(line.length**2 - z**2, (0.01 * line.length) ** 2))
+    for _ in range(200):
+        try:
+            found = line.solve(x, z)
+            wrong, slope = found.horizontal_fairlead - horizontal_tension, found.stiffness[0, 0]
+        except LineError:
+            wrong, slope = np.inf, np.nan
+        if abs(wrong) <= 1e-12 * horizontal_tension:
+            return float(x)
+        low, high = (x, high) if wrong < 0 else (low, x)
+        following = x - wrong / slope if slope > 0 and np.isfinite(wrong) else np.nan
+        if not low < following < high:
+            following = 0.5 * (low + high) if np.isfinite(high) else 1.02 * x
+        if abs(following - x) <= 4e-16 * line.length:
+            return float(following)
+        x = following
+    raise LineError(f"no span at which {line!r} carries {horizontal_tension:.6g} N was found, fairlead at z = {z:g} m")

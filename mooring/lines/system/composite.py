@@ -1,0 +1,115 @@
+"""Rows of lines of several segments for the assembly of a system, from the solver of such a line.
+
+The solver counts from one end, the origin: the anchor of a line that lies on a bed, and end a of one that hangs free.
+What hangs free has one horizontal force, and V_a + V_b is its weight, so its derivatives at the origin follow from
+those at the other end; an anchor does not move, and its own are not asked for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from ..catenary.state import LineError, State
+from ..multi_segment.bed import Bed
+from ..multi_segment.line import StaticLine
+from .parts import Anchor, LineSystemError
+
+ROOM = 1e-6  # m: a line this close to the bed or the surface is said to touch it
+
+
+class Composite(NamedTuple):
+    """A line as its solver reads it.
+
+    number : of the line in its system; line : StaticLine from its origin; turned : whether the origin is end b
+    anchored : whether the origin is an anchor on a bed
+    """
+
+    number: int
+    line: StaticLine
+    turned: bool
+    anchored: bool
+
+
+def composite(system, number, end):
+    """The Composite of a line whose `end` lies on a bed: "a", "b", or "" for neither.  Raises LineSystemError."""
+    given = system.lines[number]
+    points = {point.name: point for point in system.points}
+    ends = points[given.a], points[given.b]
+    if given.bed is not None and not end:
+        raise LineSystemError(f"line {given.name} has a bed of its own and no anchor; allowed: an anchor at one end")
+    if not end and all(isinstance(p, Anchor) and p.position[2] <= -system.depth + ROOM for p in ends):
+        raise LineSystemError(f"line {given.name} has segments and both ends on the bed; allowed: one end on it")
+    segments, loads, surface = given.segments, given.loads, np.inf
+    if end == "b":
+        segments = segments[::-1]
+        loads = [replace(load, position=given.length - load.position) for load in loads]
+    if end and any(load.weight < 0 for load in loads):
+        surface = -float(ends[end == "b"].position[2])
+    bed = None
+    if end:
+        bed = Bed.sloping(0.0, given.bed_friction) if given.bed is None else given.bed
+    try:
+        return Composite(number, StaticLine(segments, loads, bed, surface), end == "b", bool(end))
+    except ValueError as error:
+        raise LineSystemError(f"line {given.name}: {error}") from None
+
+
+def fill_row(row, one, A, B):
+    """Fill the row (`catenary.flat_bed.ROW`) of a Composite from its origin A to B; returns its StaticSolution or None.
+
+    Where there is none the first number of the row says so and the rest is nan.
+    """
+    try:
+        found = solution(one, A, B)
+    except LineError:
+        row[:], row[0] = np.nan, State.BEYOND_REACH
+        return None
+    except ValueError:
+        row[:], row[0] = np.nan, State.BELOW_BED
+        return None
+    lying = found.grounded_length
+    row[0] = State.SLACK if found.slack else State.GROUNDED if lying > 0 else State.SUSPENDED
+    row[1], row[2], row[3] = found.horizontal_anchor, found.horizontal_fairlead, -found.vertical_anchor
+    row[4], row[5] = found.vertical_fairlead, lying
+    (xx, xz), (zx, zz) = found.stiffness
+    row[9:12], row[15:18] = (xx, -xz, xz), (zx, -zz, zz)
+    if not one.anchored:
+        row[6:9], row[12:15] = row[9:12], -row[15:18]
+    return found
+
+
+def solution(one, A, B):
+    """StaticSolution of a Composite from A to B, (3,) m each; raises LineError or ValueError"""
+    return one.line.solve(np.hypot(B[0] - A[0], B[1] - A[1]), B[2] - A[2])
+
+
+def points_along(one, found, A, B, s):
+    """(k, 3) m in space at unstretched lengths s (k,) m from end a of a solved Composite with its origin at A."""
+    span = np.hypot(*(B - A)[:2])
+    outward = (B - A)[:2] / span if span > 0 else np.array([1.0, 0.0])
+    x, z, _ = found.at(one.line.length - s if one.turned else s).T
+    return np.column_stack([A[:2] + x[:, None] * outward, A[2] + z])
+
+
+def check_free(system, points, solutions):
+    """Refuse a free line that touches the bed, or whose buoy comes out of the water: its solver knows neither."""
+    for one in system.composites:
+        if one.anchored:
+            continue
+        name, found = system.lines[one.number].name, solutions[one.number]
+        level = points[system.arrays.ends[one.number, 0], 2]
+        lowest = level + found.profile(200)[:, 2].min()
+        if lowest < -system.depth - ROOM:
+            raise LineSystemError(
+                f"line {name} hangs {-system.depth - lowest:.3g} m below the bed; allowed for a line of segments: "
+                "clear of it, or with one end an anchor on it"
+            )
+        buoys = np.array([load.position for load in one.line.loads if load.weight < 0])
+        if buoys.size and level + found.at(buoys)[:, 1].max() > ROOM:
+            raise LineSystemError(
+                f"line {name} has a buoy {level + found.at(buoys)[:, 1].max():.3g} m above the water; allowed for a "
+                "line of segments: below it, or with one end an anchor on the bed"
+            )

@@ -1,0 +1,73 @@
+"""A System of one body from its mooring legs, each a line from an anchor to a fairlead, and how a spread is laid."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from ..catenary.solve import span_at_tension
+from ..multi_segment.bed import Bed
+from ..multi_segment.line import StaticLine
+from ..multi_segment.span import span_of
+from .graph import System
+from .parts import Anchor, Body, CompositeLine, Fairlead, UniformLine
+
+
+class Leg(NamedTuple):
+    """A line (its ends a, anchor, and b, fairlead, are named anew), and where it is made fast with the body at rest.
+
+    anchor, fairlead : (3,) m in space
+    """
+
+    line: UniformLine | CompositeLine
+    anchor: tuple[float, float, float]
+    fairlead: tuple[float, float, float]
+
+
+def moored_body(legs, depth, center=(0.0, 0.0, 0.0), density=1025.0, gravity=9.80665, name="body"):
+    """The System of one body that moves in the plane, the origin of its axes at `center` (3,) m, on its legs."""
+    points, lines = [], []
+    for line, anchor, fairlead in legs:
+        ends = f"{line.name} anchor", f"{line.name} fairlead"
+        arm = tuple(float(f - c) for f, c in zip(fairlead, center, strict=True))
+        points += [Anchor(ends[0], tuple(map(float, anchor))), Fairlead(ends[1], name, arm)]
+        lines.append(replace(line, a=ends[0], b=ends[1]))
+    body = Body(name, (*map(float, center), 0.0, 0.0, 0.0))
+    return System(depth, lines, points, (body,), density, gravity)
+
+
+def leg_at_tension(line, fairlead, heading, depth, horizontal_tension):
+    """A Leg whose anchor lies on the bed where the line pulls the body at rest with a given horizontal tension.
+
+    fairlead : (3,) m; heading : rad, from the fairlead to the anchor; depth : m; horizontal_tension : N
+    A line of segments counts from the anchor.
+    """
+    height = fairlead[2] + depth
+    if isinstance(line, CompositeLine):
+        bed = Bed.sloping(0.0, line.bed_friction) if line.bed is None else line.bed
+        surface = depth if any(load.weight < 0 for load in line.loads) else np.inf
+        span = span_of(StaticLine(line.segments, line.loads, bed, surface), horizontal_tension, height)
+    else:
+        kind = line.type
+        properties = line.length, kind.weight, kind.axial_stiffness, line.bed_friction
+        span = float(span_at_tension(horizontal_tension, height, *properties)[0])
+    x, y = fairlead[0] + span * np.cos(heading), fairlead[1] + span * np.sin(heading)
+    return Leg(line, (float(x), float(y), -float(depth)), tuple(map(float, fairlead)))
+
+
+def corner_legs(line, hull_length, beam, headings, depth, horizontal_tension, z=0.0):
+    """Legs from the four corners of a box at mirrored headings, named by corner and number: "fore port 1", …
+
+    headings : rad between 0 and π/2, from the x axis, for the corner at +x, +y; z : height of the fairleads, m
+    """
+    legs = []
+    for end, sx in (("fore", 1), ("aft", -1)):
+        for side, sy in (("port", 1), ("starboard", -1)):
+            for number, angle in enumerate(headings, 1):
+                heading = np.arctan2(sy * np.sin(angle), sx * np.cos(angle))
+                fairlead = (0.5 * sx * hull_length, 0.5 * sy * beam, z)
+                named = replace(line, name=f"{end} {side} {number}")
+                legs.append(leg_at_tension(named, fairlead, heading, depth, horizontal_tension))
+    return legs
