@@ -81,7 +81,7 @@ def row(name, prepare, reference, dimensions, tolerance):
 
 
 def exact(dimensions, omega):
-    body = TruncatedCylinder(*dimensions, omega, RHO, G, terms=5, modes=150)
+    body = TruncatedCylinder(*dimensions, omega, RHO, G)
     force = np.array([body.excitation(b) for b in HEADINGS])
     drift = np.array([[*body.drift_fixed(b), 0.0] for b in HEADINGS])
     return body.added_mass() + 1j * body.damping() / omega, force, drift

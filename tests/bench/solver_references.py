@@ -40,7 +40,7 @@ def collected(rows):
     return Coefficients(*(np.array(values) for values in zip(*rows, strict=True)))
 
 
-def exact(case, terms=5, modes=150):
+def exact(case, terms=20, modes=100):
     rows = []
     for omega in case.omega:
         sizes = case.sizes["radius"], case.sizes["draft"], case.depth
@@ -105,7 +105,7 @@ def main():
     for case in CASES.values():
         if case.shape == "buoy":
             values = exact(case).named()
-            print(f"{case.name}: more functions {apart(case, values, exact(case, 6, 200).named())}", flush=True)
+            print(f"{case.name}: more functions {apart(case, values, exact(case, 28, 200).named())}", flush=True)
         else:
             values = contour(case, FINEST).named()
             rougher, carried = contour(case, 1e-6).named(), extrapolated(case)

@@ -13,14 +13,12 @@ from __future__ import annotations
 import numpy as np
 from scipy.special import h1vp, hankel1, jvp, kve
 
-from bem.waves import group_factor, wavenumber
-
-from .gap_modes import evanescent_wavenumbers
+from .water_waves import evanescent_wavenumbers, group_factor, wavenumber
 
 
 def excitation(radius, depth, omega, beta=0.0, density=1025.0, gravity=9.80665):
     """(6,) N/m and N m/m, complex"""
-    k = float(wavenumber(omega, depth, gravity))
+    k = wavenumber(omega, depth, gravity)
     scale = 4 * density * gravity / (k**2 * h1vp(1, k * radius))
     surge = scale * np.tanh(k * depth)
     pitch = -scale * (1 - 1 / np.cosh(k * depth)) / k
@@ -30,9 +28,9 @@ def excitation(radius, depth, omega, beta=0.0, density=1025.0, gravity=9.80665):
 
 def drift(radius, depth, omega, beta=0.0, density=1025.0, gravity=9.80665):
     """Mean (Fx, Fy) per amplitude squared, N/m², from the waves far away"""
-    k = float(wavenumber(omega, depth, gravity))
+    k = wavenumber(omega, depth, gravity)
     h = harmonics(k * radius)
-    scale = 2 * density * gravity / k * float(group_factor(k, depth))
+    scale = 2 * density * gravity / k * group_factor(k, depth)
     force = scale * (-h[0].real - 2 * h[1:].real.sum() - 2 * np.sum(h[:-1] * h[1:].conj()).real)
     return force * np.array([np.cos(beta), np.sin(beta)])
 
@@ -45,13 +43,13 @@ def harmonics(x):
 
 def surge_radiation(radius, depth, omega, density=1025.0, gravity=9.80665, modes=2000):
     """Added mass (kg) and damping (kg/s) in surge; the error falls like modes⁻⁴."""
-    k = float(wavenumber(omega, depth, gravity))
+    k = wavenumber(omega, depth, gravity)
     kn = evanescent_wavenumbers(omega, depth, modes, gravity)
     x = kn * radius
     ratios = -1 / (kn * (kve(0, x) / kve(1, x) + 1 / x))
     norms = depth / 2 * (1 + np.sin(2 * kn * depth) / (2 * kn * depth))
     local = np.sum(ratios * (np.sin(kn * depth) / kn) ** 2 / norms)
     ratio = hankel1(1, k * radius) / (k * h1vp(1, k * radius))
-    wave = ratio * np.tanh(k * depth) / (k * float(group_factor(k, depth)))
+    wave = ratio * np.tanh(k * depth) / (k * group_factor(k, depth))
     impedance = -density * np.pi * radius * (wave + local)
     return impedance.real, impedance.imag * omega

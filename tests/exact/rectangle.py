@@ -34,8 +34,8 @@ class Rectangle:
     omega: float
     density: float = 1025.0
     gravity: float = 9.80665
-    terms: int = 4
-    modes: int = 100
+    terms: int = 20
+    modes: int = 60
 
     @cached_property
     def gap(self):
@@ -70,8 +70,8 @@ class Rectangle:
 
     def _regions(self, mean_ratio, ratios, symmetric):
         gap = self.gap
-        outside = gap.outside(-1j / self.k, -1 / gap.outer_wavenumbers)
-        beneath = gap.beneath(mean_ratio, ratios / gap.inner_wavenumbers)
+        outside = gap.outside(-1j / self.k, -1 / gap.outer_wavenumbers, 0.0)
+        beneath = gap.beneath(mean_ratio, ratios / gap.inner_wavenumbers, 0.0)
         return TwoRegions(gap, outside, beneath, symmetric)
 
     def _regions_of(self, mode):

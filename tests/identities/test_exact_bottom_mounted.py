@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 from exact.maccamy_fuchs import drift, excitation, harmonics, surge_radiation
+from exact.water_waves import group_factor, wavenumber
 from scipy.special import h1vp
-
-from bem.waves import group_factor, wavenumber
 
 RHO, G = 1025.0, 9.80665
 CASES = [(5.0, 10.0, 0.3), (5.0, 10.0, 1.0), (5.0, 10.0, 3.0), (20.0, 4.0, 1.0), (3.0, 60.0, 1.2)]
@@ -22,10 +21,10 @@ def potential_on_the_side(k, radius, omega, theta):
 
 @pytest.mark.parametrize("radius, depth, omega", CASES)
 def test_drift_by_the_far_field_is_the_mean_pressure_on_the_side(radius, depth, omega):
-    k = float(wavenumber(omega, depth))
+    k = wavenumber(omega, depth)
     theta = np.arange(512) * 2 * np.pi / 512
     phi, along = potential_on_the_side(k, radius, omega, theta)
-    square = float(group_factor(k, depth)) * np.tanh(k * depth) / k  # ∫ cosh² k(z+h) dz / cosh² kh
+    square = group_factor(k, depth) * np.tanh(k * depth) / k  # ∫ cosh² k(z+h) dz / cosh² kh
     slope_square = k**2 * (square - depth / np.cosh(k * depth) ** 2)
     crest = -RHO * G / 4 * np.abs(omega / G * phi) ** 2
     speed = RHO / 4 * (np.abs(along) ** 2 * square + np.abs(phi) ** 2 * slope_square)
@@ -35,7 +34,7 @@ def test_drift_by_the_far_field_is_the_mean_pressure_on_the_side(radius, depth, 
 
 @pytest.mark.parametrize("radius, depth, omega", CASES)
 def test_forces_are_the_pressure_on_the_side(radius, depth, omega):
-    k = float(wavenumber(omega, depth))
+    k = wavenumber(omega, depth)
     theta = np.arange(256) * 2 * np.pi / 256
     phi, _ = potential_on_the_side(k, radius, omega, theta)
     x, w = np.polynomial.legendre.leggauss(40)
@@ -57,8 +56,8 @@ def test_diffracted_waves_take_their_energy_from_the_incident_one(x):
 @pytest.mark.parametrize("radius, depth, omega", CASES)
 def test_damping_is_the_exciting_force_by_haskind(radius, depth, omega):
     """B = k/(8π ρ g C_g) ∫ |F(β)|² dβ, and F(β) = F(0) cos β"""
-    k = float(wavenumber(omega, depth))
-    group = float(group_factor(k, depth)) * omega / k
+    k = wavenumber(omega, depth)
+    group = group_factor(k, depth) * omega / k
     force = excitation(radius, depth, omega)[0]
     damping = k * abs(force) ** 2 / (8 * RHO * G * group)
     assert surge_radiation(radius, depth, omega)[1] == pytest.approx(damping, rel=1e-10)
@@ -67,7 +66,7 @@ def test_damping_is_the_exciting_force_by_haskind(radius, depth, omega):
 def test_long_waves_push_with_twice_the_displaced_mass():
     """Inertia coefficient 2: F = 2 ρ π a² h · (acceleration g k i) and added mass ρ π a² h, for ka → 0."""
     radius, depth, omega = 1e-3, 1.0, 0.3
-    k = float(wavenumber(omega, depth))
+    k = wavenumber(omega, depth)
     mass = RHO * np.pi * radius**2 * depth
     force = excitation(radius, depth, omega)[0]
     acceleration = -1j * G * np.tanh(k * depth) / depth

@@ -43,7 +43,7 @@ def known(case):
 @pytest.mark.parametrize("case", CYLINDERS, ids=lambda case: case.name)
 def test_references_of_cylinders_are_exact(case):
     """Against the exact solution with more functions than the table was made with"""
-    found = exact(case, terms=6, modes=200)
+    found = exact(case, terms=28, modes=200)
     assert error(case, found).value < 1e-6
 
 
