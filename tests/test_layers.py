@@ -74,6 +74,12 @@ def test_no_folder_has_more_than_fifteen_modules(folder):
     assert len([file for file in folder.glob("*.py") if file.name != "__init__.py"]) <= 15
 
 
+@pytest.mark.parametrize("file", sorted((ROOT / "tests" / "exact").glob("*.py")), ids=lambda file: file.name)
+def test_exact_solutions_share_no_code_with_what_they_judge(file):
+    modules = [m for m, _ in imports(ast.parse(file.read_text(encoding="utf-8")))]
+    assert not [m for m in modules if any(is_or_in(m, layer) for layer in LAYERS)]
+
+
 def test_only_the_mesher_sees_gmsh():
     trees = {file.name: ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
     users = [name for name, tree in trees.items() if any(is_or_in(m, "gmsh") for m, _ in imports(tree))]
