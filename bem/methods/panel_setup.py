@@ -10,11 +10,11 @@ import numpy as np
 from ..body import Body
 from ..kernels.threads import blas_threads
 from ..modes import normal_velocities
-from ..panels.band.one_frequency import ReducedRun
+from ..panels.axisymmetric_frequency import AxisymmetricRun
+from ..panels.band.one_frequency import BandRun
 from ..panels.frequency_limits import added_mass_limit
 from ..panels.influence import Geometry
 from ..panels.one_frequency import PanelRun
-from ..panels.revolution_frequency import RoundRun
 from ..panels.zero_draft import ZeroDraftRun, flattened, rigid_surface_limit
 
 
@@ -78,13 +78,13 @@ class Prepared:
         return share > np.array([1e-6] * 3 + [0.02] * 3)
 
     @cached_property
-    def turned(self):
-        """The geometry of a body of revolution with a lid that turns as its hull does, where the given one does not.
+    def axisymmetric_geometry(self):
+        """The geometry of an axisymmetric body with an axisymmetric lid, which replaces one that is not.
 
-        No water moves on the lid, so that any will do.
+        φ' vanishes on the lid, so that any will do.
         """
         g, setup = self.geometry, self.setup
-        if setup.lid is None or g.wedges or not g.without_lid.wedges:
+        if setup.lid is None or g.sectors or not g.without_lid.sectors:
             return g
         from meshing.lid import polar_lid
 
@@ -92,13 +92,13 @@ class Prepared:
         return g if lid is None else Geometry(setup.mesh, lid, setup.depth, setup.nodes_per_panel)
 
     @cached_property
-    def reduced(self):
-        """`bem.panels.band.equations.Reduced` equations of the setup's band, of its lower part without lid first"""
-        from ..panels.band.equations import reduced, sufficient_accuracy
+    def band_equations(self):
+        """(`bem.panels.band.equations.BandEquations`, …) of the setup's band, of its lower part without lid first"""
+        from ..panels.band.equations import band_equations, sufficient_accuracy
 
         setup = self.setup
         with blas_threads(len(self.geometry.elements.nodes)):
-            return reduced(self.geometry, setup.band, setup.gravity, sufficient_accuracy(setup.mesh.total))
+            return band_equations(self.geometry, setup.band, setup.gravity, sufficient_accuracy(setup.mesh.total))
 
     @property
     def refinement(self):
@@ -120,9 +120,9 @@ class Prepared:
         if self.setup.zero_draft:
             return ZeroDraftRun(self, *question)
         if self.in_band(question[0]):
-            return ReducedRun(self, *question)
-        of_wedges = self.turned.at(question[0] ** 2 / self.setup.gravity).wedges
-        return (RoundRun if of_wedges else PanelRun)(self, *question)
+            return BandRun(self, *question)
+        axisymmetric = self.axisymmetric_geometry.at(question[0] ** 2 / self.setup.gravity).sectors
+        return (AxisymmetricRun if axisymmetric else PanelRun)(self, *question)
 
     def in_band(self, omega):
         """Whether a frequency lies in the setup's band, but for rounding"""

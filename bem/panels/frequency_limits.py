@@ -10,8 +10,8 @@ import numpy as np
 
 from ..green.tables import limit_table
 from ..kernels.threads import blas_threads
+from .axisymmetric import sector_rows, solved_by_harmonics
 from .influence import ROWS
-from .revolution import solved_by_harmonics, wedge_rows
 from .wave_influence import wave_blocks
 
 
@@ -32,8 +32,8 @@ def _limit(prepared, which):
     g, setup = prepared.geometry.without_lid, prepared.setup  # without waves it is not needed
     velocities = [g.modes[:, g.members(c)] for c in g.classes]
     table, mirror = limit_table(which, setup.depth, g.reach, g.draft), 1.0 if which == "zero" else -1.0
-    if g.wedges:
-        S, D = wedge_rows(g, mirror, table, unit_depth_values)
+    if g.sectors:
+        S, D = sector_rows(g, mirror, table, unit_depth_values)
         of_class = {cls: v.T for cls, v in zip(g.classes, velocities, strict=True)}
         found, _ = solved_by_harmonics(g, S.real, D.real, 0.0, of_class)
         return added_mass_of(prepared, [phi.real for phi in found.values()], which)

@@ -140,16 +140,16 @@ class Geometry:
         return self.rankine_rows(self.elements.nodes)
 
     @cached_property
-    def wedges(self):
-        """`bem.panels.revolution.Wedges` of a body of revolution, else None"""
-        from .revolution import wedges
+    def sectors(self):
+        """`bem.panels.axisymmetric.Sectors` of an axisymmetric body, else None"""
+        from .axisymmetric import sectors
 
-        return wedges(self)
+        return sectors(self)
 
     @cached_property
-    def rankine_of_wedge(self):
-        """`rankine_rows` at the nodes of the first wedge"""
-        return self.rankine_rows(self.elements.nodes[self.wedges.first])
+    def rankine_of_sector(self):
+        """`rankine_rows` at the nodes of the first sector"""
+        return self.rankine_rows(self.elements.nodes[self.sectors.first])
 
 
 def _before_wall(mesh, wall):

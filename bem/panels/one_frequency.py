@@ -19,7 +19,10 @@ from .influence import assembled
 
 
 class PanelRun(FrequencyRun):
-    """Only symmetry classes that hold a wanted degree of freedom or a wave are assembled and solved."""
+    """Potentials and forces of one frequency, by direct boundary elements (`bem.panels.influence`).
+
+    Only symmetry classes with a wanted degree of freedom or an incident wave are assembled and solved.
+    """
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         super().__init__(prepared, omega, headings, want, theta, dofs)
@@ -40,7 +43,7 @@ class PanelRun(FrequencyRun):
     @cached_property
     def residual(self):
         """Largest residual of the linear equations, relative to the right-hand sides"""
-        _ = self.pressing
+        _ = self.force_potentials
         return self._residual
 
     @cached_property
@@ -76,8 +79,8 @@ class PanelRun(FrequencyRun):
         out, force = {}, np.zeros((len(self.headings), 6), complex)
         for i, cls in enumerate(g.classes):
             out[cls] = waves[0, i], waves[1, i]
-            mine = g.members(cls)
-            force[:, mine] = out[cls][0] @ self.weighted_modes[:, mine]
+            own = g.members(cls)
+            force[:, own] = out[cls][0] @ self.weighted_modes[:, own]
         return out, -1j * self.setup.density * self.omega * force
 
     @cached_property
@@ -87,21 +90,21 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def columns(self):
-        """{class: (its radiating dofs, its headings)}, empty classes left out."""
-        table, arriving = {}, self.arriving if self.diffracts else {}
+        """{class: (its radiating dofs, its headings)}, the right-hand sides; classes without any are left out."""
+        table, incident_headings = {}, self.incident_headings if self.diffracts else {}
         for cls in self.geometry.classes:
-            mine = self.geometry.members(cls)
-            moving = [d for d in mine if d in self.dofs] if self.radiates else []
+            own = self.geometry.members(cls)
+            moving = [d for d in own if d in self.dofs] if self.radiates else []
             waves = []
-            if self.diffracts and (self.far_field or self.whole_field or any(d in self.dofs for d in mine)):
-                waves = arriving[cls]
+            if self.diffracts and (self.far_field or self.whole_field or any(d in self.dofs for d in own)):
+                waves = incident_headings[cls]
             if moving or waves:
                 table[cls] = moving, waves
         return table
 
     @property
-    def arriving(self):
-        """{class: headings whose waves move anything in it}"""
+    def incident_headings(self):
+        """{class: headings whose waves have a part of the class's symmetry}"""
         sizes = {cls: np.abs(velocity).max(axis=1) for cls, (_, velocity) in self.incident[0].items()}
         least = 1e-12 * max(size.max() for size in sizes.values())
         return {cls: np.flatnonzero(size > least).tolist() for cls, size in sizes.items()}
@@ -121,8 +124,8 @@ class PanelRun(FrequencyRun):
             return self._solved()
 
     @property
-    def pressing(self):
-        """As `potentials`, but maybe without what pushes the body nowhere"""
+    def force_potentials(self):
+        """As `potentials`, but possibly without harmonics that exert no force on the body"""
         return self.potentials
 
     def _solved(self):
@@ -165,17 +168,17 @@ class PanelRun(FrequencyRun):
         return np.ascontiguousarray(solution[: self.geometry.hull].T)
 
     @cached_property
-    def pushing(self):
+    def pressure_integrals(self):
         """{class: ∬ φ nⱼ dS (columns, its degrees of freedom)} over the whole hull"""
         members = self.geometry.members
-        return {cls: self.pressing[cls] @ self.weighted_modes[:, members(cls)] for cls in self.columns}
+        return {cls: self.force_potentials[cls] @ self.weighted_modes[:, members(cls)] for cls in self.columns}
 
     @cached_property
-    def meeting_waves(self):
+    def haskind_integrals(self):
         """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull"""
         waves, areas = self.incident[0], self.hull[1] * self.geometry.copies
         return {
-            cls: (waves[cls][1] * areas) @ self.pressing[cls][: len(moving)].T
+            cls: (waves[cls][1] * areas) @ self.force_potentials[cls][: len(moving)].T
             for cls, (moving, _) in self.columns.items()
         }
 
@@ -184,8 +187,8 @@ class PanelRun(FrequencyRun):
         """Complex A + iB/ω (6, 6) about the origin, zero where a degree of freedom was left out"""
         out = np.zeros((6, 6), complex)
         for cls, (moving, _) in self.columns.items():
-            mine = [self.geometry.members(cls).index(d) for d in moving]
-            out[np.ix_(moving, moving)] = -self.setup.density * self.pushing[cls][: len(moving), mine].T
+            own = [self.geometry.members(cls).index(d) for d in moving]
+            out[np.ix_(moving, moving)] = -self.setup.density * self.pressure_integrals[cls][: len(moving), own].T
         return out
 
     @cached_property
@@ -193,8 +196,8 @@ class PanelRun(FrequencyRun):
         """Diffraction force (m, 6) about the origin"""
         out = np.zeros((len(self.headings), 6), complex)
         for cls, (moving, waves) in self.columns.items():
-            mine, pushing = self.geometry.members(cls), self.pushing[cls][len(moving) :]
-            out[np.ix_(waves, mine)] = -1j * self.setup.density * self.omega * pushing
+            own, pressure_integrals = self.geometry.members(cls), self.pressure_integrals[cls][len(moving) :]
+            out[np.ix_(waves, own)] = -1j * self.setup.density * self.omega * pressure_integrals
         return out
 
     @cached_property
@@ -203,7 +206,7 @@ class PanelRun(FrequencyRun):
         force = self.incident[1]
         out = np.zeros(force.shape, complex)
         for cls, (moving, _) in self.columns.items():
-            out[:, moving] = force[:, moving] + 1j * self.setup.density * self.omega * self.meeting_waves[cls]
+            out[:, moving] = force[:, moving] + 1j * self.setup.density * self.omega * self.haskind_integrals[cls]
         return out
 
     @cached_property

@@ -13,9 +13,9 @@ PER_PANEL = 4  # nodes
 # frequencies on 472, 944, 1976 and 3936 nodes.  A single one on more nodes would not fit.
 WORTH_SHARING = 5000
 FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
-# on a body of revolution (`bem.panels.revolution`): it takes as long as 115 of 1 000 or 4 000 panels, with two
+# on an axisymmetric body (`bem.panels.axisymmetric`): it takes as long as 115 of 1 000 or 4 000 panels, with two
 # threads 190 and 145
-WORTH_SHARING_ROUND = 150
+WORTH_SHARING_AXISYMMETRIC = 150
 ADAPTIVE = 20  # frequencies that an adaptive band takes, about
 WORTH_TELLING = 3000
 
@@ -27,7 +27,7 @@ def shared_band(scene, mesh, lid=None):
     if nodes < FEWEST or count * nodes <= WORTH_SHARING:
         return None
     alone = Setup(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
-    if count < WORTH_SHARING_ROUND and alone.turned.wedges:
+    if count < WORTH_SHARING_AXISYMMETRIC and alone.axisymmetric_geometry.sectors:
         return None
     return float(omegas.min()), float(omegas.max())
 

@@ -19,7 +19,7 @@ from bem import DOFS
 from bem.green.tables import wave_table
 from bem.kernels.threads import thread_count
 from bem.methods.panel_setup import Setup, prepare
-from bem.panels.band.one_frequency import ReducedRun
+from bem.panels.band.one_frequency import BandRun
 from bem.panels.one_frequency import PanelRun
 from bem.panels.wave_influence import wave_blocks
 from bem.waves import depth_values, wavenumber
@@ -94,13 +94,13 @@ def main(counts):
         print(f"{prepared.setup.mesh.total} panels, {n} + {lid_nodes} unknowns to a class")
         print(f"  pair: 1/r {exact:.1f} ns, waves {waves:.1f} ns; table {filling:.1f} ms")
         start = time.perf_counter()
-        spaces = [part.space for part in prepared.reduced]
+        bases = [part.low_rank for part in prepared.band_equations]
         took = time.perf_counter() - start
         print(f"  band: {took:.2f} s to prepare")
-        for omega, space in zip(OMEGAS, spaces, strict=True):
-            shared, parts = frequency(ReducedRun, prepared, omega)
-            few = f"{len(space.points)} points, {len(space.sources)} sources"
-            print(f"  ω = {omega} of it: {few}, {shared:.1f} ms {parts}")
+        for omega, basis in zip(OMEGAS, bases, strict=True):
+            shared, parts = frequency(BandRun, prepared, omega)
+            nodes = f"{len(basis.points)} points, {len(basis.sources)} sources"
+            print(f"  ω = {omega} of it: {nodes}, {shared:.1f} ms {parts}")
             if panels <= DIRECT:
                 alone, parts = frequency(PanelRun, prepared, omega)
                 print(f"  ω = {omega} alone: {alone:.1f} ms {parts}")

@@ -1,1 +1,1 @@
-"""Frequencies of a band that share the work on one body: equations, low-rank waves, error test, cost."""
+"""Frequencies of a band that share the work on one body: equations, low-rank wave matrices, error test, cost."""

@@ -1,4 +1,4 @@
-"""What a large panel problem will take, said before it starts: memory by counting, time by two short trials."""
+"""Memory and time that a large panel problem will take: memory by counting, time from short measurements."""
 
 from __future__ import annotations
 
@@ -13,93 +13,91 @@ from ...kernels.progress import FACTORS, MATRICES, WAVES
 from ...kernels.threads import PAIRS_WORTH_THREADS
 from ...waves import depth_values
 from ..wave_influence import wave_blocks
-from .equations import parted
-from .low_rank_waves import EVERY, Cases
+from .equations import split_by_lid
+from .low_rank_waves import STRIDE, Snapshots
 
-TRIALS, TRIAL_ROWS, TRIAL_SIZE = 3, 16, 1500
-OTHER = 400e6  # bytes of the interpreter, its libraries and tables
-ALONE = 54  # bytes for a pair of nodes and class: exact matrices, those of the waves, their factors and blocks
-TURNED = 100  # bytes for a row of a wedge, a node and class: exact rows, those of the waves, and all harmonics
-SPACE = 600  # nodes that stand for all where waves are concerned, a generous guess (`bem.panels.band.low_rank_waves`)
+TIMED_RUNS, TIMED_ROWS, TIMED_UNKNOWNS = 3, 16, 1500
+BYTES_OF_PROGRAM = 400e6  # interpreter, libraries and tables
+BYTES_PER_PAIR = 54  # of nodes, and class: Rankine matrices, wave matrices, factors and blocks
+BYTES_PER_AXISYMMETRIC_PAIR = 100  # row of a sector, node and class: Rankine rows, wave rows and all harmonics
+RANK = 600  # of the wave matrices, a generous guess (`bem.panels.band.low_rank_waves`)
 
 
 class Cost(NamedTuple):
-    """Bytes at the peak, and for each of `bem.kernels.progress` how much there is to do and the seconds that one
-    takes.
-    """
+    """memory : bytes at the peak; stages : {stage of `bem.kernels.progress`: (count, seconds for each)}"""
 
     memory: float
     stages: dict
 
     @property
     def seconds(self):
-        """Before the first frequency"""
+        """s, before the first frequency"""
         return sum(count * seconds for count, seconds in self.stages.values())
 
 
 def cost(geometry, band, gravity):
-    """`Cost` of `bem.panels.band.equations.reduced`; arguments as there."""
+    """`Cost` of `bem.panels.band.equations.band_equations`; arguments as there."""
     n, classes = geometry.hull, len(geometry.classes)
     lid = len(geometry.elements.nodes) - n
-    columns = SPACE + 2 * lid
+    columns = RANK + 2 * lid
     matrices = 8.0 * classes * (n * n + 2 * n * columns) + 8.0 * n * columns
     rows = 0.0
-    for part in parted(geometry, band, gravity):
-        cases = Cases(*part, gravity)
-        rows += len(cases.wavenumbers) * (len(cases.samples().nodes) / EVERY + SPACE)
-    factor = _seconds_of_factor() * ((n / TRIAL_SIZE) ** 3 + 3 * columns * n**2 / TRIAL_SIZE**3)
+    for part in split_by_lid(geometry, band, gravity):
+        snapshots = Snapshots(*part, gravity)
+        rows += len(snapshots.wavenumbers) * (len(snapshots.samples().nodes) / STRIDE + RANK)
+    factor = _seconds_of_factor() * ((n / TIMED_UNKNOWNS) ** 3 + 3 * columns * n**2 / TIMED_UNKNOWNS**3)
     stages = {
         WAVES: (rows, _seconds_of_waves(geometry, band[1], gravity)),
         MATRICES: (n + lid, _seconds_of_rows(geometry)),
         FACTORS: (classes, factor),
     }
-    return Cost(matrices + OTHER, stages)
+    return Cost(matrices + BYTES_OF_PROGRAM, stages)
 
 
 def memory_alone(prepared):
     """Bytes at the peak of frequencies that share no work (`bem.panels.one_frequency`, `bem.panels.zero_draft`,
-    `bem.panels.revolution_frequency`)
+    `bem.panels.axisymmetric_frequency`)
     """
-    by_classes = prepared.setup.zero_draft  # the plate is solved by classes, round or not
-    g = prepared.geometry if by_classes else prepared.turned
+    by_classes = prepared.setup.zero_draft  # the plate is solved by symmetry classes, axisymmetric or not
+    g = prepared.geometry if by_classes else prepared.axisymmetric_geometry
     nodes = float(len(g.elements.nodes))
-    if by_classes or not g.wedges:
-        return ALONE * len(g.classes) * nodes**2 + OTHER
-    return TURNED * len(g.classes) * nodes * len(g.wedges.first) + OTHER
+    if by_classes or not g.sectors:
+        return BYTES_PER_PAIR * len(g.classes) * nodes**2 + BYTES_OF_PROGRAM
+    return BYTES_PER_AXISYMMETRIC_PAIR * len(g.classes) * nodes * len(g.sectors.first) + BYTES_OF_PROGRAM
 
 
 def _seconds_of_waves(geometry, omega, gravity):
-    """Seconds for a row of the wave parts"""
+    """Seconds for a row of the wave matrices"""
     g, nodes = geometry, np.arange(len(geometry.elements.nodes))
-    some = _trial_rows(g)
+    some = _timed_rows(g)
     table = wave_table(omega, g.depth, gravity, g.reach, g.draft)
     return _seconds(lambda: wave_blocks(g, some, nodes, table, depth_values(table.k, g.depth))) / len(some)
 
 
 def _seconds_of_rows(geometry):
-    """Seconds for a row of the exact matrices"""
-    some = _trial_rows(geometry)
+    """Seconds for a row of the Rankine matrices"""
+    some = _timed_rows(geometry)
     return _seconds(lambda: geometry.rankine_rows(geometry.elements.nodes[some])) / len(some)
 
 
-def _trial_rows(geometry):
-    """Nodes whose rows are tried: as many as are shared out among threads, like all rows are"""
+def _timed_rows(geometry):
+    """Nodes whose rows are timed: as many as use several threads, like all rows do"""
     n = len(geometry.elements.nodes)
-    rows = max(TRIAL_ROWS, int(np.ceil(PAIRS_WORTH_THREADS / (n * len(geometry.images)))))
+    rows = max(TIMED_ROWS, int(np.ceil(PAIRS_WORTH_THREADS / (n * len(geometry.images)))))
     return np.arange(0, n, max(n // rows, 1))
 
 
 def _seconds_of_factor():
     from scipy.linalg import lu_factor
 
-    A = np.random.default_rng(0).standard_normal((TRIAL_SIZE, TRIAL_SIZE))
+    A = np.random.default_rng(0).standard_normal((TIMED_UNKNOWNS, TIMED_UNKNOWNS))
     return _seconds(lambda: lu_factor(A, check_finite=False))
 
 
 def _seconds(work):
-    """The shortest of some trials: the first compiles, and the machine has other things to do"""
+    """Shortest of `TIMED_RUNS` after a first one, which compiles: others are disturbed by what else the machine does"""
     times = []
-    for _ in range(TRIALS + 1):
+    for _ in range(TIMED_RUNS + 1):
         start = time.perf_counter()
         work()
         times.append(time.perf_counter() - start)
@@ -114,9 +112,9 @@ def available_memory():
 
 
 def _left_to_container(place=Path("/sys/fs/cgroup")):
-    """Bytes below the limit of Linux' control group (version 2), its cache of files counted as free; infinite without
+    """Bytes below the limit of Linux' control group (version 2), its file cache counted as free; infinite without one
 
-    place : where the group of the process is seen from inside a container
+    place : folder of the process's group, as seen from inside a container
     """
     try:
         limit, used = (float((place / name).read_text()) for name in ("memory.max", "memory.current"))

@@ -1,15 +1,18 @@
-"""The integral equations of a band of frequencies, with waves between few nodes only.
+"""Integral equations of a band of frequencies: a frequency-independent Rankine part and low-rank wave matrices.
 
-With f on the hull and g on the lid the equations of `bem.panels.influence`, those of the lid with the other sign, are
+The equations of `bem.panels.influence`, those of the lid with the other sign, S₀ and D₀ the Rankine part of S and D and
+W, S_w the wave part in the low-rank form of `bem.panels.band.low_rank_waves`, are with f on the hull and g on the lid
 
     2πφ − D₀φ − K S₀φ' = f,    −4πφ' − K S₀φ' − D₀φ = g,    (f, g) = X m − S₀V v
     m = W[points, sources] α − S_w[points, monopoles] M v,    α = Y (φ, φ')
 
-of which only W and S_w are of the frequency, and complex (`bem.panels.band.low_rank_waves`).  2π − D₀ is factored
-once for each
-symmetry class; with T = S₀ + D₀ (2π − D₀)⁻¹ S₀ on the lid, K φ' = −(4π/K + T)⁻¹ (g + D₀ (2π − D₀)⁻¹ f) is real
-algebra of the size of the lid, and what remains is a complex system of the size of the space (Sherman, Morrison &
-Woodbury).
+Only K and the complex W and S_w depend on the frequency.  2π − D₀ is factored once for each symmetry class.  On the lid
+the Schur complement, with T = S₀ + D₀ (2π − D₀)⁻¹ S₀,
+
+    K φ' = −(4π/K + T)⁻¹ (g + D₀ (2π − D₀)⁻¹ f)
+
+is a real system of the size of the lid; eliminating φ by the Woodbury identity leaves a complex system for m, of the
+rank of W.
 """
 
 from __future__ import annotations
@@ -21,87 +24,89 @@ import numpy as np
 from ...checks import ERROR_ORDER
 from ...kernels.progress import FACTORS, MATRICES, report_progress
 from ..wave_influence import Pairs
-from .low_rank_waves import wave_space
+from .low_rank_waves import low_rank_waves
 
-ROWS = 128  # of the matrices made at once: with twice as many 4 000 panels took 65 MB more, and as long
+ROWS = 128  # of the Rankine matrices at once: with twice as many 4 000 panels took 65 MB more, and as long
 
 
-class Reduced(NamedTuple):
-    """The space of a band of frequencies, and what each symmetry class makes of it.
+class BandEquations(NamedTuple):
+    """Frequency-independent solutions of the equations, for unit right-hand sides.
 
-    c classes, n hull nodes, l lid nodes, r points, q sources, v given normal velocities, u = r + v + l, e samples on
-    the hull
+    c classes, n hull nodes, l lid nodes, r points, q sources, v normal velocities, e samples on the hull; u = r + v + l
+    unit columns: of m, of −v and of Kφ'
     """
 
     geometry: object  # with or without lid
     accuracy: float
-    space: object  # `WaveSpace`
-    response: np.ndarray  # (c, n, u) (2π − D₀)⁻¹ [X, S₀V, S₀ of the lid]
-    at_samples: np.ndarray  # (c, e, u) of it, at the samples of `bem.panels.band.error_test`
-    integrals: np.ndarray  # (c, v, u) ∬ V times it dS over the whole hull
-    at_sources: np.ndarray  # (c, q, u) Y of it
-    on_lid: np.ndarray  # (c, l, u) D₀ of it on the lid, plus [X, S₀V, S₀] there: the last part is T
-    from_lid: np.ndarray  # (q, l) Y of the lid
+    low_rank: object  # `bem.panels.band.low_rank_waves.LowRankWaves`
+    unit_potentials: np.ndarray  # (c, n, u) φ of the unit columns, (2π − D₀)⁻¹ [X, S₀V, S₀ of the lid]
+    potentials_at_samples: np.ndarray  # (c, e, u) the same at the samples of `bem.panels.band.error_test`
+    integrals: np.ndarray  # (c, v, u) ∬ V φ dS over the whole hull
+    at_sources: np.ndarray  # (c, q, u) Y φ
+    on_lid: np.ndarray  # (c, l, u) D₀φ + [X, S₀V, S₀] on the lid; the last l columns are T
+    from_lid: np.ndarray  # (q, l) Y of the lid nodes
     pairs: object  # `bem.panels.wave_influence.Pairs` of points and sources
-    trial_pairs: object  # and of those of `bem.panels.band.error_test`
+    test_pairs: object  # of the test points and samples of `bem.panels.band.error_test`
 
     @classmethod
-    def empty(cls, geometry, accuracy, space):
-        """With room for what the classes make of it"""
-        c, n, v = space.velocities.shape
-        lid, (q, _) = len(geometry.elements.nodes) - n, space.Y.shape
-        u = len(space.points) + v + lid
-        rooms = (np.empty((c, rows, u)) for rows in (n, space.trial.samples.hull, v, q, lid))
-        from_lid, trial = np.ascontiguousarray(space.Y[:, n:]), space.trial
-        pairs = Pairs.of(geometry, space.points, space.sources)
-        trial_pairs = Pairs.of(geometry, trial.points, trial.samples.nodes)
-        return cls(geometry, accuracy, space, *rooms, from_lid, pairs, trial_pairs)
+    def empty(cls, geometry, accuracy, low_rank):
+        """With arrays not yet filled, `solve_class` fills them"""
+        c, n, v = low_rank.velocities.shape
+        lid, (q, _) = len(geometry.elements.nodes) - n, low_rank.Y.shape
+        u = len(low_rank.points) + v + lid
+        arrays = (np.empty((c, rows, u)) for rows in (n, low_rank.error_test.samples.hull, v, q, lid))
+        from_lid, error_test = np.ascontiguousarray(low_rank.Y[:, n:]), low_rank.error_test
+        pairs = Pairs.of(geometry, low_rank.points, low_rank.sources)
+        test_pairs = Pairs.of(geometry, error_test.points, error_test.samples.nodes)
+        return cls(geometry, accuracy, low_rank, *arrays, from_lid, pairs, test_pairs)
 
-    def fill(self, i, factors, on_lid, sides):
-        """Class number i from the factored 2π − D₀; on_lid and sides as of `_exact`, of the larger geometry"""
+    def solve_class(self, i, factors, on_lid, sides):
+        """Fill the arrays of class i; factors : LU of 2π − D₀; on_lid, sides : of `_rankine_equations`"""
         from scipy.linalg import lu_solve
 
-        space, n, lid = self.space, self.geometry.hull, self.on_lid.shape[1]
+        low_rank, n, lid = self.low_rank, self.geometry.hull, self.on_lid.shape[1]
         columns = sides.shape[1] - (len(on_lid) - lid)
-        known = np.concatenate([space.X, sides[: n + lid, :columns]], axis=1)
-        response = self.response[i] = lu_solve(factors, known[:n], trans=1, check_finite=False)
-        if not np.all(np.isfinite(response)):
+        known = np.concatenate([low_rank.X, sides[: n + lid, :columns]], axis=1)
+        unit_potentials = self.unit_potentials[i] = lu_solve(factors, known[:n], trans=1, check_finite=False)
+        if not np.all(np.isfinite(unit_potentials)):
             raise FloatingPointError(f"class {i} of the mesh: the equations of the hull have no finite solution")
         areas = self.geometry.elements.weights[:n, None] * self.geometry.copies
-        self.at_samples[i] = response[space.trial.samples.on_hull]
-        self.integrals[i] = (space.velocities[i] * areas).T @ response
-        self.at_sources[i] = space.Y[:, :n] @ response
-        self.on_lid[i] = on_lid[:lid] @ response + known[n:]
+        self.potentials_at_samples[i] = unit_potentials[low_rank.error_test.samples.on_hull]
+        self.integrals[i] = (low_rank.velocities[i] * areas).T @ unit_potentials
+        self.at_sources[i] = low_rank.Y[:, :n] @ unit_potentials
+        self.on_lid[i] = on_lid[:lid] @ unit_potentials + known[n:]
 
 
 def sufficient_accuracy(panels):
-    """A twentieth of the error that so many panels leave (`bem.checks.ERROR_ORDER`, one per cent at 250)"""
+    """A twentieth of the discretisation error of so many panels (`bem.checks.ERROR_ORDER`, one per cent at 250)"""
     return float(np.clip(0.05 * 0.01 * (250 / panels) ** ERROR_ORDER, 2e-5, 1e-4))
 
 
-def reduced(geometry, band, gravity, accuracy):
-    """`Reduced` equations of a `bem.panels.influence.Geometry` for frequencies band = (low, high) rad/s.
+def band_equations(geometry, band, gravity, accuracy):
+    """Tuple of `BandEquations` of a `bem.panels.influence.Geometry` for frequencies band = (low, high) rad/s.
 
-    returns : one, or two of the frequencies without and with the lid, which share the exact part
+    accuracy : relative, of the low-rank wave matrices
+    returns : one, or two: of the frequencies solved without and with the lid, which share the Rankine matrices
+    raises : FloatingPointError if those are singular
     """
-    parts = parted(geometry, band, gravity)
-    spaces = [wave_space(g, part, gravity, accuracy) for g, part in parts]
-    out = [Reduced.empty(g, accuracy, space) for (g, _), space in zip(parts, spaces, strict=True)]
-    velocities = np.concatenate([space.velocities for space in spaces], axis=2)
-    matrices, on_lid, sides = _exact(parts[-1][0], velocities)
+    parts = split_by_lid(geometry, band, gravity)
+    bases = [low_rank_waves(g, part, gravity, accuracy) for g, part in parts]
+    out = [BandEquations.empty(g, accuracy, low_rank) for (g, _), low_rank in zip(parts, bases, strict=True)]
+    velocities = np.concatenate([low_rank.velocities for low_rank in bases], axis=2)
+    matrices, on_lid, sides = _rankine_equations(parts[-1][0], velocities)
     for i, side in enumerate(sides):
         factors = _factored(matrices.pop(0))
         before = 0
         for part in out:
-            count = part.space.velocities.shape[2]
-            mine = np.r_[before : before + count, velocities.shape[2] : side.shape[1]]
-            part.fill(i, factors, on_lid[i], side[:, mine])
+            count = part.low_rank.velocities.shape[2]
+            own = np.r_[before : before + count, velocities.shape[2] : side.shape[1]]
+            part.solve_class(i, factors, on_lid[i], side[:, own])
             before += count
         report_progress(FACTORS, 1)
     return tuple(out)
 
 
-def parted(geometry, band, gravity):
+def split_by_lid(geometry, band, gravity):
     """[(geometry without lid, frequencies below those that need one), (geometry, the others)], without empty parts"""
     low, high = band
     border = float(np.sqrt(geometry.lid_from * gravity))
@@ -109,8 +114,8 @@ def parted(geometry, band, gravity):
     return [part for part, there in ((lower, low <= border), (upper, border < high)) if there]
 
 
-def _exact(geometry, velocities):
-    """Lists over the classes: 2π − D₀ (n, n), D₀ of the lid (l, n), [S₀V, S₀ of the lid] (n + l, v + l)"""
+def _rankine_equations(geometry, velocities):
+    """Lists over the classes: 2π − D₀ (n, n), D₀ on the lid (l, n), [S₀V, S₀ of the lid] (n + l, v + l)"""
     g, n = geometry, geometry.hull
     nodes = g.elements.nodes
     lid = len(nodes) - n
@@ -118,15 +123,15 @@ def _exact(geometry, velocities):
     on_lid = [np.empty((lid, n)) for _ in velocities]
     sides = [np.empty((n + lid, v.shape[1] + lid)) for v in velocities]
     for start in range(0, n + lid, ROWS):
-        stop = min(start + ROWS, n + lid)
-        s, d, _, _ = g.rankine_rows(nodes[start:stop])
-        hull = max(min(stop, n) - start, 0)
+        end = min(start + ROWS, n + lid)
+        s, d, _, _ = g.rankine_rows(nodes[start:end])
+        hull = max(min(end, n) - start, 0)
         for i, v in enumerate(velocities):
             np.negative(d[i, :hull, :n], out=matrices[i][start : start + hull])
-            on_lid[i][max(start - n, 0) : max(stop - n, 0)] = d[i, hull:, :n]
-            sides[i][start:stop, : v.shape[1]] = s[i, :, :n] @ v
-            sides[i][start:stop, v.shape[1] :] = s[i, :, n:]
-        report_progress(MATRICES, stop - start)
+            on_lid[i][max(start - n, 0) : max(end - n, 0)] = d[i, hull:, :n]
+            sides[i][start:end, : v.shape[1]] = s[i, :, :n] @ v
+            sides[i][start:end, v.shape[1] :] = s[i, :, n:]
+        report_progress(MATRICES, end - start)
     for A in matrices:
         A.flat[:: n + 1] += 2 * np.pi
     return matrices, on_lid, sides

@@ -1,8 +1,8 @@
-"""Whether few nodes stand for all at a frequency: the waves that some nodes send to others, against
-`bem.panels.band.low_rank_waves`.
+"""A-posteriori error of the low-rank wave matrices at a frequency, at few test points.
 
-A space that lacks a frequency misses it nearly everywhere, so a few points are enough; and what all nodes send there
-is the sum over samples of them, each for as many as it represents.
+Where the basis of `bem.panels.band.low_rank_waves` does not represent a frequency it is wrong nearly everywhere, so
+that a few test points are enough.  The error there is a sum over all nodes, which is estimated from random samples of
+them, each weighted with the inverse of its probability.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from ...kernels.real_times_complex import complex_times_real, real_times_complex
 
 
 class Samples(NamedTuple):
-    """Some of the nodes of hull and lid in place of all, those of the hull first."""
+    """s random nodes of hull and lid, those of the hull first."""
 
-    nodes: np.ndarray  # (s,)
-    represented: np.ndarray  # (s,) for how many each stands
+    nodes: np.ndarray  # (s,) numbers
+    weights: np.ndarray  # (s,) 1/probability: a sum over all nodes is estimated by the weighted sum over samples
     hull: int  # how many of them are on the hull
 
     @property
@@ -30,24 +30,25 @@ class Samples(NamedTuple):
         return self.nodes[self.hull :]
 
 
-class Trial(NamedTuple):
-    """w points on the hull, s samples, e of them on the hull; other letters as of the
-    `bem.panels.band.low_rank_waves.WaveSpace`.
+class ErrorTest(NamedTuple):
+    """w test points on the hull, s samples, e of them on the hull; other letters as of
+    `bem.panels.band.low_rank_waves.LowRankWaves`.
 
-    What the space loses at the points is, with N of every node found in the same way as M = N V,
+    The error of the wave potentials at the test points is
 
         [W − X W Y] φ − [S_w − X S_w N] V v
 
-    in which sums over all nodes are of what is small, so that samples do instead.
+    with W and S_w on the right sides of X at the interpolation nodes, and N for the columns of all nodes what M = N V
+    is for V.
     """
 
     points: np.ndarray  # (w,)
     samples: Samples
-    X: np.ndarray  # (w, r) at the points
+    X: np.ndarray  # (w, r) at the test points
     Y: np.ndarray  # (q, s) of the samples
     V: np.ndarray  # (c, e, v) at the samples
     N: np.ndarray  # (c, h, e) of the samples
-    point_size: np.ndarray  # (w,) √(area) of a point, relative to that of a mean node
+    point_size: np.ndarray  # (w,) √(area) of a test point, relative to that of a mean node
     sample_size: np.ndarray  # (e,) of a sample
 
     @classmethod
@@ -57,35 +58,38 @@ class Trial(NamedTuple):
         Y = np.ascontiguousarray(Y[:, samples.nodes])
         return cls(points, samples, X[points], Y, V[:, on_hull], N, sizes[points], sizes[on_hull])
 
-    def lost_waves(self, here, held, potentials, given, mine=slice(None)):
-        """Largest part of the waves at the points that the space lacks, relative to 2πφ; NaN of NaN
+    def wave_error(self, exact, low_rank, potentials, velocity, classes=slice(None)):
+        """Largest error of the wave potentials at the test points relative to 2πφ, a number; NaN of NaN
 
-        Arguments as of `missed`.
+        Arguments as of `errors`.
         """
         size = 2 * np.pi * np.abs(potentials).max(axis=1, keepdims=True)
-        missed = self.missed(here, held, potentials, given, mine)
-        return float((np.abs(missed) * self.point_size[:, None] / np.maximum(size, 1e-300)).max())
+        errors = self.errors(exact, low_rank, potentials, velocity, classes)
+        return float((np.abs(errors) * self.point_size[:, None] / np.maximum(size, 1e-300)).max())
 
-    def missed(self, here, held, potentials, given, mine=slice(None)):
-        """(c, w, columns) what the space loses at the points
+    def errors(self, exact, low_rank, potentials, velocity, classes=slice(None)):
+        """(c, w, columns) errors of the wave potentials at the test points
 
-        here : W (c, w, s) and S_w (c, w, e) from the samples to the points; held : W (c, r, q) and S_w (c, r, h)
-        potentials (c, s, columns) φ, and φ' of the lid; given (c, v, columns) v; columns may be zero
-        mine : which classes these are
+        exact : W (c, w, s) and S_w (c, w, e) from the samples to the test points
+        low_rank : W (c, r, q) and S_w (c, r, h) between the interpolation nodes
+        potentials : (c, s, columns) φ, and φ' of the lid; velocity : (c, v, columns) v; columns may be zero
+        classes : which of all classes these c are
         """
-        e, represented = self.samples.hull, self.samples.represented
-        W, S = (real_times_complex(self.X, part) for part in held)
-        missed = ((here[0] - complex_times_real(W, self.Y)) * represented) @ potentials
-        missed -= ((here[1] - complex_times_real(S, self.N[mine])) * represented[:e]) @ real_times_complex(
-            self.V[mine], given
-        )
-        return missed
+        e, weights = self.samples.hull, self.samples.weights
+        W, S = (real_times_complex(self.X, part) for part in low_rank)
+        errors = ((exact[0] - complex_times_real(W, self.Y)) * weights) @ potentials
+        by_velocity = real_times_complex(self.V[classes], velocity)
+        errors -= ((exact[1] - complex_times_real(S, self.N[classes])) * weights[:e]) @ by_velocity
+        return errors
 
-    def lost_flux(self, flux, crests):
-        """Largest part of ∂φ_I/∂n that the space lacks: of the samples on the hull (m, e) and the crests (m, t)"""
+    def flux_error(self, flux, at_flux_nodes):
+        """Largest error of ∂φ_I/∂n at the samples, relative to the largest of a wave
+
+        flux : (m, e) at the samples on the hull; at_flux_nodes : (m, t) at the interpolation nodes
+        """
         if not len(flux):
             return 0.0
-        Z = self.V[0, :, self.V.shape[2] - crests.shape[1] :]
-        missed = np.abs(flux - complex_times_real(crests, Z.T)) * self.sample_size
-        size = np.maximum(np.abs(flux).max(axis=1), np.abs(crests).max(axis=1))
-        return float((missed.max(axis=1) / size).max())
+        Z = self.V[0, :, self.V.shape[2] - at_flux_nodes.shape[1] :]
+        errors = np.abs(flux - complex_times_real(at_flux_nodes, Z.T)) * self.sample_size
+        size = np.maximum(np.abs(flux).max(axis=1), np.abs(at_flux_nodes).max(axis=1))
+        return float((errors.max(axis=1) / size).max())

@@ -1,13 +1,15 @@
-"""Few nodes that stand for all where waves are concerned.
+"""Low-rank basis of the wave matrices of a frequency band, by interpolative decomposition.
 
-What the free surface adds to 1/r and its image is smooth on hull and lid, but for a strip along the waterline.  Put
-together as they act on the unknowns, W = [D_w, K S_w] with the columns of the hull and of the lid, the wave parts of
-all frequencies of a band and of all symmetry classes lie in one space that is far smaller than the number of nodes,
+The wave part of G (all but 1/r and its image in the bed) is smooth on hull and lid, except within a strip below the
+waterline.  Let W = [D_w, K S_w] be its influence matrix as it acts on the unknowns, with the columns of the hull nodes
+and of the lid nodes.  Over all frequencies of a band and all symmetry classes, with far fewer rows than nodes,
 
-    W ≈ X W[points, sources] Y,    S_w V ≈ X S_w[points, monopoles] M,    ∂φ_I/∂n ≈ Z ∂φ_I/∂n[crests]
+    W ≈ X W[points, sources] Y,    S_w V ≈ X S_w[points, monopoles] M,    ∂φ_I/∂n ≈ Z ∂φ_I/∂n[flux_nodes]
 
-where V are the normal velocities of motions and the columns of Z.  It is found from the integrals themselves at a few
-frequencies, rows and columns weighted as in the L² norm.
+where V holds normal velocities: those of the motions and the columns of Z.  `points`, `sources`, `monopoles` and
+`flux_nodes` are interpolation nodes, chosen among the nodes of the mesh, and X, Y, M, Z frequency-independent
+interpolation matrices.  They are computed from snapshots, the matrices themselves at a few frequencies, rows and
+columns weighted as in the L² norm (`bem.kernels.interpolative_decomposition`).
 """
 
 from __future__ import annotations
@@ -22,71 +24,74 @@ from ...kernels.progress import WAVES, report_progress
 from ...waves import depth_values, wavenumber
 from ..incident_waves import class_waves
 from ..wave_influence import wave_blocks
-from .error_test import Samples, Trial
+from .error_test import ErrorTest, Samples
 
-WITNESSES = 1  # and one at the surface: a space that lacks a frequency misses it nearly everywhere
-FEW = 1000  # nodes up to which the accuracy asked for is that of every row
-LARGEST = 2_000_000  # pairs of nodes at once
-SAMPLES = 200  # nodes at any depth that stand for all where a space is made
-# where a frequency is tested, and as many of the strip and of the lid at most: of 1 000 nodes half as many find up to
-# four times what is lost
-TRIED = 100
-EVERY = 3  # a node sends every third frequency of a band: with all of them the error was the same, the time 1.7 times
-FLUX = 3  # frequencies at which incident waves are taken, for one of the others
-LEAST = 1e-6  # of the flux in all classes: less in one is none
-STRIP = 1.0  # sizes of a panel below the surface down to which all nodes are, and a share of those below
-WIDTH, FIRST_WIDTH = 3, 1024  # columns of a sketch for one of its rank, and to begin with
-LID = 0.1  # how much less than a potential of the hull a φ' of the lid counts: it is zero but for discretisation
+TEST_POINTS = 1  # and one at the surface: a basis that lacks a frequency is wrong nearly everywhere
+FEW_NODES = 1000  # up to so many nodes the accuracy asked for is that of every row
+LARGEST_BLOCK = 2_000_000  # pairs of nodes at once
+BASIS_SAMPLES = 200  # nodes at any depth, as random columns from which the rows are selected
+# samples of the error test at a frequency, and as many of the strip and of the lid at most: of 1 000 nodes half as many
+# find up to four times the error
+TEST_SAMPLES = 100
+STRIDE = (
+    3  # a sample is evaluated at every third frequency: with all of them the error was the same, the time 1.7 times
+)
+FLUX_FREQUENCIES = 3  # frequencies for the incident flux, for one of those of W
+NEGLIGIBLE_FLUX = 1e-6  # of the flux in all classes
+STRIP = 1.0  # panel sizes below the surface down to which every node is a sample, and a part of those below
+COLUMNS_PER_RANK, FIRST_COLUMNS = 3, 1024  # width of a sketch, and the width first tried
+LID = 0.1  # weight of φ' on the lid relative to φ on the hull: it is zero but for discretisation
 
 
-class WaveSpace(NamedTuple):
-    """n nodes, those of the hull, then those of the lid; r points, q sources, t crests are some of these.
+class LowRankWaves(NamedTuple):
+    """Interpolation nodes and matrices of one band, c symmetry classes, n nodes: those of the hull, then of the lid.
 
-    c symmetry classes, v given normal velocities of each.
-
-    The h sources on the hull, which come first, are the monopoles too.
+    r points, q sources, t flux nodes; the first h sources, which lie on the hull, are the monopoles too; v normal
+    velocities of each class.
     """
 
-    points: np.ndarray  # (r,)
+    points: np.ndarray  # (r,) node numbers
     sources: np.ndarray  # (q,)
-    crests: np.ndarray  # (t,)
+    flux_nodes: np.ndarray  # (t,)
     X: np.ndarray  # (n, r)
     Y: np.ndarray  # (q, n)
     velocities: np.ndarray  # (c, hull nodes, v) V of each class: its motions, as many as of any class, then Z
     M: np.ndarray  # (c, h, v)
-    trial: Trial  # with which every frequency is tested
+    error_test: ErrorTest  # of every frequency that is solved
 
 
-def wave_space(geometry, band, gravity, accuracy):
-    """`WaveSpace` of a `bem.panels.influence.Geometry` for frequencies band = (low, high) rad/s.
+def low_rank_waves(geometry, band, gravity, accuracy):
+    """`LowRankWaves` of a `bem.panels.influence.Geometry` for frequencies band = (low, high) rad/s.
 
     accuracy : of W relative to 2π, of S_w and of ∂φ_I/∂n relative to their norms
     """
-    g, cases = geometry, Cases(geometry, band, gravity)
-    # of a row; what all rows lose together goes with the root of their number
-    allowed = 2 * np.pi * accuracy * min(1.0, np.sqrt(FEW / g.hull))
-    root, of_column = cases.root, cases.of_column
-    crests, Z = _skeleton(cases.waves, g.hull, 0.2 * allowed)  # few columns, and forces are differences of them
-    Z *= root[crests] / root[: g.hull, None]
+    g, snapshots = geometry, Snapshots(geometry, band, gravity)
+    # of one row; errors of different rows add up like the root of their number
+    tolerance = 2 * np.pi * accuracy * min(1.0, np.sqrt(FEW_NODES / g.hull))
+    root, column_scale = snapshots.root, snapshots.column_scale
+    # the smaller tolerance costs few columns, and forces are small differences of the flux
+    flux_nodes, Z = _decomposed(snapshots.add_incident_flux, g.hull, 0.2 * tolerance)
+    Z *= root[flux_nodes] / root[: g.hull, None]
     velocities = _velocities(g, Z)
-    points, X = _skeleton(cases.at_all_points, len(root), allowed)
-    weights = root[points] * np.linalg.norm(X, axis=0)  # what is lost at a point is lost at all that it stands for
-    samples, moved = cases.samples(SEED + 2, TRIED, TRIED), [[] for _ in velocities]
-    sources, Y = _skeleton(
-        lambda sketch: cases.of_all_sources(sketch, points, weights, velocities, samples.on_hull, moved),
+    points, X = _decomposed(snapshots.add_sample_columns, len(root), tolerance)
+    weights = root[points] * np.linalg.norm(X, axis=0)  # an error at a point is one at all nodes interpolated from it
+    samples = snapshots.samples(SEED + 2, TEST_SAMPLES, TEST_SAMPLES)
+    single_layers = [[] for _ in velocities]
+    sources, Y = _decomposed(
+        lambda sketch: snapshots.add_point_rows(sketch, points, weights, velocities, samples.on_hull, single_layers),
         len(root),
-        allowed,
+        tolerance,
     )
-    both = cases.monopoles(points, weights, sources[sources < g.hull], moved, accuracy)
-    M, of_samples = (part.copy() for part in np.split(both, [velocities.shape[2]], axis=2))
+    strengths = snapshots.monopole_strengths(points, weights, sources[sources < g.hull], single_layers, accuracy)
+    M, N = (part.copy() for part in np.split(strengths, [velocities.shape[2]], axis=2))
     X *= root[points] / root[:, None]
-    Y = np.ascontiguousarray((Y * of_column[:, None] / of_column[sources]).T)
-    trial = Trial.of(cases.witnesses(), samples, X, Y, velocities, of_samples, root[: g.hull])
-    return WaveSpace(points, sources, crests, X, Y, velocities, M, trial)
+    Y = np.ascontiguousarray((Y * column_scale[:, None] / column_scale[sources]).T)
+    error_test = ErrorTest.of(snapshots.test_points(), samples, X, Y, velocities, N, root[: g.hull])
+    return LowRankWaves(points, sources, flux_nodes, X, Y, velocities, M, error_test)
 
 
 def _velocities(geometry, Z):
-    """(c, hull nodes, v) motions of each class, zeros where it has fewer than others, and Z"""
+    """(c, hull nodes, v) motions of each class, padded with zeros to the same number, and Z"""
     g, modes = geometry, geometry.modes
     motions = np.zeros((len(g.classes), max(len(g.members(c)) for c in g.classes), g.hull))
     for moving, cls in zip(motions, g.classes, strict=True):
@@ -94,29 +99,29 @@ def _velocities(geometry, Z):
     return np.concatenate([motions.swapaxes(1, 2), np.broadcast_to(Z, (len(motions), *Z.shape))], axis=2)
 
 
-def _skeleton(fill, rows, allowed):
-    """`interpolative_decomposition` of what `fill` puts into a sketch, wide enough for the rank that it has"""
-    width = FIRST_WIDTH
+def _decomposed(fill, rows, tolerance):
+    """`interpolative_decomposition` of the matrix that fill(sketch) adds, with a sketch wide enough for its rank"""
+    width = FIRST_COLUMNS
     while True:
-        sketch = Sketch(rows, min(width, WIDTH * rows))
+        sketch = Sketch(rows, min(width, COLUMNS_PER_RANK * rows))
         fill(sketch)
-        chosen, X = interpolative_decomposition(sketch.matrix, allowed)
-        if WIDTH * len(chosen) <= sketch.matrix.shape[1] or width >= WIDTH * rows:
-            return chosen, X
-        width = max(2 * width, 2 * WIDTH * len(chosen))
+        selected, X = interpolative_decomposition(sketch.matrix, tolerance)
+        if COLUMNS_PER_RANK * len(selected) <= sketch.matrix.shape[1] or width >= COLUMNS_PER_RANK * rows:
+            return selected, X
+        width = max(2 * width, 2 * COLUMNS_PER_RANK * len(selected))
 
 
-class Cases:
-    """Wave parts at the frequencies that span a band."""
+class Snapshots:
+    """Wave matrices at the frequencies that represent a band."""
 
     def __init__(self, geometry, band, gravity):
         self.geometry, self.gravity = geometry, gravity
         low, high = (float(wavenumber(omega, geometry.depth, gravity)) for omega in band)
-        # what is in between is spanned by neighbours, and by log K
+        # spaced so that matrices in between are combinations of neighbours, log K in long waves included
         count = 3 + int(np.ceil(high * geometry.radius / 4)) if high > low else 1
         self.wavenumbers = low + (high - low) * np.linspace(0, 1, count) ** 2
-        self.root = np.sqrt(geometry.elements.weights)
-        self.of_column = self.root / np.where(np.arange(len(self.root)) < geometry.hull, 1.0, LID)
+        self.root = np.sqrt(geometry.elements.weights)  # √(m²), weight of a row in the L² norm
+        self.column_scale = self.root / np.where(np.arange(len(self.root)) < geometry.hull, 1.0, LID)
 
     def blocks(self, points, sources, start=0, step=1):
         """K, and S and D (c, points, sources), of each frequency or every `step`th"""
@@ -128,91 +133,95 @@ class Cases:
             report_progress(WAVES, len(points) * len(sources) / len(self.root))
             yield table.K, S, D
 
-    def samples(self, seed=SEED, deep=SAMPLES, most=np.inf):
-        """`Samples` by chance, each node with its own of `chances`"""
-        chances = self.chances(deep, most)
-        nodes = np.flatnonzero(np.random.default_rng(seed).random(len(chances)) < chances)
-        return Samples(nodes, 1 / chances[nodes], int(np.count_nonzero(nodes < self.geometry.hull)))
+    def samples(self, seed=SEED, deep=BASIS_SAMPLES, most=np.inf):
+        """Random `Samples` of the nodes, each with its probability of `probabilities`"""
+        probabilities = self.probabilities(deep, most)
+        nodes = np.flatnonzero(np.random.default_rng(seed).random(len(probabilities)) < probabilities)
+        return Samples(nodes, 1 / probabilities[nodes], int(np.count_nonzero(nodes < self.geometry.hull)))
 
-    def chances(self, deep, most):
-        """(h + l,) of being a sample: `deep` of the hull, more near the surface, the lid, and the witnesses
+    def probabilities(self, deep, most):
+        """(n,) probability of each node to be a sample: about `deep` samples of the hull at any depth, in addition
 
-        Waves change over the distance from the surface, where all nodes are taken, if they are not more than `most`;
-        so are those of the lid.
+        those of the strip below the surface, where waves vary over the distance from it, and of the lid: all of them,
+        or `most` in the mean if there are more; and the test points.
         """
         g, n = self.geometry, self.geometry.hull
         sizes = np.repeat(g.elements.sizes, g.elements.inverse.shape[2])[:n]
         strip = np.minimum((STRIP * sizes / g.elements.nodes[:n, 2]) ** 2, 1.0)
         hull = np.minimum(strip * min(1.0, most / strip.sum()) + deep / n, 1.0)
-        hull[self.witnesses()] = 1.0
+        hull[self.test_points()] = 1.0
         lid = len(self.root) - n
         return np.concatenate([hull, np.full(lid, min(1.0, most / max(lid, 1)))])
 
-    def witnesses(self):
-        """Nodes (w,) of the hull by chance, one in the strip at the surface"""
+    def test_points(self):
+        """(w,) nodes of the hull at which errors are tested: `TEST_POINTS` random ones and the highest"""
         n, generator = self.geometry.hull, np.random.default_rng(SEED + 1)
         areas = self.root[:n] ** 2
-        chosen = generator.choice(n, size=min(WITNESSES, n), replace=False, p=areas / areas.sum())
+        chosen = generator.choice(n, size=min(TEST_POINTS, n), replace=False, p=areas / areas.sum())
         return np.union1d(chosen, np.argmax(self.geometry.elements.nodes[:n, 2]))
 
-    def at_all_points(self, sketch):
-        """W of samples at all nodes, and S in the length of the hull"""
-        (samples, represented, _), hull = self.samples(), self.geometry.hull
+    def add_sample_columns(self, sketch):
+        """Add the columns of W that belong to random samples, at all nodes, and of S over the hull's length"""
+        (samples, sample_weights, _), hull = self.samples(), self.geometry.hull
         length = np.linalg.norm(self.root[:hull]) * np.sqrt(self.geometry.copies)
-        for start in range(EVERY):
-            few = np.arange(start, len(samples), EVERY)
-            for some in np.array_split(few, int(np.ceil(len(few) * len(self.root) / LARGEST))):
-                part, count = samples[some], np.count_nonzero(samples[some] < hull)
-                scale = self.root[:, None] / self.of_column[part] * np.sqrt(EVERY * represented[some])
-                for K, S, D in self.blocks(np.arange(len(self.root)), part, start, EVERY):
+        for start in range(STRIDE):
+            some = np.arange(start, len(samples), STRIDE)
+            for block in np.array_split(some, int(np.ceil(len(some) * len(self.root) / LARGEST_BLOCK))):
+                part, count = samples[block], np.count_nonzero(samples[block] < hull)
+                scale = self.root[:, None] / self.column_scale[part] * np.sqrt(STRIDE * sample_weights[block])
+                for K, S, D in self.blocks(np.arange(len(self.root)), part, start, STRIDE):
                     for s, d in zip(S, D, strict=True):
-                        sketch.add(acting(s, d, count, K) * scale)
+                        sketch.add(wave_operator(s, d, count, K) * scale)
                         sketch.add(s[:, :count] * scale[:, :count] / length)
 
-    def of_all_sources(self, sketch, points, weights, velocities, samples, moved):
-        """W at `points` (r,) times `weights` (r,), transposed
+    def add_point_rows(self, sketch, points, weights, velocities, samples, single_layers):
+        """Add the rows of W at `points` (r,) times `weights` (r,), as columns
 
-        SV of each class, and S of the `samples` (e,) on the hull, are put into its list of `moved`.
+        S V of each class, and S of the `samples` (e,) on the hull, are appended to its list in `single_layers`, side
+        by side, one (r, v + e) a frequency.
         """
         scale, hull = weights[:, None], self.geometry.hull
-        for values in moved:
-            values.clear()
+        for layers in single_layers:
+            layers.clear()
         for K, S, D in self.blocks(points, np.arange(len(self.root))):
-            for s, d, v, values in zip(S, D, velocities, moved, strict=True):
-                sketch.add((acting(s, d, hull, K) * scale / self.of_column).T)
-                values.append(np.concatenate([s[:, :hull] @ v, s[:, samples]], axis=1) * scale)
+            for s, d, v, layers in zip(S, D, velocities, single_layers, strict=True):
+                sketch.add((wave_operator(s, d, hull, K) * scale / self.column_scale).T)
+                layers.append(np.concatenate([s[:, :hull] @ v, s[:, samples]], axis=1) * scale)
 
-    def monopoles(self, points, weights, sources, moved, accuracy):
-        """(c, h, …) what S at `sources` has to be multiplied with to give `moved`: M of each class, then of samples"""
-        few = [[] for _ in moved]
+    def monopole_strengths(self, points, weights, sources, single_layers, accuracy):
+        """(c, h, v + e) factors with which S at `sources` (h,) gives the `single_layers`: M of a class, then N"""
+        at_sources = [[] for _ in single_layers]
         for _, S, _ in self.blocks(points, sources):
-            for s, values in zip(S, few, strict=True):
-                values.append(s * weights[:, None])
+            for s, layers in zip(S, at_sources, strict=True):
+                layers.append(s * weights[:, None])
         return np.stack(
-            [truncated_least_squares(_real(a), _real(b), 0.1 * accuracy) for a, b in zip(few, moved, strict=True)]
+            [
+                truncated_least_squares(_real_rows(a), _real_rows(b), 0.1 * accuracy)
+                for a, b in zip(at_sources, single_layers, strict=True)
+            ]
         )
 
-    def waves(self, sketch):
-        """∂φ_I/∂n at all nodes of the hull, from all sides, of every class"""
+    def add_incident_flux(self, sketch):
+        """Add ∂φ_I/∂n at the nodes of the hull, for all headings and classes"""
         g = self.geometry
-        # the sketch is of real and imaginary parts, which are those of waves from behind too; mirror planes do the rest
+        # real and imaginary parts count apart, so that opposite headings give the same; mirror planes give the others
         half = np.pi if not g.mesh.symmetry else np.pi / 2
-        # a wave of one frequency is one column for every heading, where W has one for every source: at the frequencies
-        # of W alone 3 % of the flux was lost in between
+        # one heading gives one column, where W has one for every source: at the frequencies of W alone 3 % of the flux
+        # in between was missing
         last = len(self.wavenumbers) - 1
-        for k in np.interp(np.linspace(0, last, FLUX * last + 1), np.arange(last + 1), self.wavenumbers):
+        for k in np.interp(np.linspace(0, last, FLUX_FREQUENCIES * last + 1), np.arange(last + 1), self.wavenumbers):
             for beta in np.arange(0, half, np.pi / (8 + 4 * k * g.radius)):
                 flux = class_waves(g, beta, 1.0, k)[1] * self.root[: g.hull]
                 size = np.linalg.norm(flux, axis=1, keepdims=True)
-                sketch.add((flux * (2 * np.pi / np.maximum(size, LEAST * size.max()))).T)
+                sketch.add((flux * (2 * np.pi / np.maximum(size, NEGLIGIBLE_FLUX * size.max()))).T)
 
 
-def _real(blocks):
-    """Rows of complex blocks, real and imaginary parts apart"""
+def _real_rows(blocks):
+    """Complex blocks on top of each other, as real rows: all real parts, then all imaginary parts"""
     rows = np.concatenate(blocks)
     return np.concatenate([rows.real, rows.imag])
 
 
-def acting(S, D, hull, K):
-    """W (…, r, m) as it acts on the unknowns: D of the first `hull` sources, K S of the others, which are lid"""
+def wave_operator(S, D, hull, K):
+    """W (…, r, m) = [D, K S]: D of the first `hull` sources, K S of the others, which lie on the lid"""
     return np.concatenate([D[..., :hull], K * S[..., hull:]], axis=-1)

@@ -1,4 +1,4 @@
-"""The panel method at one frequency of a band, by the equations of `bem.panels.band.equations`."""
+"""The panel method at one frequency of a band, by the reduced equations of `bem.panels.band.equations`."""
 
 from __future__ import annotations
 
@@ -12,185 +12,188 @@ from ...green.tables import wave_table
 from ...kernels.real_times_complex import complex_times_real, real_times_complex
 from ...kernels.threads import blas_threads
 from ..one_frequency import PanelRun
-from .low_rank_waves import FEW, acting
+from .low_rank_waves import FEW_NODES, wave_operator
 
-# times the accuracy of the space, at a node of mean size: what a row may lose in the L² norm of
+# error allowed at a node of mean size, times the accuracy of the basis: that of a row in the L² norm of
 # `bem.panels.band.low_rank_waves`
-ALLOWED = FEW**0.5
-MOST_IN_FULL = 5000  # nodes of the hull
+ALLOWED = FEW_NODES**0.5
+LARGEST_FULL_SYSTEM = 5000  # nodes of the hull
 
 
-class ReducedRun(PanelRun):
+class BandRun(PanelRun):
     """As `PanelRun`, at a cost that hardly grows with the number of panels.
 
-    Forces follow from what `bem.panels.band.equations` has integrated; potentials are made when somebody asks for them.
+    Forces follow from integrals that `bem.panels.band.equations` holds; potentials are computed when needed.  Where the
+    error test fails the full equations are solved, as in `PanelRun`.
     """
 
     @cached_property
-    def reduced(self):
-        """`bem.panels.band.equations.Reduced` of this frequency's part of the band"""
-        return next(part for part in self.prepared.reduced if part.geometry is self.geometry)
+    def equations_of_band(self):
+        """`bem.panels.band.equations.BandEquations` of this frequency's part of the band"""
+        return next(part for part in self.prepared.band_equations if part.geometry is self.geometry)
 
     @cached_property
-    def mine(self):
-        """Which of the geometry's classes are wanted, in the order of `columns`"""
+    def wanted(self):
+        """Index of the geometry's classes that are wanted, in the order of `columns`"""
         wanted = [i for i, cls in enumerate(self.geometry.classes) if cls in self.columns]
         return slice(None) if len(wanted) == len(self.geometry.classes) else wanted
 
     @cached_property
-    def flow(self):
-        """`Flow` of the wanted classes; None where few nodes do not stand for all, and all have to be solved for"""
+    def solution(self):
+        """`ReducedSolution` of the wanted classes; None where the low-rank basis is not accurate enough
+
+        raises : FloatingPointError if it is not finite, and where the full equations would be too large
+        """
         start = time.perf_counter()
         _ = self.columns
         self._timed("incident", start)
         start = time.perf_counter()
-        reduced, g = self.reduced, self.geometry
+        equations, g = self.equations_of_band, self.geometry
         self._timed("reduction", start)
         start = time.perf_counter()
         table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
-        space, trial = reduced.space, reduced.space.trial
-        hull = int(np.count_nonzero(space.sources < g.hull))
-        S, D = reduced.pairs.blocks(table, self.depth_values, self.mine)
-        to_points = reduced.trial_pairs.blocks(table, self.depth_values, self.mine)
+        basis, error_test = equations.low_rank, equations.low_rank.error_test
+        hull = int(np.count_nonzero(basis.sources < g.hull))
+        S, D = equations.pairs.blocks(table, self.depth_values, self.wanted)
+        to_test_points = equations.test_pairs.blocks(table, self.depth_values, self.wanted)
         self._timed("assemble", start)
         start = time.perf_counter()
-        with blas_threads(max(len(space.points), reduced.on_lid.shape[1])):
-            held = acting(S, D, hull, table.K), S[..., :hull]
-            flow = self.finite(lambda: solved(reduced, self.mine, *held, table.K, self.given))
-            e = trial.samples.hull
-            here = acting(*to_points, e, table.K), to_points[0][..., :e]
-            lost_waves = trial.lost_waves(here, held, self.at_samples(flow), self.given, self.mine)
-            lost = np.maximum(lost_waves, trial.lost_flux(*self.flux))
+        with blas_threads(max(len(basis.points), equations.on_lid.shape[1])):
+            low_rank = wave_operator(S, D, hull, table.K), S[..., :hull]
+            solution = self.checked(lambda: solved(equations, self.wanted, *low_rank, table.K, self.velocity))
+            e = error_test.samples.hull
+            exact = wave_operator(*to_test_points, e, table.K), to_test_points[0][..., :e]
+            potentials = self.potentials_at_samples(solution)
+            wave_error = error_test.wave_error(exact, low_rank, potentials, self.velocity, self.wanted)
+            error = np.maximum(wave_error, error_test.flux_error(*self.flux))
         self._timed("solve", start)
-        return flow if lost < ALLOWED * reduced.accuracy else self.in_full(lost)  # of NaN too
+        return solution if error < ALLOWED * equations.accuracy else self.rejected(error)  # of NaN too
 
-    def finite(self, solve):
-        """What `solve` gives, a `Flow`.  Raises FloatingPointError if it is not finite"""
+    def checked(self, solve):
+        """What `solve` gives, a `ReducedSolution`.  Raises FloatingPointError if it is not finite"""
         try:
-            flow = solve()
+            solution = solve()
         except np.linalg.LinAlgError as error:
             raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: {error}") from error
-        if not all(np.all(np.isfinite(part)) for part in flow):
+        if not all(np.all(np.isfinite(part)) for part in solution):
             raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
-        return flow
+        return solution
 
-    def in_full(self, lost):
-        """Says that all nodes have to be solved for, if they are not too many"""
-        if self.geometry.hull > MOST_IN_FULL:
+    def rejected(self, error):
+        """None, for the full equations to be solved.  Raises FloatingPointError if they are too large"""
+        if self.geometry.hull > LARGEST_FULL_SYSTEM:
             raise FloatingPointError(
-                f"ω = {self.omega:.6g} rad/s: {lost:.1e} of the waves is lost between few nodes; allowed: "
-                f"{ALLOWED * self.reduced.accuracy:.1e}; ask for a narrower band or fewer panels"
+                f"ω = {self.omega:.6g} rad/s: the low-rank waves of the band are {error:.1e} off; allowed: "
+                f"{ALLOWED * self.equations_of_band.accuracy:.1e}; ask for a narrower band or fewer panels"
             )
 
     @cached_property
-    def given(self):
-        """(c, v, columns) shares v of the wanted motions and waves; zeros where a class has fewer than others"""
-        v, crests = self.reduced.integrals.shape[1], self.reduced.space.crests
+    def velocity(self):
+        """(c, v, columns) coefficients v of the wanted motions and waves; zeros where a class has fewer than others"""
+        v, nodes = self.equations_of_band.integrals.shape[1], self.equations_of_band.low_rank.flux_nodes
         flux, done = self.flux[1], 0
         out = np.zeros((len(self.columns), v, max(len(m) + len(w) for m, w in self.columns.values())), complex)
-        for shares, (cls, (moving, waves)) in zip(out, self.columns.items(), strict=True):
+        for coefficients, (cls, (moving, waves)) in zip(out, self.columns.items(), strict=True):
             members, count = self.geometry.members(cls), len(moving)
-            shares[[members.index(dof) for dof in moving], range(count)] = 1.0
-            mine, done = flux[done : done + len(waves)], done + len(waves)
-            shares[v - len(crests) :, count : count + len(waves)] = -mine.T
+            coefficients[[members.index(dof) for dof in moving], range(count)] = 1.0
+            own, done = flux[done : done + len(waves)], done + len(waves)
+            coefficients[v - len(nodes) :, count : count + len(waves)] = -own.T
         return out
 
     @cached_property
     def flux(self):
-        """∂φ_I/∂n of all waves of all classes (k, …) at the samples on the hull and at the crests"""
-        samples, crests = self.reduced.space.trial.samples.on_hull, self.reduced.space.crests
-        nodes = np.concatenate([samples, crests])
+        """∂φ_I/∂n of all waves of all classes, two (m, …): at the samples on the hull and at the flux nodes"""
+        basis = self.equations_of_band.low_rank
+        samples = basis.error_test.samples.on_hull
+        nodes = np.concatenate([samples, basis.flux_nodes])
         parts = [self.incident[0][cls][1][waves][:, nodes] for cls, (_, waves) in self.columns.items()]
         return np.split(np.concatenate(parts), [len(samples)], axis=1)
 
-    def at_samples(self, flow):
+    def potentials_at_samples(self, solution):
         """(c, s, columns) φ, and φ' of the lid"""
-        lid = self.reduced.space.trial.samples.on_lid - self.geometry.hull
-        return np.concatenate(
-            [real_times_complex(self.reduced.at_samples[self.mine], flow.shares), flow.lid[:, lid]], axis=1
-        )
+        equations = self.equations_of_band
+        lid = equations.low_rank.error_test.samples.on_lid - self.geometry.hull
+        on_hull = real_times_complex(equations.potentials_at_samples[self.wanted], solution.coefficients)
+        return np.concatenate([on_hull, solution.lid[:, lid]], axis=1)
 
     @cached_property
     def residual(self):
         """Largest residual of the linear equations, relative to the right-hand sides"""
-        return super().residual if self.flow is None else self.flow.residual
+        return super().residual if self.solution is None else self.solution.residual
 
     @cached_property
     def potentials(self):
         """{class: potentials (columns, n) on the hull}"""
-        if self.flow is None:
+        if self.solution is None:
             return super().potentials
         start, out = time.perf_counter(), {}
-        with blas_threads(len(self.reduced.space.points)):
+        with blas_threads(len(self.equations_of_band.low_rank.points)):
             for i, (cls, columns) in enumerate(self.columns.items()):
-                response = self.reduced.response[self.geometry.classes.index(cls)]
-                out[cls] = self.on_hull(
-                    real_times_complex(response, self.flow.shares[i, :, : sum(map(len, columns))]), None
-                )
+                unit_potentials = self.equations_of_band.unit_potentials[self.geometry.classes.index(cls)]
+                coefficients = self.solution.coefficients[i, :, : sum(map(len, columns))]
+                out[cls] = self.on_hull(real_times_complex(unit_potentials, coefficients), None)
         self._timed("potentials", start)
         return out
 
     @cached_property
     def integrals(self):
-        """{class: ∬ φ V dS (columns, v) over the whole hull}, V its motions and what spans waves"""
-        found = zip(self.columns.items(), self.flow.integrals, strict=True)
+        """{class: ∬ φ V dS (columns, v) over the whole hull}, V its motions and the basis of incident waves"""
+        found = zip(self.columns.items(), self.solution.integrals, strict=True)
         return {cls: values[:, : sum(map(len, columns))].T for (cls, columns), values in found}
 
     @cached_property
-    def pushing(self):
+    def pressure_integrals(self):
         """{class: ∬ φ nⱼ dS (columns, its degrees of freedom)} over the whole hull"""
-        if self.flow is None:
-            return super().pushing
+        if self.solution is None:
+            return super().pressure_integrals
         return {cls: both[:, : len(self.geometry.members(cls))] for cls, both in self.integrals.items()}
 
     @cached_property
-    def meeting_waves(self):
+    def haskind_integrals(self):
         """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull
 
-        With the flux as the crests span it, in the diffracted waves too: `lost_flux` has tested it.
+        With ∂φ_I/∂n as interpolated between the flux nodes, whose error `ErrorTest.flux_error` is.
         """
-        if self.flow is None:
-            return super().meeting_waves
-        out, crests = {}, self.reduced.space.crests
+        if self.solution is None:
+            return super().haskind_integrals
+        out, nodes = {}, self.equations_of_band.low_rank.flux_nodes
         for cls, both in self.integrals.items():
-            radiated = both[: len(self.columns[cls][0]), both.shape[1] - len(crests) :]
-            out[cls] = self.incident[0][cls][1][:, crests] @ radiated.T
+            radiated = both[: len(self.columns[cls][0]), both.shape[1] - len(nodes) :]
+            out[cls] = self.incident[0][cls][1][:, nodes] @ radiated.T
         return out
 
 
-class Flow(NamedTuple):
-    """c symmetry classes; u = r + v + l as of `bem.panels.band.equations.Reduced`."""
+class ReducedSolution(NamedTuple):
+    """c symmetry classes; u = r + v + l unit columns, as of `bem.panels.band.equations.BandEquations`."""
 
-    shares: np.ndarray  # (c, u, columns) m, −v and Kφ' of the lid, with which `response` is multiplied
+    coefficients: np.ndarray  # (c, u, columns) m, −v and Kφ' of the lid, of the unit columns
     lid: np.ndarray  # (c, l, columns) φ'
     integrals: np.ndarray  # (c, v, columns) ∬ φ V dS over the whole hull
     residual: float  # the largest, of the reduced equations
 
 
-def solved(reduced, mine, W, S, K, given):
-    """`Flow` of some classes.  Raises LinAlgError if their equations are singular.
+def solved(equations, classes, W, S, K, velocity):
+    """`ReducedSolution` of some classes.  Raises LinAlgError if their equations are singular.
 
-    reduced : `bem.panels.band.equations.Reduced`, of which `mine` are the classes; W (c, r, q), S (c, r, h) : wave
-        parts
-    given : (c, v, columns) v
+    equations : `bem.panels.band.equations.BandEquations`, of which `classes` are solved; K : ω²/g, 1/m
+    W (c, r, q), S (c, r, h) : wave part between the interpolation nodes; velocity : (c, v, columns) v
     """
-    at_sources, on_lid, M = reduced.at_sources[mine], reduced.on_lid[mine], reduced.space.M[mine]
-    r, v, lid = W.shape[1], given.shape[1], on_lid.shape[1]
-    T, answer = on_lid[..., r + v :], on_lid[..., : r + v]
+    at_sources, on_lid, M = equations.at_sources[classes], equations.on_lid[classes], equations.low_rank.M[classes]
+    r, v, lid = W.shape[1], velocity.shape[1], on_lid.shape[1]
+    T, lid_solution = on_lid[..., r + v :], on_lid[..., : r + v]
     H = at_sources[..., : r + v]  # α = H (m, −v)
-    if lid:  # Kφ' = −answer @ (m, −v)
-        answer = np.linalg.solve(T + 4 * np.pi / K * np.eye(lid), answer)
-        H = H - (at_sources[..., r + v :] + reduced.from_lid / K) @ answer
+    if lid:  # Kφ' = −lid_solution @ (m, −v)
+        lid_solution = np.linalg.solve(T + 4 * np.pi / K * np.eye(lid), lid_solution)
+        H = H - (at_sources[..., r + v :] + equations.from_lid / K) @ lid_solution
     # m = W H (m, −v) − S_w M v
-    A, b = (
-        np.eye(r) - complex_times_real(W, H[..., :r]),
-        -(W @ real_times_complex(H[..., r:], given) + S @ real_times_complex(M, given)),
-    )
+    A = np.eye(r) - complex_times_real(W, H[..., :r])
+    b = -(W @ real_times_complex(H[..., r:], velocity) + S @ real_times_complex(M, velocity))
     m = np.linalg.solve(A, b)
-    rest = np.abs(A @ m - b).max(axis=1) / np.maximum(np.abs(b).max(axis=1), 1e-300)
-    sides = np.concatenate([m, -given], axis=1)
-    lid = -real_times_complex(answer, sides)
-    shares = np.concatenate([sides, lid], axis=1)
-    return Flow(shares, lid / K, real_times_complex(reduced.integrals[mine], shares), float(rest.max()))
+    residual = np.abs(A @ m - b).max(axis=1) / np.maximum(np.abs(b).max(axis=1), 1e-300)
+    known = np.concatenate([m, -velocity], axis=1)
+    lid = -real_times_complex(lid_solution, known)
+    coefficients = np.concatenate([known, lid], axis=1)
+    integrals = real_times_complex(equations.integrals[classes], coefficients)
+    return ReducedSolution(coefficients, lid / K, integrals, float(residual.max()))

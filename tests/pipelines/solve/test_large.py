@@ -42,7 +42,7 @@ def test_many_frequencies_on_many_panels_share_their_work():
     assert shared_band(scene(omegas=many), coarse) is None
 
 
-def test_bodies_of_revolution_share_their_work_in_hundreds_of_frequencies_only():
+def test_axisymmetric_bodies_share_their_work_in_hundreds_of_frequencies_only():
     many, more = {"from": 0.2, "to": 1.0, "count": 100}, {"from": 0.2, "to": 1.0, "count": 200}
     fine = buoy(10, 8, panels=1000)
     assert shared_band(scene(omegas=many), fine, lid(fine)) is None
@@ -125,7 +125,7 @@ def test_what_the_preparation_tells_adds_up_to_what_was_estimated():
     body = Setup(mesh, lid(mesh), depth=20.0, band=band).prepared()
     stages, told = cost.cost(body.geometry, band, 9.81).stages, []
     with progress_callback(lambda stage, count: told.append((stage, count))):
-        assert len(body.reduced) == 2  # without and with the lid
+        assert len(body.band_equations) == 2  # without and with the lid
     sums = {stage: sum(count for one, count in told if one == stage) for stage in stages}
     assert sums[MATRICES] == stages[MATRICES][0] == len(body.geometry.elements.nodes)
     assert sums[FACTORS] == stages[FACTORS][0] == 4

@@ -1,4 +1,4 @@
-"""Waves between few nodes against waves between all: the same answers, to the accuracy of the space."""
+"""Waves between low_rank nodes against waves between all: the same answers, to the accuracy of the basis."""
 
 from functools import cache
 
@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from bem.methods.panel_setup import Setup, prepare
-from bem.panels.band import one_frequency as reduced_run
-from bem.panels.band.equations import reduced
-from bem.panels.band.one_frequency import ReducedRun
+from bem.panels.band import one_frequency
+from bem.panels.band.equations import band_equations
+from bem.panels.band.one_frequency import BandRun
 from bem.panels.one_frequency import PanelRun
 from meshing.lid import lid
 from meshing.shapes import box, buoy
@@ -28,7 +28,7 @@ def body(name, band=BAND):
         "box in deep water": (lambda: box(100, 50, 10, panels=104), {"depth": np.inf}),
         "buoy": (lambda: buoy(10, 10, panels=96), {"depth": 30.0}),
         "box beside a wall": (lambda: box(100, 50, 10, panels=104), {"depth": 20.0, "wall": -40.0}),
-        "turned box": (lambda: box(60, 30, 8, panels=100).whole().rotated(0.4).moved(3, 2, 0), {"depth": 25.0}),
+        "rotated box": (lambda: box(60, 30, 8, panels=100).whole().rotated(0.4).moved(3, 2, 0), {"depth": 25.0}),
     }
     make, options = shapes[name]
     mesh = make()
@@ -38,7 +38,7 @@ def body(name, band=BAND):
 def both(prepared, omega, want=WANT, dofs=DOFS):
     if prepared.setup.wall is not None:
         want = want - {"drift_force_fixed"}
-    runs = ReducedRun, PanelRun
+    runs = BandRun, PanelRun
     return [run(prepared, omega, HEADINGS, want, None, dofs).result() for run in runs]
 
 
@@ -73,27 +73,27 @@ def drift_difference(one, other, width):
         "box in deep water",
         "buoy",
         "box beside a wall",
-        "turned box",
+        "rotated box",
     ],
 )
-def test_few_nodes_give_what_all_nodes_give(name, omega):
+def test_low_rank_waves_give_what_full_matrices_give(name, omega):
     prepared = body(name)
-    few, all_nodes = both(prepared, omega)
-    # potentials are as good as the space; forces of short waves are differences of larger ones.  The accuracy is a
+    low_rank, full = both(prepared, omega)
+    # potentials are as good as the basis; forces of short waves are differences of larger ones.  The accuracy is a
     # twentieth of the error that the panels leave, or less: ten times that is still within it
-    limit = 10 * prepared.reduced[0].accuracy
-    assert largest_difference(few, all_nodes) < limit
+    limit = 10 * prepared.band_equations[0].accuracy
+    assert largest_difference(low_rank, full) < limit
     if prepared.setup.wall is None:
-        assert drift_difference(few, all_nodes, prepared.radius) < limit
+        assert drift_difference(low_rank, full, prepared.radius) < limit
 
 
-def test_the_difference_falls_with_the_accuracy_of_the_space():
+def test_the_difference_falls_with_the_accuracy_of_the_basis():
     prepared, errors = body("box in 20 m"), []
-    kept = prepared.reduced
+    kept = prepared.band_equations
     for accuracy in (2e-3, 2e-5):
-        prepared.__dict__["reduced"] = reduced(prepared.geometry, BAND, 9.80665, accuracy)
+        prepared.__dict__["band_equations"] = band_equations(prepared.geometry, BAND, 9.80665, accuracy)
         errors.append(largest_difference(*both(prepared, 0.8)))
-    prepared.__dict__["reduced"] = kept
+    prepared.__dict__["band_equations"] = kept
     assert errors[1] < 0.1 * errors[0]
 
 
@@ -101,43 +101,43 @@ def test_one_degree_of_freedom_and_one_product_alone_are_those_of_all():
     prepared = body("box in 20 m")
     whole, _ = both(prepared, 0.5)
     for name in sorted(WANT):
-        few, _ = both(prepared, 0.5, {name}, ("Surge", "Pitch"))
-        mine = [0, 4]
-        picked = np.ix_(mine, mine) if name in ("added_mass", "radiation_damping") else (..., mine)
+        low_rank, _ = both(prepared, 0.5, {name}, ("Surge", "Pitch"))
+        wanted = [0, 4]
+        picked = np.ix_(wanted, wanted) if name in ("added_mass", "radiation_damping") else (..., wanted)
         if name == "drift_force_fixed":
             picked = ...
         # what symmetry makes zero is rounding of terms as large as the others
         rounding = 1e-12 * np.abs(whole[name]).max()
-        np.testing.assert_allclose(few[name][picked], whole[name][picked], rtol=1e-9, atol=rounding)
+        np.testing.assert_allclose(low_rank[name][picked], whole[name][picked], rtol=1e-9, atol=rounding)
 
 
-@pytest.mark.parametrize("name", ["turned box", "box in 20 m"])
+@pytest.mark.parametrize("name", ["rotated box", "box in 20 m"])
 @pytest.mark.parametrize("heading", [45.0, 135.0, 225.0, 315.0])
-def test_waves_from_every_quarter_are_carried_by_few_nodes(name, heading, monkeypatch):
-    prepared, lost = body(name), []
-    monkeypatch.setattr(ReducedRun, "in_full", lambda self, part: lost.append(part))
+def test_waves_from_every_quadrant_are_in_the_low_rank_basis(name, heading, monkeypatch):
+    prepared, rejected = body(name), []
+    monkeypatch.setattr(BandRun, "rejected", lambda self, error: rejected.append(error))
     for omega in (0.5, 0.8, 1.1):
-        _ = ReducedRun(prepared, omega, np.radians([heading]), {"excitation_force"}, None, DOFS).potentials
-    assert not lost
+        _ = BandRun(prepared, omega, np.radians([heading]), {"excitation_force"}, None, DOFS).potentials
+    assert not rejected
 
 
-def test_frequencies_outside_the_band_take_all_nodes():
+def test_frequencies_outside_the_band_use_full_matrices():
     prepared = body("box in 20 m")
-    assert type(prepared.run(0.6, HEADINGS, WANT, None, DOFS)) is ReducedRun
+    assert type(prepared.run(0.6, HEADINGS, WANT, None, DOFS)) is BandRun
     assert type(prepared.run(1.3, HEADINGS, WANT, None, DOFS)) is PanelRun
 
 
-def test_a_space_too_small_is_noticed_and_all_nodes_are_taken(monkeypatch):
+def test_a_basis_too_small_is_rejected_and_full_matrices_are_used(monkeypatch):
     prepared = body("box in 20 m")
-    kept = prepared.reduced
-    rough = reduced(prepared.geometry, (0.2, 0.21), 9.80665, 1e-2)  # long waves only
-    prepared.__dict__["reduced"] = tuple(part._replace(accuracy=1e-5) for part in rough)
-    few, all_nodes = both(prepared, 0.8)
-    assert largest_difference(few, all_nodes) == 0.0
-    monkeypatch.setattr(reduced_run, "MOST_IN_FULL", 10)
-    with pytest.raises(FloatingPointError, match="lost between few nodes"):
+    kept = prepared.band_equations
+    rough = band_equations(prepared.geometry, (0.2, 0.21), 9.80665, 1e-2)  # long waves only
+    prepared.__dict__["band_equations"] = tuple(part._replace(accuracy=1e-5) for part in rough)
+    low_rank, full = both(prepared, 0.8)
+    assert largest_difference(low_rank, full) == 0.0
+    monkeypatch.setattr(one_frequency, "LARGEST_FULL_SYSTEM", 10)
+    with pytest.raises(FloatingPointError, match="the low-rank waves of the band are"):
         both(prepared, 0.8)
-    prepared.__dict__["reduced"] = kept
+    prepared.__dict__["band_equations"] = kept
 
 
 def test_the_same_band_gives_the_same_bits():

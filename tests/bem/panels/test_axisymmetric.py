@@ -1,13 +1,13 @@
-"""Bodies of revolution: found where they are, and solved by harmonics as by symmetry classes."""
+"""Axisymmetric bodies: recognised, and solved by harmonics as by symmetry classes."""
 
 import numpy as np
 import pytest
 
 from bem import DOFS
 from bem.methods.panel_setup import Setup, prepare
+from bem.panels.axisymmetric_frequency import AxisymmetricRun
 from bem.panels.influence import Geometry
 from bem.panels.one_frequency import PanelRun
-from bem.panels.revolution_frequency import RoundRun
 from meshing.lid import lid, polar_lid
 from meshing.panels import PanelMesh, structured
 from meshing.shapes import box, buoy
@@ -17,7 +17,7 @@ WANT = {
     *("added_mass", "radiation_damping", "excitation_force", "diffraction_force", "Froude_Krylov_force"),
     *("drift_force_fixed", "kochin_radiation", "kochin_diffraction", "pressure"),
 }
-CLOSE = 1e-8  # of the largest: ∂G/∂n is tabulated, and right above each other it is turned by rounding of R
+CLOSE = 1e-8  # of the largest: ∂G/∂n is tabulated, and at R = 0 its direction depends on rounding of R
 
 
 def revolved(profile, count, symmetry=""):
@@ -37,8 +37,8 @@ SPAR = revolved([(0, -12), (3, -12), (6, -12), (6, -11), (3, -11), (3, -8), (3, 
 def both(setup, omega, want=WANT, dofs=DOFS):
     """Results of the harmonics and of the symmetry classes"""
     body = prepare(setup)
-    runs = [kind(body, omega, HEADINGS, want, None, dofs) for kind in (RoundRun, PanelRun)]
-    assert type(body.run(omega, HEADINGS, want, None, dofs)) is RoundRun
+    runs = [kind(body, omega, HEADINGS, want, None, dofs) for kind in (AxisymmetricRun, PanelRun)]
+    assert type(body.run(omega, HEADINGS, want, None, dofs)) is AxisymmetricRun
     return [run.result() for run in runs]
 
 
@@ -69,11 +69,13 @@ def test_a_spar_off_the_origin_with_fourteen_sides(depth):
 
 
 @pytest.mark.parametrize("dofs", [["Heave"], ["Surge", "Pitch"], DOFS])
-def test_forces_take_the_harmonics_of_the_modes_alone(dofs, monkeypatch):
-    from bem.panels import revolution as wedges
+def test_forces_need_the_harmonics_of_the_modes_alone(dofs, monkeypatch):
+    from bem.panels import axisymmetric
 
-    seen, solve = [], wedges._of_harmonics
-    monkeypatch.setattr(wedges, "_of_harmonics", lambda g, rows, m: seen.append(m.tolist()) or solve(g, rows, m))
+    seen, solve = [], axisymmetric._harmonic_matrices
+    monkeypatch.setattr(
+        axisymmetric, "_harmonic_matrices", lambda g, rows, m: seen.append(m.tolist()) or solve(g, rows, m)
+    )
     mesh = buoy(10, 8, panels=240)
     want = {"added_mass", "radiation_damping", "excitation_force", "diffraction_force"}
     found, other = both(Setup(mesh, depth=20.0), 1.2, want, dofs)
@@ -83,7 +85,7 @@ def test_forces_take_the_harmonics_of_the_modes_alone(dofs, monkeypatch):
 
 def test_potentials_are_whole_even_where_forces_were_asked_for():
     body = prepare(Setup(buoy(10, 8, panels=240), depth=20.0))
-    forces = RoundRun(body, 1.2, HEADINGS, {"excitation_force"}, None, DOFS)
+    forces = AxisymmetricRun(body, 1.2, HEADINGS, {"excitation_force"}, None, DOFS)
     whole = PanelRun(body, 1.2, HEADINGS, {"excitation_force"}, None, DOFS)
     _ = forces.excitation
     for cls, phi in whole.potentials.items():
@@ -95,9 +97,9 @@ def test_potentials_are_whole_even_where_forces_were_asked_for():
 @pytest.mark.parametrize("which", ["zero", "infinity"])
 def test_limits_of_the_frequency(symmetry, depth, which):
     setup = Setup(buoy(10, 8, panels=112, symmetry=symmetry), depth=depth)
-    turned, classes = setup.prepared(), setup.prepared()
-    classes.geometry.__dict__["wedges"] = None
-    found, other = turned.added_mass_limit(which), classes.added_mass_limit(which)
+    harmonics, classes = setup.prepared(), setup.prepared()
+    classes.geometry.__dict__["sectors"] = None
+    found, other = harmonics.added_mass_limit(which), classes.added_mass_limit(which)
     finite = np.isfinite(other)
     assert np.array_equal(found[~finite], other[~finite])
     assert np.abs(found[finite] - other[finite]).max() < CLOSE * np.abs(other[finite]).max()
@@ -105,16 +107,16 @@ def test_limits_of_the_frequency(symmetry, depth, which):
 
 @pytest.mark.parametrize("panels, sides", [(112, 12), (240, 20), (476, 28), (1000, 40)])
 @pytest.mark.parametrize("symmetry", ["xy", "x", "y", ""])
-def test_every_side_of_a_buoy_is_a_wedge(panels, sides, symmetry):
+def test_every_side_of_a_buoy_is_a_sector(panels, sides, symmetry):
     mesh = buoy(10, 10, panels=panels, symmetry=symmetry)
     g = Geometry(mesh, polar_lid(mesh, 3.0), 30.0)
-    assert len(g.wedges.node) == sides
+    assert len(g.sectors.node) == sides
     whole = np.concatenate([np.append(s, 1) * g.elements.nodes for s in g.images]).reshape(len(g.images), -1, 3)
-    turned = whole[g.wedges.image, g.wedges.node] @ [1, 1j, 0]
-    assert turned == pytest.approx(turned[0] * np.exp(2j * np.pi * np.arange(sides) / sides)[:, None], abs=1e-6)
-    assert sorted((g.wedges.image * len(g.elements.nodes) + g.wedges.node).ravel()) == list(range(whole[..., 0].size))
-    # with a mirror plane half of a wedge is enough
-    assert len(g.wedges.first) * (2 if symmetry else 1) == g.wedges.node.shape[1]
+    rotated = whole[g.sectors.image, g.sectors.node] @ [1, 1j, 0]
+    assert rotated == pytest.approx(rotated[0] * np.exp(2j * np.pi * np.arange(sides) / sides)[:, None], abs=1e-6)
+    assert sorted((g.sectors.image * len(g.elements.nodes) + g.sectors.node).ravel()) == list(range(whole[..., 0].size))
+    # with a mirror plane half of a sector is enough
+    assert len(g.sectors.first) * (2 if symmetry else 1) == g.sectors.node.shape[1]
 
 
 def moved_corner():
@@ -134,17 +136,17 @@ def moved_corner():
     ],
     ids=["box", "square", "whole box", "a corner moved by a centimetre", "beside a wall"],
 )
-def test_other_bodies_have_no_wedges(mesh, wall):
-    assert Geometry(mesh, None, 30.0, wall=wall).wedges is None
+def test_other_bodies_have_no_sectors(mesh, wall):
+    assert Geometry(mesh, None, 30.0, wall=wall).sectors is None
 
 
-def test_a_lid_that_does_not_turn_is_replaced_by_one_that_does():
+def test_a_lid_that_is_not_axisymmetric_is_replaced_by_one_that_is():
     mesh = buoy(10, 10, panels=476)
     body = prepare(Setup(mesh, lid(mesh), depth=30.0))
-    assert body.geometry.wedges is None and len(body.turned.wedges.node) == 28
+    assert body.geometry.sectors is None and len(body.axisymmetric_geometry.sectors.node) == 28
     omega, want = 2.2, {"added_mass", "radiation_damping", "excitation_force"}
     run = body.run(omega, HEADINGS, want, None, DOFS)
-    assert type(run) is RoundRun and len(run.geometry.elements.nodes) > run.geometry.hull
+    assert type(run) is AxisymmetricRun and len(run.geometry.elements.nodes) > run.geometry.hull
     found, other = run.result(), PanelRun(body, omega, HEADINGS, want, None, DOFS).result()
     # lids of panels a ninth of a wave wide; of a quarter they let through 0.4 % (`pipelines.solve.hull.make_lid`)
     for name in want:
@@ -157,6 +159,6 @@ def test_harmonics_are_the_same_bits_with_any_number_of_threads(monkeypatch):
     body, found = prepare(Setup(buoy(10, 8, panels=476), depth=20.0)), []
     for count in (1, 3):
         monkeypatch.setattr(threads, "thread_count", lambda count=count: count)
-        run = RoundRun(body, 1.2, HEADINGS, {"drift_force_fixed"}, None, DOFS)
+        run = AxisymmetricRun(body, 1.2, HEADINGS, {"drift_force_fixed"}, None, DOFS)
         found.append([phi.tobytes() for phi in run.potentials.values()])
     assert found[0] == found[1]
