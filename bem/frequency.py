@@ -23,7 +23,7 @@ FREE = {"rao", "drift_force"}
 def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
     """Everything in `want` at one frequency, as a dictionary with the names of the database.
 
-    prepared : from `bem.methods.panel_setup.prepare`
+    prepared : from `bem.methods.panel_problem.prepare`
     omega : rad/s, headings : (m,) rad towards which the waves travel, want : names of datasets
     theta : (t,) rad equally spaced, angles of the Kochin functions; dofs : degrees of freedom that are needed
     returns : arrays over 6 degrees of freedom (NaN where not in `dofs`), "checks", "wall_time" (s) and, where the
@@ -50,16 +50,16 @@ class FrequencyRun:
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         if not (np.isfinite(omega) and omega > 0):
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits are in `frequency_limits`)")
-        self.prepared, self.setup = prepared, prepared.setup
+        self.prepared, self.problem = prepared, prepared.problem
         self.omega, self.want = float(omega), frozenset(want)
         self.headings = np.atleast_1d(np.asarray(headings, float))
         want = self.want
-        self.k = float(wavenumber(omega, self.setup.depth, self.setup.gravity))
+        self.k = float(wavenumber(omega, self.problem.depth, self.problem.gravity))
         self.theta = theta if theta is not None else angles(self.k, prepared.radius)
         self.asked = [DOFS.index(d) for d in dofs]
-        self.free = bool(want & FREE | want & {"pressure"}) and self.setup.inertia_matrix is not None
+        self.free = bool(want & FREE | want & {"pressure"}) and self.problem.inertia_matrix is not None
         # motions couple; a moment about another point than the origin needs forces too
-        needed = np.any(self.setup.transform[self.asked], axis=0) | self.free
+        needed = np.any(self.problem.transform[self.asked], axis=0) | self.free
         self.dofs = np.flatnonzero(needed).tolist()
         self.radiates = bool(want & RADIATION) or self.free
         self.diffracts = bool(want & DIFFRACTION) or self.free
@@ -72,7 +72,7 @@ class FrequencyRun:
     @property
     def group_factor(self):
         """C_g / C"""
-        return float(group_factor(self.k, self.setup.depth))
+        return float(group_factor(self.k, self.problem.depth))
 
     @property
     def radiated(self):
@@ -80,7 +80,7 @@ class FrequencyRun:
         if not self.far_field:
             return None
         H = self.kochin[0][0][:, : len(self.theta)]
-        factor = 4 * self.setup.density * self.setup.gravity * self.group_factor / (self.k * self.omega) ** 2
+        factor = 4 * self.problem.density * self.problem.gravity * self.group_factor / (self.k * self.omega) ** 2
         return factor * (H @ H.conj().T).real / len(self.theta)
 
     @cached_property
@@ -90,25 +90,25 @@ class FrequencyRun:
     @cached_property
     def rao(self):
         """(m, 6) about the rotation centre"""
-        T, Z, setup = self.setup.transform, self.radiation, self.setup
+        T, Z, problem = self.problem.transform, self.radiation, self.problem
         A = T @ Z @ T.T
         terms = (
             self.omega, A.real, self.omega * A.imag, self.excitation @ T.T,
-            setup.inertia_matrix, setup.hydrostatic_stiffness,
+            problem.inertia_matrix, problem.hydrostatic_stiffness,
         )  # fmt: skip
-        return response(*terms) if setup.viscous is None else linearised_response(*terms, setup.viscous)[0]
+        return response(*terms) if problem.viscous is None else linearised_response(*terms, problem.viscous)[0]
 
     def drift(self, moving):
         (radiation, dradiation), (H, slope) = self.kochin
         if moving:
-            T = self.setup.transform
+            T = self.problem.transform
             H, slope = H + self.rao @ (T @ radiation), slope + self.rao @ (T @ dradiation)
         t, m = len(self.theta), np.arange(len(self.headings))
         force = mean_drift(
             H[:, :t], slope[:, :t], H[m, t + m], slope[m, t + m], self.theta, self.headings, self.k,
-            self.group_factor, self.setup.density, self.setup.gravity,
+            self.group_factor, self.problem.density, self.problem.gravity,
         )  # fmt: skip
-        return about(force, self.setup.rotation_center)
+        return about(force, self.problem.rotation_center)
 
     def asked_only(self, values):
         """`values` (…, 6) with NaN in place of degrees of freedom nobody asked for"""
@@ -124,7 +124,7 @@ class FrequencyRun:
         """{name: absolute errors} of `schema.ESTIMATES` that are wanted, about the rotation centre"""
         if self.errors is None:
             return {}
-        (radiation, excitation), T = self.errors, self.setup.transform
+        (radiation, excitation), T = self.errors, self.problem.transform
         Z = self.asked_only(self.asked_only(T @ radiation @ T.T).T).T
         out = {
             "added_mass": np.abs(Z.real),
@@ -134,7 +134,7 @@ class FrequencyRun:
         return {name: value for name, value in out.items() if name in self.want}
 
     def result(self):
-        T, want = self.setup.transform, self.want
+        T, want = self.problem.transform, self.want
         out = {}
         if want & {"added_mass", "radiation_damping"}:
             Z = self.asked_only(self.asked_only(T @ self.radiation @ T.T).T).T

@@ -37,16 +37,16 @@ DISTINCT = 1e-9  # `contour_accuracy.CLEAR` of pressures
 def pressure_drift(run, motions):
     """(m, 3) mean surge, sway and yaw of the pressure on the sides, about the rotation centre; N/m², N m/m².
 
-    run : `bem.methods.shape_setup.ShapeRun` of the contour method; motions : (m, 6) about the origin, m/m and rad/m
+    run : `bem.methods.shape_problem.ShapeRun` of the contour method; motions : (m, 6) about the origin, m/m and rad/m
     """
     with blas_threads(0):
         sides = _Sides(run)
         loads = np.array([sides.load(j, motion) for j, motion in enumerate(motions)])
-    return about(loads.reshape(-1, 3), run.setup.rotation_center)
+    return about(loads.reshape(-1, 3), run.problem.rotation_center)
 
 
 def pressure_error(run):
-    """Relative error of the pressures of a `bem.methods.shape_setup.ShapeRun`, to `PRESSURES` at best"""
+    """Relative error of the pressures of a `bem.methods.shape_problem.ShapeRun`, to `PRESSURES` at best"""
     body = run.prepared.solver
     return max(run.estimated_error(), PRESSURES * height(body.depth - body.draft, body.plan.scale))
 
@@ -76,9 +76,9 @@ class _Sides:
     """The flow of one frequency at the nodes of the contour and their images."""
 
     def __init__(self, run):
-        setup = run.setup
+        problem = run.problem
         body = sharper(run.prepared.solver)
-        freq = ContourFrequency(body, run.omega, run.headings, (), range(6), setup.density, setup.gravity)
+        freq = ContourFrequency(body, run.omega, run.headings, (), range(6), problem.density, problem.gravity)
         freq.result()
         self.freq = freq
         self.sums = depth_sums(freq)

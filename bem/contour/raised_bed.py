@@ -29,7 +29,7 @@ SHARE = 1 / 3  # of the tolerance that is left to the contour method
 def raised_bed(shape, sizes, tolerance, k):
     """h in m, or None where waves of `k` rad/m are as long as the body, too long for the bed, or digits would be lost.
 
-    shape, sizes : as of `bem.methods.shape_setup.ShapeSetup`; tolerance : relative error of the coefficients
+    shape, sizes : as of `bem.methods.shape_problem.ShapeProblem`; tolerance : relative error of the coefficients
     """
     half, draft, across = _lengths(shape, sizes)
     factor = max(LEAST_GAP, (2 * EFFECT / tolerance) ** 0.5)
@@ -50,10 +50,14 @@ def with_bed(run, radiation, excitation):
 
     What symmetry makes zero stays zero.
     """
-    setup = run.setup
-    if setup.bed is None or setup.bed >= setup.depth:
+    problem = run.problem
+    if problem.bed is None or problem.bed >= problem.depth:
         return radiation, excitation
-    share, radiation, excitation = effect_of_bed(setup.shape, setup.sizes, setup.bed), radiation + 0, excitation + 0
+    share, radiation, excitation = (
+        effect_of_bed(problem.shape, problem.sizes, problem.bed),
+        radiation + 0,
+        excitation + 0,
+    )
     if run.radiates:
         block = np.ix_(run.dofs, run.dofs)
         radiation[block] = longer(radiation[block], share * _finite(radiation_scale(run)))

@@ -18,11 +18,11 @@ from functools import cached_property, wraps
 
 import numpy as np
 
-from ..body import check_gap
 from ..depth_modes.gap import Gap
 from ..depth_modes.gap_profiles import DEPENDENT, Profiles
 from ..kernels.threads import blas_threads
 from ..modes import class_of
+from ..problem import check_gap
 from ..waves import wavenumber
 from .accuracy import Accuracy, accuracy, finer
 from .frequency_limits import infinite_frequency, zero_frequency

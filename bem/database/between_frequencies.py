@@ -37,7 +37,7 @@ class Between:
     """Quantities {name: (n, …)} at omega (n,) rad/s rising, axes as in `schema.QUANTITIES`.
 
     headings : (m,) rad; theta : (t,) rad of the Kochin functions; outline : (p, 2) m, points of the hull in plan
-    inertia, stiffness : (6, 6) or None; rotation_center : m; further as in `body.Body`
+    inertia, stiffness : (6, 6) or None; rotation_center : m; further as in `bem.problem.Problem`
     linear : False if the stored responses have damping that depends on the amplitude
     """
 

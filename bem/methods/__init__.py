@@ -1,1 +1,1 @@
-"""A body in water set up for one of the methods, and what is asked of any of them."""
+"""Problems of the panel method and of those for boxes and cylinders, and near-field drift of either."""

@@ -23,7 +23,7 @@ def near_field_drift(run, moving):
 
     run : the quantities of one frequency of a mesh with four nodes a panel (`bem.panels.one_frequency.PanelRun`) or
         of the
-        contour method (`bem.methods.shape_setup.ShapeRun`), which wants the drift by the far field too
+        contour method (`bem.methods.shape_problem.ShapeRun`), which wants the drift by the far field too
     moving : freely floating instead of fixed
     raises : ValueError for a method without pressures on the hull, or a run that wants too little
     """
@@ -45,18 +45,18 @@ def near_field_error(run, moving):
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:
         raise ValueError("error of the near field of panels without an estimate of theirs; allowed: with a coarse mesh")
-    rho, g = run.setup.density, run.setup.gravity
+    rho, g = run.problem.density, run.problem.gravity
     motions, lever = np.abs(_motions(run, moving)), np.hypot(radius, draft)
     vertical = motions @ [0, 0, 1, radius, radius, 0]
     any_point = motions @ [1, 1, 1, lever, lever, radius]
     size = rho * (g * (1 + vertical) ** 2 + run.omega**2 * draft * any_point**2) * 2 * radius
-    arm = radius + np.hypot(*run.setup.rotation_center[:2])
+    arm = radius + np.hypot(*run.problem.rotation_center[:2])
     return 2 * method.pressure_error(run) * size[:, None] * [1, 1, arm]
 
 
 def _motions(run, moving):
     """(m, 6) about the origin, m/m and rad/m"""
-    return run.rao @ run.setup.transform if moving else np.zeros((len(run.headings), 6), complex)
+    return run.rao @ run.problem.transform if moving else np.zeros((len(run.headings), 6), complex)
 
 
 def _method(run, moving):
@@ -68,8 +68,8 @@ def _method(run, moving):
         from ..panels.pressure_drift import mean_drift as panel_near_field
 
         return panel_near_field
-    if run.setup.method != "contour":
-        raise ValueError(f"near-field drift by method {run.setup.method}; allowed: panel, contour")
+    if run.problem.method != "contour":
+        raise ValueError(f"near-field drift by method {run.problem.method}; allowed: panel, contour")
     from ..contour import pressure_drift as contour_near_field
 
     return contour_near_field
@@ -77,7 +77,7 @@ def _method(run, moving):
 
 def turned(run):
     """(m, 3) mean surge, sway and yaw of the first-order loads, which turn with the body, about the rotation centre"""
-    T, X, stiffness = run.setup.transform, run.rao, run.setup.hydrostatic_stiffness
+    T, X, stiffness = run.problem.transform, run.rao, run.problem.hydrostatic_stiffness
     load = run.excitation @ T.T + X @ (run.omega**2 * T @ run.radiation @ T.T - stiffness).T
     moved, alpha = X[:, :3].conj(), X[:, 3:].conj()
     force = np.cross(alpha, load[:, :3])

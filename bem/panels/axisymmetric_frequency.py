@@ -17,7 +17,7 @@ class AxisymmetricRun(PanelRun):
 
     def __init__(self, prepared, omega, *arguments):
         super().__init__(prepared, omega, *arguments)
-        self.geometry = prepared.axisymmetric_geometry.at(self.omega**2 / prepared.setup.gravity)
+        self.geometry = prepared.axisymmetric_geometry.at(self.omega**2 / prepared.problem.gravity)
 
     @cached_property
     def force_potentials(self):
@@ -32,7 +32,7 @@ class AxisymmetricRun(PanelRun):
         _ = g.rankine_of_sector
         self._timed("rankine", start)
         start = time.perf_counter()
-        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.draft)
+        table = wave_table(self.omega, self.problem.depth, self.problem.gravity, g.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
         S, D = sector_rows(g, 1.0, table, self.depth_values)

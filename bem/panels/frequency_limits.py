@@ -29,9 +29,9 @@ def added_mass_limit(prepared, which):
 def _limit(prepared, which):
     from scipy.linalg import solve
 
-    g, setup = prepared.geometry.without_lid, prepared.setup  # without waves it is not needed
+    g, problem = prepared.geometry.without_lid, prepared.problem  # without waves it is not needed
     velocities = [g.modes[:, g.members(c)] for c in g.classes]
-    table, mirror = limit_table(which, setup.depth, g.reach, g.draft), 1.0 if which == "zero" else -1.0
+    table, mirror = limit_table(which, problem.depth, g.reach, g.draft), 1.0 if which == "zero" else -1.0
     if g.sectors:
         S, D = sector_rows(g, mirror, table, unit_depth_values)
         of_class = {cls: v.T for cls, v in zip(g.classes, velocities, strict=True)}
@@ -67,14 +67,14 @@ def unit_depth_values(z):
 
 def added_mass_of(prepared, potentials, which):
     """(6, 6) about the rotation centre from the potentials (dofs of the class, n) of each symmetry class."""
-    g, setup, T = prepared.geometry, prepared.setup, prepared.setup.transform
+    g, problem, T = prepared.geometry, prepared.problem, prepared.problem.transform
     modes = g.modes * g.elements.weights[: g.hull, None] * g.copies
     out = np.zeros((6, 6))
     for cls, phi in zip(g.classes, potentials, strict=True):
         members = g.members(cls)
-        out[np.ix_(members, members)] = -setup.density * (phi @ modes[:, members]).T
+        out[np.ix_(members, members)] = -problem.density * (phi @ modes[:, members]).T
     out = T @ out @ T.T
-    if which == "zero" and np.isfinite(setup.depth):
+    if which == "zero" and np.isfinite(problem.depth):
         even = [1.0 if d in g.members((1, 1)) else 0.0 for d in range(6)]  # mirror planes leave no net flux in others
         out = with_net_flux(out, T @ modes.sum(axis=0) * even, g.elements.weights[: g.hull].sum() * g.copies)
     return out

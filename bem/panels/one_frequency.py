@@ -26,9 +26,9 @@ class PanelRun(FrequencyRun):
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         super().__init__(prepared, omega, headings, want, theta, dofs)
-        if self.far_field and prepared.setup.wall is not None:
+        if self.far_field and prepared.problem.wall is not None:
             raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
-        self.geometry = prepared.geometry.at(self.omega**2 / prepared.setup.gravity)
+        self.geometry = prepared.geometry.at(self.omega**2 / prepared.problem.gravity)
         self.whole_field = "pressure" in self.want
 
     @property
@@ -61,7 +61,7 @@ class PanelRun(FrequencyRun):
     @property
     def depth_values(self):
         """`bem.waves.depth_values` of this frequency"""
-        return depth_values(self.k, self.setup.depth)
+        return depth_values(self.k, self.problem.depth)
 
     @cached_property
     def hull(self):
@@ -75,13 +75,13 @@ class PanelRun(FrequencyRun):
         g = self.geometry
         waves = np.empty((2, len(g.classes), len(self.headings), g.hull), complex)
         for j, beta in enumerate(self.headings):
-            waves[:, :, j] = class_waves(g, beta, self.omega, self.k, self.setup.gravity)
+            waves[:, :, j] = class_waves(g, beta, self.omega, self.k, self.problem.gravity)
         out, force = {}, np.zeros((len(self.headings), 6), complex)
         for i, cls in enumerate(g.classes):
             out[cls] = waves[0, i], waves[1, i]
             own = g.members(cls)
             force[:, own] = out[cls][0] @ self.weighted_modes[:, own]
-        return out, -1j * self.setup.density * self.omega * force
+        return out, -1j * self.problem.density * self.omega * force
 
     @cached_property
     def weighted_modes(self):
@@ -140,7 +140,7 @@ class PanelRun(FrequencyRun):
         self._timed("rankine", start)
         start = time.perf_counter()
         g = self.geometry
-        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.draft)
+        table = wave_table(self.omega, self.problem.depth, self.problem.gravity, g.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
         matrices, sides = self.equations(classes, table, [velocities[c] for c in classes])
@@ -188,7 +188,7 @@ class PanelRun(FrequencyRun):
         out = np.zeros((6, 6), complex)
         for cls, (moving, _) in self.columns.items():
             own = [self.geometry.members(cls).index(d) for d in moving]
-            out[np.ix_(moving, moving)] = -self.setup.density * self.pressure_integrals[cls][: len(moving), own].T
+            out[np.ix_(moving, moving)] = -self.problem.density * self.pressure_integrals[cls][: len(moving), own].T
         return out
 
     @cached_property
@@ -197,7 +197,7 @@ class PanelRun(FrequencyRun):
         out = np.zeros((len(self.headings), 6), complex)
         for cls, (moving, waves) in self.columns.items():
             own, pressure_integrals = self.geometry.members(cls), self.pressure_integrals[cls][len(moving) :]
-            out[np.ix_(waves, own)] = -1j * self.setup.density * self.omega * pressure_integrals
+            out[np.ix_(waves, own)] = -1j * self.problem.density * self.omega * pressure_integrals
         return out
 
     @cached_property
@@ -206,7 +206,7 @@ class PanelRun(FrequencyRun):
         force = self.incident[1]
         out = np.zeros(force.shape, complex)
         for cls, (moving, _) in self.columns.items():
-            out[:, moving] = force[:, moving] + 1j * self.setup.density * self.omega * self.haskind_integrals[cls]
+            out[:, moving] = force[:, moving] + 1j * self.problem.density * self.omega * self.haskind_integrals[cls]
         return out
 
     @cached_property
@@ -233,7 +233,7 @@ class PanelRun(FrequencyRun):
     def disturbance(self, heading, moving):
         """{class: φ_D + Σ(−iωX)φ at the nodes (n,)}, and the matching normal velocity"""
         g = self.geometry
-        X = -1j * self.omega * self.setup.transform.T @ self.rao[heading] if moving else np.zeros(6, complex)
+        X = -1j * self.omega * self.problem.transform.T @ self.rao[heading] if moving else np.zeros(6, complex)
         out = {}
         for cls in g.classes:
             phi, velocity = np.zeros((2, g.hull), complex)
@@ -262,4 +262,4 @@ class PanelRun(FrequencyRun):
             for i in range(g.copies):
                 total = sum(g.signs(c)[i] * p for c, p in phi.items())
                 out[j, i] = np.sum(total.reshape(shares.shape) * shares, axis=1)
-        return 1j * self.omega * self.setup.density * out.reshape(len(self.headings), -1)
+        return 1j * self.omega * self.problem.density * out.reshape(len(self.headings), -1)

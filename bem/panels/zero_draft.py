@@ -60,12 +60,12 @@ class ZeroDraftRun(PanelRun):
         return matrices, sides
 
     def on_hull(self, solution, velocities):
-        K = self.omega**2 / self.setup.gravity
+        K = self.omega**2 / self.problem.gravity
         return np.ascontiguousarray((-velocities - solution.T) / K)
 
     def pressure(self):
         """As of the panel method on the bottom; zero on the sides, which have no height."""
-        mesh, plate = self.setup.mesh, bottom(self.setup.mesh)
+        mesh, plate = self.problem.mesh, bottom(self.problem.mesh)
         out = np.zeros((len(self.headings), self.geometry.copies, len(mesh)), complex)
         out[..., plate] = super().pressure().reshape(len(self.headings), self.geometry.copies, -1)
         return out.reshape(len(self.headings), -1)
@@ -78,8 +78,8 @@ def rigid_surface_limit(prepared, which):
     """
     if which != "zero":
         raise ValueError("zero draft gives no added mass at infinite frequency; the panel method does")
-    g, setup = prepared.geometry, prepared.setup
-    table = limit_table(which, setup.depth, g.reach, g.draft)
+    g, problem = prepared.geometry, prepared.problem
+    table = limit_table(which, problem.depth, g.reach, g.draft)
     velocities = [g.modes[:, g.members(c)].T.astype(complex) for c in g.classes]
     with blas_threads(len(g.elements.nodes)):
         _, sides = assembled(g, g.classes, 1.0, table, unit_depth_values, velocities)

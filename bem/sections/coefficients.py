@@ -20,8 +20,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..body import check_gap
 from ..froude_krylov import incident_force
+from ..problem import check_gap
 from ..waves import group_factor, wavenumber
 
 SWAY, HEAVE, ROLL = range(3)

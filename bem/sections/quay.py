@@ -7,7 +7,8 @@ comes back from it onto the body.  With the transmission T and reflection R of t
 
 The SR179 report (1982), section 3.7.3, stops at c = T e^{2ikP}, and multiplies the motions by |1 + c| (π of
 eq. 3.7.3.14, in which χ = δ_T − 2kP has δ_T = −arg T).  Both need a gap to the wall of more than a water depth or a
-beam, so that only waves cross it.  The panel method with `bem.methods.panel_setup.Setup.wall` has no such limit.
+beam, so that only waves cross it.  The panel method with a wall (`bem.methods.panel_problem.PanelProblem`) has no such
+limit.
 """
 
 from __future__ import annotations

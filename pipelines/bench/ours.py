@@ -39,17 +39,17 @@ def scene_of(case, asked):
 
 def make(case, asked):
     """The scene and the body, prepared"""
-    from bem.methods.panel_setup import prepare
+    from bem.methods.panel_problem import prepare
     from pipelines.solve.plan import planned
 
     scene = scene_of(case, asked)
     plan = planned(scene)
-    setup, omegas = plan.setup, plan.omegas
+    problem, omegas = plan.problem, plan.omegas
     if "tolerance" in asked:
-        setup = replace(setup, tolerance=asked["tolerance"])
+        problem = replace(problem, tolerance=asked["tolerance"])
     if asked.get("band"):
-        setup = replace(setup, band=(float(omegas.min()), float(omegas.max())))
-    return scene, prepare(setup)
+        problem = replace(problem, band=(float(omegas.min()), float(omegas.max())))
+    return scene, prepare(problem)
 
 
 def solve(made, omega):
@@ -80,11 +80,11 @@ def answered(asked):
     runs, found = zip(*results, strict=True)
     names = "added_mass", "radiation_damping", "excitation_force"
     A, B, X = (np.array([row[name] for row in found]) for name in names)
-    setup = runs[0].setup
+    problem = runs[0].problem
     return {
         **times,
         **estimates(runs),
-        "panels": setup.mesh.total if asked["method"] == "panel" else None,
+        "panels": problem.mesh.total if asked["method"] == "panel" else None,
         "A": A.tolist(),
         "B": B.tolist(),
         "X": [X[:, 0].real.tolist(), X[:, 0].imag.tolist()],

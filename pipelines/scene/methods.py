@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from bem.body import check_gap
 from bem.contour.raised_bed import raised_bed
 from bem.contour.short_waves import MOST_WAVES, unresolved, waves_along
 from bem.database.schema import LIMITS, QUANTITIES
+from bem.problem import check_gap
 from bem.waves import wavenumber
 
 FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 
 from ..common.progress import duration
 from ..scene.scene import SceneError
@@ -26,21 +26,21 @@ def shared_band(scene, mesh, lid=None):
     count = len(omegas) if scene.waves.band is None else ADAPTIVE
     if nodes < FEWEST or count * nodes <= WORTH_SHARING:
         return None
-    alone = Setup(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
+    alone = PanelProblem(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
     if count < WORTH_SHARING_AXISYMMETRIC and alone.axisymmetric_geometry.sectors:
         return None
     return float(omegas.min()), float(omegas.max())
 
 
-def announced(setup, limits, console, processes=1):
+def announced(problem, limits, console, processes=1):
     """`bem.panels.band.cost.Cost` of a large problem, after saying what it will take; None of others, and without a
     band.
 
     limits : how many limits of the frequency are still to be computed; processes : that each prepare the body
     Raises SceneError if the memory is not there.
     """
-    panels = setup.panels if isinstance(setup, ShapeSetup) else setup
-    if not isinstance(panels, Setup) or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
+    panels = problem.panels if isinstance(problem, ShapeProblem) else problem
+    if not isinstance(panels, PanelProblem) or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
         return None
     from bem.panels.band.cost import cost, memory_alone
 

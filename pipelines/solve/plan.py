@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import msgspec
 import numpy as np
 
-from bem.body import Body
 from bem.database import open_database, pending
 from bem.database.file import Header
+from bem.problem import Problem
 from bem.waves import wavenumber
 
 from ..scene.identity import check_same
@@ -18,8 +18,8 @@ from ..scene.scene import Scene, SceneError
 from ..scene.text import to_toml
 from .header import kochin_angles, make_header
 from .hull import make_hull, stored_hull
+from .problem import problem_of
 from .remarks import remarks
-from .setup import setup_of
 
 KOCHIN = {"kochin_radiation", "kochin_diffraction"}
 
@@ -31,7 +31,7 @@ class Plan:
     scene : with the method that solves it (`scene.approach`)
     omegas : (n,) rad/s and headings : (m,) rad, ascending; names : of the database, wanted
     header : of the database, with the mesh, the lid, the body at rest and the scene as text
-    setup : what the solver takes; remarks : for the reader, one line each
+    problem : `bem.methods` problem to be solved; remarks : for the reader, one line each
     """
 
     scene: Scene
@@ -39,7 +39,7 @@ class Plan:
     headings: np.ndarray
     names: tuple[str, ...]
     header: Header
-    setup: Body
+    problem: Problem
     remarks: tuple[str, ...]
 
 
@@ -65,7 +65,7 @@ def resumed(scene, file):
 
 def _plan(scene, hull, header):
     asked = scene.omegas(), scene.headings(), scene.names()
-    return Plan(scene, *asked, header, setup_of(header, scene), remarks(scene, hull, header.body))
+    return Plan(scene, *asked, header, problem_of(header, scene), remarks(scene, hull, header.body))
 
 
 def _by_the_same_method(scene, header, output):

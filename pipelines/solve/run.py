@@ -86,7 +86,7 @@ def _wider(stack, file, **more):
 
 
 def _announced(plan, limits, executor, console):
-    return announced(plan.setup, limits, console, getattr(executor, "count", 1))
+    return announced(plan.problem, limits, console, getattr(executor, "count", 1))
 
 
 def _fill(plan, executor, console, cost, file):
@@ -128,13 +128,13 @@ class Job:
 def _rows(file, plan, rows):
     for row in rows:
         theta = plan.header.theta if row.want & KOCHIN else None
-        call = (solve_one, plan.setup, row.omega, row.headings, row.want, theta)
+        call = (solve_one, plan.problem, row.omega, row.headings, row.want, theta)
         yield Job(row.omega, call, partial(_store_row, file, row))
 
 
 def _limits(file, plan, names):
     for name in names:
-        yield Job(name, (limit_one, plan.setup, name), partial(append_limit, file, name))
+        yield Job(name, (limit_one, plan.problem, name), partial(append_limit, file, name))
 
 
 def _store_row(file, row, result):

@@ -15,19 +15,19 @@ import numpy as np
 _prepared = {}
 
 
-def solve_one(setup, omega, headings, want, theta):
-    """`bem.frequency.solve_frequency` for a setup.
+def solve_one(problem, omega, headings, want, theta):
+    """`bem.frequency.solve_frequency` for a problem.
 
     omega : rad/s; headings : (m,) rad; want : names; theta : (t,) rad, or None
     """
     from bem.frequency import solve_frequency
 
-    return solve_frequency(_prepare(setup), omega, headings, want, theta)
+    return solve_frequency(_prepare(problem), omega, headings, want, theta)
 
 
-def limit_one(setup, name):
-    """`added_mass_zero` or `added_mass_infinity` (6, 6) of a setup."""
-    return _prepare(setup).added_mass_limit(name.removeprefix("added_mass_"))
+def limit_one(problem, name):
+    """`added_mass_zero` or `added_mass_infinity` (6, 6) of a problem."""
+    return _prepare(problem).added_mass_limit(name.removeprefix("added_mass_"))
 
 
 class Here:
@@ -100,20 +100,20 @@ def _end_with_parent():
     os._exit(1)
 
 
-def _prepare(setup):
-    from bem.methods.panel_setup import prepare
+def _prepare(problem):
+    from bem.methods.panel_problem import prepare
 
-    key = _key(setup)
+    key = _key(problem)
     if key not in _prepared:
         _prepared.clear()
-        _prepared[key] = prepare(setup)
+        _prepared[key] = prepare(problem)
     return _prepared[key]
 
 
-def _key(setup):
-    """Hash of the values of a setup, to the last bit; derived quantities that its meshes remember do not count."""
+def _key(problem):
+    """Hash of the values of a problem, to the last bit; derived quantities that its meshes remember do not count."""
     digest = hashlib.sha256()
-    _add(digest, setup)
+    _add(digest, problem)
     return digest.hexdigest()
 
 

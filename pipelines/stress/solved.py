@@ -9,7 +9,7 @@ import numpy as np
 from bem import DOFS
 from bem.database.schema import LIMITS
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import prepare
+from bem.methods.panel_problem import prepare
 
 from ..scene.methods import METHODS
 from ..scene.scene import make_scene
@@ -46,7 +46,7 @@ def solved(scene, method="auto", tolerance=0.01):
     """`Solved` of a `StressScene`.  Raises what the commands report: ValueError, FloatingPointError."""
     checked = make_scene(scene.tables(method, tolerance))
     plan = planned(checked)
-    prepared, omega, names = prepare(plan.setup), plan.omegas[0], set(plan.names) - set(LIMITS)
+    prepared, omega, names = prepare(plan.problem), plan.omegas[0], set(plan.names) - set(LIMITS)
     # the order in which they were drawn, not the ascending one of a database
     result = solve_frequency(prepared, omega, np.radians(scene.headings), names, plan.header.theta)
     chosen = checked.approach.method

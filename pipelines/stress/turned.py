@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 
@@ -60,7 +60,7 @@ def difference(one, other, angle, phase, towards):
 
 
 def _solved(scene, hull, headings, **more):
-    prepared = prepare(Setup(*hull, depth=scene.depth, gravity=GRAVITY, **more))
+    prepared = prepare(PanelProblem(*hull, depth=scene.depth, gravity=GRAVITY, **more))
     result = solve_frequency(prepared, scene.omega, headings, {*QUANTITIES, "diffraction_force"})
     return scaled("panel", hull[0].total, prepared, scene.omega, result)
 

@@ -16,12 +16,12 @@ import numpy as np
 
 from bem.database import open_database
 from bem.database.between_frequencies import between
-from bem.methods.panel_setup import prepare
+from bem.methods.panel_problem import prepare
 from bem.time_domain.retardation import from_database, retardation
 from bem.time_domain.state_space import state_space
 from pipelines.scene.scene import make_scene
+from pipelines.solve.problem import problem_of
 from pipelines.solve.run import solve
-from pipelines.solve.setup import setup_of
 
 TOLERANCE, TIMES = 0.005, np.arange(0, 300.01, 0.1)
 NAMES = ("added_mass", "radiation_damping", "excitation_force")
@@ -64,7 +64,7 @@ def main():
 
 def direct(db, scene, omega):
     """{name: (q, …)} solved at each omega"""
-    body = prepare(replace(setup_of(db.header, scene), tolerance=TOLERANCE / 1000))
+    body = prepare(replace(problem_of(db.header, scene), tolerance=TOLERANCE / 1000))
     rows = [body.run(w, db.wave_direction, set(NAMES), None, tuple(db["influenced_dof"])).result() for w in omega]
     return {name: np.array([row[name] for row in rows]) for name in NAMES}
 

@@ -15,8 +15,8 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import numpy as np
 
 from bem.checks import excitation_scale, radiation_scale
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from meshing.lid import lid
 from meshing.shapes import box
 
@@ -28,14 +28,14 @@ HEADINGS = np.radians([0.0, 30.0, 60.0, 90.0])
 def compared(length, depth, omega, panels):
     """Difference, panels' own estimate, seconds of the two"""
     mesh, rough = (box(length, BEAM, DRAFT, panels=n) for n in (panels, panels // 2))
-    setups = (
-        Setup(mesh, lid(mesh), (rough, lid(rough)), depth=depth),
-        ShapeSetup(method="contour", shape="box", sizes=(length, BEAM, DRAFT), depth=depth, tolerance=1e-5),
+    problems = (
+        PanelProblem(mesh, lid(mesh), (rough, lid(rough)), depth=depth),
+        ShapeProblem(method="contour", shape="box", sizes=(length, BEAM, DRAFT), depth=depth, tolerance=1e-5),
     )
     runs, seconds = [], []
-    for setup in setups:
+    for problem in problems:
         start = time.perf_counter()
-        run = setup.prepared().run(omega, HEADINGS, WANT, None, ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"))
+        run = problem.prepared().run(omega, HEADINGS, WANT, None, ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"))
         _ = run.radiation, run.diffraction
         seconds.append(time.perf_counter() - start)
         runs.append(run)

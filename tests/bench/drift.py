@@ -25,8 +25,8 @@ from exact.truncated_cylinder import TruncatedCylinder
 
 from bem import DOFS
 from bem.methods.near_field import near_field_drift, near_field_error
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 
@@ -46,14 +46,14 @@ ARMS = np.array([1, 1, LENGTH / 2])
 
 
 def contour(depth, tolerance):
-    return ShapeSetup(
+    return ShapeProblem(
         method="contour", shape="box", sizes=SIZES, depth=depth, tolerance=tolerance, **FLOATING
     ).prepared()
 
 
 def panel(depth, panels):
     mesh, half = box(*SIZES, panels=panels), box(*SIZES, panels=panels // 2)
-    return Setup(mesh, lid(mesh), coarse=(half, lid(half)), depth=depth, **FLOATING).prepared()
+    return PanelProblem(mesh, lid(mesh), coarse=(half, lid(half)), depth=depth, **FLOATING).prepared()
 
 
 def drifts(body, omega):
@@ -98,13 +98,13 @@ def cylinder_rows(depth, radius=10.0, draft=10.0, heading=0.6):
     }
     mesh = buoy(radius, draft, panels=400)
     bodies = {
-        "contour 0.001": ShapeSetup(
+        "contour 0.001": ShapeProblem(
             method="contour", shape="buoy", sizes=(radius, draft), depth=depth, tolerance=1e-3, **moving
         ),
-        "400 panels": Setup(mesh, lid(mesh), depth=depth, **moving),
+        "400 panels": PanelProblem(mesh, lid(mesh), depth=depth, **moving),
     }
-    for name, setup in bodies.items():
-        body, worst = setup.prepared(), np.zeros((2, 2))
+    for name, problem in bodies.items():
+        body, worst = problem.prepared(), np.zeros((2, 2))
         for kr in (0.5, 1.0, 2.0, 3.0):
             omega = np.sqrt(G * kr / radius * np.tanh(kr * depth / radius))
             exact = TruncatedCylinder(radius, draft, depth, omega, RHO, G)

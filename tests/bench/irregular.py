@@ -20,8 +20,8 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import numpy as np
 
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem, prepare
+from bem.methods.shape_problem import ShapeProblem
 from meshing.lid import lid
 from meshing.shapes import box
 from pipelines.stress.scenes import irregular
@@ -38,12 +38,12 @@ def panels(sizes, depth, count, with_lid=True):
     """The panel method prepared, with the coarser mesh that its estimate needs"""
     hull, rough = (box(*sizes, panels=n) for n in (count, count // 2))
     lids = [lid(mesh) if with_lid else None for mesh in (hull, rough)]
-    return prepare(Setup(hull, lids[0], (rough, lids[1]), depth=depth))
+    return prepare(PanelProblem(hull, lids[0], (rough, lids[1]), depth=depth))
 
 
 def contour(sizes, depth, tolerance=0.01):
     """The contour method prepared"""
-    return prepare(ShapeSetup(method="contour", shape="box", sizes=sizes, depth=depth, tolerance=tolerance))
+    return prepare(ShapeProblem(method="contour", shape="box", sizes=sizes, depth=depth, tolerance=tolerance))
 
 
 def jump(prepared, omega):

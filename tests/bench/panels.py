@@ -18,7 +18,7 @@ from scipy.linalg import lu_factor
 from bem import DOFS
 from bem.green.tables import wave_table
 from bem.kernels.threads import thread_count
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.panels.band.one_frequency import BandRun
 from bem.panels.one_frequency import PanelRun
 from bem.panels.wave_influence import wave_blocks
@@ -57,7 +57,7 @@ def machine():
 def body(panels):
     mesh = box(100, 50, 10, panels=panels)
     wave = 2 * np.pi / wavenumber(BAND[1], DEPTH)
-    return prepare(Setup(mesh, lid(mesh, max(wave / 5, np.sqrt(3 * 5000 / mesh.total))), depth=DEPTH, band=BAND))
+    return prepare(PanelProblem(mesh, lid(mesh, max(wave / 5, np.sqrt(3 * 5000 / mesh.total))), depth=DEPTH, band=BAND))
 
 
 def pair_times(prepared):
@@ -91,7 +91,7 @@ def main(counts):
         prepared = body(panels)
         exact, waves, filling = pair_times(prepared)
         n, lid_nodes = prepared.geometry.hull, len(prepared.geometry.elements.nodes) - prepared.geometry.hull
-        print(f"{prepared.setup.mesh.total} panels, {n} + {lid_nodes} unknowns to a class")
+        print(f"{prepared.problem.mesh.total} panels, {n} + {lid_nodes} unknowns to a class")
         print(f"  pair: 1/r {exact:.1f} ns, waves {waves:.1f} ns; table {filling:.1f} ms")
         start = time.perf_counter()
         bases = [part.low_rank for part in prepared.band_equations]

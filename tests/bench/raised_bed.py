@@ -19,8 +19,8 @@ import bem.contour.solver
 from bem import DOFS
 from bem.checks import excitation_scale, radiation_scale
 from bem.contour.raised_bed import effect_of_bed, raised_bed
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 
@@ -37,19 +37,19 @@ bem.contour.solver.HIGHEST_GAP = np.inf  # for the deeper beds
 
 
 def contour(shape, sizes, bed, tolerance=TOLERANCE, depth=np.inf):
-    return ShapeSetup(method="contour", shape=shape, sizes=sizes, tolerance=tolerance, depth=depth, bed=bed)
+    return ShapeProblem(method="contour", shape=shape, sizes=sizes, tolerance=tolerance, depth=depth, bed=bed)
 
 
 def panels(shape, sizes, count):
     make = box if shape == "box" else buoy
     mesh, rough = (make(*sizes, panels=n) for n in (count, count // 2))
-    return Setup(mesh, lid(mesh), (rough, lid(rough)))
+    return PanelProblem(mesh, lid(mesh), (rough, lid(rough)))
 
 
-def solved(setup, k, estimated=True):
+def solved(problem, k, estimated=True):
     """The run at k rad/m, and seconds"""
     start = time.perf_counter()
-    run = setup.prepared().run(np.sqrt(GRAVITY * k), HEADINGS, WANT, None, DOFS)
+    run = problem.prepared().run(np.sqrt(GRAVITY * k), HEADINGS, WANT, None, DOFS)
     _ = run.estimated_error() if estimated else run.radiation
     return run, time.perf_counter() - start
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from bem import DOFS
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.panels.one_frequency import PanelRun
 from meshing.lid import lid
 from meshing.shapes import box, box_counts
@@ -38,7 +38,7 @@ def body(symmetry):
     mass, buoyancy = 1025 * 50000, 1025 * 9.80665 * 50000
     inertia = mass * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])
     stiffness = buoyancy * np.diag([0, 0, 0.1, 15.83, 78.33, 0])
-    return prepare(Setup(mesh, lid(mesh), depth=20.0, inertia_matrix=inertia, hydrostatic_stiffness=stiffness))
+    return prepare(PanelProblem(mesh, lid(mesh), depth=20.0, inertia_matrix=inertia, hydrostatic_stiffness=stiffness))
 
 
 def best(work, times=7):

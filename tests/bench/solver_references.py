@@ -17,7 +17,7 @@ from exact.truncated_cylinder import TruncatedCylinder
 
 from bem.contour.solver import prepare_box
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from meshing.lid import lid
 from meshing.shapes import box
 from pipelines.bench.cases import CASES, DENSITY, GRAVITY, HEADING
@@ -59,7 +59,7 @@ def contour(case, tolerance, omegas=None):
 
 def panels(case, counts, omegas=None):
     mesh, rows = box(*case.sizes.values(), counts=counts), []
-    body = prepare(Setup(mesh, lid(mesh), depth=case.depth, density=DENSITY, gravity=GRAVITY))
+    body = prepare(PanelProblem(mesh, lid(mesh), depth=case.depth, density=DENSITY, gravity=GRAVITY))
     for omega in omegas or case.omega:
         r = solve_frequency(body, omega, [BETA], WANT)
         rows.append((r["added_mass"], r["radiation_damping"], r["excitation_force"][0]))

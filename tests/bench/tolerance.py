@@ -25,8 +25,8 @@ import numpy as np
 
 from bem import DOFS
 from bem.checks import excitation_scale, largest_error, radiation_scale
-from bem.methods.panel_setup import prepare
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import prepare
+from bem.methods.shape_problem import ShapeProblem
 from pipelines.scene.scene import make_scene
 from pipelines.solve.plan import planned
 
@@ -53,7 +53,7 @@ RANGES = {
 
 
 class Scene(NamedTuple):
-    """sizes : m, as of `bem.methods.shape_setup.ShapeSetup`; omega : rad/s; heading : degrees"""
+    """sizes : m, as of `bem.methods.shape_problem.ShapeProblem`; omega : rad/s; heading : degrees"""
 
     method: str
     shape: str
@@ -124,17 +124,17 @@ def solved(scene):
         "want": list(WANT),
     }
     made = make_scene(raw)
-    prepared = prepare(planned(made).setup)
+    prepared = prepare(planned(made).problem)
     return prepared.run(scene.omega, made.headings(), WANT, None, DOFS), prepared
 
 
 def reference(scene, headings):
     """The contour method at a thousandth of the tolerance"""
     tolerance = max(1e-7, scene.tolerance / 1000)
-    setup = ShapeSetup(
+    problem = ShapeProblem(
         method="contour", shape=scene.shape, sizes=scene.sizes, depth=scene.depth, tolerance=tolerance
     )  # fmt: skip
-    return prepare(setup).run(scene.omega, headings, WANT, None, DOFS)
+    return prepare(problem).run(scene.omega, headings, WANT, None, DOFS)
 
 
 def outcome(scene):

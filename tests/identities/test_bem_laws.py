@@ -8,7 +8,7 @@ from bem.frequency import solve_frequency
 from bem.green.finite_depth import green_function
 from bem.green.tables import wave_table
 from bem.methods.near_field import near_field_drift
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.panels.elements import elements
 from bem.panels.frequency_limits import added_mass_limit
 from bem.panels.incident_waves import class_waves
@@ -34,7 +34,7 @@ HEADINGS = np.radians([0, 45, 90])
 
 def body(counts=(5, 4, 3), depth=20.0, with_lid=True, **options):
     mesh = box(100, 50, 10, counts=counts)
-    return prepare(Setup(mesh, lid(mesh) if with_lid else None, depth=depth, **options))
+    return prepare(PanelProblem(mesh, lid(mesh) if with_lid else None, depth=depth, **options))
 
 
 def free_body(counts, depth):
@@ -61,7 +61,7 @@ def test_mirror_planes_change_nothing():
     mesh, options = box(100, 50, 10, counts=(5, 4, 3)), {"depth": 15.0}
     results = []
     for m in (mesh, PanelMesh(*_half(mesh), "x"), mesh.whole()):
-        results.append(solve_frequency(prepare(Setup(m, **options)), 0.5, np.radians([30.0]), WANT))
+        results.append(solve_frequency(prepare(PanelProblem(m, **options)), 0.5, np.radians([30.0]), WANT))
     # which panels count as close, and so their number of integration points, depends on the images seen together
     for other in results[1:]:
         for name in ("added_mass", "radiation_damping"):
@@ -79,8 +79,8 @@ def _half(mesh):
 def test_turning_the_body_turns_the_answer():
     mesh = box(60, 30, 8, counts=(3, 2, 2)).whole()
     angle = 0.7
-    a = solve_frequency(prepare(Setup(mesh, depth=25.0)), 0.8, [0.3], WANT)
-    b = solve_frequency(prepare(Setup(mesh.rotated(angle), depth=25.0)), 0.8, [0.3 + angle], WANT)
+    a = solve_frequency(prepare(PanelProblem(mesh, depth=25.0)), 0.8, [0.3], WANT)
+    b = solve_frequency(prepare(PanelProblem(mesh.rotated(angle), depth=25.0)), 0.8, [0.3 + angle], WANT)
     c, s = np.cos(angle), np.sin(angle)
     turn = np.kron(np.eye(2), np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]))
     expected = turn @ a["added_mass"] @ turn.T
@@ -92,9 +92,11 @@ def test_turning_the_body_turns_the_answer():
 def test_shifting_the_body_shifts_the_phase_and_the_reference():
     mesh = box(60, 30, 8, counts=(3, 2, 2)).whole()
     omega, beta, shift = 0.8, 0.4, np.array([13.0, -7.0])
-    a = solve_frequency(prepare(Setup(mesh, depth=25.0)), omega, [beta], WANT)
+    a = solve_frequency(prepare(PanelProblem(mesh, depth=25.0)), omega, [beta], WANT)
     center = (*shift, 0.0)
-    b = solve_frequency(prepare(Setup(mesh.moved(*shift), depth=25.0, rotation_center=center)), omega, [beta], WANT)
+    b = solve_frequency(
+        prepare(PanelProblem(mesh.moved(*shift), depth=25.0, rotation_center=center)), omega, [beta], WANT
+    )
     k = float(wavenumber(omega, 25.0))
     phase = np.exp(1j * k * (shift @ [np.cos(beta), np.sin(beta)]))
     scale = np.abs(a["added_mass"]).max()
@@ -188,7 +190,7 @@ def test_near_and_far_field_drift_of_a_fixed_pile_converge_to_each_other():
     gaps = []
     for n in (4, 8):
         mesh = buoy(10, 15, counts=(n, 1, n), bottom=False)
-        run = PanelRun(prepare(Setup(mesh, lid(mesh), depth=15.0)), 0.8, [0.0], WANT, None, DOFS)
+        run = PanelRun(prepare(PanelProblem(mesh, lid(mesh), depth=15.0)), 0.8, [0.0], WANT, None, DOFS)
         gaps.append(abs(near_field_drift(run, False)[0, 0] / run.drift(False)[0, 0] - 1))
     # the velocity at the corners of the polygon leaves a first-order gap
     assert gaps[1] < 0.02, gaps
@@ -202,7 +204,7 @@ def test_near_and_far_field_drift_of_a_floating_hemisphere_agree_but_for_its_fla
     stiffness = rho * g * np.diag([0, 0, np.pi, volume * 0.05, volume * 0.05, 0])
     for n in (5, 10):
         mesh = half_sphere(n)
-        p = prepare(Setup(mesh, lid(mesh), depth=3.0, inertia_matrix=inertia, hydrostatic_stiffness=stiffness))
+        p = prepare(PanelProblem(mesh, lid(mesh), depth=3.0, inertia_matrix=inertia, hydrostatic_stiffness=stiffness))
         run = PanelRun(p, np.sqrt(g * 1.0), [0.0], WANT | {"rao", "drift_force"}, None, DOFS)
         gaps.append(abs(near_field_drift(run, True)[0, 0] / run.drift(True)[0, 0] - 1))
     # radius and slopes of the facets are 1/n² = 4 % and 1 % off; the drift itself changes by 7 % between the two
@@ -298,7 +300,7 @@ def test_parts_of_incident_waves_add_up_to_the_wave_on_every_image(symmetry, wal
 @pytest.mark.parametrize("symmetry", ["xy", ""])
 def test_pressures_on_the_panels_add_up_to_the_excitation(symmetry):
     mesh = box(100, 50, 10, counts=(4, 3, 2), symmetry=symmetry)
-    r = solve_frequency(prepare(Setup(mesh, depth=20.0)), 0.6, [0.4], {"pressure", "excitation_force"})
+    r = solve_frequency(prepare(PanelProblem(mesh, depth=20.0)), 0.6, [0.4], {"pressure", "excitation_force"})
     whole = mesh.whole()
     force = -(r["pressure"][0] * whole.areas) @ whole.normals
     np.testing.assert_allclose(force, r["excitation_force"][0, :3], rtol=1e-10)
@@ -307,7 +309,7 @@ def test_pressures_on_the_panels_add_up_to_the_excitation(symmetry):
 def test_pressure_on_a_free_body_moves_its_mass():
     prepared, omega = free_body((4, 3, 2), 20.0), 0.6
     r = solve_frequency(prepared, omega, [0.4], {"pressure", "rao"})
-    whole = prepared.setup.mesh.whole()
+    whole = prepared.problem.mesh.whole()
     force = -(r["pressure"][0] * whole.areas) @ whole.normals
     force[2] -= 1025 * 9.80665 * 5000 * r["rao"][0, 2]  # the hydrostatic part of the pressure
     np.testing.assert_allclose(force, -(omega**2) * 1025 * 50000 * r["rao"][0, :3], rtol=1e-8)

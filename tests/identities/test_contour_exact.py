@@ -10,7 +10,7 @@ from bem.contour.solver import prepare_box, prepare_cylinder
 from bem.drift import energy_defect, mean_drift
 from bem.frequency import solve_frequency
 from bem.kochin import angles
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.waves import group_factor, wavenumber
 from meshing.lid import lid
 from meshing.shapes import box
@@ -137,7 +137,7 @@ def test_a_box_turned_by_a_quarter_does_the_same():
 def test_panels_agree_within_their_own_error():
     length, beam, draft, depth, omega = 100, 50, 10, 20.0, 0.6
     mesh, coarse = (box(length, beam, draft, panels=n) for n in (400, 200))
-    panels = prepare(Setup(mesh, lid(mesh), coarse=(coarse, lid(coarse)), depth=depth))
+    panels = prepare(PanelProblem(mesh, lid(mesh), coarse=(coarse, lid(coarse)), depth=depth))
     want = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"}
     theirs = solve_frequency(panels, omega, HEADINGS, want)
     Z = theirs["added_mass"] + 1j * theirs["radiation_damping"] / omega

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from meshing.lid import lid
 from meshing.shapes import box
 
@@ -23,7 +23,7 @@ TABLES = Path(__file__).parents[1] / "published" / "sections_2d.csv"
 
 def sweep(omegas, depth, headings, length=100.0, **mesh):
     hull = box(length, 50, 10, **mesh)
-    body = prepare(Setup(hull, lid(hull), depth=depth))
+    body = prepare(PanelProblem(hull, lid(hull), depth=depth))
     results = [solve_frequency(body, w, headings, WANT) for w in omegas]
     return {name: np.array([r[name] for r in results]) for name in WANT}
 

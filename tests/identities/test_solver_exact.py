@@ -11,7 +11,7 @@ from exact.hemisphere import hemisphere
 from exact.truncated_cylinder import TruncatedCylinder
 
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from meshing.lid import lid
 from meshing.panels import PanelMesh, joined, structured
 from meshing.shapes import buoy
@@ -22,7 +22,7 @@ KH = np.array([0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0])
 
 
 def prepared(mesh, depth):
-    return prepare(Setup(mesh, lid(mesh), depth=depth))
+    return prepare(PanelProblem(mesh, lid(mesh), depth=depth))
 
 
 def frequencies(kh, depth):
@@ -90,7 +90,7 @@ def test_freely_floating_cylinder_drifts_as_it_should():
     mass = 1025 * np.pi * radius**2 * draft
     inertia = mass * np.diag([1, 1, 1, 40.0, 40.0, 50.0])
     stiffness = 1025 * G * np.pi * radius**2 * np.diag([0, 0, 1.0, 10.0, 10.0, 0])
-    body = prepare(Setup(mesh, lid(mesh), depth=depth, inertia_matrix=inertia, hydrostatic_stiffness=stiffness))
+    body = prepare(PanelProblem(mesh, lid(mesh), depth=depth, inertia_matrix=inertia, hydrostatic_stiffness=stiffness))
     ours, exact = [], []
     for omega in frequencies(np.array([0.5, 1.0, 2.0, 4.0, 8.0]), depth):
         ours.append(solve_frequency(body, omega, [0.7], {"drift_force"})["drift_force"][0, :2])

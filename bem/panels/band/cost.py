@@ -58,7 +58,7 @@ def memory_alone(prepared):
     """Bytes at the peak of frequencies that share no work (`bem.panels.one_frequency`, `bem.panels.zero_draft`,
     `bem.panels.axisymmetric_frequency`)
     """
-    by_classes = prepared.setup.zero_draft  # the plate is solved by symmetry classes, axisymmetric or not
+    by_classes = prepared.problem.zero_draft  # the plate is solved by symmetry classes, axisymmetric or not
     g = prepared.geometry if by_classes else prepared.axisymmetric_geometry
     nodes = float(len(g.elements.nodes))
     if by_classes or not g.sectors:

@@ -51,7 +51,7 @@ class BandRun(PanelRun):
         equations, g = self.equations_of_band, self.geometry
         self._timed("reduction", start)
         start = time.perf_counter()
-        table = wave_table(self.omega, self.setup.depth, self.setup.gravity, g.reach, g.draft)
+        table = wave_table(self.omega, self.problem.depth, self.problem.gravity, g.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
         basis, error_test = equations.low_rank, equations.low_rank.error_test

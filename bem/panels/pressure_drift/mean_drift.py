@@ -34,7 +34,7 @@ def pressure_drift(run, motions):
             for x, n, weight, value, gradient in sample.images(phi, j, motion):
                 load = density(run, value, gradient, n, displacement(motion, x)) * weight
                 loads[j] += np.concatenate([load @ n, load @ np.cross(x, n)])
-    return about(loads[:, [0, 1, 5]], run.setup.rotation_center)
+    return about(loads[:, [0, 1, 5]], run.problem.rotation_center)
 
 
 def pressure_error(run):
@@ -57,12 +57,12 @@ def _on_images(run, parts):
 
 
 def _check(run):
-    setup = run.setup
-    if setup.nodes_per_panel != 4:
-        raise ValueError(f"near-field drift with {setup.nodes_per_panel} node a panel; allowed: 4")
-    if setup.zero_draft:
+    problem = run.problem
+    if problem.nodes_per_panel != 4:
+        raise ValueError(f"near-field drift with {problem.nodes_per_panel} node a panel; allowed: 4")
+    if problem.zero_draft:
         raise ValueError("near-field drift at zero draft; allowed: a hull with sides, the far field is right without")
-    length, gap = coarsest_at_gap(run.geometry.mesh, setup.depth)
+    length, gap = coarsest_at_gap(run.geometry.mesh, problem.depth)
     if length > LONGEST_PER_GAP * gap:
         warnings.warn(
             f"near-field drift: panels next to the keel are {length:.3g} m long over a gap of {gap:.3g} m; "
@@ -75,12 +75,12 @@ def _hull_density(run, phi, gradient, normal, moved):
     speed = -1j * run.omega * np.sum(moved * normal, axis=1)
     gradient = gradient + speed[:, None] * normal
     carried = np.sum(moved.conj() * (-1j * run.omega) * gradient, axis=1).real
-    return run.setup.density * (0.25 * np.sum(np.abs(gradient) ** 2, axis=1) + 0.5 * carried)
+    return run.problem.density * (0.25 * np.sum(np.abs(gradient) ** 2, axis=1) + 0.5 * carried)
 
 
 def _waterline_density(run, phi, gradient, normal, moved):
-    relative = 1j * run.omega / run.setup.gravity * phi - moved[:, 2]
-    return -0.25 * run.setup.density * run.setup.gravity * np.abs(relative) ** 2
+    relative = 1j * run.omega / run.problem.gravity * phi - moved[:, 2]
+    return -0.25 * run.problem.density * run.problem.gravity * np.abs(relative) ** 2
 
 
 class _Surface:
@@ -123,12 +123,12 @@ class _Surface:
 
     def incident(self, at, heading):
         run = self.run
-        return incident_wave(at, run.headings[heading], run.omega, run.k, run.setup.depth, run.setup.gravity)
+        return incident_wave(at, run.headings[heading], run.omega, run.k, run.problem.depth, run.problem.gravity)
 
 
 def _hull(run):
     mesh = run.geometry.mesh
-    return _Surface(run, samples(mesh, sharp_sides(mesh), run.setup.depth))
+    return _Surface(run, samples(mesh, sharp_sides(mesh), run.problem.depth))
 
 
 def _waterline(run):
@@ -137,6 +137,6 @@ def _waterline(run):
     wet = v[:, :, 2] > -level
     long = np.linalg.norm(np.roll(v, -1, axis=1) - v, axis=2) > 0
     sides = np.nonzero(wet & np.roll(wet, -1, axis=1) & long)
-    out = _Surface(run, line_samples(mesh, sharp_sides(mesh), *sides, run.setup.depth))
+    out = _Surface(run, line_samples(mesh, sharp_sides(mesh), *sides, run.problem.depth))
     out.normals = out.normals / np.sqrt(1 - out.normals[:, 2:] ** 2)  # the wetted strip of an inclined side is wider
     return out

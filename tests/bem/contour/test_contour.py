@@ -8,7 +8,7 @@ import pytest
 from bem import DOFS
 from bem.checks import check
 from bem.contour.solver import prepare_box, prepare_cylinder
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.shape_problem import ShapeProblem
 
 
 @pytest.mark.parametrize(
@@ -128,7 +128,7 @@ def test_more_modes_than_a_tolerance_has_change_less_than_it(dimensions):
 
 def test_energy_is_kept_by_long_waves_of_which_nothing_goes_forward():
     """Surge and heave cancel in that direction: |H| is 1e-5 of what goes elsewhere"""
-    box = ShapeSetup(method="contour", shape="box", sizes=(2.38113, 0.423792, 1.62824), depth=2.00017, tolerance=0.05)
+    box = ShapeProblem(method="contour", shape="box", sizes=(2.38113, 0.423792, 1.62824), depth=2.00017, tolerance=0.05)
     want = {"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"}
     run = box.prepared().run(0.0002214251168, np.radians([0.714]), want, None, DOFS)
     H, angles = run.kochin[1][0], len(run.theta)

@@ -8,8 +8,8 @@ import pytest
 from bem import DOFS
 from bem.checks import check, excitation_scale, radiation_scale
 from bem.contour.raised_bed import EFFECT, HIGHEST, LEAST_GAP, effect_of_bed, raised_bed
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from bem.waves import group_factor, wavenumber
 from meshing.shapes import box
 
@@ -30,8 +30,8 @@ def longest(shape, sizes, tolerance):
 def short_waves(shape, sizes, k, tolerance=0.01, times=1.0):
     """The run in endless depth over the bed that is chosen, or over one `times` as far below the keel"""
     bed = sizes[-1] + times * (raised_bed(shape, sizes, 0.01, k) - sizes[-1])
-    setup = ShapeSetup(method="contour", shape=shape, sizes=sizes, tolerance=tolerance, bed=bed)
-    return setup.prepared().run(np.sqrt(GRAVITY * k), np.radians([0.0, 25.0]), WANT, None, DOFS)
+    problem = ShapeProblem(method="contour", shape=shape, sizes=sizes, tolerance=tolerance, bed=bed)
+    return problem.prepared().run(np.sqrt(GRAVITY * k), np.radians([0.0, 25.0]), WANT, None, DOFS)
 
 
 @pytest.mark.parametrize("tolerance", [0.2, 0.01, 3e-3])
@@ -52,14 +52,14 @@ def test_the_error_against_a_bed_four_times_as_deep_is_below_the_stored_estimate
         force = np.abs(ours.excitation - deep.excitation) / excitation_scale(deep)
         estimate = ours.estimated_error()
         assert max(radiation.max(), force.max()) < estimate < 0.02
-        assert estimate >= effect_of_bed(shape, sizes, ours.setup.bed)
+        assert estimate >= effect_of_bed(shape, sizes, ours.problem.bed)
 
 
 @pytest.mark.parametrize(("shape", "sizes"), ALL)
 def test_energy_reciprocity_and_haskind_hold_with_the_waves_of_endless_depth(shape, sizes):
     run = short_waves(shape, sizes, 2 * longest(shape, sizes, 0.01))
     laws = check(run)
-    assert run.k == pytest.approx(run.omega**2 / run.setup.gravity, rel=1e-15) and run.group_factor == 0.5
+    assert run.k == pytest.approx(run.omega**2 / run.problem.gravity, rel=1e-15) and run.group_factor == 0.5
     assert max(laws["energy"], laws["reciprocity"], laws["Haskind"]) < run.estimated_error()
 
 
@@ -72,13 +72,13 @@ def test_the_effect_of_the_bed_falls_at_second_order_or_faster(sizes):
     near, far = (np.abs(run.radiation - runs[-1].radiation) / scale for run in runs[:2])
     assert np.log2(near[2, 2] / far[2, 2]) > 1.9
     for part, run in ((near, runs[0]), (far, runs[1])):
-        assert part.max() < effect_of_bed("box", sizes, run.setup.bed)
+        assert part.max() < effect_of_bed("box", sizes, run.problem.bed)
 
 
 def test_estimates_of_what_symmetry_makes_zero_stay_zero():
-    setup = ShapeSetup(method="contour", shape="box", sizes=(60.0, 40.0, 5.0), tolerance=0.01, bed=205.0)
+    problem = ShapeProblem(method="contour", shape="box", sizes=(60.0, 40.0, 5.0), tolerance=0.01, bed=205.0)
     question = (1.2, [0.0], WANT, None, DOFS)
-    run, bare = (s.prepared().run(*question) for s in (setup, replace(setup, depth=205.0)))
+    run, bare = (s.prepared().run(*question) for s in (problem, replace(problem, depth=205.0)))
     (with_it, force), (without, _) = run.errors, bare.errors
     scale = radiation_scale(run)
     zero = without == 0
@@ -89,13 +89,15 @@ def test_estimates_of_what_symmetry_makes_zero_stay_zero():
 
 def test_limits_are_those_of_the_real_depth():
     sizes = (60.0, 40.0, 5.0)
-    setup = ShapeSetup(method="contour", shape="box", sizes=sizes, bed=405.0, panels=Setup(box(*sizes, panels=300)))
-    zero, infinity = (setup.prepared().added_mass_limit(which) for which in ("zero", "infinity"))
+    problem = ShapeProblem(
+        method="contour", shape="box", sizes=sizes, bed=405.0, panels=PanelProblem(box(*sizes, panels=300))
+    )
+    zero, infinity = (problem.prepared().added_mass_limit(which) for which in ("zero", "infinity"))
     assert np.isfinite(zero).all()
-    over = replace(setup, bed=None, depth=405.0).prepared().added_mass_limit("infinity")
+    over = replace(problem, bed=None, depth=405.0).prepared().added_mass_limit("infinity")
     size = np.sqrt(np.abs(np.diag(over)))
     np.testing.assert_allclose(infinity / np.outer(size, size), over / np.outer(size, size), atol=0.01)
-    finite = replace(setup, depth=3000.0, panels=replace(setup.panels, depth=3000.0))
+    finite = replace(problem, depth=3000.0, panels=replace(problem.panels, depth=3000.0))
     assert finite.prepared().added_mass_limit("zero")[2, 2] == np.inf
 
 
@@ -114,5 +116,5 @@ def test_the_contour_method_takes_the_flattest_and_slenderest_bodies_over_their_
     for sizes in ((ratio, 1.0), (1.0, ratio)):
         bed = raised_bed("buoy", sizes, tolerance, 100.0)
         assert bed is not None and raised_bed("buoy", tuple(np.array(sizes) ** 1.01), tolerance, 100.0) is None
-        setup = ShapeSetup(method="contour", shape="buoy", sizes=sizes, tolerance=tolerance, bed=bed)
-        assert setup.prepared().solver.depth == bed
+        problem = ShapeProblem(method="contour", shape="buoy", sizes=sizes, tolerance=tolerance, bed=bed)
+        assert problem.prepared().solver.depth == bed

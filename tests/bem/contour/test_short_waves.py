@@ -14,7 +14,7 @@ from bem.contour.plan.short_waves import OPEN, edge_integral, edge_wave, short_m
 from bem.contour.short_wave_frequency import ShortFrequency
 from bem.contour.short_waves import MOST_WAVES, share_below, unresolved, waves_along
 from bem.contour.solver import prepare_box, prepare_cylinder
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.shape_problem import ShapeProblem
 from bem.waves import depth_factor
 
 DENSITY, GRAVITY = 1025.0, 9.80665
@@ -35,8 +35,8 @@ def excitation(r):
 
 
 def run_of(shape, sizes, depth, k, headings=HEADINGS, tolerance=0.01):
-    setup = ShapeSetup(method="contour", shape=shape, sizes=sizes, depth=depth, tolerance=tolerance)
-    return setup.prepared().run(frequency(k, depth), headings, WANT, None, DOFS)
+    problem = ShapeProblem(method="contour", shape=shape, sizes=sizes, depth=depth, tolerance=tolerance)
+    return problem.prepared().run(frequency(k, depth), headings, WANT, None, DOFS)
 
 
 @pytest.mark.parametrize("degrees", [0.1, 30.0, 89.0, 91.0, 150.0, 179.0])

@@ -8,11 +8,11 @@ import pytest
 from bem.database import open_database
 from bem.database.between_frequencies import Between, BetweenError
 from bem.database.interpolant import FAMILY, NUGGET, Abscissa, Interpolant, _left_open, _root, abscissa, chosen
-from bem.methods.panel_setup import prepare
+from bem.methods.panel_problem import prepare
 from bem.waves import wavenumber
 from pipelines.scene.scene import make_scene
+from pipelines.solve.problem import problem_of
 from pipelines.solve.run import solve
-from pipelines.solve.setup import setup_of
 
 LENGTH, GRAVITY = 100.0, 9.80665
 
@@ -93,7 +93,7 @@ def solved(tmp_path_factory):
 
 
 def direct(db, omega, names):
-    body = prepare(setup_of(db.header, band_scene()))
+    body = prepare(problem_of(db.header, band_scene()))
     rows = [body.run(w, db.wave_direction, set(names), None, tuple(db["influenced_dof"])).result() for w in omega]
     return {name: np.array([row[name] for row in rows]) for name in names}
 

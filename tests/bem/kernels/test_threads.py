@@ -9,7 +9,7 @@ from bem.green.tables import wave_table
 from bem.kernels import threads
 from bem.kernels.threads import PAIRS_WORTH_THREADS, parallel_rows
 from bem.kochin import far_field_integrals
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.panels.wave_influence import wave_blocks
 from bem.waves import depth_values, wavenumber
 from meshing.shapes import box
@@ -33,7 +33,7 @@ def test_every_row_is_worked_on_once(rows, three_threads):
 
 
 def test_kernels_give_the_same_bits_with_any_number_of_threads(monkeypatch):
-    body = prepare(Setup(box(100, 50, 10, panels=300), depth=20.0)).geometry
+    body = prepare(PanelProblem(box(100, 50, 10, panels=300), depth=20.0)).geometry
     nodes, k = body.elements.nodes, float(wavenumber(0.6, 20.0))
     rows, theta = np.arange(len(nodes)), np.linspace(0, 6, 90)
     phi = np.exp(1j * np.outer([1, 2], rows))

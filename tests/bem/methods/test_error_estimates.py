@@ -12,8 +12,8 @@ from bem import DOFS
 from bem.checks import at_least_haskind
 from bem.contour.accuracy import accuracy, finer
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 
@@ -56,7 +56,7 @@ def test_nine_of_ten_coefficients_have_an_error_within_a_factor_of_three(outcome
 
 def body(method="contour", **changes):
     values = dict(method=method, shape="box", sizes=(100.0, 50.0, 10.0), depth=20.0, tolerance=1e-2)
-    return ShapeSetup(**{**values, **changes}).prepared()
+    return ShapeProblem(**{**values, **changes}).prepared()
 
 
 def test_errors_of_coefficients_are_absolute_and_about_the_rotation_centre():
@@ -78,7 +78,7 @@ def test_errors_of_coefficients_are_absolute_and_about_the_rotation_centre():
 def panels():
     meshes = (box(100.0, 50.0, 10.0, panels=n) for n in (120, 60))
     (mesh, cover), coarse = ((m, lid(m)) for m in meshes)
-    return Setup(mesh, cover, coarse=coarse, depth=20.0).prepared()
+    return PanelProblem(mesh, cover, coarse=coarse, depth=20.0).prepared()
 
 
 @pytest.mark.parametrize("prepared, solved", [(body, True), (panels, False)])
@@ -108,12 +108,14 @@ def test_two_ways_to_the_excitation_raise_an_error_but_never_lower_it():
 def test_what_moves_water_does_not_depend_on_where_the_mesh_lies():
     length = 3452.5
     mesh = box(length, 261.6, 5.12, panels=200)
-    here, there = (Setup(m, depth=20.0).prepared().displacing for m in (mesh, mesh.moved(dx=length / 2, dy=80.0)))
+    here, there = (
+        PanelProblem(m, depth=20.0).prepared().displacing for m in (mesh, mesh.moved(dx=length / 2, dy=80.0))
+    )
     np.testing.assert_array_equal(here, there)
     assert here[5]
     pile = buoy(5.0, 5.0, panels=400)
     for m in (pile, pile.whole().moved(dx=40.0)):
-        np.testing.assert_array_equal(Setup(m, depth=20.0).prepared().displacing, [True] * 5 + [False])
+        np.testing.assert_array_equal(PanelProblem(m, depth=20.0).prepared().displacing, [True] * 5 + [False])
 
 
 def test_errors_are_given_for_what_is_wanted_only():

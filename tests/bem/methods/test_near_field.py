@@ -11,8 +11,8 @@ from bem import DOFS
 from bem.contour.side_flow import _at_keel, _edge_functions
 from bem.drift import energy_defect
 from bem.methods.near_field import near_field_drift, near_field_error
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from bem.viscous import Quadratic, Viscous
 from bem.waves import wavenumber
 from meshing.lid import lid
@@ -37,14 +37,14 @@ def series_box(depth, tolerance):
 
 def contour_body(sizes, depth, tolerance, **options):
     shape = "box" if len(sizes) == 3 else "buoy"
-    return ShapeSetup(
+    return ShapeProblem(
         method="contour", shape=shape, sizes=sizes, depth=depth, tolerance=tolerance, **options
     ).prepared()
 
 
 def panel_body(panels, depth, **options):
     mesh, half = box(*SIZES, panels=panels), box(*SIZES, panels=panels // 2)
-    return Setup(mesh, lid(mesh), coarse=(half, lid(half)), depth=depth, **options).prepared()
+    return PanelProblem(mesh, lid(mesh), coarse=(half, lid(half)), depth=depth, **options).prepared()
 
 
 def solved(body, omega, headings=HEADINGS):
@@ -163,7 +163,7 @@ def test_near_and_far_field_of_panels_differ_by_no_more_than_estimated(depth, re
 
 
 def test_the_estimate_needs_one_of_the_pressures():
-    alone = solved(replace(panel_body(60, 20.0).setup, coarse=None).prepared(), 0.7)
+    alone = solved(replace(panel_body(60, 20.0).problem, coarse=None).prepared(), 0.7)
     with pytest.raises(ValueError, match="allowed: with a coarse mesh"):
         near_field_error(alone, False)
 
@@ -230,7 +230,7 @@ def test_a_side_that_turns_about_its_keel_moves_the_water_by_the_logarithm():
 def test_near_field_holds_about_any_rotation_centre():
     """Rotations about a point beside the middle, held by the same water"""
     centre = (7.0, -3.0, 2.0)
-    T = ShapeSetup(method="contour", shape="box", sizes=SIZES, rotation_center=centre).transform
+    T = ShapeProblem(method="contour", shape="box", sizes=SIZES, rotation_center=centre).transform
     options = {"inertia_matrix": INERTIA, "hydrostatic_stiffness": T @ STIFFNESS @ T.T, "rotation_center": centre}
     run = solved(contour_body(SIZES, 20.0, 1e-4, **options), 0.7)
     assert gap(run, True) < 0.005
@@ -298,7 +298,7 @@ def test_panels_that_are_long_beside_the_gap_are_warned_of():
 
 
 def test_what_has_no_pressure_on_its_sides_is_refused():
-    strip = ShapeSetup(method="strip", shape="box", sizes=SIZES, depth=20.0).prepared()
+    strip = ShapeProblem(method="strip", shape="box", sizes=SIZES, depth=20.0).prepared()
     with pytest.raises(ValueError, match="near-field drift by method strip; allowed: panel, contour"):
         near_field_drift(strip.run(0.7, [0.0], {"drift_force_fixed"}, None, DOFS), False)
     for options, message in (

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from bem import DOFS
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.panels.axisymmetric_frequency import AxisymmetricRun
 from bem.panels.influence import Geometry
 from bem.panels.one_frequency import PanelRun
@@ -34,9 +34,9 @@ def revolved(profile, count, symmetry=""):
 SPAR = revolved([(0, -12), (3, -12), (6, -12), (6, -11), (3, -11), (3, -8), (3, -4), (3, -1), (3, 0)], 14)
 
 
-def both(setup, omega, want=WANT, dofs=DOFS):
+def both(problem, omega, want=WANT, dofs=DOFS):
     """Results of the harmonics and of the symmetry classes"""
-    body = prepare(setup)
+    body = prepare(problem)
     runs = [kind(body, omega, HEADINGS, want, None, dofs) for kind in (AxisymmetricRun, PanelRun)]
     assert type(body.run(omega, HEADINGS, want, None, dofs)) is AxisymmetricRun
     return [run.result() for run in runs]
@@ -55,17 +55,19 @@ def assert_equal(found, other):
 @pytest.mark.parametrize("covered", [False, True], ids=["open", "lid"])
 def test_harmonics_give_what_symmetry_classes_give(symmetry, covered):
     mesh = buoy(10, 8, panels=112, symmetry=symmetry)
-    setup = Setup(mesh, polar_lid(mesh, 2.5) if covered else None, depth=20.0, rotation_center=(1.0, -2.0, -3.0))
-    omega = 2.2 if covered else 0.9  # the lid is used from its irregular frequencies on
-    assert (setup.prepared().geometry.at(omega**2 / 9.80665).hull < len(setup.prepared().geometry.elements.nodes)) == (
-        covered
+    problem = PanelProblem(
+        mesh, polar_lid(mesh, 2.5) if covered else None, depth=20.0, rotation_center=(1.0, -2.0, -3.0)
     )
-    assert_equal(*both(setup, omega))
+    omega = 2.2 if covered else 0.9  # the lid is used from its irregular frequencies on
+    assert (
+        problem.prepared().geometry.at(omega**2 / 9.80665).hull < len(problem.prepared().geometry.elements.nodes)
+    ) == (covered)
+    assert_equal(*both(problem, omega))
 
 
 @pytest.mark.parametrize("depth", [13.0, np.inf])
 def test_a_spar_off_the_origin_with_fourteen_sides(depth):
-    assert_equal(*both(Setup(SPAR.moved(7.0, -4.0), depth=depth), 0.8))
+    assert_equal(*both(PanelProblem(SPAR.moved(7.0, -4.0), depth=depth), 0.8))
 
 
 @pytest.mark.parametrize("dofs", [["Heave"], ["Surge", "Pitch"], DOFS])
@@ -78,13 +80,13 @@ def test_forces_need_the_harmonics_of_the_modes_alone(dofs, monkeypatch):
     )
     mesh = buoy(10, 8, panels=240)
     want = {"added_mass", "radiation_damping", "excitation_force", "diffraction_force"}
-    found, other = both(Setup(mesh, depth=20.0), 1.2, want, dofs)
+    found, other = both(PanelProblem(mesh, depth=20.0), 1.2, want, dofs)
     assert_equal(found, other)
     assert all(set(m) <= {0, 1} for m in seen) and ({0} if dofs == ["Heave"] else set()) <= set(seen[0])
 
 
 def test_potentials_are_whole_even_where_forces_were_asked_for():
-    body = prepare(Setup(buoy(10, 8, panels=240), depth=20.0))
+    body = prepare(PanelProblem(buoy(10, 8, panels=240), depth=20.0))
     forces = AxisymmetricRun(body, 1.2, HEADINGS, {"excitation_force"}, None, DOFS)
     whole = PanelRun(body, 1.2, HEADINGS, {"excitation_force"}, None, DOFS)
     _ = forces.excitation
@@ -96,8 +98,8 @@ def test_potentials_are_whole_even_where_forces_were_asked_for():
 @pytest.mark.parametrize("depth", [20.0, np.inf])
 @pytest.mark.parametrize("which", ["zero", "infinity"])
 def test_limits_of_the_frequency(symmetry, depth, which):
-    setup = Setup(buoy(10, 8, panels=112, symmetry=symmetry), depth=depth)
-    harmonics, classes = setup.prepared(), setup.prepared()
+    problem = PanelProblem(buoy(10, 8, panels=112, symmetry=symmetry), depth=depth)
+    harmonics, classes = problem.prepared(), problem.prepared()
     classes.geometry.__dict__["sectors"] = None
     found, other = harmonics.added_mass_limit(which), classes.added_mass_limit(which)
     finite = np.isfinite(other)
@@ -142,7 +144,7 @@ def test_other_bodies_have_no_sectors(mesh, wall):
 
 def test_a_lid_that_is_not_axisymmetric_is_replaced_by_one_that_is():
     mesh = buoy(10, 10, panels=476)
-    body = prepare(Setup(mesh, lid(mesh), depth=30.0))
+    body = prepare(PanelProblem(mesh, lid(mesh), depth=30.0))
     assert body.geometry.sectors is None and len(body.axisymmetric_geometry.sectors.node) == 28
     omega, want = 2.2, {"added_mass", "radiation_damping", "excitation_force"}
     run = body.run(omega, HEADINGS, want, None, DOFS)
@@ -156,7 +158,7 @@ def test_a_lid_that_is_not_axisymmetric_is_replaced_by_one_that_is():
 def test_harmonics_are_the_same_bits_with_any_number_of_threads(monkeypatch):
     from bem.kernels import threads
 
-    body, found = prepare(Setup(buoy(10, 8, panels=476), depth=20.0)), []
+    body, found = prepare(PanelProblem(buoy(10, 8, panels=476), depth=20.0)), []
     for count in (1, 3):
         monkeypatch.setattr(threads, "thread_count", lambda count=count: count)
         run = AxisymmetricRun(body, 1.2, HEADINGS, {"drift_force_fixed"}, None, DOFS)

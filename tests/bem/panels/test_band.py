@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.panels.band import one_frequency
 from bem.panels.band.equations import band_equations
 from bem.panels.band.one_frequency import BandRun
@@ -32,11 +32,11 @@ def body(name, band=BAND):
     }
     make, options = shapes[name]
     mesh = make()
-    return prepare(Setup(mesh, lid(mesh), band=band, **options))
+    return prepare(PanelProblem(mesh, lid(mesh), band=band, **options))
 
 
 def both(prepared, omega, want=WANT, dofs=DOFS):
-    if prepared.setup.wall is not None:
+    if prepared.problem.wall is not None:
         want = want - {"drift_force_fixed"}
     runs = BandRun, PanelRun
     return [run(prepared, omega, HEADINGS, want, None, dofs).result() for run in runs]
@@ -83,7 +83,7 @@ def test_low_rank_waves_give_what_full_matrices_give(name, omega):
     # twentieth of the error that the panels leave, or less: ten times that is still within it
     limit = 10 * prepared.band_equations[0].accuracy
     assert largest_difference(low_rank, full) < limit
-    if prepared.setup.wall is None:
+    if prepared.problem.wall is None:
         assert drift_difference(low_rank, full, prepared.radius) < limit
 
 

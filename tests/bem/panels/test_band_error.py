@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from bem.green.tables import wave_table
-from bem.methods.panel_setup import Prepared, Setup, prepare
+from bem.methods.panel_problem import PanelProblem, PreparedPanelProblem, prepare
 from bem.panels.band import low_rank_waves, one_frequency
 from bem.panels.band.equations import band_equations
 from bem.panels.band.error_test import ErrorTest, Samples
@@ -26,7 +26,7 @@ BAND = (0.2, 1.6)
 def body():
     """A buoy with and without its lid, with enough nodes that samples are fewer than all"""
     mesh = buoy(10, 10, panels=700)
-    return prepare(Setup(mesh, lid(mesh), depth=30.0, band=BAND))
+    return prepare(PanelProblem(mesh, lid(mesh), depth=30.0, band=BAND))
 
 
 def run_at(omega, want=WANT):
@@ -108,7 +108,7 @@ def prepared_for(band, most=low_rank_waves.TEST_SAMPLES):
     """The body in another band; `most` samples of the strip and of the lid at most in its error test"""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(low_rank_waves, "TEST_SAMPLES", most)
-        prepared = Prepared(body().setup, body().geometry)
+        prepared = PreparedPanelProblem(body().problem, body().geometry)
         prepared.__dict__["band_equations"] = band_equations(body().geometry, band, 9.80665, 1e-4)
     return prepared
 
@@ -195,7 +195,7 @@ def test_flux_in_the_basis_has_no_error():
 )
 def test_no_frequency_within_a_wide_band_is_rejected(make, depth, band, monkeypatch):
     """Nor a heading: with snapshots of incident waves at too few frequencies 3 % of the flux was missing"""
-    prepared, rejected = prepare(Setup(make(), None, depth=depth, band=band)), []
+    prepared, rejected = prepare(PanelProblem(make(), None, depth=depth, band=band)), []
     monkeypatch.setattr(BandRun, "rejected", lambda self, error: rejected.append((self.omega, error)))
     for omega in np.linspace(*band, 13):
         _ = BandRun(prepared, omega, np.radians(np.arange(0.3, 180, 14.0)), WANT, None, DOFS).solution
@@ -206,7 +206,7 @@ def test_no_frequency_within_a_wide_band_is_rejected(make, depth, band, monkeypa
 def test_no_sample_has_too_large_a_weight(panels):
     """One that had would give the sum over samples a large variance"""
     mesh = box(100, 30, 5, panels=panels)
-    snapshots = Snapshots(prepare(Setup(mesh, lid(mesh), depth=20.0)).geometry, (0.2, 1.0), 9.80665)
+    snapshots = Snapshots(prepare(PanelProblem(mesh, lid(mesh), depth=20.0)).geometry, (0.2, 1.0), 9.80665)
     hull, total = snapshots.geometry.hull, len(snapshots.root)
     samples = snapshots.samples(3, 100, 100)
     assert samples.weights.max() <= max(hull, total - hull) / 100
@@ -218,7 +218,7 @@ def test_no_sample_has_too_large_a_weight(panels):
 
 
 def test_what_is_not_finite_is_an_error():
-    prepared = Prepared(body().setup, body().geometry)
+    prepared = PreparedPanelProblem(body().problem, body().geometry)
     for name in ("at_sources", "integrals"):
         broken = getattr(body().band_equations[0], name).copy()
         broken[0, 0, 0] = np.nan
@@ -238,7 +238,7 @@ def test_a_band_without_waves_from_the_side_is_rejected(monkeypatch):
 
     whole = low_rank_waves.class_waves
     mesh = box(60, 30, 8, panels=100).whole().rotated(0.4)
-    prepared = prepare(Setup(mesh, None, depth=25.0, band=(0.3, 0.9)))
+    prepared = prepare(PanelProblem(mesh, None, depth=25.0, band=(0.3, 0.9)))
     monkeypatch.setattr(low_rank_waves, "class_waves", head_waves)
     prepared.__dict__["band_equations"] = band_equations(prepared.geometry, (0.3, 0.9), 9.80665, 1e-4)
     rejected = []

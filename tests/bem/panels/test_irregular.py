@@ -6,7 +6,7 @@ from bench.irregular import contour, jump, panels
 from scipy.special import jn_zeros
 
 from bem import DOFS
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.panels.irregular_frequencies import SHARE, lid_needed_from, lowest_irregular
 from meshing.lid import lid
 from meshing.shapes import box, buoy
@@ -62,7 +62,7 @@ BORDER = np.sqrt(9.80665 * lid_needed_from(box(*BOX, panels=104)))
 def test_low_frequencies_do_without_the_lid_and_high_ones_do_not(symmetry):
     mesh = box(*BOX, panels=104)
     mesh = mesh.whole() if symmetry == "whole" else mesh
-    prepared = prepare(Setup(mesh, lid(mesh), depth=20.0, wall=-30.0 if "wall" in symmetry else None))
+    prepared = prepare(PanelProblem(mesh, lid(mesh), depth=20.0, wall=-30.0 if "wall" in symmetry else None))
     below, above = (prepared.run(BORDER * (1 + s), [0.0], {"added_mass"}, None, DOFS) for s in (-1e-6, 1e-6))
     assert len(below.geometry.elements.nodes) == below.geometry.hull == above.geometry.hull
     assert len(above.geometry.elements.nodes) > above.geometry.hull

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 
@@ -16,7 +16,7 @@ MOVING = [2, 3, 4]
 
 def plate(panels=160, depth=20.0, omega=0.6, mesh=None):
     mesh = box(L, B, 1.0, panels=panels) if mesh is None else mesh
-    return solve_frequency(prepare(Setup(mesh, depth=depth, zero_draft=True)), omega, HEADINGS, WANT)
+    return solve_frequency(prepare(PanelProblem(mesh, depth=depth, zero_draft=True)), omega, HEADINGS, WANT)
 
 
 @pytest.mark.parametrize("depth", [12.0, np.inf])
@@ -41,7 +41,7 @@ def test_panel_method_approaches_the_plate_with_the_first_power_of_draft(depth):
     errors = {"added_mass": [], "radiation_damping": []}
     for draft in (0.05 * B, 0.02 * B, 0.01 * B):
         mesh = box(L, B, draft, panels=500)
-        body = prepare(Setup(mesh, lid(mesh, 8.0), depth=depth + draft))
+        body = prepare(PanelProblem(mesh, lid(mesh, 8.0), depth=depth + draft))
         solved = solve_frequency(body, 0.6, HEADINGS, set(errors))
         for name, values in errors.items():
             values.append(np.abs([solved[name][d, d] / flat[name][d, d] - 1 for d in MOVING]).max())
@@ -67,11 +67,11 @@ def test_a_hull_without_upright_sides_is_refused():
         mesh.symmetry,
     )
     with pytest.raises(ValueError, match="upright sides"):
-        prepare(Setup(tapered, zero_draft=True))
+        prepare(PanelProblem(tapered, zero_draft=True))
 
 
 def test_the_limit_of_long_waves_is_continuous():
-    body = prepare(Setup(box(L, B, 1.0, panels=160), depth=20.0, zero_draft=True))
+    body = prepare(PanelProblem(box(L, B, 1.0, panels=160), depth=20.0, zero_draft=True))
     limit = body.added_mass_limit("zero")
     slow = solve_frequency(body, 0.002, [0.0], {"added_mass"})["added_mass"]
     for d in (3, 4):

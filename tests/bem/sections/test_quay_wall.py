@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.sections.coefficients import section
 from bem.sections.quay import force_before_wall
 from meshing.lid import lid
@@ -18,7 +18,7 @@ TABLE = 1e-5  # of the largest entry: the tables of the Green function, which de
 
 
 def solved(mesh, lid_mesh=None, headings=(HEADING,), **options):
-    return solve_frequency(prepare(Setup(mesh, lid_mesh, depth=DEPTH, **options)), OMEGA, headings, WANT)
+    return solve_frequency(prepare(PanelProblem(mesh, lid_mesh, depth=DEPTH, **options)), OMEGA, headings, WANT)
 
 
 @pytest.fixture(scope="module")
@@ -67,7 +67,7 @@ def test_walls_on_both_sides_are_mirror_images(beside):
 def test_far_field_quantities_are_refused_beside_a_wall():
     mesh = box(60, 30, 8, counts=(2, 2, 2))
     with pytest.raises(ValueError, match="wall"):
-        solve_frequency(prepare(Setup(mesh, depth=DEPTH, wall=-25.0)), OMEGA, [0.0], {"drift_force_fixed"})
+        solve_frequency(prepare(PanelProblem(mesh, depth=DEPTH, wall=-25.0)), OMEGA, [0.0], {"drift_force_fixed"})
 
 
 def test_a_long_box_before_the_wall_bears_what_its_section_does_with_repeated_reflection():
@@ -78,7 +78,7 @@ def test_a_long_box_before_the_wall_bears_what_its_section_does_with_repeated_re
     gaps = []
     for length, panels in ((200.0, 400), (800.0, 800)):
         mesh = box(length, beam, draft, panels=panels)
-        body = prepare(Setup(mesh, lid(mesh, 12.0), depth=DEPTH, wall=wall))
+        body = prepare(PanelProblem(mesh, lid(mesh, 12.0), depth=DEPTH, wall=wall))
         force = solve_frequency(body, omega, [np.pi / 2], {"excitation_force"}, None, dofs)["excitation_force"][0, 1:4]
         gaps.append(np.abs(force / length - force_before_wall(part, wall)) / np.abs(part.excitation))
     single = np.abs(force / length - force_before_wall(part, wall, repeated=False)) / np.abs(part.excitation)

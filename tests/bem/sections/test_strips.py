@@ -5,7 +5,7 @@ import pytest
 
 from bem import DOFS
 from bem.frequency import solve_frequency
-from bem.methods.panel_setup import Setup, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.sections.coefficients import section
 from bem.sections.strips import Strips
 from bem.waves import incident_wave, wavenumber
@@ -111,7 +111,7 @@ def test_strips_approach_the_panel_method_as_the_box_grows_longer():
     for length in (40.0, 80.0, 160.0):
         mesh = box(length, beam, draft, counts=box_counts(length, beam, draft, 500), symmetry="xy")
         want = {"added_mass", "radiation_damping", "excitation_force"}
-        panels = solve_frequency(prepare(Setup(mesh, lid(mesh), depth=depth)), omega, [np.pi / 2], want)
+        panels = solve_frequency(prepare(PanelProblem(mesh, lid(mesh), depth=depth)), omega, [np.pi / 2], want)
         ours = strips(length, beam, draft, depth).first_order(omega, [np.pi / 2])
         force = (ours.froude_krylov + ours.diffraction)[0]
         row = []

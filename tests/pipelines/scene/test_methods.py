@@ -20,8 +20,8 @@ def scene(omegas=SHORT, body=BUOY, depth=np.inf, **more):
     return make_scene({**raw, **more})
 
 
-def setup(made):
-    return planned(made).setup
+def problem(made):
+    return planned(made).problem
 
 
 def test_short_waves_alone_over_deep_water_take_the_contour_method():
@@ -46,16 +46,16 @@ def test_panels_stay_where_a_raised_bed_is_not_for(changes):
 
 
 def test_the_bed_depends_on_body_and_tolerance_alone_and_is_never_below_the_real_one():
-    beds = {setup(scene(omegas)).bed for omegas in (SHORT, [1.2], [2.5])}
+    beds = {problem(scene(omegas)).bed for omegas in (SHORT, [1.2], [2.5])}
     assert len(beds) == 1
     (bed,) = beds
-    assert setup(scene(depth=0.9 * bed)).bed == 0.9 * bed and setup(scene(depth=2 * bed)).bed == bed
-    assert setup(scene(tolerance=0.005)).bed > bed
-    assert setup(scene(depth=100.0)).bed is None  # 16 drafts of water under the keel
+    assert problem(scene(depth=0.9 * bed)).bed == 0.9 * bed and problem(scene(depth=2 * bed)).bed == bed
+    assert problem(scene(tolerance=0.005)).bed > bed
+    assert problem(scene(depth=100.0)).bed is None  # 16 drafts of water under the keel
 
 
-def test_a_setup_keeps_the_depth_of_the_scene_and_has_panels_for_the_limits():
-    made = setup(scene(depth=5000.0))
+def test_a_problem_keeps_the_depth_of_the_scene_and_has_panels_for_the_limits():
+    made = problem(scene(depth=5000.0))
     assert made.depth == 5000.0 and made.panels.depth == 5000.0 and made.bed < 1000.0
 
 
@@ -69,7 +69,7 @@ def test_a_database_over_a_raised_bed_states_the_real_water_and_names_the_bed(st
     path, outcome = stored
     db = open_database(path)
     assert outcome.exit_status == 0 and db.water_depth == np.inf
-    assert db.attributes["method"] == "contour" and db.attributes["raised_bed"] == setup(scene()).bed
+    assert db.attributes["method"] == "contour" and db.attributes["raised_bed"] == problem(scene()).bed
     (remark,) = [text for text in outcome.remarks if "bed" in text]
     assert "\n" not in remark and f"{db.attributes['raised_bed']:.4g} m" in remark
     assert not any("bed" in text for text in solve(scene([1.2], depth=60.0), path.with_name("near.h5")).remarks)

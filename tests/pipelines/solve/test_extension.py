@@ -19,13 +19,13 @@ class Counting(Here):
     def __init__(self):
         self.asked = []
 
-    def submit(self, function, setup, *arguments):
+    def submit(self, function, problem, *arguments):
         if function is solve_one:
             omega, headings, want, _ = arguments
             self.asked.append((round(omega, 9), tuple(np.round(np.degrees(headings), 9)), want))
         else:
             self.asked.append(arguments[0])
-        return super().submit(function, setup, *arguments)
+        return super().submit(function, problem, *arguments)
 
 
 def made(path, omegas, headings, want):

@@ -10,7 +10,7 @@ import pytest
 from rich.console import Console
 
 from bem.kernels.progress import FACTORS, MATRICES, WAVES, progress_callback
-from bem.methods.panel_setup import Setup
+from bem.methods.panel_problem import PanelProblem
 from bem.panels.band import cost
 from bem.panels.band.cost import Cost
 from bem.panels.influence import Geometry
@@ -64,16 +64,16 @@ def test_a_single_frequency_takes_few_nodes_where_all_would_not_fit(monkeypatch)
 
 def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
     mesh = box(100, 50, 10, panels=120)
-    setup = Setup(mesh, lid(mesh), depth=20.0, band=(0.5, 0.5))
+    problem = PanelProblem(mesh, lid(mesh), depth=20.0, band=(0.5, 0.5))
     monkeypatch.setattr(large, "WORTH_TELLING", 100)
     monkeypatch.setattr(cost, "cost", lambda *_: Cost(5e9, {WAVES: (60.0, 1.0)}))
     monkeypatch.setattr(cost, "available_memory", lambda: 8e9)
-    announced(setup, 0, None)
+    announced(problem, 0, None)
     with pytest.raises(SceneError, match=r"need about 10.0 GB, 8.0 GB are free; give fewer panels .* fewer processes"):
-        announced(setup, 0, None, processes=2)
+        announced(problem, 0, None, processes=2)
     monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
     with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5.0 GB, 4.0 GB are free; give fewer panels"):
-        announced(setup, 0, None)
+        announced(problem, 0, None)
 
 
 @pytest.mark.parametrize("options", [{"depth": 20.0}, {"depth": 20.0, "zero_draft": True}])
@@ -81,19 +81,19 @@ def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, mon
     monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
     mesh = box(100, 50, 1, panels=8000)
     with pytest.raises(SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, 4.0 GB are free; give fewer panels"):
-        announced(Setup(mesh, **options), 0, None)
+        announced(PanelProblem(mesh, **options), 0, None)
 
 
 ALONE = """
 import sys
 from bem import DOFS
 from bem.panels.band.cost import memory_alone
-from bem.methods.panel_setup import Setup
+from bem.methods.panel_problem import PanelProblem
 from meshing.shapes import box, buoy
 from pipelines.bench.peers.repeated import peak_memory
 name, panels, *sizes = sys.argv[1:]
 hull = {"box": box, "buoy": buoy}[name](*map(int, sizes), panels=int(panels))
-body = Setup(hull, depth=20.0).prepared()
+body = PanelProblem(hull, depth=20.0).prepared()
 body.run(0.6, [0.5], {"added_mass", "excitation_force", "drift_force_fixed"}, None, DOFS).result()
 print(memory_alone(body) / 1e6, peak_memory() * 1.048576)
 """
@@ -122,7 +122,7 @@ def test_the_estimate_of_memory_counts_the_matrices_of_all_classes():
 
 def test_what_the_preparation_tells_adds_up_to_what_was_estimated():
     mesh, band = box(100, 50, 10, panels=240), (0.4, 1.2)
-    body = Setup(mesh, lid(mesh), depth=20.0, band=band).prepared()
+    body = PanelProblem(mesh, lid(mesh), depth=20.0, band=band).prepared()
     stages, told = cost.cost(body.geometry, band, 9.81).stages, []
     with progress_callback(lambda stage, count: told.append((stage, count))):
         assert len(body.band_equations) == 2  # without and with the lid

@@ -5,8 +5,8 @@ import pytest
 
 from bem import DOFS
 from bem.checks import ERROR_ORDER
-from bem.methods.panel_setup import prepare
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import prepare
+from bem.methods.shape_problem import ShapeProblem
 from meshing.shapes import box
 from pipelines.scene.scene import make_scene
 from pipelines.solve.hull import coarse_hull, make_hull
@@ -50,9 +50,9 @@ def test_a_long_box_that_rolls_without_moving_much_water_keeps_the_tolerance_in_
     body = dict(zip(("length", "beam", "draft"), size, strict=True))
     waves = {"omegas": [omega]}
     scene = scene_of({"shape": "box", **body}, water={"depth": depth}, tolerance=0.01, waves=waves)
-    panels = planned(scene).setup
-    exact = ShapeSetup(method="contour", shape="box", sizes=size, depth=depth, tolerance=1e-5)
-    runs = (prepare(setup).run(omega, [0.0], ("added_mass",), None, DOFS[3:4]) for setup in (panels, exact))
+    panels = planned(scene).problem
+    exact = ShapeProblem(method="contour", shape="box", sizes=size, depth=depth, tolerance=1e-5)
+    runs = (prepare(problem).run(omega, [0.0], ("added_mass",), None, DOFS[3:4]) for problem in (panels, exact))
     found, true = (run.result()["added_mass"][3, 3] for run in runs)
     assert abs(found / true - 1) <= scene.accuracy
 

@@ -32,7 +32,7 @@ class MadeUp:
     def __init__(self, failing=(), stopping=None):
         self.failing, self.stopping, self.asked, self.angles = failing, stopping, [], []
 
-    def submit(self, function, setup, *arguments):
+    def submit(self, function, problem, *arguments):
         future = Future()
         try:
             future.set_result(self._answer(function, *arguments))

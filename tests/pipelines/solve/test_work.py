@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from bem.viscous import Quadratic, Viscous
 from meshing.lid import lid
 from meshing.shapes import box
@@ -23,16 +23,16 @@ def moved(mesh):
 
 @pytest.fixture
 def kept(monkeypatch):
-    """A setup → the setup whose preparation its frequencies are solved with"""
+    """A problem → the problem whose preparation its frequencies are solved with"""
     monkeypatch.setattr("pipelines.solve.work._prepared", {})
-    monkeypatch.setattr("bem.methods.panel_setup.prepare", lambda setup: setup)
+    monkeypatch.setattr("bem.methods.panel_problem.prepare", lambda problem: problem)
     monkeypatch.setattr("bem.frequency.solve_frequency", lambda prepared, *question: prepared)
-    return lambda setup: solve_one(setup, 0.5, [0.0], {"added_mass"}, None)
+    return lambda problem: solve_one(problem, 0.5, [0.0], {"added_mass"}, None)
 
 
 FINE, COARSE = box(100, 50, 10, panels=400), box(100, 50, 10, panels=200)
-PANELS = Setup(FINE, lid(FINE), coarse=(COARSE, lid(COARSE)), inertia_matrix=np.eye(6))
-SHAPE = ShapeSetup(method="contour", shape="box", sizes=(100.0, 50.0, 10.0), depth=20.0, panels=PANELS)
+PANELS = PanelProblem(FINE, lid(FINE), coarse=(COARSE, lid(COARSE)), inertia_matrix=np.eye(6))
+SHAPE = ShapeProblem(method="contour", shape="box", sizes=(100.0, 50.0, 10.0), depth=20.0, panels=PANELS)
 
 
 @pytest.mark.parametrize(
@@ -54,8 +54,8 @@ def test_a_body_that_differs_anywhere_is_prepared_anew(kept, one, other):
     assert kept(one) is one and kept(other) is other
 
 
-@pytest.mark.parametrize("setup", [PANELS, SHAPE], ids=["panels", "shape"])
-def test_a_copy_that_came_to_another_process_finds_the_prepared_body(kept, setup):
-    assert kept(setup) is setup
+@pytest.mark.parametrize("problem", [PANELS, SHAPE], ids=["panels", "shape"])
+def test_a_copy_that_came_to_another_process_finds_the_prepared_body(kept, problem):
+    assert kept(problem) is problem
     FINE.areas.sum()  # what a mesh remembers does not count
-    assert kept(pickle.loads(pickle.dumps(setup))) is setup
+    assert kept(pickle.loads(pickle.dumps(problem))) is problem

@@ -1,4 +1,4 @@
-"""Boxes and vertical cylinders for the methods that need no panels."""
+"""The radiation–diffraction problem of a box or vertical cylinder, for the methods that need no panels."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from functools import cached_property
 import numpy as np
 
 from .. import DOFS
-from ..body import Body
 from ..checks import at_least_haskind, longer
 from ..contour.raised_bed import SHARE, with_bed
 from ..frequency import FrequencyRun
 from ..panels.frequency_limits import with_net_flux
+from ..problem import Problem
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class ShapeSetup(Body):
+class ShapeProblem(Problem):
     """A box or buoy in water, its waterplane centred at the origin.
 
     method : contour, strip or inverse-strip; shape : box (length, beam, draft) or buoy (radius, draft)
     sizes : m, in that order; tolerance : relative error asked for
-    panels : `bem.methods.panel_setup.Setup` of the same body, for pressures on its panels and limits over a raised
-        bed; or None
+    panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels and limits over a
+        raised bed; or None
     bed : m, of `bem.contour.raised_bed`, at most `depth`: the contour method works over it; None for the bed that
         there is
     """
@@ -35,20 +35,20 @@ class ShapeSetup(Body):
     bed: float | None = None
 
     def prepared(self):
-        """The work that depends on geometry only"""
-        return PreparedShape(self)
+        """`PreparedShapeProblem`"""
+        return PreparedShapeProblem(self)
 
 
 @dataclass(frozen=True, eq=False)
-class PreparedShape:
-    """A setup and the solver of its method."""
+class PreparedShapeProblem:
+    """A `ShapeProblem` and the solver of its method, whose frequency-independent part is kept."""
 
-    setup: ShapeSetup
+    problem: ShapeProblem
 
     @cached_property
     def solver(self):
         """What solves a frequency: `first_order(omega, headings, theta, dofs, …)` → `bem.first_order.FirstOrder`"""
-        s = self.setup
+        s = self.problem
         if s.method == "contour":
             from ..contour.solver import TOLERANCES, prepare_box, prepare_cylinder
 
@@ -61,38 +61,38 @@ class PreparedShape:
     @cached_property
     def panels(self):
         """The panels prepared; raises ValueError where there are none"""
-        if self.setup.panels is None:
-            raise ValueError(f"method {self.setup.method} has no panels to give pressures on")
-        return self.setup.panels.prepared()
+        if self.problem.panels is None:
+            raise ValueError(f"method {self.problem.method} has no panels to give pressures on")
+        return self.problem.panels.prepared()
 
     @property
     def radius(self):
         """m, largest distance of the hull from the vertical axis through the origin"""
-        s = self.setup.sizes
-        return float(np.hypot(s[0], s[1]) / 2 if self.setup.shape == "box" else s[0])
+        s = self.problem.sizes
+        return float(np.hypot(s[0], s[1]) / 2 if self.problem.shape == "box" else s[0])
 
     @property
     def draft(self):
         """m, of the hull"""
-        return self.setup.sizes[-1]
+        return self.problem.sizes[-1]
 
     @property
     def displacing(self):
         """(6,) whether a mode moves water at all"""
-        return np.array([True] * 5 + [self.setup.shape == "box"])
+        return np.array([True] * 5 + [self.problem.shape == "box"])
 
-    def run(self, *question):
+    def run(self, *arguments):
         """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
-        return ShapeRun(self, *question)
+        return ShapeRun(self, *arguments)
 
     def added_mass_limit(self, which):
         """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency
 
         Not over a raised bed, where heave has another limit at zero, and no estimate tells what the bed does.
         """
-        if self.setup.bed is not None:
+        if self.problem.bed is not None:
             return self.panels.added_mass_limit(which)
-        T, about_origin = self.setup.transform, self.solver.added_mass_limit(which, self.setup.density)
+        T, about_origin = self.problem.transform, self.solver.added_mass_limit(which, self.problem.density)
         grows = np.isinf(about_origin[2, 2])
         finite = np.where(np.isinf(about_origin), 0.0, about_origin)
         return with_net_flux(T @ finite @ T.T, T[:, 2] * grows, 1.0)
@@ -111,7 +111,7 @@ class ShapeRun(FrequencyRun):
         """`bem.first_order.FirstOrder` at the angles `theta` followed by the headings"""
         at = np.concatenate([self.theta, self.headings]) if self.far_field else ()
         return self.prepared.solver.first_order(
-            self.omega, self.waves, at, self.dofs, self.setup.density, self.setup.gravity
+            self.omega, self.waves, at, self.dofs, self.problem.density, self.problem.gravity
         )
 
     @property
@@ -122,11 +122,11 @@ class ShapeRun(FrequencyRun):
     @cached_property
     def errors(self):
         """Of the contour method, by a finer body and Haskind; None for strips, whose error is that of their idea"""
-        if self.setup.method != "contour":
+        if self.problem.method != "contour":
             return None
-        ours, setup = self.first_order, self.setup
+        ours, problem = self.first_order, self.problem
         fine = self.prepared.solver.finer.first_order(
-            self.omega, self.waves, (), self.dofs, setup.density, setup.gravity
+            self.omega, self.waves, (), self.dofs, problem.density, problem.gravity
         )
         force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
         excitation = at_least_haskind(force - better, force, ours.haskind, self.dofs)
@@ -149,8 +149,10 @@ class ShapeRun(FrequencyRun):
     def froude_krylov(self):
         if self.diffracts:
             return self.first_order.froude_krylov
-        setup = self.setup
-        return self.prepared.solver.froude_krylov(self.omega, self.headings, self.dofs, setup.density, setup.gravity)
+        problem = self.problem
+        return self.prepared.solver.froude_krylov(
+            self.omega, self.headings, self.dofs, problem.density, problem.gravity
+        )
 
     @property
     def diffraction(self):

@@ -1,4 +1,4 @@
-"""A floating body in water, and the work on it that no frequency changes."""
+"""The radiation–diffraction problem of a panel mesh, and its frequency-independent part."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from functools import cached_property
 
 import numpy as np
 
-from ..body import Body
 from ..kernels.threads import blas_threads
 from ..modes import normal_velocities
 from ..panels.axisymmetric_frequency import AxisymmetricRun
@@ -16,11 +15,12 @@ from ..panels.frequency_limits import added_mass_limit
 from ..panels.influence import Geometry
 from ..panels.one_frequency import PanelRun
 from ..panels.zero_draft import ZeroDraftRun, flattened, rigid_surface_limit
+from ..problem import Problem
 
 
 @dataclass(frozen=True, eq=False)
-class Setup(Body):
-    """A floating body in water for the panel method: everything a frequency needs except the frequency.
+class PanelProblem(Problem):
+    """A floating body in water for the panel method: all input except frequency and headings.
 
     mesh : hull panels; lid : interior free-surface panels or None
     coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
@@ -40,19 +40,19 @@ class Setup(Body):
     band: tuple | None = None
 
     def prepared(self):
-        """The work that depends on geometry only"""
+        """`PreparedPanelProblem`: with elements, images and what else depends on the geometry only"""
         coarse = self.coarse and replace(self, mesh=self.coarse[0], lid=self.coarse[1], coarse=None).prepared()
         mesh, lid = (flattened(self.mesh), None) if self.zero_draft else (self.mesh, self.lid)
-        return Prepared(self, Geometry(mesh, lid, self.depth, self.nodes_per_panel, self.wall), coarse)
+        return PreparedPanelProblem(self, Geometry(mesh, lid, self.depth, self.nodes_per_panel, self.wall), coarse)
 
 
 @dataclass(frozen=True, eq=False)
-class Prepared:
-    """A setup with the work that depends on geometry only."""
+class PreparedPanelProblem:
+    """A `PanelProblem` with its frequency-independent part, computed when first needed."""
 
-    setup: Setup
+    problem: PanelProblem
     geometry: Geometry
-    coarse: Prepared | None = None
+    coarse: PreparedPanelProblem | None = None
 
     @cached_property
     def modes(self):
@@ -83,27 +83,27 @@ class Prepared:
 
         φ' vanishes on the lid, so that any will do.
         """
-        g, setup = self.geometry, self.setup
-        if setup.lid is None or g.sectors or not g.without_lid.sectors:
+        g, problem = self.geometry, self.problem
+        if problem.lid is None or g.sectors or not g.without_lid.sectors:
             return g
         from meshing.lid import polar_lid
 
-        lid = polar_lid(setup.mesh, float(np.sqrt(setup.lid.areas.mean())))
-        return g if lid is None else Geometry(setup.mesh, lid, setup.depth, setup.nodes_per_panel)
+        lid = polar_lid(problem.mesh, float(np.sqrt(problem.lid.areas.mean())))
+        return g if lid is None else Geometry(problem.mesh, lid, problem.depth, problem.nodes_per_panel)
 
     @cached_property
     def band_equations(self):
-        """(`bem.panels.band.equations.BandEquations`, …) of the setup's band, of its lower part without lid first"""
+        """(`bem.panels.band.equations.BandEquations`, …) of the problem's band, of its lower part without lid first"""
         from ..panels.band.equations import band_equations, sufficient_accuracy
 
-        setup = self.setup
+        problem = self.problem
         with blas_threads(len(self.geometry.elements.nodes)):
-            return band_equations(self.geometry, setup.band, setup.gravity, sufficient_accuracy(setup.mesh.total))
+            return band_equations(self.geometry, problem.band, problem.gravity, sufficient_accuracy(problem.mesh.total))
 
     @property
     def refinement(self):
         """How many panels the mesh has for one of the coarse mesh."""
-        return self.setup.mesh.total / self.coarse.setup.mesh.total
+        return self.problem.mesh.total / self.coarse.problem.mesh.total
 
     @property
     def radius(self):
@@ -115,25 +115,25 @@ class Prepared:
         """m, of the hull"""
         return self.geometry.draft
 
-    def run(self, *question):
+    def run(self, *arguments):
         """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
-        if self.setup.zero_draft:
-            return ZeroDraftRun(self, *question)
-        if self.in_band(question[0]):
-            return BandRun(self, *question)
-        axisymmetric = self.axisymmetric_geometry.at(question[0] ** 2 / self.setup.gravity).sectors
-        return (AxisymmetricRun if axisymmetric else PanelRun)(self, *question)
+        if self.problem.zero_draft:
+            return ZeroDraftRun(self, *arguments)
+        if self.in_band(arguments[0]):
+            return BandRun(self, *arguments)
+        axisymmetric = self.axisymmetric_geometry.at(arguments[0] ** 2 / self.problem.gravity).sectors
+        return (AxisymmetricRun if axisymmetric else PanelRun)(self, *arguments)
 
     def in_band(self, omega):
-        """Whether a frequency lies in the setup's band, but for rounding"""
-        band = self.setup.band
+        """Whether a frequency lies in the problem's band, to rounding"""
+        band = self.problem.band
         return band is not None and band[0] * (1 - 1e-9) <= omega <= band[1] * (1 + 1e-9)
 
     def added_mass_limit(self, which):
         """`bem.panels.frequency_limits.added_mass_limit`"""
-        return (rigid_surface_limit if self.setup.zero_draft else added_mass_limit)(self, which)
+        return (rigid_surface_limit if self.problem.zero_draft else added_mass_limit)(self, which)
 
 
-def prepare(setup):
-    """The geometry-only part of a setup of any method; what is expensive in it follows with the first frequency."""
-    return setup.prepared()
+def prepare(problem):
+    """A `PanelProblem` or `ShapeProblem` prepared; its expensive parts are computed with the first frequency."""
+    return problem.prepared()

@@ -1,11 +1,11 @@
-"""What the solver takes: `bem.methods.panel_setup.Setup` or `bem.methods.shape_setup.ShapeSetup` of a scene."""
+"""The problem of a scene that `bem` solves: `PanelProblem` or `ShapeProblem` of `bem.methods`."""
 
 from __future__ import annotations
 
 import math
 
-from bem.methods.panel_setup import Setup
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from bem.panels.irregular_frequencies import lid_needed_from
 
 from ..scene.methods import METHODS
@@ -15,8 +15,8 @@ from .large import shared_band
 from .panel_counts import fine_counts, meshed
 
 
-def setup_of(header, scene):
-    """What the solver takes, from the header of a database and the scene."""
+def problem_of(header, scene):
+    """`PanelProblem` or `ShapeProblem` from the header of a database and the scene."""
     body = {
         "depth": header.water_depth,
         "density": header.density,
@@ -28,25 +28,25 @@ def setup_of(header, scene):
     }
     method, bed, _ = scene.approach
     if METHODS[method].panels:
-        return _panel_setup(header, scene, body)
+        return _panel_problem(header, scene, body)
     lengths = tuple(scene.dimensions.values())
-    panels = None if bed is None else _limit_setup(scene, body)
+    panels = None if bed is None else _panels_of_limits(scene, body)
     if "pressure" in scene.names():
-        panels = _panel_setup(header, scene, body)
-    return ShapeSetup(
+        panels = _panel_problem(header, scene, body)
+    return ShapeProblem(
         method=method, shape=scene.body.shape, sizes=lengths, tolerance=scene.accuracy, panels=panels, bed=bed, **body
     )
 
 
-def _limit_setup(scene, body):
+def _panels_of_limits(scene, body):
     """Panels for the limits of the frequency: without waves the tolerance alone tells how many"""
-    return Setup(meshed(scene.body, fine_counts(scene.body, scene.accuracy, math.inf)), **body)
+    return PanelProblem(meshed(scene.body, fine_counts(scene.body, scene.accuracy, math.inf)), **body)
 
 
-def _panel_setup(header, scene, body):
+def _panel_problem(header, scene, body):
     coarse, draftless = coarse_hull(scene, header.mesh), scene.approach.method == "pressure"
     lid = header.lid or make_lid(scene, header.mesh)
     if scene.omegas()[-1] ** 2 / scene.water.gravity <= lid_needed_from(header.mesh):
         lid, coarse = None, coarse and (coarse[0], None)
     band = None if draftless else shared_band(scene, header.mesh, lid)
-    return Setup(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, band=band, **body)
+    return PanelProblem(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, band=band, **body)

@@ -5,7 +5,7 @@ import pytest
 
 from bem import DOFS
 from bem.frequency import solve_frequency
-from bem.methods.shape_setup import ShapeSetup
+from bem.methods.shape_problem import ShapeProblem
 
 HEADINGS = np.radians([0.0, 40.0])
 EVERYTHING = {"added_mass", "radiation_damping", "Froude_Krylov_force", "diffraction_force", "excitation_force"}
@@ -22,7 +22,7 @@ BODIES = {
 def solved(request):
     """A body, what it gives, and all of it asked for at once"""
     method, shape, sizes = BODIES[request.param]
-    body = ShapeSetup(method=method, shape=shape, sizes=sizes, depth=20.0, rotation_center=(0, 0, -4.0)).prepared()
+    body = ShapeProblem(method=method, shape=shape, sizes=sizes, depth=20.0, rotation_center=(0, 0, -4.0)).prepared()
     names = EVERYTHING | (FAR_FIELD if method == "contour" else set())
     return body, names, solve_frequency(body, 0.6, HEADINGS, names)
 

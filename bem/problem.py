@@ -1,4 +1,4 @@
-"""A floating body in water as every method sees it."""
+"""Data of a radiation–diffraction problem that every method needs: water, gravity, inertia and stiffness."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import numpy as np
 
 from .modes import reference_change
 
-LOWEST_GAP = 3e-5  # of the draft: thinner water takes as many more modes, at this one ten seconds and 1.5 GB
+SMALLEST_GAP = 3e-5  # of the draft: the number of modes grows as the gap shrinks, here to ten seconds and 1.5 GB
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Body:
-    """What all methods need besides the shape.
+class Problem:
+    """A floating body in water; subclasses add its shape and the method's parameters.
 
     depth : m, may be inf; density : kg/m³; gravity : m/s²; rotation_center : m
     inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`; None leaves the body without motions
@@ -35,9 +35,9 @@ class Body:
 
 
 def check_gap(draft, depth):
-    """Raises ValueError for water under the keel too thin to be resolved; draft, depth : m"""
-    if depth - draft < LOWEST_GAP * draft:
+    """Raises ValueError for a gap under the keel too thin to be resolved; draft, depth : m"""
+    if depth - draft < SMALLEST_GAP * draft:
         raise ValueError(
-            f"depth − draft is {depth - draft:.3g} m; allowed: from {LOWEST_GAP * draft:.3g} m, {LOWEST_GAP:g} of the "
-            "draft: thinner water under a keel is not resolved"
+            f"depth − draft is {depth - draft:.3g} m; allowed: from {SMALLEST_GAP * draft:.3g} m, {SMALLEST_GAP:g} "
+            "of the draft: thinner water under a keel is not resolved"
         )
