@@ -7,6 +7,8 @@ with roll and pitch taken from the tilt e_z × u: exact in heading, linear in ti
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 VERTICAL = np.array([0.0, 0.0, 1.0])
@@ -38,11 +40,11 @@ def cross_matrix(a):
 
 def turned(R, turn):
     """R after a further rotation by the vector `turn` (3,) rad about space axes."""
-    angle = np.sqrt(turn @ turn)
+    angle = math.sqrt(turn @ turn)
     S = cross_matrix(turn)
     half = 0.5 * angle
-    one = np.sinc(angle / np.pi)
-    two = 0.5 * np.sinc(half / np.pi) ** 2
+    one = math.sin(angle) / angle if angle > 0 else 1.0
+    two = 0.5 * (math.sin(half) / half if half > 0 else 1.0) ** 2
     return R + one * (S @ R) + two * (S @ (S @ R))
 
 
