@@ -8,8 +8,7 @@ import math
 
 import numpy as np
 
-from ..common.line_types import LineType as StaticType
-from ..common.line_types import line_properties
+from ..common.line_tables import attached, line_type, of_types
 from ..common.quantities import StudyError, direction, positive, speed
 from .study import BedTable
 
@@ -37,9 +36,7 @@ def line_of(study):
 def _segment(where, part, kinds, total):
     from mooring.lines.dynamics.simulation import Segment
 
-    if part.type not in kinds:
-        raise StudyError(f"{where}.type is {part.type!r}; allowed: {', '.join(kinds)}")
-    properties, breaking = kinds[part.type]
+    properties, breaking = of_types(where, part.type, kinds)
     elements = part.elements if part.elements is not None else max(4, round(ELEMENTS * part.length / total))
     try:
         return Segment(part.length, elements=elements, **properties), breaking
@@ -49,44 +46,31 @@ def _segment(where, part, kinds, total):
 
 def _properties(where, kind, water):
     """Keywords of a Segment, and the breaking load in N"""
-    from mooring.lines.catalogue import line_type
-
-    shared = {key: getattr(kind, key) for key in StaticType.__struct_fields__ if hasattr(kind, key)}
-    static = line_properties(where, StaticType(**shared), water.density)
-    known = None if kind.catalogue is None else line_type(kind.catalogue, water.density, water.gravity)
-    if known is not None and kind.weight_N_per_m is None and kind.weight_kg_per_m is None:
-        static["weight"] = known.weight  # with the gravity of this file
-    if math.isinf(static["axial_stiffness"]):
+    static = line_type(where, kind, water.density, water.gravity)
+    if math.isinf(static.axial_stiffness):
         raise StudyError(
             f"{where}: no axial stiffness is given, a dynamic line has to stretch; "
             "allowed: one of axial_stiffness_tonf, axial_stiffness_kN"
         )
     given = {"mass": kind.mass_kg_per_m, "diameter": kind.diameter}
     for key, name in (("mass", "mass_kg_per_m"), ("diameter", "diameter")):
-        if given[key] is None and known is None:
+        if given[key] is None and kind.catalogue is None:
             raise StudyError(f"{where}: {name} is not given; allowed: a number above 0, or a catalogue name")
-        given[key] = getattr(known, key) if given[key] is None else positive(f"{where}.{name}", given[key])
+        given[key] = getattr(static, key) if given[key] is None else positive(f"{where}.{name}", given[key])
     rest = ("drag_normal", "drag_tangential", "added_normal", "added_tangential", "damping_ratio")
-    made = {"weight": static["weight"], "axial_stiffness": static["axial_stiffness"], **given}
-    return made | {key: getattr(kind, key) for key in rest}, static["breaking_load"]
+    made = {"weight": static.weight, "axial_stiffness": static.axial_stiffness, **given}
+    return made | {key: getattr(kind, key) for key in rest}, static.breaking_load
 
 
 def _bodies(study):
     from mooring.lines.dynamics.simulation import Body
 
-    joints = len(study.segments) - 1
-    found = [None] * joints
-    for i, body in enumerate(study.bodies):
-        where, at = f"bodies[{i}]", body.after_segment
-        if not 1 <= at <= joints:
-            allowed = f"1 to {joints}" if joints else "none, the line has one segment; cut it in two where the body is"
-            raise StudyError(f"{where}.after_segment is {at}; allowed: {allowed}")
-        if found[at - 1] is not None:
-            raise StudyError(f"{where}.after_segment is {at}, where another body is; allowed: one at a joint")
+    found = []
+    for i, body in enumerate(attached("", study.bodies, len(study.segments) - 1)):
         try:
-            found[at - 1] = Body(body.mass, body.volume, body.drag_area, body.added_mass)
+            found.append(body and Body(body.mass, body.volume, body.drag_area, body.added_mass))
         except ValueError as error:
-            raise StudyError(f"{where}: {error}") from None
+            raise StudyError(f"body after segment {i + 1}: {error}") from None
     return tuple(found)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import msgspec
 
+from ..common.line_tables import AttachedTable, MaterialTable, SegmentTable
 from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 
@@ -31,20 +32,13 @@ class BedTable(Table):
     damping_kPa_s_per_m: float = 30.0
 
 
-class TypeTable(Table):
-    """Properties of a line; `catalogue` fills in what is not given
+class DynamicTypeTable(MaterialTable):
+    """Properties of a line that moves; `catalogue` fills in what is not given
 
     mass_kg_per_m in air; diameter : m, of the displaced volume; drag_normal on D, drag_tangential on πD
     damping_ratio : structural damping over that which is critical for one element
     """
 
-    catalogue: str | None = None
-    weight_kg_per_m: float | None = None
-    weight_N_per_m: float | None = None
-    axial_stiffness_tonf: float | None = None
-    axial_stiffness_kN: float | None = None
-    breaking_load_tonf: float | None = None
-    breaking_load_kN: float | None = None
     mass_kg_per_m: float | None = None
     diameter: float | None = None
     drag_normal: float = 1.2
@@ -52,27 +46,6 @@ class TypeTable(Table):
     added_normal: float = 1.0
     added_tangential: float = 0.0
     damping_ratio: float = 1.0
-
-
-class SegmentTable(Table):
-    """length : m, unstretched; elements : by default 40 for the whole line, shared out by length"""
-
-    type: str
-    length: float
-    elements: int | None = None
-
-
-class BodyTable(Table):
-    """A clump or a buoy at the upper end of segment `after_segment`, from 1; drag_area : C_d A, m²
-
-    added_mass : times the displaced mass
-    """
-
-    after_segment: int
-    mass: float
-    volume: float = 0.0
-    drag_area: float = 0.0
-    added_mass: float = 0.5
 
 
 class HarmonicTable(Table):
@@ -128,12 +101,12 @@ class LineDynamicsStudy(Table):
     """
 
     water: WaterTable
-    types: dict[str, TypeTable]
+    types: dict[str, DynamicTypeTable]
     segments: list[SegmentTable]
     anchor: tuple[float, float, float]
     fairlead: FairleadTable
     name: str = "line"
-    bodies: list[BodyTable] = msgspec.field(default_factory=list)
+    bodies: list[AttachedTable] = msgspec.field(default_factory=list)
     bed: BedTable | None = None
     current: CurrentTable | None = None
     wave: WaveTable | None = None

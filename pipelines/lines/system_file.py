@@ -12,10 +12,9 @@ from pathlib import Path
 import msgspec
 
 from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, UniformLine
+from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint
 
-from ..common.line_types import LineType as TypeTable
-from ..common.line_types import line_properties
+from ..common.line_tables import LineTable, TypeTable, line_of
 from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 
@@ -66,12 +65,10 @@ class PointTable(Table):
     height: float | None = None
 
 
-class LineTable(Table):
-    """from and to : names of points; length : m, unstretched"""
+class SystemLineTable(LineTable, kw_only=True):
+    """from and to : names of points"""
 
     name: str
-    type: str
-    length: float
     start: str = msgspec.field(name="from")
     end: str = msgspec.field(name="to")
 
@@ -79,7 +76,7 @@ class LineTable(Table):
 class SystemTable(Table):
     water: WaterTable
     types: dict[str, TypeTable]
-    lines: list[LineTable]
+    lines: list[SystemLineTable]
     bodies: list[BodyTable] = msgspec.field(default_factory=list)
     anchors: list[AnchorTable] = msgspec.field(default_factory=list)
     fairleads: list[FairleadTable] = msgspec.field(default_factory=list)
@@ -106,7 +103,6 @@ def read_system(path, depth=None) -> System:
 def make_system(raw) -> System:
     """The System of nested dictionaries as TOML gives them.  Raises ValueError, one line."""
     table = typed(raw, SystemTable, StudyError)
-    kinds = {name: _type(name, kind, table.water) for name, kind in table.types.items()}
     bodies = [
         Body(
             body.name,
@@ -119,23 +115,9 @@ def make_system(raw) -> System:
     points = [Anchor(point.name, point.position) for point in table.anchors]
     points += [Fairlead(point.name, point.body, point.position) for point in table.fairleads]
     points += [FreePoint(p.name, p.position, p.mass, p.volume, p.height) for p in table.points]
-    lines = [_line(line, table, kinds) for line in table.lines]
+    water = table.water
+    lines = [
+        line_of(f"lines[{i}]", line.name, line, table.types, (line.start, line.end), water.density, water.gravity)
+        for i, line in enumerate(table.lines)
+    ]
     return System(table.water.depth, lines, points, bodies, table.water.density, table.water.gravity)
-
-
-def _type(name, kind, water):
-    made = line_properties(f"types.{name}", kind, water.density)
-    mass, diameter = None, None
-    if kind.catalogue is not None:
-        from mooring.lines.catalogue import line_type
-
-        known = line_type(kind.catalogue, water.density, water.gravity)
-        mass, diameter = known.mass, known.diameter
-    return LineType(name, made["weight"], made["axial_stiffness"], mass, diameter, made["breaking_load"])
-
-
-def _line(line, table, kinds):
-    if line.type not in kinds:
-        raise StudyError(f"line {line.name}: type is {line.type!r}; allowed: {', '.join(kinds)}")
-    friction = table.types[line.type].bed_friction
-    return UniformLine(line.name, kinds[line.type], line.length, line.start, line.end, friction)

@@ -14,12 +14,10 @@ import msgspec
 import numpy as np
 
 from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
-from mooring.lines.system.parts import LineType, UniformLine
 from mooring.loads.box_drag import drag_table
 from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
 
-from ..common.line_types import LineType as TypeTable
-from ..common.line_types import line_properties
+from ..common.line_tables import LineTable, TypeTable, line_of
 from ..common.quantities import StudyError, Table, direction, force, positive, speed
 from ..common.typed import read_toml, typed
 
@@ -67,23 +65,19 @@ class WavesTable(Table):
     incidence_deg: float | None = None
 
 
-class Spread(Table):
+class Spread(LineTable, kw_only=True):
     """Lines from the four corners of the hull; headings_deg from the x axis, for the corner at +x, +y"""
 
-    type: str
-    length: float
     corner_headings_deg: list[float]
     pretension_tonf: float | None = None
     pretension_kN: float | None = None
     fairlead_z: float = 0.0
 
 
-class OneLine(Table):
+class OneLine(LineTable, kw_only=True):
     """A line to an anchor at (x, y), or along heading_deg to where it carries the pretension; m"""
 
     name: str
-    type: str
-    length: float
     fairlead: tuple[float, float, float]
     anchor: tuple[float, float] | None = None
     heading_deg: float | None = None
@@ -140,32 +134,25 @@ class Study(Table):
         legs = []
         for i, spread in enumerate(self.spreads):
             prefix = f"spread {i + 1} " if len(self.spreads) > 1 else ""
-            made = self._spread(f"spreads[{i}]", spread, hull, density)
+            made = self._spread(f"spreads[{i}]", spread, hull, density, gravity)
             legs += [leg._replace(line=replace(leg.line, name=prefix + leg.line.name)) for leg in made]
-        legs += [self._leg(f"lines[{i}]", line, density) for i, line in enumerate(self.lines)]
+        legs += [self._leg(f"lines[{i}]", line, density, gravity) for i, line in enumerate(self.lines)]
         return moored_body(legs, self.water.depth, center, density, gravity)
 
-    def _spread(self, where, spread, hull, density):
-        line = self._line(where, spread, "spread", density)
+    def _spread(self, where, spread, hull, density, gravity):
+        line = line_of(where, "spread", spread, self.types, density=density, gravity=gravity)
         headings = _corner_headings(where, spread.corner_headings_deg)
         pretension = force(where, spread, "pretension", required=True)
         return corner_legs(line, hull.length, hull.beam, headings, self.water.depth, pretension, spread.fairlead_z)
 
-    def _leg(self, where, given, density):
-        line, depth = self._line(where, given, given.name, density), self.water.depth
+    def _leg(self, where, given, density, gravity):
+        line, depth = line_of(where, given.name, given, self.types, density=density, gravity=gravity), self.water.depth
         pretension = force(where, given, "pretension")
         if given.anchor is not None and given.heading_deg is None and pretension is None:
             return Leg(line, (*given.anchor, -depth), given.fairlead)
         if given.anchor is None and given.heading_deg is not None and pretension is not None:
             return leg_at_tension(line, given.fairlead, math.radians(given.heading_deg), depth, pretension)
         raise StudyError(f"{where} ({given.name}): allowed: either anchor, or heading_deg with a pretension")
-
-    def _line(self, where, given, name, density):
-        if given.type not in self.types:
-            raise StudyError(f"{where}.type is {given.type!r}; allowed: {', '.join(self.types)}")
-        made = line_properties(f"types.{given.type}", self.types[given.type], density)
-        kind = LineType(given.type, made["weight"], made["axial_stiffness"], breaking_load=made["breaking_load"])
-        return UniformLine(name, kind, positive(f"{where}.length", given.length), "", "", made["bed_friction"])
 
 
 def read_study(path):

@@ -9,8 +9,7 @@ import pytest
 from mooring.formats.results import write_channels
 from mooring.lines.catenary.solve import solve_lines
 from pipelines.cli import main
-from pipelines.common.line_types import LineType as TypeTable
-from pipelines.common.line_types import line_properties
+from pipelines.common.line_tables import TypeTable, line_type
 from pipelines.common.quantities import StudyError
 from pipelines.lines.system_file import read_system
 
@@ -178,7 +177,7 @@ def test_lines_moves_the_body_where_a_force_on_the_command_line_pushes_it(spread
 
 
 FAULTS = [
-    (("type = \"wire\"", "type = \"rope\""), [], "line stern wire: type is 'rope'; allowed: chain, wire"),
+    (("type = \"wire\"", "type = \"rope\""), [], "lines[1].type is 'rope'; allowed: chain, wire"),
     (("R3 studless", "R3 stuffed"), [],
      "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes studlink or studless"),
     (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown; allowed: depth"),
@@ -229,9 +228,9 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
 
 
 def test_a_type_of_a_study_may_come_from_the_catalogue_and_be_corrected():
-    plain = line_properties("types.x", TypeTable(catalogue="R3 studless 76 mm"))
-    assert plain["breaking_load"] == pytest.approx(4884e3, rel=1e-3) and plain["weight"] == pytest.approx(985, rel=1e-3)
-    heavier = line_properties("types.x", TypeTable(catalogue="R3 studless 76 mm", weight_N_per_m=1200.0))
-    assert heavier["weight"] == 1200.0 and heavier["axial_stiffness"] == plain["axial_stiffness"]
+    plain = line_type("types.x", TypeTable(catalogue="R3 studless 76 mm"))
+    assert plain.breaking_load == pytest.approx(4884e3, rel=1e-3) and plain.weight == pytest.approx(985, rel=1e-3)
+    heavier = line_type("types.x", TypeTable(catalogue="R3 studless 76 mm", weight_N_per_m=1200.0))
+    assert heavier.weight == 1200.0 and heavier.axial_stiffness == plain.axial_stiffness
     with pytest.raises(StudyError, match="nothing is given"):
-        line_properties("types.x", TypeTable())
+        line_type("types.x", TypeTable())

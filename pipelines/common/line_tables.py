@@ -1,0 +1,186 @@
+"""Lines as tables of a study, the same words wherever one is described: types, segments, and the bodies between them.
+
+Segments, and the bodies between them, count from the end the line begins at: its anchor, or the point it comes `from`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+
+from mooring.lines.multi_segment.bed import Bed
+from mooring.lines.multi_segment.segments import PointLoad, Segment
+from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
+
+from .quantities import StudyError, Table, force, one_of, positive
+from .units import KGF
+
+
+class MaterialTable(Table):
+    """Submerged weight, axial stiffness EA and breaking load, each in one of its units; EA left out: inextensible
+
+    catalogue : a name such as "R3 studless 76 mm", for what is not given
+    """
+
+    catalogue: str | None = None
+    weight_kg_per_m: float | None = None
+    weight_N_per_m: float | None = None
+    axial_stiffness_tonf: float | None = None
+    axial_stiffness_kN: float | None = None
+    breaking_load_tonf: float | None = None
+    breaking_load_kN: float | None = None
+
+
+class TypeTable(MaterialTable):
+    """What a line is made of at rest"""
+
+    bed_friction: float = 0.0
+
+
+class SegmentTable(Table):
+    """length : m, unstretched; elements : of a line that moves, by default 40 for all of it, shared out by length"""
+
+    type: str
+    length: float
+    elements: int | None = None
+
+
+class AttachedTable(Table):
+    """A clump or a buoy at the upper end of segment `after_segment`, from 1; mass : kg; volume : m³
+
+    drag_area : C_d A, m²; added_mass : times the displaced mass; both of a line that moves
+    """
+
+    after_segment: int
+    mass: float
+    volume: float = 0.0
+    drag_area: float = 0.0
+    added_mass: float = 0.5
+
+
+class OwnBedTable(Table):
+    """The bed under a line; points : [x, z], …, m from its anchor along the line, flat if not given
+
+    friction : by default that of the types of its segments
+    """
+
+    friction: float | None = None
+    points: list[tuple[float, float]] = msgspec.field(default_factory=list)
+
+
+class LineTable(Table):
+    """Either type and length (m, unstretched) of a uniform line, or segments with the bodies between them"""
+
+    type: str | None = None
+    length: float | None = None
+    segments: list[SegmentTable] = msgspec.field(default_factory=list)
+    bodies: list[AttachedTable] = msgspec.field(default_factory=list)
+    bed: OwnBedTable | None = None
+
+
+def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineType:
+    """The LineType of a MaterialTable; density : kg/m³ of the water; name : that of the catalogue if not given"""
+    from mooring.lines.catalogue import line_type as of_catalogue
+
+    try:
+        known = None if table.catalogue is None else of_catalogue(table.catalogue, density, gravity)
+    except ValueError as error:
+        raise StudyError(f"{where}.catalogue: {error}") from None
+    weight = one_of(where, table, {"weight_kg_per_m": KGF, "weight_N_per_m": 1.0}, required=known is None)
+    return LineType(
+        name or table.catalogue or where,
+        weight or known.weight,
+        force(where, table, "axial_stiffness") or (known.axial_stiffness if known else math.inf),
+        known.mass if known else None,
+        known.diameter if known else None,
+        force(where, table, "breaking_load") or (known.breaking_load if known else math.inf),
+    )
+
+
+def bed_friction(where, table):
+    """Coefficient of a TypeTable"""
+    if not (table.bed_friction >= 0 and math.isfinite(table.bed_friction)):
+        raise StudyError(f"{where}.bed_friction is {table.bed_friction:g}; allowed: at least 0")
+    return table.bed_friction
+
+
+def of_types(where, name, types):
+    """The table of a type by its name"""
+    if name not in types:
+        raise StudyError(f"{where}.type is {name!r}; allowed: {', '.join(types)}")
+    return types[name]
+
+
+def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.80665):
+    """The UniformLine or CompositeLine of a LineTable between two points; types : {name: TypeTable}"""
+    whole = table.type, table.length
+    if whole != (None, None) if table.segments else None in whole:
+        raise StudyError(f"{where} ({name}): allowed: either type and length, or segments")
+    parts = table.segments or [SegmentTable(type=table.type, length=table.length)]
+    places = [f"{where}.segments[{i}]" if table.segments else where for i in range(len(parts))]
+    kinds = [of_types(place, part.type, types) for place, part in zip(places, parts, strict=True)]
+    made = [
+        line_type(f"types.{part.type}", kind, density, gravity, part.type)
+        for part, kind in zip(parts, kinds, strict=True)
+    ]
+    lengths = [positive(f"{place}.length", part.length) for place, part in zip(places, parts, strict=True)]
+    friction = [bed_friction(f"types.{part.type}", kind) for part, kind in zip(parts, kinds, strict=True)]
+    if not (table.segments or table.bodies or table.bed):
+        return UniformLine(name, made[0], lengths[0], *ends, friction[0])
+    try:
+        segments = [
+            Segment(length, kind.weight, kind.axial_stiffness, kind.diameter or 0.0, kind.breaking_load, kind.name)
+            for kind, length in zip(made, lengths, strict=True)
+        ]
+    except ValueError as error:
+        raise StudyError(f"{where} ({name}): {error}") from None
+    loads = _point_loads(where, table.bodies, lengths, density, gravity)
+    on_bed = _friction(where, table.bed, friction)
+    return CompositeLine(name, segments, *ends, loads, on_bed, _own_bed(where, table.bed, on_bed))
+
+
+def attached(where, bodies, joints):
+    """The AttachedTable at each of the joints between segments, or None there"""
+    found = [None] * joints
+    for i, body in enumerate(bodies):
+        place, at = f"{where}bodies[{i}]", body.after_segment
+        if not 1 <= at <= joints:
+            allowed = f"1 to {joints}" if joints else "none, the line has one segment; cut it in two where the body is"
+            raise StudyError(f"{place}.after_segment is {at}; allowed: {allowed}")
+        if found[at - 1] is not None:
+            raise StudyError(f"{place}.after_segment is {at}, where another body is; allowed: one at a joint")
+        for key in ("mass", "volume"):
+            if not 0 <= getattr(body, key) < math.inf:
+                raise StudyError(f"{place}.{key} is {getattr(body, key):g}; allowed: at least 0, finite")
+        found[at - 1] = body
+    return found
+
+
+def _point_loads(where, bodies, lengths, density, gravity):
+    loads = []
+    for i, body in enumerate(attached(f"{where}.", bodies, len(lengths) - 1)):
+        if body is not None:
+            weight = gravity * (body.mass - density * body.volume)
+            loads.append(PointLoad(sum(lengths[: i + 1]), weight, gravity * body.mass, f"after segment {i + 1}"))
+    return loads
+
+
+def _friction(where, bed, of_segments):
+    if bed is not None and bed.friction is not None:
+        return bed.friction
+    if len(set(of_segments)) > 1:
+        low, high = min(of_segments), max(of_segments)
+        raise StudyError(
+            f"{where}: bed_friction of its types is {low:g} to {high:g}, a line has one; allowed: give bed.friction"
+        )
+    return of_segments[0]
+
+
+def _own_bed(where, bed, friction):
+    if bed is None or not bed.points:
+        return None
+    try:
+        return Bed(bed.points, friction)
+    except ValueError as error:
+        raise StudyError(f"{where}.bed: {error}") from None
