@@ -2,7 +2,7 @@
 
 The potential on a panel is bilinear in the panel's own axes and given at the 2 × 2 Gauss points, which are the
 collocation points too; constant panels (one node, the centroid) are kept for meshes of very many panels.
-At Gauss points collocation converges by two orders faster than interpolation.  Box 100 × 50 × 10 m, surge added
+Collocation at Gauss points converges two orders faster than the interpolation error.  Box 100 × 50 × 10 m, surge added
 mass: 104 bilinear panels are as good as 900 constant ones at a tenth of the time.
 """
 
@@ -66,7 +66,10 @@ def elements(mesh, per_panel=4):
 
 
 def quadrature(mesh, element, *counts):
-    """count × count Gauss points on every panel, one rule after the other, with the shape functions of `element`."""
+    """`Quadrature` of count × count Gauss points on every panel for each of `counts`, rule after rule.
+
+    element : `Elements` of the mesh, for the shape functions
+    """
     rules = (_gauss(mesh.flat_vertices, count) for count in counts)
     points, weights = (np.concatenate(parts, axis=1) for parts in zip(*rules, strict=True))
     per_panel = element.inverse.shape[-1]

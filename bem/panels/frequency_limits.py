@@ -1,7 +1,7 @@
-"""Added mass at the limits ω → 0 (rigid lid) and ω → ∞ (φ = 0 on the surface), by kernels of their own.
+"""Added mass of panels at the limits ω → 0 (rigid lid) and ω → ∞ (φ = 0 on the surface), by their Green functions.
 
-In finite depth a mode with net flux q = ∬ n dS (heave; roll and pitch of a lopsided waterplane) pushes water
-through ever wider circles as ω → 0: A ~ −ρ q²/(2πh) ln kR, so that its zero-frequency added mass is infinite.
+In finite depth a mode with net flux q = ∬ n dS (heave; roll and pitch of an asymmetric waterplane) acts as
+ω → 0 like a source in plan, φ ~ ln kR: A ~ −ρ q²/(2πh) ln kR, so that its zero-frequency added mass is infinite.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def added_mass_limit(prepared, which):
 def _limit(prepared, which):
     from scipy.linalg import solve
 
-    g, problem = prepared.geometry.without_lid, prepared.problem  # without waves it is not needed
+    g, problem = prepared.geometry.without_lid, prepared.problem  # without waves there are no irregular frequencies
     velocities = [g.modes[:, g.members(c)] for c in g.classes]
     table, mirror = limit_table(which, problem.depth, g.reach, g.draft), 1.0 if which == "zero" else -1.0
     if g.sectors:
@@ -39,7 +39,7 @@ def _limit(prepared, which):
         return added_mass_of(prepared, [phi.real for phi in found.values()], which)
     matrices, sides = _equations(g, mirror, table, velocities)
     potentials = []
-    while matrices:  # in place, and given back one by one: they may be most of the memory
+    while matrices:  # in place, and freed one by one: they may be most of the memory
         potentials.append(solve(matrices.pop(0).T, sides.pop(0), transposed=True, overwrite_a=True).T)
     return added_mass_of(prepared, potentials, which)
 
@@ -61,7 +61,7 @@ def _equations(geometry, mirror, table, velocities):
 
 
 def unit_depth_values(z):
-    """Z and Z′ where there is no wave: what they multiply is zero"""
+    """Z and Z′ for a Green function without wave, whose factor C is zero: arbitrary"""
     return np.ones((*z.shape, 2))
 
 

@@ -2,8 +2,8 @@
 
     φ_I = −(ig/ω) Z(z) X(x) Y(y),    X = exp(ikx cos β),    Y = exp(iky sin β)
 
-of which a class that is even in x has cos(kx cos β), an odd one i sin(kx cos β), and where x = 0 is no mirror plane
-there is X alone; the same with y.  A vertical wall, which is a plane y = 0, sends the wave back: twice the even part.
+X is cos(kx cos β) in a class even in x, i sin(kx cos β) in an odd one, X itself if x = 0 is no mirror plane; Y alike.
+A vertical wall, the plane y = 0, reflects the wave: twice the part even in y.
 """
 
 from __future__ import annotations

@@ -29,17 +29,17 @@ from .elements import elements, quadrature
 from .irregular_frequencies import extent, lid_needed_from
 from .wave_influence import COARSE, FINE, wave_blocks
 
-ROWS = 256  # of the matrices made at once
-# 1/r is integrated with 2 × 2 points beyond FAR sizes of a panel: 1e-6 of a smooth potential is lost
+ROWS = 256  # of the matrices at once
+# 1/r is integrated with 2 × 2 points beyond FAR sizes of a panel: error 1e-6 of a smooth potential
 FAR = 5.0
 
 
 class Geometry:
-    """Everything that depends on the mesh and the depth only: nodes, images, exact 1/r integrals.
+    """Elements, mirror images and Rankine integrals of a mesh with its lid in water of a depth: no frequency.
 
     wall : y in m of a vertical wall that reflects all waves, along x; None for open water.  The wall takes the place
-    of the mirror plane y = 0: the mesh is shifted by `origin`, what lies behind the wall is the image of the body,
-    and flow is even about it.
+    of the mirror plane y = 0: the mesh is shifted by `origin`, behind the wall is the mirror image of the body, and the
+    flow is even in y.
     """
 
     def __init__(self, mesh, lid, depth, per_panel=4, wall=None):
@@ -71,7 +71,7 @@ class Geometry:
         return out
 
     def at(self, K):
-        """What is needed at K = ω²/g in 1/m: the lid only where irregular frequencies may be near"""
+        """The `Geometry` to use at K = ω²/g in 1/m: with the lid only where irregular frequencies may be near"""
         return self if self.lid_from < K else self.without_lid
 
     @cached_property
@@ -102,7 +102,7 @@ class Geometry:
         return normal_velocities(self.elements.nodes[:n] - self.origin, self.elements.normals[:n])
 
     def members(self, cls):
-        """Degrees of freedom that a symmetry class holds."""
+        """Degrees of freedom of a symmetry class, numbers 0 … 5"""
         return self._members[cls]
 
     @cached_property
@@ -111,7 +111,7 @@ class Geometry:
         return {cls: [d for d in range(6) if class_of(d, symmetry) == cls] for cls in self.classes}
 
     def signs(self, cls):
-        """(images,) ±1: the potential of each image in a class"""
+        """(images,) ±1: sign of the potential on each mirror image, in a class"""
         return self.all_signs[self.classes.index(cls)]
 
     @cached_property
@@ -124,10 +124,10 @@ class Geometry:
         """S and D of 1/r + 1/r₂ + 1/r₁, then of 1/r₁ alone at points (m, 3); each (classes, m, n) and real"""
         e, bed = self.elements, bool(np.isfinite(self.depth))
         rows = np.zeros((4, len(self.all_signs), len(points), len(e.nodes)))
-        question = points, e, self.images, self.all_signs, bed, -2 * self.depth if bed else 0.0
+        arguments = points, e, self.images, self.all_signs, bed, -2 * self.depth if bed else 0.0
 
         def work(low, high):
-            _rankine_rows(low, high, *question, np.empty((2, e.inverse.shape[2])), *rows)
+            _rankine_rows(low, high, *arguments, np.empty((2, e.inverse.shape[2])), *rows)
 
         parallel_rows(work, len(points), rows[0, 0].size * len(self.images))
         return tuple(rows)
@@ -153,7 +153,7 @@ class Geometry:
 
 
 def _before_wall(mesh, wall):
-    """The mesh with the wall in y = 0, on whose other side its image is."""
+    """The mesh moved so that the wall is y = 0, as a mirror plane"""
     if mesh is None:
         return None
     if "y" in mesh.symmetry:
@@ -172,7 +172,7 @@ def _stacked(mesh, lid):
 
 @kernel()
 def _rankine_rows(low, high, points, e, images, signs, bed, shift, moments, s, d, s1, d1):
-    """`Geometry.rankine_rows` of the points `low` to `high`; moments : (2, nodes of a panel), room for one thread"""
+    """`Geometry.rankine_rows` of the points `low` to `high`; moments : (2, nodes of a panel), workspace"""
     for i in range(low, high):
         for m in range(len(images)):
             # reflecting the point instead of the panel leaves the integrals as they are
@@ -226,8 +226,8 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=N
     """Matrices (c, n, n) and right-hand sides (c, n, columns) of the given symmetry classes.
 
     mirror : factor of the 1/r₁ part (1 for waves, −1 at infinite frequency); table : wave part of G
-    depth_values : z → (…, 2) of Z and Z′; velocities : per class (columns, hull nodes), shorter lists are
-    filled up with zeros; hull : nodes that are hull, the others are lid
+    depth_values : z → (…, 2) of Z and Z′; velocities : per class (columns, hull nodes), padded with
+    zeros to the same number of columns; hull : number of nodes on the hull, the others are lid
     """
     g, n = geometry, len(geometry.elements.nodes)
     hull = g.hull if hull is None else hull

@@ -8,15 +8,15 @@ Continued by zero, such a flow is one of the box around the hull as well, which 
 
     K ≥ κ coth κd,    κ² = π² (1/L² + 1/B²),    equal for a box of length L, beam B, draft d.
 
-Of all boxes that have a side along one of the plan's convex hull the one with the largest κ is taken: it turns with
-the hull.
+Of all boxes with a side along an edge of the convex hull of the plan the one with the largest κ is used: rotating the
+hull does not change it.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-# of the lowest bound, where a hull is as well off without a lid: 250 panels on the box 100 × 50 × 10 m in 12, 20 and
+# of the lower bound, up to which results are as good without a lid: 250 panels on the box 100 × 50 × 10 m in 12, 20 and
 # 100 m are 0.95, 0.82 and 0.7 % off with and without, forces 0.46 and 0.31 % in 12 m; from 0.7 on they are twice as far
 SHARE = 0.6
 
@@ -33,7 +33,7 @@ def lid_needed_from(mesh):
 
 
 def rectangle_around(mesh):
-    """(2,) m, sides of the rectangle around the plan of the whole hull, however it is turned, with the largest κ"""
+    """(2,) m, sides of the rectangle around the plan of the whole hull, at any angle, with the largest κ"""
     from scipy.spatial import ConvexHull
 
     copies = [mesh.points[:, :2] * image for image in mesh.reflections()]

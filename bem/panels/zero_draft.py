@@ -1,13 +1,13 @@
-"""A flat plate on the water surface: the limit of a body of vanishing draft.
+"""A flat plate on the water surface: the limit of vanishing draft.
 
-On the plate the water moves with it, ∂φ/∂z = w; off it the surface is free.  The pressure on the plate acts on a
-free surface like sources of strength q = w − Kφ,
+On the plate ∂φ/∂z = w; elsewhere the surface is free.  The pressure on the plate acts on a free surface as
+sources of strength q = w − Kφ,
 
     4πφ = ∬ q G dS      →      4πq + K ∬ q G dS = 4πw,      φ = (w − q)/K
 
 with G of `bem.green.finite_depth` at z = ζ = 0.  q is P of SR179 report (1982), section 2.1.5.3, eqs. 2.1.5.30-33,
 for w = ζ.
-Heave, roll and pitch move water, surge, sway and yaw do not.
+Heave, roll and pitch radiate waves, surge, sway and yaw do not.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def bottom(mesh):
 
 
 def flattened(mesh):
-    """The flat bottom of a hull, laid into the water surface.
+    """The flat bottom of a hull, moved to the water surface, as a PanelMesh.
 
     raises : ValueError if the waterplane is not as large as the bottom: only upright sides may be left out
     """
@@ -64,7 +64,7 @@ class ZeroDraftRun(PanelRun):
         return np.ascontiguousarray((-velocities - solution.T) / K)
 
     def pressure(self):
-        """As of the panel method on the bottom; zero on the sides, which have no height."""
+        """As `PanelRun.pressure` on the bottom; zero on the sides, which have no height."""
         mesh, plate = self.problem.mesh, bottom(self.problem.mesh)
         out = np.zeros((len(self.headings), self.geometry.copies, len(mesh)), complex)
         out[..., plate] = super().pressure().reshape(len(self.headings), self.geometry.copies, -1)

@@ -1,1 +1,1 @@
-"""Mean drift from the pressure on the panels of a hull, with the flow at its edges."""
+"""Mean drift from the pressure on the panels of a hull, with the singular flow at its edges."""

@@ -1,11 +1,11 @@
-"""Flow round a sharp edge, and what straight lines on panels beside it make of its values.
+"""Flow round a sharp edge, and the collocation error of panels with linear potential beside it.
 
 Between the faces of an edge, γ = 2π − π/μ apart, φ is r^μ on the one and −r^μ on the other, and
 
     φ(r) = −(1/π) ∫ K φ(ρ) dρ,    K = r sin γ / (r² + ρ² − 2rρ cos γ).
 
-Solved with straight lines on the panels of both faces this gives values that are 6 % too large at the first node, where
-both have panels of the same size, 1 % at the second and less behind, and no finer mesh has less.
+Collocation with φ linear on every panel of both faces gives values that are 6 % too large at the first node, if the
+panels of both are of the same size, 1 % at the second and less behind; a finer mesh has the same relative errors.
 
 Where a side stands on a flat bottom with a gap of height s over the bed, and the panels are not small beside it, the
 edge's flow is that out of the gap, by a conformal map,
@@ -32,28 +32,32 @@ def at_nodes(lengths):
 
 
 def nodal_errors(lengths, across, mu, gap=np.inf):
-    """(n, 2 m) relative errors of the nodes that answer r^μ, of m panels, `lengths` (n, m) from the edge.
+    """(n, 2 m) relative collocation errors of φ = r^μ at the nodes of m panels, `lengths` (n, m) m from the edge.
 
     across : (n, m) m, lengths of the panels on the other face; mu : (n,)
     gap : (n,) m of water between the other face and the bed, the edge one of 270° with a side above it; or infinite.
-        Below a tenth of the first panel the quadrature does not resolve it; `panel_near_field` warns long before
+        Below a tenth of the first panel the quadrature does not resolve it; `mean_drift` warns long before
     """
     flow = EdgeFlow(mu[:, None, None, None], np.broadcast_to(gap, mu.shape)[:, None, None, None])
     here, there = (at_nodes(face)[:, :, None, None] for face in (lengths, across))
     above, below = (flow.above, here, lengths), (flow.below, there, across)
-    to_above, missed_above = _drawn(flow.onto_above, here, *below)
-    to_below, missed_below = _drawn(flow.onto_below, there, *above)
-    among, missed_among = _drawn(flow.bed, there, *below)
-    zero = np.zeros_like(among)
-    drawn = np.concatenate([np.concatenate(pair, axis=2) for pair in ((zero, to_above), (to_below, among))], axis=1)
-    missed = np.concatenate([missed_above, missed_below + missed_among], axis=1)
-    errors = np.linalg.solve(np.eye(drawn.shape[1]) - drawn, missed[..., None])[:, : here.shape[1], 0]
+    to_above, missed_above = _interpolated_integral(flow.onto_above, here, *below)
+    to_below, missed_below = _interpolated_integral(flow.onto_below, there, *above)
+    below_itself, missed_itself = _interpolated_integral(flow.bed, there, *below)
+    zero = np.zeros_like(below_itself)
+    matrix = np.concatenate(
+        [np.concatenate(pair, axis=2) for pair in ((zero, to_above), (to_below, below_itself))], axis=1
+    )
+    missed = np.concatenate([missed_above, missed_below + missed_itself], axis=1)
+    errors = np.linalg.solve(np.eye(matrix.shape[1]) - matrix, missed[..., None])[:, : here.shape[1], 0]
     return errors / here[..., 0, 0] ** mu[:, None]
 
 
-def _drawn(kernel, at, flow, nodes, lengths):
-    """What lines on panels make of a flow's values at their nodes, at points (n, k, 1, 1): the matrix (n, k, 2 m), and
-    what they miss there, (n, k)"""
+def _interpolated_integral(kernel, at, flow, nodes, lengths):
+    """(1/π) ∫ kernel · φ dρ at points `at` (n, k, 1, 1), with φ linear on every panel.
+
+    returns : matrix (n, k, 2 m) from nodal values to the integral, and its error (n, k) for the φ of `flow`
+    """
     x, w = np.polynomial.legendre.leggauss(16)
     u, start = (1 + x) / 2, np.cumsum(lengths, axis=1) - lengths
     power = np.where(np.arange(lengths.shape[1]) == 0, 3, 1)[:, None]
@@ -62,15 +66,15 @@ def _drawn(kernel, at, flow, nodes, lengths):
     weights = lengths[..., None] * power * u ** (power - 1) * w / 2
     weighted = weights[:, None] * kernel(at, rho) / np.pi
     lines = np.stack([FAR - t, t - NEAR], axis=-1) / (FAR - NEAR)
-    drawn = np.einsum("nimq,mqa->nima", weighted, lines).reshape(*at.shape[:2], nodes.shape[1])
+    matrix = np.einsum("nimq,mqa->nima", weighted, lines).reshape(*at.shape[:2], nodes.shape[1])
     exact = np.sum(weighted * flow(rho), axis=(2, 3))
-    return drawn, np.einsum("nij,nj->ni", drawn, flow(nodes)[..., 0, 0]) - exact
+    return matrix, np.einsum("nij,nj->ni", matrix, flow(nodes)[..., 0, 0]) - exact
 
 
 class EdgeFlow(NamedTuple):
-    """|φ| on the two faces of edges, and the kernels K(r, ρ) by which a face feels the other and its image in the bed.
+    """|φ| on the two faces of edges, and the kernels K(r, ρ) of each face on the other, images in the bed included.
 
-    mu, gap : arrays that broadcast with those of distances; r is of the point, ρ of the face that is felt, m
+    mu, gap : arrays that broadcast with those of distances; r of the point, ρ of the source, m
     """
 
     mu: np.ndarray

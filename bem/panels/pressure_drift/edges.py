@@ -1,7 +1,7 @@
-"""Sharp edges of a hull, and the panels in line with one another: across mirror planes, to an edge and beyond it.
+"""Sharp edges of a hull, and interpolation stencils: panels in a row, up to an edge or across mirror planes.
 
-Where the hull turns by α, water of the angle π + α flows round an edge, and at a distance r from it the potential is
-a series of powers of r^μ, μ = π / (π + α): 2/3 at the edges of a box.
+At an edge where the hull turns by α the water fills the angle π + α; at a distance r from it the potential is a series
+of powers of r^μ, μ = π / (π + α): 2/3 at the edges of a box.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-SHARP = np.pi / 3  # rad that the hull has to turn by: less is how panels draw a round hull
-SIDES = (3, 1), (0, 2)  # of a panel, where s is −1 and 1, where t is
+SHARP = np.pi / 3  # rad, the smallest turn of an edge: smaller ones are those between panels of a curved hull
+SIDES = (3, 1), (0, 2)  # numbers of the sides of a panel where s is −1 and 1, where t is −1 and 1
 
 
 def sharp_sides(mesh):
@@ -25,84 +25,85 @@ def sharp_sides(mesh):
     return out.reshape(-1, 4)[: len(mesh)]
 
 
-class Strips(NamedTuple):
-    """Up to three panels in line with each of n, in one of its two directions: φ is drawn through their nodes.
+class Stencils(NamedTuple):
+    """Up to three panels in a row for each of n, in one of its two directions: φ is interpolated between their nodes.
 
-    At an edge and on the panel behind they are counted from the edge, elsewhere they are the panel and its
-    neighbours.  Distances grow from the beginning of the first.  A line goes on through a mirror plane.
+    For a panel at an edge and the one behind it they are the first three from the edge, elsewhere the panel and its
+    neighbours, mirror images included.  Distances are measured from the outer end of the first.
     """
 
-    near: np.ndarray  # (n,) whether the line begins at an edge
-    own: np.ndarray  # (n,) which of the three is the panel itself
+    at_edge: np.ndarray  # (n,) whether the row begins at an edge
+    own: np.ndarray  # (n,) index of the panel itself among the three
     end: np.ndarray  # (n,) −1 or 1, the end of the panel from which distances grow
     mu: np.ndarray  # (n,) exponent of the flow, 1 without an edge
-    panels: np.ndarray  # (n, 3); where there are fewer any
+    panels: np.ndarray  # (n, 3) numbers; arbitrary beyond `count`
     images: np.ndarray  # (n, 3) of `mesh.reflections()` on which they lie, seen from the panel
     forward: np.ndarray  # (n, 3) whether distances grow with s or t
-    lengths: np.ndarray  # (n, 3) m; at an edge the last there is stands for those that are missing
+    lengths: np.ndarray  # (n, 3) m; at an edge the last one is repeated for missing panels
     across: np.ndarray  # (n, 3) m, of the panels on the other face of the edge
     gap: np.ndarray  # (n,) m of water under that face where it is a flat bottom and this one a side, else infinite
-    count: np.ndarray  # (n,) how many φ is drawn through
+    count: np.ndarray  # (n,) panels of the stencil, 1 to 3
 
     @property
     def first(self):
         """(n,) the panel at the edge, the panel itself without one"""
-        return np.where(self.near, self.panels[:, 0], np.arange(len(self.near)))
+        return np.where(self.at_edge, self.panels[:, 0], np.arange(len(self.at_edge)))
 
-    def but(self, where, others):
-        """The same with those of others where (n,) says so"""
-        return Strips(
+    def replaced(self, where, others):
+        """The same with the stencils of `others` where the condition `where` (n,) holds"""
+        return Stencils(
             *(np.where(where.reshape(-1, *[1] * (a.ndim - 1)), b, a) for a, b in zip(self, others, strict=True))
         )
 
-    def alike(self, panel):
-        """(n,) whether the lines of other panels (n,) have the same places, except for the panels themselves"""
-        parts = self._replace(panels=self.near, lengths=self.near, across=self.near, gap=self.near)
+    def same_layout(self, panel):
+        """(n,) whether the stencils of other panels (n,) have the same layout, apart from the panel numbers"""
+        parts = self._replace(panels=self.at_edge, lengths=self.at_edge, across=self.at_edge, gap=self.at_edge)
         return np.all([np.all((a == a[panel]).reshape(len(panel), -1), axis=1) for a in parts], axis=0)
 
 
-def strips(mesh, exponents, depth=np.inf):
-    """`Strips` along s and t; exponents : (n, 4) as of `sharp_sides`; depth : m
+def stencils(mesh, exponents, depth=np.inf):
+    """`Stencils` along s and along t; exponents : (n, 4) as of `sharp_sides`; depth : m
 
-    Panels that are not alike in the one direction do not make a strip in the other.
+    The two directions form a product stencil: where the panels of the one do not have the same layout in the other,
+    the stencil is the panel alone.
     """
-    ways = _Ways(_beside(mesh), _planes(mesh))
-    (s, single_s), (t, single_t) = (_in_direction(mesh, exponents, ways, *sides) for sides in SIDES)
-    s, t = (_with_other_face(mesh, strip, sides, (s, t), depth) for strip, sides in zip((s, t), SIDES, strict=True))
-    return s.but(~_alike(s, t), single_s), t.but(~_alike(t, s), single_t)
+    adjacency = _Adjacency(_continuations(mesh), _planes(mesh))
+    (s, single_s), (t, single_t) = (_in_direction(mesh, exponents, adjacency, *sides) for sides in SIDES)
+    s, t = (_with_other_face(mesh, stencil, sides, (s, t), depth) for stencil, sides in zip((s, t), SIDES, strict=True))
+    return s.replaced(~_alike(s, t), single_s), t.replaced(~_alike(t, s), single_t)
 
 
 def coarsest_at_gap(mesh, depth):
-    """(m, m) length of the panels next to a keel, of those that are longest beside the gap under it, and that gap
+    """(m, m) length of a panel next to the keel and the gap under it, where their ratio is largest
 
-    Without keels over a bed 0 and infinite.
+    0 and infinite for a hull without such panels.
     """
     length, gap = 0.0, np.inf
-    for strip in strips(mesh, sharp_sides(mesh), depth):
-        for size, under in zip(np.maximum(strip.lengths, strip.across)[:, 0], strip.gap, strict=True):
+    for stencil in stencils(mesh, sharp_sides(mesh), depth):
+        for size, under in zip(np.maximum(stencil.lengths, stencil.across)[:, 0], stencil.gap, strict=True):
             if size / under > length / gap:
                 length, gap = size, under
     return length, gap
 
 
-class _Ways(NamedTuple):
-    """beside : (n, 4) panel that continues a panel beyond each side, numbered alike and not round an edge, or −1
+class _Adjacency(NamedTuple):
+    """beside : (n, 4) panel beyond each side, with no edge between and corners in the same order; else −1
 
-    plane : (n, 4) image on which the panel itself goes on beyond the side, 0 where no mirror plane is
+    plane : (n, 4) mirror image on which the panel itself continues beyond the side, 0 where no mirror plane is
     """
 
     beside: np.ndarray
     plane: np.ndarray
 
     def beyond(self, panel, image, side):
-        """What lies beyond a side of panels of images: panel (−1 for nothing), image, and the side to leave by"""
+        """Panel beyond a side of panels on mirror images (−1 for none), its image, and its opposite side"""
         after, plane = self.beside[panel, side], self.plane[panel, side]
         mirrored = (after < 0) & (plane > 0)
         return np.where(mirrored, panel, after), image ^ np.where(mirrored, plane, 0), (side + 2 * mirrored) % 4
 
 
-def _in_direction(mesh, exponents, ways, minus, plus):
-    """`Strips`, and those of every panel for itself"""
+def _in_direction(mesh, exponents, adjacency, minus, plus):
+    """`Stencils` in one direction, and those of every panel alone"""
     one, two = exponents[:, minus], exponents[:, plus]
     own, zero, open_ = np.arange(len(mesh)), np.zeros(len(mesh), int), np.full(len(mesh), np.inf)
     sharp, free = (one < 1) ^ (two < 1), (one == 1) & (two == 1)  # between two edges straight lines are all there is
@@ -113,23 +114,23 @@ def _in_direction(mesh, exponents, ways, minus, plus):
     def line(parts, count, place):
         panels, images, sides = (np.stack(part, axis=1) for part in zip(*parts, strict=True))
         lengths = size[panels]
-        return Strips(sharp, place, end, mu, panels, images, sides == plus, lengths, lengths, open_, count)
+        return Stencils(sharp, place, end, mu, panels, images, sides == plus, lengths, lengths, open_, count)
 
     here = own, zero, np.where(end < 0, plus, minus)
     single = line([here] * 3, zero + 1, zero)
-    first, second = _from_edges(line, ways, here, sharp, free)
-    out = single.but(free, _between(line, ways, own, minus, plus)).but(sharp, first)
+    first, second = _from_edges(line, adjacency, here, sharp, free)
+    out = single.replaced(free, _between(line, adjacency, own, minus, plus)).replaced(sharp, first)
     has = np.flatnonzero(second.count > 1)
     for part, values in zip(out, second, strict=True):
         part[second.panels[has, 1]] = values[has]
     return out, single
 
 
-def _from_edges(line, ways, here, sharp, free):
-    """`Strips` of the panels at the edges, and what those behind them have instead, in the same places"""
+def _from_edges(line, adjacency, here, sharp, free):
+    """`Stencils` of the panels at the edges, and those of the panels behind them, in the same order"""
     parts, known, count = [here], sharp, np.ones(len(sharp), int)
     for _ in range(2):
-        after = ways.beyond(*parts[-1])
+        after = adjacency.beyond(*parts[-1])
         known = known & (after[0] >= 0) & free[after[0]]
         parts.append(_where(known, after, here))
         count = count + known
@@ -138,12 +139,12 @@ def _from_edges(line, ways, here, sharp, free):
     return out._replace(count=np.minimum(count, 2)), out._replace(own=0 * count + 1)
 
 
-def _between(line, ways, own, minus, plus):
-    """`Strips` of panels without an edge and their neighbours"""
+def _between(line, adjacency, own, minus, plus):
+    """`Stencils` of panels without an edge: the panel and its neighbours"""
     zero = 0 * own
-    panel, image, side = ways.beyond(own, zero, zero + minus)
+    panel, image, side = adjacency.beyond(own, zero, zero + minus)
     here, before = (own, zero, zero + plus), (panel, image, (side + 2) % 4)
-    after = ways.beyond(*here)
+    after = adjacency.beyond(*here)
     behind, ahead = panel >= 0, after[0] >= 0
     after = _where(ahead, after, here)
     parts = _where(behind, before, here), _where(behind, here, after), _where(behind, after, here)
@@ -154,32 +155,32 @@ def _where(condition, parts, others):
     return tuple(np.where(condition, a, b) for a, b in zip(parts, others, strict=True))
 
 
-def _with_other_face(mesh, strip, sides, both, depth):
-    """`Strips` with what is on the other face of the edge; where that is the mirror image it is alike"""
+def _with_other_face(mesh, stencil, sides, both, depth):
+    """`Stencils` with lengths and gap of the other face of the edge; if that is the mirror image, with its own"""
     other = np.arange(4 * len(mesh))
     one, two = _neighbours(mesh)
     other[one], other[two] = two, one
-    panel, side = divmod(other[4 * strip.first + np.take(sides, (strip.end + 1) // 2)], 4)
-    lengths = strip.lengths
+    panel, side = divmod(other[4 * stencil.first + np.take(sides, (stencil.end + 1) // 2)], 4)
+    lengths = stencil.lengths
     for facing, ends in zip(both, SIDES, strict=True):
-        begins = facing.near & (facing.own == 0)
-        here = strip.near & begins[panel] & (side == np.take(ends, (facing.end[panel] + 1) // 2))
+        begins = facing.at_edge & (facing.own == 0)
+        here = stencil.at_edge & begins[panel] & (side == np.take(ends, (facing.end[panel] + 1) // 2))
         lengths = np.where(here[:, None], facing.lengths[panel], lengths)
     upright, flat = np.abs(mesh.normals[:, 2]) < 1e-6, mesh.normals[panel, 2] < -1 + 1e-6
     gap = depth + mesh.vertices[panel, :, 2].mean(axis=1)
-    gap = np.where(strip.near & upright & flat & (gap > 0), gap, np.inf)
-    return strip._replace(across=lengths, gap=gap)
+    gap = np.where(stencil.at_edge & upright & flat & (gap > 0), gap, np.inf)
+    return stencil._replace(across=lengths, gap=gap)
 
 
-def _alike(mine, across):
-    """(n,) whether the panels of each strip have the same places across it, in strips that run side by side"""
-    out = np.all([across.alike(panel) for panel in mine.panels.T], axis=0)
-    beside = mine.panels[across.panels]
-    return out & np.all(beside == across.panels[mine.panels].transpose(0, 2, 1), axis=(1, 2))
+def _alike(own_rows, across):
+    """(n,) whether the panels of each stencil have the same layout across it, so that a product stencil exists"""
+    out = np.all([across.same_layout(panel) for panel in own_rows.panels.T], axis=0)
+    beside = own_rows.panels[across.panels]
+    return out & np.all(beside == across.panels[own_rows.panels].transpose(0, 2, 1), axis=(1, 2))
 
 
 def _planes(mesh):
-    """(n, 4) image on which a panel goes on beyond each side, 0 where that is not in a mirror plane or bends there"""
+    """(n, 4) mirror image on which a panel continues beyond each side; 0 without one, or if the hull bends there"""
     v, out = mesh.vertices, np.zeros((len(mesh), 4), int)
     for image, (x, y) in enumerate(mesh.reflections()):
         if x * y < 0:
@@ -190,19 +191,19 @@ def _planes(mesh):
     return out
 
 
-def _beside(mesh):
-    """(n, 4) panel that continues a panel beyond each side, numbered alike and not round an edge; −1 where none"""
+def _continuations(mesh):
+    """(n, 4) panel beyond each side, without an edge between and with corners in the same order; −1 where none"""
     one, other = _neighbours(mesh)
     smooth = np.sum(mesh.normals[one // 4] * mesh.normals[other // 4], axis=1) > np.cos(SHARP)
-    alike = smooth & (one % 4 == (other + 2) % 4)
+    same_layout = smooth & (one % 4 == (other + 2) % 4)
     out = np.full(4 * len(mesh), -1)
     for a, b in ((one, other), (other, one)):
-        out[a[alike]] = b[alike] // 4
+        out[a[same_layout]] = b[same_layout] // 4
     return out.reshape(-1, 4)
 
 
 def _neighbours(mesh):
-    """Sides (4 · panel + side) that two panels share, two arrays"""
+    """Sides, as 4 · panel + side, that two panels share: two arrays"""
     v = mesh.vertices
     place = np.round(v.reshape(-1, 3) / (1e-6 * mesh.sizes.max())).astype(np.int64)
     number = np.unique(place, axis=0, return_inverse=True)[1].reshape(-1, 4)

@@ -1,11 +1,11 @@
-"""Potential and its slopes on every panel of a hull, drawn through the nodes of panels that lie in line.
+"""Potential and its gradient at quadrature points of a hull, interpolated from the nodes of panels in a row.
 
 Away from edges φ is the polynomial through the six nodes of a panel and its neighbours in each direction.  At a
-distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): on the panel
-there these powers are drawn through the nodes of two panels, on the one behind through those of three, and the values
-at the nodes are known to answer r^μ wrongly (`edge_flow`).  With fewer panels in line there are fewer powers.
+distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): these powers
+are fitted to the nodes of two panels on the panel at the edge, of three on the one behind it, corrected for the known
+collocation error of the nodal values there (`edge_flow`).  With fewer panels in the row there are fewer powers.
 
-On the panel at the edge the points are at r ~ t³, t those of Gauss, which makes the integrand smooth for μ = 2/3.
+On the panel at the edge the points are at r ~ t³, t Gauss points, which makes the integrand smooth for μ = 2/3.
 """
 
 from __future__ import annotations
@@ -15,46 +15,46 @@ from typing import NamedTuple
 import numpy as np
 
 from .edge_flow import at_nodes, nodal_errors
-from .edges import SIDES, Strips, strips
+from .edges import SIDES, Stencils, stencils
 
 POINTS = 4  # in each direction of a panel
 NODES = 6  # in each direction, at most
 
 
-class Samples(NamedTuple):
-    """n panels with q points each; the potential is given at m of the nodes of `elements`."""
+class HullQuadrature(NamedTuple):
+    """n panels with q points each, φ interpolated from m of the nodes of `bem.panels.elements`."""
 
     panels: np.ndarray  # (n,)
     points: np.ndarray  # (n, q, 3) m
     weights: np.ndarray  # (n, q) m², or m on a line
-    nodes: np.ndarray  # (n, m) their numbers
+    nodes: np.ndarray  # (n, m) numbers of the nodes
     images: np.ndarray  # (n, m) of `mesh.reflections()` on which they lie, seen from the panel
-    shape: np.ndarray  # (n, q, m)
-    gradient: np.ndarray  # (n, q, 3, m) 1/m, along the panel
+    shape: np.ndarray  # (n, q, m) from nodal values to φ
+    gradient: np.ndarray  # (n, q, 3, m) 1/m, to ∇φ along the panel
     edge: np.ndarray  # (n, 3) m, a point of the edge, NaN where there is none
 
 
-def samples(mesh, exponents, depth=np.inf):
-    """`Samples` on the panels of a PanelMesh; exponents : (n, 4) as of `panel_edges.sharp_sides`; depth : m"""
-    both = strips(mesh, exponents, depth)
-    return _samples(mesh, np.arange(len(mesh)), both, [_line(strip) for strip in both])
+def hull_quadrature(mesh, exponents, depth=np.inf):
+    """`HullQuadrature` on the panels of a PanelMesh; exponents : (n, 4) as of `edges.sharp_sides`; depth : m"""
+    both = stencils(mesh, exponents, depth)
+    return _quadrature(mesh, np.arange(len(mesh)), both, [_line_rule(stencil) for stencil in both])
 
 
-def line_samples(mesh, exponents, panels, sides, depth=np.inf):
-    """The same on sides (0 … 3, from corner i to i + 1) of panels, weighted with their lengths"""
-    both, out = strips(mesh, exponents, depth), []
-    for across, ends in enumerate(SIDES):  # across : which direction leads to the side
+def side_quadrature(mesh, exponents, panels, sides, depth=np.inf):
+    """`HullQuadrature` along sides (0 … 3, from corner i to i + 1) of panels, weights in m"""
+    both, out = stencils(mesh, exponents, depth), []
+    for across, ends in enumerate(SIDES):  # across : direction that leads to the side
         for end, side in zip((-1, 1), ends, strict=True):
-            mine = panels[sides == side]
-            lines = [_line(Strips(*(part[mine] for part in strip))) for strip in both]
-            lines[across] = _line(Strips(*(part[mine] for part in both[across])), end)
-            out.append(_samples(mesh, mine, both, lines, 1 - across))
-    return Samples(*(np.concatenate(parts) for parts in zip(*out, strict=True)))
+            selected = panels[sides == side]
+            rules = [_line_rule(Stencils(*(part[selected] for part in stencil))) for stencil in both]
+            rules[across] = _line_rule(Stencils(*(part[selected] for part in both[across])), end)
+            out.append(_quadrature(mesh, selected, both, rules, 1 - across))
+    return HullQuadrature(*(np.concatenate(parts) for parts in zip(*out, strict=True)))
 
 
-def _samples(mesh, panels, both, lines, along=None):
-    """`Samples` of some panels, or of lines on them in direction `along`, 0 of s, 1 of t"""
-    (s, t), v = lines, mesh.flat_vertices[panels]
+def _quadrature(mesh, panels, both, rules, along=None):
+    """`HullQuadrature` of some panels, or of lines on them in direction `along`, 0 of s, 1 of t"""
+    (s, t), v = rules, mesh.flat_vertices[panels]
     corner_s, corner_t = np.array([-1, 1, 1, -1]), np.array([-1, -1, 1, 1])
     S, T = s.at[:, :, None, None], t.at[:, None, :, None]
     points = np.einsum("nija,nac->nijc", (1 + corner_s * S) * (1 + corner_t * T) / 4, v)
@@ -76,11 +76,13 @@ def _samples(mesh, panels, both, lines, along=None):
     parts = points, weights, shape, gradient
     points, weights, shape, gradient = (p.reshape(len(v), s.at.shape[1] * t.at.shape[1], *p.shape[3:]) for p in parts)
     nodes, images = (part[panels] for part in _nodes(*both))
-    return Samples(panels, points, weights, nodes, images, shape, gradient, _edge(mesh.flat_vertices, *both)[panels])
+    return HullQuadrature(
+        panels, points, weights, nodes, images, shape, gradient, _edge(mesh.flat_vertices, *both)[panels]
+    )
 
 
-class Line(NamedTuple):
-    """q points between −1 and 1 across each of n panels and the functions that are one at one of the nodes."""
+class LineRule(NamedTuple):
+    """One-dimensional rule across each of n panels: q points between −1 and 1, and the nodal basis functions there."""
 
     at: np.ndarray  # (n, q)
     weights: np.ndarray  # (n, q)
@@ -88,20 +90,20 @@ class Line(NamedTuple):
     slope: np.ndarray  # (n, q, NODES)
 
 
-def _line(strip, at_end=None):
-    """`Line` across panels of `Strips`, or at one end of all of them, −1 or 1; distances are in lengths of the panel"""
+def _line_rule(stencil, at_end=None):
+    """`LineRule` across panels of `Stencils`, or at one end of them, −1 or 1; distances are in lengths of the panel"""
     x, w = np.polynomial.legendre.leggauss(POINTS)
-    own = np.arange(len(strip.own)), strip.own
-    lengths, end = strip.lengths / strip.lengths[own][:, None], strip.end[:, None]
+    own = np.arange(len(stencil.own)), stencil.own
+    lengths, end = stencil.lengths / stencil.lengths[own][:, None], stencil.end[:, None]
     if at_end is None:
-        u, power = (1 + x) / 2, np.where(strip.near & (strip.own == 0), 3, 1)[:, None]
+        u, power = (1 + x) / 2, np.where(stencil.at_edge & (stencil.own == 0), 3, 1)[:, None]
         inside, weights = u**power, power * u ** (power - 1) * w
     else:
         inside, weights = (1 - end * at_end) / 2, np.ones(end.shape)
     before = (np.cumsum(lengths, axis=1) - lengths)[own][:, None]
-    value, slope = _powers(before + inside, strip.mu)
-    factors = _factors(strip, lengths)
-    return Line(end * (1 - 2 * inside), weights, value @ factors, -end[..., None] / 2 * (slope @ factors))
+    value, slope = _powers(before + inside, stencil.mu)
+    factors = _factors(stencil, lengths)
+    return LineRule(end * (1 - 2 * inside), weights, value @ factors, -end[..., None] / 2 * (slope @ factors))
 
 
 def _powers(r, mu):
@@ -110,38 +112,40 @@ def _powers(r, mu):
     return r**p, p * r ** np.where(p == 0, 0, p - 1)
 
 
-def _factors(strip, lengths):
-    """(n, NODES, NODES) from values at the nodes to factors of the powers, of as many of both as there are"""
+def _factors(stencil, lengths):
+    """(n, NODES, NODES) from nodal values to coefficients of the powers, zero beyond the nodes that there are"""
     missed, out = np.zeros((len(lengths), NODES)), np.zeros((len(lengths), NODES, NODES))
-    near = strip.near
-    missed[near] = nodal_errors(strip.lengths[near], strip.across[near], strip.mu[near], strip.gap[near])
+    at_edge = stencil.at_edge
+    missed[at_edge] = nodal_errors(
+        stencil.lengths[at_edge], stencil.across[at_edge], stencil.mu[at_edge], stencil.gap[at_edge]
+    )
     for panels in (1, 2, 3):
-        here, m = strip.count == panels, 2 * panels
-        values = _powers(at_nodes(lengths[here, :panels]), strip.mu[here])[0][..., :m]
+        here, m = stencil.count == panels, 2 * panels
+        values = _powers(at_nodes(lengths[here, :panels]), stencil.mu[here])[0][..., :m]
         values[..., 1] *= 1 + missed[here, :m]
         out[here, :m, :m] = np.linalg.inv(values)
     return out
 
 
 def _nodes(s, t):
-    """(n, NODES²) numbers of the nodes through which φ is drawn, and the images on which they lie"""
+    """(n, NODES²) numbers of the nodes of the product stencils, and the images on which they lie"""
     (panel_s, at_s, image_s), (panel_t, at_t, image_t) = _through(s), _through(t)
     panel = panel_t[panel_s]
     nodes = 4 * panel + 2 * at_s[:, :, None] + at_t[:, None]
     return nodes.reshape(len(nodes), -1), (image_s[:, :, None] ^ image_t[:, None]).reshape(len(nodes), -1)
 
 
-def _through(strip):
-    """Panels of the nodes, which of the two there, and their images, (n, NODES) each; what there is none of is any"""
-    panels, images, forward = (part.repeat(2, axis=1) for part in (strip.panels, strip.images, strip.forward))
+def _through(stencil):
+    """Panels of the nodes, which of the two on each, and their images, (n, NODES) each; arbitrary beyond `count`"""
+    panels, images, forward = (part.repeat(2, axis=1) for part in (stencil.panels, stencil.images, stencil.forward))
     order = np.arange(NODES) % 2  # 0 where distances begin
     return panels, np.where(forward, order, 1 - order), images
 
 
 def _edge(v, s, t):
-    """(n, 3) the point of the edge next to the middle of the panel, or the corner of two edges"""
+    """(n, 3) m, the point of the edge nearest to the panel's middle, or the corner of two edges; NaN without edge"""
     corner = t.first[s.first]
-    S, T = (np.where(strip.near, strip.end, 0)[:, None] for strip in (s, t))
+    S, T = (np.where(stencil.at_edge, stencil.end, 0)[:, None] for stencil in (s, t))
     shape = (1 + np.array([-1, 1, 1, -1]) * S) * (1 + np.array([-1, -1, 1, 1]) * T) / 4
     point = np.einsum("na,nac->nc", shape, v[corner])
-    return np.where((s.near | t.near)[:, None], point, np.nan)
+    return np.where((s.at_edge | t.at_edge)[:, None], point, np.nan)

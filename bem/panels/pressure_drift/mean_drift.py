@@ -1,7 +1,7 @@
-"""Mean drift from the pressure on the panels of a hull, by the formula of `near_field`; at edges see `panel_samples`.
+"""Mean drift from the pressure on the panels of a hull, by the formula of `bem.methods.near_field`.
 
-What is left is the error of the potentials themselves, first of all that of motions, which the edges spread over the
-whole hull.
+The singularity at edges is integrated by `hull_interpolation`; what remains is the discretisation error of the
+potentials, mainly of the motions.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ import numpy as np
 from ...drift import about
 from ...waves import incident_wave
 from .edges import coarsest_at_gap, sharp_sides
-from .hull_interpolation import line_samples, samples
+from .hull_interpolation import hull_quadrature, side_quadrature
 
-# gaps that panels next to the keel may be long: box, gap 2 m, resonant roll, near and far field differ by 4 % of the
-# largest force on the fixed body with panels of 1.2 m, 9 % with 2.5 m, all of it with 7.3 m
+# largest length of panels next to the keel over the gap: box, gap 2 m, resonant roll, near and far field differ by 4 %
+# of the largest force on the fixed body with panels of 1.2 m, 9 % with 2.5 m, all of it with 7.3 m
 LONGEST_PER_GAP = 1.5
 
 
@@ -30,15 +30,15 @@ def pressure_drift(run, motions):
     parts, loads = ((_hull(run), _hull_density), (_waterline(run), _waterline_density)), np.zeros((len(motions), 6))
     for j, motion in enumerate(motions):
         phi = _on_images(run, run.disturbance(j, bool(motion.any())))
-        for sample, density in parts:
-            for x, n, weight, value, gradient in sample.images(phi, j, motion):
+        for surface, density in parts:
+            for x, n, weight, value, gradient in surface.images(phi, j, motion):
                 load = density(run, value, gradient, n, displacement(motion, x)) * weight
                 loads[j] += np.concatenate([load @ n, load @ np.cross(x, n)])
     return about(loads[:, [0, 1, 5]], run.problem.rotation_center)
 
 
 def pressure_error(run):
-    """Relative error of the pressures, taken to be that of coefficients and forces
+    """Relative error of the pressures, a number, estimated as that of coefficients and forces
 
     raises : ValueError as `pressure_drift`
     """
@@ -84,7 +84,7 @@ def _waterline_density(run, phi, gradient, normal, moved):
 
 
 class _Surface:
-    """Total first-order flow at points of the hull, or of its waterline, and of their images."""
+    """Total first-order flow at quadrature points of the hull, or of its waterline, and of their images."""
 
     def __init__(self, run, flow):
         self.run, self.flow, q = run, flow, flow.points.shape[1]
@@ -95,15 +95,15 @@ class _Surface:
         self.nodes = run.hull[0] * self.mirrors[:, None]
 
     def images(self, phi, heading, motion):
-        """For each mirror image: points, normals, weights, total φ and ∇φ along the panel per unit wave amplitude
+        """For each mirror image: points, normals, weights, total φ and tangential ∇φ per unit wave amplitude
 
-        φ without the waves is interpolated between the nodes; near an edge, where powers of r^μ are to be all there
-        is, with the uniform flow in which the waves meet the moving edge.
+        The disturbance is interpolated between the nodes; near an edge, where the interpolation has only powers of r^μ,
+        together with the uniform flow of the incident waves relative to the moving edge.
         """
         flow, q = self.flow, self.flow.points.shape[1]
         for image, mirror in enumerate(self.mirrors):
             at, normal = self.points * mirror, self.normals * mirror
-            uniform = self.past_edge(flow.edge * mirror, heading, motion)
+            uniform = self.velocity_at_edge(flow.edge * mirror, heading, motion)
             through = image ^ flow.images, flow.nodes
             remainder = phi[through] + np.einsum("nc,nac->na", uniform, self.nodes[through])
             uniform = uniform.repeat(q, axis=0)
@@ -114,8 +114,8 @@ class _Surface:
             slope = np.einsum("nqia,na->nqi", flow.gradient, remainder).reshape(-1, 3) * mirror
             yield at, normal, self.weights, value, slope + known
 
-    def past_edge(self, edge, heading, motion):
-        """(n, 3) velocity of the waves relative to the edge, 0 on panels without"""
+    def velocity_at_edge(self, edge, heading, motion):
+        """(n, 3) m/s, velocity of the incident waves relative to the edge, 0 on panels without edge"""
         out = np.zeros((len(edge), 3), complex)
         at = edge[self.sharp]
         out[self.sharp] = self.incident(at, heading)[1] + 1j * self.run.omega * displacement(motion, at)
@@ -128,7 +128,7 @@ class _Surface:
 
 def _hull(run):
     mesh = run.geometry.mesh
-    return _Surface(run, samples(mesh, sharp_sides(mesh), run.problem.depth))
+    return _Surface(run, hull_quadrature(mesh, sharp_sides(mesh), run.problem.depth))
 
 
 def _waterline(run):
@@ -137,6 +137,6 @@ def _waterline(run):
     wet = v[:, :, 2] > -level
     long = np.linalg.norm(np.roll(v, -1, axis=1) - v, axis=2) > 0
     sides = np.nonzero(wet & np.roll(wet, -1, axis=1) & long)
-    out = _Surface(run, line_samples(mesh, sharp_sides(mesh), *sides, run.problem.depth))
+    out = _Surface(run, side_quadrature(mesh, sharp_sides(mesh), *sides, run.problem.depth))
     out.normals = out.normals / np.sqrt(1 - out.normals[:, 2:] ** 2)  # the wetted strip of an inclined side is wider
     return out

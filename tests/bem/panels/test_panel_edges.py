@@ -1,12 +1,12 @@
-"""Potentials drawn on panels: exactly the flow round an edge, and smooth values across mirror planes."""
+"""Interpolation on panels: exact for the flow round an edge, and for polynomials across mirror planes."""
 
 import numpy as np
 import pytest
 
 from bem.panels.elements import elements
 from bem.panels.pressure_drift.edge_flow import EdgeFlow, nodal_errors
-from bem.panels.pressure_drift.edges import sharp_sides, strips
-from bem.panels.pressure_drift.hull_interpolation import line_samples, samples
+from bem.panels.pressure_drift.edges import sharp_sides, stencils
+from bem.panels.pressure_drift.hull_interpolation import hull_quadrature, side_quadrature
 from meshing.panels import PanelMesh, structured
 from meshing.shapes import box, buoy
 
@@ -43,25 +43,25 @@ def sharp_plate(rows, side):
 @pytest.mark.parametrize("side", range(4))
 @pytest.mark.parametrize("rows", [(2.0,), (0.5, 1.0), (0.5, 1.0, 1.7), (0.5, 1.0, 1.7, 2.0)])
 def test_flow_round_an_edge_is_integrated_exactly(side, rows):
-    """∬ |∇ r^(2/3)|² = (4/3) breadth · depth^(1/3), from the values that straight lines on the panels have"""
+    """∬ |∇ r^(2/3)|² = (4/3) breadth · depth^(1/3), from nodal values with their collocation error"""
     mesh, exponents, axis, edge = sharp_plate(rows, side)
-    s, r = samples(mesh, exponents), np.abs(elements(mesh).nodes[:, axis] - edge)
+    s, r = hull_quadrature(mesh, exponents), np.abs(elements(mesh).nodes[:, axis] - edge)
     order = np.unique(r.round(9), return_inverse=True)[1]
-    strip = np.array([[*rows, *[rows[-1]] * 2][:3]])
-    missed = nodal_errors(strip, strip, np.array([2 / 3]))[0]
-    phi = r ** (2 / 3) * (1 + np.append(missed, [0, 0])[order])
-    depth = sum(rows[:2])  # of the rows on which φ is drawn from the edge
-    drawn = np.abs(mesh.centroids[:, axis] - edge) < depth
-    value, gradient = (np.einsum("n...a,na->n...", part, phi[s.nodes])[drawn] for part in (s.shape, s.gradient))
-    np.testing.assert_allclose(value, np.abs(s.points[drawn, :, axis] - edge) ** (2 / 3), rtol=1e-9)
+    lengths = np.array([[*rows, *[rows[-1]] * 2][:3]])
+    errors = nodal_errors(lengths, lengths, np.array([2 / 3]))[0]
+    phi = r ** (2 / 3) * (1 + np.append(errors, [0, 0])[order])
+    depth = sum(rows[:2])  # of the rows on which φ is interpolated from the edge
+    interpolated = np.abs(mesh.centroids[:, axis] - edge) < depth
+    value, gradient = (np.einsum("n...a,na->n...", part, phi[s.nodes])[interpolated] for part in (s.shape, s.gradient))
+    np.testing.assert_allclose(value, np.abs(s.points[interpolated, :, axis] - edge) ** (2 / 3), rtol=1e-9)
     np.testing.assert_allclose(np.delete(gradient, axis, axis=2), 0, atol=1e-9)
     np.testing.assert_allclose(s.weights.sum(), 2.5 * sum(rows))
-    square = np.sum(s.weights[drawn] * np.sum(gradient**2, axis=2))
+    square = np.sum(s.weights[interpolated] * np.sum(gradient**2, axis=2))
     # exact next to the edge; Gauss with four points of r^(−2/3) on the row behind, 0.5 < r < 1.5, errs by 3e-6
     np.testing.assert_allclose(square, 4 / 3 * 2.5 * depth ** (1 / 3), rtol=1e-9 if len(rows) == 1 else 1e-5)
 
 
-def test_what_straight_lines_miss_at_an_edge_is_a_flow_that_dies_away_from_it():
+def test_the_collocation_error_at_an_edge_decays_away_from_it():
     """The solution without sources beside r^μ is r^(−μ): relative errors fall like r^(−2μ)"""
     for mu in (2 / 3, 0.8):
         for other in (1.0, 1.5):
@@ -71,7 +71,7 @@ def test_what_straight_lines_miss_at_an_edge_is_a_flow_that_dies_away_from_it():
             assert abs(slope + 2 * mu) < 0.15, (mu, slope)
 
 
-def test_coarser_panels_on_the_other_face_of_an_edge_miss_more():
+def test_coarser_panels_on_the_other_face_of_an_edge_have_larger_errors():
     near, mu = np.ones((3, 3)), np.full(3, 2 / 3)
     errors = nodal_errors(near, near * np.array([[0.5], [1.0], [2.0]]), mu)
     assert np.all(np.diff(errors[:, 0]) > 0.01)
@@ -91,22 +91,26 @@ def test_flow_out_of_a_gap_is_that_of_the_edge_near_it_and_a_source_far_away():
     np.testing.assert_allclose(into, out, rtol=1e-3)
 
 
-def test_panels_in_line_with_an_edge_make_a_strip_and_no_others():
+def test_panels_in_a_row_from_an_edge_share_a_stencil_and_no_others():
     mesh, exponents, *_ = sharp_plate((0.5, 1.0, 1.7), 3)
-    s, t = strips(mesh, exponents)
-    assert not np.any(t.near) and np.all(t.count == 2)
+    s, t = stencils(mesh, exponents)
+    assert not np.any(t.at_edge) and np.all(t.count == 2)
     first, second, third = (np.flatnonzero(np.isclose(mesh.centroids[:, 0], x)) for x in (0.25, 1.0, 2.35))
-    assert np.all(s.near[first] & (s.own[first] == 0)) and np.all(s.near[second] & (s.own[second] == 1))
-    assert not np.any(s.near[third])
+    assert np.all(s.at_edge[first] & (s.own[first] == 0)) and np.all(s.at_edge[second] & (s.own[second] == 1))
+    assert not np.any(s.at_edge[third])
     for a, b, c in zip(first, second, third, strict=True):
         assert s.panels[a].tolist() == s.panels[b].tolist() == [a, b, c]
 
     corners, sides = mesh.corners.copy(), exponents.copy()
     corners[second] = np.roll(corners[second], 1, axis=1)  # numbered from another corner
-    turned, _ = strips(PanelMesh(mesh.points, corners), sides)
+    renumbered, _ = stencils(PanelMesh(mesh.points, corners), sides)
     sides[:, 1] = np.where(np.isclose(mesh.centroids[:, 0], 2.35), 2 / 3, 1)  # a second edge opposite
-    narrow, _ = strips(mesh, sides)
-    assert np.all(turned.near[first]) and np.all(turned.count[first] == 1) and not np.any(turned.near[second])
+    narrow, _ = stencils(mesh, sides)
+    assert (
+        np.all(renumbered.at_edge[first])
+        and np.all(renumbered.count[first] == 1)
+        and not np.any(renumbered.at_edge[second])
+    )
     assert np.all(narrow.count == 2)
 
 
@@ -115,16 +119,16 @@ def polynomial(x):
 
 
 @pytest.mark.parametrize("symmetry", ["", "x", "y", "xy"])
-def test_smooth_values_are_drawn_exactly_across_mirror_planes(symmetry):
+def test_polynomials_are_interpolated_exactly_across_mirror_planes(symmetry):
     """Polynomials of third degree, also where a panel has a neighbour on one side only"""
     mesh = box(*SIZES, counts=(6, 5, 5), symmetry=symmetry)
     flat = np.ones((len(mesh), 4))
     mirrors = np.column_stack([np.array(mesh.reflections()), np.ones(mesh.copies)])
     phi = polynomial(elements(mesh).nodes * mirrors[:, None])
     wet = np.isclose(mesh.vertices[:, :, 2], 0) & np.isclose(np.roll(mesh.vertices, -1, axis=1)[:, :, 2], 0)
-    line = line_samples(mesh, flat, *np.nonzero(wet))
+    line = side_quadrature(mesh, flat, *np.nonzero(wet))
     np.testing.assert_allclose(mesh.copies * line.weights.sum(), 2 * (LENGTH + BEAM))
-    for s in (samples(mesh, flat), line):
+    for s in (hull_quadrature(mesh, flat), line):
         for image, mirror in enumerate(mirrors):
-            drawn = np.einsum("nqa,na->nq", s.shape, phi[image ^ s.images, s.nodes])
-            np.testing.assert_allclose(drawn, polynomial(s.points * mirror), atol=1e-7)
+            interpolated = np.einsum("nqa,na->nq", s.shape, phi[image ^ s.images, s.nodes])
+            np.testing.assert_allclose(interpolated, polynomial(s.points * mirror), atol=1e-7)
