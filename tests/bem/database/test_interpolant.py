@@ -139,16 +139,15 @@ def drifting(tmp_path_factory):
 
 
 @pytest.mark.parametrize("name", ["drift_force_fixed", "drift_force"])
-def test_drift_between_frequencies_is_as_far_off_as_it_says(drifting, name):
+def test_nine_of_ten_drifts_between_frequencies_are_within_three_of_the_deviations_they_are_given(drifting, name):
     db = drifting
     omega = np.linspace(0.12, 1.98, 32)
     exact = direct(db, omega, (name,))[name]
     value, error = db.at(omega, name)
     scale = np.abs(db[name]).max(axis=(0, 1))
     wrong, told = (np.abs(value - exact) / scale, error / scale)
-    # a deviation that is known to a quarter; roundings of what symmetry makes zero left out
-    counts = np.maximum(wrong, told) > 1e-6
-    assert np.mean((wrong < 3 * told)[counts]) > 0.9
+    counts = np.maximum(wrong, told) > 1e-6  # what symmetry makes zero is rounding
+    assert np.mean((wrong < 3 * told)[counts]) >= 0.9
     rms = [np.sqrt(np.mean(part**2, axis=(0, 1))) for part in (wrong, told)]
     assert np.all(rms[0] < 2 * rms[1])
     if name == "drift_force_fixed":

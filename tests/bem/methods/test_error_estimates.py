@@ -1,12 +1,8 @@
-"""Estimated errors on random scenes: shares that a bad rule would not reach, and what an estimate is made of.
-
-A fair share p leaves at most so many of n scenes as a binomial variable exceeds once in a thousand times.
-"""
+"""Estimated errors on twenty random scenes of a fixed seed, counted, and what an estimate is made of."""
 
 import numpy as np
 import pytest
 from bench.tolerance import NEGLIGIBLE, RANGES, Ranges, campaign, right
-from scipy.stats import binom
 
 from bem import DOFS
 from bem.checks import at_least_haskind
@@ -18,40 +14,34 @@ from meshing.lid import lid
 from meshing.shapes import box, buoy
 
 EVERYTHING = {"added_mass", "radiation_damping", "excitation_force"}
+SCENES, SEED = 20, 7
 CAMPAIGNS = {
-    "contour": (16, Ranges((1, 4), (0.5, 30), (0.05, 10), (0.5, 20), (1e-3, 1e-2))),
-    "panel": (10, RANGES["panel"]._replace(tolerances=(0.02, 0.02))),
+    "contour": Ranges((1, 4), (0.5, 30), (0.05, 10), (0.5, 20), (1e-3, 1e-2)),
+    "panel": RANGES["panel"]._replace(tolerances=(0.02, 0.02)),
 }
 
 
 @pytest.fixture(scope="module", params=CAMPAIGNS)
 def outcomes(request):
     """Outcomes of scenes that are solved in a few seconds"""
-    count, ranges = CAMPAIGNS[request.param]
-    return campaign(count, 7, request.param, ranges)
-
-
-def allowed_failures(count, share):
-    return binom.ppf(0.999, count, 1 - share)
+    return campaign(SCENES, SEED, request.param, CAMPAIGNS[request.param])
 
 
 def test_nineteen_of_twenty_scenes_meet_their_tolerance(outcomes):
-    missed = [o for o in outcomes if o.error > o.scene.tolerance]
-    assert len(missed) <= allowed_failures(len(outcomes), 0.95), "\n".join(map(str, missed))
+    missed = [o for o in outcomes if not o.error <= o.scene.tolerance]
+    assert len(outcomes) == 20 and len(missed) <= 1, "\n".join(map(str, missed))
 
 
 def test_nine_of_ten_estimates_are_within_a_factor_of_three(outcomes):
     wrong = [o for o in outcomes if not right(o.ratio)]
-    assert len(wrong) <= allowed_failures(len(outcomes), 0.9), "\n".join(map(str, wrong))
+    assert len(outcomes) == 20 and len(wrong) <= 2, "\n".join(map(str, wrong))
 
 
 def test_nine_of_ten_coefficients_have_an_error_within_a_factor_of_three(outcomes):
-    """Coefficients of a scene fail together: scenes are counted in which more than a tenth of them does"""
-    poor = [o for o in outcomes if np.mean(right(o.ratios)) < 0.9]
+    """Of those above a thousandth of their scale, more than ten a scene"""
     ratios = np.concatenate([o.ratios for o in outcomes])
-    assert len(poor) <= allowed_failures(len(outcomes), 0.75) and np.mean(right(ratios)) > 0.85
-    assert len(ratios) > 10 * len(outcomes)  # that many are above `NEGLIGIBLE`
-    assert NEGLIGIBLE <= 1e-3
+    assert len(ratios) > 10 * SCENES and NEGLIGIBLE <= 1e-3
+    assert np.mean(right(ratios)) >= 0.9
 
 
 def body(method="contour", **changes):

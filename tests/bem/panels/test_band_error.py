@@ -4,9 +4,10 @@ from functools import cache
 
 import numpy as np
 import pytest
+from other_equations import with_equations
 
 from bem.green.tables import wave_table
-from bem.methods.panel_problem import PanelProblem, PreparedPanelProblem, prepare
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.panels.band import low_rank_waves, one_frequency
 from bem.panels.band.equations import band_equations
 from bem.panels.band.error_test import ErrorTest, Samples
@@ -108,9 +109,7 @@ def prepared_for(band, most=low_rank_waves.TEST_SAMPLES):
     """The body in another band; `most` samples of the strip and of the lid at most in its error test"""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(low_rank_waves, "TEST_SAMPLES", most)
-        prepared = PreparedPanelProblem(body().problem, body().geometry)
-        prepared.__dict__["band_equations"] = band_equations(body().geometry, band, 9.80665, 1e-4)
-    return prepared
+        return with_equations(body(), band_equations(body().geometry, band, 9.80665, 1e-4))
 
 
 def observed(band, omega, most, monkeypatch):
@@ -218,14 +217,11 @@ def test_no_sample_has_too_large_a_weight(panels):
 
 
 def test_what_is_not_finite_is_an_error():
-    prepared = PreparedPanelProblem(body().problem, body().geometry)
+    first, *others = body().band_equations
     for name in ("at_sources", "integrals"):
-        broken = getattr(body().band_equations[0], name).copy()
+        broken = getattr(first, name).copy()
         broken[0, 0, 0] = np.nan
-        prepared.__dict__["band_equations"] = (
-            body().band_equations[0]._replace(**{name: broken}),
-            *body().band_equations[1:],
-        )
+        prepared = with_equations(body(), (first._replace(**{name: broken}), *others))
         with pytest.raises(FloatingPointError, match=r"ω = 0.3 rad/s: the solution is not finite"):
             _ = BandRun(prepared, 0.3, np.radians([25.0]), WANT, None, DOFS).result()
 
@@ -240,7 +236,7 @@ def test_a_band_without_waves_from_the_side_is_rejected(monkeypatch):
     mesh = box(60, 30, 8, panels=100).whole().rotated(0.4)
     prepared = prepare(PanelProblem(mesh, None, depth=25.0, band=(0.3, 0.9)))
     monkeypatch.setattr(low_rank_waves, "class_waves", head_waves)
-    prepared.__dict__["band_equations"] = band_equations(prepared.geometry, (0.3, 0.9), 9.80665, 1e-4)
+    prepared = with_equations(prepared, band_equations(prepared.geometry, (0.3, 0.9), 9.80665, 1e-4))
     rejected = []
     monkeypatch.setattr(BandRun, "rejected", lambda self, error: rejected.append(error))
     for heading, count in ((0.0, 0), (70.0, 1)):

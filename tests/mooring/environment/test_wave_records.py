@@ -1,7 +1,5 @@
 """Records of waves: the sum itself, its statistics against theory, files."""
 
-import time
-
 import numpy as np
 import pytest
 from scipy.stats import kstest
@@ -50,15 +48,6 @@ def test_a_wave_reaches_its_crest_by_its_phase_lag_and_travels_towards_its_direc
     np.testing.assert_allclose(there, start, atol=1e-12)
 
 
-def test_an_hour_at_two_hertz_of_500_components_takes_less_than_a_tenth_of_a_second():
-    components, t, times = Sea(WIND_SEA).components(500, 1), 0.5 * np.arange(7200), []
-    for _ in range(5):
-        begun = time.perf_counter()
-        elevation(components, t)
-        times.append(time.perf_counter() - begun)
-    assert min(times) < 0.1
-
-
 @pytest.mark.parametrize("spectrum", [WIND_SEA, SWELL], ids=str)
 @pytest.mark.parametrize("spreading", [None, HalfCosinePower(10)], ids=["long crests", "short crests"])
 def test_three_hours_hold_the_energy_of_the_spectrum_at_every_point(spectrum, spreading):
@@ -82,8 +71,8 @@ def share_inside(spectrum, record):
 
 @pytest.mark.parametrize("spectrum", [WIND_SEA, SWELL], ids=str)
 @pytest.mark.parametrize("frequencies", ["equal_step", "equal_energy"])
-def test_the_spectrum_lies_in_the_confidence_band_of_its_records(spectrum, frequencies):
-    """Amplitudes that are not random scatter less than χ²: at least 95 % lie inside."""
+def test_more_than_95_per_cent_of_the_spectrum_lie_in_the_confidence_band_of_its_records(spectrum, frequencies):
+    """Amplitudes that are not random scatter less than χ²."""
     found = [
         share_inside(spectrum, elevation(Sea(spectrum).components(500, seed, frequencies=frequencies), THREE_HOURS))
         for seed in range(6)

@@ -108,6 +108,7 @@ def test_a_line_on_its_way_from_grounded_to_free_has_no_jump():
 
 
 def test_derivatives_are_those_of_finite_differences():
+    """Where a step does not change the state of the line, which few of four hundred are near enough for"""
     rng = np.random.default_rng(11)
     n = 400
     a, b = rng.uniform(0.5, 40, n), rng.uniform(0.5, 40, n)
