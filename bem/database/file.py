@@ -16,6 +16,7 @@ import bem
 from meshing.panels import PanelMesh
 
 from ..waves import wavenumber
+from .integrity import CHECKSUM, MARK, ROWS, DatabaseError, check_schema, fixed_checksum
 from .schema import (
     BODY,
     CHECKS,
@@ -28,10 +29,6 @@ from .schema import (
     SCHEMA_VERSION,
     cell_axes,
 )
-
-
-class DatabaseError(ValueError):
-    """The file cannot be used as asked; one line says why and what helps."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,10 +113,10 @@ def beside(path):
     check_place(path)
     partial = path.with_name(path.name + ".partial")
     try:
-        file = h5py.File(partial, "w")
-    except OSError as error:
-        raise DatabaseError(f"{path} cannot be written: {_reason(error)}") from None
-    try:
+        try:
+            file = h5py.File(partial, "w")
+        except OSError as error:
+            raise DatabaseError(f"{path} cannot be written: {_reason(error)}") from None
         with file:
             yield file
         os.replace(partial, path)
@@ -128,8 +125,10 @@ def beside(path):
 
 
 @contextlib.contextmanager
-def opened(path, mode="r"):
+def opened(path, mode="r", checked=False):
     """The open HDF5 file, given by its path or open already.
+
+    checked : the schema has been checked, and need not be again
 
     Raises DatabaseError if it is not a database of this schema version.
     """
@@ -156,7 +155,27 @@ def opened(path, mode="r"):
             raise DatabaseError(
                 f"{path} has schema version {version}, this program reads {SCHEMA_VERSION}; make it anew"
             )
-        yield file
+        with damage_named(path):
+            if not checked:
+                check_schema(file)
+            yield file
+
+
+@contextlib.contextmanager
+def damage_named(path):
+    """Context in which what HDF5 says of a file that it cannot make sense of is a DatabaseError of one line"""
+    try:
+        yield
+    except (OSError, KeyError, RuntimeError) as error:
+        said = str(error.args[0]) if error.args else ""
+        if "ynchronously" not in said:
+            raise
+        if "write" in said:
+            cause = os.strerror(error.errno) if getattr(error, "errno", None) else said
+            raise DatabaseError(f"{path} cannot be written: {cause}; what was stored before is kept") from None
+        raise DatabaseError(
+            f"{path} is damaged: {said.splitlines()[0]}; copy it again, or solve it anew with --fresh"
+        ) from None
 
 
 def _reason(error):
@@ -186,7 +205,7 @@ def lay_out(file, header, omega, wave_direction, names):
         axes, unit, kind = QUANTITIES[name]
         nothing = np.full([lengths[axis] for axis in axes], np.nan, kind)
         _dataset(file, name, axes, unit, nothing)
-        marks = np.zeros([lengths[axis] for axis in cell_axes(name)], np.uint8)
+        marks = np.zeros([lengths[axis] for axis in cell_axes(name)], MARK)
         _dataset(file, f"stored/{name}", cell_axes(name), "", marks)
         if name in ESTIMATES:
             _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan))
@@ -197,9 +216,11 @@ def lay_out(file, header, omega, wave_direction, names):
         _dataset(file, f"checks/{name}", ("omega",), "", np.full(len(omega), np.nan))
     _dataset(file, "wall_time", ("omega",), "s, per step", np.array([steps_text({})] * len(omega), "S480"))
     _dataset(file, "solved", ("omega",), "", np.zeros(len(omega), np.uint8))
+    _dataset(file, ROWS, ("omega",), "", np.zeros(len(omega), MARK))
     for name, mesh in (("mesh", header.mesh), ("mesh/lid", header.lid)):
         if mesh is not None:
             _write_mesh(file, name, mesh)
+    file.attrs[CHECKSUM] = fixed_checksum(file)
 
 
 def _attributes(header):
@@ -257,7 +278,7 @@ def read_header(file):
 
 
 def _header(file):
-    known = {*_attributes(_EMPTY)}
+    known = {*_attributes(_EMPTY), CHECKSUM}
     return Header(
         mesh=_read_mesh(file["mesh"]),
         lid=_read_mesh(file["mesh/lid"]) if "lid" in file["mesh"] else None,

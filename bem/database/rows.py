@@ -19,6 +19,7 @@ import h5py
 import numpy as np
 
 from .file import DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
+from .integrity import ROWS, check_cells, check_rows, crc, has_checksums, remark, row_crc
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
 
 SAME = 1e-9  # relative in omega, rad in heading: closer than any two a person asks for, wider than rounding
@@ -79,6 +80,9 @@ def extend(path, *, omega=(), wave_direction=(), names=(), scene=None):
 def writing(path):
     """The open file of a database, for `append`; only one process at a time may have it."""
     with opened(path, "r+") as file:
+        for name in (name for name in QUANTITIES if name in file):
+            check_cells(file, name)
+        check_rows(file, np.ones(len(file["omega"]), bool))
         _mark_whole_rows(file)
         yield file
 
@@ -97,11 +101,16 @@ def append(file, omega, headings, result):
         by_heading = "wave_direction" in cell_axes(name)
         shape = ((len(columns),) if by_heading else ()) + file[name].shape[2 if by_heading else 1 :]
         cells[name] = _checked(name, result[name], shape, f"omega = {omega:.6g} rad/s")
+    marks = {}
     for name, value in cells.items():
-        _put(file[name], _cells(name, i, columns), value)
-    for name, value in result.get("estimated_error", {}).items():
-        if name in cells and _estimate(name) in file:
-            _put(file[_estimate(name)], _cells(name, i, columns), value)
+        places, stored = _cells(name, i, columns), [value]
+        _put(file[name], places, value)
+        if _estimate(name) in file:
+            unknown = np.full(value.shape, np.nan)
+            stored.append(np.asarray(result.get("estimated_error", {}).get(name, unknown), float))
+            _put(file[_estimate(name)], places, stored[1])
+        parts = zip(*stored, strict=True) if len(places[0]) > 1 else [stored]
+        marks[name] = [(place, crc(*part)) for place, part in zip(places, parts, strict=True)]
     for name, value in result.get("checks", {}).items():
         if name in CHECKS:
             file["checks"][name][i] = np.fmax(file["checks"][name][i], value)
@@ -109,10 +118,12 @@ def append(file, omega, headings, result):
     for step, value in result.get("wall_time", {}).items():
         seconds[step] = round(seconds.get(step, 0.0) + float(value), 6)
     file["wall_time"][i] = steps_text(seconds)
+    if ROWS in file:
+        file[ROWS][i] = row_crc(file, i)
     file.flush()
-    for name in cells:
-        for cell in _cells(name, i, columns):
-            file["stored"][name][cell] = 1
+    for name, cells in marks.items():
+        for place, mark in cells:
+            file["stored"][name][place] = mark if has_checksums(file) else 1
     _mark_whole_rows(file)
     file.flush()
 
@@ -133,9 +144,10 @@ def _put(dataset, cells, value):
 
 def append_limit(file, name, value):
     """Store an added-mass limit (6, 6); entries may be infinite, none NaN."""
-    file[name][...] = _checked(name, value, file[name].shape, "the limit", infinite=True)
+    value = _checked(name, value, file[name].shape, "the limit", infinite=True)
+    file[name][...] = value
     file.flush()
-    file["stored"][name][...] = 1
+    file["stored"][name][...] = crc(value) if has_checksums(file) else 1
     file.flush()
 
 
@@ -144,7 +156,7 @@ def pending(path):
     with opened(path) as file:
         names = [name for name in QUANTITIES if name in file]
         limits = tuple(name for name in names if name in LIMITS and not file["stored"][name][()])
-        marks = {name: file["stored"][name][()] == 1 for name in names if name not in LIMITS}
+        marks = {name: file["stored"][name][()] != 0 for name in names if name not in LIMITS}
         headings = file["wave_direction"][()]
         rows = [_lacking(float(w), headings, marks, i) for i, w in enumerate(file["omega"][()])]
     return Pending(limits, tuple(row for row in rows if row.want))
@@ -161,7 +173,7 @@ def open_database(path):
         marks = [file["stored"][name][()] for name in names]
         rows = np.ones(len(file["omega"]), bool)
         for mark in (mark for mark in marks if mark.ndim):
-            rows &= (mark == 1).reshape(len(rows), -1).all(axis=1)
+            rows &= (mark != 0).reshape(len(rows), -1).all(axis=1)
         return Database(
             Path(file.filename),
             header,
@@ -212,6 +224,8 @@ class Database:
                 known = ", ".join(n for n in (*COORDINATES, *DERIVED, *self.names))
                 raise DatabaseError(f"{self.path} holds no {name!r}; it holds: {known}")
             value = file[name].asstr()[()] if h5py.check_string_dtype(file[name].dtype) else file[name][()]
+            if name in QUANTITIES:
+                check_cells(file, name, value, self.rows)
             return value[self.rows] if _first_axis(name) == "omega" else value
 
     def require(self, *names):
@@ -254,6 +268,7 @@ class Database:
     def checks(self):
         """{name: (n,)} of `schema.CHECKS` for the solved frequencies; NaN where a check did not apply."""
         with self._opened() as file:
+            check_rows(file, self.rows)
             return {name: file["checks"][name][()][self.rows] for name in CHECKS}
 
     def estimated_errors(self):
@@ -263,6 +278,8 @@ class Database:
         """
         names = [name for name in ESTIMATES if name in self.names]
         with self._opened() as file:
+            for name in names:
+                check_cells(file, name, None, self.rows)
             return {
                 name: file[_estimate(name)][()][self.rows]
                 if _estimate(name) in file
@@ -273,6 +290,7 @@ class Database:
     def wall_times(self):
         """(n,) dictionaries {step: s} of the solved frequencies."""
         with self._opened() as file:
+            check_rows(file, self.rows)
             return [json.loads(text) for text in file["wall_time"][()][self.rows]]
 
     @property
@@ -316,7 +334,7 @@ class Database:
         return self.header.lid
 
     def _opened(self):
-        return opened(self.file or self.path)  # a closed file is false
+        return opened(self.file or self.path, checked=True)  # a closed file is false
 
     def _stored(self, name):
         with self._opened() as file:
@@ -339,17 +357,21 @@ def _take_over(old, new):
             value = np.asarray(new[path])
             value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = old[path][()]
             new[path][...] = value
+        if not has_checksums(old) or (_estimate(name) in old) != (_estimate(name) in new):
+            remark(new, name)
     for path in (*(f"checks/{name}" for name in CHECKS), "wall_time"):
         value = new[path][()]
         value[i] = old[path][()]
         new[path][...] = value
     _mark_whole_rows(new)
+    for row in i:
+        new[ROWS][row] = row_crc(new, row)
 
 
 def _mark_whole_rows(file):
-    whole = np.ones(len(file["omega"]), np.uint8)
+    whole = np.ones(len(file["omega"]), bool)
     for mark in (file["stored"][name][()] for name in file["stored"] if name not in LIMITS):
-        whole &= mark if mark.ndim == 1 else mark.all(axis=1)
+        whole &= (mark != 0).reshape(len(whole), -1).all(axis=1)
     if not np.array_equal(file["solved"][()], whole):
         file["solved"][...] = whole
 
