@@ -6,6 +6,7 @@ import contextlib
 import json
 import os
 from dataclasses import dataclass, field
+from functools import cache
 from importlib import metadata
 from pathlib import Path
 
@@ -58,6 +59,7 @@ class Header:
     attributes: dict = field(default_factory=dict)
 
 
+@cache
 def software_version():
     """Version of the installed distribution."""
     try:
@@ -269,29 +271,32 @@ def _read_mesh(group):
     return PanelMesh(group["points"][()], group["corners"][()], group.attrs["symmetry"], group.attrs.get("name", ""))
 
 
-def read_header(file):
-    """The `Header` a file was made with.  Raises DatabaseError if a part of it is gone."""
+def read_header(file, attributes=None):
+    """The `Header` a file was made with.  Raises DatabaseError if a part of it is gone.
+
+    attributes : {name: value} of the file, if they have been read
+    """
     try:
-        return _header(file)
+        return _header(file, dict(file.attrs) if attributes is None else attributes)
     except KeyError as error:
         raise DatabaseError(f"{file.filename} is damaged: {error.args[0]}") from None
 
 
-def _header(file):
-    known = {*_attributes(_EMPTY), CHECKSUM}
+def _header(file, attributes):
+    known, there = {*_attributes(_EMPTY), CHECKSUM}, set(file)
     return Header(
         mesh=_read_mesh(file["mesh"]),
         lid=_read_mesh(file["mesh/lid"]) if "lid" in file["mesh"] else None,
-        water_depth=float(file.attrs["water_depth"]),
-        density=float(file.attrs["density"]),
-        gravity=float(file.attrs["gravity"]),
-        rotation_center=np.asarray(file.attrs["rotation_center"]),
+        water_depth=float(attributes["water_depth"]),
+        density=float(attributes["density"]),
+        gravity=float(attributes["gravity"]),
+        rotation_center=np.asarray(attributes["rotation_center"]),
         theta=file["theta"][()],
-        body={name: file[name][()] for name in BODY if name in file},
-        dimensions=json.loads(file.attrs["dimensions"]),
-        scene=file.attrs["scene"],
-        scene_hash=file.attrs["scene_hash"],
-        attributes={key: value for key, value in file.attrs.items() if key not in known},
+        body={name: file[name][()] for name in BODY if name in there},
+        dimensions=json.loads(attributes["dimensions"]),
+        scene=attributes["scene"],
+        scene_hash=attributes["scene_hash"],
+        attributes={key: value for key, value in attributes.items() if key not in known},
     )
 
 

@@ -168,8 +168,9 @@ def open_database(path):
     path : of the file, which is opened again for every reading; or the file, open from `writing`
     """
     with opened(path) as file:
-        header = read_header(file)
-        names = tuple(name for name in QUANTITIES if name in file)
+        attributes, there = dict(file.attrs), set(file)
+        header = read_header(file, attributes)
+        names = tuple(name for name in QUANTITIES if name in there)
         marks = [file["stored"][name][()] for name in names]
         rows = np.ones(len(file["omega"]), bool)
         for mark in (mark for mark in marks if mark.ndim):
@@ -181,7 +182,7 @@ def open_database(path):
             rows,
             file["omega"][()][rows],
             file["wave_direction"][()],
-            {key: value for key, value in file.attrs.items()},
+            attributes,
             path if isinstance(path, h5py.File) else None,
         )
 
