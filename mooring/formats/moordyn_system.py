@@ -134,8 +134,14 @@ def moordyn_of_system(system: System, segments=20, coefficients=(1.33, 1.0, 0.64
 
     segments : of each line; coefficients : Cd, Ca, CdAx, CaAx of every type; damping : BA or −fraction of critical
     Bodies are written as Coupled: their hydrostatics and loads are not MoorDyn's to know.
-    raises : FormatError where a type has no mass or diameter, or the friction differs from line to line
+    raises : FormatError where a type has no mass or diameter, the friction differs from line to line, or a line has
+        segments
     """
+    cut = [line.name for line in system.lines if not isinstance(line, UniformLine)]
+    if cut:
+        raise FormatError(
+            f"line {cut[0]} has several segments; allowed for MoorDyn: uniform lines, joined at free points"
+        )
     types = {line.type.name: line.type for line in system.lines}
     for line in system.lines:
         if types[line.type.name] != line.type:

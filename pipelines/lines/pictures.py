@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.lines.system.shapes import line_shapes
+from mooring.lines.system.shapes import line_shapes, loads_on_lines
 
 KN = 1e3
 
@@ -45,6 +45,8 @@ def _draw_points(axes, state, i, j):
     for point, place in zip(state.system.points, state.points, strict=True):
         mark, colour = marks.get(type(point), ("o", "C3"))
         axes.plot(place[i], place[j], mark, color=colour, ms=5)
+    hung = loads_on_lines(state)
+    axes.plot(hung[:, i], hung[:, j], "o", color="C3", ms=5)
 
 
 def _draw_curves(axes, curves):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from mooring.lines.system.shapes import joints_of_lines, loads_on_lines
 from mooring.studies.multi_point import line_ends
 
 
@@ -33,6 +34,10 @@ def draw_plan(result, hull, path):
             va="center",
             bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.8},
         )
+    hung = loads_on_lines(result.equilibrium)
+    axes.plot(hung[:, 0], hung[:, 1], "o", color="0.2", ms=5)
+    joints = joints_of_lines(result.equilibrium)
+    axes.plot(joints[:, 0], joints[:, 1], "|", color="0.2", ms=7)
     corners = 0.5 * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0], [1, 1, 0]], float)
     outline = corners * [hull.length, hull.beam, 0.0]
     pose = result.equilibrium.pose

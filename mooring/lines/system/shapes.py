@@ -28,12 +28,17 @@ def composite_points(state, number, s):
 
 def loads_on_lines(state):
     """(k, 3) m in space: the sinkers and buoys on lines of segments"""
-    lines = enumerate(state.system.lines)
-    found = [
-        composite_points(state, i, np.array([load.position for load in line.loads]))
-        for i, line in lines
-        if i in state.lines.solutions and line.loads
-    ]
+    return _places(state, lambda line: [load.position for load in line.loads])
+
+
+def joints_of_lines(state):
+    """(k, 3) m in space: where the segments of lines meet"""
+    return _places(state, lambda line: np.cumsum([segment.length for segment in line.segments])[:-1])
+
+
+def _places(state, lengths):
+    lines = {i: state.system.lines[i] for i in state.lines.solutions}
+    found = [composite_points(state, i, np.asarray(lengths(line), float)) for i, line in lines.items()]
     return np.concatenate([np.empty((0, 3)), *found])
 
 

@@ -8,14 +8,16 @@ import h5py
 import numpy as np
 import pytest
 
+import pipelines
 from bem.database import Header, append, append_limit, create, open_database, pending, writing
 from bem.waves import incident_wave, wavenumber
 from meshing.panels import PanelMesh
 from mooring.lines.catenary.solve import solve_lines
 from mooring.lines.catenary.state import State
+from mooring.lines.multi_segment.segments import PointLoad, Segment
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.moored_body import corner_legs, moored_body
-from mooring.lines.system.parts import LineType, UniformLine
+from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
 from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
 from mooring.studies.multi_point import line_ends, multi_point
 from mooring.studies.multi_point_findings import resonances
@@ -24,6 +26,7 @@ from pipelines.common.units import KNOT, TONF
 from pipelines.moor.command import moor
 from pipelines.moor.study import make_study, read_study
 
+SCENES = Path(pipelines.__file__).parent / "scenes"
 MASS = 51.25e6
 INERTIA = MASS * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])
 STIFFNESS = 1025 * 9.80665 * np.diag([0, 0, 5000, 50000 * 15.83, 50000 * 78.33, 0])
@@ -285,6 +288,35 @@ def test_head_sea_of_the_reports_reaches_the_bow_first():
     assert np.allclose(np.angle(crest), [-k, k])
 
 
+def test_lines_cut_into_equal_segments_leave_every_result_as_it_is(stormy):
+    cut = tuple(
+        CompositeLine(
+            line.name,
+            [Segment(part, line.type.weight, line.type.axial_stiffness, 0.0, line.breaking_load) for part in (200, 60)],
+            line.a,
+            line.b,
+            [PointLoad(200.0, 0.0)],
+        )
+        for line in stormy.system.lines
+    )
+    result = multi_point(StandIn(), replace(stormy.system, lines=cut), HULL, storm())
+    assert np.allclose(result.tension, stormy.tension, rtol=1e-9)
+    assert np.allclose(result.utilisation, stormy.utilisation, rtol=1e-9)
+    assert np.allclose(result.displacement, stormy.displacement, rtol=1e-9)
+    assert np.allclose(result.at_equilibrium.period, stormy.at_equilibrium.period, rtol=1e-9)
+    assert result.warnings == stormy.warnings
+
+
+def test_the_example_with_lines_of_segments_has_its_pretensions_and_runs(tmp_path, database):
+    scene = SCENES / "moor_chain_and_wire.toml"
+    result = moor(scene, database, tmp_path / "moor.h5", quiet=True)
+    pretension = np.array([35.0] * 8 + [30.0] * 2) * TONF
+    assert np.allclose(result.rest.lines.horizontal_b, pretension, rtol=1e-9)
+    assert (tmp_path / "moor_plan.png").stat().st_size > 10_000
+    composite = [isinstance(line, CompositeLine) for line in result.system.lines]
+    assert composite == [True] * 8 + [False, True]
+
+
 def test_every_number_of_the_results_file_has_its_unit(tmp_path, database):
     study, output = tmp_path / "study.toml", tmp_path / "moor.h5"
     study.write_text(STUDY)
@@ -330,7 +362,7 @@ def test_command_leaves_no_file_when_the_study_has_no_answer(tmp_path, database)
 
 
 def test_example_study_is_the_floater_of_the_report():
-    study, _ = read_study(Path(__file__).parents[3] / "pipelines" / "scenes" / "moor_chain_12.toml")
+    study, _ = read_study(SCENES / "moor_chain_12.toml")
     system = study.system(study.hull_of({}), np.zeros(3))
     assert len(system.lines) == 12
     assert np.allclose(rest(system).lines.horizontal_b, 40 * TONF, rtol=1e-9)

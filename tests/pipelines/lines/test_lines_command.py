@@ -1,13 +1,16 @@
 """`hakobune line` and `hakobune lines` as a user calls them."""
 
 import re
+from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
 
+import pipelines
 from mooring.formats.results import write_channels
 from mooring.lines.catenary.solve import solve_lines
+from mooring.lines.system.equilibrium import rest
 from pipelines.cli import main
 from pipelines.common.line_tables import TypeTable, line_type
 from pipelines.common.quantities import StudyError
@@ -225,6 +228,61 @@ def test_frames_of_a_line_become_a_strip_and_a_film(tmp_path, capsys):
     write_channels(run, time, {})
     assert main(["lines", str(run)]) == 2
     assert "holds no frames" in capsys.readouterr().err
+
+
+SINKER = SPREAD[SPREAD.index("[[points]]") : SPREAD.index('[[lines]]\nname = "stern chain"')]
+STERN = SPREAD[SPREAD.index('[[lines]]\nname = "stern chain"') : SPREAD.index('[[lines]]\nname = "port"')]
+CUT = """\
+[[lines]]
+name = "stern chain"
+from = "A1"
+to = "stern"
+segments = [{ type = "chain", length = 215.0 }, { type = "wire", length = 80.0 }]
+bodies = [{ after_segment = 1, mass = 8000.0, volume = 1.0 }]
+"""
+
+
+def test_segments_with_a_body_between_them_are_lines_joined_at_a_free_point(tmp_path):
+    """The free point may rest on the bed, and the bodies are loaded so that it does not."""
+    heavy = SPREAD.replace("[60.0, 20.0, 0.0]", "[200.0, 20.0, 0.0]")
+    joined, cut = tmp_path / "joined.toml", tmp_path / "cut.toml"
+    joined.write_text(heavy)
+    cut.write_text(heavy.replace(SINKER, "").replace(STERN, CUT))
+    apart, one = rest(read_system(joined)), rest(read_system(cut))
+    assert apart.pose.free[0, 2] > -59
+    assert np.allclose(one.position, apart.position, atol=1e-6)
+    assert one.lines.tension_b[0] == pytest.approx(apart.lines.tension_b[1], rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('from = "A1"', 'type = "chain"\nfrom = "A1"', "lines[0] (stern chain): allowed: either type and length, or"),
+        ("after_segment = 1", "after_segment = 2", "lines[0].bodies[0].after_segment is 2; allowed: 1 to 1"),
+        ("mass = 8000.0, volume", "mass = -8000.0, volume", "lines[0].bodies[0].mass is -8000; allowed: at least 0"),
+        ("bed_friction = 0.5", "bed_friction = 0.4", "bed_friction of its types is 0.4 to 0.5, a line has one"),
+        ('{ type = "wire"', '{ type = "rope"', "lines[0].segments[1].type is 'rope'; allowed: chain, wire"),
+        (
+            "bodies = [{ after",
+            "bed = { points = [[0, 0]] }\nbodies = [{ after",
+            "lines[0].bed: bed points have the shape",
+        ),
+    ],
+)
+def test_a_line_of_segments_that_cannot_be_is_refused_by_its_key(tmp_path, old, new, message):
+    path = tmp_path / "bad.toml"
+    path.write_text(SPREAD.replace(SINKER, "").replace(STERN, CUT).replace(old, new, 1))
+    with pytest.raises(ValueError, match=re.escape(message)) as caught:
+        read_system(path)
+    assert "\n" not in str(caught.value)
+
+
+def test_the_example_of_lines_with_segments_comes_to_rest_and_is_drawn(tmp_path, capsys):
+    scene, picture = Path(pipelines.__file__).parent / "scenes" / "lines_barge.toml", tmp_path / "barge.png"
+    assert main(["lines", str(scene), "--picture", str(picture)]) == 0
+    assert "warning" not in capsys.readouterr().out and picture.stat().st_size > 20_000
+    assert main(["lines", str(scene), "--moordyn", str(tmp_path / "barge.txt")]) == 2
+    assert "line stern has several segments" in capsys.readouterr().err
 
 
 def test_a_type_of_a_study_may_come_from_the_catalogue_and_be_corrected():
