@@ -5,6 +5,7 @@ Research on the design of box-type shallow-water floating structures (SR179 repo
 """
 
 import csv
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,12 @@ G, RHO = 9.80665, 1025.0
 XI_B = np.array([0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 2.75])
 WANT = frozenset({"added_mass", "radiation_damping", "excitation_force", "drift_force_fixed"})
 TABLES = Path(__file__).parents[1] / "published" / "sections_2d.csv"
+
+
+@lru_cache
+def series(depth, **mesh):
+    """`flat` of the box of the series calculations at four frequencies and headings"""
+    return flat(sweep(np.sqrt(2 * G * XI_B[::3] / 50), depth, np.radians([0, 30, 60, 90]), **mesh))
 
 
 def sweep(omegas, depth, headings, length=100.0, **mesh):
@@ -36,10 +43,9 @@ def flat(results):
     return np.concatenate([results["added_mass"][:, i, j], results["radiation_damping"][:, i, j], force, drift], axis=1)
 
 
-@pytest.mark.parametrize("depth", [12.0, 20.0, 100.0, np.inf])
+@pytest.mark.parametrize("depth", [12.0, 20.0, np.inf])
 def test_five_hundred_panels_are_within_one_per_cent(depth):
-    omegas, headings = np.sqrt(2 * G * XI_B[::3] / 50), np.radians([0, 30, 60, 90])
-    coarse, middle, fine = (flat(sweep(omegas, depth, headings, counts=c)) for c in ((4, 3, 2), (8, 6, 4), (12, 9, 6)))
+    coarse, middle, fine = (series(depth, counts=c) for c in ((4, 3, 2), (8, 6, 4), (12, 9, 6)))
     # halving the panels cuts the error to a fifth, so what is left after (12, 9, 6) is a 1/(1.5^2.32 − 1) of the step
     limit = fine + (fine - middle) / (1.5**2.32 - 1)
     largest = np.abs(limit).max(axis=0)
@@ -52,8 +58,7 @@ def test_five_hundred_panels_are_within_one_per_cent(depth):
 
 
 def test_the_default_panel_count_meets_the_default_tolerance():
-    omegas, headings = np.sqrt(2 * G * XI_B[::3] / 50), np.radians([0, 45, 90])
-    ours, fine = (flat(sweep(omegas, 20.0, headings, **m)) for m in ({"panels": 250}, {"counts": (12, 9, 6)}))
+    ours, fine = series(20.0, panels=250), series(20.0, counts=(12, 9, 6))
     largest = np.abs(fine).max(axis=0)
     assert (np.abs(ours - fine).max(axis=0)[:16] / largest[:16]).max() < 0.01
 
