@@ -100,7 +100,7 @@ def test_pressure_on_a_cylinder_drifts_it_as_the_exact_far_field(radius, draft, 
 def test_near_field_of_a_box_meets_the_far_field_at_any_tolerance(depth, finest):
     """From waves in which it hardly drifts to short ones"""
     for tolerance in [t for t in (1e-2, 1e-3, 1e-5) if t >= finest]:
-        for omega in (0.5, 1.1) if tolerance == 1e-5 else (0.05, 0.5, 0.8, 1.1, 1.5):
+        for omega in (0.5, 1.1) if tolerance == 1e-5 else (0.05, 0.8, 1.5):
             run = solved(series_box(depth, tolerance), omega)
             for moving in (False, True):
                 assert within_error(run, moving), (omega, tolerance, moving)
@@ -125,7 +125,7 @@ def test_a_gap_of_many_drafts_is_left_no_error_of_first_order():
     run = solved(series_box(100.0, 1e-3), 0.625)
     assert BEAM / 2 * np.abs(run.rao[:, 3]).max() > 5
     assert gap(run, False) < 0.001 and gap(run, True) < 0.002
-    high = solved(series_box(2000.0, 1e-3), 0.9)
+    high = solved(series_box(600.0, 1e-3), 0.9)
     assert within_error(high, True)
 
 
