@@ -7,19 +7,20 @@ import numpy as np
 from ..catenary.state import LineError
 
 
-def span_of(line, horizontal_tension, z):
-    """Span x (m) at which a StaticLine carries a horizontal tension (N, above 0) with its fairlead at height z m.
+def span_of(solve, horizontal_tension, length, z):
+    """Span x (m) at which a line carries a horizontal tension (N, above 0).
 
+    solve : x → StaticSolution; length : m, unstretched; z : m, height of the fairlead over the anchor
     The tension grows with the span: a step that leaves the bracket is halved into it.
-    raises : LineError where the line is too short for its height, or no span was found
+    raises : LineError where the line is too short for its height, or no span was found; what `solve` raises else
     """
     if not (np.isfinite(horizontal_tension) and horizontal_tension > 0):
         raise ValueError(f"horizontal_tension is {horizontal_tension:g} N; allowed: finite, above 0")
     low, high = 0.0, np.inf
-    x = np.sqrt(max(line.length**2 - z**2, (0.01 * line.length) ** 2))
+    x = np.sqrt(max(length**2 - z**2, (0.01 * length) ** 2))
     for _ in range(200):
         try:
-            found = line.solve(x, z)
+            found = solve(x)
             wrong, slope = found.horizontal_fairlead - horizontal_tension, found.stiffness[0, 0]
         except LineError:
             wrong, slope = np.inf, np.nan
@@ -29,7 +30,9 @@ def span_of(line, horizontal_tension, z):
         following = x - wrong / slope if slope > 0 and np.isfinite(wrong) else np.nan
         if not low < following < high:
             following = 0.5 * (low + high) if np.isfinite(high) else 1.02 * x
-        if abs(following - x) <= 4e-16 * line.length:
+        if abs(following - x) <= 4e-16 * length:
             return float(following)
         x = following
-    raise LineError(f"no span at which {line!r} carries {horizontal_tension:.6g} N was found, fairlead at z = {z:g} m")
+    raise LineError(
+        f"no span was found at which {length:g} m of line carry {horizontal_tension:.6g} N, the fairlead {z:g} m up"
+    )

@@ -32,6 +32,11 @@ class Composite(NamedTuple):
     turned: bool
     anchored: bool
 
+    @property
+    def buoys(self):
+        """(k,) m from the origin"""
+        return np.array([load.position for load in self.line.loads if load.weight < 0])
+
 
 def composite(system, number, end):
     """The Composite of a line whose `end` lies on a bed: "a", "b", or "" for neither.  Raises LineSystemError."""
@@ -42,15 +47,18 @@ def composite(system, number, end):
         raise LineSystemError(f"line {given.name} has a bed of its own and no anchor; allowed: an anchor at one end")
     if not end and all(isinstance(p, Anchor) and p.position[2] <= -system.depth + ROOM for p in ends):
         raise LineSystemError(f"line {given.name} has segments and both ends on the bed; allowed: one end on it")
-    segments, loads, surface = given.segments, given.loads, np.inf
+    return of_line(given, number, end, ends[end == "b"].position[2])
+
+
+def of_line(given, number, end, height):
+    """The Composite of a CompositeLine whose `end`, at z = height m, is an anchor on a bed; "" where it hangs free."""
+    segments, loads, surface, bed = given.segments, given.loads, np.inf, None
     if end == "b":
         segments = segments[::-1]
         loads = [replace(load, position=given.length - load.position) for load in loads]
-    if end and any(load.weight < 0 for load in loads):
-        surface = -float(ends[end == "b"].position[2])
-    bed = None
     if end:
         bed = Bed.sloping(0.0, given.bed_friction) if given.bed is None else given.bed
+        surface = -float(height) if any(load.weight < 0 for load in loads) else np.inf
     try:
         return Composite(number, StaticLine(segments, loads, bed, surface), end == "b", bool(end))
     except ValueError as error:
@@ -82,8 +90,23 @@ def fill_row(row, one, A, B):
 
 
 def solution(one, A, B):
-    """StaticSolution of a Composite from A to B, (3,) m each; raises LineError or ValueError"""
-    return one.line.solve(np.hypot(B[0] - A[0], B[1] - A[1]), B[2] - A[2])
+    """StaticSolution of a Composite from A to B, (3,) m each; raises LineError or ValueError
+
+    The solver of buoys at the surface wants the upper end below it.  Where that is above, as on a deck, the line is
+    solved without a surface, and its buoys have to be under water.
+    """
+    x, z = np.hypot(B[0] - A[0], B[1] - A[1]), B[2] - A[2]
+    surface = one.line.surface
+    if z <= surface:
+        return one.line.solve(x, z)
+    found = replace(one.line, surface=np.inf).solve(x, z)
+    highest = found.at(one.buoys)[:, 1].max(initial=-np.inf) - surface
+    if highest > 0:
+        raise ValueError(
+            f"its upper end is {z - surface:.3g} m and its buoy would be {highest:.3g} m above the water; allowed: the "
+            "buoy under water, or the end"
+        )
+    return found
 
 
 def points_along(one, found, A, B, s):
@@ -107,9 +130,9 @@ def check_free(system, points, solutions):
                 f"line {name} hangs {-system.depth - lowest:.3g} m below the bed; allowed for a line of segments: "
                 "clear of it, or with one end an anchor on it"
             )
-        buoys = np.array([load.position for load in one.line.loads if load.weight < 0])
-        if buoys.size and level + found.at(buoys)[:, 1].max() > ROOM:
+        highest = level + found.at(one.buoys)[:, 1].max(initial=-np.inf)
+        if highest > ROOM:
             raise LineSystemError(
-                f"line {name} has a buoy {level + found.at(buoys)[:, 1].max():.3g} m above the water; allowed for a "
-                "line of segments: below it, or with one end an anchor on the bed"
+                f"line {name} has a buoy {highest:.3g} m above the water; allowed for a line of segments: below it, "
+                "or with one end an anchor on the bed"
             )

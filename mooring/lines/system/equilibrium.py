@@ -94,7 +94,8 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
     radius = longest = 0.05 * float(np.median([line.length for line in system.lines]))
     load = system.total_load(pose)
     if not np.isfinite(load.force).all():
-        raise EquilibriumError(f"{culprit(system, load)} at the position the search starts from")
+        a, b = load.points[system.arrays.ends].swapaxes(0, 1)
+        raise EquilibriumError(f"{culprit(system, load.rows, a, b)} at the position the search starts from")
     count, before = 0, np.zeros(len(unit))
     while count < steps:
         moving = may & ~_held_by_bed(system, pose, load.force)

@@ -62,15 +62,13 @@ def freedom_name(system, index):
     return f"{system.free_points[(index - count) // 3].name} {'xyz'[(index - count) % 3]}"
 
 
-def culprit(system, load):
-    """What is wrong with the first line that has no solution."""
-    bad = int(np.argmax(load.rows[:, 0] >= State.BEYOND_REACH))
-    line = system.lines[bad]
+def culprit(system, rows, starts, ends):
+    """What is wrong with the first line that has no solution between its ends, (n, 3) m in space each."""
+    bad = int(np.argmax(rows[:, 0] >= State.BEYOND_REACH))
+    line, a, b = system.lines[bad], starts[bad], ends[bad]
     if isinstance(line, CompositeLine):
         one = next(one for one in system.composites if one.number == bad)
-        return f"line {line.name}: {fault_of(one, *load.points[system.arrays.ends[bad]])};"
-    if load.rows[bad, 0] == State.BELOW_BED:
+        return f"line {line.name}: {fault_of(one, a, b)};"
+    if rows[bad, 0] == State.BELOW_BED:
         return f"line {line.name} has an end below the bed, {-system.depth:g} m,"
-    ends = load.points[system.arrays.ends[bad]]
-    reach = np.linalg.norm(ends[1] - ends[0])
-    return f"line {line.name}, inextensible and {line.length:g} m long, cannot span {reach:g} m"
+    return f"line {line.name}, inextensible and {line.length:g} m long, cannot span {np.linalg.norm(b - a):g} m"

@@ -19,7 +19,8 @@ from ..catenary.state import State
 from .bodies import hydrostatic_load, rotation
 from .checks import ON_BED, check_system
 from .composite import composite, fill_row
-from .parts import Anchor, Body, CompositeLine, Fairlead, FreePoint, LineSystemError, UniformLine
+from .findings import culprit
+from .parts import Anchor, Body, CompositeLine, EquilibriumError, Fairlead, FreePoint, LineSystemError, UniformLine
 
 
 class Pose(NamedTuple):
@@ -213,12 +214,18 @@ class System:
         return rows, solutions
 
     def forces_between(self, starts, ends) -> LineForces:
-        """Forces of every line with its ends held at `starts` and `ends`, (n, 3) m in space each."""
+        """Forces of every line with its ends held at `starts` and `ends`, (n, 3) m in space each.
+
+        Infinite for a line that cannot reach.  raises : EquilibriumError for one that has no forces for other reasons
+        """
         from ..catenary.flat_bed import exchange
 
         count = len(self.lines)
         pairs = np.column_stack([np.arange(count), count + np.arange(count)])
         rows, solutions = self._rows(np.concatenate([starts, ends]), pairs)
+        if np.any(rows[:, 0] == State.BELOW_BED):
+            unsolved = np.where(rows[:, :1] == State.BELOW_BED, State.BELOW_BED, State.SLACK)
+            raise EquilibriumError(f"{culprit(self, unsolved, starts, ends)} where its ends are held")
         for row, turned in zip(rows, self.arrays.turned, strict=True):
             if turned:
                 exchange(row)

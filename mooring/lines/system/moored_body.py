@@ -8,11 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..catenary.solve import span_at_tension
-from ..multi_segment.bed import Bed
-from ..multi_segment.line import StaticLine
 from ..multi_segment.span import span_of
+from .composite import of_line, solution
 from .graph import System
-from .parts import Anchor, Body, CompositeLine, Fairlead, UniformLine
+from .parts import Anchor, Body, CompositeLine, Fairlead, LineSystemError, UniformLine
 
 
 class Leg(NamedTuple):
@@ -42,13 +41,15 @@ def leg_at_tension(line, fairlead, heading, depth, horizontal_tension):
     """A Leg whose anchor lies on the bed where the line pulls the body at rest with a given horizontal tension.
 
     fairlead : (3,) m; heading : rad, from the fairlead to the anchor; depth : m; horizontal_tension : N
-    A line of segments counts from the anchor.
+    A line of segments counts from the anchor.  raises : LineError or LineSystemError where no span gives that tension
     """
     height = fairlead[2] + depth
     if isinstance(line, CompositeLine):
-        bed = Bed.sloping(0.0, line.bed_friction) if line.bed is None else line.bed
-        surface = depth if any(load.weight < 0 for load in line.loads) else np.inf
-        span = span_of(StaticLine(line.segments, line.loads, bed, surface), horizontal_tension, height)
+        one = of_line(line, 0, "a", -depth)
+        try:
+            span = span_of(lambda x: solution(one, (0, 0, 0), (x, 0, height)), horizontal_tension, line.length, height)
+        except ValueError as error:
+            raise LineSystemError(f"line {line.name}: {error}") from None
     else:
         kind = line.type
         properties = line.length, kind.weight, kind.axial_stiffness, line.bed_friction

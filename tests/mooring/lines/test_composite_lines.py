@@ -39,13 +39,13 @@ def composite(name, parts, a, b, loads=(), **more):
     return CompositeLine(name, tuple(segment(*part) for part in parts), a, b, loads, **more)
 
 
-def three_legs(first, joints=(), load=(2e5, 1e5, 0.0, 0.0, 0.0, 2e6)):
+def three_legs(first, joints=(), load=(2e5, 1e5, 0.0, 0.0, 0.0, 2e6), z=-4.0):
     """A body free in all motions on two chains and on what `first` makes of the ends "A0" and "F0"."""
     points, lines = list(joints), list(first("A0", "F0"))
     for i, a in enumerate(np.radians([10, 130, 250])):
         points += [
             Anchor(f"A{i}", (340 * np.cos(a), 340 * np.sin(a), -60.0)),
-            Fairlead(f"F{i}", "hull", (30 * np.cos(a), 12 * np.sin(a), -4.0)),
+            Fairlead(f"F{i}", "hull", (30 * np.cos(a), 12 * np.sin(a), z)),
         ]
         if i:
             lines.append(UniformLine(f"L{i}", CHAIN, 325.0, f"A{i}", f"F{i}"))
@@ -84,7 +84,8 @@ def test_equal_segments_with_loads_of_no_weight_are_the_uniform_line(turned, fri
     assert np.abs(drawn[:, 2] - np.interp(*away, fine[:, 2])).max() < 1e-3
 
 
-def test_a_sinker_and_a_buoy_on_a_line_are_free_points_that_join_uniform_lines():
+@pytest.mark.parametrize("z", [-4.0, 3.0])
+def test_a_sinker_and_a_buoy_on_a_line_are_free_points_that_join_uniform_lines(z):
     """The joined lines come to rest by themselves; nothing between the free points lies on the bed."""
     mass, volume = 9e3, 30.0
 
@@ -100,7 +101,7 @@ def test_a_sinker_and_a_buoy_on_a_line_are_free_points_that_join_uniform_lines()
         ]
 
     joints = [FreePoint("sinker", (130.0, 30.0, -50.0), 2e4), FreePoint("buoy", (90.0, 20.0, -30.0), mass, volume)]
-    on_line, apart = same_rest(three_legs(one), three_legs(joined, joints), 1e-7)
+    on_line, apart = same_rest(three_legs(one, z=z), three_legs(joined, joints, z=z), 1e-7)
     assert on_line.lines.status[0] == State.GROUNDED
     places = apart.pose.free
     assert np.all(places[:, 2] > -59) and np.all(places[:, 2] < -3)
@@ -181,6 +182,22 @@ def test_a_bed_of_its_own_lies_under_a_line_whichever_way_it_swings():
         alone = one.line.solve(np.hypot(*(B - A)[:2]), B[2] - A[2])
         pull = np.hypot(state.lines.horizontal_b[0], state.lines.vertical_b[0])
         assert np.isclose(pull, alone.tension_fairlead, rtol=1e-12)
+
+
+def test_a_line_without_forces_at_its_ends_is_refused_and_one_too_short_is_marked():
+    def light(a, b):
+        return [composite("x", [(CHAIN, 250.0), (ROPE, 75.0)], a, b, [(300.0, -4e5)])]
+
+    system = three_legs(light)
+    starts, ends = rest(system).points[system.arrays.ends].swapaxes(0, 1).copy()
+    ends[0, 2] = 2.0
+    with pytest.raises(EquilibriumError, match="line x: its upper end is 2 m and its buoy would be"):
+        system.forces_between(starts, ends)
+    stiff = three_legs(lambda a, b: [composite("x", [(replace(CHAIN, axial_stiffness=np.inf), 320.0)], a, b)])
+    far = starts[0] + [400.0, 0.0, 60.0]
+    found = stiff.forces_between(starts, np.concatenate([far[None], ends[1:]]))
+    assert found.status[0] == State.BEYOND_REACH and np.isinf(found.tension_b[0]) and np.isinf(found.utilisation[0])
+    assert np.all(np.isfinite(found.tension_b[1:]))
 
 
 FAULTS = [
