@@ -24,31 +24,31 @@ def infinite_frequency(body):
 
 
 def zero_frequency(body):
-    """(6, 6) m³, m⁴, m⁵; heave, which moves water through ever wider circles, is infinite"""
+    """(6, 6) m³, m⁴, m⁵; heave, whose net flux acts like a source in plan, is infinite"""
     out, draft = np.zeros((6, 6)), body.draft
     rows = body.profiles.combinations @ np.concatenate([body.profiles.gap.mean, [draft, -(draft**2) / 2]])
     degree, top = _degrees(body)
     for cls in CLASSES[1:]:
-        mine = body.plan.among(cls, degree, top)
-        laplace = body.laplace(top)[cls][0][mine[:, None], mine]
+        own = body.plan.subset(cls, degree, top)
+        laplace = body.laplace(top)[cls][0][own[:, None], own]
         _fill(body, out, cls, 0.0, np.multiply.outer(rows, rows) / body.depth, laplace)
     out[2, 2] = np.inf
     return out
 
 
 def _degrees(body):
-    """Of the functions on the plan and of their tables"""
-    return tuple(body.plan.degree(k, body.tolerance) for k in (0.0, body.plan.shared(0.0)))
+    """Degrees of the functions on the plan and of their tables"""
+    return tuple(body.plan.degree(k, body.tolerance) for k in (0.0, body.plan.table_wavenumber(0.0)))
 
 
 def _fill(body, out, cls, shift, rows, single):
-    """Added mass of one class, kₙ = (n + shift)π/h and a mode of its own with `rows` and map `single`"""
+    """Set the added mass of one class in `out`: modes kₙ = (n + shift)π/h and one more with `rows` and map `single`"""
     gap, (degree, top) = body.profiles.gap, _degrees(body)
     wavenumbers = (np.arange(1, body.mode_count(0.0) + 1) + shift) * np.pi / body.depth
-    weights = body.collapsed(top, gap.outer_rows(wavenumbers), wavenumbers, body.depth / 2, gap.outer_decays)
+    weights = body.contracted(top, gap.outer_rows(wavenumbers), wavenumbers, body.depth / 2, gap.outer_decays)
     maps = body.outer_maps(cls, degree, top)
     size = len(rows) * maps.shape[1]
     outside = combined(weights, maps, rows, np.broadcast_to(single, maps.shape[1:])).reshape(size, size)
     dofs = [d for d in range(6) if class_of(d, "xy") == cls]
-    still, none = body.still(cls, degree, top, tuple(dofs)), np.zeros((size, 0))
-    out[np.ix_(dofs, dofs)] = -loads(still, outside, solved(still, outside, none), none).real
+    fixed_terms, none = body.fixed_terms(cls, degree, top, tuple(dofs)), np.zeros((size, 0))
+    out[np.ix_(dofs, dofs)] = -loads(fixed_terms, outside, solved(fixed_terms, outside, none), none).real

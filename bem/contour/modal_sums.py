@@ -1,11 +1,12 @@
-"""Sums over evanescent modes, with the maps of the plan taken from a table in κ.
+"""Sums over evanescent modes, with the maps of the plan interpolated in a table in κ.
 
 The maps N(κ) of a plan from normal velocity to potential are smooth in log κ and tend to ∓1/κ.  With
 M(κ) = κN(κ) known at Chebyshev nodes of log κ, M = Σ ℓ_c(κ) M_c, a sum over the modes becomes one over the nodes,
 
     Σₙ wᵢₙ wⱼₙ N(kₙ) = Σ_c [Σₙ wᵢₙ wⱼₙ ℓ_c(kₙ) / kₙ] M_c ,
 
-and many modes cost no more than few.  Beyond the last node M = ∓1 + a/κ + b/κ², with its value and slope there.
+so that the cost hardly depends on the number of modes.  Beyond the last node M = ∓1 + a/κ + b/κ², with its value and
+slope there.
 """
 
 from __future__ import annotations
@@ -18,8 +19,8 @@ from ..depth_modes.gap import tail_weights
 
 
 @dataclass(frozen=True)
-class Nodes:
-    """`count` Chebyshev nodes of log κ between `first` and `last` rad/m, increasing; the limit counts as one more."""
+class ChebyshevNodes:
+    """`count` Chebyshev nodes of log κ from `first` to `last` rad/m, increasing; κ → ∞ is one more node."""
 
     first: float
     last: float
@@ -35,7 +36,7 @@ class Nodes:
         return -np.cos(np.pi * np.arange(self.count) / (self.count - 1))
 
     def weights(self, k):
-        """ℓ_c(k), (k, count + 1), the last column for the limit; barycentric (Berrut and Trefethen 2004)"""
+        """ℓ_c(k), (k, count + 1), the last column of κ → ∞; barycentric (Berrut and Trefethen 2004)"""
         x = np.log(np.minimum(k, self.last) ** 2 / (self.first * self.last)) / np.log(self.last / self.first)
         distance = np.subtract.outer(x, self._points)
         hit = distance == 0
@@ -62,7 +63,7 @@ class Nodes:
         return slope * 2 / np.log(self.last / self.first)
 
 
-def collapsed(rows, decays, factors, table):
+def contracted(rows, decays, factors, table):
     """Σₙ rowsᵢₙ rowsⱼₙ factorsₙ tableₙ to infinity, (r, r, c).
 
     rows : (r, n) falling like n^(−decay) times oscillations; factors : (n,) falling like 1/n; table : (n, c)

@@ -15,7 +15,7 @@ from .plan.plane_waves import far_field
 
 
 def combined(weights, maps, rows, single):
-    """Σ_c weightsᵢⱼ_c maps_c + rowsᵢⱼ single, (r, n, r, n): the mode sum and one mode that stands alone"""
+    """Σ_c weightsᵢⱼ_c maps_c + rowsᵢⱼ single, (r, n, r, n): the sum over evanescent modes, and one mode by itself"""
     r, n = len(weights), maps.shape[1]
     total = (weights.reshape(r * r, -1) @ maps.reshape(len(maps), -1)).reshape(r, r, n, n)
     return (total + np.multiply.outer(rows, single)).transpose(0, 2, 1, 3)
@@ -30,26 +30,26 @@ class ContourFrequency:
         self.dofs = sorted(dofs)
         self.modes = body.profiles.gap.outer_modes(self.omega, body.mode_count(omega**2 / gravity), gravity)
         self.k = self.modes.k
-        self.flows = {}  # of the classes that are solved: their dofs, `WaveMap`, motions and `Flow`
+        self.flows = {}  # {class solved: (dofs, `WaveMap`, side velocities of the motions, `GapVelocity`)}
         self.degree, self.top, self.contour = self.resolution()
 
     def resolution(self):
         """Degrees of the functions on the plan and of the tables, and a `Contour` that resolves them and the waves"""
         plan, tolerance = self.body.plan, self.body.tolerance
-        # waves that die before they reach the keel need no resolution in the gap
+        # waves that have decayed at the depth of the keel need no resolution in the gap
         waves = min(self.k, -np.log(tolerance) / self.body.draft)
-        degree, top = (plan.degree(k, tolerance) for k in (waves, plan.shared(waves)))
+        degree, top = (plan.degree(k, tolerance) for k in (waves, plan.table_wavenumber(waves)))
         return degree, top, plan.contour(self.k, degree, tolerance)
 
     @property
     def classes(self):
-        """Symmetry classes to solve: those of the dofs, and with a far field all that a wave has."""
-        mine = {class_of(d, "xy") for d in self.dofs}
-        return [c for c in CLASSES if c in mine or (len(self.theta) and len(self.headings))]
+        """Symmetry classes to solve: those of the dofs, for a far field all of an incident wave."""
+        own = {class_of(d, "xy") for d in self.dofs}
+        return [c for c in CLASSES if c in own or (len(self.theta) and len(self.headings))]
 
     @property
     def amplitude(self):
-        """Potential of a wave of unit height of crest, m²/s per m"""
+        """−ig/ω, potential of a wave of unit amplitude at z = 0, m²/s per m"""
         return -1j * self.gravity / self.omega
 
     @cached_property
@@ -60,10 +60,10 @@ class ContourFrequency:
     @cached_property
     def outer_weights(self):
         m = self.modes
-        return self.body.collapsed(self.top, m.rows, m.wavenumbers, m.norms, self.body.profiles.gap.outer_decays)
+        return self.body.contracted(self.top, m.rows, m.wavenumbers, m.norms, self.body.profiles.gap.outer_decays)
 
     def outside(self, cls, wave):
-        """(r n, r n) of `contour_system.solved`"""
+        """(r n, r n) `outside` of `bem.contour.matching.solved`"""
         rows = np.multiply.outer(self.wave_rows, self.wave_rows) / self.modes.wave_norm
         maps = self.body.outer_maps(cls, self.degree, self.top)
         return combined(self.outer_weights, maps, rows, wave.weak).reshape(len(rows) * maps.shape[1], -1)
@@ -76,13 +76,13 @@ class ContourFrequency:
         kochin, residual = np.zeros((2, 6 + m, len(self.theta)), complex), 0.0
         waves = self.waves()
         for cls in self.classes:
-            mine = [d for d in self.dofs if class_of(d, "xy") == cls]
-            push, radiated, far, rest = self.solve(cls, mine, waves[cls])
-            radiation[np.ix_(mine, mine)] = -self.density * push[:, : len(mine)]
-            excitation[:, mine] = -1j * self.density * self.omega * push[:, len(mine) :].T
-            haskind[:, mine] = -1j * self.density * self.omega * radiated.T
-            kochin[:, mine] = -1j * self.omega * far[:, : len(mine)]
-            kochin[:, 6:] += far[:, len(mine) :]
+            own = [d for d in self.dofs if class_of(d, "xy") == cls]
+            push, radiated, far, rest = self.solve(cls, own, waves[cls])
+            radiation[np.ix_(own, own)] = -self.density * push[:, : len(own)]
+            excitation[:, own] = -1j * self.density * self.omega * push[:, len(own) :].T
+            haskind[:, own] = -1j * self.density * self.omega * radiated.T
+            kochin[:, own] = -1j * self.omega * far[:, : len(own)]
+            kochin[:, 6:] += far[:, len(own) :]
             residual = max(residual, rest)
         if not residual < 1e-6:  # NaN too
             raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the equations of the gap left {residual:.1e}")
@@ -94,22 +94,22 @@ class ContourFrequency:
         return self.body.plan.waves(self.classes, self.degree, self.k, self.contour, self.headings)
 
     def solve(self, cls, dofs, wave):
-        """One symmetry class.
+        """Solve one symmetry class.
 
         returns : ∬ φ n dS of motions and waves (dofs, dofs + m), the same of the waves from the motions' flow
             (dofs, m), far field (2, dofs + m, t), residual of the equations
         """
         rows, moving = self.wave_rows, len(dofs)
-        wall = self.amplitude * wave.tested
-        drive = np.multiply.outer(rows, wall).reshape(len(rows) * len(wall), wall.shape[1])
-        still, outside = self.body.still(cls, self.degree, self.top, tuple(dofs)), self.outside(cls, wave)
-        flow = solved(still, outside, drive)
-        side = still.side.reshape(moving, 2, -1)
+        wall = self.amplitude * wave.projected
+        incident = np.multiply.outer(rows, wall).reshape(len(rows) * len(wall), wall.shape[1])
+        fixed_terms, outside = self.body.fixed_terms(cls, self.degree, self.top, tuple(dofs)), self.outside(cls, wave)
+        flow = solved(fixed_terms, outside, incident)
+        side = fixed_terms.side.reshape(moving, 2, -1)
         self.flows[cls] = dofs, wave, side, flow
         velocity = np.tensordot(rows[:-2], flow.velocity, 1)  # ⟨u + v, Z₀⟩, (n, columns)
         velocity[:, :moving] += (rows[-2:] @ side).T
         far = self.far_field(cls, wave, velocity / self.modes.wave_norm, moving)
-        return loads(still, outside, flow, drive), velocity[:, :moving].T @ wall, far, flow.residual
+        return loads(fixed_terms, outside, flow, incident), velocity[:, :moving].T @ wall, far, flow.residual
 
     def far_field(self, cls, wave, velocity, moving):
         """Kochin functions per unit velocity of a motion, then per unit amplitude of the waves, (2, columns, t)

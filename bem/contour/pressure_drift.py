@@ -1,18 +1,18 @@
 """Mean drift by the pressure on the sides of a box or vertical cylinder, from the flow of the contour method.
 
-`near_field` has the formula.  The bottom pushes neither sideways nor round, and on a side ∂φ/∂n is that of the
-motions, so that of φ = Σ fₙ(s) Zₙ(z) remain
+Formula of `bem.methods.near_field`.  The bottom contributes no surge, sway or yaw, and on a side ∂φ/∂n is that of the
+motions, so that for φ = Σ fₙ(s) Zₙ(z) there remain
 
     ∫ |∇φ|² dz = ∫ |Σ f'ₙ Zₙ|² + |Σ fₙ Z'ₙ|² + |∂φ/∂n|² dz,    ∫ X·∇φ dz,    ζ,        −d < z < 0
 
-which `contour_depth` integrates for the nodes of a table in κ; a wave and a motion then cost little.
+which `side_flow` integrates in advance for the nodes of a table in κ; each wave and motion then costs little.
 
-What this checks: every mode but the wave pushes on the side as it pulls in the gap, and nothing of it is seen far
-away, if both sides of the gap agree on the potential there.  The error is of first order in what they do not agree
-on, where that of forces and far field is of second: the flow is found anew by a finer body.  In resonant roll the
-drift is the small difference of pressures tens of times as large.  Box in 20 and 100 m, tolerance 1e-3: near and far
-field differ by 5e-5 of the largest force on the fixed one, with the body of the forces by 5e-4 to 8e-4; in 2000 m by
-4e-4 and 3e-2.
+As a check of the far field: every evanescent mode exerts opposite forces on the side and in the gap, which cancel, and
+none appears in the far field, if the potentials on both sides of the gap are equal.  The error is of first order in
+their difference, where that of forces and far field is of second: the flow is solved again with a finer body.  In
+resonant roll the drift is the small difference of pressures tens of times as large.  Box in 20 and 100 m, tolerance
+1e-3: near and far field differ by 5e-5 of the largest force on the fixed one, with the body of the forces by 5e-4 to
+8e-4; in 2000 m by 4e-4 and 3e-2.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ from .plan.potentials import plan_values
 from .side_flow import depth_sums
 
 POLYNOMIALS = 4  # more on the sides of a box than forces need: with none near and far field differ four times as much
-PRESSURES = 2e-5  # relative error that pressures keep: `contour_depth.CUT`; as much more where `height` is more than 1
-DISTINCT = 1e-9  # `contour_accuracy.CLEAR` of pressures
+PRESSURES = 2e-5  # relative error of pressures at best: `side_flow.CUT`; as much more where `height` is more than 1
+DISTINCT = 1e-9  # `accuracy.CLEAR` of pressures
 
 
 def pressure_drift(run, motions):
@@ -51,13 +51,13 @@ def pressure_error(run):
     return max(run.estimated_error(), PRESSURES * height(body.depth - body.draft, body.plan.scale))
 
 
-def sharper(body):
-    """The same `bem.contour.solver.ContourBody` as fine as pressures need it
+def refined(body):
+    """The `bem.contour.solver.ContourBody` with the accuracy that pressures need
 
-    With functions of the gap for twice the digits, modes for two more to resolve them, of their combinations even
-    those that hardly differ, more polynomials on the sides, panels of a digit more, and a table in κ for three more.
+    Functions of the gap for twice the digits, modes for two more digits, a smaller eigenvalue of the profiles kept,
+    more polynomials on the sides, panels of one digit more, and a table in κ of three digits more.
     """
-    if "sharper" not in body.kept:
+    if "sharper" not in body.cache:
         ours, gap, scale = body.accuracy, body.depth - body.draft, body.plan.scale
         twice, further = (accuracy(digits, body.draft, gap, scale) for digits in (2 * ours.digits, ours.digits + 2))
         finer = ours._replace(
@@ -68,8 +68,8 @@ def sharper(body):
             plan=ours.plan + DIGIT,
             extra=ours.extra + POLYNOMIALS,
         )
-        body.kept["sharper"] = replace(body, plan=body.plan.to(finer), accuracy=finer, kept={})
-    return body.kept["sharper"]
+        body.cache["sharper"] = replace(body, plan=body.plan.to(finer), accuracy=finer, cache={})
+    return body.cache["sharper"]
 
 
 class _Sides:
@@ -77,7 +77,7 @@ class _Sides:
 
     def __init__(self, run):
         problem = run.problem
-        body = sharper(run.prepared.solver)
+        body = refined(run.prepared.solver)
         freq = ContourFrequency(body, run.omega, run.headings, (), range(6), problem.density, problem.gravity)
         freq.result()
         self.freq = freq
@@ -96,14 +96,14 @@ class _Sides:
             along = (-turn * ny, turn * nx)  # the slopes of an image run clockwise
             moved = _displacements(motion, px, py, (nx, ny), along)
             edge = -1j * self.freq.omega * np.array([moved[2], moved[0][1] + 0 * moved[2]])
-            # along the contour w and b add nothing that counts: φ_s is regular at the keel
+            # the slopes of w and b along the contour are neglected: φ_s is regular at the keel
             g, slope = np.vstack([g, edge]), np.vstack([slope, 0 * edge])
             q = c.weights * self.density(g, slope, moved)
             total += q @ nx, q @ ny, q @ (px * ny - py * nx)
         return total
 
     def flow(self, cls, heading, motion):
-        """Amplitudes of `DepthSums` but those of the edge at the nodes and their slopes, two (a − 2, m)"""
+        """Amplitudes of `DepthSums`, except the two of the edge, at the nodes, and their slopes: two (a − 2, m)"""
         freq, (maps, slope) = self.freq, self.values[cls]
         dofs, wave, sides, flow = freq.flows[cls]
         speed = -1j * freq.omega * motion[dofs]

@@ -1,10 +1,10 @@
-"""Deep water over a raised bed, where waves are too short to know: the contour method then answers in any depth.
+"""Deep water replaced by a raised bed, which short waves do not reach: the contour method then serves any depth.
 
     s = F c,    c = max(b, d),    F = max(10, (1.4 / tolerance)^(1/2)),    h = d + s
 
 with b the radius or half the smaller width, d the draft.  Waves of kh ≥ 14 have the wavenumber and group velocity of
-endless depth to 1e-10.  What a body moves without waves is seen from the bed as a dipole in the still surface, the
-flow and its image, which falls off like distance^(−2) along a slender body and faster about a short one; the bed adds
+infinite depth to 1e-10.  The non-radiating flow of a body is at the bed that of a dipole and its image in the free
+surface, which decays like distance^(−2) for a slender body and faster for a short one; the bed adds
 
     0.7 (c/s)²    at most, half the tolerance, of √|Zᵢᵢ Zⱼⱼ| and of the excitation.
 
@@ -27,7 +27,7 @@ SHARE = 1 / 3  # of the tolerance that is left to the contour method
 
 
 def raised_bed(shape, sizes, tolerance, k):
-    """h in m, or None where waves of `k` rad/m are as long as the body, too long for the bed, or digits would be lost.
+    """h in m, or None where waves of `k` rad/m are longer than the body, reach the bed, or accuracy would be lost.
 
     shape, sizes : as of `bem.methods.shape_problem.ShapeProblem`; tolerance : relative error of the coefficients
     """
@@ -46,9 +46,9 @@ def effect_of_bed(shape, sizes, bed):
 
 
 def with_bed(run, radiation, excitation):
-    """Errors of radiation (6, 6) and excitation (m, 6) with what the raised bed of a run may add to them.
+    """Errors of radiation (6, 6) and excitation (m, 6), with the effect of a run's raised bed added.
 
-    What symmetry makes zero stays zero.
+    Entries that are zero by symmetry stay zero.
     """
     problem = run.problem
     if problem.bed is None or problem.bed >= problem.depth:

@@ -1,4 +1,4 @@
-"""What the rigid motions of a vertical-sided body do at its plan contour, expanded in the functions of the contour.
+"""Boundary data of the rigid motions of a vertical-sided body on its plan contour, in the functions of the contour.
 
 With unit velocity, ζ measured from the bed, s the height of the gap and w the vertical velocity of the bottom,
 
@@ -11,7 +11,7 @@ and under the keel a particular solution ψ, harmonic, at rest on the bed and mo
     heave  [ζ² − αx² − (1−α)y²] / 2s
     roll   [ζ²y − αx²y − (1−α)y³/3] / 2s        pitch  −[ζ²x − αx³/3 − (1−α)xy²] / 2s
 
-Any α is right; that of the plan keeps ψ small on a long body, where it would be subtracted again.
+Every α is admissible; that of the plan keeps ψ small on a long body, where cancellation would cost digits.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .plan.maps import area_moment
 
 
 class Motion(NamedTuple):
-    """One rigid motion at the contour, as coefficients of the n functions of its class; several with an axis more.
+    """One rigid motion on the contour, as coefficients of the n functions of its class; several have a first axis more.
 
     side : (2, n) of velocity a + b z; value, slope : (2, n) of ψ and ∂ψ/∂n, a + b ζ²
     """
@@ -34,7 +34,7 @@ class Motion(NamedTuple):
     slope: np.ndarray
 
 
-def motion(dof, contour, basis, gap_height, shares):
+def motion(dof, contour, basis, gap_height, alphas):
     """`Motion` of degree of freedom 0 … 5.
 
     basis : (m, n) of its class at the nodes of the contour; shares : α in heave, roll and pitch
@@ -45,7 +45,7 @@ def motion(dof, contour, basis, gap_height, shares):
     )[dof]  # fmt: skip
     value = slope = (none, none)
     if dof in (2, 3, 4):
-        value, slope = _particular(dof, c, shares[dof - 2])
+        value, slope = _particular(dof, c, alphas[dof - 2])
     project = 4 * (basis * c.weights[:, None]).T
     fields = (side, np.divide(value, 2 * gap_height), np.divide(slope, 2 * gap_height))
     return Motion(*(np.array([project @ part for part in pair]) for pair in fields))
@@ -62,11 +62,11 @@ def _particular(dof, c, a):
     return ((a * x**2 / 3 + b * y**2) * x, -x), (square * nx + 2 * b * x * y * ny, -nx)
 
 
-def bottom_integral(dof, contour, gap_height, shares):
+def bottom_integral(dof, contour, gap_height, alphas):
     """∬ ψ w dA over the bottom for one motion, m³ or m⁵"""
     if dof not in (2, 3, 4):
         return 0.0
-    s, a = gap_height, shares[dof - 2]
+    s, a = gap_height, alphas[dof - 2]
     b = 1 - a
 
     def m(i, j):

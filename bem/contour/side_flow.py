@@ -2,7 +2,7 @@
 
     φ = Σ fₙ Zₙ(z)    and at a small distance r from the keel    φ = c + wr + (2b/3π) r² ln r + Σ cₚ r^(2p/3)
 
-The sum with a smooth cut-off at N modes converges fast where r ≫ 1/k_N.  Nearer to the keel the expansion stands for
+The sum with a smooth cut-off at N modes converges fast where r ≫ 1/k_N.  Nearer to the keel the expansion replaces
 it: w is the vertical speed of the keel's edge and b the rate at which the side turns about it, both those of the
 hull, and the powers are those of water in an edge of 270° at rest.  c₁, c₂, c₃ follow from ∂φ/∂z a little farther up,
 and |∇φ|², singular like r^(−2/3), is integrated without error to the edge.
@@ -19,9 +19,9 @@ from ..depth_modes.gap import Gap, OuterModes, smooth_cutoff
 from ..waves import depth_factor, depth_factor_slope
 from .plan.panels import gauss_rule
 
-CUT = 60.0  # times 1/k_N: from there on a sum cut off at k_N lacks 2e-5 of its singular part
-START, END = 0.01, 4.0  # c₁, c₂, c₃ are found from this part of draft or gap on, to so many times farther
-LATEST, MODES = 0.03, 20000  # or from up to this part on, where so many modes do
+CUT = 60.0  # times 1/k_N: at this distance the truncation error of a sum is 2e-5 of its singular part
+START, END = 0.01, 4.0  # c₁, c₂, c₃ are fitted between START of draft or gap and END times that
+LATEST, MODES = 0.03, 20000  # START may be up to LATEST, to do with so many modes
 POWERS = np.array([2, 4, 6]) / 3
 
 

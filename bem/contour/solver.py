@@ -1,14 +1,14 @@
 """Box or vertical cylinder in finite depth by domain decomposition, to a tolerance.
 
-Eigenfunctions in depth outside and under the body, for each of them a map on the plan contour from normal velocity
-to potential, and in the gap under the keel profiles with the singularity of the keel's edge: `gap`, `gap_profiles`,
-`plan_circle`, `plan_rectangle`, `contour_system`.  After Ijima's method in the SR179 report (1982), section
-2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid Mech. 46 (1971).  Conventions as in `bem`.
+Eigenfunctions of depth outside and under the body (`bem.depth_modes.gap`); for each of them the Neumann-to-Dirichlet
+map of the plan contour (`plan.circle`, `plan.rectangle`); in the gap under the keel velocity profiles with the
+singularity of the keel's edge (`bem.depth_modes.gap_profiles`); equality of the potentials by Galerkin's method
+(`matching`).  After Ijima's method in the SR179 report (1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid
+Mech. 46 (1971).  Conventions as in `bem`.
 
-What no frequency changes is done once: the maps beneath, and a table in κ of those outside from which every
-evanescent mode is summed (`contour_sums`).  Functions of the plan up to a degree are among those up to a higher one,
-so that few such tables, each cut to what a frequency needs, serve all.  A frequency solves one plane problem of waves
-around the plan.
+Frequency-independent are the maps beneath, and a table in κ of those outside, from which the evanescent modes are
+summed (`modal_sums`).  The functions of the plan are hierarchical in their degree, so that one table serves every
+frequency that needs that degree or less.  A frequency solves one plane Helmholtz problem around the plan.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ from ..problem import check_gap
 from ..waves import wavenumber
 from .accuracy import Accuracy, accuracy, finer
 from .frequency_limits import infinite_frequency, zero_frequency
-from .matching import still
-from .modal_sums import Nodes, collapsed
+from .matching import fixed_terms
+from .modal_sums import ChebyshevNodes, contracted
 from .one_frequency import ContourFrequency, combined
 from .plan.circle import Circle
 from .plan.rectangle import Rectangle
 from .rigid_motions import Motion, bottom_integral, motion
-from .short_wave_frequency import ShortFrequency
+from .short_wave_frequency import ShortWaveFrequency
 from .short_waves import unresolved
 
 TOLERANCES = (1e-7, 0.1)
-MARGIN = 0.5  # digits more than asked for
-ALONG = 0.25  # of the shortest wave along the contour that counts in the table in κ
-SMALL = 100  # unknowns of a class and of a plane problem, a few hundred at most
+MARGIN = 0.5  # digits in addition to those asked for
+ALONG = 0.25  # of the largest wavenumber along the contour: the table in κ begins its asymptotic range there
+SMALL = 100  # unknowns of a class or a plane problem, a few hundred at most
 HIGHEST_GAP = 1400  # times the smaller of draft and half the plan's width; errors were measured up to there
 
 
@@ -80,22 +80,22 @@ def _prepared(plan, draft, depth, tolerance):
     return ContourBody(plan.to(fine), float(draft), float(depth), fine)
 
 
-def once(method):
-    """Method whose value is kept with its object, for every set of arguments."""
+def memoised(method):
+    """Decorator: memoise a method in the `cache` of its object, for every set of arguments."""
 
     @wraps(method)
-    def kept(self, *arguments):
+    def cache(self, *arguments):
         key = (method.__name__, *arguments)
-        if key not in self.kept:
-            self.kept[key] = method(self, *arguments)
-        return self.kept[key]
+        if key not in self.cache:
+            self.cache[key] = method(self, *arguments)
+        return self.cache[key]
 
-    return kept
+    return cache
 
 
 @dataclass(frozen=True, eq=False)
 class ContourBody:
-    """A body of constant plan from z = −draft to the surface.
+    """A body of constant plan from z = −draft to the surface, with its frequency-independent quantities.
 
     plan : `Circle` or `Rectangle`; draft, depth : m; accuracy : of its parts
     """
@@ -104,7 +104,7 @@ class ContourBody:
     draft: float
     depth: float
     accuracy: Accuracy
-    kept: dict = field(default_factory=dict, repr=False)
+    cache: dict = field(default_factory=dict, repr=False)
 
     def first_order(self, omega, headings=(), theta=(), dofs=range(6), density=1025.0, gravity=9.80665):
         """`FirstOrder` at one frequency.
@@ -119,7 +119,7 @@ class ContourBody:
         if not (np.all(np.isfinite(headings)) and np.all(np.isfinite(theta))):
             raise ValueError("headings or theta hold a value that is not finite; allowed: angles in rad")
         solver = self.solver(omega, gravity)
-        if solver is ShortFrequency and len(theta):
+        if solver is ShortWaveFrequency and len(theta):
             raise ValueError(
                 f"ω = {omega:.6g} rad/s has too many waves along the body for a far field; "
                 "leave out kochin and drift, or the frequency"
@@ -130,7 +130,7 @@ class ContourBody:
     def solver(self, omega, gravity):
         """`ContourFrequency`, or `ShortFrequency` of waves that are not resolved"""
         k = float(wavenumber(omega, self.depth, gravity))
-        return ShortFrequency if unresolved((*self.plan.sizes, self.draft), k) else ContourFrequency
+        return ShortWaveFrequency if unresolved((*self.plan.sizes, self.draft), k) else ContourFrequency
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
         """(m, 6) force of the undisturbed waves alone, N/m and N m/m; arguments as of `first_order`"""
@@ -150,7 +150,7 @@ class ContourBody:
 
     @cached_property
     def finer(self):
-        """The same body with a digit more, against which the error of this one is seen"""
+        """The same body with a digit more, from which the error of this one is estimated"""
         fine = finer(self.accuracy, self.draft, self.depth - self.draft, self.plan.scale)
         return ContourBody(self.plan.to(fine), self.draft, self.depth, fine)
 
@@ -164,20 +164,20 @@ class ContourBody:
         """`Profiles` of the gap"""
         return Profiles(Gap(self.draft, self.depth, self.accuracy.terms), self.accuracy.smallest)
 
-    @once
+    @memoised
     def nodes(self, degree):
         """κ at which the maps of functions up to `degree` are known, from below the first mode of either region.
 
-        Their nearest singularities lie at arg κ = ±π/2: Chebyshev's error falls by a factor of ten for every
-        0.73 nodes per factor e in κ.  One digit and a half go to the size of κT in long waves.  A wave of m rad/m
-        along a wall has κN = −κ / √(κ² + m²): the limit −1 is far until κ is larger than all of them.
+        Their nearest singularities lie at arg κ = ±π/2: the error of Chebyshev interpolation falls by a factor of ten
+        for every 0.73 nodes per factor e in κ.  One digit and a half are lost to the size of κT in long waves.  A wave
+        of m rad/m along a wall has κN = −κ / √(κ² + m²), which approaches its limit −1 only for κ larger than all m.
         """
         first, digits = np.pi / (2 * self.depth), self.accuracy.kappa
         shortest = max(1 / self.plan.scale, first, ALONG * self.plan.finest(degree))
         last = 10 ** (digits / 3 + 0.1) * shortest
-        return Nodes(first, last, int(np.ceil(0.8 * (digits + 1.5) * np.log(last / first))) + 2)
+        return ChebyshevNodes(first, last, int(np.ceil(0.8 * (digits + 1.5) * np.log(last / first))) + 2)
 
-    @once
+    @memoised
     def maps(self, degree):
         """{class: κN and κT at the nodes and their limits −1 and 1, two (c + 1, n, n)}"""
 
@@ -187,62 +187,62 @@ class ContourBody:
         tables = self.plan.maps(degree, self.nodes(degree).kappa)
         return {cls: (with_limit(outer, -1), with_limit(inner, 1)) for cls, (outer, inner) in tables.items()}
 
-    @once
+    @memoised
     def laplace(self, degree):
         """{class: the maps outside and inside for κ = 0, two (n, n)}"""
         return self.plan.laplace(degree)
 
-    def collapsed(self, degree, rows, wavenumbers, norms, decays):
-        """(r, r, c + 1) what each node of the table weighs in the sum over modes of ⟨·, Zₙ⟩⟨·, Zₙ⟩ N(kₙ) / norm"""
-        sums = collapsed(rows, decays, 1 / (norms * wavenumbers), self.nodes(degree).weights(wavenumbers))
+    def contracted(self, degree, rows, wavenumbers, norms, decays):
+        """(r, r, c + 1) weight of each node of the table in the sum over modes of ⟨·, Zₙ⟩⟨·, Zₙ⟩ N(kₙ) / norm"""
+        sums = contracted(rows, decays, 1 / (norms * wavenumbers), self.nodes(degree).weights(wavenumbers))
         return self.profiles.products(sums)
 
-    @once
+    @memoised
     def outer_maps(self, cls, degree, top):
         """(c + 1, n, n) κN at the nodes and its limit, of functions up to `degree` among those up to `top`"""
-        mine = self.plan.among(cls, degree, top)
-        return np.ascontiguousarray(self.maps(top)[cls][0][:, mine[:, None], mine])
+        own = self.plan.subset(cls, degree, top)
+        return np.ascontiguousarray(self.maps(top)[cls][0][:, own[:, None], own])
 
     def mode_count(self, k):
         """Evanescent modes outside, k = ω²/g"""
         return self.profiles.gap.mode_count(k, self.accuracy.modes, self.plan.scale, DEPENDENT)
 
-    @once
+    @memoised
     def inner_weights(self, degree):
         gap = self.profiles.gap
         inner = gap.inner_modes(gap.inner_count(2 * self.accuracy.modes, self.plan.scale))
-        return self.collapsed(degree, inner.rows, inner.wavenumbers, gap.height / 2, gap.inner_decays)
+        return self.contracted(degree, inner.rows, inner.wavenumbers, gap.height / 2, gap.inner_decays)
 
-    @once
+    @memoised
     def beneath(self, cls, degree):
         """(r, n, r, n) potentials under the body, tested with the profiles and with 1 and ζ²"""
         rows = self.profiles.mean_rows
         mean = np.multiply.outer(rows, rows) / self.profiles.height
         return combined(self.inner_weights(degree), self.maps(degree)[cls][1], mean, self.laplace(degree)[cls][1])
 
-    @once
-    def still(self, cls, degree, top, dofs):
-        """`contour_system.Still` of the motions `dofs`, of functions up to `degree` among those up to `top`"""
-        mine, unit = self.plan.among(cls, degree, top), self.unit(cls, top)
-        each, shape = [self.motion(d, top) for d in dofs], (len(dofs), 2, len(mine))
-        motions = Motion(*(np.reshape([m[i][:, mine] for m in each], shape) for i in range(3)))
-        beneath = self.beneath(cls, top)[:, mine][:, :, :, mine]
-        unit = None if unit is None else unit[mine]
-        return still(self.profiles, beneath, unit, motions, np.array([self.bottom(d) for d in dofs]))
+    @memoised
+    def fixed_terms(self, cls, degree, top, dofs):
+        """`bem.contour.matching.FixedTerms` of the motions `dofs`; functions up to `degree` out of those up to `top`"""
+        own, unit = self.plan.subset(cls, degree, top), self.unit(cls, top)
+        each, shape = [self.motion(d, top) for d in dofs], (len(dofs), 2, len(own))
+        motions = Motion(*(np.reshape([m[i][:, own] for m in each], shape) for i in range(3)))
+        beneath = self.beneath(cls, top)[:, own][:, :, :, own]
+        unit = None if unit is None else unit[own]
+        return fixed_terms(self.profiles, beneath, unit, motions, np.array([self.bottom(d) for d in dofs]))
 
-    @once
+    @memoised
     def motion(self, dof, degree):
         cls = class_of(dof, "xy")
         contour = self.plan.polynomial_contour(degree)
-        return motion(dof, contour, self.plan.basis(cls, degree, contour), self.profiles.height, self.plan.shares)
+        return motion(dof, contour, self.plan.basis(cls, degree, contour), self.profiles.height, self.plan.alphas)
 
-    @once
+    @memoised
     def bottom(self, dof):
         """∬ ψ w dA"""
         contour = self.plan.polynomial_contour(self.plan.degree(0.0, self.tolerance))
-        return bottom_integral(dof, contour, self.profiles.height, self.plan.shares)
+        return bottom_integral(dof, contour, self.profiles.height, self.plan.alphas)
 
-    @once
+    @memoised
     def unit(self, cls, degree):
         """(n,) coefficients of 1, None where the class has no net flux"""
         if cls != (1, 1):

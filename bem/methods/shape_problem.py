@@ -116,12 +116,12 @@ class ShapeRun(FrequencyRun):
 
     @property
     def waves(self):
-        """(m,) headings, none where nothing is wanted of waves"""
+        """(m,) headings; empty where no diffraction is wanted"""
         return self.headings if self.diffracts else np.empty(0)
 
     @cached_property
     def errors(self):
-        """Of the contour method, by a finer body and Haskind; None for strips, whose error is that of their idea"""
+        """Of the contour method, by a finer body and Haskind; None for strips, whose error is that of strip theory"""
         if self.problem.method != "contour":
             return None
         ours, problem = self.first_order, self.problem
@@ -131,9 +131,9 @@ class ShapeRun(FrequencyRun):
         force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
         excitation = at_least_haskind(force - better, force, ours.haskind, self.dofs)
         radiation = ours.radiation - fine.radiation
-        if ours.doubt is not None:
-            A, B = (longer(part, ours.doubt[0]) for part in (radiation.real, radiation.imag))
-            radiation, excitation = A + 1j * B, longer(excitation, ours.doubt[1])
+        if ours.neglected is not None:
+            A, B = (longer(part, ours.neglected[0]) for part in (radiation.real, radiation.imag))
+            radiation, excitation = A + 1j * B, longer(excitation, ours.neglected[1])
         return with_bed(self, radiation, excitation)
 
     @property

@@ -18,7 +18,7 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import numpy as np
 
 from bem.contour.one_frequency import ContourFrequency
-from bem.contour.short_wave_frequency import ShortFrequency
+from bem.contour.short_wave_frequency import ShortWaveFrequency
 from bem.contour.solver import prepare_box
 
 GRAVITY, DENSITY, TOLERANCE = 9.80665, 1025.0, 0.01
@@ -49,10 +49,10 @@ def first_order(body, solver, omega, headings):
 def compared(sizes, omega, headings):
     """Size of errors of A + iB/ω (6, 6) and excitation (m, 6), estimates of both, and the resolved `FirstOrder`"""
     body = prepare_box(*sizes, TOLERANCE)
-    ours, fine = (first_order(b, ShortFrequency, omega, headings) for b in (body, body.finer))
+    ours, fine = (first_order(b, ShortWaveFrequency, omega, headings) for b in (body, body.finer))
     exact, rough = (first_order(b, ContourFrequency, omega, headings) for b in (body.finer, body))
     found = []
-    for name, left_out in zip(("radiation", "diffraction"), ours.doubt, strict=True):
+    for name, left_out in zip(("radiation", "diffraction"), ours.neglected, strict=True):
         mine, finer, true, other = (getattr(r, name) for r in (ours, fine, exact, rough))
         error = np.maximum(np.abs(mine - true) - np.abs(other - true), 0)  # the resolved one errs too
         found.append((error, np.abs(mine - finer) + left_out))

@@ -5,7 +5,7 @@
 
 Near x = 0 they are p(x) + q(x) ln x with entire p and q (DLMF 10.8.2, 10.31.2); elsewhere they are p.  The polynomials
 are those through twelve Chebyshev points of cells of width ½: the logarithm of x = 0 is 18 half widths from the first
-cell where it does not stand apart, and 18⁻¹² = 1e-15.  A pair of points takes a quarter of the time, or less, that it
+cell where it is not separated, and 18⁻¹² = 1e-15.  A pair of points takes a quarter of the time, or less, that it
 takes with one call for each function.
 """
 
@@ -20,8 +20,8 @@ from scipy.special import i0, i1, j0, j1, k0, k1, y0, y1
 from ...kernels.jit import kernel
 
 WIDTH, TERMS = 0.5, 12
-LOGARITHMIC = 4  # cells in which ln x stands apart
-FEWEST = 64  # cells of waves that are made at a time, then twice as many, and so on
+LOGARITHMIC = 4  # cells in which ln x is separated
+FEWEST = 64  # cells of J, Y computed first, then twice as many, and so on
 VANISHED = 80  # cells until K₀ < 1e-18 and is taken as zero
 
 
@@ -58,7 +58,7 @@ def _radiating_cells(count):
 
 
 def _points(count):
-    """Chebyshev points of `count` cells, (cells, terms), and 1 where ln x stands apart, else 0"""
+    """Chebyshev points of `count` cells, (cells, terms), and 1 where ln x is separated, else 0"""
     cell = np.arange(count)[:, None]
     return WIDTH * (cell + (1 + chebyshev.chebpts1(TERMS)) / 2), 1.0 * (cell < LOGARITHMIC)
 

@@ -1,13 +1,13 @@
 """Plane problems outside and inside a circle, for the depth modes of a vertical cylinder.
 
-A plan says how potential answers normal velocity on a body's plan contour.  Velocity and potential are expanded in
-real functions ψ, orthonormal on the whole contour and grouped by parity (sign in x, sign in y); here cos mθ and
-sin mθ.  With r the distance from the axis the maps from ∂φ/∂r to φ are diagonal:
+A plan has the Neumann-to-Dirichlet maps of a body's plan contour, from normal velocity to potential, in real functions
+ψ that are orthonormal on the whole contour and have parity (sign in x, sign in y); here cos mθ and sin mθ.  With r the
+distance from the axis the maps from ∂φ/∂r to φ are diagonal:
 
     outside, decaying like exp(−κr)    Kₘ(κR) / κKₘ'(κR)         inside     Iₘ(κR) / κIₘ'(κR)
     outside, waves                     Hₘ(kR) / kHₘ'(kR)         κ → 0      −R/m outside, R/m inside
 
-and the wave exp(ik(x cosβ + y sinβ)) and what a rigid wall makes of it is Σ εₘ iᵐ (2i / πkR Hₘ'(kR)) cos m(θ − β)
+and the wave exp(ik(x cosβ + y sinβ)) with its diffraction by the rigid wall is Σ εₘ iᵐ (2i / πkR Hₘ'(kR)) cos m(θ − β)
 on the wall (MacCamy and Fuchs, 1954).  Time factor exp(−iωt).
 """
 
@@ -20,10 +20,10 @@ from scipy.special import hankel1, ive, jv, kve
 
 from ...froude_krylov import side_integrals
 from ...waves import depth_factor
-from .maps import CLASSES, Contour, WaveMap, shared
-from .short_waves import ShortMap
+from .maps import CLASSES, Contour, WaveMap, table_wavenumber
+from .wedge_diffraction import AsymptoticWaveMap
 
-LOWEST = 3  # order that any velocity in the gap has
+LOWEST = 3  # highest order of the rigid motions' velocities in the gap, and one more
 
 
 @dataclass(frozen=True)
@@ -34,12 +34,12 @@ class Circle:
 
     @property
     def scale(self):
-        """Length over which waves must be short for κN to take its limit, m"""
+        """Length, m, that waves must be short compared with for κN to approach its limit"""
         return self.radius
 
     @property
-    def shares(self):
-        """α of `contour_motions` in heave, roll and pitch: ψ in one angular order"""
+    def alphas(self):
+        """α of `rigid_motions` in heave, roll and pitch: ψ in one angular order"""
         return 1 / 2, 1 / 4, 3 / 4
 
     @property
@@ -53,23 +53,23 @@ class Circle:
         return (self.radius,)
 
     def to(self, accuracy):
-        """The same plan for another `contour_accuracy.Accuracy`; its maps are exact"""
+        """The same plan for another `accuracy.Accuracy`; its maps are exact"""
         return self
 
     def degree(self, waves, tolerance):
-        """Highest order that velocities in the gap need where `waves` rad/m of them get under the keel."""
+        """Highest order that velocities in the gap need; waves : rad/m, the largest wavenumber under the keel"""
         return max(LOWEST, _last_order(waves * self.radius, tolerance))
 
-    def shared(self, waves):
-        """rad/m, at least `waves`, up to which tables are made"""
-        return shared(waves, self.radius)
+    def table_wavenumber(self, waves):
+        """Wavenumber, rad/m, at least `waves`, that a shared table resolves"""
+        return table_wavenumber(waves, self.radius)
 
-    def among(self, cls, degree, top):
-        """(n,) places of the functions up to `degree` among those up to `top`"""
+    def subset(self, cls, degree, top):
+        """(n,) indices of the functions up to `degree` within those up to `top`"""
         return np.arange(len(self.orders(cls, degree)))
 
     def finest(self, degree):
-        """rad/m along the contour of the shortest waves that functions up to `degree` are made for"""
+        """Wavenumber along the contour, rad/m, that functions up to `degree` resolve"""
         return (degree - LOWEST) / self.radius
 
     def contour(self, k, degree, tolerance):
@@ -120,24 +120,24 @@ class Circle:
         wall = np.where(m, 2, 1) * 1j**m * 2j / (np.pi * x) * inverse / slope
         theta, out = np.arctan2(contour.y, contour.x), {}
         for cls in classes:
-            mine, all_mine = self.orders(cls, degree), self.orders(cls, last)
-            ratio = 1 / (k * slope[mine])
+            own, all_mine = self.orders(cls, degree), self.orders(cls, last)
+            ratio = 1 / (k * slope[own])
             part = np.cos if cls[1] == 1 else np.sin
             total = part(np.multiply.outer(theta, all_mine)) @ (wall[all_mine, None] * part(np.outer(all_mine, beta)))
             basis = self.basis(cls, degree, contour)
-            tested = 4 * (basis * contour.weights[:, None]).T @ total
-            out[cls] = WaveMap(np.diag(ratio), basis * ratio, total, tested)
+            projected = 4 * (basis * contour.weights[:, None]).T @ total
+            out[cls] = WaveMap(np.diag(ratio), basis * ratio, total, projected)
         return out
 
-    def short_degree(self, tolerance):
-        """Highest order where waves are not resolved: orders do not mix, and motions have the first two"""
+    def asymptotic_degree(self, tolerance):
+        """Highest order where waves are not resolved: orders are uncoupled, and motions have the first two"""
         return LOWEST
 
-    def short_map(self, cls, degree, k, beta):
-        """`bem.contour.plan.short_waves.ShortMap`, exact"""
+    def asymptotic_map(self, cls, degree, k, beta):
+        """`bem.contour.plan.wedge_diffraction.AsymptoticWaveMap`, exact"""
         contour = self.polynomial_contour(degree)
         wave = self.waves([cls], degree, k, contour, beta)[cls]
-        return ShortMap(wave.weak, wave.tested)
+        return AsymptoticWaveMap(wave.weak, wave.projected)
 
     def incident_force(self, draft, depth, k, beta):
         """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)

@@ -5,7 +5,7 @@
 with G = −ln R / 2π (Laplace), K₀(κR) / 2π (∇²φ = κ²φ) or (i/4) H₀(kR) (waves, exp(−iωt)).  The potential on the
 contour is φ/2 = Dφ − S ∂φ/∂n outside and φ/2 = S ∂φ/∂n − Dφ inside.
 
-Geometry is worked out once; a wavenumber costs its Bessel functions and one accumulation.
+The geometry is computed once; each wavenumber costs its Bessel functions and one accumulation.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def radiating(k):
 class Layers(NamedTuple):
     """Targets (i,) against the nodes (m,) of a contour and their images.
 
-    distance, along : (f,) of the far pairs as in `Points`, times no weight; pair : (f,) flat (i, image, m) index
+    distance, along : (f,) of the far pairs as in `Points`, without weights; pair : (f,) flat (i, image, m) index
     near : `Points`; shapes : (q, g) interpolation at the near points
     """
 

@@ -1,4 +1,4 @@
-"""What the plan of a vertical-sided body hands to the depth modes: nodes on its contour and maps on it."""
+"""Contour nodes and Neumann-to-Dirichlet maps of the plan of a vertical-sided body, as the depth modes use them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class WaveMap(NamedTuple):
     weak: np.ndarray  # (n, n) complex, m: ∮ ψᵢ N ψⱼ ds, N from ∂φ/∂n to φ
     potential: np.ndarray  # (m, n) complex, m: N ψⱼ at the nodes
     wall: np.ndarray  # (m, b) complex: the waves exp(ik(x cosβ + y sinβ)) in front of a rigid wall, at the nodes
-    tested: np.ndarray  # (n, b) complex, √m: the same tested with ψ
+    projected: np.ndarray  # (n, b) complex, √m: ∮ ψᵢ wall ds
 
     @classmethod
     def solved(cls, contour, basis, potential, wall):
@@ -34,14 +34,14 @@ class WaveMap(NamedTuple):
         return cls(weak @ potential, potential, wall, weak @ wall)
 
 
-# rad from the axis to the farther side: waves down to 0.4 of the length, which most scenes stay above, have the same
-# tables, and from there on those that differ by half.  Six frequencies of 100 × 50 × 10 m made four or five tables in
-# two thirds of their time; the one that serves all takes as long as the two smallest of them
+# phase, rad, from the axis to the farther side: waves longer than 0.4 of the length, most scenes, share one table;
+# shorter ones share tables whose wavenumbers differ by the factor RATIO.  Six frequencies of 100 × 50 × 10 m made four
+# or five tables in two thirds of their time; one table for all would take as long as the two smallest of them
 TURNS, RATIO = 8.0, 1.5
 
 
-def shared(waves, half):
-    """rad/m, at least `waves`, for which tables are made; half : m from the axis to the farther side"""
+def table_wavenumber(waves, half):
+    """Wavenumber, rad/m, at least `waves`, that a shared table resolves; half : m from the axis to the farther side"""
     steps = np.ceil(np.log(max(waves * half / TURNS, 1.0)) / np.log(RATIO))
     return max(waves, TURNS / half * RATIO**steps)
 

@@ -5,7 +5,7 @@ the corner is therefore parametrised by r = c t³, which makes all of them smoot
 and grow away from it.  A density is given at the Gauss points in t of each panel.
 
 Integrals over panels that are near a target are split until every piece is as far from the target as it is long;
-the pieces that end at the target take t = t₀ + (t₁ − t₀) v⁴, which makes a logarithm harmless.
+the pieces that end at the target use t = t₀ + (t₁ − t₀) v⁴, which makes a logarithmic singularity smooth.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ...kernels.jit import kernel
 from .maps import CLASSES, Contour
 
 IMAGES = np.array(CLASSES, float)
-MOST_PIECES = 1200  # of a panel that wait for their turn: one more with each halving, of which there are 1075 + 53
+MOST_PIECES = 1200  # of a panel on the stack: one more with each halving, of which there are at most 1075 + 53
 
 
 class Panels(NamedTuple):
@@ -127,11 +127,11 @@ def near_points(panels, x, y, own, far, count, smallest):
     rules = np.array(gauss_rule(count)), np.array([v**4, 4 * v**3 * w])
     panel = np.where(own < 0, -1, own // len(panels.t))
     t = np.where(own < 0, 0.0, panels.t[own % len(panels.t)])
-    question = x, y, panel, t, _flat(panels), IMAGES, far, *rules, smallest, np.empty((MOST_PIECES, 3))
+    arguments = x, y, panel, t, _flat(panels), IMAGES, far, *rules, smallest, np.empty((MOST_PIECES, 3))
     where, what = np.empty((3, 0), np.int64), np.empty((4, 0))
-    points = _near_points(*question, where, what)
+    points = _near_points(*arguments, where, what)
     where, what = np.empty((3, points), np.int64), np.empty((4, points))
-    _near_points(*question, where, what)
+    _near_points(*arguments, where, what)
     return Points(*where, *what)
 
 
@@ -163,7 +163,7 @@ def _near_points(x, y, own, own_t, panels, images, far, smooth, singular, smalle
     """The number of points
 
     where, what : (3, q) and (4, q), filled with the fields of `Points` if q is this number
-    pieces : (·, 3) room for the pieces of a panel to come: their ends in t, and whether the first is the target
+    pieces : (·, 3) stack of the pieces of a panel: their ends in t, and whether the first is the target
     """
     points, most = 0, what.shape[1]
     for i in range(len(x)):

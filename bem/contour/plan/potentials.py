@@ -1,9 +1,9 @@
-"""Potentials on a plan contour point by point, and their slopes along it: what the pressure on a side is made of.
+"""Potentials at the nodes of a plan contour and their derivatives along it, for the pressure on a side.
 
-The depth modes of `contour` are joined by potentials tested with the functions ψ of the plan.  Here κN(κ)ψ itself is
-found at the nodes of one frequency's contour, at the nodes of the body's table in κ.  On a circle it is ψ times a
-number; on a rectangle it is solved for on the panels of the table, where it is a polynomial on each panel, and from
-there carried to the panels of the frequency, which resolve its waves.
+`bem.contour.matching` needs potentials projected onto the functions ψ of the plan only.  Here κN(κ)ψ itself is
+computed at the nodes of one frequency's contour, at the nodes of the body's table in κ.  On a circle it is ψ times a
+number; on a rectangle it is solved for on the panels of the table, where it is a polynomial on each panel, and
+interpolated from there to the panels of the frequency, which resolve its waves.
 
 Slopes ∂/∂s run counterclockwise, along (−n₂, n₁), on the quarter x > 0, y > 0.
 """
@@ -59,24 +59,24 @@ def _on_rectangle(freq):
     slope = _panel_slope(plan.wave_layout(freq.k, degree).panels)
     out = {}
     for cls in CLASSES:
-        values = tables[cls][..., plan.among(cls, degree, top)]
+        values = tables[cls][..., plan.subset(cls, degree, top)]
         out[cls] = Values(np.array([*(carried @ values), -plan.basis(cls, degree, contour)]), slope)
     return out
 
 
 def _tables(body, degree):
-    """{class: (c, q, n) κN ψ at the nodes of the table's panels}, kept with the body"""
-    if ("plan values", degree) not in body.kept:
+    """{class: (c, q, n) κN ψ at the nodes of the table's panels}, memoised with the body"""
+    if ("plan values", degree) not in body.cache:
         plan, kappa = body.plan, body.nodes(degree).kappa
         panels = plan.panels(0.0, degree)
-        on, half = plan.layers(panels, 3 / kappa[-1]), np.eye(len(panels.contour.x)) / 2
+        on_contour, half = plan.layers(panels, 3 / kappa[-1]), np.eye(len(panels.contour.x)) / 2
         bases = {cls: plan.basis(cls, degree, panels.contour) for cls in CLASSES}
         out = {cls: [] for cls in CLASSES}
         for value in kappa:
-            for cls, S, D in zip(CLASSES, *on.matrices(decaying(value), CLASSES), strict=True):
+            for cls, S, D in zip(CLASSES, *on_contour.matrices(decaying(value), CLASSES), strict=True):
                 out[cls].append(-np.linalg.solve(half - D, value * S @ bases[cls]))
-        body.kept["plan values", degree] = {cls: np.array(maps) for cls, maps in out.items()}
-    return body.kept["plan values", degree]
+        body.cache["plan values", degree] = {cls: np.array(maps) for cls, maps in out.items()}
+    return body.cache["plan values", degree]
 
 
 def _resampling(panels, contour):
@@ -84,9 +84,9 @@ def _resampling(panels, contour):
     g, out = len(panels.t), np.zeros((len(contour.x), len(panels.contour.x)))
     for end in (True, False):
         here = np.flatnonzero((contour.nx > 0.5) == end)
-        mine = np.flatnonzero((panels.normal[:, 0] > 0.5) == end)
+        own = np.flatnonzero((panels.normal[:, 0] > 0.5) == end)
         r = panels.corner[1] - contour.y[here] if end else panels.corner[0] - contour.x[here]
-        panel = mine[np.searchsorted(panels.start[mine], r, side="right") - 1]
+        panel = own[np.searchsorted(panels.start[own], r, side="right") - 1]
         t = ((r - panels.start[panel]) / panels.length[panel]) ** (1 / panels.power[panel])
         out[here[:, None], g * panel[:, None] + np.arange(g)] = interpolation(panels.t, t)
     return out

@@ -1,14 +1,14 @@
-"""Plane problems outside and inside a rectangle, for the depth modes of a box; see `plan_circle` for the maps.
+"""Plane problems outside and inside a rectangle, for the depth modes of a box; see `circle` for the maps.
 
 Velocity is expanded in Legendre polynomials over each side, P_m(2y/B) on the ends and P_m(2x/L) on the sides: in
 the gap under the keel it is smooth along a side up to the corner of the box.  The potentials that answer are not
-(r^(2/3) at the corner) and are found at the nodes of `plan_panels` by integral equations of the direct kind,
+(r^(2/3) at the corner) and are found at the nodes of `panels` by integral equations of the direct kind,
 
     outside  (½ − D) φ = −S ∂φ/∂n        inside  (½ + D) φ = S ∂φ/∂n        wall  (½ − D) φ = exp(ik·x)
 
-Outside, waves have an answer more where k is an eigenvalue of the inside (φ = 0 on the contour, for instance
-k² = π²(1/L² + 1/B²)).  The potential outside continues as zero into the inside: this is asked for at some points
-there, in the sense of least squares (Schenck 1968).
+Outside, the equation of waves is singular where k is an eigenvalue of the interior (φ = 0 on the contour, for instance
+k² = π²(1/L² + 1/B²)).  The exterior representation vanishes inside: this is required at some interior points in
+addition, by least squares (Schenck 1968).
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from numpy.polynomial.legendre import legvander
 
 from ...froude_krylov import box_incident_force
 from .layers import Layers, decaying, laplace, layers, radiating
-from .maps import CLASSES, Contour, WaveMap, shared
+from .maps import CLASSES, Contour, WaveMap, table_wavenumber
 from .panels import Panels, gauss_rule, quarter_panels
 from .plane_waves import plane_wave_values
-from .short_waves import short_map
+from .wedge_diffraction import asymptotic_map
 
-# nodes that a panel has more for κ = 0: the flow in a low gap makes much of the map's errors, and it is made once
+# additional nodes on a panel for κ = 0: the flow in a low gap magnifies the map's errors, and it is computed once
 FURTHER = 3
 # nodes that a panel has at least, and for how many polynomials one more.  With as many of them to a wave, panels of six
 # left 1e-6 of the forces under 30 waves along a box, 2e-3 under 60, 0.2 under 100
@@ -62,19 +62,19 @@ class Rectangle:
         return self.length, self.beam
 
     def to(self, accuracy):
-        """The same plan for a `contour_accuracy.Accuracy`"""
+        """The same plan for a `accuracy.Accuracy`"""
         return replace(
             Rectangle.to_digits(self.length, self.beam, accuracy.plan), extra=accuracy.extra, further=accuracy.further
         )
 
-    def resolving(self, degree):
-        """The same with panels for polynomials up to `degree`, whose errors add up along a side"""
+    def for_degree(self, degree):
+        """The same with panels fine enough for polynomials up to `degree`, since errors accumulate along a side"""
         least = FEWEST + int(np.ceil(max(degree) / PER_NODE))
         return replace(self, nodes=max(self.nodes, least), count=max(self.count, least))
 
     @property
-    def shares(self):
-        """α of `contour_motions` in heave, roll and pitch: ψ curved across the body rather than along it"""
+    def alphas(self):
+        """α of `rigid_motions` in heave, roll and pitch: ψ curved across the body rather than along it"""
         return (self.beam**2 / (self.length**2 + self.beam**2),) * 3
 
     @property
@@ -84,13 +84,13 @@ class Rectangle:
 
     @property
     def scale(self):
-        """Length over which waves must be short for κN to take its limit, m"""
+        """Length, m, that waves must be short compared with for κN to approach its limit"""
         return min(self.length, self.beam) / 2
 
     def degree(self, waves, tolerance):
-        """(end, side) highest polynomials; `waves` rad/m get under the keel.
+        """(end, side) highest polynomial degrees; `waves` rad/m is the largest wavenumber under the keel.
 
-        What happens near a corner extends over the shorter side; polynomials resolve a length δ at the end of a
+        The flow near a corner extends over the shorter side; polynomials resolve a length δ at the end of a
         side with a degree like δ^(−1/2).  The Legendre series of a wave turns from oscillation to decay at x = half
         the side in radians, over a stretch like x^(1/3).
         """
@@ -100,9 +100,9 @@ class Rectangle:
         need = 4 * np.ceil((turns + np.maximum(2 * self.extra * reach, (1 + digits / 2) * np.cbrt(turns))) / 4)
         return tuple(int(d) for d in need + 2 * self.further * np.ceil(reach))
 
-    def shared(self, waves):
-        """rad/m, at least `waves`, up to which tables are made"""
-        return shared(waves, max(self.length, self.beam) / 2)
+    def table_wavenumber(self, waves):
+        """Wavenumber, rad/m, at least `waves`, that a shared table resolves"""
+        return table_wavenumber(waves, max(self.length, self.beam) / 2)
 
     def orders(self, cls, degree):
         """Orders of the polynomials of a class on the end and on the side"""
@@ -110,13 +110,13 @@ class Rectangle:
             np.arange(0 if sign == 1 else 1, d + 1, 2) for sign, d in zip((cls[1], cls[0]), degree, strict=True)
         )
 
-    def among(self, cls, degree, top):
-        """(n,) places of the functions up to `degree` among those up to `top`"""
+    def subset(self, cls, degree, top):
+        """(n,) indices of the functions up to `degree` within those up to `top`"""
         (end, side), first = map(len, self.orders(cls, degree)), len(self.orders(cls, top)[0])
         return np.append(np.arange(end), first + np.arange(side))
 
     def finest(self, degree):
-        """rad/m along the contour of the shortest waves that functions up to `degree` are made for"""
+        """Wavenumber along the contour, rad/m, that functions up to `degree` resolve"""
         return max(2 * np.subtract(degree, self.degree(0.0, 1.0)) / (self.beam, self.length))
 
     def polynomial_contour(self, degree):
@@ -151,11 +151,11 @@ class Rectangle:
 
     def wave_layout(self, k, degree):
         """`Layout` for waves of k rad/m; the same for all k between two powers of 1.2, and for all long waves."""
-        return _wave_layout(*self._wave_question(k, degree))
+        return _wave_layout(*self._wave_arguments(k, degree))
 
-    def _wave_question(self, k, degree):
+    def _wave_arguments(self, k, degree):
         """What `_wave_layout` takes for waves of k rad/m"""
-        fine = self.resolving(degree)
+        fine = self.for_degree(degree)
         shortest = fine.nodes / (self.length + self.beam)
         step = np.ceil(np.log(max(k / shortest, 1.0)) / np.log(1.2))
         return fine, shortest * 1.2**step, degree
@@ -170,15 +170,15 @@ class Rectangle:
 
     def maps(self, degree, kappa):
         """{class: κ times the maps outside and inside, two (c, n, n)} at `kappa` (c,) rad/m"""
-        fine = self.resolving(degree)
+        fine = self.for_degree(degree)
         panels = fine.panels(0.0, degree)
-        on = fine.layers(panels, 3 / kappa[-1])
+        on_contour = fine.layers(panels, 3 / kappa[-1])
         bases = {cls: self.basis(cls, degree, panels.contour) for cls in CLASSES}
-        weak = {cls: 4 * (bases[cls] * on.weights[:, None]).T for cls in CLASSES}
-        half = np.eye(len(on.weights)) / 2
+        weak = {cls: 4 * (bases[cls] * on_contour.weights[:, None]).T for cls in CLASSES}
+        half = np.eye(len(on_contour.weights)) / 2
         out = {cls: ([], []) for cls in CLASSES}
         for value in kappa:
-            for cls, S, D in zip(CLASSES, *on.matrices(decaying(value), CLASSES), strict=True):
+            for cls, S, D in zip(CLASSES, *on_contour.matrices(decaying(value), CLASSES), strict=True):
                 source = value * S @ bases[cls]
                 out[cls][0].append(-weak[cls] @ np.linalg.solve(half - D, source))
                 out[cls][1].append(weak[cls] @ np.linalg.solve(half + D, source))
@@ -186,14 +186,14 @@ class Rectangle:
 
     def laplace(self, degree):
         """{class: the maps outside and inside for κ = 0, two (n, n)}, of zero mean where a constant is free"""
-        fine = self.resolving(degree)
+        fine = self.for_degree(degree)
         fine = replace(fine, nodes=fine.nodes + FURTHER, count=fine.count + FURTHER)
         panels = fine.panels(0.0, degree)
-        on = fine.layers(panels, np.inf)
-        half, w, out = np.eye(len(on.weights)) / 2, on.weights / on.weights.sum(), {}
-        for cls, S, D in zip(CLASSES, *on.matrices(laplace, CLASSES), strict=True):
+        on_contour = fine.layers(panels, np.inf)
+        half, w, out = np.eye(len(on_contour.weights)) / 2, on_contour.weights / on_contour.weights.sum(), {}
+        for cls, S, D in zip(CLASSES, *on_contour.matrices(laplace, CLASSES), strict=True):
             basis = self.basis(cls, degree, panels.contour)
-            weak = 4 * (basis * on.weights[:, None]).T
+            weak = 4 * (basis * on_contour.weights[:, None]).T
             free = np.outer(np.ones(len(w)), w) if cls == (1, 1) else 0.0
             source = S @ (basis - free @ basis if cls == (1, 1) else basis)
             inner = np.linalg.solve(half + D + free, source)
@@ -206,41 +206,41 @@ class Rectangle:
         """{class: `WaveMap`} for waves of `k` rad/m and incident ones towards `beta` (b,)"""
         at = self.wave_layout(k, degree)
         kernels, half, out = radiating(k), np.eye(len(contour.x)) / 2, {}
-        S, D = at.on.matrices(kernels, classes)
-        S_in, D_in = at.within.matrices(kernels, classes)
+        S, D = at.on_contour.matrices(kernels, classes)
+        S_in, D_in = at.at_interior.matrices(kernels, classes)
         for c, cls in enumerate(classes):
-            basis = _wave_basis(*self._wave_question(k, degree), cls)
+            basis = _wave_basis(*self._wave_arguments(k, degree), cls)
             matrix = np.vstack([half - D[c], -D_in[c]])
             velocity = -np.vstack([S[c], S_in[c]]) @ basis
-            known = [plane_wave_values(cls, place, k, beta) for place in (contour, at.inside)]
+            known = [plane_wave_values(cls, place, k, beta) for place in (contour, at.interior)]
             answer = _least_squares(matrix, np.hstack([velocity, np.vstack(known)]))
             potential, wall = np.split(answer, [basis.shape[1]], axis=1)
             out[cls] = WaveMap.solved(contour, basis, potential, wall)
         return out
 
-    def short_degree(self, tolerance):
-        """Highest polynomials where waves are not resolved: with a dozen more the corners err by a tenth as much"""
+    def asymptotic_degree(self, tolerance):
+        """Highest degrees where waves are not resolved: a dozen more reduce the error of the corners to a tenth"""
         return tuple(d + 12 for d in self.degree(0.0, tolerance))
 
-    def short_map(self, cls, degree, k, beta):
-        """`bem.contour.plan.short_waves.ShortMap` of waves of `k` rad/m, far shorter than both sides, and incident
-        ones
+    def asymptotic_map(self, cls, degree, k, beta):
+        """`bem.contour.plan.wedge_diffraction.AsymptoticWaveMap` of waves of `k` rad/m, far shorter than both
+        sides, and incident ones towards `beta`
         """
-        return short_map(self, cls, degree, k, beta)
+        return asymptotic_map(self, cls, degree, k, beta)
 
     def incident_force(self, draft, depth, k, beta):
         """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)"""
         return box_incident_force(self.length, self.beam, draft, depth, k, beta)
 
 
-class Layout(NamedTuple):
-    """Panels, their nodes on the contour, points inside, and the `Layers` of both as targets."""
+class WaveLayout(NamedTuple):
+    """Panels, their nodes on the contour, interior points, and the `Layers` with either as targets."""
 
     panels: Panels
     contour: Contour
-    inside: Contour
-    on: Layers
-    within: Layers
+    interior: Contour
+    on_contour: Layers
+    at_interior: Layers
 
 
 @lru_cache(maxsize=8)
@@ -249,8 +249,10 @@ def _wave_layout(rectangle, k, degree):
     n = np.arange(1, int(8 + k * np.hypot(rectangle.length, rectangle.beam) / 4) + 1)
     x = 0.45 * rectangle.length * ((n * (np.sqrt(5) - 1) / 2) % 1.0)  # irrational steps: no nodal line holds many
     y = 0.45 * rectangle.beam * ((n * (np.sqrt(2) - 1)) % 1.0)
-    within = layers(panels, x, y, np.full(len(n), -1), rectangle.count, 3 / k)
-    return Layout(panels, panels.contour, Contour(x, y, 0 * x, 0 * x, 0 * x), rectangle.layers(panels, 3 / k), within)
+    at_interior = layers(panels, x, y, np.full(len(n), -1), rectangle.count, 3 / k)
+    return WaveLayout(
+        panels, panels.contour, Contour(x, y, 0 * x, 0 * x, 0 * x), rectangle.layers(panels, 3 / k), at_interior
+    )
 
 
 @lru_cache(maxsize=32)

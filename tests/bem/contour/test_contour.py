@@ -49,10 +49,10 @@ def test_only_the_symmetry_classes_that_are_asked_for_are_solved():
     np.testing.assert_allclose(some.radiation[inside], full.radiation[inside], rtol=1e-12, atol=1e-3)
     assert np.count_nonzero(some.radiation) == np.count_nonzero(some.radiation[inside])
     assert np.all(some.diffraction[:, [0, 1, 3, 5]] == 0) and np.all(some.diffraction[:, [2, 4]] != 0)
-    solved = {key[1] for key in body.kept if key[0] == "beneath"}
+    solved = {key[1] for key in body.cache if key[0] == "beneath"}
     lone = prepare_box(100, 50, 10, 20)
     lone.first_order(0.6, [0.4], dofs=(2,))
-    assert {key[1] for key in lone.kept if key[0] == "beneath"} == {(1, 1)} < solved
+    assert {key[1] for key in lone.cache if key[0] == "beneath"} == {(1, 1)} < solved
 
 
 def test_frequencies_give_the_same_bits_whichever_were_solved_before():
@@ -68,8 +68,8 @@ def test_frequencies_share_their_tables():
     body = prepare_box(100, 50, 10, 20, tolerance=1e-2)
     for omega in np.linspace(0.1, 1.2, 12):
         body.first_order(omega)
-    degrees = {key[2] for key in body.kept if key[0] == "outer_maps"}
-    assert len([key for key in body.kept if key[0] == "maps"]) == 1 < len(degrees)
+    degrees = {key[2] for key in body.cache if key[0] == "outer_maps"}
+    assert len([key for key in body.cache if key[0] == "maps"]) == 1 < len(degrees)
 
 
 def test_no_headings_and_no_angles_give_empty_arrays():
@@ -119,7 +119,7 @@ def test_more_modes_than_a_tolerance_has_change_less_than_it(dimensions):
     """Of the profiles that are nearly dependent too, which magnify what the sums over modes lack"""
     for tolerance in (1e-5, 1e-6):
         body = prepare_box(*dimensions, tolerance=tolerance)
-        more = replace(body, accuracy=body.accuracy._replace(modes=3 * body.accuracy.modes), kept={})
+        more = replace(body, accuracy=body.accuracy._replace(modes=3 * body.accuracy.modes), cache={})
         for omega in (0.3, 0.7):
             ours, other = (b.first_order(omega).radiation for b in (body, more))
             size = np.sqrt(np.abs(np.diag(other)))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import hankel1, k0, k1
 
-from bem.contour.modal_sums import Nodes, collapsed
+from bem.contour.modal_sums import ChebyshevNodes, contracted
 from bem.contour.plan.circle import Circle
 from bem.contour.plan.layers import decaying, laplace, radiating
 from bem.contour.plan.maps import CLASSES, area_moment
@@ -38,25 +38,25 @@ def field_of_sources(contour, cls, x, y, radial):
     return value, flux
 
 
-def worst(digits, kappa, inside):
+def worst(digits, kappa, interior):
     """Largest relative error of the potential that answers the normal velocity of sources across the contour"""
     plan = Rectangle.to_digits(LENGTH, BEAM, digits)
     panels = plan.panels(0.0, DEGREE)
-    contour, on = panels.contour, plan.layers(panels, 3 / kappa)
-    source = (70.0, 40.0) if inside else (30.0, 12.0)
+    contour, on_contour = panels.contour, plan.layers(panels, 3 / kappa)
+    source = (70.0, 40.0) if interior else (30.0, 12.0)
     errors = []
-    for cls, S, D in zip(CLASSES, *on.matrices(decaying(kappa), CLASSES), strict=True):
+    for cls, S, D in zip(CLASSES, *on_contour.matrices(decaying(kappa), CLASSES), strict=True):
         value, flux = field_of_sources(contour, cls, *source, lambda R: (k0(kappa * R), -kappa * R * k1(kappa * R)))
-        sign = 1 if inside else -1
+        sign = 1 if interior else -1
         answer = np.linalg.solve(np.eye(len(value)) / 2 + sign * D, sign * S @ flux)
         errors.append(np.abs(answer - value).max() / np.abs(value).max())
     return max(errors)
 
 
-@pytest.mark.parametrize("inside", [True, False])
+@pytest.mark.parametrize("interior", [True, False])
 @pytest.mark.parametrize("kappa", [0.002, 0.05])
-def test_sources_across_the_contour_are_answered_better_with_every_digit(kappa, inside):
-    errors = [worst(digits, kappa, inside) for digits in (3, 5, 7)]
+def test_sources_across_the_contour_are_answered_better_with_every_digit(kappa, interior):
+    errors = [worst(digits, kappa, interior) for digits in (3, 5, 7)]
     assert errors[0] < 1e-3 and errors[1] < 1e-5 and errors[2] < 1e-7, errors
 
 
@@ -87,7 +87,7 @@ def test_waves_have_one_answer_at_the_resonances_of_the_inside(turns):
     plan = Rectangle.to_digits(LENGTH, BEAM, 6)
     contour = plan.contour(k, DEGREE, 1e-6)
     at = plan.wave_layout(k, DEGREE)
-    _, D = at.on.matrices(radiating(k), CLASSES)
+    _, D = at.on_contour.matrices(radiating(k), CLASSES)
     waves = plan.waves(CLASSES, DEGREE, k, contour, [0.4])
     alone = []
     for c, cls in enumerate(CLASSES):
@@ -152,10 +152,10 @@ def test_a_table_keeps_a_function_of_log_kappa_and_its_tail():
 
     errors = []
     for count in (10, 20, 40):
-        nodes = Nodes(0.05, 60.0, count)
+        nodes = ChebyshevNodes(0.05, 60.0, count)
         kappa = np.geomspace(0.05, 1e5, 400)
-        kept = nodes.weights(kappa) @ np.append(f(nodes.kappa), -1.0)
-        errors.append(np.abs(kept - np.where(kappa < 300, f(np.minimum(kappa, 300)), -1 + 0.5 / kappa)).max())
+        cache = nodes.weights(kappa) @ np.append(f(nodes.kappa), -1.0)
+        errors.append(np.abs(cache - np.where(kappa < 300, f(np.minimum(kappa, 300)), -1 + 0.5 / kappa)).max())
     assert errors[1] < errors[0] / 10 and errors[2] < 1e-5, errors
 
 
@@ -164,8 +164,8 @@ def test_collapsed_sum_is_the_sum():
     from scipy.special import zeta
 
     n = np.arange(1.0, 201)
-    rows, nodes = (n**-0.5)[None], Nodes(0.5, 100.0, 25)
-    total = collapsed(rows, np.array([0.5]), 1 / n, nodes.weights(n))[0, 0]
+    rows, nodes = (n**-0.5)[None], ChebyshevNodes(0.5, 100.0, 25)
+    total = contracted(rows, np.array([0.5]), 1 / n, nodes.weights(n))[0, 0]
     values = np.append(1 + 1 / nodes.kappa, 1.0)
     assert total @ values == pytest.approx(zeta(2) + zeta(3), rel=1e-8)
 
@@ -203,9 +203,9 @@ def test_functions_up_to_a_degree_are_among_those_up_to_a_higher_one(plan):
     low, high = plan.degree(0.1, 1e-3), plan.degree(0.9, 1e-3)
     contour = plan.polynomial_contour(high)
     for cls in CLASSES:
-        mine = plan.among(cls, low, high)
-        assert np.array_equal(plan.basis(cls, low, contour), plan.basis(cls, high, contour)[:, mine])
-        assert 0 < len(mine) < plan.basis(cls, high, contour).shape[1]
+        own = plan.subset(cls, low, high)
+        assert np.array_equal(plan.basis(cls, low, contour), plan.basis(cls, high, contour)[:, own])
+        assert 0 < len(own) < plan.basis(cls, high, contour).shape[1]
 
 
 @pytest.mark.parametrize("plan", PLANS)
@@ -213,20 +213,20 @@ def test_tables_of_a_higher_degree_hold_those_of_a_lower_one(plan):
     low, high, kappa = plan.degree(0.1, 1e-3), plan.degree(0.9, 1e-3), np.array([0.05, 0.4, 5.0])
     whole, part = plan.maps(high, kappa), plan.maps(low, kappa)
     for cls in CLASSES:
-        mine = plan.among(cls, low, high)
+        own = plan.subset(cls, low, high)
         tables = ((*each[cls], plan.laplace(d)[cls][1]) for each, d in ((whole, high), (part, low)))
         for larger, smaller in zip(*tables, strict=True):
-            cut = larger[..., mine[:, None], mine]
+            cut = larger[..., own[:, None], own]
             np.testing.assert_allclose(cut, smaller, rtol=0, atol=10**-DIGITS * np.abs(smaller).max())
 
 
 @pytest.mark.parametrize("plan", PLANS)
 def test_waves_that_share_tables_are_shorter_by_half_at_most(plan):
     k = np.geomspace(1e-4, 100.0, 400)
-    shared = np.array([plan.shared(each) for each in k])
-    long = shared == shared[0]
-    assert np.all(shared >= k * (1 - 1e-12)) and np.all(shared[~long] <= 1.5 * k[~long])
-    assert shared[0] == plan.shared(0.0) and len(set(shared)) < 20
+    table_wavenumber = np.array([plan.table_wavenumber(each) for each in k])
+    long = table_wavenumber == table_wavenumber[0]
+    assert np.all(table_wavenumber >= k * (1 - 1e-12)) and np.all(table_wavenumber[~long] <= 1.5 * k[~long])
+    assert table_wavenumber[0] == plan.table_wavenumber(0.0) and len(set(table_wavenumber)) < 20
 
 
 @pytest.mark.parametrize("waves", [30, 60, 100])

@@ -77,8 +77,8 @@ def test_the_effect_of_the_bed_falls_at_second_order_or_faster(sizes):
 
 def test_estimates_of_what_symmetry_makes_zero_stay_zero():
     problem = ShapeProblem(method="contour", shape="box", sizes=(60.0, 40.0, 5.0), tolerance=0.01, bed=205.0)
-    question = (1.2, [0.0], WANT, None, DOFS)
-    run, bare = (s.prepared().run(*question) for s in (problem, replace(problem, depth=205.0)))
+    arguments = (1.2, [0.0], WANT, None, DOFS)
+    run, bare = (s.prepared().run(*arguments) for s in (problem, replace(problem, depth=205.0)))
     (with_it, force), (without, _) = run.errors, bare.errors
     scale = radiation_scale(run)
     zero = without == 0

@@ -1,4 +1,4 @@
-"""Waves too many to be resolved: corners and walls, circles, limits of geometrical optics, laws, and resolved waves."""
+"""Waves too short to be resolved: corners and walls, circles, geometrical optics, laws, and resolved waves."""
 
 import numpy as np
 import pytest
@@ -10,8 +10,8 @@ from bem.checks import check, excitation_scale, radiation_scale
 from bem.contour.one_frequency import ContourFrequency
 from bem.contour.plan.maps import CLASSES
 from bem.contour.plan.rectangle import Rectangle
-from bem.contour.plan.short_waves import OPEN, edge_integral, edge_wave, short_map, wall_integral
-from bem.contour.short_wave_frequency import ShortFrequency
+from bem.contour.plan.wedge_diffraction import OPEN, asymptotic_map, edge_integral, edge_wave, wall_integral
+from bem.contour.short_wave_frequency import ShortWaveFrequency
 from bem.contour.short_waves import MOST_WAVES, share_below, unresolved, waves_along
 from bem.contour.solver import prepare_box, prepare_cylinder
 from bem.methods.shape_problem import ShapeProblem
@@ -60,7 +60,7 @@ def test_a_wave_along_a_wall_is_sent_as_it_is_received():
 
 @pytest.mark.parametrize("cls", CLASSES)
 def test_the_map_of_waves_is_symmetric(cls):
-    weak = short_map(Rectangle.to_digits(5.0, 2.0, 3), cls, (8, 12), 60.0, HEADINGS).weak
+    weak = asymptotic_map(Rectangle.to_digits(5.0, 2.0, 3), cls, (8, 12), 60.0, HEADINGS).weak
     assert np.abs(weak - weak.T).max() < 1e-2 * np.abs(weak - np.diag(np.diag(weak))).max()
 
 
@@ -70,8 +70,8 @@ def plane_error(waves):
     contour, found = plan.contour(k, degree, 1e-5), []
     full = plan.waves(CLASSES, degree, k, contour, HEADINGS)
     for cls, wave in full.items():
-        ours = short_map(plan, cls, degree, k, HEADINGS)
-        found.append(np.abs(ours.tested - wave.tested).max() * k)
+        ours = asymptotic_map(plan, cls, degree, k, HEADINGS)
+        found.append(np.abs(ours.projected - wave.projected).max() * k)
         found.append(np.abs(ours.weak - wave.weak).max() * k**2)
     return max(found) / (4 * np.sqrt(1 / 2) * abs(wall_integral(0.0)) / 2)
 
@@ -87,11 +87,11 @@ def test_walls_and_corners_answer_as_the_integral_equation_does_but_for_the_firs
 @pytest.mark.parametrize("depth", [5.2, 30.0])
 def test_about_a_circle_nothing_is_left_out(waves, depth):
     body, k = prepare_cylinder(10.0, 5.0, depth, 1e-6), 2 * np.pi * waves / 20
-    ours, resolved = (first_order(body, k, solver) for solver in (ShortFrequency, ContourFrequency))
+    ours, resolved = (first_order(body, k, solver) for solver in (ShortWaveFrequency, ContourFrequency))
     for name in ("radiation", "froude_krylov", "diffraction", "haskind"):
-        mine, other = getattr(ours, name), getattr(resolved, name)
-        assert np.abs(mine - other).max() < 1e-6 * np.abs(other).max(), name
-    far = first_order(body, k, ShortFrequency).radiated
+        own, other = getattr(ours, name), getattr(resolved, name)
+        assert np.abs(own - other).max() < 1e-6 * np.abs(other).max(), name
+    far = first_order(body, k, ShortWaveFrequency).radiated
     assert np.abs(far - ours.radiation.imag).max() < 1e-6 * np.abs(ours.radiation).max()
 
 
@@ -123,15 +123,15 @@ def test_forces_of_geometrical_optics_are_the_limit_of_head_sea():
 def test_resolved_and_unresolved_waves_agree_within_the_sum_of_their_estimates(sizes, phase, gap, monkeypatch):
     k = 2 * np.pi * 30 / 100
     draft = phase / k
-    question = "box", (*sizes, draft), draft * (1 + gap), k
-    resolved = run_of(*question)
+    arguments = "box", (*sizes, draft), draft * (1 + gap), k
+    resolved = run_of(*arguments)
     known = resolved.result(), resolved.estimated_errors()
     monkeypatch.setitem(MOST_WAVES, "box", 25)
-    ours = run_of(*question)
+    ours = run_of(*arguments)
     result, errors = ours.result(), ours.estimated_errors()
     Z = radiation_scale(resolved)
     size = {"added_mass": Z, "radiation_damping": Z * resolved.omega, "excitation_force": excitation_scale(resolved)}
-    assert ours.first_order.doubt is not None and resolved.first_order.doubt is None
+    assert ours.first_order.neglected is not None and resolved.first_order.neglected is None
     for name, error in errors.items():
         allowed = error + known[1][name] + 1e-4 * size[name]
         assert np.all(np.abs(result[name] - known[0][name]) <= allowed), name
@@ -151,12 +151,12 @@ def test_the_laws_hold(shape, sizes, depth, waves):
 
 
 def test_the_estimate_grows_where_waves_feel_the_keel_and_along_walls():
-    def doubt(draft, heading):
+    def neglected(draft, heading):
         body = prepare_box(100.0, 30.0, draft, 4 * draft, 0.01)
-        return first_order(body, 2 * np.pi * 300 / 100, ShortFrequency, np.radians([heading])).doubt[1][0]
+        return first_order(body, 2 * np.pi * 300 / 100, ShortWaveFrequency, np.radians([heading])).neglected[1][0]
 
-    assert np.all(doubt(0.05, 20.0)[:5] > 3 * doubt(0.2, 20.0)[:5])
-    assert doubt(0.05, 0.0)[0] > 3 * doubt(0.05, 45.0)[0]
+    assert np.all(neglected(0.05, 20.0)[:5] > 3 * neglected(0.2, 20.0)[:5])
+    assert neglected(0.05, 0.0)[0] > 3 * neglected(0.05, 45.0)[0]
 
 
 @pytest.mark.parametrize(("k", "draft", "depth"), [(0.1, 5.0, 6.0), (1.0, 5.0, 5.1), (0.5, 2.0, 60.0)])

@@ -1,4 +1,4 @@
-"""Waves far shorter than a rectangle around it: flat walls, and corners that see each other from afar.
+"""Short waves around a rectangle: reflection by its walls and diffraction by its corners (geometrical theory).
 
 A wave of k rad/m meets flat walls and the corners of the plan, wedges of the exterior angle 3π/2.  It comes from θ₀,
 measured at a corner from one of its walls; s is the distance from the corner along that wall.  On the wall
@@ -9,13 +9,13 @@ From Sommerfeld's series of the whole field with ∫₀^∞ Jₙ(ks) ds = 1/k, i
 
     k ∫₀^∞ φ ds = C(θ₀) = i / [√3 sin(π/3 + u) sin u]
 
-and v(s) is that of Kouyoumjian and Pathak, Proc. IEEE 62 (1974), for rigid walls, right also where θ₀ = π.  It passes
-along the wall to the next corner, which it meets as a wave from θ₀ = 0 does, and there makes cylindrical waves again.
-A wall that moves with unit velocity makes (1 − φ/2)/ik, φ of the wave from 3π/2: exp(iky)/ik already moves as the
-wall does and passes along the other, and what that wave makes of a corner at rest is taken away.
+and v(s) is that of Kouyoumjian and Pathak, Proc. IEEE 62 (1974), for rigid walls, right also where θ₀ = π.  It
+travels along the wall to the next corner, where it is diffracted like a wave from θ₀ = 0, and so on.  A wall that moves
+with unit velocity radiates (1 − φ/2)/ik, φ of the wave from 3π/2: exp(iky)/ik has the velocity of the wall and travels
+along the other one, and its diffraction by a corner at rest is subtracted.
 
-Left out is that v is not a plane wave where it meets a corner, and that functions ψ of the wall vary within 1/k of
-one: both are of order 1/k side of what the corners give.
+Neglected are that v is not a plane wave at the next corner, and the variation of ψ within 1/k of a corner: both are of
+relative order 1/(k side) of the corners' contribution.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ GRAZING = 1e-9  # rad; a wave along a wall is one that turns from it by as much
 ROOT = np.sqrt(3)
 
 
-class ShortMap(NamedTuple):
+class AsymptoticWaveMap(NamedTuple):
     """Waves outside a plan, in one symmetry class of n functions ψ.
 
     weak : (n, n) m, ∮ ψᵢ N ψⱼ ds as of `bem.contour.plan.maps.WaveMap`; tested : (n, b) √m, ∮ ψᵢ φ ds in front of a
@@ -40,7 +40,7 @@ class ShortMap(NamedTuple):
     """
 
     weak: np.ndarray
-    tested: np.ndarray
+    projected: np.ndarray
 
 
 def wall_integral(angle):
@@ -66,8 +66,8 @@ def _transition(x):
     return np.sqrt(np.pi) * x * np.exp(-0.25j * np.pi) * wofz(np.exp(0.25j * np.pi) * x)
 
 
-def short_map(rectangle, cls, degree, k, beta):
-    """`ShortMap` of a `bem.contour.plan.rectangle.Rectangle` for waves of `k` rad/m and incident ones towards
+def asymptotic_map(rectangle, cls, degree, k, beta):
+    """`AsymptoticWaveMap` of a `bem.contour.plan.rectangle.Rectangle` for waves of `k` rad/m and incident ones towards
     `beta` (b,)
 
     degree : (end, side) highest polynomials
@@ -120,7 +120,7 @@ class _Corner:
                 total += share * part
         n = len(self.values)
         weak = np.eye(n) / (1j * self.k) + 4 * self.values @ self.moving @ self.values.T
-        return ShortMap(weak, flat + 4 * self.values @ (edges + self.around @ waves))
+        return AsymptoticWaveMap(weak, flat + 4 * self.values @ (edges + self.around @ waves))
 
     def _incident(self, direction):
         """Of waves towards `direction` (2, b): ∮ψφ of the waves on walls that they reach, ∫v ds and v that is sent"""
