@@ -6,8 +6,8 @@ from enum import IntEnum
 
 
 class State(IntEnum):
-    """A line hangs plumb with H = 0, lies partly on the bed, touches nothing; or it cannot be: too short for its ends,
-    or an end of it lies below the bed.
+    """A line hangs plumb with H = 0, lies partly on the bed, touches nothing; or it has no forces: too short for its
+    ends, an end below the bed, or no equilibrium found.
     """
 
     SLACK = 0
@@ -15,10 +15,15 @@ class State(IntEnum):
     SUSPENDED = 2
     BEYOND_REACH = 3
     BELOW_BED = 4
+    UNSOLVED = 5
 
 
-SLACK, GROUNDED, SUSPENDED, BEYOND_REACH, BELOW_BED = map(int, State)  # for kernels
+SLACK, GROUNDED, SUSPENDED, BEYOND_REACH, BELOW_BED, UNSOLVED = map(int, State)  # for kernels
 
 
 class LineError(ValueError):
     """A line that has no equilibrium, or whose equilibrium was not found."""
+
+
+class BeyondReachError(LineError):
+    """A line that is too short for its ends."""

@@ -17,7 +17,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..catenary.state import LineError, State
+from ..catenary.state import BeyondReachError, LineError, State
 from .bed import Bed
 from .segments import PointLoad, Segment
 from .solution import LineState, StaticSolution
@@ -141,10 +141,9 @@ class StaticLine:
         wrong = ~((found[:, 9] <= RESIDUAL) & (status != State.BEYOND_REACH))
         if np.any(wrong):
             i = int(np.argmax(wrong))
-            what = (
-                "cannot be reached" if status[i] == State.BEYOND_REACH else "is in reach, but no equilibrium was found"
-            )
-            raise LineError(
+            beyond = status[i] == State.BEYOND_REACH
+            what = "cannot be reached" if beyond else "is in reach, but no equilibrium was found"
+            raise (BeyondReachError if beyond else LineError)(
                 f"{np.count_nonzero(wrong)} of {x.size} position(s): fairlead at x = {x.flat[i]:.6g} m, "
                 f"z = {z.flat[i]:.6g} m {what}: {self!r}"
             )

@@ -6,7 +6,7 @@ import numpy as np
 
 from .parts import Fairlead, LineSystemError
 
-ON_BED = 1e-6  # m: an anchor this close to the bed lies on it
+ON_BED = 1e-6  # m: what is this close to the bed lies on it
 
 
 def check_system(system):

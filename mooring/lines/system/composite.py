@@ -12,12 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..catenary.state import LineError, State
+from ..catenary.state import BeyondReachError, State
 from ..multi_segment.bed import Bed
 from ..multi_segment.line import StaticLine
+from .checks import ON_BED
 from .parts import Anchor, LineSystemError
-
-ROOM = 1e-6  # m: a line this close to the bed or the surface is said to touch it
 
 
 class Composite(NamedTuple):
@@ -45,7 +44,7 @@ def composite(system, number, end):
     ends = points[given.a], points[given.b]
     if given.bed is not None and not end:
         raise LineSystemError(f"line {given.name} has a bed of its own and no anchor; allowed: an anchor at one end")
-    if not end and all(isinstance(p, Anchor) and p.position[2] <= -system.depth + ROOM for p in ends):
+    if not end and all(isinstance(p, Anchor) and p.position[2] <= -system.depth + ON_BED for p in ends):
         raise LineSystemError(f"line {given.name} has segments and both ends on the bed; allowed: one end on it")
     return of_line(given, number, end, ends[end == "b"].position[2])
 
@@ -72,11 +71,9 @@ def fill_row(row, one, A, B):
     """
     try:
         found = solution(one, A, B)
-    except LineError:
-        row[:], row[0] = np.nan, State.BEYOND_REACH
-        return None
-    except ValueError:
-        row[:], row[0] = np.nan, State.BELOW_BED
+    except ValueError as error:
+        row[:] = np.nan
+        row[0] = State.BEYOND_REACH if isinstance(error, BeyondReachError) else State.UNSOLVED
         return None
     lying = found.grounded_length
     row[0] = State.SLACK if found.slack else State.GROUNDED if lying > 0 else State.SUSPENDED
@@ -125,13 +122,13 @@ def check_free(system, points, solutions):
         name, found = system.lines[one.number].name, solutions[one.number]
         level = points[system.arrays.ends[one.number, 0], 2]
         lowest = level + found.profile(200)[:, 2].min()
-        if lowest < -system.depth - ROOM:
+        if lowest < -system.depth - ON_BED:
             raise LineSystemError(
                 f"line {name} hangs {-system.depth - lowest:.3g} m below the bed; allowed for a line of segments: "
                 "clear of it, or with one end an anchor on it"
             )
         highest = level + found.at(one.buoys)[:, 1].max(initial=-np.inf)
-        if highest > ROOM:
+        if highest > ON_BED:
             raise LineSystemError(
                 f"line {name} has a buoy {highest:.3g} m above the water; allowed for a line of segments: below it, "
                 "or with one end an anchor on the bed"

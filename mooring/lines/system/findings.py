@@ -63,8 +63,8 @@ def freedom_name(system, index):
 
 
 def culprit(system, rows, starts, ends):
-    """What is wrong with the first line that has no solution between its ends, (n, 3) m in space each."""
-    bad = int(np.argmax(rows[:, 0] >= State.BEYOND_REACH))
+    """What is wrong with a line that has no solution between its ends, (n, 3) m in space each."""
+    bad = int(np.argmax(rows[:, 0]))  # beyond reach, below the bed, unsolved
     line, a, b = system.lines[bad], starts[bad], ends[bad]
     if isinstance(line, CompositeLine):
         one = next(one for one in system.composites if one.number == bad)

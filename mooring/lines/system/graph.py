@@ -223,9 +223,8 @@ class System:
         count = len(self.lines)
         pairs = np.column_stack([np.arange(count), count + np.arange(count)])
         rows, solutions = self._rows(np.concatenate([starts, ends]), pairs)
-        if np.any(rows[:, 0] == State.BELOW_BED):
-            unsolved = np.where(rows[:, :1] == State.BELOW_BED, State.BELOW_BED, State.SLACK)
-            raise EquilibriumError(f"{culprit(self, unsolved, starts, ends)} where its ends are held")
+        if np.any(rows[:, 0] > State.BEYOND_REACH):
+            raise EquilibriumError(f"{culprit(self, rows, starts, ends)} where its ends are held")
         for row, turned in zip(rows, self.arrays.turned, strict=True):
             if turned:
                 exchange(row)

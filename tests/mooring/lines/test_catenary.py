@@ -11,7 +11,7 @@ from mooring.lines.catenary.free_piece import asinh_excess
 from mooring.lines.catenary.solve import profile, solve_lines, span_at_tension
 from mooring.lines.catenary.state import LineError, State
 
-PUBLISHED = Path(__file__).parents[1] / "published"
+PUBLISHED = Path(__file__).parents[2] / "published"
 KGF = 9.80665
 
 
