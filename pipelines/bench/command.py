@@ -43,7 +43,7 @@ def bench(
         raise ValueError(f"--output {output} is a file; allowed: a folder")
     check_folder(output)
     output.mkdir(parents=True, exist_ok=True)
-    check_output(output / FILES[0], "the rows of a bench", is_rows)
+    check_output(output / FILES[0], "the rows of a bench", is_rows, (".csv",))
     if not peers:
         print("no --peer: other programs are left out")
     try:

@@ -7,12 +7,22 @@ from pathlib import Path
 
 from bem.database.file import check_place
 
+DATABASE = (".h5", ".hdf5")
 
-def check_output(path, kind, is_one, inputs=()):
+
+def check_ending(path, endings):
+    """Raise ValueError unless the name of a result ends in a way that says what is in it."""
+    path = Path(path)
+    if path.suffix.lower() not in endings:
+        has = f"the suffix {path.suffix!r}" if path.suffix else "no suffix"
+        raise ValueError(f"{path} has {has}; allowed: {', '.join(endings)}")
+
+
+def check_output(path, kind, is_one, endings, inputs=()):
     """Raise ValueError unless a file can be made under this name and no other is lost; before any work for it.
 
     kind : what may be replaced, "the result of a study"; is_one : tells of a path whether such a file is there
-    inputs : paths of files that are read
+    endings : of the name, that are allowed; inputs : paths of files that are read
     """
     path = Path(path)
     for given in map(Path, inputs):
@@ -21,6 +31,7 @@ def check_output(path, kind, is_one, inputs=()):
     check_place(path)
     if path.is_file() and not is_one(path):
         raise ValueError(f"{path} is not {kind} and is not replaced; give another name")
+    check_ending(path, endings)
 
 
 def check_folder(path):

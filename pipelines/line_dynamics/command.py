@@ -10,7 +10,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from ..common.outputs import check_output
+from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
 from ..common.quantities import StudyError
@@ -32,7 +32,7 @@ def line_dynamics(file, duration, tolerance, output, picture):
     if picture is not None:
         check_picture(picture, PLOTS)
     if output is not None:
-        check_output(output, "a file of channels", is_channels)
+        check_output(output, "a file of channels", is_channels, DATABASE)
     study, text = read_line_dynamics(file)
     given = {"duration": duration, "tolerance": tolerance}
     study = msgspec.structs.replace(study, **{key: value for key, value in given.items() if value is not None})

@@ -13,16 +13,18 @@ from ..common.units import TONF
 
 KN = 1e3
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
+DEEPEST = 12_000.0  # m
+LONGEST_STRAIN = 0.5  # nylon rope parts before
 STEEPEST = np.degrees(1.5)  # of a bed that `mooring.catenary` knows
 FLAGS = {  # unit, whether a value is good, what is allowed
-    "weight": (" N/m", lambda value: 0 < value < np.inf, "above 0, finite"),
+    "weight": (" N/m", lambda value: 0 < value <= 1e6, "above 0, at most 1e6"),  # chain of 2 m diameter
     "stiffness": (" kN", lambda value: value > 0, "above 0"),
-    "length": (" m", lambda value: 0 < value < np.inf, "above 0, finite"),
-    "depth": (" m", lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "length": (" m", lambda value: 0 < value <= 1e5, "above 0, at most 1e5"),
+    "depth": (" m", lambda value: 0 <= value <= DEEPEST, f"at least 0, at most {DEEPEST:g}, the deepest sea"),
     "fairlead_z": (" m", np.isfinite, "finite"),
     "span": (" m", lambda value: 0 <= value < np.inf, "at least 0, finite"),
     "tension": (" kN", lambda value: 0 < value < np.inf, "above 0, finite"),
-    "friction": ("", lambda value: 0 <= value < np.inf, "at least 0, finite"),
+    "friction": ("", lambda value: 0 <= value <= 5, "0 to 5"),
     "slope_deg": ("°", lambda value: abs(value) < STEEPEST, f"above −{STEEPEST:.2f} and below {STEEPEST:.2f}"),
 }
 
@@ -119,6 +121,12 @@ def _show(one, span, found):
     if largest > one.type.breaking_load:
         print(
             f"warning: the tension is {_kN(largest)}, the breaking load {_kN(one.type.breaking_load)}: the line parts"
+        )
+    strain = float(largest) / one.type.axial_stiffness
+    if strain > LONGEST_STRAIN:
+        print(
+            f"warning: the line is {100 * strain:.3g} % longer than unstretched, limit {100 * LONGEST_STRAIN:g} %, "
+            "where any rope parts; give a longer line or a shorter span"
         )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from bem import DOFS
 from bem.database.file import check_place
 
-from ..common.outputs import check_output
+from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
 from .system_file import read_system
@@ -32,7 +32,7 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
     if picture is not None:
         check_picture(picture, PLOTS)
     if output is not None:
-        check_output(output, "a file of channels", is_channels)
+        check_output(output, "a file of channels", is_channels, DATABASE)
     if moordyn is not None:
         check_place(moordyn)
     system = read_system(file, depth)

@@ -11,7 +11,7 @@ from bem import DOFS
 from bem.database.file import has_schema
 from mooring.studies.multi_point import PLANE, line_ends, multi_point
 
-from ..common.outputs import check_output
+from ..common.outputs import DATABASE, check_output
 from ..common.units import TONF
 from .study import read_study
 
@@ -60,7 +60,7 @@ def moor(study_path, database_path, output_path=None, quiet=False):
 
 
 def _checked_output(output, *inputs):
-    check_output(output, "the result of a study", lambda path: has_schema(path, SCHEMA), inputs)
+    check_output(output, "the result of a study", lambda path: has_schema(path, SCHEMA), DATABASE, inputs)
     return output
 
 

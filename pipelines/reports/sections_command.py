@@ -49,9 +49,7 @@ def sections(
     _check_above("--depth-draft", grid[1], 1, "above 1, or inf", largest=math.inf)
     _check_above("--xi", grid[2], 0, "above 0, finite")
     if output is not None:
-        if output.suffix not in SUFFIXES:
-            raise ValueError(f"output is {output}; allowed: a name that ends in {' or '.join(SUFFIXES)}")
-        check_output(output, "a table of sections", is_table)
+        check_output(output, "a table of sections", is_table, SUFFIXES)
     rows = tables(*grid, tolerance)
     if output is None:
         print(csv_text(rows, tolerance), end="")

@@ -107,12 +107,9 @@ def _write(read, result, radius, points, warned, text, database, output, plot):
 def _check_places(output, plot, *inputs):
     from ..common.outputs import check_output
     from ..common.picture import PLOTS, check_picture
-    from ..common.quantities import StudyError
     from .output import is_response
 
     if output is not None:
-        if output.suffix not in TABLES:
-            raise StudyError(f"{output} has the suffix {output.suffix!r}; allowed: {', '.join(TABLES)}")
-        check_output(output, "the result of a response study", is_response, inputs)
+        check_output(output, "the result of a response study", is_response, TABLES, inputs)
     if plot is not None:
         check_picture(plot, PLOTS)

@@ -14,6 +14,7 @@ from bem.database.schema import LIMITS
 from bem.kernels.progress import progress_callback
 
 from ..common.interrupt import ctrl_c
+from ..common.outputs import DATABASE, check_ending
 from ..common.progress import Preparing, Progress
 from .adaptive import filled_band
 from .large import announced
@@ -64,6 +65,7 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
             cost = _announced(plan, len(todo.limits), executor, console) if todo.rows else None
         else:
             check_replaceable(output)
+            check_ending(output, DATABASE)
             plan = planned(scene)
             cost = _announced(plan, len(set(LIMITS) & set(plan.names)), executor, console)
             create(output, plan.header, plan.omegas, plan.headings, plan.names)

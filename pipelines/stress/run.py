@@ -20,7 +20,7 @@ def run(questions, output, executor, say):
 
     say : takes each line of progress
     """
-    check_output(output, "a table of stress scenes", is_table)
+    check_output(output, "a table of stress scenes", is_table, (".csv",))
     rows, told = [], time.perf_counter()
     start = told
     with output.open("w", newline="", encoding="utf-8") as file, ctrl_c(say) as stop:

@@ -14,6 +14,7 @@ from kill_campaign import campaign
 
 import pipelines
 from bem.database import open_database
+from bem.database.integrity import row_crc
 from pipelines.cli import main
 
 STUDIES = ("moor", "response", "line")
@@ -134,9 +135,11 @@ def test_check_fails_when_a_law_is_broken_beyond_the_tolerance(whole, tmp_path, 
     with h5py.File(path, "r+") as file:
         for name in file["checks"]:
             file["checks"][name][...] = 1e-9
+        file["row_checksum"][...] = [row_crc(file, i) for i in range(len(file["omega"]))]
     assert main(["check", str(path)]) == 0
     with h5py.File(path, "r+") as file:
         file["checks/energy"][3] = 0.5
+        file["row_checksum"][3] = row_crc(file, 3)
     assert main(["check", str(path)]) == 1
     assert "1 above" in capsys.readouterr().out
 

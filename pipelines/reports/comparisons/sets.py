@@ -41,9 +41,9 @@ def check_places(one, cases, folder):
     for place in (folder, databases):
         check_folder(place)
     for name in one.tables if folder.is_dir() else ():
-        check_output(folder / name, "a table of a comparison", is_table)
+        check_output(folder / name, "a table of a comparison", is_table, (".csv",))
     for case in cases if databases.is_dir() else ():
-        check_output(databases / f"{case.name}.toml", "a scene of a comparison", is_scene)
+        check_output(databases / f"{case.name}.toml", "a scene of a comparison", is_scene, (".toml",))
 
 
 def _say(console, line):

@@ -136,7 +136,7 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
         ),
         ([*HANGING, "--span", "-5"], "--span is -5 m; allowed: at least 0, finite"),
         ([*HANGING, "--tension", "0"], "--tension is 0 kN; allowed: above 0, finite"),
-        ([*HANGING, "--tension", "9", "--friction", "-1"], "--friction is -1; allowed: at least 0, finite"),
+        ([*HANGING, "--tension", "9", "--friction", "-1"], "--friction is -1; allowed: 0 to 5"),
         ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
     ],
 )

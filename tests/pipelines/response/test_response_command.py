@@ -151,7 +151,7 @@ def test_faulty_study_is_refused_in_one_line(folder, capsys, change, words):
         (["study.toml", "--database", "box.h5", "--output", "box.h5"], "box.h5 is an input of the study"),
         (["study.toml", "--database", "box.h5", "--output", "nowhere/out.csv"], "nowhere"),
         (["study.toml", "--database", "study.toml"], "study.toml is not an HDF5 file"),
-        ([".", "--database", "box.h5"], "cannot be read as a study"),
+        ([".", "--database", "box.h5"], "cannot be read: Is a directory"),
     ],
 )
 def test_impossible_command_is_refused_in_one_line(folder, capsys, words, message):

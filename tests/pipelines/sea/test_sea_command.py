@@ -42,9 +42,9 @@ def test_a_table_that_was_written_is_taken_as_a_spectrum(tmp_path, capsys):
 
 
 def test_the_same_seed_writes_the_same_file(tmp_path):
-    for name, seed in (("a", "4"), ("b", "4"), ("c", "5")):
+    for name, seed in (("a.csv", "4"), ("b.csv", "4"), ("c.csv", "5")):
         assert main([*SEA, "--record", str(tmp_path / name), "--duration", "600", "--seed", seed]) == 0
-    a, b, c = ((tmp_path / name).read_text(encoding="utf-8") for name in "abc")
+    a, b, c = ((tmp_path / f"{name}.csv").read_text(encoding="utf-8") for name in "abc")
     assert a == b and a != c
 
 
