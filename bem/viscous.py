@@ -121,7 +121,8 @@ def linearised_response(omega, added_mass, damping, excitation, inertia, stiffne
             found = viscous.wave_amplitude * np.abs(X)
             if np.all(np.abs(found - assumed) <= 1e-10 * found.max()):
                 break
-            assumed = np.sqrt(assumed * found)
+            # a motion without a force of its own, that others bring about, starts with what they make of it
+            assumed = np.where(assumed > 0, np.sqrt(assumed * found), found)
         else:
             raise FloatingPointError(f"ω = {omega:.6g} rad/s: equivalent viscous damping not found in {most} steps")
         motions.append(X)

@@ -99,3 +99,16 @@ def test_boxes_outside_the_theory_are_refused():
         yamashita_roll(100, 60, 3, 1025)
     with pytest.raises(ValueError, match="rise"):
         Tabulated(1.0, (0.2, 0.1), (1.0, 2.0))
+
+
+def test_a_motion_that_only_another_motion_brings_about_is_found():
+    """Heave moves pitch by the stiffness between them; no wave does"""
+    inertia, stiffness = np.diag([1e6] * 3 + [1e8] * 3), np.diag([1e6] * 3 + [1e8] * 3)
+    stiffness[2, 4] = stiffness[4, 2] = 1e6
+    force = np.zeros((1, 6), complex)
+    force[0, 2] = 1e5
+    law = Viscous({"Pitch": Quadratic(1e8)}, 1.0)
+    X, extra = linearised_response(0.8, np.zeros((6, 6)), np.zeros((6, 6)), force, inertia, stiffness, law)
+    again = response(0.8, np.zeros((6, 6)), law.damping(0.8, np.abs(X[0])), force, inertia, stiffness)
+    assert np.abs(X[0, 4]) > 0 and extra[0, 4, 4] > 0
+    np.testing.assert_allclose(X, again, rtol=1e-8, atol=1e-12)
