@@ -10,9 +10,8 @@ import numpy as np
 from . import DOFS
 from .checks import check, largest_error
 from .drift import about, mean_drift
+from .free_body import motions
 from .kochin import angles
-from .motions import response
-from .viscous import linearised_response
 from .waves import group_factor, wavenumber
 
 RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
@@ -90,13 +89,9 @@ class FrequencyRun:
     @cached_property
     def rao(self):
         """(m, 6) about the rotation centre"""
-        T, Z, problem = self.problem.transform, self.radiation, self.problem
-        A = T @ Z @ T.T
-        terms = (
-            self.omega, A.real, self.omega * A.imag, self.excitation @ T.T,
-            problem.inertia_matrix, problem.hydrostatic_stiffness,
-        )  # fmt: skip
-        return response(*terms) if problem.viscous is None else linearised_response(*terms, problem.viscous)[0]
+        T = self.problem.transform
+        Z = T @ self.radiation @ T.T
+        return motions(self.problem, self.omega, Z.real, self.omega * Z.imag, self.excitation @ T.T)
 
     def drift(self, moving):
         (radiation, dradiation), (H, slope) = self.kochin

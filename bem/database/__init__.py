@@ -8,7 +8,7 @@ from importlib import import_module
 
 DOOR = (
     *("Database", "DatabaseError", "Header", "Row"),
-    *("append", "append_limit", "create", "extend", "open_database", "pending", "writing"),
+    *("append", "append_limit", "create", "extend", "open_database", "pending", "row_values", "writing"),
 )
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import contextlib
 import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
@@ -53,13 +53,16 @@ def create(path, header, omega, wave_direction, names):
         lay_out(file, header, omega, wave_direction, names)
 
 
-def extend(path, *, omega=(), wave_direction=(), names=(), scene=None):
+def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
     """Widen a file by frequencies, headings and quantities; what it holds is kept, the rest is pending.
 
+    header : takes the place of the stored one where something is added; one of another `scene_hash` at once
+    anew : names of which nothing is kept
     Returns whether anything had to be added: then a new file has the name, and one that was given open is the old one.
     """
     with writing(path) as old:
-        header = read_header(old)
+        kept = read_header(old)
+        header = header or kept
         stored = [name for name in QUANTITIES if name in old]
         wider_omega = _union(old["omega"][()], omega, _same_omega)
         wider_heading = _union(old["wave_direction"][()], wave_direction, _same_heading)
@@ -68,11 +71,12 @@ def extend(path, *, omega=(), wave_direction=(), names=(), scene=None):
             len(wider_omega) > len(old["omega"])
             or len(wider_heading) > len(old["wave_direction"])
             or len(wider) > len(stored)
+            or header.scene_hash != kept.scene_hash
         )
         if grown:
             with beside(old.filename) as file:
-                lay_out(file, replace(header, scene=scene or header.scene), wider_omega, wider_heading, wider)
-                _take_over(old, file)
+                lay_out(file, header, wider_omega, wider_heading, wider)
+                _take_over(old, file, anew)
     return grown
 
 
@@ -149,6 +153,19 @@ def append_limit(file, name, value):
     file.flush()
     file["stored"][name][...] = crc(value) if has_checksums(file) else 1
     file.flush()
+
+
+def row_values(file, omega, headings, names):
+    """{name: values, shaped as `append` takes them} of one frequency, or None where not all of them are stored."""
+    (i,) = _places(file, [omega], "omega")
+    columns, found = _places(file, headings, "wave_direction"), {}
+    for name in names:
+        cells = _cells(name, i, columns)
+        if name not in file or not all(file["stored"][name][cell] for cell in cells):
+            return None
+        values = [file[name][cell] for cell in cells]
+        found[name] = np.array(values) if "wave_direction" in cell_axes(name) else values[0]
+    return found
 
 
 def pending(path):
@@ -344,15 +361,15 @@ class Database:
     def _remedy(self, missing):
         motion = [name for name in missing if name in NEEDS_MOTION]
         if motion and self.inertia_matrix is None:
-            return "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration) with --fresh"
+            return "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration)"
         return f"run its command again with --only {','.join(missing)}"
 
 
-def _take_over(old, new):
-    """Copy numbers and marks of every quantity, check and wall time to their places in a wider file."""
+def _take_over(old, new, anew):
+    """Copy numbers and marks of quantities not in `anew`, checks and wall times to their places in a wider file."""
     i = _places(new, old["omega"], "omega")
     j = _places(new, old["wave_direction"], "wave_direction")
-    for name in (name for name in QUANTITIES if name in old):
+    for name in (name for name in QUANTITIES if name in old and name not in anew):
         axes = cell_axes(name)
         for path in (p for p in (name, f"stored/{name}", _estimate(name)) if p in old and p in new):
             value = np.asarray(new[path])

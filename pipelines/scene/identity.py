@@ -19,6 +19,7 @@ from .scene import Scene, SceneError
 
 MESH_FILE = "mesh_file"  # attribute of a database: `content` of the mesh file
 FILE = "bodies[0].file"
+FREE = ("bodies[0].mass", "bodies[0].center_of_gravity", "bodies[0].gyration", "viscous.")  # the free body alone
 SAME = 1e-6  # of the hull: what is left of its points in mesh files
 
 
@@ -55,19 +56,30 @@ def difference(old, new):
 
 
 def check_same(scene, header, output):
-    """Raise SceneError if the database `output` with this header is of another scene, naming what differs."""
+    """What differs in mass, gyration, centre of gravity and viscous damping alone, in a phrase; "" where nothing does.
+
+    Raises SceneError if the database `output` with this header is of another scene, or would lose its motions, naming
+    what differs.
+    """
     fixed = fixed_part(scene)
     if scene_hash(fixed) == header.scene_hash:
-        return
+        return ""
     try:
         stored = typed(tomllib.loads(header.scene), Scene, SceneError)
     except ValueError as error:
         raise SceneError(
             f"{output} is of a scene that cannot be read: {error}; give --fresh to replace it or another --output"
         ) from None
-    what = difference(fixed_part(stored, _stored_content(scene, header)), fixed)
-    if what:
+    then = fixed_part(stored, _stored_content(scene, header))
+    what = difference(then, fixed)
+    if difference(*map(_flow, (then, fixed))) or (stored.motions_known and not scene.motions_known):
         raise SceneError(f"{output} is of another scene: {what}; give --fresh to replace it or another --output")
+    return what
+
+
+def _flow(fixed):
+    """Of a fixed part, what the flow about the body depends on"""
+    return {key: value for key, value in fixed.items() if not key.startswith(FREE)}
 
 
 def _stored_content(scene, header):

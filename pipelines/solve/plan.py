@@ -9,14 +9,15 @@ import numpy as np
 
 from bem.database import open_database, pending
 from bem.database.file import Header
+from bem.database.schema import NEEDS_MOTION
 from bem.problem import Problem
 from bem.waves import wavenumber
 
-from ..scene.identity import check_same
+from ..scene.identity import check_same, fixed_part, scene_hash
 from ..scene.methods import FAR_FIELD, check_method
 from ..scene.scene import Scene, SceneError
 from ..scene.text import to_toml
-from .header import kochin_angles, make_header
+from .header import body_properties, kochin_angles, make_header
 from .hull import make_hull, stored_hull
 from .problem import problem_of
 from .remarks import remarks
@@ -32,6 +33,7 @@ class Plan:
     omegas : (n,) rad/s and headings : (m,) rad, ascending; names : of the database, wanted
     header : of the database, with the mesh, the lid, the body at rest and the scene as text
     problem : `bem.methods` problem to be solved; remarks : for the reader, one line each
+    anew : names of the database that belong to another mass, gyration, centre of gravity or viscous damping
     """
 
     scene: Scene
@@ -41,6 +43,7 @@ class Plan:
     header: Header
     problem: Problem
     remarks: tuple[str, ...]
+    anew: tuple[str, ...] = ()
 
 
 def planned(scene):
@@ -55,12 +58,22 @@ def resumed(scene, file):
     Raises SceneError if they do not go together, or the scene cannot be solved.
     """
     db = open_database(file)
-    check_same(scene, db.header, db.path)
+    moved = check_same(scene, db.header, db.path)
     header = replace(db.header, scene=to_toml(scene))
+    if moved:
+        fixed = scene_hash(fixed_part(scene))
+        header = replace(header, body=body_properties(scene, db.mesh), scene_hash=fixed)
     scene = _by_the_same_method(scene, header, db.path)
     _check_angles(scene, db, pending(file))
     _check_far_field(scene, db)
-    return _plan(scene, stored_hull(scene, header), header)
+    plan = _plan(scene, stored_hull(scene, header), header)
+    anew = tuple(name for name in (*NEEDS_MOTION, "pressure") if moved and name in db.names)
+    told = (
+        (f"{moved}: {', '.join(anew)} made anew, without solving where coefficients and Kochin functions are stored",)
+        if anew
+        else ()
+    )
+    return replace(plan, anew=anew, remarks=(*plan.remarks, *told))
 
 
 def _plan(scene, hull, header):

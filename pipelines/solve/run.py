@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from bem.database import append, append_limit, create, extend, open_database, pending, writing
+from bem.database import append, append_limit, create, extend, open_database, pending, row_values, writing
 from bem.database.file import check_place, check_replaceable
-from bem.database.schema import LIMITS
+from bem.database.schema import LIMITS, NEEDS_MOTION
+from bem.free_body import free_body, needed
 from bem.kernels.progress import progress_callback
 
 from ..common.interrupt import ctrl_c
@@ -60,7 +61,8 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
             file = stack.enter_context(writing(output))
             plan = resumed(scene, file)
             asked = {"omega": plan.omegas, "wave_direction": plan.headings, "names": plan.names}
-            file = _wider(stack, file, **asked, scene=plan.header.scene)
+            file = _wider(stack, file, **asked, header=plan.header, anew=plan.anew)
+            _store_free_body(file, plan)
             todo = pending(file)
             cost = _announced(plan, len(todo.limits), executor, console) if todo.rows else None
         else:
@@ -85,6 +87,16 @@ def _wider(stack, file, **more):
         return file
     file.close()
     return stack.enter_context(writing(path))
+
+
+def _store_free_body(file, plan):
+    """Motions and mean drift of frequencies that lack nothing else, where all that they follow from is stored"""
+    for row in pending(file).rows:
+        flow = row_values(file, row.omega, row.headings, needed(row.want)) if row.want <= {*NEEDS_MOTION} else None
+        if flow is not None:
+            with suppress(FloatingPointError):  # solved for, and named if it fails there too
+                made = free_body(plan.problem, row.omega, row.headings, plan.header.theta, flow)
+                append(file, row.omega, row.headings, {name: made[name] for name in row.want})
 
 
 def _announced(plan, limits, executor, console):

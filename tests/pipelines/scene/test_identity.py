@@ -77,10 +77,35 @@ def test_lists_of_waves_and_products_do_not_change_what_a_database_is_of():
     for change in (("[0.4, 0.8]", "[0.1]"), ("[0, 45]", "[90]"), ("tolerance", 'want = ["drift"]\ntolerance')):
         check_same(scene(*change), of, "box.h5")
         assert scene_hash(fixed_part(scene(*change))) == scene_hash(fixed_part(scene()))
-    for change in (("20.0", "21.0"), ("draft = 10.0", "draft = 11.0"), ("0.01", "0.02"), ("[15.0", "[16.0")):
+    for change in (("20.0", "21.0"), ("draft = 10.0", "draft = 11.0"), ("0.01", "0.02")):
         with pytest.raises(SceneError, match=r"box.h5 is of another scene: .* was .*, is .*; give --fresh"):
             check_same(scene(*change), of, "box.h5")
         assert scene_hash(fixed_part(scene(*change))) != scene_hash(fixed_part(scene()))
+
+
+@pytest.mark.parametrize(
+    ("new", "words"),
+    [
+        ("gyration = [16.0, 29.0, 32.0]", "bodies[0].gyration was (15.0, 29.0, 32.0), is (16.0, 29.0, 32.0)"),
+        ("gyration = [15.0, 29.0, 32.0]\nmass = 4e7", "bodies[0].mass was not given, is 40000000.0"),
+    ],
+)
+def test_another_mass_changes_the_free_body_alone(new, words):
+    one, other = scene(), scene("gyration = [15.0, 29.0, 32.0]", new)
+    assert check_same(one, header(to_toml(one)), "box.h5") == ""
+    assert check_same(other, header(to_toml(one)), "box.h5") == words
+    deeper = make_scene(
+        {**tomllib.loads(SCENE.replace("gyration = [15.0, 29.0, 32.0]", new)), "water": {"depth": 21.0}}
+    )
+    with pytest.raises(SceneError, match=r"water.depth was 20.0, is 21.0; bodies"):
+        check_same(deeper, header(to_toml(one)), "box.h5")
+
+
+def test_motions_that_are_stored_are_not_lost_for_want_of_gyration():
+    without = scene("gyration = [15.0, 29.0, 32.0]\n", "")
+    check_same(scene(), header(to_toml(without)), "box.h5")
+    with pytest.raises(SceneError, match=r"gyration was .*, is not given; give --fresh"):
+        check_same(without, header(to_toml(scene())), "box.h5")
 
 
 def test_the_difference_of_two_scenes_is_named():

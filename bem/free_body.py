@@ -1,0 +1,58 @@
+"""Motions and mean drift of the free body from what is known of the flow at one frequency; no flow is solved for.
+
+    {−ω²[M + A] − iω[B + B'] + C} X = F,      H = H_D + Σ Xⱼ Hⱼ
+
+with added mass A, damping B, excitation F and Kochin functions H that do not depend on mass, gyration, centre of
+gravity and viscous damping B' (`bem.motions`, `bem.viscous`, `bem.drift`).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .drift import about, mean_drift
+from .motions import response
+from .viscous import linearised_response
+from .waves import group_factor, wavenumber
+
+COEFFICIENTS = ("added_mass", "radiation_damping", "excitation_force")
+KOCHIN = ("kochin_radiation", "kochin_diffraction")
+
+
+def needed(want):
+    """Names of what "rao" and "drift_force" follow from"""
+    return COEFFICIENTS + (KOCHIN if "drift_force" in want else ())
+
+
+def motions(problem, omega, added_mass, damping, excitation):
+    """X (m, 6) m/m and rad/m of a `bem.problem.Problem` about its rotation centre, as all of these are.
+
+    added_mass, damping : (6, 6); excitation : (m, 6)
+    """
+    terms = omega, added_mass, damping, excitation, problem.inertia_matrix, problem.hydrostatic_stiffness
+    return response(*terms) if problem.viscous is None else linearised_response(*terms, problem.viscous)[0]
+
+
+def free_body(problem, omega, headings, theta, flow):
+    """{"rao": (m, 6)} of a `bem.problem.Problem`, and {"drift_force": (m, 3)} where Kochin functions are known.
+
+    omega : rad/s; headings : (m,) rad; theta : (t,) rad, equally spaced
+    flow : {name: values} of `needed` as the database has them, at this frequency and these headings
+    raises : FloatingPointError if viscous damping is not found
+    """
+    made = {"rao": motions(problem, omega, *(flow[name] for name in COEFFICIENTS))}
+    if set(KOCHIN) <= set(flow):
+        H = flow["kochin_diffraction"] + made["rao"] @ flow["kochin_radiation"]
+        k = float(wavenumber(omega, problem.depth, problem.gravity))
+        far = _slope_and_ahead(H, theta, np.asarray(headings, float))
+        water = k, float(group_factor(k, problem.depth)), problem.density, problem.gravity
+        made["drift_force"] = about(mean_drift(H, *far, theta, headings, *water), problem.rotation_center)
+    return made
+
+
+def _slope_and_ahead(H, theta, beta):
+    """H′ (m, t), and H and H′ (m,) of each row at its β, by the Fourier series: H is band-limited"""
+    order = np.fft.fftfreq(len(theta), 1 / len(theta))
+    series = np.fft.fft(H, axis=-1)
+    wave = np.exp(1j * np.multiply.outer(beta - theta[0], order)) / len(theta)
+    return np.fft.ifft(1j * order * series), np.sum(series * wave, axis=-1), np.sum(1j * order * series * wave, axis=-1)
