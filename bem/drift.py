@@ -31,8 +31,7 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
 def energy_defect(H, forward):
     """(headings,) violation of (1/2π)∫|H|²dθ = −Re H(β), relative to the largest |H| or the left-hand side
 
-    H may be wrong by a part of its largest value in any direction: of long waves, where surge and heave cancel, nothing
-    goes forward.
+    The error of H is relative to its largest value over θ: in long waves surge and heave cancel, and H(β) vanishes.
     """
     size, scattered = np.abs(H), np.mean(np.abs(H) ** 2, axis=-1)
     scale = np.maximum(np.maximum(scattered, np.abs(forward)), size.max(axis=-1, initial=1e-300))

@@ -1,4 +1,4 @@
-"""One frequency of one body: what is wanted, what that needs, and nothing else."""
+"""One frequency of one problem: the quantities wanted, computed from no more than they need."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
 
 
 class FrequencyRun:
-    """The quantities of one frequency, each computed once and only when asked for; a method adds how.
+    """The quantities of one frequency, each computed once, when asked for; subclasses implement a method.
 
     A method gives `radiation`, `froude_krylov`, `diffraction`, `haskind`, `kochin` and `residual` as in
-    `bem.first_order.FirstOrder` (`kochin` at `theta` and at the headings), `solves` and `errors`: what is estimated
-    to be wrong with `radiation` (6, 6) and `excitation` (m, 6), or None.
+    `bem.first_order.FirstOrder` (`kochin` at `theta` and at the headings), `solves` and `errors`: estimated
+    errors of `radiation` (6, 6) and `excitation` (m, 6), or None.
     """
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
@@ -106,7 +106,7 @@ class FrequencyRun:
         return about(force, self.problem.rotation_center)
 
     def asked_only(self, values):
-        """`values` (…, 6) with NaN in place of degrees of freedom nobody asked for"""
+        """`values` (…, 6) with NaN in place of degrees of freedom not asked for"""
         out = np.full_like(values, np.nan)
         out[..., self.asked] = values[..., self.asked]
         return out

@@ -21,7 +21,7 @@ def side_integrals(draft, depth, k):
     """∫ Z₀ dz and ∫ z Z₀ dz over −d < z < 0, m and m²
 
     Z₀ = (exp kz + exp(−k(z + 2h))) / (1 + exp(−2kh)), term by term with ∫₀¹ exp(−xt) dt and ∫₀¹ t exp(−xt) dt,
-    because the difference of closed forms of the whole has lost every digit at kd = 1e-8.
+    because the closed form of the whole loses every digit to cancellation at kd = 1e-8.
     """
     x = k * draft
     plain, moment = -np.expm1(-x) / x, gammainc(2, x) / x**2
@@ -40,7 +40,7 @@ def incident_force(half, draft, depth, k, kappa):
 
 
 def first_moment(x):
-    """∫₀¹ t sin xt dt = (sin x − x cos x) / x², whose difference would lose every digit near 0"""
+    """∫₀¹ t sin xt dt = (sin x − x cos x) / x², without cancellation near 0"""
     x = np.asarray(x, float)
     small = np.abs(x) < 0.5
     y = np.where(small, 1.0, x)

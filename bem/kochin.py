@@ -1,4 +1,4 @@
-"""Far-field amplitude of the waves a body makes, after Kochin.
+"""Far-field amplitude of the waves radiated and diffracted by a body, after Kochin.
 
     η ~ H(θ) √(2/(πkR)) exp(i(kR − π/4))    for R → ∞ in direction θ,
     H(θ) = −(k²/4nω) ∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS,    ψ = Z(z) exp(−ik(x cosθ + y sinθ))
@@ -27,10 +27,10 @@ def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, ph
     returns : two (r, t) complex arrays, m³/s and m³/s per rad
     """
     value, slope = np.zeros((2, len(phi), len(theta)), complex)
-    question = theta, k, points, weights, normals, Z, images, signs, phi, velocity
+    arguments = theta, k, points, weights, normals, Z, images, signs, phi, velocity
 
     def work(low, high):
-        _integrals(low, high, *question, value, slope)
+        _integrals(low, high, *arguments, value, slope)
 
     parallel_rows(work, len(theta), len(theta) * len(points) * len(images))
     return value, slope

@@ -1,7 +1,7 @@
 """Lid: panels on the water surface inside a floating body, against irregular frequencies.
 
-The boundary integral equation of the outside has false resonances at the eigenfrequencies of the water that
-would slosh inside the hull.  Extending it by unknowns on the inner free surface removes them; the density there
+The boundary integral equation of the outside has false resonances at the eigenfrequencies of sloshing
+inside the hull.  Extending it by unknowns on the inner free surface removes them; the density there
 is zero in the exact solution, so the lid may be coarse and need not share its points with the hull.
 """
 
@@ -51,13 +51,13 @@ def lid(mesh, size=None):
 
 
 def polar_lid(mesh, size):
-    """A `lid` that turns into itself as its hull does: edges up to `size` m along the rim, twice that across.
+    """An axisymmetric `lid`, polar about the hull's axis: edges up to `size` m along the rim, twice that radially.
 
     returns : PanelMesh with the mirror planes of the hull, or None if the waterline is not one regular polygon
     raises : ValueError as `lid`
 
     Edges along the rim are what counts.  Cylinder in 0.2 m of water under the keel, waves three sizes long, excitation:
-    0.4 % off, as with the lid that does not turn, 0.6 % with half of them along the rim and twice as many across.
+    0.4 % off, as with the lid that is not axisymmetric, 0.6 % with half of them along the rim and twice as many across.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)

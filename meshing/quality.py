@@ -1,4 +1,4 @@
-"""What is wrong, or doubtful, with a mesh: findings, not exceptions, one line for each kind.
+"""Errors and warnings about a mesh: findings, not exceptions, one line for each kind.
 
 Of a closed hull every edge belongs to two panels, which run along it in opposite directions; an edge with one
 panel lies in the water surface, on a mirror plane, or on the sea bed under a body that stands on it.
@@ -24,7 +24,7 @@ LID_AREA = 0.1  # relative difference between lid and waterplane
 class Finding:
     """One line on a mesh: cause, number, limit, remedy.
 
-    severity : "error" makes results wrong, "warning" makes them doubtful
+    severity : "error" makes results wrong, "warning" makes them inaccurate
     """
 
     severity: str
@@ -61,7 +61,7 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
 
 
 class _Edges:
-    """Every edge of a mesh once, with how the panels use it."""
+    """Every edge of a mesh once, with the panels along it and their directions."""
 
     def __init__(self, mesh, depth):
         a, b = mesh.corners, np.roll(mesh.corners, -1, axis=1)

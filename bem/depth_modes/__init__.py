@@ -1,1 +1,1 @@
-"""Eigenfunctions over the depth and the functions that carry the flow through a keel gap."""
+"""Eigenfunctions over the depth and basis functions of the velocity in a keel gap."""

@@ -25,7 +25,7 @@ def scaled_bessel(orders, x, terms):
 
 @kernel()
 def _scaled(orders, x, column, out):
-    """column : (terms,), room"""
+    """column : (terms,), workspace"""
     terms = len(column)
     for i in range(len(orders)):
         scale = 2 ** orders[i] * math.gamma(1 + orders[i])

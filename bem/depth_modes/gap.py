@@ -1,4 +1,4 @@
-"""Depth modes of a vertical-sided body and the functions that carry the flow through its keel gap.
+"""Depth modes of a vertical-sided body, and basis functions of the velocity in the gap under its keel.
 
 ζ is measured from the bed, the gap under the keel is 0 < ζ < s = h − d.  Modes in depth, K = ω²/g:
 
@@ -148,7 +148,7 @@ class Gap:
 
         The moments of function p reach their asymptotic form, which the sums need, at kₙs ≈ (2p)²; the modes theirs
         at n = kh.  `further` is for the p above 0: sums of combinations that nearly vanish need more.  Counts are
-        rounded up in steps of a fifth, so that the weights of their tail are soon all known.
+        rounded up in steps of a fifth, so that the memoised tail weights are few.
         """
         s, h = self.height, self.depth
         least = 8 + further * (self.terms**2 - 1)
@@ -193,8 +193,8 @@ def tail_weights(count, power):
 
     power : f(n) ~ n^(−power) (c₀ + c₁/n + …) plus oscillating terms
 
-    A smooth cut-off removes the oscillations faster than any power of the count.  What the monotone part misses is
-    a series of known powers of the cut-off, of which five cut-offs remove four.
+    A smooth cut-off removes the oscillations faster than any power of the count.  The truncation error of the monotone
+    part is a series of known powers of the cut-off; extrapolation from five cut-offs removes four of them.
     """
     orders = power - 1 + np.arange(len(CUTOFFS) - 1)
     conditions = np.vstack([np.ones(len(CUTOFFS)), CUTOFFS[None] ** -orders[:, None]])

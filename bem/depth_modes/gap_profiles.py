@@ -1,9 +1,10 @@
-"""Velocity profiles in the gap: what of the functions of `gap` a computer can tell apart.
+"""Velocity profiles in the gap: linearly independent, orthonormal combinations of the functions of `gap`.
 
 The three families are nearly dependent: with nine functions the eigenvalues of ⟨U, Σ cos l_qζ cos l_qζ / l_q U⟩
-reach down to 1e-13.  Combinations that are small in this norm are left out, the others are made orthonormal, which
-magnifies what the sums over modes lack.  With 8 T² modes to the height of the gap, T functions in each family, that is
-3e-8, with 24 T² it is 7e-11: at a tolerance of 1e-6 yaw of 100 × 50 × 10 m in 100 m was wrong by 7e-6 with fewer.
+reach down to 1e-13.  Combinations that are small in this norm are left out, the others are normalised, which
+magnifies the truncation error of the sums over modes.  With 8 T² modes to the height of the gap, T functions in each
+family, that is 3e-8, with 24 T² it is 7e-11: at a tolerance of 1e-6 yaw of 100 × 50 × 10 m in 100 m was wrong by 7e-6
+with fewer.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import numpy as np
 
 from .gap import Gap, mode_sum
 
-DEPENDENT = 24
+DEPENDENT = 24  # modes to the gap per T², see above
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ mean over a period (Pinkster 1980), n out of the body, ζ_r the wave elevation r
 of a point of it, X_c that of the rotation centre, α the rotations; F₁ and M₁ the first-order load of water and weight
 about the rotation centre, inertia times acceleration where nothing else holds the body.
 
-What is wrong with the pressures is wrong with the drift as a part of ρgζ² times the breadth, however small the drift
-is: in long waves nothing is left of it.
+The error of the drift is that of the pressures as a fraction of ρgζ² times the breadth, however small the drift is: in
+long waves it exceeds it.
 
 A surface in the water around the hull would be no check: every flow by Green's theorem or by eigenfunctions carries
 the same momentum through it as far away, right or wrong.
@@ -28,7 +28,7 @@ def near_field_drift(run, moving):
     raises : ValueError for a method without pressures on the hull, or a run that wants too little
     """
     force = _method(run, moving).pressure_drift(run, _motions(run, moving))
-    return force + turned(run) if moving else force
+    return force + rotated_loads(run) if moving else force
 
 
 def near_field_error(run, moving):
@@ -38,7 +38,7 @@ def near_field_error(run, moving):
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
     hull.  Of this a relative error of the pressures makes twice as much.  It is that estimated of coefficients and
     forces; by the contour method, whose forces are wrong at second order and whose pressures at first, no less than
-    `contour_near_field.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
+    `bem.contour.pressure_drift.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
     run, moving : as of `near_field_drift`
     raises : ValueError as `near_field_drift`, and for panels without an estimate of their errors
     """
@@ -65,17 +65,17 @@ def _method(run, moving):
         name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
         raise ValueError(f"near-field drift from a run that wants {', '.join(sorted(run.want))}; it has to want {name}")
     if hasattr(run, "geometry"):
-        from ..panels.pressure_drift import mean_drift as panel_near_field
+        from ..panels.pressure_drift import mean_drift as panel_drift
 
-        return panel_near_field
+        return panel_drift
     if run.problem.method != "contour":
         raise ValueError(f"near-field drift by method {run.problem.method}; allowed: panel, contour")
-    from ..contour import pressure_drift as contour_near_field
+    from ..contour import pressure_drift as contour_drift
 
-    return contour_near_field
+    return contour_drift
 
 
-def turned(run):
+def rotated_loads(run):
     """(m, 3) mean surge, sway and yaw of the first-order loads, which turn with the body, about the rotation centre"""
     T, X, stiffness = run.problem.transform, run.rao, run.problem.hydrostatic_stiffness
     load = run.excitation @ T.T + X @ (run.omega**2 * T @ run.radiation @ T.T - stiffness).T

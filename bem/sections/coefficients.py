@@ -4,9 +4,9 @@
 
 per metre of length, for sway, heave and roll in this order: y to port, z up, roll from y to z about the origin at the
 middle of the waterline, exp(−iωt), waves towards +y, unit amplitude.  φⱼ is the potential of unit velocity.  Finite
-depth by matched eigenfunctions (`section_flow`), deep water by an integral equation (`section_deep`).
+depth by matched eigenfunctions (`finite_depth`), deep water by an integral equation (`deep_water`).
 
-A body that waves drive and that drives waves obeys (Haskind 1957; Newman 1975; n = C_g/C)
+Exciting forces and radiated waves are related by (Haskind 1957; Newman 1975; n = C_g/C)
 
     F = ±2iρg (n/k) η,     B = 2ρg (n/kω) |η|²,     |R|² + |T|² = 1,     R = ½(e^{2iε_H} + e^{2iε_S})
 
@@ -28,7 +28,7 @@ SWAY, HEAVE, ROLL = range(3)
 TOLERANCE = 1e-6
 FINEST = 1e-8
 MOST_TERMS = 12
-DEEPEST = 300
+DEEPEST = 300  # kd
 MODES_PER_LENGTH = ((1e-3, 25), (1e-5, 50), (1e-6, 100), (FINEST, 400))
 
 
@@ -72,12 +72,12 @@ def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, toler
     impedance = radiation(flow, density)
     reflected, transmitted = flow.reflection_transmission()
     n = float(group_factor(flow.k, depth))
-    radiated = omega**2 / gravity * np.array([flow.outgoing(mode) for mode in range(3)])
+    radiated = omega**2 / gravity * np.array([flow.radiated_wave(mode) for mode in range(3)])
     return Section(
         beam, draft, depth, omega, density, gravity, flow.k,
         added_mass=impedance.real,
         damping=omega * impedance.imag,
-        excitation=-1j * density * omega * flow.excited,
+        excitation=-1j * density * omega * flow.wave_exciting,
         haskind=2j * density * gravity * n / flow.k * np.array([1, -1, 1]) * radiated,
         radiated=radiated,
         reflection=complex(reflected),
@@ -95,7 +95,7 @@ def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERA
     if kd > DEEPEST:
         raise ValueError(
             f"omega is {omega:g} rad/s, the wavenumber times draft {kd:.0f}; allowed: up to {DEEPEST}, where waves are "
-            "no longer felt: section_limits.added_mass_limit has the limit"
+            "negligible: bem.sections.frequency_limits.added_mass_limit has the limit"
         )
     if np.isinf(depth):
         from .deep_water import DeepFlow
@@ -140,7 +140,7 @@ def froude_krylov(flow, density, sines):
 
 def diffraction(flow, density, sines):
     """iρω ∮ φⱼ ∂φ_I/∂n dl (Haskind) in the same waves, (m, 3) per metre"""
-    return 1j * density * flow.omega * flow.against_wave(sines)
+    return 1j * density * flow.omega * flow.haskind_integral(sines)
 
 
 def report_row(section):
@@ -166,7 +166,7 @@ def report_row(section):
 
 
 def check_shape(beam, draft, depth, tolerance):
-    """Raises ValueError for a shape that is none, or a tolerance beyond reach."""
+    """Raises ValueError for lengths that are not a section, or a tolerance that cannot be reached."""
     for name, value in (("beam", beam), ("draft", draft)):
         if not 0 < value < np.inf:
             raise ValueError(f"{name} is {value:g} m; allowed: above 0 and finite")

@@ -7,8 +7,8 @@ Y = |y − η|, Z = z + ζ, r′ from the image above the surface, K = ω²/g; C
 eq. 13.31, with exp(−iωt).  The half contour y > 0 carries Gauss points on panels that shrink four times each
 towards the edge, where φ is like distance^(2/3), and towards the waterline; even and odd flows are solved apart.
 
-- The logarithms of ∮ G ∂φ/∂n are integrated in closed form.  In ∮ φ ∂G/∂n the sum of every row is put right by the
-  angle that the contour fills, so that the unresolved last panels at the edge see φ as constant, not as zero.
+- The logarithms of ∮ G ∂φ/∂n are integrated in closed form.  In ∮ φ ∂G/∂n the sum of every row is corrected to the
+  angle that the contour subtends, so that φ counts as constant, not as zero, on the unresolved last panels at the edge.
 - Errors are relative to the whole coefficient A + iB/ω: damping below the tolerance times that is not resolved.
 - Points inside, on the waterline, remove the irregular frequencies (Schenck, J. Acoust. Soc. Am. 44, 1968).
 """
@@ -73,7 +73,7 @@ def _gauss(ends):
 
 
 class DeepFlow:
-    """The three radiated flows at one frequency; the same questions as to `section_flow.FiniteDepthFlow`.
+    """The three radiated flows at one frequency; same interface as `finite_depth.FiniteDepthFlow`.
 
     beam, draft : m; omega : rad/s; gravity : m/s²; tolerance : relative error
     """
@@ -101,7 +101,7 @@ class DeepFlow:
         inside = self.beam / 2 * ((GOLDEN * np.arange(1, count + 1)) % 1)
         y, z = np.append(c.y, inside), np.append(c.z, np.zeros(count))
         own, mirror = (self._kernels(y, z, sign) for sign in (1, -1))
-        self._put_right(own[0])
+        self._correct_row_sums(own[0])
         jump = np.vstack([np.eye(len(c.y)) / 2, np.zeros((count, len(c.y)))])
         out = np.empty((3, len(c.y)), complex)
         for symmetric, modes in ((False, [SWAY, ROLL]), (True, [HEAVE])):
@@ -111,8 +111,8 @@ class DeepFlow:
             out[modes] = np.linalg.solve(R, Q.conj().T @ sources[:, modes]).T
         return out
 
-    def _put_right(self, kernel):
-        """Give ∂ ln r/∂n the angle that the half contour fills, by the diagonal."""
+    def _correct_row_sums(self, kernel):
+        """Correct the diagonal so that ∫ ∂ ln r/∂n dl is the angle that the half contour subtends."""
         c, b, d = self.contour, self.beam / 2, self.draft
         n = len(c.y)
         angle = np.where(c.side, np.arctan2(b, d + c.z), np.arctan2(d, b - c.y))
@@ -150,17 +150,17 @@ class DeepFlow:
         return np.stack([side, -bottom, roll], axis=-1)
 
     @cached_property
-    def excited(self):
+    def wave_exciting(self):
         """∮ (φ_I + φ_D) n dl of sway, heave, roll on the fixed body in a unit wave towards +y, (3,), by Haskind"""
         force = incident_force(self.beam / 2, self.draft, np.inf, self.k, np.array([self.k]))[0]
-        return 1j * self.gravity / self.omega * force - self.against_wave([1.0])[0]
+        return 1j * self.gravity / self.omega * force - self.haskind_integral([1.0])[0]
 
     def force(self, flow, mode):
         """∮ φ n dl over the whole contour along `mode`, n out of the body, of a flow of the mode's parity"""
         c = self.contour
         return 2 * np.sum(flow * c.weights * c.normal_velocities()[mode])
 
-    def outgoing(self, mode):
+    def radiated_wave(self, mode):
         """Potential of the wave that leaves towards y → ∞ on z = 0, referred to y = 0"""
         c, k = self.contour, self.k
         even, odd = np.cos(k * c.y), -1j * np.sin(k * c.y)
@@ -171,11 +171,11 @@ class DeepFlow:
 
     def reflection_transmission(self):
         """Complex R and T of the fixed body for a wave towards +y, both referred to y = 0, from the forces' phases"""
-        sway, heave, _ = -1j * self.excited
+        sway, heave, _ = -1j * self.wave_exciting
         even, odd = (heave / abs(heave)) ** 2, (sway / abs(sway)) ** 2
         return (even + odd) / 2, (even - odd) / 2
 
-    def against_wave(self, sines):
+    def haskind_integral(self, sines):
         """∮ φⱼ ∂φ_I/∂n dl of the three radiated flows, (m, 3), φ_I = −(ig/ω) exp(Kz + iKy sinβ), sines : sinβ (m,)"""
         c, kappa = self.contour, self.k * np.asarray(sines, float)[:, None]
         even, odd = np.cos(kappa * c.y), 1j * np.sin(kappa * c.y)

@@ -16,11 +16,12 @@ bottom's velocity 1 or y at the keel, none at the bed, and at y = b an even outf
 flow of u under a fixed keel does on the bottom, ∫ φ dy or ∫ yφ dy, and no term of roll grows with the gap.  (With
 (yζ² − y³/3) / 2s, which sends up to s/2 through it, the energy was kept to 1e-12 over thirty drafts of water.)
 
-Galerkin: both potentials are equal on the gap when tested with every function of `gap.Gap`, in the combinations of
-`gap_profiles`, since they are nearly dependent.  Energy is then kept to 1e-12 in the highest gaps, where all
-functions leave 4e-10, and another figure with another number of threads.  Unit velocities; y to port, z up, roll
-from y to z about the origin; exp(−iωt).  SR179 report (1982), section 2.1.3; Garrett, J. Fluid Mech. 46 (1971) for the
-method, Porter and Evans, J. Fluid Mech. 294 (1995) for the functions of the gap.
+Galerkin: both potentials are equal on the gap when tested with every function of `bem.depth_modes.gap`, in the
+orthonormal combinations of `gap_profiles`, since they are nearly dependent.  Energy is then conserved to 1e-12 in the
+highest gaps, where the functions themselves give 4e-10, and another figure with another number of threads.  Unit
+velocities; y to port, z up, roll from y to z about the origin; exp(−iωt).  SR179 report (1982), section 2.1.3;
+Garrett, J. Fluid Mech. 46 (1971) for the method, Porter and Evans, J. Fluid Mech. 294 (1995) for the functions of the
+gap.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ FIXED = Motion()
 
 
 class Beneath(NamedTuple):
-    """What does not depend on the frequency, for one parity.
+    """Frequency-independent terms beneath the body, for one parity.
 
     ratios : T_q (q,); matrix : potential beneath of the functions of the gap, tested with them (f, f)
     bottom : ∫ φ dy (heave) or ∫ yφ dy (roll) over the bottom, of the functions, (f,)
@@ -79,13 +80,13 @@ class Shape(NamedTuple):
     beneath: tuple
 
 
-class Flow(NamedTuple):
-    """u (f,), c, the motion that makes it, and the strength of φ₀ = drive · Z₀"""
+class SectionFlow(NamedTuple):
+    """Solution: u (f,), c, the motion, and the amplitude of φ₀ = incident · Z₀"""
 
     velocity: np.ndarray
     constant: complex
     motion: Motion
-    drive: complex
+    incident: complex
 
 
 @lru_cache(maxsize=64)
@@ -144,27 +145,27 @@ class FiniteDepthFlow:
         local = mode_sum(rows, np.append(gap.outer_decays, 1.0), -1 / (modes.wavenumbers * modes.norms))
         return local + np.outer(wave_rows, wave_rows) / (1j * self.k * modes.wave_norm), wave_rows
 
-    def _flow(self, symmetric, motion=FIXED, drive=0.0):
+    def _flow(self, symmetric, motion=FIXED, incident=0.0):
         beneath, profiles = self.shape.beneath[symmetric], self.shape.profiles
         f = len(beneath.bottom)
         matrix = profiles @ (beneath.matrix - self.outside[:f, :f]) @ profiles.T
-        right = self.outside[:f, f : f + 2] @ motion.side + drive * self.wave_rows[:f]
+        right = self.outside[:f, f : f + 2] @ motion.side + incident * self.wave_rows[:f]
         right = profiles @ (right - motion.keel / 2 * beneath.bottom)
         if not symmetric:
-            return Flow(np.linalg.solve(matrix, right) @ profiles, 0.0, motion, drive)
+            return SectionFlow(np.linalg.solve(matrix, right) @ profiles, 0.0, motion, incident)
         mean = profiles @ self.shape.gap.mean
         bordered = np.block([[matrix, mean[:, None]], [mean[None], np.zeros((1, 1))]])
         solution = np.linalg.solve(bordered, np.append(right, motion.outflow))
-        return Flow(solution[:-1] @ profiles, solution[-1], motion, drive)
+        return SectionFlow(solution[:-1] @ profiles, solution[-1], motion, incident)
 
     @cached_property
     def diffracted(self):
         """Flows of the antisymmetric and symmetric part of a unit wave towards +y, fixed body included"""
-        drive = -1j * self.gravity / self.omega * np.exp(-1j * self.k * self.shape.half)
-        return self._flow(False, drive=-drive), self._flow(True, drive=drive)
+        incident = -1j * self.gravity / self.omega * np.exp(-1j * self.k * self.shape.half)
+        return self._flow(False, incident=-incident), self._flow(True, incident=incident)
 
     @property
-    def excited(self):
+    def wave_exciting(self):
         """∮ (φ_I + φ_D) n dl of sway, heave, roll on the fixed body in a unit wave towards +y, (3,)"""
         odd, even = self.diffracted
         return np.array([self.force(odd, SWAY), self.force(even, HEAVE), self.force(odd, ROLL)])
@@ -179,18 +180,18 @@ class FiniteDepthFlow:
         """∫ φ · {1, z, Z₀} dz over the side y = b, (3,)"""
         f = len(flow.velocity)
         velocity = np.concatenate([flow.velocity, flow.motion.side])
-        return self.outside[f:, : f + 2] @ velocity + flow.drive * self.wave_rows[f:]
+        return self.outside[f:, : f + 2] @ velocity + flow.incident * self.wave_rows[f:]
 
     def _bottom(self, flow, symmetric):
         """∫ φ dy or ∫ yφ dy over the bottom"""
         of_gap = self.shape.beneath[symmetric].bottom @ flow.velocity
         return of_gap + flow.motion.bottom + 2 * self.shape.half * flow.constant
 
-    def outgoing(self, mode):
-        """Potential of the wave that `mode` sends towards y → ∞ on z = 0, referred to y = 0"""
-        return self._outgoing(self.radiated[mode])
+    def radiated_wave(self, mode):
+        """Potential at z = 0 of the wave that `mode` radiates towards y → ∞, referred to y = 0"""
+        return self._radiated_wave(self.radiated[mode])
 
-    def _outgoing(self, flow):
+    def _radiated_wave(self, flow):
         f = len(flow.velocity)
         velocity = self.wave_rows[: f + 2] @ np.concatenate([flow.velocity, flow.motion.side])
         return velocity / (1j * self.k * self.modes.wave_norm) * np.exp(-1j * self.k * self.shape.half)
@@ -198,22 +199,22 @@ class FiniteDepthFlow:
     def reflection_transmission(self):
         """Complex R and T of the fixed body for a wave towards +y, both referred to y = 0"""
         amplitude = -1j * self.gravity / self.omega
-        odd, even = (self._outgoing(flow) / amplitude for flow in self.diffracted)
-        back = np.exp(-2j * self.k * self.shape.half)  # the wall y = b sends the incident wave back
+        odd, even = (self._radiated_wave(flow) / amplitude for flow in self.diffracted)
+        back = np.exp(-2j * self.k * self.shape.half)  # reflection of the incident wave by the wall y = b
         return back + even - odd, even + odd
 
-    def against_wave(self, sines):
+    def haskind_integral(self, sines):
         """∮ φⱼ ∂φ_I/∂n dl of the three radiated flows, (m, 3), φ_I = −(ig/ω) Z₀ exp(iky sinβ), sines : sinβ (m,)"""
         b, d, h, k = self.shape.half, self.shape.gap.draft, self.shape.gap.depth, self.k
         kappa = k * np.asarray(sines, float)
         side = np.array([self._side(flow)[2] for flow in self.radiated])
         keel = depth_factor_slope(-d, k, h)
-        bottom = self._bottom_against(kappa)
+        bottom = self._bottom_haskind(kappa)
         x = kappa[:, None] * b
         both_sides = 2j * kappa[:, None] * np.where([False, True, False], 1j * np.sin(x), np.cos(x))
         return -1j * self.gravity / self.omega * (both_sides * side - keel * bottom)
 
-    def _bottom_against(self, kappa):
+    def _bottom_haskind(self, kappa):
         """∫ φⱼ exp(iκy) dy over the bottom of the three radiated flows, (κ, 3)"""
         gap, b, l = self.shape.gap, self.shape.half, self.shape.modes.wavenumbers
         out = np.empty((len(kappa), 3), complex)
@@ -223,9 +224,9 @@ class FiniteDepthFlow:
             2j * (l / tanh * s - kp * c) / (l**2 + kp**2),  # ∫ sinh ly / sinh lb exp(iκy) dy
             2 * (l * tanh * c + kp * s) / (l**2 + kp**2),
         )
-        one, y, y2 = _over_bottom(kappa * b, b)
+        one, y, y2 = _moments_over_bottom(kappa * b, b)
         even = (gap.height / 3 + b * b / (2 * gap.height)) * one - y2 / (2 * gap.height)
-        own = (0 * one, even, _roll_over_bottom(kappa, b, gap.height))
+        own = (0 * one, even, _roll_moment_over_bottom(kappa, b, gap.height))
         for mode, flow in enumerate(self.radiated):
             symmetric = mode == HEAVE
             rows = np.vstack([self.shape.modes.rows[:-2], over_bottom[symmetric] * np.cos(l * gap.height)])
@@ -237,14 +238,14 @@ class FiniteDepthFlow:
         return out
 
 
-def _roll_over_bottom(kappa, b, s):
+def _roll_moment_over_bottom(kappa, b, s):
     """∫ ψ exp(iκy) dy of roll over the bottom, (κ,)"""
     mu, a = _roll_series(b, s)
     apart, together = (np.sinc((mu + sign * kappa[:, None]) * b / np.pi) for sign in (-1, 1))
     return 1j * b * (apart - together) @ a
 
 
-def _over_bottom(x, b):
+def _moments_over_bottom(x, b):
     """∫ {1, y, y²} exp(ixy/b) dy over −b < y < b, from that of Legendre's polynomials, 2 iⁿ jₙ(x)"""
     j0, j1, j2 = (spherical_jn(n, x) for n in range(3))
     return 2 * b * j0, 2j * b**2 * j1, b**3 * (2 * j0 - 4 * j2) / 3

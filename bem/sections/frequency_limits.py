@@ -1,10 +1,10 @@
-"""Added mass of a rectangle at ω → 0 and ω → ∞ in finite depth: the flows of `section_flow` without a wave.
+"""Added mass of a rectangle at ω → 0 and ω → ∞ in finite depth: the flows of `finite_depth` without a wave.
 
     ω → 0   ∂φ/∂z = 0 on z = 0: kₙ = nπ/h.  Sway and roll send no net flow away, φ tends to a constant;
             heave sends away what it displaces, φ ~ |y| − b, and B/ω grows like 1/k
     ω → ∞   φ = 0 on z = 0:     kₙ = (n − ½)π/h
 
-They are the limits of `sections.section`: at ω → 0 the wave's part 1/ik of the potential is imaginary, so that the
+They are the limits of `coefficients.section`: at ω → 0 the wave's part 1/ik of the potential is imaginary, so that the
 added mass of heave stays finite, other than in deep water.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from ..depth_modes.gap import OuterModes, mode_sum
 from .coefficients import check_shape, effort, radiation
-from .finite_depth import HEAVE, FiniteDepthFlow, Flow, shape
+from .finite_depth import HEAVE, FiniteDepthFlow, SectionFlow, shape
 
 WHICH = ("zero", "infinity")
 
@@ -48,11 +48,11 @@ class LimitFlow(FiniteDepthFlow):
         self.radiated = tuple(self._flow(i == HEAVE, motion) for i, motion in enumerate(self.shape.motions))
 
     def _flow(self, symmetric, motion):
-        """Under a lid the drive is the constant that φ tends to: that which lets no net flow pass."""
+        """Under a lid `incident` is the constant that φ tends to, such that the net flux is zero."""
         plain = super()._flow(symmetric, motion)
         if symmetric or not self.lid:
             return plain
-        unit = super()._flow(False, drive=1.0)
+        unit = super()._flow(False, incident=1.0)
         outflow = self.wave_rows @ np.concatenate([plain.velocity, motion.side])
-        drive = -outflow / (self.shape.gap.mean @ unit.velocity)
-        return Flow(plain.velocity + drive * unit.velocity, 0.0, motion, drive)
+        incident = -outflow / (self.shape.gap.mean @ unit.velocity)
+        return SectionFlow(plain.velocity + incident * unit.velocity, 0.0, motion, incident)
