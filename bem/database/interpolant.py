@@ -63,6 +63,7 @@ def _echoes(step, ratio, last):
     return delays, weights / weights.sum()
 
 
+# what each of them gains, and on which bodies: tests/bench/fit_interpolation.py
 _ROWS = (
     _echoes(1.0, 0.0, 0.0),
     *(_echoes(1.0, ratio, 2.0) for ratio in (0.05, 0.1, 0.2)),

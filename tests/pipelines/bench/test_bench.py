@@ -4,7 +4,6 @@ import math
 import re
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -110,36 +109,57 @@ def test_meshes_for_other_programs_have_the_volume_and_waterplane_of_the_body(ca
     assert len(hull) * copies == made["panels"] and 350 < made["panels"] <= 500
 
 
-def slowly(passes, seconds=60.0, more=0.0):
+class Clock:
+    """Stands in for the module `time`: goes on by what is slept, by a tenth of that in processor time"""
+
+    def __init__(self):
+        self.now = 1000.0
+
+    def perf_counter(self):
+        return self.now
+
+    time = perf_counter
+
+    def process_time(self):
+        return self.now / 10
+
+    def sleep(self, seconds):
+        self.now += seconds
+
+
+@pytest.fixture
+def slowly(monkeypatch):
     """Clocks of a program whose first pass takes 40 ms a frequency and its others 10, the first frequency 80"""
-    made = []
+    clock, made = Clock(), []
+    monkeypatch.setattr(repeated, "time", clock)
 
     def solve(body, omega):
-        time.sleep(0.08 if omega == 1 else 0.04 if body == 1 else 0.01)
+        clock.sleep(0.08 if omega == 1 else 0.04 if body == 1 else 0.01)
         return body, omega
 
-    asked = {"omega": [1, 2, 3], "passes": passes, "more_s": more, "seconds": seconds}
-    asked["started"] = time.time() - 5
-    return repeated.repeated(asked, lambda: made.append(0) or len(made), solve)
+    def run(passes, seconds=60.0, more=0.0):
+        asked = {"omega": [1, 2, 3], "passes": passes, "more_s": more, "seconds": seconds, "started": clock.now - 5}
+        return repeated.repeated(asked, lambda: made.append(0) or len(made), solve)
+
+    return run
 
 
-def test_warm_times_are_the_least_of_several_passes_without_the_first_frequency():
+def test_warm_times_are_the_least_of_several_passes_without_the_first_frequency(slowly):
     results, times = slowly(3)
     assert results == [(1, 1), (1, 2), (1, 3)] and times["passes"] == 3
-    assert 10 <= times["warm_ms"] < 40
-    assert times["cpu_ms"] < 5  # it sleeps
-    assert times["body_ms"] >= 80
-    assert times["first_s"] >= 5.08  # from the start of the process
+    assert times["warm_ms"] == pytest.approx(10) and times["cpu_ms"] == pytest.approx(1)
+    assert times["body_ms"] == pytest.approx(80)
+    assert times["first_s"] == pytest.approx(5.08)  # from the start of the process
 
 
-def test_short_passes_are_made_until_some_time_has_gone():
+def test_short_passes_are_made_until_some_time_has_gone(slowly):
     _, times = slowly(1, more=0.7)
-    assert 2 <= times["passes"] <= 4  # of 0.2 s and more
+    assert times["passes"] == 4  # of 0.26 s and then 0.2, with what threads take to settle
 
 
-def test_no_new_pass_begins_when_the_time_is_up():
+def test_no_new_pass_begins_when_the_time_is_up(slowly):
     _, times = slowly(3, seconds=0.1)
-    assert times["passes"] == 1 and times["warm_ms"] >= 40 and math.isnan(times["body_ms"])
+    assert times["passes"] == 1 and times["warm_ms"] == pytest.approx(40) and math.isnan(times["body_ms"])
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="elsewhere only ru_maxrss is known")
@@ -176,7 +196,10 @@ def test_a_bench_holds_every_program_case_and_number_of_threads():
     assert len(plan(PROGRAMS, [1], quick=True)) < len(jobs) / 5
 
 
-def test_what_was_measured_is_written_when_a_bench_is_interrupted(tmp_path):
+def test_what_was_measured_is_written_when_a_bench_is_interrupted(tmp_path, monkeypatch):
+    row = Row("cylinder-30", "hakobune", "contour", 1e-3, None, 1, "full", 1e-4, "A11", warm_ms=1.0, cpu_ms=1.0)
+    monkeypatch.setattr("pipelines.bench.run.measured", lambda *asked: row)
+
     def say(line):
         if line.startswith("1/2"):
             raise KeyboardInterrupt
@@ -187,8 +210,11 @@ def test_what_was_measured_is_written_when_a_bench_is_interrupted(tmp_path):
     assert (tmp_path / "bench.md").exists() and (tmp_path / "bench.png").exists()
 
 
-def test_the_command_measures_what_tolerances_and_panels_promise(tmp_path, capsys):
+def test_the_command_measures_what_tolerances_and_panels_promise(tmp_path, capsys, monkeypatch):
     """Panels as `pipelines.solve.panel_counts.panels_for` counts them for a buoy: 250 for one per cent"""
+    monkeypatch.setattr("pipelines.bench.measure.MORE", 0.0)  # no passes for better times
+    monkeypatch.setattr("pipelines.bench.run.AGAIN", 0)
+    monkeypatch.setattr("pipelines.bench.run._to_fill_caches", lambda jobs: ())
     words = ["bench", "--quick", "--only", "cylinder-30", "--output", str(tmp_path / "made")]
     assert main(words) == 0
     assert "other programs are left out" in capsys.readouterr().out
