@@ -1,7 +1,9 @@
 """The run loop: what is pending is submitted, stored and marked.  The executor makes the numbers up."""
 
 from concurrent.futures import Future
+from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 
@@ -186,3 +188,19 @@ def test_executors_are_local_or_a_number_of_processes():
     for text in ("processes", "processes:0", "processes:many", "threads:2", ""):
         with pytest.raises(ValueError, match="processes:N"):
             executor_of(text)
+
+
+def test_a_run_opens_its_file_once_and_again_only_where_it_is_written_anew(tmp_path, monkeypatch):
+    opened, path = [], tmp_path / "box.h5"
+    init = h5py.File.__init__
+
+    def counted(file, name, *rest, **more):
+        opened.extend([name] if isinstance(name, str | Path) else [])  # else a handle of an open one
+        init(file, name, *rest, **more)
+
+    monkeypatch.setattr(h5py.File, "__init__", counted)
+    wider = scene(waves={"omegas": [0.4, 0.6, 0.8, 1.2], "headings_deg": [0, 90]})
+    for asked, times in ((scene(), 2), (scene(), 1), (wider, 3)):
+        opened.clear()
+        assert solve(asked, path, executor=MadeUp()).exit_status == 0
+        assert len(opened) == times
