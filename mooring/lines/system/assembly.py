@@ -119,16 +119,15 @@ def uniform_rows(points, ends, turned, lines, bed):
         length, weight, flexibility, friction = lines[n]
         if length == 0.0:
             continue
-        A, B = points[ends[n, 0]], points[ends[n, 1]]
-        if turned[n]:
-            A, B = B, A
-        dx, dy = B[0] - A[0], B[1] - A[1]
-        x = np.sqrt(dx * dx + dy * dy)
+        a, b = (ends[n, 1], ends[n, 0]) if turned[n] else (ends[n, 0], ends[n, 1])
+        dx, dy = points[b, 0] - points[a, 0], points[b, 1] - points[a, 1]
+        x, low, high = np.sqrt(dx * dx + dy * dy), points[a, 2], points[b, 2]
+        row = rows[n]
         if weight > 0.0:
-            solve_line(rows[n], x, A[2] - bed, B[2] - bed, length, weight, flexibility, friction, True)
+            solve_line(row, x, low - bed, high - bed, length, weight, flexibility, friction, True)
         else:
-            solve_line(rows[n], x, -A[2], -B[2], length, -weight, flexibility, 0.0, False)
-            mirror(rows[n])
+            solve_line(row, x, -low, -high, length, -weight, flexibility, 0.0, False)
+            mirror(row)
     return rows
 
 
@@ -145,8 +144,7 @@ def add_rows(rows, points, owner, column, floats, ends, turned, place, size):
             force[:] = np.nan
             return force, K
         pair[0], pair[1] = (ends[n, 1], ends[n, 0]) if turned[n] else (ends[n, 0], ends[n, 1])
-        A, B = points[pair[0]], points[pair[1]]
-        dx, dy = B[0] - A[0], B[1] - A[1]
+        dx, dy = points[pair[1], 0] - points[pair[0], 0], points[pair[1], 1] - points[pair[0], 1]
         x = np.sqrt(dx * dx + dy * dy)
         ox, oy = (dx / x, dy / x) if x > 0.0 else (1.0, 0.0)
         end_blocks(row, k, x, ox, oy)
