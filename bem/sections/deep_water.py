@@ -164,8 +164,8 @@ class DeepFlow:
         """Potential of the wave that leaves towards y → ∞ on z = 0, referred to y = 0"""
         c, k = self.contour, self.k
         even, odd = np.cos(k * c.y), -1j * np.sin(k * c.y)
-        wave, turned = (even, odd) if mode == HEAVE else (odd, even)
-        normal = np.where(c.side, -1j * k * turned, -k * wave)
+        wave, opposite = (even, odd) if mode == HEAVE else (odd, even)
+        normal = np.where(c.side, -1j * k * opposite, -k * wave)
         flux = self.radiated[mode] * normal - c.normal_velocities()[mode] * wave
         return 2j * np.sum(flux * np.exp(k * c.z) * c.weights)
 
@@ -181,8 +181,8 @@ class DeepFlow:
         even, odd = np.cos(kappa * c.y), 1j * np.sin(kappa * c.y)
         weights = 2 * np.exp(self.k * c.z) * c.weights
         out = np.empty((len(kappa), 3), complex)
-        for mode, (wave, turned) in enumerate(((odd, even), (even, odd), (odd, even))):
-            normal = np.where(c.side, 1j * kappa * turned, -self.k * wave)
+        for mode, (wave, opposite) in enumerate(((odd, even), (even, odd), (odd, even))):
+            normal = np.where(c.side, 1j * kappa * opposite, -self.k * wave)
             out[:, mode] = (normal * weights) @ self.radiated[mode]
         return -1j * self.gravity / self.omega * out
 

@@ -1,4 +1,4 @@
-"""Rows shared out among threads: each once, the same bits, a fault comes out, few are not shared."""
+"""Rows distributed over threads: each once, the same bits, exceptions raised, few rows by one thread."""
 
 import threading
 

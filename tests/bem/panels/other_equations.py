@@ -4,6 +4,6 @@ from bem.methods.panel_problem import PreparedPanelProblem
 
 
 def with_equations(prepared, equations):
-    """The same setup and geometry with given `band_equations`; the body itself stays as it is"""
+    """The same problem and geometry with given `band_equations`; the body itself stays as it is"""
     other = type("PreparedOtherwise", (PreparedPanelProblem,), {"band_equations": equations})
     return other(prepared.problem, prepared.geometry, prepared.coarse)

@@ -80,8 +80,8 @@ RADIUS = 10.0
 
 @pytest.mark.parametrize("mesh", [box(40.0, 2.0, 3.0, panels=60), buoy(10.0, 10.0, panels=60)])
 def test_the_bound_turns_with_the_hull(mesh):
-    turned = mesh.whole().rotated(0.7).moved(3.0, -8.0, 0.0)
-    assert lid_needed_from(turned) == pytest.approx(lid_needed_from(mesh), rel=1e-12)
+    rotated_hull = mesh.whole().rotated(0.7).moved(3.0, -8.0, 0.0)
+    assert lid_needed_from(rotated_hull) == pytest.approx(lid_needed_from(mesh), rel=1e-12)
 
 
 @pytest.mark.parametrize("depth", [12.0, 100.0])
