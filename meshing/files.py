@@ -17,6 +17,7 @@ import numpy as np
 from . import text_formats
 from .panels import PanelMesh, joined
 from .text_files import check_size
+from .whole_files import made_beside
 
 TEXT_READERS = {
     ".gdf": text_formats.read_gdf,
@@ -81,9 +82,11 @@ def write_mesh(mesh, path, lid=None, fields=None):
     elif suffix == ".msh":
         from .gmsh_session import write_msh
 
-        write_msh({"hull": mesh.whole()} | ({} if lid is None else {"lid": lid.whole()}), path)
+        with made_beside(path) as partial:
+            write_msh({"hull": mesh.whole()} | ({} if lid is None else {"lid": lid.whole()}), partial)
     else:
-        _write_vtu(mesh, path, lid, fields)
+        with made_beside(path) as partial:
+            _write_vtu(mesh, partial, lid, fields)
 
 
 def _wetted(mesh):

@@ -11,6 +11,7 @@ import numpy as np
 
 from .panels import PanelMesh
 from .text_files import read_text
+from .whole_files import write_whole
 
 FOOT = 0.3048  # m
 
@@ -45,7 +46,7 @@ def write_gdf(mesh, path, gravity=9.80665):
         f"{len(mesh)} NPAN",
     ]
     panels = [_row(corner) for panel in mesh.vertices for corner in panel]
-    path.write_text("\n".join([*head, *panels, ""]))
+    write_whole(path, "\n".join([*head, *panels, ""]))
 
 
 def read_nemoh(path):
@@ -83,7 +84,7 @@ def write_nemoh(mesh, path):
     points = [f"{i} {_row(point)}" for i, point in enumerate(mesh.points, 1)]
     panels = [" ".join(map(str, panel + 1)) for panel in mesh.corners]
     head = f"2 {int(mesh.symmetry == 'y')}"
-    path.write_text("\n".join([head, *points, "0 0. 0. 0.", *panels, "0 0 0 0", ""]))
+    write_whole(path, "\n".join([head, *points, "0 0. 0. 0.", *panels, "0 0 0 0", ""]))
 
 
 def read_pnl(path):
@@ -135,7 +136,7 @@ def write_pnl(mesh, path):
         "    #End Definition of Node Relations",
         "",
     ]
-    path.write_text("\n".join(lines))
+    write_whole(path, "\n".join(lines))
 
 
 def split(corners):

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from .text_formats import split
+from .whole_files import made_beside
 
 HULL, HULL_EDGE = "#c9d6df", "#52616b"
 LID, LID_EDGE, WATERLINE, NORMAL, BED, TEXT = "#5ec4b6", "#146c62", "#0b3c5d", "#e07a2f", "#b8a27a", "#1f2933"
@@ -55,7 +56,8 @@ def look(mesh, lid=None, field=None, field_name="", normals=True, depth=math.inf
         if screenshot is None:
             plotter.show(title=mesh.name or "panel mesh")
         else:
-            plotter.screenshot(str(screenshot))
+            with made_beside(screenshot) as partial:
+                plotter.screenshot(str(partial))
     finally:
         plotter.close()
 

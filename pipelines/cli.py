@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import errno
 import sys
 from importlib import metadata
 from pathlib import Path
 from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
+
+from meshing.whole_files import NotWritten
 
 from .bench.command import bench
 from .common.interrupt import interrupted
@@ -20,6 +23,7 @@ from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
 from .stress.command import stress
 
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
 app = App(
     name="hakobune",
     help="From a floating body's dimensions to the tension in its last mooring line.",
@@ -147,7 +151,7 @@ def main(arguments=None):
         return app(arguments, exit_on_error=False, print_error=False) or 0
     except (CycloptsError, ValueError, OSError, ImportError) as error:
         print(f"{name}: {' '.join(str(error).split())}", file=sys.stderr)
-        return 2
+        return 1 if isinstance(error, NotWritten) or getattr(error, "errno", None) in FULL else 2
     except KeyboardInterrupt:
         print(f"{name}: {interrupted(command, arguments)}", file=sys.stderr)
         return 130

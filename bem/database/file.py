@@ -15,9 +15,10 @@ import numpy as np
 
 import bem
 from meshing.panels import PanelMesh
+from meshing.whole_files import NotWritten, write_whole
 
 from ..waves import wavenumber
-from .integrity import CHECKSUM, MARK, ROWS, DatabaseError, check_schema, fixed_checksum
+from .integrity import CHECKSUM, MARK, ROWS, DatabaseError, check_schema, fixed_checksum, seal, seal_broken
 from .schema import (
     BODY,
     CHECKS,
@@ -68,11 +69,6 @@ def software_version():
         return "unknown"
 
 
-def _remove(path):
-    with contextlib.suppress(FileNotFoundError):
-        os.remove(path)
-
-
 def check_place(path):
     """Raise DatabaseError if no file can be made under this name; before any work is done for it."""
     path = Path(path)
@@ -86,6 +82,8 @@ def check_place(path):
 
 def has_schema(path, schema):
     """Whether a file is HDF5 with this attribute `schema`, which results of studies have and databases do not"""
+    if seal_broken(path):
+        return False
     try:
         with h5py.File(path) as file:
             return file.attrs.get("schema") == schema
@@ -109,21 +107,21 @@ def check_replaceable(path):
 
 
 @contextlib.contextmanager
-def beside(path):
-    """A new file that takes the name `path` when it is whole, and vanishes if it never is."""
+def beside(path, grows=False):
+    """A new file that takes the name `path` when it is whole, and vanishes if it never is.
+
+    grows : its numbers are filled in later; a file that does not is sealed with its checksum (`integrity.seal`)
+    raises : `meshing.whole_files.NotWritten` where it does not arrive on the disk, and the old file is as it was
+
+    HDF5 makes it in memory, since it ends in a segmentation fault on a disk that is full.
+    """
     path = Path(path)
     check_place(path)
-    partial = path.with_name(path.name + ".partial")
-    try:
-        try:
-            file = h5py.File(partial, "w")
-        except OSError as error:
-            raise DatabaseError(f"{path} cannot be written: {_reason(error)}") from None
-        with file:
-            yield file
-        os.replace(partial, path)
-    finally:
-        _remove(partial)
+    with h5py.File(path.with_name(path.name + ".partial"), "w", driver="core", backing_store=False) as file:
+        yield file
+        file.flush()
+        image = file.id.get_file_image()
+    write_whole(path, b"" if grows else seal(image), image)
 
 
 @contextlib.contextmanager
@@ -174,7 +172,7 @@ def damage_named(path):
             raise
         if "write" in said:
             cause = os.strerror(error.errno) if getattr(error, "errno", None) else said
-            raise DatabaseError(f"{path} cannot be written: {cause}; what was stored before is kept") from None
+            raise NotWritten(f"{path} cannot be written: {cause}; what was stored before is kept") from None
         raise DatabaseError(
             f"{path} is damaged: {said.splitlines()[0]}; copy it again, or solve it anew with --fresh"
         ) from None

@@ -18,6 +18,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from meshing.whole_files import keep_room
+
 from .file import DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
 from .integrity import ROWS, check_cells, check_rows, crc, has_checksums, remark, row_crc
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
@@ -49,7 +51,7 @@ def create(path, header, omega, wave_direction, names):
     Raises DatabaseError if the path cannot be written.
     """
     omega, wave_direction = np.unique(np.asarray(omega, float)), np.unique(np.asarray(wave_direction, float))
-    with beside(path) as file:
+    with beside(path, grows=True) as file:
         lay_out(file, header, omega, wave_direction, names)
 
 
@@ -74,7 +76,7 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
             or header.scene_hash != kept.scene_hash
         )
         if grown:
-            with beside(old.filename) as file:
+            with beside(old.filename, grows=True) as file:
                 lay_out(file, header, wider_omega, wider_heading, wider)
                 _take_over(old, file, anew)
     return grown
@@ -83,6 +85,8 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
 @contextlib.contextmanager
 def writing(path):
     """The open file of a database, for `append`; only one process at a time may have it."""
+    if not isinstance(path, h5py.File):
+        keep_room(path)
     with opened(path, "r+") as file:
         for name in (name for name in QUANTITIES if name in file):
             check_cells(file, name)

@@ -8,12 +8,12 @@ On equal steps exp(−iω(t₀ + pΔ + qδ)) is a product of a coarse and a fine
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from bem.waves import wavenumber
+from meshing.whole_files import write_whole
 
 from .allowed import positive, row_of_numbers
 from .tables import TableError, column_of, read_table
@@ -73,7 +73,7 @@ def write_record(path, record, comment=""):
     """Write time_s,elevation_m as CSV; `comment` goes before them in # lines."""
     rows = [f"# {line}" for line in comment.splitlines()] + ["time_s,elevation_m"]
     rows += [f"{t:.6f},{value:.6g}" for t, value in zip(record.time, record.elevation, strict=True)]
-    Path(path).write_text("\n".join(rows) + "\n", encoding="utf-8")
+    write_whole(path, "\n".join(rows) + "\n")
 
 
 def read_record(path, step=None, column=None):

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import typing
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from meshing.text_files import read_text
+from meshing.whole_files import write_whole
 
 from .fault import FormatError, fault
 from .moordyn_rows import SECTIONS, BodyRow, FailureRow, LineRow, LineTypeRow, PointRow, RodRow, RodTypeRow
@@ -228,8 +228,5 @@ def _cell(value):
 
 
 def write_moordyn(file: MoorDynFile, path):
-    """Write a MoorDyn v2 input file, replacing what is there.  Raises FormatError."""
-    try:
-        Path(path).write_text(moordyn_text(file), encoding="utf-8")
-    except OSError as error:
-        raise FormatError(f"{path} cannot be written: {error.strerror}") from None
+    """Write a MoorDyn v2 input file, replacing what is there.  Raises `meshing.whole_files.NotWritten`."""
+    write_whole(path, moordyn_text(file))

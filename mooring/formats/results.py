@@ -83,8 +83,12 @@ def read_channels(path):
     """{channel: (n,) values} of a file, `Time` among them.  Raises FormatError."""
     import h5py
 
+    from bem.database.integrity import seal_broken
+
     if not Path(path).exists():
         raise FormatError(f"{path} does not exist")
+    if seal_broken(path):
+        raise FormatError(f"{path} is damaged: its bytes do not match their checksum; copy it again, or make it anew")
     if not is_channels(path):
         raise FormatError(f"{path} is not a file of channels")
     with h5py.File(path) as file:

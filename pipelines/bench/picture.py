@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..common.picture import save
 from .cases import CASES
 
 STYLES = {
@@ -41,7 +42,7 @@ def draw(path, rows, note):
             axis.set_ylabel("largest relative error")
         _legend(figure, shown, columns)
         figure.suptitle(f"Error against time of one frequency: six modes and one heading.  {note}", x=0.01, ha="left")
-        figure.savefig(path, dpi=110)
+        save(figure, path, 110)
     return figure
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import csv
 import io
 import math
-import os
+
+from meshing.whole_files import write_whole
 
 from ..common.outputs import opening
 from .cases import CASES, HEADING
@@ -41,7 +42,7 @@ def write_csv(path, rows, heading):
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(Row._fields)
     writer.writerows([_cell(value) for value in row] for row in rows)
-    _replaced(path, text.getvalue())
+    write_whole(path, text.getvalue())
 
 
 def read_csv(path):
@@ -70,7 +71,7 @@ def write_page(path, rows, heading, picture):
             parts += [f"## {case.title[0].upper()}{case.title[1:]}", _table(*_measured(mine))]
     failed = [f"- {row.case}, {row.program} {row.settings}, {_asked(row)}: {row.note}" for row in rows if row.note]
     parts += ["## Failed", "\n".join(failed)] if failed else []
-    _replaced(path, "\n\n".join(parts) + "\n")
+    write_whole(path, "\n\n".join(parts) + "\n")
 
 
 def least_ms(rows, level):
@@ -151,9 +152,3 @@ def _cell(value):
     if value is None:
         return ""
     return f"{value:.4g}" if isinstance(value, float) else value
-
-
-def _replaced(path, text):
-    partial = path.with_name(path.name + ".partial")
-    partial.write_text(text, encoding="utf-8")
-    os.replace(partial, path)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import os
 import sys
+from pathlib import Path
 
 from bem.database.file import check_place
+from meshing.whole_files import write_whole
 
 PLOTS = (".png", ".svg", ".pdf")
 VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
@@ -16,6 +19,13 @@ def check_picture(path, kinds):
     if path.suffix.lower() not in kinds:
         raise ValueError(f"{path} has the suffix {path.suffix!r}; allowed: {', '.join(kinds)}")
     check_place(path)
+
+
+def save(figure, path, dpi):
+    """Write a matplotlib Figure in the format of its suffix.  Raises `meshing.whole_files.NotWritten`."""
+    drawn = io.BytesIO()
+    figure.savefig(drawn, dpi=dpi, format=Path(path).suffix[1:].lower() or "png")
+    write_whole(path, drawn.getvalue())
 
 
 def check_display():

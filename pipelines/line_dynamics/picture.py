@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import os
-
 import numpy as np
 
+from ..common.picture import save
 from ..lines.pictures import line_plane
 
 KN = 1e3
@@ -13,7 +12,7 @@ SHAPES = 8
 
 
 def draw_run(path, name, line, course, result, found, breaking):
-    """Draw to a file that takes its name when it is whole.
+    """Draw to a file.
 
     line : DynamicLine; course : Course; result : Result; found : Figures; breaking : N, or inf
     """
@@ -23,12 +22,7 @@ def draw_run(path, name, line, course, result, found, breaking):
     grid = figure.add_gridspec(3, SHAPES // 2, height_ratios=(1.6, 1, 1))
     _history(figure.add_subplot(grid[0, :]), name, result, found, breaking)
     _strip(figure, grid, line, course, result)
-    partial = path.with_name(f"{path.stem}.partial{path.suffix}")
-    try:
-        figure.savefig(partial, dpi=120)
-        os.replace(partial, path)
-    finally:
-        partial.unlink(missing_ok=True)
+    save(figure, path, 120)
 
 
 def _history(axes, name, result, found, breaking):

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
-from ..common.picture import PLOTS, check_picture
+from ..common.picture import PLOTS, check_picture, save
 from ..common.quantities import StudyError
 from ..common.units import TONF
 
@@ -178,4 +177,4 @@ def _draw(one, span, found, output):
     right.set(xlabel="span, m", ylabel="kN", ylim=(0, None), title="tension and offset")
     right.legend(frameon=False)
     right.grid(alpha=0.3)
-    figure.savefig(Path(output), dpi=130)
+    save(figure, output, 130)

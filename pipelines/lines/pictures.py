@@ -6,6 +6,8 @@ import numpy as np
 
 from mooring.lines.system.shapes import line_shapes, loads_on_lines
 
+from ..common.picture import save
+
 KN = 1e3
 
 
@@ -35,7 +37,7 @@ def draw_system(state, path, curves=(), losses=None):
     if rows > 1:
         _draw_curves(grid[1, 0], curves)
         _draw_losses(grid[1, 1], state, losses or {})
-    figure.savefig(path, dpi=120)
+    save(figure, path, 120)
 
 
 def _draw_points(axes, state, i, j):
@@ -102,7 +104,7 @@ def draw_frames(time, nodes, path, count=12):
         axes.set_axis_off()
     figure.supxlabel("along the line's plane at the start, m")
     figure.supylabel("z, m")
-    figure.savefig(path, dpi=120)
+    save(figure, path, 120)
     return None
 
 

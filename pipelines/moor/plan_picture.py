@@ -7,6 +7,8 @@ import numpy as np
 from mooring.lines.system.shapes import joints_of_lines, loads_on_lines
 from mooring.studies.multi_point import line_ends
 
+from ..common.picture import save
+
 
 def draw_plan(result, hull, path):
     """Write the plan of a MultiPoint result as a picture."""
@@ -48,7 +50,7 @@ def draw_plan(result, hull, path):
     figure.colorbar(colours, ax=axes, label="largest tension / breaking load", shrink=0.8)
     axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=_title(result))
     figure.legend(loc="outside lower center", ncols=5, fontsize=8)
-    figure.savefig(path, dpi=150)
+    save(figure, path, 150)
 
 
 def _draw_loads(axes, result, hull):

@@ -5,10 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import math
-import os
 import sys
 from pathlib import Path
 from typing import Annotated
+
+from meshing.whole_files import write_whole
 
 from ..scene.flags import _flag
 
@@ -107,9 +108,7 @@ def csv_text(rows, tolerance):
 
 
 def _write_csv(output, rows, grid, tolerance):
-    partial = output.with_name(output.name + ".partial")
-    partial.write_text(csv_text(rows, tolerance), encoding="utf-8")
-    os.replace(partial, output)
+    write_whole(output, csv_text(rows, tolerance))
 
 
 def _write_hdf5(output, rows, grid, tolerance):

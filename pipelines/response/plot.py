@@ -6,6 +6,7 @@ import numpy as np
 
 from mooring.response.long_term import YEAR
 
+from ..common.picture import save
 from ..common.units import TONF
 from .report import RAD, sea_in_words
 
@@ -31,7 +32,7 @@ def draw(result, path):
             axis.set_axis_off()
         title = f"exceedance in {len(result.height)} sea states" if climate else f"spectra: {sea_in_words(result)}"
         figure.suptitle(title, x=0.01, ha="left", fontsize=11)
-        figure.savefig(path, dpi=130)
+        save(figure, path, 130)
     return figure
 
 

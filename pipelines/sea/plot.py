@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..common.picture import save
 from .report import curve
 
 SHOWN = 600.0  # s of the record that are drawn large enough to be read
@@ -27,7 +28,7 @@ def draw(found, path):
             axis.grid(True, color="0.9", linewidth=0.6)
             axis.spines[["top", "right"]].set_visible(False)
         figure.suptitle(found.title, x=0.01, ha="left", fontsize=11)
-        figure.savefig(path, dpi=130)
+        save(figure, path, 130)
     return figure
 
 

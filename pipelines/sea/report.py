@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 
+from meshing.whole_files import write_whole
 from mooring.environment.crossings import expected_maximum_height, rayleigh_height
 from mooring.environment.periods import KINDS, WORDS
 from mooring.environment.spectrum import Tabulated
@@ -41,7 +40,7 @@ def write_spectrum(path, found):
         names += ",low_m2_s_rad,high_m2_s_rad"
         columns += found.estimate.confidence(0.95)
     rows = [",".join(f"{value:.8g}" for value in row) for row in zip(*columns, strict=True)]
-    Path(path).write_text(comment + "\n".join([names, *rows]) + "\n", encoding="utf-8")
+    write_whole(path, comment + "\n".join([names, *rows]) + "\n")
 
 
 def is_spectrum(path):

@@ -8,6 +8,8 @@ from bem import DOFS
 from bem.database import DatabaseError
 from bem.database.schema import DRIFT_DOFS, QUANTITIES
 
+from ..common.picture import save
+
 PREFIXES = ((1e9, "G", "10⁹ "), (1e6, "M", "10⁶ "), (1e3, "k", "10³ "))
 QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symmetry makes it zero
 FORCES, MOMENTS = slice(0, 3), slice(3, 6)
@@ -37,7 +39,7 @@ def plot(db, output):
         for name, axes in zip(rows, grid, strict=True):
             DRAW[name](db, axes)
         _dress(db, figure, grid)
-        figure.savefig(output, dpi=130)
+        save(figure, output, 130)
     return figure
 
 

@@ -117,7 +117,7 @@ def _assert_readable(path):
 
 
 def _assert_clean(path):
-    left = [part.name for part in path.parent.glob("*.partial")]
+    left = [part.name for part in path.parent.glob("*.partial*")]
     if left:
         raise RuntimeError(f"left behind: {', '.join(left)}")
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from bem import DOFS
 
+from ...common.picture import save
 from ...view.plots import heading_colors
 from .report_units import PAIRS, QUIET, Results, lag
 
@@ -177,7 +178,7 @@ class _figure:
                 for axis in self.grid.flat:
                     axis.grid(True, color="0.9", linewidth=0.6)
                     axis.spines[["top", "right"]].set_visible(False)
-                self.figure.savefig(self.path, dpi=110)
+                save(self.figure, self.path, 110)
         finally:
             self.style.__exit__(None, None, None)
 

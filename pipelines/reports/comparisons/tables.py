@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
-import os
+
+from meshing.whole_files import write_whole
 
 from ...common.outputs import opening
 from .report_units import PAIRS, lag
@@ -50,9 +51,7 @@ def write_table(path, kind, rows):
     writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
     writer.writeheader()
     writer.writerows({key: _shown(value) for key, value in row.items()} for row in rows)
-    partial = path.with_name(path.name + ".partial")
-    partial.write_text(text.getvalue(), encoding="utf-8")
-    os.replace(partial, path)
+    write_whole(path, text.getvalue())
     return path
 
 

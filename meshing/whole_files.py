@@ -1,0 +1,78 @@
+"""Files that are there whole or not at all: written beside under another name, read back, then renamed.
+
+A disk may be full, a quota or a limit reached: then the name has what it had before, and one line says why.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+from pathlib import Path
+
+
+class NotWritten(OSError):
+    """A file could not be written; what was there before is as it was."""
+
+
+def write_whole(path, *content):
+    """Put texts or bytes, one after another, into a file, in place of what it had.
+
+    raises : NotWritten, one line, where they do not arrive on the disk
+    """
+    parts = [part.encode() if isinstance(part, str) else part for part in content]
+    with made_beside(path) as partial:
+        with partial.open("wb") as file:
+            for part in parts:
+                file.write(part)
+        if partial.stat().st_size != sum(map(len, parts)):
+            raise OSError(0, "a part of it did not arrive")
+
+
+@contextlib.contextmanager
+def made_beside(path):
+    """Context with the path of a file to be made, of the same suffix, that takes the name `path` when it is whole"""
+    path = Path(path)
+    partial = path.with_name(f"{path.stem}.partial{path.suffix}")
+    try:
+        yield partial
+        with partial.open("rb+") as file:
+            os.fsync(file.fileno())
+        os.replace(partial, path)
+    except NotWritten:
+        raise
+    except OSError as error:
+        raise not_written(path, error) from None
+    finally:
+        with contextlib.suppress(OSError):
+            partial.unlink()
+
+
+def keep_room(path):
+    """Have every byte of a file that is written in place on the disk, holes of a sparse copy too.  Raises NotWritten.
+
+    A file that is no regular one, or not there, is left to whoever opens it.
+    """
+    try:
+        if not Path(path).is_file():
+            return
+        with Path(path).open("rb+", buffering=0) as file:
+            size = file.seek(0, os.SEEK_END)
+            if hasattr(os, "posix_fallocate") and size:
+                os.posix_fallocate(file.fileno(), 0, size)
+            file.seek(max(0, size - 1))
+            last = file.read(1)
+            file.seek(max(0, size - 1))
+            file.write(last)  # beyond a limit on the size of files, this says so
+    except PermissionError:
+        return
+    except OSError as error:
+        if error.errno in (errno.EOPNOTSUPP, errno.EINVAL):
+            return
+        raise not_written(path, error) from None
+
+
+def not_written(path, error):
+    """The NotWritten of a file and the OSError that came of writing it"""
+    reason = error.strerror or " ".join(str(error).split())
+    return NotWritten(f"{path} cannot be written: {reason}; what was there before is as it was")
