@@ -17,6 +17,7 @@ import numpy as np
 def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gravity):
     """(headings, 3) mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin.
 
+    k, n : numbers, or arrays that broadcast over the headings; all else may then have further axes before these
     H, slope : (headings, t) total Kochin function and derivative at equally spaced `theta`
     forward, forward_slope : (headings,) the same at θ = β; beta : (headings,) rad
     """
@@ -25,7 +26,7 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
     x = -2 * np.pi * np.cos(beta) * forward.real - step * power @ np.cos(theta)
     y = -2 * np.pi * np.sin(beta) * forward.real - step * power @ np.sin(theta)
     m = -2 * np.pi * forward_slope.imag - step * np.sum((H.conj() * slope).imag, axis=-1)
-    return density * gravity * n / (np.pi * k) * np.stack([x, y, m / k], axis=-1)
+    return density * gravity * np.asarray(n / (np.pi * k))[..., None] * np.stack([x, y, m / k], axis=-1)
 
 
 def energy_defect(H, forward):

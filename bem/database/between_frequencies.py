@@ -1,35 +1,36 @@
-"""What a database holds, at frequencies between the stored ones, with the estimated error: `interpolant` on its rows.
+"""What a database holds at its headings, at frequencies between the stored ones, with the estimated error.
 
 Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which later echoes make
-one-sided; forces and Kochin functions with the distance ahead of the origin at which the hull meets the wave.
-Responses are not fitted: they follow from fitted coefficients by the equation of motion, and drift from these and
-fitted Kochin functions by the far field (`drift`).  That of the fixed body is fitted where no Kochin functions are: of
-22 frequencies it is then 1 % off in the mean, and its errors are told too small in places, where the far field is
-0.4 % off and tells 0.5.  Drift needs more frequencies than forces, being of second order in them; its error says so.
+one-sided; forces and Kochin functions with the distance ahead of the origin at which the hull meets the wave
+(`interpolant`).  A stored frequency has its stored number.  Beyond the band added mass tends to its stored limits,
+
+    A(ω) = A(0) + [A(ω₁) − A(0)] (ω/ω₁)² below,    A(ω) = A(∞) + [A(ω_n) − A(∞)] (ω_n/ω)² above,
+
+the leading terms of both ends; how far the first power would lead is told as the error.  Entries whose limit is
+infinite, as that of heave in finite depth, keep their end value with an infinite error.  Nothing else is known there.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
-from ..drift import about, mean_drift
-from ..motions import response
-from ..waves import group_factor, wavenumber
-from .interpolant import Interpolant, abscissa
+from .interpolant import Joined, abscissa, windows
 from .schema import QUANTITIES
 
 RADIATION = ("added_mass", "radiation_damping")
 FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
 KOCHIN = ("kochin_radiation", "kochin_diffraction")
-STEP = 1e-3  # of the deviations, with which they are carried through an equation
-DRAWS = 8  # by chance; a deviation is known to a quarter
+DRIFT = ("drift_force_fixed", "drift_force")
+SAME = 1e-9  # relative in omega
+FEWEST = 4  # frequencies of which something is known between
+KEPT = 1 << 27  # bytes of values that are kept for who asks again
 
 
 class BetweenError(ValueError):
-    """A quantity is not known between the stored frequencies; one line says which and why."""
+    """A quantity is not known in a wave; one line says which, where it is known and what helps."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,51 +38,152 @@ class Between:
     """Quantities {name: (n, …)} at omega (n,) rad/s rising, axes as in `schema.QUANTITIES`.
 
     headings : (m,) rad; theta : (t,) rad of the Kochin functions; outline : (p, 2) m, points of the hull in plan
-    inertia, stiffness : (6, 6) or None; rotation_center : m; further as in `bem.problem.Problem`
-    linear : False if the stored responses have damping that depends on the amplitude
+    limits : {"added_mass_zero", "added_mass_infinity": (6, 6)}, those that are stored
     """
 
     omega: np.ndarray
     quantities: dict
     depth: float
     gravity: float
-    density: float
     headings: np.ndarray
     theta: np.ndarray
     outline: np.ndarray
-    rotation_center: np.ndarray
-    inertia: np.ndarray | None = None
-    stiffness: np.ndarray | None = None
-    linear: bool = True
+    limits: dict = field(default_factory=dict)
 
-    def at(self, omega, name):
-        """A quantity and its estimated error, about one standard deviation, at omega (q,) rad/s.
+    def value(self, omega, name):
+        """A quantity (q, …) at omega (q,) rad/s.  Raises BetweenError for what is not known."""
+        omega = np.atleast_1d(np.asarray(omega, float))
+        known, values = self._values.get(name, (np.zeros(0), None))
+        place = np.searchsorted(known, omega)
+        new = np.unique(omega[known[np.minimum(place, len(known) - 1)] != omega] if len(known) else omega)
+        if len(new) or values is None:
+            made = self._everywhere(new, name, self._fitted)
+            if values is None or values.nbytes > KEPT:
+                new = np.unique(omega)
+                known, values = new, made if len(made) == len(new) else self._everywhere(new, name, self._fitted)
+            else:
+                order = np.argsort(np.concatenate([known, new]))
+                known, values = np.concatenate([known, new])[order], np.concatenate([values, made])[order]
+            self._values[name] = known, values
+        return values[np.searchsorted(known, omega)]
 
-        returns : value (q, …) as stored, error (q, …) in its unit, of a complex quantity that of the modulus
-        raises : BetweenError outside the stored frequencies, for fewer than 4 of them, or for what is not there
+    def error(self, omega, name):
+        """(q, …) estimated error of `value`, about one standard deviation; of a complex quantity that of the modulus.
+
+        It is that of the interpolation, zero at stored frequencies; the solver's own is stored beside each quantity.
         """
-        omega = self._inside(omega)
-        if name in RADIATION and set(RADIATION) <= set(self.quantities):
-            return self._radiation(omega, name)
-        if name == "rao":
-            return self._carried(omega, (*RADIATION, "excitation_force"), self._rao)
-        if name == "drift_force_fixed" and set(KOCHIN) <= set(self.quantities):
-            return self._carried(omega, KOCHIN, self._drift_fixed)
-        if name == "drift_force":  # of peaks at resonance a fit would see little and know nothing
-            return self._carried(omega, (*KOCHIN, *RADIATION, "excitation_force"), self._drift)
-        return self._fitted(omega, name)
+        omega = np.atleast_1d(np.asarray(omega, float))
+        return self._everywhere(omega, name, self._deviation)
 
     def largest_error(self, omega, names):
         """(q,) estimated error at omega (q,), relative to the largest stored of its kind, the largest over `names`.
 
         Diagonal coefficients, and forces over all headings, are their own kind; couplings have √(ii · jj).
         """
-        return np.max([self._relative(self.at(omega, name)[1], name) for name in names], axis=0)
+        return np.max([self._relative(self.error(omega, name), name) for name in names], axis=0)
 
     @cached_property
     def length(self):
         """m, of the hull along x or y, whichever is longer"""
         return float(np.ptp(self.outline, axis=0).max())
+
+    @property
+    def span(self):
+        """(lowest, highest) rad/s at which everything stored is known"""
+        return float(self.omega[0]), float(self.omega[-1])
+
+    def stored(self, omega):
+        """(q,) number of the stored frequency that each of omega (q,) is, −1 for none"""
+        near = np.abs(self.omega[:, None] - omega).argmin(axis=0)
+        return np.where(np.abs(self.omega[near] - omega) <= SAME * np.abs(omega), near, -1)
+
+    def inside(self, omega):
+        """omega (q,) as an array.  Raises BetweenError naming the first value beyond the stored, or between too few."""
+        omega, (low, high) = np.atleast_1d(np.asarray(omega, float)), self.span
+        outside = ~((omega >= low * (1 - SAME)) & (omega <= high * (1 + SAME)))
+        if outside.any():
+            w = omega[outside][0]
+            raise BetweenError(
+                f"omega is {w:.6g} rad/s (period {2 * np.pi / w:.4g} s), outside the stored {low:.6g} to {high:.6g} "
+                f"rad/s ({2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s); add it to the scene and solve again"
+            )
+        unknown = self.stored(omega) < 0
+        if len(self.omega) < FEWEST and unknown.any():
+            raise BetweenError(
+                f"omega is {omega[unknown][0]:.6g} rad/s and {len(self.omega)} frequencies are stored; between them "
+                f"needs at least {FEWEST}, only stored ones are known; add frequencies to the scene and solve again"
+            )
+        return omega
+
+    def _everywhere(self, omega, name, within):
+        """`within` (omega, name) inside the band, added mass by its limits beyond"""
+        self._check(name)
+        if name != "added_mass":
+            return within(self.inside(omega), name)
+        low, high = self.span
+        below = (omega < low * (1 - SAME)) & self.has_limit("added_mass_zero") & (omega >= 0)
+        above = (omega > high * (1 + SAME)) & self.has_limit("added_mass_infinity")
+        out, inside = np.empty((len(omega), 6, 6)), ~(below | above)
+        out[inside] = within(self.inside(omega[inside]), name)
+        for where, limit, share in (
+            (below, "added_mass_zero", lambda w: w / low),
+            (above, "added_mass_infinity", lambda w: high / w),
+        ):
+            if where.any():
+                end = self.quantities["added_mass"][0 if limit == "added_mass_zero" else -1]
+                out[where] = _towards(self.limits[limit], end, share(omega[where]), within == self._deviation)
+        return out
+
+    def has_limit(self, limit):
+        """Whether a limit of added mass is stored and finite for some motion"""
+        return limit in self.limits and bool(np.any(np.isfinite(np.diag(self.limits[limit]))))
+
+    def _check(self, name):
+        if name not in QUANTITIES or "omega" not in QUANTITIES[name][0]:
+            raise BetweenError(f"{name!r} is no function of frequency")
+        if name not in self.quantities:
+            raise BetweenError(
+                f"{name} is not stored, and does not follow from what is: {', '.join(self.quantities)}; "
+                f"run its command again with --only {name}"
+            )
+
+    def _fitted(self, omega, name):
+        """(q, …) at omega (q,) within the band"""
+        known, values = self.stored(omega), self.quantities[name]
+        if np.all(known >= 0):
+            return values[known]
+        if name in RADIATION and set(RADIATION) <= set(self.quantities):
+            Z, w = self._both(omega), omega[:, None, None]
+            out = Z.real if name == "radiation_damping" else self.quantities["added_mass"][-1] - Z.imag / w
+        else:
+            out = self._fit(name, omega)
+        out[known >= 0] = values[known[known >= 0]]
+        return out
+
+    def _deviation(self, omega, name):
+        unknown = self.stored(omega) < 0
+        out = np.zeros((len(omega), *self.quantities[name].shape[1:]))
+        if not unknown.any():
+            return out
+        omega = omega[unknown]
+        both = name in RADIATION and set(RADIATION) <= set(self.quantities)
+        fit = self._interpolant("impedance" if both else name)
+        deviation = fit.deviation(self._abscissa(omega))[..., None] * self._growth(name, omega, 3)
+        error = np.broadcast_to(deviation, (*deviation.shape[:2], fit.lead.shape[1])).reshape(out[unknown].shape)
+        if both:
+            error = error / np.sqrt(2)  # of the real or the imaginary part alone
+            error = error / omega[:, None, None] if name == "added_mass" else error
+        if name == "drift_force":
+            error = error + self._unseen(omega, name)
+        out[unknown] = error
+        return out
+
+    def _unseen(self, omega, name):
+        """Half the step between stored frequencies, in the middle of it: a resonance there leaves no trace in drift"""
+        values = self.quantities[name]
+        i = np.clip(np.searchsorted(self.omega, omega) - 1, 0, len(self.omega) - 2)
+        share = (omega - self.omega[i]) / (self.omega[i + 1] - self.omega[i])
+        return 0.5 * np.abs(values[i + 1] - values[i]) * (4 * share * (1 - share))[:, None, None]
 
     def _relative(self, error, name):
         stored = np.abs(self.quantities[name])
@@ -93,43 +195,49 @@ class Between:
             scale = _seen(scale) if len(scale) == 6 else scale
         return np.max(error / np.where(scale > 0, scale, np.inf), axis=tuple(range(1, error.ndim)))
 
-    def _inside(self, omega):
-        omega, (low, high) = np.atleast_1d(np.asarray(omega, float)), (self.omega[0], self.omega[-1])
-        outside = ~((omega >= low * (1 - 1e-9)) & (omega <= high * (1 + 1e-9)))
-        if outside.any():
-            raise BetweenError(f"omega is {omega[outside][0]:.6g} rad/s; stored: {low:.6g} to {high:.6g}, solve more")
-        if len(self.omega) < 4:
-            raise BetweenError(f"{len(self.omega)} frequencies are stored; between them needs at least 4, solve more")
-        return omega
-
     def _abscissa(self, omega):
         return abscissa(omega, self.depth, self.gravity, self.length)
 
     @cached_property
-    def _stored_abscissa(self):
-        return self._abscissa(self.omega)
-
-    @cached_property
-    def _kept(self):
+    def _values(self):
         return {}
 
-    def _interpolant(self, name):
-        if name not in self._kept:
-            values = self.impedance if name == "impedance" else self.quantities[name]
-            values = values / self._growth(name, self.omega, values.ndim)
-            lead = np.broadcast_to(self._lead(name), values.shape[1:]).ravel() / self.length
-            self._kept[name] = Interpolant(self._stored_abscissa, values.reshape(len(values), -1), lead)
-        return self._kept[name]
+    @cached_property
+    def _fits(self):
+        return {}
 
-    def _fitted(self, omega, name):
-        if name != "impedance" and (name not in QUANTITIES or "omega" not in QUANTITIES[name][0]):
-            raise BetweenError(f"{name!r} is no function of frequency")
-        if name != "impedance" and name not in self.quantities:
-            raise BetweenError(f"{name} is not stored, and does not follow from what is: {', '.join(self.quantities)}")
-        shape = (len(omega), *(self.impedance if name == "impedance" else self.quantities[name]).shape[1:])
-        value, error = self._interpolant(name)(self._abscissa(omega))
-        growth = self._growth(name, omega, len(shape))
-        return value.reshape(shape) * growth, error.reshape(shape) * growth
+    @cached_property
+    def _windows(self):
+        """`interpolant.windows` for complex functions and for real ones"""
+        return {real: windows(self._abscissa(self.omega), real) for real in (False, True)}
+
+    def _interpolant(self, name):
+        if name not in self._fits:
+            values = self._impedance if name == "impedance" else self.quantities[name]
+            lead = np.broadcast_to(self._lead(name), values.shape[1:]) / self.length
+            if name not in KOCHIN:
+                values, lead = values.reshape(len(values), -1, 1), lead.reshape(-1, 1)
+            values = (values - self._level(name, values)) / self._growth(name, self.omega, 3)
+            self._fits[name] = Joined(
+                self._abscissa(self.omega), self._windows[not np.iscomplexobj(values)], values, lead
+            )
+        return self._fits[name]
+
+    def _fit(self, name, omega):
+        shape = (self._impedance if name == "impedance" else self.quantities[name]).shape[1:]
+        value = self._interpolant(name).value(self._abscissa(omega)) * self._growth(name, omega, 3)
+        value = value.reshape(len(omega), *shape)
+        return value + self._level(name, self.quantities[name]) if name == "added_mass" else value
+
+    def _level(self, name, values):
+        """What added mass alone is fitted from: far from all frequencies a fit tends to zero"""
+        return values[-1] if name == "added_mass" else 0.0
+
+    def _both(self, omega):
+        """Impedance (q, 6, 6); that asked for last is kept, since damping is asked for where added mass was"""
+        if self._values.get("impedance", (np.zeros(0),))[0].tobytes() != omega.tobytes():
+            self._values["impedance"] = omega, self._fit("impedance", omega)
+        return self._values["impedance"][1]
 
     def _growth(self, name, omega, dimensions):
         """(q, 1, …) what is taken out before a fit: Kochin functions grow like k, and a fit knows one size only"""
@@ -137,17 +245,10 @@ class Between:
         return k.reshape(-1, *[1] * (dimensions - 1))
 
     @cached_property
-    def impedance(self):
+    def _impedance(self):
         """B − iω [A − A(ω_max)] (n, 6, 6), kg/s …"""
         A, B = (self.quantities[name] for name in RADIATION)
         return B - 1j * self.omega[:, None, None] * (A - A[-1])
-
-    def _radiation(self, omega, name):
-        value, error = self._fitted(omega, "impedance")
-        error = error / np.sqrt(2)  # of the real or the imaginary part alone
-        if name == "radiation_damping":
-            return value.real, error
-        return self.quantities["added_mass"][-1] - value.imag / omega[:, None, None], error / omega[:, None, None]
 
     def _lead(self, name):
         """m, how far ahead of the origin, along the wave, the hull meets it; per heading, angle or both"""
@@ -163,84 +264,14 @@ class Between:
             )
         return np.zeros(1)
 
-    def _carried(self, omega, names, equation):
-        """An equation of fitted quantities, and its error by carrying the deviation of each through it.
 
-        That of numbers one after the other, as they are; that of functions of the angle by chance (`_scattered`).
-        """
-        missing = [name for name in names if name not in self.quantities]
-        if missing:
-            raise BetweenError(
-                f"{', '.join(missing)} must be stored for this; run its command again with --only {','.join(names)}"
-            )
-        fitted = {name: self.at(omega, name) for name in names}
-        value = equation(omega, **{name: part for name, (part, _) in fitted.items()})
-        if set(KOCHIN) & set(names):
-            return value, self._scattered(omega, fitted, equation, value)
-        variance = 0.0
-        for name, (_, error) in fitted.items():
-            moved = {other: part + (STEP * error if other == name else 0) for other, (part, _) in fitted.items()}
-            variance = variance + np.abs((equation(omega, **moved) - value) / STEP) ** 2
-        return value, np.sqrt(variance)
-
-    def _scattered(self, omega, fitted, equation, value):
-        """Deviation of `value` when all quantities deviate by chance, Kochin functions smoothly over the angle.
-
-        Shifted by one number at all angles they would keep their slope, and the moment would seem to be known.  Chance
-        is the same at all frequencies, so that an estimate does not depend on what else is asked for.
-        """
-        generator, variance = np.random.default_rng(0), 0.0
-        waves = wavenumber(omega, self.depth, self.gravity) * np.hypot(*self.outline.T).max()
-        order = np.fft.fftfreq(len(self.theta), 1 / len(self.theta))
-        smooth = (np.abs(order) <= waves[:, None] + 1)[:, None]
-        smooth = smooth / np.sqrt(smooth.mean(axis=-1, keepdims=True))
-        for _ in range(DRAWS):
-            moved = {}
-            for name, (part, error) in fitted.items():
-                chance = _complex_normal(generator, part.shape[1:])
-                if name in KOCHIN:
-                    chance = np.fft.ifft(chance * smooth, norm="ortho", axis=-1)
-                moved[name] = part + STEP * error * (chance if np.iscomplexobj(part) else np.sqrt(2) * chance.real)
-            variance = variance + np.abs((equation(omega, **moved) - value) / STEP) ** 2 / DRAWS
-        return np.sqrt(variance)
-
-    def _rao(self, omega, added_mass, radiation_damping, excitation_force):
-        if self.inertia is None:
-            raise BetweenError("responses need the inertia of the body: give --gyration kxx,kyy,kzz")
-        if not self.linear:
-            raise BetweenError("responses with viscous damping depend on the wave height; only stored ones are known")
-        terms = zip(omega, added_mass, radiation_damping, excitation_force, strict=True)
-        return np.array([response(w, A, B, F, self.inertia, self.stiffness) for w, A, B, F in terms])
-
-    def _drift(self, omega, kochin_radiation, kochin_diffraction, **coefficients):
-        rao = self._rao(omega, **coefficients)
-        return self._drift_fixed(omega, kochin_radiation, kochin_diffraction + rao @ kochin_radiation)
-
-    def _drift_fixed(self, omega, kochin_radiation, kochin_diffraction):
-        """By H at equally spaced angles, its slope and its value at β from the Fourier series.
-
-        Energy, −Re H(β) = (1/2π) ∫|H|² dθ, stands for the forward value in the forces, which would else be the small
-        difference of what errors do not respect; there is none for the moment.
-        """
-        t = len(self.theta)
-        order = np.fft.fftfreq(t, 1 / t)
-        series = np.fft.fft(kochin_diffraction, axis=-1) / t
-        slope = np.fft.ifft(1j * order * series * t, axis=-1)
-        ahead = 1j * order * np.exp(1j * np.multiply.outer(self.headings - self.theta[0], order))
-        forward = -np.mean(np.abs(kochin_diffraction) ** 2, axis=-1)
-        forward_slope = np.sum(series * ahead, axis=-1)
-        k = wavenumber(omega, self.depth, self.gravity)
-        rows = zip(kochin_diffraction, slope, forward, forward_slope, k, group_factor(k, self.depth), strict=True)
-        out = [
-            mean_drift(H, dH, f, df, self.theta, self.headings, q, n, self.density, self.gravity)
-            for H, dH, f, df, q, n in rows
-        ]
-        return about(np.array(out), self.rotation_center)
-
-
-def _complex_normal(generator, shape):
-    """Of variance one"""
-    return (generator.standard_normal(shape) + 1j * generator.standard_normal(shape)) / np.sqrt(2)
+def _towards(limit, end, share, error):
+    """(q, 6, 6) from the `end` of the band towards its limit, or the error of that; share (q,) from 0 there to 1"""
+    share, known = share[:, None, None], np.isfinite(limit)
+    limit = np.where(known, limit, end)
+    if error:
+        return np.where(known, np.abs(end - limit) * share * (1 - share), np.inf)
+    return limit + (end - limit) * share**2
 
 
 def _seen(scale):
@@ -251,18 +282,10 @@ def _seen(scale):
 
 def between(db):
     """`Between` of the solved rows of a database."""
-    names = [n for n in db.names if "omega" in QUANTITIES[n][0] and n != "rao"]
+    names = [name for name in db.names if "omega" in QUANTITIES[name][0]]
+    limits = {name: db[name] for name in ("added_mass_zero", "added_mass_infinity") if db.holds(name)}
+    points = db.mesh.whole().points[:, :2]
+    quantities = {name: db[name] for name in names}
     return Between(
-        db.omega,
-        {name: db[name] for name in names},
-        db.water_depth,
-        db.gravity,
-        db.density,
-        db.wave_direction,
-        db["theta"],
-        db.mesh.whole().points[:, :2],
-        db.rotation_center,
-        db.inertia_matrix,
-        db.hydrostatic_stiffness,
-        not db.has_viscous_motions,
-    )
+        db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits
+    )  # fmt: skip

@@ -17,8 +17,9 @@ fitted and counts by the inverse fourth power of its error at nodes left out (Ri
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +28,11 @@ from ..waves import wavenumber
 
 NUGGET = 1e-9  # of the kernel's diagonal: keeps its factor to about seven digits
 ROUNDING = 2 * NUGGET  # variance, relative, that is not distinguished from none: nodes have half of it
+LEADS = (1.0, 0.7)  # shares of the `lead` that are taken out
+BLOCK = 256  # places handled at once
+KEPT = 1 << 27  # bytes of rows that are kept for the next function at the same places
+WINDOW = 64  # nodes that are fitted together
+SAMPLE = 15  # functions of a group that stand for all of them
 
 
 class Abscissa(NamedTuple):
@@ -71,7 +77,7 @@ _ROWS = (
     *(_echoes(0.1, np.exp(-0.1 / decay), 2.5) for decay in (0.1, 0.2)),
 )
 _REACHES = ((1.2, 4.8), (1.8, 7.2), (2.5, 10.0), (3.5, 14.0))  # wider ones cost digits and gain nothing
-FAMILY = tuple(Member(*reach, *row, lead) for reach in _REACHES for row in _ROWS for lead in (1.0, 0.7))
+FAMILY = tuple(Member(*reach, *row, lead) for reach in _REACHES for row in _ROWS for lead in LEADS)
 SPREAD = Member(
     1.2, np.inf, *_echoes(0.1, np.exp(-0.1 / 0.12), 2.5), 1.0
 )  # by which nodes are spread, knowing no value
@@ -84,53 +90,211 @@ def abscissa(omega, depth, gravity, length):
     return Abscissa(0.5 * (omega * np.sqrt(length / gravity) + np.sqrt(kL)), kL)
 
 
+class Rows(NamedTuple):
+    """Every member of the family between nodes x (n,) and places y (q,), whatever is fitted.
+
+    cardinal : (members, q, n) value at y of what is 1 at one node and 0 at the others; left : (members, q) share of
+    the variance that the nodes leave open
+    """
+
+    cardinal: np.ndarray
+    left: np.ndarray
+
+
 @dataclass(frozen=True, eq=False)
-class Interpolant:
-    """Columns of values (n, c) at x; lead (c,) in lengths of the body.  Complex values are one-sided, real ones not."""
+class Nodes:
+    """Where functions are known, and what follows from that alone; real functions have the real part of the kernel.
+
+    x : Abscissa (n,)
+    """
 
     x: Abscissa
+    real: bool = False
+    _kept: dict = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def roots(self):
+        """(members, n, n) `_root` of each member"""
+        return np.array([_root(self._kernel(member, self.x, self.x)) for member in FAMILY])
+
+    def rows(self, y):
+        """`Rows` at the places y; those asked for last are kept"""
+        key = y.smooth.tobytes()
+        if key not in self._kept:
+            made = self._rows(y)
+            while self._kept and sum(rows.cardinal.nbytes for rows in [made, *self._kept.values()]) > KEPT:
+                del self._kept[next(iter(self._kept))]
+            self._kept[key] = made
+        return self._kept[key]
+
+    def _rows(self, y):
+        cardinal, left = [], []
+        for member, root in zip(FAMILY, self.roots, strict=True):
+            whitened = self._kernel(member, y, self.x) @ root.conj().T
+            cardinal.append(whitened @ root)
+            left.append(np.maximum(1 - np.sum(np.abs(whitened) ** 2, axis=1) - ROUNDING, 0))
+        return Rows(np.array(cardinal), np.array(left))
+
+    def _kernel(self, member, x, y):
+        distance = np.ptp(self.x.smooth) / max(len(self.x.smooth) - 1, 1)
+        kernel = member._replace(reach=min(member.reach, member.nodes * distance)).kernel(x, y)
+        return kernel.real if self.real else kernel
+
+
+@dataclass(frozen=True, eq=False)
+class Interpolant:
+    """Functions known at `nodes`: values (n, g, c), lead (g, c) in lengths of the body.
+
+    The c functions of a group share the weights of the members and their estimated error: a Kochin function at its
+    angles is one group, a coefficient a group by itself.  Complex values are one-sided, real ones not.
+    """
+
+    nodes: Nodes
     values: np.ndarray
     lead: np.ndarray
 
-    def __call__(self, y):
-        """Values (m, c) at y and their standard deviations (m, c), those of the modulus if complex."""
-        value, square, deviation = 0.0, 0.0, 0.0
-        for member, (weight, coefficients, scale, root) in zip(FAMILY, self._members, strict=True):
-            row = self._kernel(member, y, self.x)
-            guess = (row @ coefficients) * np.conj(self._turn(member, y))
-            left = np.maximum(_left_open(row, root) - ROUNDING, 0)
-            value = value + weight * guess
-            square = square + weight * np.abs(guess) ** 2
-            deviation = deviation + weight * np.sqrt(np.outer(left, scale))
-        value = value if np.iscomplexobj(self.values) else value.real
-        return value, np.sqrt(deviation**2 + np.maximum(square - np.abs(value) ** 2, 0))
+    def value(self, y):
+        """(q, g, c) at y; at the nodes what is known there but for the nugget"""
+        return np.concatenate([self._value(part) for part in _blocks(y)])
+
+    def deviation(self, y):
+        """(q, g) standard deviations of the modulus, in the mean over the functions of a group"""
+        return np.concatenate([self._deviation(part) for part in _blocks(y)])
+
+    def _value(self, y):
+        value, rows = 0.0, self.nodes.rows(y)
+        for lead, chosen in _by_lead():
+            mixed = np.tensordot(self._weights[chosen].T, rows.cardinal[chosen], axes=1)
+            part = np.matmul(mixed, (self.values * self._turn(lead, self.nodes.x, self.lead)).swapaxes(0, 1))
+            value = value + part.swapaxes(0, 1) * self._turn(lead, y, self.lead).conj()
+        return value if np.iscomplexobj(self.values) else value.real
+
+    def _deviation(self, y):
+        rows, mean, square, left = self.nodes.rows(y), 0.0, 0.0, 0.0
+        values, leads = self._sample
+        for lead, chosen in _by_lead():
+            turned = (values * self._turn(lead, self.nodes.x, leads)).reshape(len(values), -1)
+            guess = (rows.cardinal[chosen] @ turned).reshape(len(chosen), -1, *leads.shape)
+            guess = guess * self._turn(lead, y, leads).conj()
+            weight = self._weights[chosen][:, None, :, None]
+            mean = mean + np.sum(weight * guess, axis=0)
+            square = square + np.sum(weight * np.abs(guess) ** 2, axis=0)
+            open_ = np.sqrt(rows.left[chosen][:, :, None] * self._scale[chosen][:, None])
+            left = left + np.sum(self._weights[chosen][:, None] * open_, axis=0)
+        spread = np.maximum(square - np.abs(mean) ** 2, 0).mean(axis=-1)
+        return np.sqrt(left**2 + spread)
 
     @cached_property
-    def _distance(self):
-        return np.ptp(self.x.smooth) / (len(self.x.smooth) - 1)
+    def _sample(self):
+        """Values (n, g, s) and leads (g, s) of some functions of each group, that stand for all in its weights"""
+        some = slice(None, None, max(1, self.lead.shape[1] // SAMPLE))
+        return self.values[:, :, some], self.lead[:, some]
 
-    def _kernel(self, member, x, y):
-        kernel = member._replace(reach=min(member.reach, member.nodes * self._distance)).kernel(x, y)
-        return kernel if np.iscomplexobj(self.values) else kernel.real
-
-    def _turn(self, member, x):
-        return np.exp(1j * member.lead * np.multiply.outer(x.phase, self.lead))
+    def _turn(self, lead, x, leads):
+        return np.exp(1j * lead * np.multiply.outer(x.phase, leads))
 
     @cached_property
-    def _members(self):
-        """Of each member: weight (c,), coefficients (n, c), σ² (c,), `_root` (n, n)"""
-        fits, errors = [], []
-        for member in FAMILY:
-            root = _root(self._kernel(member, self.x, self.x))
-            whitened = root @ (self.values * self._turn(member, self.x))
-            coefficients = root.conj().T @ whitened
-            left_out = np.abs(coefficients) / np.sum(np.abs(root) ** 2, axis=0)[:, None]
-            errors.append(np.sum(left_out**2, axis=0))
-            fits.append((coefficients, np.mean(np.abs(whitened) ** 2, axis=0), root))
+    def _fits(self):
+        """Weights (members, g) and σ² (members, g)"""
+        errors, scales = [], []
+        values, leads = self._sample
+        turned = {lead: (values * self._turn(lead, self.nodes.x, leads)).reshape(len(values), -1) for lead in LEADS}
+        for member, root in zip(FAMILY, self.nodes.roots, strict=True):
+            whitened = root @ turned[member.lead]
+            left_out = np.abs(root.conj().T @ whitened) / np.sum(np.abs(root) ** 2, axis=0)[:, None]
+            errors.append(np.sum(left_out**2, axis=0).reshape(leads.shape).sum(axis=-1))
+            scales.append(np.mean(np.abs(whitened) ** 2, axis=0).reshape(leads.shape).mean(axis=-1))
         best = np.maximum(np.min(errors, axis=0), np.finfo(float).tiny)
         weights = (best / np.maximum(errors, best)) ** 2
-        weights /= weights.sum(axis=0)
-        return [(weight, *fit) for weight, fit in zip(weights, fits, strict=True)]
+        return weights / weights.sum(axis=0), np.array(scales)
+
+    @property
+    def _weights(self):
+        return self._fits[0]
+
+    @property
+    def _scale(self):
+        return self._fits[1]
+
+
+class Window(NamedTuple):
+    """Nodes `first` to `last` of all, and the gaps `low` to `high` between nodes for which they serve"""
+
+    nodes: Nodes
+    first: int
+    last: int
+    low: int
+    high: int
+
+
+def windows(x, real=False):
+    """`Window`s of nodes x (n,) rising: all in one, or where there are many, some with neighbours on both sides"""
+    n, out = len(x.smooth), []
+    count = 1 if n <= WINDOW else int(np.ceil(2 * n / WINDOW))
+    ends = np.linspace(0, max(n - 1, 1), count + 1).astype(int)
+    for low, high in pairwise(ends):
+        first, last = max(low - WINDOW // 4, 0), min(high + WINDOW // 4 + 1, n)
+        out.append(Window(Nodes(Abscissa(*(part[first:last] for part in x)), real), first, last, low, high))
+    return out
+
+
+@dataclass(frozen=True, eq=False)
+class Joined:
+    """An `Interpolant` in each of `windows` of nodes x, arguments as there, from node to node.
+
+    What a fit lacks at its nodes, the share of the nugget, is put back by straight lines: nodes have their values, and
+    where one window takes over from another nothing jumps.
+    """
+
+    x: Abscissa
+    windows: list
+    values: np.ndarray
+    lead: np.ndarray
+
+    def value(self, y):
+        """(q, g, c) at y"""
+        gap, share = self._place(y)
+        out = np.empty((len(gap), *self.values.shape[1:]), self.values.dtype)
+        for window, fit, lack in self._fits:
+            here = (gap >= window.low) & (gap < window.high)
+            if here.any():
+                i, t = gap[here] - window.first, share[here][:, None, None]
+                out[here] = fit.value(Abscissa(*(part[here] for part in y))) + (1 - t) * lack[i] + t * lack[i + 1]
+        return out
+
+    def deviation(self, y):
+        """(q, g) standard deviations of the modulus, in the mean over the functions of a group"""
+        gap, _ = self._place(y)
+        out = np.empty((len(gap), self.values.shape[1]))
+        for window, fit, _ in self._fits:
+            here = (gap >= window.low) & (gap < window.high)
+            if here.any():
+                out[here] = fit.deviation(Abscissa(*(part[here] for part in y)))
+        return out
+
+    def _place(self, y):
+        """Number of the gap between nodes and the share of it that lies below, each (q,)"""
+        s = self.x.smooth
+        gap = np.clip(np.searchsorted(s, y.smooth, side="right") - 1, 0, len(s) - 2)
+        return gap, (y.smooth - s[gap]) / (s[gap + 1] - s[gap])
+
+    @cached_property
+    def _fits(self):
+        out = []
+        for window in self.windows:
+            fit = Interpolant(window.nodes, self.values[window.first : window.last], self.lead)
+            out.append((window, fit, fit.values - fit.value(window.nodes.x)))
+        return out
+
+
+def _blocks(y):
+    return [Abscissa(*(part[i : i + BLOCK] for part in y)) for i in range(0, max(len(y.smooth), 1), BLOCK)]
+
+
+def _by_lead():
+    """(lead, its members) of the family"""
+    leads = np.array([member.lead for member in FAMILY])
+    return [(lead, np.flatnonzero(leads == lead)) for lead in LEADS]
 
 
 def _root(kernel):

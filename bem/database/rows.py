@@ -270,22 +270,25 @@ class Database:
         return "[viscous]" in self.header.scene
 
     @cached_property
-    def between(self):
-        """`bem.database.between_frequencies.Between`: the stored rows as functions of frequency, with estimated
-        errors
-        """
-        from .between_frequencies import between
+    def reader(self):
+        """`bem.database.reader.Reader`: the body in any wave, with estimated errors, from the stored rows"""
+        from .reader import reader
 
         self.require()
-        return between(self)
+        return reader(self)
 
-    def at(self, omega, name):
-        """A quantity at omega (q,) rad/s between the stored ones: value (q, …) as stored, estimated error (q, …).
+    def at(self, omega, name, headings=None):
+        """A quantity at omega (q,) rad/s and headings (p,) rad, None for those stored: value (q, …) as stored,
+        estimated error (q, …).
 
-        raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside the stored band and for what
+        raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside what is stored and for what
             does not follow
         """
-        return self.between.at(omega, name)
+        return self.reader.at(omega, name, headings)
+
+    def holds(self, name):
+        """Whether a limit is stored, or a quantity part of the file"""
+        return name in self.names and (name not in LIMITS or self._stored(name))
 
     def checks(self):
         """{name: (n,)} of `schema.CHECKS` for the solved frequencies; NaN where a check did not apply."""

@@ -15,8 +15,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bem.database.between_headings import WIDEST_GAP
+
 from .allowed import row_of_numbers
-from .between_waves import WIDEST_GAP, between_headings
 from .spectrum import Spectrum
 from .spreading import ANGLES, Spreading
 
@@ -170,10 +171,16 @@ def _whole_number(thing, value, least):
 
 
 def _shares_of_one(headings, direction):
-    m, n, t = between_headings(headings, direction)
-    share = np.zeros(len(headings))
-    share[m] += 1 - t
-    share[n] += t
+    """(m,) shares of a wave towards `direction` that its two neighbours have.  Raises ValueError in a gap above 45°."""
+    apart = np.abs(np.mod(np.asarray(headings, float) - direction + np.pi, 2 * np.pi) - np.pi)
+    if apart.min() <= 1e-9:
+        return np.eye(len(headings))[apart.argmin()]
+    share = _hats(headings, np.array([direction]))[0]
+    if not share.any():
+        given = ", ".join(f"{np.rad2deg(b):g}" for b in headings)
+        raise ValueError(
+            f"wave direction {np.rad2deg(direction):g}° is not between headings at most 45° apart ({given}°); add it"
+        )
     return share
 
 

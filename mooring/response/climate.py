@@ -11,7 +11,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ..environment.sea import Sea
-from . import drift as drifts
 from .findings import MISSED
 from .linear import frequencies, over_headings
 from .long_term import LongTerm, long_term
@@ -72,12 +71,12 @@ class _Column(NamedTuple):
 
 
 def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreading=None, points=(), **shape) -> Climate:
-    """A Body in all cells of a Scatter.
+    """A `bem.database.reader.Reader`, `floating`, in all cells of a Scatter.
 
     family : of `environment.spectra.FAMILIES`, called with height and period of the kind of the table, and `shape`
     directions_and_shares : pairs of rad travelled to and share of time; each has the same table
     spreading : None, or a function of the spectrum that gives its Spreading
-    raises : ValueError for shares that do not sum to 1, RangeError outside the stored headings
+    raises : ValueError for shares that do not sum to 1, BetweenError outside the stored headings
     """
     total = sum(share for _, share in directions_and_shares)
     if any(share < 0 for _, share in directions_and_shares) or abs(total - 1) > 1e-6:
@@ -109,7 +108,7 @@ class _Powers:
 
     def __init__(self, body, omega, points):
         self.body, self.omega, self.points, self.known = body, omega, points, {}
-        self.drifts = body.drift is not None or drifts.can_rebuild(body)
+        self.drifts = body.knows_drift
         self.names = self.units = ()
 
     def at(self, heading):
@@ -118,7 +117,7 @@ class _Powers:
             transfer = transfer_functions(self.body, self.omega, heading, self.points)
             self.names, self.units = transfer.names, transfer.units
             shape = (len(self.omega), len(heading), 3)
-            force = drifts.drift(self.body, self.omega, heading) if self.drifts else np.zeros(shape)
+            force = self.body.drift(self.omega, heading) if self.drifts else np.zeros(shape)
             self.known[key] = np.abs(transfer.value) ** 2, force
         return self.known[key]
 

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.waves import wavenumber
+from bem import DOFS
 
-from . import drift as drifts
-from .headings import is_between
-from .linear import frequencies, moments, motions, over_headings, response_spectrum
+from .linear import over_headings
 from .seas import directions, energy_outside
 
 MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
-UNSETTLED = 0.1  # change of a result when every second stored frequency is left out
-TURNED = 0.02  # error of a spline over the headings
-FEWEST = 5  # frequencies of which some can be left out
+UNSURE = 0.05  # estimated error of a result between stored waves that is named
+PLACES = 48  # frequencies at which it is estimated
 
 
 def waves_outside(body, spectrum):
@@ -37,44 +34,30 @@ def responses_outside(body, spectrum, transfer, weights, m0):
         yield f"responses lack energy beyond the stored frequencies: {_some(named)}; limit {100 * MISSED:g} %"
 
 
-def between_headings(body, sea):
-    """Error of forces in long-crested waves between stored headings, that of a cubic spline through exp(ikR cos β)"""
-    stored, _ = body.forces(body.omega[:1])
-    if sea.spreading is not None or not is_between(stored, sea.direction)[0]:
-        return
-    offset = np.mod(stored - sea.direction, 2 * np.pi)
-    gap = offset.min() + (2 * np.pi - offset).min()
-    k = float(wavenumber(2 * np.pi / sea.spectrum.T01, body.depth, body.gravity))
-    error = (k * body.radius * gap) ** 4 / 384
-    if error > TURNED:
-        yield (
-            f"wave direction {np.rad2deg(sea.direction) % 360:.4g}° lies in a gap of {np.rad2deg(gap):.3g}° between "
-            f"stored headings: forces may be {100 * error:.0f} % off, limit {100 * TURNED:g} %; add it to the scene"
-        )
+def between_waves(body, sea, omega, m0, drift):
+    """How uncertain the six motions, of m0 (6,), and the mean drift (3,) or None are between stored waves.
 
-
-def between_frequencies(body, sea, m0, drift):
-    """How much the six motions, of m0 (6,), and the mean drift (3,) or None change with the step in frequency"""
-    if len(body.omega) < FEWEST:
-        yield f"the database has {len(body.omega)} frequencies: too few to tell the error between them"
-        return
-    coarse = body.thinned()
-    omega = frequencies(coarse, sea.spectrum.density)
-    heading, weights = directions(sea, omega)
-    density = sea.spectrum.density(omega)
-    other = moments(omega, response_spectrum(motions(coarse, omega, heading), density, weights)).m0
-    change = np.where(m0 > 0, np.abs(np.sqrt(other / np.where(m0 > 0, m0, 1.0)) - 1), 0.0)
-    words = ("surge", "sway", "heave", "roll", "pitch", "yaw")
-    named = [f"{words[i]} {100 * change[i]:.0f} %" for i in np.argsort(-change) if change[i] > UNSETTLED]
+    The estimated errors of `Reader.at`, as if all of one sign: ∫|X|δX S dω of ∫|X|² S dω, and 2∫ δD S dω
+    """
+    places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
+    heading, weights = directions(sea, places)
+    density = sea.spectrum.density(places)[:, None]
+    X, wrong = body.at(places, "rao", heading)
+    both = [
+        np.trapezoid(over_headings(np.abs(X) * part, weights) * density, places, axis=0) for part in (wrong, np.abs(X))
+    ]
+    share = np.where(m0 > 0, both[0] / np.maximum(both[1], 1e-300), 0.0)
+    words = [name.lower() for name in DOFS]
+    named = [f"{words[i]} {100 * share[i]:.0f} %" for i in np.argsort(-share) if share[i] > UNSURE]
     if drift is not None:
-        mean = drifts.mean_in_sea(omega, drifts.drift(coarse, omega, heading), density, weights)
-        moved = np.abs(mean - drift)[:2].max() / max(np.abs(drift[:2]).max(), 1e-300)
-        named += [f"mean drift {100 * moved:.0f} %"] if moved > UNSETTLED else []
+        wrong = over_headings(body.at(places, "drift_force", heading)[1], weights)
+        wrong = 2 * np.trapezoid(wrong * density, places, axis=0)[:2].max() / max(np.abs(drift[:2]).max(), 1e-300)
+        named += [f"mean drift {100 * wrong:.0f} %"] if wrong > UNSURE else []
     if named:
-        advice = "" if drift is None or drifts.can_rebuild(body) else " and Kochin functions (--only kochin,drift)"
+        advice = "" if drift is None or body.rebuilds_drift else " or Kochin functions (--only kochin,drift)"
         yield (
-            f"results change when every second stored frequency is left out: {', '.join(named)}; limit "
-            f"{100 * UNSETTLED:g} %; add frequencies{advice} to the database"
+            f"results are uncertain between stored waves: {', '.join(named)}; limit {100 * UNSURE:g} %; "
+            f"add frequencies, headings{advice} to the database"
         )
 
 

@@ -2,9 +2,8 @@
 
     {−ω²[M + A] − iω[B + B′] + [C + C′]} X = F,    S_X(ω) = Σ_β w_β |X(ω, β)|² S(ω),    m_n = ∫ ωⁿ S_X dω
 
-X is solved at every frequency asked for, from interpolated A, B and F: a mean of two solutions on both sides of a
-resonance would cancel.  w_β are the shares of the wave energy per heading.  SR179 report (1982), section 2.1.2 and
-design guideline 7.4.
+X is that of `bem.database.reader.Reader`, solved at every frequency asked for; w_β are the shares of the wave energy
+per heading.  SR179 report (1982), section 2.1.2 and design guideline 7.4.
 """
 
 from __future__ import annotations
@@ -15,9 +14,8 @@ import numpy as np
 
 from bem import DOFS
 
-from .headings import at_headings
-
-CONVERGED = 1e-3  # of the largest integral of |X|² of its mode, when the number of frequencies is doubled
+COARSE = 64  # steps over the band to begin with, at least one between two stored frequencies and at most four
+CONVERGED = 1e-3  # of the largest integral of |X|² of its mode
 FINEST = 256  # steps between two stored frequencies
 
 
@@ -30,46 +28,47 @@ class Moments(NamedTuple):
     m4: np.ndarray
 
 
-def motions(body, omega, heading):
-    """(q, p, 6) complex motion about rotation_center per unit wave amplitude, m/m and rad/m.
-
-    omega : (q,) rad/s; heading : (p,) rad, travelled to.  Raises RangeError outside the database.
-    """
-    omega = body.inside(omega)
-    stored, force = body.forces(omega)
-    return _solved(body, omega, at_headings(stored, force, np.atleast_1d(heading)))
-
-
-def motions_in_stored_waves(body, omega):
-    """(q, m, 6) the same at the stored headings, for what is built from stored far fields."""
-    omega = body.inside(omega)
-    return _solved(body, omega, body.at(omega, body.excitation))
-
-
 def frequencies(body, density=None):
     """(q,) rad/s from the lowest to the highest stored frequency, close enough for every resonance between them.
 
-    density : function of omega (q,), the waves that matter; None for all alike
-    Steps between stored frequencies are halved until ∫ |X|² S dω of every mode and stored heading moves by less than
-    1e-3 of the largest of its mode.  Raises ValueError where 256 steps are not enough: a mode without damping.
+    body : `bem.database.reader.Reader`; density : function of omega (q,), the waves that matter; None for all alike
+    Steps between stored frequencies are halved, all of them once and then where it counts, until ∫ |X|² S dω of every
+    mode and stored heading is known to 1e-3 of the largest of its mode.  Raises ValueError where 256 steps are not
+    enough: a mode without damping.
     """
-    steps, last = 2, None
-    while steps < FINEST:
-        steps *= 2
-        omega = subdivided(body.omega, steps)
-        power = np.abs(motions_in_stored_waves(body, omega)) ** 2
-        power = power if density is None else power * density(omega)[:, None, None]
-        power = np.trapezoid(power, omega, axis=0)
-        if last is not None:
-            change = (np.abs(power - last) / np.maximum(power.max(axis=0), 1e-300)).max(axis=0)
-            if change.max() <= CONVERGED:
-                return omega
-        last = power
-    worst = DOFS[int(np.argmax(change))].lower()
-    raise ValueError(
-        f"the resonance of {worst} is narrower than 1/{FINEST} of the step between stored frequencies; "
-        "store more frequencies around it or give the body damping"
-    )
+    coarse = int(np.clip(np.ceil(COARSE / max(len(body.omega) - 1, 1)), 1, 4))
+    omega = subdivided(body.omega, coarse)
+    power, steps = _power(body, omega, density), np.full(len(omega) - 1, coarse)
+    open_ = np.ones(len(steps), bool)
+    while True:
+        rough = np.flatnonzero(open_)
+        middle = 0.5 * (omega[rough] + omega[rough + 1])
+        found = _power(body, middle, density)
+        width = (omega[rough + 1] - omega[rough])[:, None, None]
+        change = np.abs(0.5 * width * (found - 0.5 * (power[rough] + power[rough + 1])))
+        first = steps.max() == coarse
+        omega, power = np.insert(omega, rough + 1, middle), np.insert(power, rough + 1, found, axis=0)
+        largest = np.maximum(np.trapezoid(power, omega, axis=0).max(axis=0), 1e-300)
+        share = (change / largest).max(axis=1) / 3  # a quarter, of the error before, is left
+        if np.all(share.sum(axis=0) <= CONVERGED):
+            return omega
+        if steps[rough].max() >= FINEST // 2:
+            worst = DOFS[int(np.argmax(share.sum(axis=0)))].lower()
+            raise ValueError(
+                f"the resonance of {worst} is narrower than 1/{FINEST} of the step between stored frequencies; "
+                "store more frequencies around it or give the body damping"
+            )
+        again = np.full(len(rough), True) if first else share.max(axis=1) > CONVERGED / len(steps)
+        halved = np.repeat(open_, np.where(open_, 2, 1))
+        steps = np.where(halved, 2, 1) * np.repeat(steps, np.where(open_, 2, 1))
+        open_ = halved.copy()
+        open_[halved] = np.repeat(again, 2)
+
+
+def _power(body, omega, density):
+    """(q, m, 6) |X|² S at stored headings"""
+    power = np.abs(body.motions(omega)) ** 2
+    return power if density is None else power * density(omega)[:, None, None]
 
 
 def subdivided(values, steps):
@@ -98,11 +97,3 @@ def moments(omega, spectrum) -> Moments:
     """Moments of spectra (q, …) at omega (q,) rad/s by the trapezium rule."""
     column = np.reshape(omega, (-1,) + (1,) * (np.ndim(spectrum) - 1))
     return Moments(*(np.trapezoid(column**n * spectrum, omega, axis=0) for n in (0, 1, 2, 4)))
-
-
-def _solved(body, omega, force):
-    """(q, p, 6) from the equation of motion at every omega (q,) for forces (q, p, 6)"""
-    added, damping = body.coefficients(omega)
-    w = omega[:, None, None]
-    dynamic = -(w**2) * (body.inertia + added) - 1j * w * (damping + body.damping) + body.stiffness
-    return np.linalg.solve(dynamic, force.swapaxes(1, 2)).swapaxes(1, 2)

@@ -16,8 +16,6 @@ import numpy as np
 from bem import DOFS
 from bem.waves import wavenumber
 
-from .linear import motions
-
 
 class Point(NamedTuple):
     """name; position (3,) m at rest; clearance m, height of what must stay dry above still water, or None"""
@@ -44,10 +42,10 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
     """All responses of a body: its six motions, and for every Point displacement, velocity, acceleration along x, y, z
     and the relative elevation of the water.
 
-    omega : (q,) rad/s; heading : (p,) rad.  Raises RangeError outside the database.
+    omega : (q,) rad/s; heading : (p,) rad.  Raises BetweenError outside the database.
     """
     heading = np.atleast_1d(heading)
-    motion = motions(body, omega, heading)
+    motion = body.motions(omega, heading)
     names, units, values = [name.lower() for name in DOFS], ["m"] * 3 + ["rad"] * 3, [motion]
     for point in points:
         d = displacement(motion, point.position, body.rotation_center)

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..environment.between_waves import RangeError
+from bem.database.between_frequencies import BetweenError
+
 from . import drift as drifts
 from . import findings
 from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor
@@ -124,9 +125,9 @@ class SeaState:
 
 
 def sea_state(body, sea, duration, points=()) -> SeaState:
-    """A Body in a Sea for `duration` s.
+    """A `bem.database.reader.Reader`, `floating`, in a Sea for `duration` s.
 
-    points : of `Point`.  raises : ValueError for a duration that is no time, RangeError outside the stored headings
+    points : of `Point`.  raises : ValueError for a duration that is no time, BetweenError outside the stored headings
     """
     if not 0 < duration < np.inf:
         raise ValueError(f"duration is {duration:g} s; allowed: above 0, finite")
@@ -138,14 +139,13 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
     warnings = [
         *findings.waves_outside(body, sea.spectrum),
         *findings.responses_outside(body, sea.spectrum, transfer, weights, found.m0),
-        *findings.between_headings(body, sea),
     ]
     slow, inside = None, None
-    if body.drift is not None or drifts.can_rebuild(body):
+    if body.knows_drift:
         slow = slow_forces(body, sea, omega, heading, weights)
         inside = slow.drift - slow.beyond.sum(axis=0)
         warnings += findings.drift_outside(body, inside, slow.beyond)
-    warnings += findings.between_frequencies(body, sea, found.m0[:6], inside)
+    warnings += findings.between_waves(body, sea, omega, found.m0[:6], inside)
     return SeaState(
         sea, float(duration), tuple(points), transfer.names, transfer.units, omega, spectrum, found, slow,
         tuple(warnings),
@@ -155,12 +155,12 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
 def slow_forces(body, sea, omega, heading, weights) -> SlowForces:
     """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it."""
     density = sea.spectrum.density(omega)
-    value = drifts.drift(body, omega, heading)
+    value = body.drift(omega, heading)
     ends = weights if weights.ndim == 1 else weights[[0, -1]]
     beyond = drifts.mean_in_sea_beyond(body, sea.spectrum, heading, ends)
     try:
         damping = mean_damping(omega, damping_coefficients(body, omega, heading), density, weights)
-    except RangeError:
+    except BetweenError:
         damping = None
     return SlowForces(
         drifts.mean_in_sea(omega, value, density, weights) + beyond.sum(axis=0),

@@ -28,8 +28,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..environment.between_waves import RangeError
-from .drift import drift
+from bem.database.between_frequencies import BetweenError
 
 MOST_OUTSIDE = 0.01  # share of the energy in components beyond the stored band that is taken at its ends
 FINE = np.deg2rad(5.0)  # between directions for which drift of short-crested waves is rebuilt
@@ -50,19 +49,19 @@ def component_drift(body, components, hold=False):
 
     components : omega, amplitude, phase, direction, each (n,)
     hold : take components beyond the stored band at its ends however much energy they have; else above 1 % of it
-    raises : RangeError
+    raises : BetweenError
     """
     omega, direction = np.asarray(components.omega, float), np.asarray(components.direction, float)
     low, high = body.omega[0], body.omega[-1]
     share = outside_band(body, components)
     if share > MOST_OUTSIDE and not hold:
-        raise RangeError(
+        raise BetweenError(
             f"{100 * share:.1f} % of the wave energy is outside the database, {low:.4g} to {high:.4g} rad/s; "
             f"allowed: {100 * MOST_OUTSIDE:g} %; add frequencies to the scene, or hold drift at the ends (hold=True)"
         )
     held = np.clip(omega, low, high)
     if np.ptp(direction) == 0:
-        return drift(body, held, direction[:1])[:, 0]
+        return body.drift(held, direction[:1])[:, 0]
     return np.concatenate([_own(body, held[i : i + ROWS], direction[i : i + ROWS]) for i in range(0, len(held), ROWS)])
 
 
@@ -186,7 +185,7 @@ def _own(body, omega, direction):
     steps = max(4, int(np.ceil(np.ptp(offset) / FINE)))
     grid = np.linspace(offset.min(), offset.max(), steps + 1)
     pairs = np.arange(len(omega))
-    return CubicSpline(grid, drift(body, omega, direction[0] + grid), axis=1)(offset)[pairs, pairs]
+    return CubicSpline(grid, body.drift(omega, direction[0] + grid), axis=1)(offset)[pairs, pairs]
 
 
 def _sums(rows, omega, t):

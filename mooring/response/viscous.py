@@ -13,7 +13,7 @@ import numpy as np
 from bem import DOFS
 from bem.viscous import EQUIVALENT_AMPLITUDE
 
-from .linear import frequencies, moments, motions, response_spectrum
+from .linear import frequencies, moments, response_spectrum
 from .seas import directions
 
 FIRST = 0.05  # m, rad, of the first guess
@@ -22,7 +22,7 @@ MOST = 60
 
 
 def linearised(body, sea, laws):
-    """The Body with the damping that viscosity has in a Sea, and that damping (6, 6).
+    """The `bem.database.reader.Reader` with the damping that viscosity has in a Sea, and that damping (6, 6).
 
     laws : {degree of freedom: law of `bem.viscous`}
     raises : ValueError where no damping is found that agrees with its own motion
@@ -41,7 +41,7 @@ def _damping(body, sea, laws):
     """(6,) damping at the motion of a body that has some already"""
     omega = frequencies(body, sea.spectrum.density)
     heading, weights = directions(sea, omega)
-    spectrum = response_spectrum(motions(body, omega, heading), sea.spectrum.density(omega), weights)
+    spectrum = response_spectrum(body.motions(omega, heading), sea.spectrum.density(omega), weights)
     found = moments(omega, spectrum)
     out = np.zeros(6)
     for i, dof in enumerate(DOFS):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from ..loads.box_drag import DragTable
 from ..loads.box_wind import AIR_DENSITY, BOX
 
@@ -44,6 +46,13 @@ class Waves:
     height: float
     period: float
     direction: float
+
+    @property
+    def omega(self):
+        """rad/s.  Raises ValueError for a period that is none."""
+        if not 0 < self.period < np.inf:
+            raise ValueError(f"wave period is {self.period:g} s; allowed: above 0")
+        return 2 * np.pi / self.period
 
 
 @dataclass(frozen=True)

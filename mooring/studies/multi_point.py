@@ -15,7 +15,6 @@ from functools import cached_property
 
 import numpy as np
 
-from ..environment.between_waves import motion_amplitudes
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
 from ..lines.system.graph import LineForces, System
 from ..lines.system.parts import Anchor, Fairlead
@@ -95,14 +94,14 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
     conditions = with_coefficients(conditions, hull, system.depth)
     body = system.bodies[0].name
     at_rest = rest(held_at(system, {body: system.bodies[0].position}))
-    periods_at_rest = _periods(db, at_rest.stiffness)
+    periods_at_rest = natural_periods(db.reader.restrained(stiffness=at_rest.stiffness))
     loads = steady_loads(db, hull, conditions, system.depth)
     x, y, turn = sum(loads.values(), np.zeros(3))
     equilibrium = rest(system.with_loads({body: (x, y, 0.0, 0.0, 0.0, turn)}))
     amplitudes = np.zeros(6)
     if conditions.waves:
         w = conditions.waves
-        amplitudes = motion_amplitudes(db, w.height, w.period, w.direction)
+        amplitudes = np.abs(db.reader.motions([w.omega], [w.direction])[0, 0]) * 0.5 * w.height
     outward, upward = fairlead_displacements(equilibrium, amplitudes)
     anchors, fairleads = line_ends(equilibrium)
     moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
@@ -111,7 +110,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
         conditions,
         allowable,
         periods_at_rest,
-        _periods(db, equilibrium.stiffness),
+        natural_periods(db.reader.restrained(stiffness=equilibrium.stiffness)),
         loads,
         at_rest,
         equilibrium,
@@ -179,13 +178,3 @@ def _check_body(system, center):
     for line in system.lines:
         if not (isinstance(points[line.a], Anchor) and isinstance(points[line.b], Fairlead)):
             raise ValueError(f"line {line.name} runs from {line.a} to {line.b}; allowed: from an anchor to the body")
-
-
-def _periods(db, stiffness):
-    db.require("added_mass")
-    try:
-        limit = db["added_mass_zero"]
-    except ValueError:
-        limit = None
-    total = np.asarray(db.hydrostatic_stiffness, float) + stiffness
-    return natural_periods(db.omega, db["added_mass"], db.inertia_matrix, total, limit)

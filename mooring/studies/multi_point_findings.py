@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..environment.between_waves import between_frequencies, between_headings
+from bem import DOFS
+
 from ..lines.catenary.state import State
 
+UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
 ROLLING = 1e-4  # rad per m of wave amplitude; less is rounding in waves that do not roll the body
 ROLL = (0.85, 1.15)  # of the wave period; there roll without viscous damping is several times too large
@@ -22,7 +24,7 @@ def findings(result, db):
     if current:
         yield from current.table.notes
     if waves:
-        yield from _interpolated(db, waves)
+        yield from _uncertain(db.reader, waves)
         yield from resonances(result, waves.period)
         if db.has_viscous_motions:
             yield "motions and drift hold the viscous damping of the wave height in the database's scene"
@@ -34,25 +36,19 @@ def findings(result, db):
     yield from _line_findings(result)
 
 
-def _interpolated(db, waves):
-    """What is a linear guess between stored waves.
-
-    On a box of 100 m × 50 m × 10 m at 8 to 14 s most motions in the middle of a gap of 30° are 5 to 40 % off, small
-    ones more, and drift in the middle of a second next to the natural period of roll up to a factor of two.
-    """
-    i, j, share = between_frequencies(db.omega, waves.period)
-    if share > 0:
-        low, high = (2 * np.pi / db.omega[n] for n in (j, i))
+def _uncertain(body, waves):
+    """Estimated errors of motions and drift between stored waves, beside the largest of their kind in this wave"""
+    motion, wrong = (part[0, 0] for part in body.at([waves.omega], "rao", [waves.direction]))
+    share = wrong / np.maximum(np.abs(motion), np.repeat([np.abs(motion[:3]).max(), np.abs(motion[3:]).max()], 3) / 10)
+    named = [f"{DOFS[i].lower()} {100 * share[i]:.0f} %" for i in np.argsort(-share) if share[i] > UNSURE]
+    force, wrong = (part[0, 0] for part in body.at([waves.omega], "drift_force", [waves.direction]))
+    for name, part in (("drift force", slice(0, 2)), ("drift moment", slice(2, 3))):
+        off = wrong[part].max() / max(np.abs(force[part]).max(), 1e-300)
+        named += [f"{name} {100 * off:.0f} %"] if off > UNSURE else []
+    if named:
         yield (
-            f"wave period {waves.period:g} s lies between the stored {low:.4g} and {high:.4g} s: drift is a linear "
-            "guess there, poor near a resonance; add the period to the scene and solve again"
-        )
-    m, n, share = between_headings(db.wave_direction, waves.direction)
-    if share > 0:
-        to, low, high = (np.rad2deg(v) for v in (waves.direction, db.wave_direction[m], db.wave_direction[n]))
-        yield (
-            f"wave direction {to:.4g}° lies between the stored {low:.4g}° and {high:.4g}°: motions and drift are "
-            "linear guesses there; add the direction to the scene and solve again"
+            f"waves of {waves.period:g} s towards {np.rad2deg(waves.direction) % 360:.4g}° lie between stored ones, "
+            f"estimated errors: {', '.join(named)}; limit {100 * UNSURE:g} %; add period and heading to the scene"
         )
 
 

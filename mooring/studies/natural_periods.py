@@ -9,12 +9,15 @@ positive and bounded, so every j has a root and none can be lost in a change of 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import permutations
 
 import numpy as np
 
 from ..lines.system.equilibrium import SystemEquilibrium
 from ..lines.system.studies import about_body_axes, body_number, mooring_stiffness
 
+CLOSE = 1e-13  # relative, of a natural frequency
+MOST = 100
 NAMES = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
 
 
@@ -39,76 +42,78 @@ class NaturalPeriods:
         )
 
 
-def natural_periods(omega, added_mass, inertia, stiffness, added_mass_zero=None, tolerance=1e-9) -> NaturalPeriods:
+def natural_periods(body, coupled=True) -> NaturalPeriods:
     """Natural periods of a body with frequency-dependent added mass.
 
-    omega : (n,) rad/s rising; added_mass : (n, 6, 6); inertia, stiffness : (6, 6)
-    added_mass_zero : (6, 6) limit ω → 0, used below the lowest frequency if it is finite
-    Between stored frequencies the added mass is linear; outside it keeps its end value, and `inside` says so.
+    body : `bem.database.reader.Reader`, `restrained` by its mooring; its added mass is kept at its end value outside
+    what is known, and `inside` says so.  coupled : False for each motion alone
+    raises : ValueError where inertia, stiffness or added mass are not stored
     """
-    from scipy.linalg import eigh
-
-    omega, added = np.asarray(omega, float), np.asarray(added_mass, float)
-    inertia, stiffness = np.asarray(inertia, float), np.asarray(stiffness, float)
-    if added.shape != (len(omega), 6, 6) or len(omega) == 0:
-        raise ValueError(f"added_mass has shape {added.shape}; allowed: ({len(omega)}, 6, 6) with at least one row")
-    if added_mass_zero is not None and np.all(np.isfinite(added_mass_zero)) and omega[0] > 0:
-        omega, added = np.concatenate([[0.0], omega]), np.concatenate([[added_mass_zero], added])
-    scale = float(np.sqrt(inertia[5, 5] / inertia[0, 0]))
-    unit = np.array([1, 1, 1, scale, scale, scale])
-    C = 0.5 * (stiffness + stiffness.T) / np.outer(unit, unit)
+    if body.inertia is None or body.stiffness is None:
+        raise ValueError("natural periods need the inertia of the body; give --gyration kxx,kyy,kzz and solve again")
+    kept = 1.0 if coupled else np.eye(6)
+    scale = float(np.sqrt(body.inertia[5, 5] / body.inertia[0, 0]))
+    unit = np.outer(*2 * [np.array([1, 1, 1, scale, scale, scale])])
+    C = kept * 0.5 * (body.stiffness + body.stiffness.T) / unit
 
     def modes(w):
-        M = (inertia + _at(w, omega, added)) / np.outer(unit, unit)
-        return eigh(C, 0.5 * (M + M.T))
+        """λ (q, 6), vectors in columns (q, 6, 6) and the mass (q, 6, 6) they are of"""
+        M = kept * (body.inertia + body.held_added_mass(w)) / unit
+        M = 0.5 * (M + M.swapaxes(1, 2))
+        root = np.linalg.inv(np.linalg.cholesky(M))
+        values, vectors = np.linalg.eigh(root @ C @ root.swapaxes(1, 2))
+        return values, root.swapaxes(1, 2) @ vectors, M
 
-    frequencies, shapes, energies = np.zeros(6), np.zeros((6, 6)), np.zeros((6, 6))
-    for j in range(6):
-        w = _own_frequency(lambda w, j=j: modes(w)[0][j], tolerance)
-        vector = modes(abs(w))[1][:, j]
-        M = (inertia + _at(abs(w), omega, added)) / np.outer(unit, unit)
-        frequencies[j], shapes[j] = w, vector / vector[np.argmax(np.abs(vector))]
-        energies[j] = np.abs(vector * (M @ vector))
+    frequencies = _own_frequencies(lambda w: modes(w)[0])
+    own = np.arange(6)
+    _, vectors, M = modes(np.abs(frequencies))
+    vectors = vectors[own, :, own]
+    energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))
+    shapes = vectors / np.take_along_axis(vectors, np.abs(vectors).argmax(axis=1)[:, None], axis=1)
     order = _by_motion(energies)
     frequencies, shapes = frequencies[order], shapes[order]
     # eigenvalues of a mode without restoring are rounding errors of the stiffest one
     free = np.abs(frequencies) <= 1e-6 * np.abs(frequencies).max()
     with np.errstate(divide="ignore"):
         period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
-    inside = (frequencies >= omega[0]) & (frequencies <= omega[-1])
-    return NaturalPeriods(NAMES, period, shapes, inside, scale)
+    return NaturalPeriods(NAMES, period, shapes, body.knows_added_mass(frequencies), scale)
 
 
-def _at(w, omega, matrices):
-    """Matrix at frequency w, linear between the stored ones, held outside."""
-    i = int(np.clip(np.searchsorted(omega, w), 1, max(len(omega) - 1, 1)))
-    if len(omega) == 1:
-        return matrices[0]
-    share = np.clip((w - omega[i - 1]) / (omega[i] - omega[i - 1]), 0.0, 1.0)
-    return (1 - share) * matrices[i - 1] + share * matrices[i]
+def _own_frequencies(eigenvalues):
+    """(6,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode
 
+    √λⱼ − ω is nearly straight: a secant within a bracket, its idle end halved (Illinois), gains digits quickly.
+    """
+    own, start = np.arange(6), eigenvalues(np.zeros(1))[0]
 
-def _own_frequency(eigenvalue, tolerance):
-    """ω with ω² = λ(ω); −√−λ for an unstable mode."""
-    start = eigenvalue(0.0)
-    if start <= 0:
-        return -float(np.sqrt(-start))
-    low, high = 0.0, float(np.sqrt(start))
-    while eigenvalue(high) > high * high:
-        low, high = high, 2 * high
-    while high - low > tolerance * high:
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if eigenvalue(middle) > middle * middle else (low, middle)
-    return 0.5 * (low + high)
+    def excess(w):
+        return np.sqrt(np.maximum(eigenvalues(w)[own, own], 0)) - w
+
+    low, above = np.zeros(6), np.sqrt(np.maximum(start, 0))
+    high, below = np.where(start > 0, above, 1.0), np.full(6, -1.0)
+    for _ in range(200):
+        below = excess(high)
+        if np.all((below < 0) | (start <= 0)):
+            break
+        short = (below >= 0) & (start > 0)
+        low, above = np.where(short, high, low), np.where(short, below, above)
+        high = np.where(short, 2 * high, high)
+    for _ in range(MOST):
+        w = np.where(above > below, (low * below - high * above) / np.where(above > below, below - above, 1.0), high)
+        found = excess(w)
+        if np.all((np.abs(found) <= CLOSE * w) | (start <= 0)):
+            break
+        upper = found < 0
+        low, above = np.where(upper, low, w), np.where(upper, 0.5 * above, found)
+        high, below = np.where(upper, w, high), np.where(upper, found, 0.5 * below)
+    return np.where(start > 0, w, -np.sqrt(np.maximum(-start, 0)))
 
 
 def _by_motion(energies):
     """Which mode is called Surge, Sway, …: the assignment with the largest sum of energy shares."""
-    from scipy.optimize import linear_sum_assignment
-
     shares = energies / energies.sum(axis=1, keepdims=True)
-    modes, motions = linear_sum_assignment(-shares)
-    return modes[np.argsort(motions)]
+    every = np.array(list(permutations(range(6))))
+    return every[shares[every, np.arange(6)].sum(axis=1).argmax()]
 
 
 def moored_periods(state: SystemEquilibrium, body, db):
@@ -117,14 +122,7 @@ def moored_periods(state: SystemEquilibrium, body, db):
     The axes of the body are those of the database; the stiffness is taken to them and to its rotation centre.
     raises : ValueError where the database lacks added mass, inertia or hydrostatics
     """
-    if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
-        raise ValueError(
-            "natural periods need inertia_matrix and hydrostatic_stiffness, which the database does not have"
-        )
-    db.require("added_mass")
     i = body_number(state.system, body)
     pull = state.system.load(state.pose).force[6 * i : 6 * i + 3]
     K = about_body_axes(mooring_stiffness(state, body), pull, state.pose.turn[i], np.asarray(db.rotation_center, float))
-    zero = db["added_mass_zero"] if "added_mass_zero" in db.names else None
-    total = np.asarray(db.hydrostatic_stiffness, float) + K
-    return natural_periods(db.omega, db["added_mass"], db.inertia_matrix, total, zero)
+    return natural_periods(db.reader.restrained(stiffness=K))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ..environment.between_waves import mean_drift
 from ..loads.box_current import box_table, current_force
 from ..loads.box_drag import about
 from ..loads.box_wind import wind_force
@@ -26,8 +25,17 @@ def steady_loads(db, hull, conditions, depth):
         loads["current"] = about(force, middle, db.rotation_center)
     if conditions.waves:
         w = conditions.waves
-        loads["drift"] = mean_drift(db, w.height, w.period, w.direction)
+        loads["drift"] = mean_drift(db.reader, w)
     return loads
+
+
+def mean_drift(body, waves):
+    """(3,) mean drift F_x, F_y in N and M_z in N m of a `bem.database.reader.Reader` in `Waves`.
+
+    SR179 report (1982), section 5.1.1: irregular waves are replaced by a regular wave with the significant
+    height as its height and the mean period as its period.  It has twice the energy of the irregular waves.
+    """
+    return body.drift([waves.omega], [waves.direction])[0, 0] * (0.5 * waves.height) ** 2
 
 
 def with_coefficients(conditions, hull, depth):

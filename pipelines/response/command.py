@@ -24,7 +24,6 @@ def response(
     The study (TOML) says which sea or scatter diagram, and which points of the body.
     """
     from bem.database import open_database
-    from mooring.response.body import read_body
 
     from ..common.quantities import StudyError
     from .study import read_response_study
@@ -34,7 +33,7 @@ def response(
     _check_places(output, plot, study, database, *scatter)
     points = read.places()
     db = open_database(database)
-    body = read.restrained(read_body(db))
+    body = read.restrained(db.reader.floating())
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         if db.has_viscous_motions and read.body.viscous is None:

@@ -36,7 +36,7 @@ def test_roll_period_of_a_model_is_the_measured_one_within_five_per_cent(scene, 
     row, path = published()[model], tmp_path / "model.h5"
     assert main(["solve", str(SCENES / f"{scene}.toml"), "--only", "added_mass", "--output", str(path)]) == 0
     db = open_database(path)
-    found = natural_periods(db.omega, db["added_mass"], db.inertia_matrix, db.hydrostatic_stiffness)
+    found = natural_periods(db.reader)
     assert found.inside[3]
     assert np.isclose(found.period[3], row["T_roll_s"], rtol=0.05), found
 

@@ -80,9 +80,7 @@ def period_rows(results):
 
 def _periods(results):
     db = results.db
-    terms = db.omega, db["added_mass"], db.inertia_matrix, db.hydrostatic_stiffness
-    alone = natural_periods(terms[0], *(np.eye(6) * matrix for matrix in terms[1:]))
-    coupled = natural_periods(*terms)
+    alone, coupled = natural_periods(db.reader, coupled=False), natural_periods(db.reader)
     row = {key: results.case.columns[key] for key in ("model", "method")}
     for d, name, measured in ((3, "roll", 0), (4, "pitch", 1)):
         inside = alone.inside[d] and coupled.inside[d]

@@ -7,7 +7,7 @@ import pytest
 
 from bem.database import open_database
 from bem.database.between_frequencies import Between, BetweenError
-from bem.database.interpolant import FAMILY, NUGGET, Abscissa, Interpolant, _left_open, _root, abscissa, chosen
+from bem.database.interpolant import FAMILY, NUGGET, Abscissa, Interpolant, Nodes, _left_open, _root, abscissa, chosen
 from bem.methods.panel_problem import prepare
 from bem.waves import wavenumber
 from pipelines.scene.scene import make_scene
@@ -30,8 +30,8 @@ def fitted(count, depth=20.0):
     ends = Abscissa(*(a[[0, -1]] for a in places))
     nodes = np.sort([0, 299, *chosen(ends, places, count - 2)])
     x = Abscissa(*(a[nodes] for a in places))
-    value, deviation = Interpolant(x, echoing(omega[nodes]), np.zeros(2))(places)
-    return np.abs(value - echoing(omega)), deviation, nodes
+    fit = Interpolant(Nodes(x), echoing(omega[nodes])[..., None], np.zeros((2, 1)))
+    return np.abs(fit.value(places)[..., 0] - echoing(omega)), fit.deviation(places), nodes
 
 
 def test_at_its_nodes_it_has_their_values():
@@ -119,15 +119,17 @@ def test_a_band_within_tolerance_asks_for_nothing_more(solved):
 
 def test_outside_the_stored_band_and_without_what_it_follows_from_nothing_is_guessed(solved):
     _, db = solved
-    with pytest.raises(BetweenError, match=r"omega is 2.2 rad/s; stored: 0.1 to 2"):
-        db.at(2.2, "added_mass")
+    with pytest.raises(BetweenError, match=r"omega is 2.2 rad/s \(period 2.856 s\), outside the stored 0.1 to 2 rad/s"):
+        db.at(2.2, "radiation_damping")
     with pytest.raises(BetweenError, match="kochin_radiation, kochin_diffraction must be stored"):
         db.at(1.0, "drift_force")
     with pytest.raises(BetweenError, match="no function of frequency"):
         db.at(1.0, "mesh")
-    few = Between(db.omega[:3], {}, 20.0, GRAVITY, 1025.0, np.zeros(1), np.zeros(1), np.eye(2), np.zeros(3))
-    with pytest.raises(BetweenError, match="3 frequencies are stored"):
-        few.at(0.15, "added_mass")
+    added = db["added_mass"]
+    few = Between(db.omega[:3], {"added_mass": added[:3]}, 20.0, GRAVITY, np.zeros(1), np.zeros(1), np.eye(2))
+    assert np.array_equal(few.value(db.omega[1], "added_mass")[0], added[1])
+    with pytest.raises(BetweenError, match=r"omega is 0\.11 rad/s and 3 frequencies are stored; between them needs"):
+        few.value(0.11, "added_mass")
 
 
 @pytest.fixture(scope="module")

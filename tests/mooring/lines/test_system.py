@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from bem import DOFS
+from bem.database.between_frequencies import Between
+from bem.database.reader import Reader
 from mooring.lines.system.bodies import angles, cross_matrix, heading, hydrostatic_load, rotation, turned
 from mooring.lines.system.equilibrium import moved, rest
 from mooring.lines.system.graph import System
@@ -560,16 +562,15 @@ class SmallDatabase:
     """Just enough of an opened database: constant added mass."""
 
     rotation_center = (0.0, 0.0, 0.0)
-    omega = np.array([0.1, 1.0, 3.0])
-    names = ("added_mass",)
-    inertia_matrix = np.diag([3e7, 3e7, 3e7, 1e10, 3e10, 3e10])
-    hydrostatic_stiffness = np.diag([0.0, 0.0, 4e7, 6e9, 3e10, 0.0])
 
-    def require(self, name):
-        assert name in self.names
-
-    def __getitem__(self, name):
-        return np.broadcast_to(np.diag([2e6, 1e7, 3e7, 3e9, 1e10, 1e10]), (3, 6, 6))
+    @property
+    def reader(self):
+        added = np.broadcast_to(np.diag([2e6, 1e7, 3e7, 3e9, 1e10, 1e10]), (4, 6, 6))
+        omega, plan = np.array([0.1, 1.0, 2.0, 3.0]), np.array([[50.0, 10.0], [-50.0, -10.0]])
+        between = Between(omega, {"added_mass": added}, 50.0, 9.80665, np.zeros(1), np.zeros(1), plan)
+        inertia = np.diag([3e7, 3e7, 3e7, 1e10, 3e10, 3e10])
+        stiffness = np.diag([0.0, 0.0, 4e7, 6e9, 3e10, 0.0])
+        return Reader(between, 1025.0, np.zeros(3), inertia, stiffness, np.zeros((6, 6)))
 
 
 def test_natural_periods_are_those_of_the_stiffness_in_the_axes_of_the_body():

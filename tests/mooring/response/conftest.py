@@ -1,9 +1,8 @@
-"""A small real database, solved once: the series box with 60 panels, and its Body."""
+"""A small real database, solved once: the series box with 60 panels, and its Reader."""
 
 import pytest
 
 from bem.database import open_database
-from mooring.response.body import read_body
 from pipelines.cli import main
 
 WORDS = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.55,29.44,32.28"
@@ -24,4 +23,4 @@ def box_database(box_path):
 
 @pytest.fixture(scope="session")
 def box_body(box_database):
-    return read_body(box_database)
+    return box_database.reader.floating()

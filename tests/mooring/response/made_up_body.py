@@ -1,14 +1,15 @@
-"""A Body with known coefficients, that a spline follows exactly or nearly."""
+"""A Reader of known coefficients, which are straight in frequency."""
 
 from dataclasses import replace
 
 import numpy as np
 
-from mooring.response.body import Body
+from bem.database.between_frequencies import Between
+from bem.database.reader import Reader
 
 INERTIA = np.diag([5e7, 5e7, 5e7, 1.2e10, 4.4e10, 5.3e10])
 STIFFNESS = np.diag([0, 0, 5e7, 8e9, 4e10, 0])
-OMEGA = np.array([0.3, 0.4, 0.5, 0.55, 0.65, 0.8, 1.0])
+OMEGA = np.linspace(0.3, 1.0, 29)
 HEADINGS = np.radians([0.0, 30.0, 60.0, 90.0])
 
 
@@ -31,10 +32,29 @@ def exact_motion(w, beta, damping=0.0):
     return np.linalg.solve(dynamic, force(w, np.asarray(beta)))
 
 
-def made_up_body(**changes):
+def made_up_body(headings=HEADINGS, symmetry="xy", radius=50.0, inertia=INERTIA, stiffness=STIFFNESS, **quantities):
     added, damping = map(np.array, zip(*(coefficients(w) for w in OMEGA), strict=True))
-    body = Body(
-        OMEGA, HEADINGS, added, damping, np.array([force(w, HEADINGS) for w in OMEGA]), INERTIA, STIFFNESS,
-        np.zeros((6, 6)), 20.0, 1025.0, 9.80665, np.zeros(3), symmetry="xy", radius=50.0,
-    )  # fmt: skip
-    return replace(body, **changes)
+    stored = {
+        "added_mass": added,
+        "radiation_damping": damping,
+        "excitation_force": np.array([force(w, headings) for w in OMEGA]),
+    }
+    plan = radius * np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
+    between = Between(OMEGA, {**stored, **quantities}, 20.0, 9.80665, headings, np.zeros(1), plan)
+    return Reader(between, 1025.0, np.zeros(3), inertia, stiffness, np.zeros((6, 6)), symmetry)
+
+
+def thinned(body):
+    """The same, known at every second frequency and at both ends"""
+    b = body.between
+    keep = np.unique(np.append(np.arange(0, len(b.omega), 2), len(b.omega) - 1))
+    some = {name: values[keep] for name, values in b.quantities.items()}
+    return replace(body, between=replace(b, omega=b.omega[keep], quantities=some))
+
+
+def with_every_second_heading(body):
+    """The same, known at every second heading"""
+    b = body.between
+    by_heading = ("excitation_force", "drift_force", "drift_force_fixed", "kochin_diffraction", "rao")
+    some = {n: v[:, ::2] if n in by_heading else v for n, v in b.quantities.items()}
+    return replace(body, between=replace(b, headings=b.headings[::2], quantities=some))

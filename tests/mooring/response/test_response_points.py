@@ -4,7 +4,6 @@ import numpy as np
 from made_up_body import made_up_body
 
 from bem.waves import wavenumber
-from mooring.response.linear import motions
 from mooring.response.points import (
     Point,
     acceleration,
@@ -48,7 +47,7 @@ def test_table_of_transfer_functions_holds_motions_first_and_names_every_point()
     body, omega, heading = made_up_body(), np.array([0.5, 0.7]), np.radians([10.0, 200.0])
     table = transfer_functions(body, omega, heading, [Point("bow", (50.0, 0.0, 10.0))])
     assert table.value.shape == (2, 2, 16) and len(table.names) == len(table.units) == 16
-    assert np.array_equal(table.value[..., :6], motions(body, omega, heading))
+    assert np.array_equal(table.value[..., :6], body.motions(omega, heading))
     x = table.value[..., table.names.index("bow displacement z")]
     assert np.allclose(x, table.value[..., 2] - 50.0 * table.value[..., 4])
     a = table.value[..., table.names.index("bow acceleration z")]

@@ -6,19 +6,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_up_body import made_up_body
+from made_up_body import made_up_body, thinned
 
 import pipelines
 from bem.database import open_database
+from bem.database.between_frequencies import BetweenError
 from mooring.environment.scatter import Scatter
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import issc
 from mooring.environment.spreading import CosinePower
 from mooring.environment.wave_records import real_sum
-from mooring.response.body import read_body
 from mooring.response.climate import climate
-from mooring.response.drift import drift
-from mooring.response.linear import frequencies, motions
+from mooring.response.linear import frequencies
 from mooring.response.long_term import YEAR
 from mooring.response.points import Point
 from mooring.response.sea_state import sea_state
@@ -36,7 +35,7 @@ def test_standard_deviations_are_those_of_records_made_with_the_same_transfer_fu
     low, high = box_body.omega[0], box_body.omega[-1]
     with pytest.warns(UserWarning, match="of the energy"):
         waves = sea.components(1500, 1, low=low, high=high)
-    x = motions(box_body, waves.omega, [sea.direction])[:, 0]
+    x = box_body.motions(waves.omega, [sea.direction])[:, 0]
     result = sea_state(box_body, sea, 3 * HOUR)
     t = np.arange(0, 12 * HOUR, 1.0)
     for mode in (2, 3, 4):
@@ -70,7 +69,7 @@ def test_slow_drift_of_a_sea_state_is_that_of_records_with_waves_beyond_the_data
     """
     sea = Sea(issc(3.0, mean_period=8.0), np.radians(60.0))
     omega = frequencies(box_body, sea.spectrum.density)
-    D = drift(box_body, omega, [sea.direction])[:, 0]
+    D = box_body.drift(omega, [sea.direction])[:, 0]
     difference = np.linspace(0, 1.6, 1601)
     theory = force_spectrum(sea.spectrum, *held_beyond(omega, D, sea.spectrum), difference)
     sigma = []
@@ -109,19 +108,23 @@ def test_waves_longer_than_the_database_are_named_too(box_body):
     assert any("responses lack energy" in w and "heave" in w for w in result.warnings)
 
 
-def test_a_coarse_database_says_that_its_results_are_not_settled(box_body):
-    said = sea_state(box_body.thinned().thinned(), Sea(issc(2.0, mean_period=10.0), np.pi / 2), HOUR).warnings
-    assert any("change when every second stored frequency is left out: mean drift" in w for w in said)
-    few = sea_state(replace(box_body.thinned().thinned().thinned()), Sea(issc(2.0, mean_period=10.0), 0.0), HOUR)
-    assert any("too few to tell the error" in w for w in few.warnings)
+def test_a_coarse_database_says_that_its_results_are_not_sure(box_body):
+    """Drift without Kochin functions may have missed a resonance between its frequencies"""
+    sea, coarse = Sea(issc(2.0, mean_period=8.0), np.pi / 2), thinned(thinned(box_body))
+    left = {name: v for name, v in coarse.between.quantities.items() if not name.startswith("kochin")}
+    alone = replace(coarse, between=replace(coarse.between, quantities=left))
+    said = [w for w in sea_state(alone, sea, HOUR).warnings if "uncertain between stored waves" in w]
+    assert len(said) == 1 and "mean drift" in said[0] and "Kochin functions" in said[0]
+    assert not any("uncertain between stored waves" in w for w in sea_state(box_body, sea, HOUR).warnings)
+    with pytest.raises(BetweenError, match="3 frequencies are stored; between them needs at least 4"):
+        sea_state(thinned(thinned(thinned(box_body))), sea, HOUR)
 
 
-def test_short_waves_between_stored_headings_are_said_to_be_uncertain():
-    body = made_up_body(radius=60.0)
-    between = sea_state(body, Sea(issc(1.0, mean_period=8.0), np.radians(45.0)), HOUR)
-    assert any("wave direction 45° lies in a gap of 30°" in w for w in between.warnings)
-    stored = sea_state(body, Sea(issc(1.0, mean_period=8.0), np.radians(60.0)), HOUR)
-    assert not any("lies in a gap" in w for w in stored.warnings)
+def test_short_waves_between_headings_far_apart_are_said_to_be_uncertain():
+    between = sea_state(made_up_body(), Sea(issc(1.0, mean_period=8.0), np.radians(45.0)), HOUR)
+    assert any("uncertain between stored waves" in w for w in between.warnings)
+    stored = sea_state(made_up_body(), Sea(issc(1.0, mean_period=8.0), np.radians(60.0)), HOUR)
+    assert not any("uncertain" in w for w in stored.warnings)
 
 
 def test_a_database_without_drift_gives_the_linear_part():
@@ -142,8 +145,8 @@ def test_every_cell_of_a_climate_is_its_sea_state(box_body, spread):
             box_body, Sea(issc(found.height[i], mean_period=found.period[i]), found.direction[i], spread), HOUR
         )
         kept = alone.sigma > 0
-        assert np.allclose(found.m0[i][kept], alone.moments.m0[kept], rtol=1e-9)
-        assert np.allclose(found.drift[i], alone.slow.drift, rtol=1e-9, atol=1e-6)
+        assert np.allclose(found.m0[i][kept], alone.moments.m0[kept], rtol=2e-3)  # both are integrals to 1e-3
+        assert np.allclose(found.drift[i], alone.slow.drift, rtol=2e-3, atol=2e-3 * np.abs(alone.slow.drift).max())
 
 
 def test_climate_of_one_state_has_the_extremes_of_that_state(box_body):
@@ -174,7 +177,7 @@ def test_model_in_irregular_waves_responds_as_measured(tmp_path):
     path = tmp_path / "model.h5"
     words = ["--panels", "100", "--omega", "0.9:6.5:15", "--heading", "0,45", "--only", "radiation,excitation_force"]
     assert main(["solve", str(SCENE), *words, "--output", str(path)]) == 0
-    body = read_body(open_database(path))
+    body = open_database(path).reader.floating()
     wave = np.sqrt(issc(0.113, mean_period=2.19).moment(0))
     for incidence, limits in (("0", {"heave": 0.3, "pitch": 0.08}), ("45", {"heave": 0.3, "roll": 0.2, "pitch": 0.15})):
         sea = Sea(issc(0.113, mean_period=2.19), np.radians(180 + float(incidence)))

@@ -5,12 +5,12 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from mooring.environment.between_waves import RangeError
+from bem.database.between_frequencies import BetweenError
 from mooring.environment.sea import Components, Sea
 from mooring.environment.spectra import issc, jonswap, tabulated
 from mooring.environment.spreading import CosinePower
 from mooring.environment.wave_records import elevation
-from mooring.response.drift import drift, mean_in_sea, mean_in_sea_beyond
+from mooring.response.drift import mean_in_sea, mean_in_sea_beyond
 from mooring.response.linear import frequencies
 from mooring.response.slow_drift import (
     component_drift,
@@ -61,7 +61,7 @@ def test_newmans_mean_over_three_hours_is_the_integral_within_five_per_cent(box_
     spectrum, omega = issc(4.5, mean_period=10.0), frequencies(box_body)
     sea = Sea(spectrum, np.radians(60.0), spread)
     heading, weights = directions(sea, omega)
-    integral = mean_in_sea(omega, drift(box_body, omega, heading), spectrum.density(omega), weights)
+    integral = mean_in_sea(omega, box_body.drift(omega, heading), spectrum.density(omega), weights)
     ends = weights if weights.ndim == 1 else weights[[0, -1]]
     integral += mean_in_sea_beyond(box_body, spectrum, heading, ends).sum(axis=0)
     waves = sea.components(500, 7)
@@ -75,7 +75,7 @@ def test_spectrum_of_newmans_force_is_pinksters_within_its_scatter(box_body):
     A band of 0.02 rad/s of 5 × 3 h holds about 340 degrees of freedom: a standard error of 8 %.
     """
     spectrum, omega = jonswap(4.5, peak_period=11.0), frequencies(box_body)
-    D = drift(box_body, omega, [0.0])[:, 0]
+    D = box_body.drift(omega, [0.0])[:, 0]
     limits = dict(low=box_body.omega[0], high=box_body.omega[-1])
     periodograms, variances = [], []
     with pytest.warns(UserWarning, match="of the energy"):
@@ -108,18 +108,18 @@ def test_energy_outside_the_database_is_an_error_unless_drift_is_held(box_body):
     waves = Sea(issc(4.5, mean_period=8.0)).components(300, 1)
     share = outside_band(box_body, waves)
     assert share > 0.01
-    with pytest.raises(RangeError, match=f"{100 * share:.1f} % of the wave energy is outside the database"):
+    with pytest.raises(BetweenError, match=f"{100 * share:.1f} % of the wave energy is outside the database"):
         component_drift(box_body, waves)
     held = component_drift(box_body, waves, hold=True)
     beyond = waves.omega > box_body.omega[-1]
-    assert np.allclose(held[beyond, 0], drift(box_body, box_body.omega[-1:], [0.0])[0, 0, 0])
+    assert np.allclose(held[beyond, 0], box_body.drift(box_body.omega[-1:], [0.0])[0, 0, 0])
 
 
 def test_every_component_takes_drift_at_its_own_frequency_and_direction(box_body):
     waves = Components(np.array([0.9, 0.5]), np.ones(2), np.zeros(2), np.radians([20.0, 75.0]))
     found = component_drift(box_body, waves)
     for i, degrees in enumerate((20.0, 75.0)):
-        assert np.allclose(found[i], drift(box_body, waves.omega[i : i + 1], np.radians([degrees]))[0, 0])
+        assert np.allclose(found[i], box_body.drift(waves.omega[i : i + 1], np.radians([degrees]))[0, 0])
 
 
 def test_a_regular_wave_is_cut_into_its_half_waves():
@@ -145,13 +145,13 @@ def test_half_waves_of_equal_energy_keep_the_mean_of_a_constant_drift():
 def test_half_wave_method_has_the_mean_of_the_integral_in_a_narrow_spectrum(box_body):
     """Six per cent wide.  Both means per energy: that of one record, some 30 groups, scatters by 15 %."""
     omega = frequencies(box_body)
-    D = drift(box_body, omega, [0.0])[:, 0]
+    D = box_body.drift(omega, [0.0])[:, 0]
     for peak in (0.5, 0.7):
         narrow = tabulated([0.97 * peak, peak, 1.03 * peak], [0.0, 1.0 / (0.03 * peak), 0.0])
         eta = elevation(Sea(narrow).components(500, 5), np.arange(0, 10800, 0.25))
         force = half_wave_drift(half_waves(eta, 0.25), omega, D, THREE_HOURS)
         fine = np.linspace(0.97 * peak, 1.03 * peak, 201)
-        integral = mean_in_sea(fine, drift(box_body, fine, [0.0]), narrow.density(fine))
+        integral = mean_in_sea(fine, box_body.drift(fine, [0.0]), narrow.density(fine))
         assert np.isclose(force[:, 0].mean() / eta.var(), integral[0] / narrow.moment(0), rtol=0.05), peak
 
 
@@ -172,7 +172,7 @@ def test_a_matched_half_wave_record_has_the_integrals_mean_and_newmans_slow_vari
     integral = (waves.amplitude**2) @ D
     eta = elevation(waves, np.arange(0, 10800, 0.25))
     omega = frequencies(box_body)
-    raw = half_wave_drift(half_waves(eta, 0.25), omega, drift(box_body, omega, [0.0])[:, 0], THREE_HOURS)
+    raw = half_wave_drift(half_waves(eta, 0.25), omega, box_body.drift(omega, [0.0])[:, 0], THREE_HOURS)
     force, factor = with_mean(raw, integral)
     assert np.isclose(force[:, 0].mean(), integral[0], rtol=1e-12)
     assert 0.7 < factor[0] < 1.1

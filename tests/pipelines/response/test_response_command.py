@@ -12,7 +12,6 @@ import pipelines
 from bem.database import open_database
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import issc
-from mooring.response.body import read_body
 from mooring.response.sea_state import sea_state
 from pipelines.cli import main
 from pipelines.response.report import _forces
@@ -65,7 +64,7 @@ def test_every_study_that_is_shipped_runs(name, database, tmp_path, capsys):
 
 def test_csv_has_the_numbers_of_the_library_with_rotations_in_degrees(folder, database):
     assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.csv"]) == 0
-    state = sea_state(read_body(open_database(database)), Sea(issc(3.0, mean_period=10.0), 0.0), 7200.0)
+    state = sea_state(open_database(database).reader.floating(), Sea(issc(3.0, mean_period=10.0), 0.0), 7200.0)
     rows = table("out.csv")
     assert np.isclose(float(rows["heave"]["standard_deviation"]), state.sigma[2], rtol=1e-5)
     assert rows["pitch"]["unit"] == "°"

@@ -1,0 +1,109 @@
+"""One reader of a database between its waves: motions, drift and periods of every study, with told errors."""
+
+import numpy as np
+import pytest
+
+from bem.database import open_database
+from bem.database.between_frequencies import BetweenError
+from pipelines.cli import main
+
+BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28"
+
+
+def solved(folder, name, omega, heading, *more):
+    path = folder / f"{name}.h5"
+    assert main([*BOX.split(), "--omega", omega, "--heading", heading, "--output", str(path), *more]) == 0
+    return open_database(path)
+
+
+@pytest.fixture(scope="module")
+def coarse(tmp_path_factory):
+    return solved(tmp_path_factory.mktemp("reader"), "coarse", "0.25:1.05:13", "0:90:4")
+
+
+@pytest.fixture(scope="module")
+def fine(tmp_path_factory):
+    return solved(tmp_path_factory.mktemp("fine"), "fine", "0.45,0.5,0.55,0.65,0.7,0.8", "0:90:9")
+
+
+def test_a_stored_wave_has_its_stored_numbers(coarse):
+    for name in ("rao", "drift_force", "excitation_force", "added_mass", "drift_force_fixed", "kochin_diffraction"):
+        value, error = coarse.at(coarse.omega, name)
+        assert np.array_equal(value, coarse[name]) and not error.any()
+
+
+def test_an_answer_does_not_depend_on_what_else_is_asked_for(coarse):
+    omega, headings = np.linspace(0.3, 1.0, 50), np.radians([10.0, 200.0, 77.0])
+    for name in ("rao", "drift_force"):
+        among = open_database(coarse.path).at(omega, name, headings)[0][30, 2]
+        alone = open_database(coarse.path).at(omega[30], name, headings[2:])[0][0, 0]
+        assert np.allclose(among, alone, rtol=1e-9, atol=1e-9 * np.abs(alone).max())
+
+
+def test_mirrored_headings_have_mirrored_answers(coarse):
+    drift = coarse.at(0.6, "drift_force", np.radians([20.0, -20.0, 160.0, 200.0]))[0][0]
+    assert np.allclose(drift[1:], drift[0] * [[1, -1, -1], [-1, 1, -1], [-1, -1, 1]], rtol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["excitation_force", "rao", "drift_force_fixed", "drift_force"])
+def test_told_errors_hold_against_a_finer_database(coarse, fine, name):
+    """Gaps of 30° and 0.067 rad/s against solved waves; nine of ten within three deviations or 1e-3"""
+    value, told = coarse.at(fine.omega, name, fine.wave_direction)
+    wrong = np.abs(value - fine[name])
+    scale = np.abs(fine[name]).max(axis=(0, 1))
+    assert np.mean(wrong <= np.maximum(3 * told, 1e-3 * scale)) > 0.9
+    assert np.sqrt(np.mean((wrong / scale) ** 2)) < 0.03
+
+
+def test_haskinds_relation_gives_forces_between_headings_without_interpolation(coarse, fine):
+    some = np.isin(np.round(fine.omega, 9), np.round(coarse.omega, 9))
+    assert some.any()
+    value, _ = coarse.at(fine.omega[some], "excitation_force", fine.wave_direction)
+    exact = fine["excitation_force"][some]
+    assert np.all(np.abs(value - exact).max(axis=(0, 1)) < 1e-4 * np.abs(exact).max(axis=(0, 1)))
+
+
+def test_added_mass_tends_to_its_limits_beyond_the_band(coarse):
+    low, high = coarse.omega[[0, -1]]
+    near, far = coarse.at([low * (1 - 1e-6), 1e-6 * low], "added_mass")[0][:, 0, 0]
+    assert np.isclose(near, coarse["added_mass"][0, 0, 0], rtol=1e-5)
+    assert np.isclose(far, coarse["added_mass_zero"][0, 0], rtol=1e-9)
+    beyond = coarse.at([1e6 * high], "added_mass")[0][0]
+    assert np.allclose(beyond, coarse["added_mass_infinity"], rtol=1e-6, atol=1e-6 * beyond[0, 0])
+
+
+def test_studies_read_the_same_numbers(coarse):
+    """Multi-point mooring and irregular response, on and between stored waves, and periods with and without lines"""
+    from mooring.response.points import transfer_functions
+    from mooring.studies.conditions import Waves
+    from mooring.studies.natural_periods import natural_periods
+    from mooring.studies.steady_loads import mean_drift
+
+    body = coarse.reader.floating()
+    for omega, degrees in ((coarse.omega[3], 30.0), (0.61, 30.0), (0.61, 212.0)):
+        beta = np.radians(degrees)
+        waves = Waves(2.0, 2 * np.pi / omega, beta)
+        motion = transfer_functions(body, [waves.omega], [beta]).value[0, 0]
+        assert np.allclose(motion, coarse.reader.motions([waves.omega], [beta])[0, 0], rtol=1e-12)
+        assert np.allclose(motion, coarse.at(waves.omega, "rao", [beta])[0][0, 0], rtol=1e-12)
+        drift = mean_drift(coarse.reader, waves)
+        assert np.allclose(drift, body.drift([waves.omega], [beta])[0, 0], rtol=1e-12)
+    K = np.diag([1e6, 1e6, 0, 0, 0, 1e9])
+    with_lines = natural_periods(coarse.reader.restrained(stiffness=K))
+    assert np.array_equal(with_lines.period, natural_periods(body.restrained(stiffness=K)).period)
+    w = 2 * np.pi / with_lines.period[2]
+    M = coarse.inertia_matrix + coarse.at(w, "added_mass")[0][0]
+    assert abs(np.linalg.det((coarse.hydrostatic_stiffness + K - w**2 * M)[[2]][:, [2]])) < 1e-9 * w**2 * M[2, 2]
+
+
+def test_refusals_name_the_number_the_range_and_the_way_out(coarse):
+    for ask, words in (
+        (lambda: coarse.at(2.0, "rao"), r"omega is 2 rad/s .* outside the stored 0.25 to 1.05 rad/s .* solve again"),
+        (lambda: coarse.at(0.6, "pressure"), "pressure is not stored"),
+        (lambda: coarse.at(0.6, "rao", [np.nan]), "wave direction is nan; allowed: finite"),
+        (lambda: coarse.reader.restrained(damping=np.eye(3)), r"damping matrix has shape \(3, 3\)"),
+    ):
+        with pytest.raises(ValueError, match=words) as caught:
+            ask()
+        assert "\n" not in str(caught.value)
+    assert issubclass(BetweenError, ValueError)
