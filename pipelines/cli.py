@@ -115,11 +115,11 @@ def plot(file: Path, /, *, output: Annotated[Path | None, Parameter(help=".png, 
 
 
 @app.command
-def check(file: Path, /):
+def check(file: Path, /, *, repair: Annotated[bool, Parameter(negative=(), help="mark damage as unsolved")] = False):
     """Physics checks of a database against its tolerance, and mesh findings; status 1 if one fails."""
     from .solve.checking import check
 
-    return check(file, _console())
+    return check(file, _console(), repair)
 
 
 @app.command
@@ -185,14 +185,18 @@ def _run(scene, output, flags):
 
     console, executor = _console(), executor_of(flags.executor)
     from .solve import run
-    from .solve.report import print_outcome
+    from .solve.report import failed_laws, print_outcome
 
     try:
         outcome = run.solve(scene, output, fresh=flags.fresh, executor=executor, console=console)
     finally:
         executor.shutdown(wait=False, cancel_futures=True)
-    print_outcome(console, outcome, open_database(output))
-    return outcome.exit_status
+    db = open_database(output)
+    print_outcome(console, outcome, db)
+    failed = failed_laws(db, scene.panels is not None or scene.body.shape == "mesh") if outcome.stored else ""
+    if failed:
+        console.print(failed, highlight=False, markup=False, soft_wrap=True)
+    return outcome.exit_status or int(bool(failed))
 
 
 def _write_mesh(raw, output):

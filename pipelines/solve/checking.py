@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from bem.database import DatabaseError, open_database
-from meshing.quality import findings
+from bem.database.file import opened
+from bem.database.integrity import repair
+from bem.database.schema import LIMITS
+from bem.stored_laws import broken_laws
+from meshing.quality import Finding, findings
+from meshing.whole_files import keep_room
 
 from ..scene.methods import METHODS
 from .report import checked, checks_table
@@ -18,20 +25,59 @@ OTHERS = {  # attribute `schema` of what other commands write: the command, and 
 }
 
 
-def check(path, console):
-    """Print checks and findings of a database; returns 0 if all is there and holds, else 1."""
+def check(path, console, repair=False):
+    """Print checks and findings of a database; returns 0 if all is there and holds, else 1.
+
+    repair : what is damaged is marked as unsolved before
+    """
+    say = partial(console.print, highlight=False, markup=False, soft_wrap=True)
+    if repair:
+        say(_repaired(path))
     db = _opened(path)
-    found = _findings(db)
-    checks = checked(db) if len(db.omega) else []
+    try:
+        found, checks, broken = _findings(db), checked(db) if len(db.omega) else [], _broken(db)
+    except DatabaseError as damage:
+        say(str(damage))
+        return 1
     if checks:
         console.print(checks_table(checks))
-    for finding in found:
-        console.print(f"{finding.severity}: {finding.text}", highlight=False, markup=False, soft_wrap=True)
+    for finding in (*found, *broken):
+        say(f"{finding.severity}: {finding.text}")
     if not db.complete:
-        stored = f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored"
-        console.print(f"incomplete: {stored}; run its command again to go on", highlight=False, soft_wrap=True)
-    sound = all(part.passed for part in checks) and not any(f.severity == "error" for f in found)
+        say(
+            f"incomplete: {int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run its command again to go on"
+        )
+    sound = all(part.passed for part in checks) and not any(f.severity == "error" for f in (*found, *broken))
     return 0 if sound and db.complete else 1
+
+
+def _broken(db):
+    """Findings of laws that the stored numbers break"""
+    if not len(db.omega):
+        return []
+    for name in db.names:
+        if name not in LIMITS or db.complete:
+            db[name]  # every number against its checksum
+    laws = broken_laws(db, float(db.attributes.get("tolerance", 0.01)))
+    return [
+        Finding(
+            "error",
+            f"stored numbers: {law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s; "
+            f"allowed: {limit:.2g}; solve it anew with --fresh",
+        )
+        for law, worst, omega, limit in laws
+    ]
+
+
+def _repaired(path):
+    """Mark what is damaged as unsolved; says what was."""
+    keep_room(path)
+    with opened(path, "r+") as file:
+        found = repair(file)
+    if not found:
+        return f"{path}: nothing is damaged"
+    what = ", ".join(f"{name} ({count})" for name, count in found.items())
+    return f"{path}: marked as unsolved: {what}; run its command again to solve them"
 
 
 def _opened(path):

@@ -13,6 +13,7 @@ CHECKED = {
     "residual": "linear system",
     "estimated_error": "two resolutions",
 }
+MEANINGLESS = 0.5  # a law broken by half of what it is about: the numbers are none, whatever accuracy was asked for
 RESIDUAL = 1e-6  # of a linear system; four digits below the finest tolerance that makes sense
 
 
@@ -39,6 +40,19 @@ def checked(db):
         _check(name, values, db.omega, RESIDUAL if name == "residual" else tolerance)
         for name, values in db.checks().items()
     ]
+
+
+def failed_laws(db, own_panels):
+    """What to say of laws that a run does not obey, one line; "" where it does.
+
+    own_panels : panels were given, as a number or a mesh file, and no tolerance promised
+    """
+    laws = [check for check in checked(db) if check.name != "estimated_error"]
+    failed = [check for check in laws if check.largest > max(check.limit, own_panels * MEANINGLESS)]
+    said = ", ".join(
+        f"{check.name} is broken by {check.largest:.2g} at ω = {check.omega:.4g} rad/s" for check in failed
+    )
+    return f"checks failed: {said}; the mesh or the method does not fit this body, look at both" if said else ""
 
 
 def body_table(db):

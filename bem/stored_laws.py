@@ -1,0 +1,147 @@
+"""Laws between the stored numbers of a database, tried again on what is stored.
+
+With Z = A + iB/ω, sizes √|Zᵢᵢ Zⱼⱼ|, and every frequency by itself:
+
+    Z = Zᵀ;  B ≥ 0;  B/ω = (4ρg n/(kω)²) (1/2π) ∫ Re HᵢH̄ⱼ dθ;  F = F_FK + F_D;  (1/2π) ∫ |H_D|² dθ = −Re H_D(β)
+    {−ω²[M + A] − iωB + C} X = F;  mean drift of H_D and of H_D + Σ XⱼHⱼ
+
+The signs are those of `bem.kochin`, `bem.motions` and `bem.drift`.  A number that was doubled, or belongs to another
+frequency, breaks one of them.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .drift import about, energy_defect, mean_drift
+from .waves import group_factor
+
+ROUNDING = 1e-6  # of laws that the same numbers were made by
+
+
+class Broken(NamedTuple):
+    """A law that stored numbers break: by how much at worst (relative), at which rad/s, and what is allowed"""
+
+    law: str
+    worst: float
+    omega: float
+    limit: float
+
+
+def broken_laws(db, tolerance):
+    """[Broken] of a `bem.database.Database`.
+
+    tolerance : relative; where the checks that were stored with a frequency are worse, they are what is allowed
+    """
+    stored = np.array(list(db.checks().values()))
+    allowed = 1.01 * np.fmax(tolerance, np.fmax.reduce(np.vstack([stored, np.zeros((1, len(db.omega)))])))
+    found = []
+    for law, values, exact in _laws(db):
+        limit = np.full(len(db.omega), ROUNDING) if exact else allowed
+        over = np.nan_to_num(values, nan=0.0, posinf=np.inf) / limit if len(values) else np.zeros(0)
+        if np.any(over > 1):
+            i = int(np.argmax(over))
+            found.append(Broken(law, float(values[i]), float(db.omega[i]), float(limit[i])))
+    return found
+
+
+def _laws(db):
+    """(law, (n,) relative violations, whether they are rounding alone) of what is there"""
+    there = set(db.names)
+    if {"added_mass", "radiation_damping"} <= there:
+        yield from _radiation_laws(db, there)
+    forces = ("Froude_Krylov_force", "diffraction_force", "excitation_force")
+    if there >= set(forces):
+        incident, scattered, total = (db[name] for name in forces)
+        gap = np.abs(incident + scattered - total) / _largest(total, incident)
+        yield "excitation is incident and scattered", _worst(gap), True
+    if {"rao", "added_mass", "radiation_damping", "excitation_force"} <= there and not db.has_viscous_motions:
+        yield "motions obey their equation", _motion_defect(db), True
+    if "kochin_diffraction" in there:
+        yield from _far_field_laws(db, there)
+
+
+def _radiation_laws(db, there):
+    A, B, omega = db["added_mass"], db["radiation_damping"], db.omega[:, None, None]
+    Z = A + 1j * B / omega
+    size = np.sqrt(np.abs(np.einsum("nii->ni", Z)))
+    for part in (slice(0, 3), slice(3, 6)):
+        floor = 1e-4 * np.nanmax(size[:, part], axis=1, initial=0.0)
+        size[:, part] = np.where(size[:, part] > floor[:, None], size[:, part], np.inf)
+    scale = size[:, :, None] * size[:, None, :]
+    yield "reciprocity", _worst(np.abs(Z - Z.transpose(0, 2, 1)) / scale), False
+    done = np.nan_to_num((B / omega + (B / omega).transpose(0, 2, 1)) / 2 / scale)
+    yield "damping takes energy out", -np.linalg.eigvalsh(done)[:, 0], False
+    if "kochin_radiation" in there:
+        H, k = db["kochin_radiation"], db["wavenumber"]
+        factor = 4 * db.density * db.gravity * group_factor(k, db.water_depth) / (k * db.omega) ** 2
+        far = factor[:, None, None] * np.einsum("nit,njt->nij", H, H.conj()).real / H.shape[-1]
+        yield "radiated energy", _worst(np.abs(far - B / omega) / scale), False
+
+
+def _motion_defect(db):
+    from .motions import response
+
+    out = []
+    terms = zip(db.omega, db["added_mass"], db["radiation_damping"], db["excitation_force"], db["rao"], strict=True)
+    for omega, A, B, F, X in terms:
+        if not all(np.all(np.isfinite(part)) for part in (A, B, F, X)):
+            out.append(np.nan)
+            continue
+        right = response(omega, A, B, F, db.inertia_matrix, db.hydrostatic_stiffness)
+        size = np.maximum(np.abs(right), np.abs(X))
+        size[:, :3], size[:, 3:] = (size[:, part].max() for part in (slice(0, 3), slice(3, 6)))
+        out.append(float(np.max(np.abs(right - X) / np.maximum(size, 1e-300))))
+    return np.array(out)
+
+
+def _far_field_laws(db, there):
+    H, k, beta = db["kochin_diffraction"], db["wavenumber"], db.wave_direction
+    theta = db["theta"]
+    forward = np.einsum("nmt,mt->nm", H, _trigonometric(theta, beta))
+    energy = np.array([np.abs(energy_defect(h, f)).max() for h, f in zip(H, forward, strict=True)])
+    yield "scattered energy", energy, False
+    if "drift_force_fixed" in there:
+        yield "drift of the fixed body", _drift_defect(db, H, k, db["drift_force_fixed"]), False
+    if {"drift_force", "rao", "kochin_radiation"} <= there:
+        total = H + np.einsum("nmj,njt->nmt", db["rao"], db["kochin_radiation"])
+        yield "drift of the free body", _drift_defect(db, total, k, db["drift_force"]), False
+
+
+def _drift_defect(db, H, k, stored):
+    """Relative to the largest of forces and of moments, that of a force at one wave length / 2π at least"""
+    theta, beta = db["theta"], db.wave_direction
+    turn = np.fft.fftfreq(len(theta), 1 / len(theta))
+    turn[np.abs(turn) == len(theta) / 2] = 0.0
+    slope = np.fft.ifft(1j * turn * np.fft.fft(H, axis=-1), axis=-1)
+    at = _trigonometric(theta, beta)
+    out = []
+    for i, water in enumerate(group_factor(k, db.water_depth)):
+        ahead = (np.einsum("mt,mt->m", part[i], at) for part in (H, slope))
+        force = mean_drift(H[i], slope[i], *ahead, theta, beta, k[i], water, db.density, db.gravity)
+        gap = np.abs(about(force, db.rotation_center) - stored[i])
+        size = np.abs(stored[i]).max(axis=0)
+        level = db.density * db.gravity * water * np.max(np.mean(np.abs(H[i]) ** 2, axis=-1)) / k[i]
+        push = max(size[:2].max(), level)
+        out.append(float((gap / np.maximum([push, push, push / k[i]], size)).max()))
+    return np.array(out)
+
+
+def _trigonometric(theta, beta):
+    """(m, t) weights with which values at equally spaced theta give those at beta"""
+    count = len(theta)
+    turns = np.arange(-((count - 1) // 2), (count - 1) // 2 + 1)
+    return np.exp(1j * turns * (beta[:, None, None] - theta[:, None])).sum(axis=-1).real / count
+
+
+def _largest(*values):
+    """(n, 1, 1 or 6) of forces and of moments"""
+    size = np.max([np.nan_to_num(np.abs(value)) for value in values], axis=0).max(axis=1, keepdims=True)
+    forces, moments = (size[..., part].max(axis=-1, keepdims=True) for part in (slice(0, 3), slice(3, 6)))
+    return np.maximum(np.repeat(np.concatenate([forces, moments], axis=-1), 3, axis=-1), 1e-300)
+
+
+def _worst(values):
+    return np.nan_to_num(values).reshape(len(values), -1).max(axis=1, initial=0.0)

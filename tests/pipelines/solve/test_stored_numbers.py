@@ -1,0 +1,85 @@
+"""What is stored is tried again: by its checksums, and by the laws it obeyed when it was made."""
+
+import shlex
+import shutil
+
+import h5py
+import numpy as np
+import pytest
+
+from bem.database.integrity import CHECKSUM, ROWS
+from pipelines.cli import main
+
+BOX = (
+    "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.6,29.4,32.3 --rotation-center 3,2,-1 "
+    "--heading 0,60 --omega 0.4,0.6 --only radiation,diffraction,motions,drift,kochin_radiation,kochin_diffraction"
+)
+
+
+@pytest.fixture(scope="module")
+def solved(tmp_path_factory):
+    path = tmp_path_factory.mktemp("solved") / "box.h5"
+    assert main([*shlex.split(BOX), "--output", str(path)]) == 0
+    return path
+
+
+@pytest.fixture
+def path(solved, tmp_path):
+    return shutil.copy(solved, tmp_path / "box.h5")
+
+
+def without_checksums(path):
+    with h5py.File(path, "r+") as file:
+        del file.attrs[CHECKSUM], file[ROWS]
+        for name in list(file["stored"]):
+            marks = (file["stored"][name][()] != 0).astype(np.uint8)
+            del file["stored"][name]
+            file["stored"][name] = marks
+
+
+def times(factor):
+    return lambda values: factor * values
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "law"),
+    [
+        (None, None, ""),
+        ("added_mass", times(2), "motions obey their equation"),
+        ("radiation_damping", times(-1), "damping takes energy out"),
+        ("radiation_damping", times(2), "radiated energy"),
+        ("radiation_damping", lambda values: values[::-1], "radiated energy"),
+        ("excitation_force", times(2), "excitation is incident and scattered"),
+        ("rao", times(1.001), "motions obey their equation"),
+        ("kochin_diffraction", times(1.5), "drift of the fixed body"),
+        ("drift_force", times(2), "drift of the free body"),
+    ],
+)
+def test_a_file_without_checksums_is_held_to_the_laws_it_was_made_by(path, capsys, name, change, law):
+    without_checksums(path)
+    if name:
+        with h5py.File(path, "r+") as file:
+            file[name][...] = change(file[name][()])
+    main(["check", str(path)])
+    said = capsys.readouterr().out
+    assert (f"stored numbers: {law} is broken" in said) if law else ("stored numbers" not in said)
+
+
+def test_damage_is_named_marked_as_unsolved_and_solved_again(path, solved, capsys):
+    with h5py.File(path, "r+") as file:
+        file["rao"][1, 0, 2] *= 1.5
+    assert main(["check", str(path)]) == 1
+    assert "box.h5 is damaged: rao at ω = 0.6 rad/s" in capsys.readouterr().out
+    assert main(["check", str(path), "--repair"]) == 1
+    assert "marked as unsolved: rao (1)" in capsys.readouterr().out
+    assert main([*shlex.split(BOX), "--output", str(path)]) == 0
+    with h5py.File(path) as one, h5py.File(solved) as other:
+        np.testing.assert_allclose(one["rao"][()], other["rao"][()], rtol=1e-12, atol=1e-15)
+
+
+def test_a_run_whose_numbers_break_a_law_ends_with_status_1(path, capsys):
+    without_checksums(path)
+    with h5py.File(path, "r+") as file:
+        file["checks/reciprocity"][1] = 0.87
+    assert main([*shlex.split(BOX), "--output", str(path)]) == 1
+    assert "checks failed: reciprocity is broken by 0.87 at ω = 0.6 rad/s" in capsys.readouterr().out
