@@ -1,0 +1,148 @@
+"""Random damage to stored files: every one has to be refused, or to change nothing that is read.
+
+    python tests/fuzz/databases.py --flips 10000 --seed 1
+
+Of each copy of a database, or of a file of channels, 1 to 64 bytes in a row are replaced at random, and everything
+that a reader may ask for is read.  Counts: refused in one line; harmless, all as before; fewer rows, a lost mark with
+which the run solves again; believed, other numbers without a word; crashed, a signal or an exception that is no line.
+Work is done by a second process, since HDF5 may be brought to its end by what it reads.
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import multiprocessing
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+sys.path[:0] = [str(Path(__file__).parents[2])]
+
+SECONDS = 20.0
+
+
+def everything(path):
+    """Whatever a reader may ask of a file, as a list of names and values"""
+    from bem.database.file import has_schema
+    from bem.database.integrity import SEAL
+    from mooring.formats.results import SCHEMA, read_channels
+
+    path = Path(path)
+    if path.read_bytes()[: len(SEAL)] == SEAL or has_schema(path, SCHEMA):
+        return [*read_channels(path).items()]
+    from bem.database import open_database
+
+    db = open_database(path)
+    found = [(name, db[name]) for name in db.names]
+    found += [*db.checks().items(), *db.estimated_errors().items(), *db.header.body.items()]
+    found += [(name, db[name]) for name in ("omega", "wave_direction", "theta", "period", "wavenumber")]
+    fixed = db.mesh.points, db.mesh.corners, db.rotation_center, db.water_depth, db.density, db.gravity
+    return found + [("fixed", np.concatenate([np.ravel(part) for part in fixed])), ("scene", db.header.scene)]
+
+
+def same(one, other):
+    """Whether two readings are equal to the last bit; None if the second is a part of the first"""
+    if [name for name, _ in one] != [name for name, _ in other]:
+        return False
+    pairs = zip(one, other, strict=True)
+    equal = [np.array_equal(a, b, equal_nan=np.asarray(a).dtype.kind in "fc") for (_, a), (_, b) in pairs]
+    if all(equal):
+        return True
+    shorter = len(dict(other)["omega"]) < len(dict(one)["omega"]) if "omega" in dict(one) else False
+    return None if shorter else False
+
+
+def answer(path, right):
+    """What comes of reading a damaged file: a word of the counts, and what was said"""
+    try:
+        found = same(right, everything(path))
+    except (ValueError, OSError) as fault:
+        lines = str(fault).strip().splitlines()
+        return ("refused" if len(lines) == 1 else "crashed"), str(fault)
+    except Exception as fault:
+        return "crashed", f"{type(fault).__name__}: {fault}"
+    return {True: "harmless", None: "fewer rows", False: "believed"}[found], ""
+
+
+def damaged(content, random):
+    """The bytes with 1 to 64 of them replaced, and where"""
+    length = int(random.integers(1, 65))
+    start = int(random.integers(0, len(content) - length))
+    changed = bytearray(content)
+    changed[start : start + length] = random.bytes(length)
+    return bytes(changed), (start, length)
+
+
+def _work(files, link):
+    right = {name: everything(name) for name in files}
+    while True:
+        name, path = link.recv()
+        link.send(answer(path, right[name]))
+
+
+def _worker(files):
+    here, there = multiprocessing.get_context("spawn").Pipe()
+    process = multiprocessing.get_context("spawn").Process(target=_work, args=(files, there), daemon=True)
+    process.start()
+    there.close()
+    return process, here
+
+
+def campaign(files, flips, seed, tell=None):
+    """Counter of answers to `flips` damages, shared evenly among `files`; tell : called with what is not well"""
+    random, counts = np.random.default_rng(seed), collections.Counter()
+    contents = {str(name): Path(name).read_bytes() for name in files}
+    process, link = _worker([*contents])
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "damaged.h5"
+        for i in range(flips):
+            name = [*contents][i % len(contents)]
+            content, where = damaged(contents[name], random)
+            path.write_bytes(content)
+            try:
+                link.send((name, str(path)))
+                if not link.poll(SECONDS + 60 * (i == 0)):
+                    raise EOFError
+                word, said = link.recv()
+            except (EOFError, OSError):
+                process.kill()
+                process.join()
+                word, said = "crashed", f"signal or more than {SECONDS:g} s ({process.exitcode})"
+                process, link = _worker([*contents])
+            counts[word] += 1
+            if tell and word in ("believed", "crashed", "fewer rows"):
+                tell(f"{word}: {Path(name).name} bytes {where[0]} to {where[0] + where[1]}: {said}")
+    process.kill()
+    process.join()
+    return counts
+
+
+def make_files(folder):
+    """A database and a file of channels to be damaged"""
+    from mooring.formats.results import write_channels
+    from pipelines.cli import main
+
+    box, run = folder / "box.h5", folder / "run.h5"
+    words = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 24 --gyration 15.6,29.4,32.3"
+    main([*words.split(), "--omega", "0.3,0.6,0.9", "--heading", "0,60", "--output", str(box)])
+    time = np.arange(0.0, 20.0, 0.1)
+    write_channels(run, time, {"FairTen1": (np.cos(time), "N")}, {"lines": ["bow"]})
+    return box, run
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--flips", type=int, default=10000)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        counts = campaign(make_files(Path(folder)), arguments.flips, arguments.seed, print)
+    print(", ".join(f"{word} {count}" for word, count in counts.most_common()))
+    return 1 if counts["believed"] + counts["crashed"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
