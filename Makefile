@@ -1,5 +1,6 @@
 # make demo    two databases, pictures, a sea state, a mooring study; into demo/
 # make test    ruff and all tests, in two processes (PROCESSES=1 in one)
+# make test-nojit   kernels as plain Python (a subset); make test-bounds: with array bounds checked
 # make bench   error against time beside capytaine and HAMS, into bench/ (20 to 40 minutes; QUICK=1 a minute)
 # make lint    ruff alone
 # make venv    .venv with everything installed (done by the others when needed)
@@ -10,9 +11,12 @@ BIN := .venv/bin
 STAMP := .venv/.installed
 PEERS := .venv-peers
 SCENES := pipelines/scenes
+# what is quick enough as plain Python, and what indexes most
+NOJIT := tests/bem/kernels/test_interpolative_decomposition.py tests/bem/kernels/test_jit.py tests/mooring/lines/test_static.py
+BOUNDS := tests/bem/green tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines tests/mooring/test_catenary.py
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 
-.PHONY: demo test bench lint venv format clean
+.PHONY: demo test test-nojit test-bounds bench lint venv format clean
 .DELETE_ON_ERROR:
 
 venv: $(STAMP)
@@ -54,6 +58,14 @@ lint: venv
 
 test: lint
 	$(BIN)/python -m pytest -n $(PROCESSES)
+
+# numpy warns where compiled code gives NaN or infinity in silence
+test-nojit: venv
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -W default::RuntimeWarning $(NOJIT) \
+	  -k 'not (table_stays or impossible or inextensible)'
+
+test-bounds: venv
+	NUMBA_BOUNDSCHECK=1 HAKOBUNE_CACHE=$(CURDIR)/build/bounds $(BIN)/python -m pytest $(BOUNDS)
 
 format: venv
 	$(BIN)/ruff check --fix .

@@ -20,10 +20,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..kernels.jit import kernel
-from ..kernels.simd import added, bits_to_float, float_to_bits, scaled
+from ..kernels.simd import added, address, bits_to_float, float_to_bits, scaled
 from .deep_water import ONE, deep_water
 from .deep_water import bessel as bessel_functions
-from .piecewise_polynomials import address, sum_over_x, sum_over_y
+from .piecewise_polynomials import sum_over_x, sum_over_y
 from .tables import TABLE_ONLY, WITH_IMAGES, whole_table
 
 BLOCK = 128  # pairs at a time: their workspace takes 11 kB of a first-level cache of 32 or more

@@ -12,26 +12,11 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-from numba import types
-from numba.extending import intrinsic
 
 from ..kernels.jit import kernel
 from ..kernels.simd import added, load_vector, scaled, split_halves, to_scalars
 
 ORDER = 8
-
-
-@intrinsic
-def address(typing, array):
-    """Pointer to the first element of a contiguous array, which the caller has to keep alive.
-
-    Arrays as arguments of a kernel that is not inlined are reference-counted: 500 ns a pair of points instead of 50.
-    """
-
-    def build(context, builder, signature, arguments):
-        return context.make_array(signature.args[0])(context, builder, arguments[0]).data
-
-    return types.CPointer(array.dtype)(array), build
 
 
 def aligned(array):
@@ -74,13 +59,11 @@ def fit_line(values):
     return np.einsum("ab,nbf->naf", _to_powers(), values.reshape(-1, ORDER, 4)).reshape(-1, 4, 8)
 
 
-def slope_error(half, distance):
-    """Relative error of the gradient of 1/r on a piece of half-width `half`, the pole `distance` from its middle (m)"""
-    return 0.5 * (half / distance) ** 7
-
-
 def pieces_per_distance(accuracy):
-    """Distance to the nearest singularity, in half-widths of a piece, for an accuracy: inverse of `slope_error`"""
+    """Distance d to the nearest singularity, in half-widths a of a piece, for a relative `accuracy` of ∇(1/r).
+
+    The error of the gradient of 1/r on a piece is ½ (a/d)⁷ of its size.
+    """
     return (0.5 / accuracy) ** (1 / 7)
 
 

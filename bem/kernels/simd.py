@@ -2,12 +2,16 @@
 
 The compiler may or may not vectorise a loop over eight numbers; these operations are always vector instructions, split
 into those of the width that the processor has, and add in a fixed order.  Numba intrinsics, by LLVM vector types.
+A polynomial of 8 × 8 coefficients with its gradient takes 7.3 ns, by plain loops on numbers
+18.6 (`python tests/bench/simd.py`).
+
+With the compiler off (NUMBA_DISABLE_JIT=1) the same names are the functions of `simd_plain`.
 """
 
 from __future__ import annotations
 
 from llvmlite import ir
-from numba import types
+from numba import config, types
 from numba.extending import intrinsic, models, register_model
 
 WIDTH = 8  # doubles of a vector as it is loaded
@@ -41,8 +45,21 @@ def _shuffled(builder, vector, indices):
 
 
 @intrinsic
+def address(typing, array):
+    """Pointer to the first element of a contiguous array, which the caller has to keep alive.
+
+    Arrays as arguments of a kernel that is not inlined are reference-counted: 500 ns a pair of points instead of 50.
+    """
+
+    def build(context, builder, signature, arguments):
+        return context.make_array(signature.args[0])(context, builder, arguments[0]).data
+
+    return types.CPointer(array.dtype)(array), build
+
+
+@intrinsic
 def load_vector(typing, pointer, n):
-    """Elements n … n + 7 of the array that `pointer` (of `bem.green.piecewise_polynomials.address`) points to."""
+    """Elements n … n + 7 of the array that `pointer` (of `address`) points to."""
 
     def build(context, builder, signature, arguments):
         start = builder.gep(arguments[0], [arguments[1]])
@@ -113,3 +130,16 @@ def bits_to_float(typing, integer):
         return builder.bitcast(arguments[0], context.get_value_type(types.float64))
 
     return types.float64(types.int64), build
+
+
+if config.DISABLE_JIT:
+    from .simd_plain import (  # noqa: F401 - in place of those above
+        added,
+        address,
+        bits_to_float,
+        float_to_bits,
+        load_vector,
+        scaled,
+        split_halves,
+        to_scalars,
+    )

@@ -7,9 +7,10 @@ from scipy import special
 
 from bem.green.deep_water import bessel, universal
 from bem.green.finite_depth import BLOCK, decay, green, green_function, pair
-from bem.green.piecewise_polynomials import address, evaluate_piece, fit_pieces, sample_points
+from bem.green.piecewise_polynomials import evaluate_piece, fit_pieces, sample_points
 from bem.green.tables import limit_table, wave_table
 from bem.kernels.jit import kernel
+from bem.kernels.simd import address
 from bem.waves import wavenumber
 
 G = 9.80665

@@ -1,0 +1,49 @@
+"""The operations of `bem.kernels.simd` on numpy arrays, for kernels that run with the compiler off.
+
+A pointer is the flat view of its array, a vector an array of 8, 4 or 2 doubles.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def address(array):
+    """Flat view of a contiguous array"""
+    return array.reshape(-1)
+
+
+def load_vector(pointer, n):
+    """Elements n … n + 7"""
+    return pointer[n : n + 8]
+
+
+def scaled(a, x):
+    """a x of a vector a and a number x"""
+    return a * x
+
+
+def added(a, b):
+    """a + b of two vectors"""
+    return a + b
+
+
+def split_halves(a):
+    """The first and the second half of a vector"""
+    half = len(a) // 2
+    return a[:half], a[half:]
+
+
+def to_scalars(a):
+    """The elements of a vector as a tuple of numbers"""
+    return tuple(a)
+
+
+def float_to_bits(number):
+    """The 64 bits of a number as an integer"""
+    return np.float64(number).view(np.int64)
+
+
+def bits_to_float(integer):
+    """The number with these 64 bits"""
+    return np.int64(integer).view(np.float64)
