@@ -59,7 +59,7 @@ def has_checksums(file):
 
 def fixed_checksum(file):
     """CRC-32 of attributes, coordinates, body and mesh of a file"""
-    attributes = ((key, file.attrs[key]) for key in sorted(file.attrs) if key != CHECKSUM)
+    attributes = ((key, file.attrs[key]) for key in sorted(file.attrs, key=str) if key != CHECKSUM)
     value = zlib.crc32(_text(*(part for pair in attributes for part in pair)))
     there = set(file)
     names = [name for name in (*COORDINATES, *DERIVED, *BODY) if name in there]
@@ -112,7 +112,7 @@ def _schema_problems(file):
         axes, _, kind = QUANTITIES[name]
         yield from _wrong_dataset(file, name, [lengths[axis] for axis in axes], "c" if kind is complex else "f")
         yield from _wrong_dataset(file, f"stored/{name}", [lengths[axis] for axis in cell_axes(name)], "u")
-        if name in ESTIMATES and name in errors:
+        if name in ESTIMATES and (name in errors or has_checksums(file)):
             yield from _wrong_dataset(file, f"estimated_error/{name}", [lengths[axis] for axis in axes], "f")
     for name in CHECKS:
         yield from _wrong_dataset(file, f"checks/{name}", [lengths["omega"]], "f")
