@@ -107,7 +107,8 @@ def _schema_problems(file):
         return
     yield from _wrong_coordinates(file, coordinates)
     there, errors = set(file), set(file.get("estimated_error", ()))
-    names = [name for name in QUANTITIES if name in there]
+    stored = set(file["stored"])
+    names = [name for name in QUANTITIES if name in there or name in stored]
     for name in names:
         axes, _, kind = QUANTITIES[name]
         yield from _wrong_dataset(file, name, [lengths[axis] for axis in axes], "c" if kind is complex else "f")

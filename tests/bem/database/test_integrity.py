@@ -68,7 +68,18 @@ def reversed_order(file, name):
             for name in ("added_mass", "excitation_force", "checks/energy", "estimated_error/added_mass")
         ),
         *((name, doubled) for name in ("omega", "mesh/points", "added_mass_infinity")),
-        *((name, gone) for name in ("omega", "wave_direction", "checks", "mesh", "stored/added_mass", "wall_time")),
+        *(
+            (name, gone)
+            for name in (
+                "omega",
+                "wave_direction",
+                "checks",
+                "mesh",
+                "stored/added_mass",
+                "added_mass",
+                "estimated_error",
+            )
+        ),
         *((name, one_less) for name in ("omega", "added_mass", "checks/energy", "theta")),
         *((name, of_another_type) for name in ("added_mass", "excitation_force", "omega")),
         ("omega", reversed_order),
