@@ -78,6 +78,7 @@ def reversed_order(file, name):
                 "stored/added_mass",
                 "added_mass",
                 "estimated_error",
+                "wall_time",
             )
         ),
         *((name, one_less) for name in ("omega", "added_mass", "checks/energy", "theta")),
