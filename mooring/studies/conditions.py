@@ -1,4 +1,4 @@
-"""What a study of a moored hull is given: the hull as a box, and the weather it has to stand."""
+"""Input of a study of a moored hull: the hull as a box, and the wind, current and waves that load it."""
 
 from __future__ import annotations
 
@@ -11,8 +11,11 @@ from ..loads.box_wind import AIR_DENSITY, BOX
 
 
 @dataclass(frozen=True)
-class Hull:
-    """A box: length, beam, draft and freeboard (depth of the hull less draft), m, its middle at x = y = 0."""
+class ExposedBox:
+    """The box that wind and current act on, its middle at x = y = 0.
+
+    length, beam, draft, freeboard (depth of the hull less draft) : m
+    """
 
     length: float
     beam: float
@@ -32,7 +35,7 @@ class Wind:
 
 @dataclass(frozen=True)
 class Current:
-    """speed m/s, direction rad flown to; without a table the box tests of the report are used"""
+    """speed m/s, direction rad it flows to; table : drag coefficients, None for those of the SR179 box tests"""
 
     speed: float
     direction: float
@@ -57,7 +60,7 @@ class Waves:
 
 @dataclass(frozen=True)
 class Conditions:
-    """What a study applies; a load that is None is left out."""
+    """Wind, current and waves of a study; None leaves the load out."""
 
     wind: Wind | None = None
     current: Current | None = None

@@ -34,18 +34,18 @@ def line_of(study):
 
 
 def _segment(where, part, kinds, total):
-    from mooring.lines.dynamics.simulation import Segment
+    from mooring.lines.dynamics.simulation import DynamicSegment
 
     properties, breaking = of_types(where, part.type, kinds)
     elements = part.elements if part.elements is not None else max(4, round(ELEMENTS * part.length / total))
     try:
-        return Segment(part.length, elements=elements, **properties), breaking
+        return DynamicSegment(part.length, elements=elements, **properties), breaking
     except ValueError as error:
         raise StudyError(f"{where}, type {part.type}: {error}") from None
 
 
 def _properties(where, kind, water):
-    """Keywords of a Segment, and the breaking load in N"""
+    """Keywords of a DynamicSegment, and the breaking load in N"""
     static = line_type(where, kind, water.density, water.gravity)
     if math.isinf(static.axial_stiffness):
         raise StudyError(
@@ -63,19 +63,19 @@ def _properties(where, kind, water):
 
 
 def _bodies(study):
-    from mooring.lines.dynamics.simulation import Body
+    from mooring.lines.dynamics.simulation import AttachedBody
 
     found = []
     for i, body in enumerate(attached("", study.bodies, len(study.segments) - 1)):
         try:
-            found.append(body and Body(body.mass, body.volume, body.drag_area, body.added_mass))
+            found.append(body and AttachedBody(body.mass, body.volume, body.drag_area, body.added_mass))
         except ValueError as error:
             raise StudyError(f"body after segment {i + 1}: {error}") from None
     return tuple(found)
 
 
 def _bed(study):
-    from mooring.lines.dynamics.simulation import Bed
+    from mooring.lines.dynamics.simulation import ElasticBed
 
     if math.isinf(study.water.depth):
         if study.bed is not None:
@@ -87,7 +87,7 @@ def _bed(study):
             f"anchor is at z = {study.anchor[2]:g} m, under the bed; allowed: {-study.water.depth:g} m or higher"
         )
     try:
-        return Bed(
+        return ElasticBed(
             math.radians(table.slope_deg),
             math.radians(table.uphill_deg),
             max(below, 0.0),

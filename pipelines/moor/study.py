@@ -15,7 +15,7 @@ import numpy as np
 
 from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
 from mooring.loads.box_drag import drag_table
-from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
+from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
 
 from ..common.line_tables import LineTable, TypeTable, line_of
 from ..common.quantities import StudyError, Table, direction, force, positive, speed
@@ -116,7 +116,7 @@ class Study(Table):
         return Conditions(wind, current, waves)
 
     def hull_of(self, dimensions):
-        """Hull with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error."""
+        """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error."""
         sizes = {}
         for key in ("length", "beam", "draft"):
             own, stored = getattr(self.hull, key), dimensions.get(key)
@@ -125,7 +125,7 @@ class Study(Table):
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(f"hull.{key} is {own:g} m, the database is for {stored:g} m")
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
-        return Hull(**sizes, freeboard=positive("hull.freeboard", self.hull.freeboard))
+        return ExposedBox(**sizes, freeboard=positive("hull.freeboard", self.hull.freeboard))
 
     def system(self, hull, center, density=1025.0, gravity=9.80665):
         """System of the hull on all spreads and lines, its axes at `center` (3,) m; density : kg/m³; gravity : m/s²"""

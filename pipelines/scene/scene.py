@@ -58,7 +58,7 @@ class Water(_Table):
     gravity: float = 9.80665
 
 
-class Body(_Table):
+class BodyTable(_Table):
     """shape : box, buoy (vertical cylinder) or mesh; sizes : m; file : mesh file
 
     center_of_gravity : m; gyration : (kxx, kyy, kzz) m about it
@@ -98,7 +98,7 @@ class Scene(_Table, dict=True):  # where derived quantities are kept
     """
 
     water: Water
-    bodies: list[Body]
+    bodies: list[BodyTable]
     waves: Waves
     want: list[str] | None = None
     tolerance: float | None = None

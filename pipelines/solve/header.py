@@ -15,7 +15,7 @@ FEWEST_ANGLES = 120  # every 3°, where Kochin functions are stored; short waves
 
 
 def make_header(scene, hull):
-    """The database header of a scene and its `pipelines.solve.hull.Hull`"""
+    """The database header of a scene and its `pipelines.solve.hull.MeshedHull`"""
     return Header(
         mesh=hull.mesh,
         lid=hull.lid,

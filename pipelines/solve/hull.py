@@ -1,4 +1,4 @@
-"""From a scene to panels on its body, a lid in it, and a coarser pair beside them; what is wrong with them is said."""
+"""From a scene to panels on its body and its lid, a coarser pair of both, and the findings of their check."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from ..scene.scene import SceneError
 from .panel_counts import coarse_counts, fine_counts, meshed, sizes
 
 MOST_PANELS = 20_000
-FOR_SHOW = 500  # panels where none is computed with
+FOR_SHOW = 500  # panels of a mesh that is only drawn
 
 
 @dataclass(frozen=True, eq=False)
-class Hull:
-    """Panels of a scene's body and of its interior free surface, and what their check finds, one line each."""
+class MeshedHull:
+    """Panels of a scene's body and of its lid (None without), and the findings of their check, one line each."""
 
     mesh: PanelMesh
     lid: PanelMesh | None
@@ -38,7 +38,7 @@ def make_hull(scene):
     """
     if not panels_matter(scene):
         _check_waves_along(scene)
-        return Hull(_meshed(scene.body, FOR_SHOW), None)
+        return MeshedHull(_meshed(scene.body, FOR_SHOW), None)
     if scene.body.shape == "mesh":
         mesh = folded(read_mesh(scene.body.file))
     elif scene.panels is not None:
@@ -47,16 +47,16 @@ def make_hull(scene):
         mesh = _fine_enough(scene)
     found = _usable(scene, mesh)  # a lid needs a waterline that closes
     made = make_lid(scene, mesh)
-    return Hull(mesh, made, (*found, *_without_errors(scene, lid_findings(mesh, made))))
+    return MeshedHull(mesh, made, (*found, *_without_errors(scene, lid_findings(mesh, made))))
 
 
 def stored_hull(scene, header):
     """The hull of a database, for the frequencies of a scene.  Raises SceneError if it cannot be used for these."""
     if not panels_matter(scene):
         _check_waves_along(scene)
-        return Hull(header.mesh, header.lid)
+        return MeshedHull(header.mesh, header.lid)
     on_lid = _without_errors(scene, lid_findings(header.mesh, header.lid))
-    return Hull(header.mesh, header.lid, (*_usable(scene, header.mesh), *on_lid))
+    return MeshedHull(header.mesh, header.lid, (*_usable(scene, header.mesh), *on_lid))
 
 
 def _check_waves_along(scene):

@@ -18,7 +18,7 @@ DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Se
 def remarks(scene, hull, body):
     """Remarks on mesh and lid or on the waves, on water, mass and stability, and on motions that are left out.
 
-    hull : `pipelines.solve.hull.Hull`; body : as from `pipelines.solve.header.body_properties`
+    hull : `pipelines.solve.hull.MeshedHull`; body : as from `pipelines.solve.header.body_properties`
     """
     lid_or_waves = _lid_remarks(hull.lid, scene.shortest_wave) if panels_matter(scene) else _wave_remarks(scene)
     return (

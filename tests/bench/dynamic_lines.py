@@ -16,7 +16,7 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 
 import numpy as np
 
-from mooring.lines.dynamics.simulation import DynamicLine, FairleadMotion, Segment, simulate
+from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
 from mooring.lines.dynamics.start import start
 from mooring.lines.dynamics.surroundings import water_arrays
 
@@ -27,7 +27,7 @@ OURS = (("esdirk", 20), ("esdirk", 60), ("esdirk", 160), ("houbolt", 60))
 
 def chain(elements):
     weight = (MASS - 1025 * np.pi / 4 * DIAMETER**2) * GRAVITY
-    segment = Segment(
+    segment = DynamicSegment(
         300.0,
         MASS,
         weight,

@@ -13,7 +13,7 @@ SOFT = 1e-2  # damping fades in up to this part of the strain under the line's o
 
 
 @dataclass(frozen=True)
-class Segment:
+class DynamicSegment:
     """A uniform part of a line in `elements` straight elements.
 
     length : m, unstretched; mass : kg/m in air; weight : N/m in water; diameter : m, of the displaced volume
@@ -61,7 +61,7 @@ class Segment:
 
 
 @dataclass(frozen=True)
-class Body:
+class AttachedBody:
     """A buoy or a clump between two segments, with its own inertia.
 
     mass : kg; volume : m³, a sphere where it meets the surface; drag_area : C_d A in m²
@@ -79,7 +79,7 @@ class Body:
 
 
 @dataclass(frozen=True)
-class Bed:
+class ElasticBed:
     """A plane under the anchor.
 
     slope : rad, upwards towards `uphill` (rad, 0 → +x); below : m, depth of the bed under the anchor
@@ -114,19 +114,19 @@ class Bed:
 class DynamicLine:
     """Segments from the anchor to the fairlead; `bodies[i]`, or None, sits between segments i and i + 1.
 
-    anchor : (3,) m; bed : Bed, or None for a line over deep water; density : kg/m³; gravity : m/s²
+    anchor : (3,) m; bed : ElasticBed, or None for a line over deep water; density : kg/m³; gravity : m/s²
     The line counts as under water all along; bodies feel the surface.
     """
 
-    segments: tuple[Segment, ...]
+    segments: tuple[DynamicSegment, ...]
     anchor: tuple[float, float, float]
-    bodies: tuple[Body | None, ...] = ()
-    bed: Bed | None = field(default_factory=Bed)
+    bodies: tuple[AttachedBody | None, ...] = ()
+    bed: ElasticBed | None = field(default_factory=ElasticBed)
     density: float = 1025.0
     gravity: float = 9.80665
 
     def __post_init__(self):
-        segments = (self.segments,) if isinstance(self.segments, Segment) else tuple(self.segments)
+        segments = (self.segments,) if isinstance(self.segments, DynamicSegment) else tuple(self.segments)
         if not segments:
             raise ValueError("a line has 0 segments; allowed: 1 or more")
         bodies = tuple(self.bodies) or (None,) * (len(segments) - 1)

@@ -15,21 +15,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from .line import Bed, Body, DynamicLine, Segment
+from .line import AttachedBody, DynamicLine, DynamicSegment, ElasticBed
 from .run import Case, DynamicLineError, Energies, Result, run_esdirk, run_houbolt
 from .start import start as at_rest
 from .surroundings import CurrentProfile, FairleadMotion, WaveTrain, water_arrays
 
 __all__ = [
-    "Bed",
-    "Body",
+    "AttachedBody",
     "CurrentProfile",
     "DynamicLine",
     "DynamicLineError",
+    "DynamicSegment",
+    "ElasticBed",
     "Energies",
     "FairleadMotion",
     "Result",
-    "Segment",
     "WaveTrain",
     "simulate",
 ]

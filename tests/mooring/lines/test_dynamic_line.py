@@ -7,12 +7,12 @@ from mooring.lines.catenary.solve import solve_lines
 from mooring.lines.catenary.state import LineError
 from mooring.lines.dynamics.run import Case, run_fixed_steps
 from mooring.lines.dynamics.simulation import (
-    Bed,
-    Body,
+    AttachedBody,
     CurrentProfile,
     DynamicLine,
+    DynamicSegment,
+    ElasticBed,
     FairleadMotion,
-    Segment,
     WaveTrain,
     simulate,
 )
@@ -27,12 +27,12 @@ STILL = water_arrays(None, None, 9.80665)
 def segment(length=300.0, elements=40, **changes):
     given = dict(weight=WEIGHT, mass=MASS, diameter=0.1368, axial_stiffness=EA, drag_normal=1.333)
     given |= dict(drag_tangential=0.2034, added_normal=1.0, added_tangential=0.5)
-    return Segment(length, elements=elements, **(given | changes))
+    return DynamicSegment(length, elements=elements, **(given | changes))
 
 
 def chain(elements=40, x=290.0, bed=None, **changes):
     """300 m of chain in 50 m of water, fairlead at the origin."""
-    return DynamicLine(segment(elements=elements, **changes), (-x, 0.0, -50.0), bed=bed or Bed())
+    return DynamicLine(segment(elements=elements, **changes), (-x, 0.0, -50.0), bed=bed or ElasticBed())
 
 
 def hanging(elements=40, bodies=(), **changes):
@@ -62,7 +62,7 @@ def test_line_at_rest_converges_to_the_catenary_at_second_order():
     assert np.all(np.log2(np.divide(errors[:-1], errors[1:])) > 1.9), errors
 
 
-@pytest.mark.parametrize("line", [chain(), hanging(), chain(20, bed=Bed(friction=0.6)), chain(x=240.0)])
+@pytest.mark.parametrize("line", [chain(), hanging(), chain(20, bed=ElasticBed(friction=0.6)), chain(x=240.0)])
 def test_line_at_rest_stays_at_rest(line):
     still = quiet(line, FairleadMotion.still((0, 0, 0)), 20.0)
     # equilibrium is left by 1e-10 of the line's length and of its tension
@@ -74,7 +74,7 @@ def test_friction_at_rest_leaves_the_anchor_what_the_catenary_leaves():
     exact = solve_lines(290.0, 50.0, 300.0, WEIGHT, EA, 0.6)
     errors = []
     for n in (40, 160):
-        still = quiet(chain(n, bed=Bed(friction=0.6)), FairleadMotion.still((0, 0, 0)), 0.1)
+        still = quiet(chain(n, bed=ElasticBed(friction=0.6)), FairleadMotion.still((0, 0, 0)), 0.1)
         errors.append(abs(still.tension_anchor[0] - exact.tension_anchor) / exact.tension_fairlead)
     # friction of an element is the resolution: 0.6 w ℓ of 3e5 N
     assert errors[0] < 0.015 and errors[1] < 0.005, errors
@@ -82,7 +82,7 @@ def test_friction_at_rest_leaves_the_anchor_what_the_catenary_leaves():
 
 def test_line_on_a_slope_rests_like_the_catenary_on_that_slope():
     exact = solve_lines(290.0, 50.0, 300.0, WEIGHT, EA, 0.0, 0.05)
-    still = quiet(chain(80, bed=Bed(slope=0.05)), FairleadMotion.still((0, 0, 0)), 0.1)
+    still = quiet(chain(80, bed=ElasticBed(slope=0.05)), FairleadMotion.still((0, 0, 0)), 0.1)
     assert abs(still.tension_fairlead[0] / exact.tension_fairlead - 1) < 5e-3
     assert abs(still.tension_anchor[0] / exact.tension_anchor - 1) < 5e-3
 
@@ -111,7 +111,7 @@ def test_small_slow_motion_feels_the_stiffness_of_the_catenary():
 
 
 def test_energy_is_in_the_books_of_every_cycle():
-    for line in (chain(30), chain(30, bed=Bed(friction=0.5))):
+    for line in (chain(30), chain(30, bed=ElasticBed(friction=0.5))):
         moved = quiet(line, surge(2.0, 10.0), 40.0)
         E = moved.energies
         work, lost, stored = (cycle(moved, values, 10.0) for values in (E.work, E.lost, E.stored))
@@ -240,7 +240,7 @@ def test_a_table_of_a_harmonic_motion_gives_the_same_tensions():
 def test_a_clump_and_a_buoy_hang_with_their_weight():
     """Plumb line, nothing on the bed: the fairlead carries all weights less all buoyancies."""
     parts = (segment(20.0, 5), segment(30.0, 6), segment(20.0, 5))
-    bodies = (Body(mass=3000.0, volume=0.5), Body(mass=500.0, volume=2.0))
+    bodies = (AttachedBody(mass=3000.0, volume=0.5), AttachedBody(mass=500.0, volume=2.0))
     line = DynamicLine(parts, (0.0, 0.0, -80.0), bodies, bed=None)
     still = quiet(line, FairleadMotion.still((0, 0, -8.0)), 0.1)
     weight = 70.0 * WEIGHT + 9.80665 * (3500.0 - 2.5 * 1025.0)
@@ -250,7 +250,7 @@ def test_a_clump_and_a_buoy_hang_with_their_weight():
 def test_a_buoy_that_pulls_its_line_up_floats_where_its_weight_is_carried():
     """A light buoy in mid-line comes to the surface; there half weight means half immersion."""
     parts = (segment(60.0, 12, weight=50.0), segment(60.0, 12, weight=50.0))
-    line = DynamicLine(parts, (-30.0, 0.0, -40.0), (Body(mass=1000.0, volume=4.0),), bed=None)
+    line = DynamicLine(parts, (-30.0, 0.0, -40.0), (AttachedBody(mass=1000.0, volume=4.0),), bed=None)
     still = quiet(line, FairleadMotion.still((30.0, 0, -1.0)), 0.1)
     z, radius = still.end.position[12, 2], (3.0 / np.pi) ** (1 / 3)
     assert -radius < z < radius
@@ -300,7 +300,9 @@ def test_tangent_is_the_derivative_of_the_forces():
     # drag and added mass turn with the line, which the tangent leaves out; the rest is exact
     plain = dict(drag_normal=0.0, drag_tangential=0.0, added_tangential=1.0)
     parts = (segment(200.0, 6, **plain), segment(100.0, 4, **plain))
-    line = DynamicLine(parts, (-290.0, 0, -50.0), (Body(2000.0, 1.0, 3.0),), bed=Bed(friction=0.4, slope=0.02))
+    line = DynamicLine(
+        parts, (-290.0, 0, -50.0), (AttachedBody(2000.0, 1.0, 3.0),), bed=ElasticBed(friction=0.4, slope=0.02)
+    )
     rest, rng = start(line, (0, 0, 0), STILL), np.random.default_rng(1)
     n, cq, cv = line.elements + 1, 1e-3, 0.03
     since = rest.position.copy()
@@ -343,12 +345,12 @@ def test_block_elimination_solves_the_equations():
 @pytest.mark.parametrize(
     ("line", "fairlead"),
     [
-        (DynamicLine(Segment(1000.0, 30.0, 240.0, 0.08, 6.4e10, 50), (-800.0, 0.0, -300.0)), (0, 0, 0)),
-        (DynamicLine(Segment(120.0, 20.0, -30.0, 0.18, 2e7, 30), (-80.0, 0.0, -50.0), bed=None), (0, 0, -10.0)),
+        (DynamicLine(DynamicSegment(1000.0, 30.0, 240.0, 0.08, 6.4e10, 50), (-800.0, 0.0, -300.0)), (0, 0, 0)),
+        (DynamicLine(DynamicSegment(120.0, 20.0, -30.0, 0.18, 2e7, 30), (-80.0, 0.0, -50.0), bed=None), (0, 0, -10.0)),
         (chain(500), (0, 0, 0)),
         (chain(40, x=0.0), (0, 0, 0)),
         (chain(40, x=100.0), (0, 0, 0)),
-        (DynamicLine(segment(), (-290.0, 0.0, -48.0), bed=Bed(below=2.0)), (0, 0, 0)),
+        (DynamicLine(segment(), (-290.0, 0.0, -48.0), bed=ElasticBed(below=2.0)), (0, 0, 0)),
     ],
     ids=["stiff wire", "floating line", "500 elements", "plumb over its anchor", "slack", "anchor above the bed"],
 )
@@ -410,7 +412,7 @@ def test_a_line_with_friction_has_a_static_shape_wherever_one_without_has(fricti
     water = water_arrays(current, None, 9.80665)
     for n in (20, 80):
         for x in (265.0, 280.0, 290.0):
-            start(chain(n, x, Bed(friction=friction)), (0, 0, 0), water)
+            start(chain(n, x, ElasticBed(friction=friction)), (0, 0, 0), water)
 
 
 def test_chain_clump_and_wire_at_rest_pull_as_the_static_line_of_the_same_parts_does():
@@ -423,7 +425,9 @@ def test_chain_clump_and_wire_at_rest_pull_as_the_static_line_of_the_same_parts_
     ).solve(308.0, 58.0)
     errors = []
     for n in (1, 3):
-        line = DynamicLine(parts, (0, 0, -58.0), (Body(30e3 / 9.80665),), Bed(friction=0.5)).with_elements(n)
+        line = DynamicLine(
+            parts, (0, 0, -58.0), (AttachedBody(30e3 / 9.80665),), ElasticBed(friction=0.5)
+        ).with_elements(n)
         still = quiet(line, FairleadMotion.still((308.0, 0, 0)), 0.1)
         pulls = still.tension_fairlead[0] - exact.tension_fairlead, still.tension_anchor[0] - exact.tension_anchor
         errors.append(np.abs(pulls).max())

@@ -20,7 +20,7 @@ from mooring.lines.multi_segment.segments import PointLoad, Segment
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.moored_body import corner_legs, moored_body
 from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
-from mooring.studies.conditions import Conditions, Current, Hull, Waves, Wind
+from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
 from mooring.studies.multi_point import line_ends, multi_point
 from mooring.studies.multi_point_findings import resonances
 from pipelines.common.quantities import StudyError
@@ -34,7 +34,7 @@ INERTIA = MASS * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])
 STIFFNESS = 1025 * 9.80665 * np.diag([0, 0, 5000, 50000 * 15.83, 50000 * 78.33, 0])
 OMEGA = np.array([0.1, 0.3, 2 * np.pi / 10, 0.9])
 HEADINGS = np.radians([0.0, 60.0, 240.0, 270.0])
-HULL = Hull(100.0, 50.0, 10.0, 10.0)
+HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
 MADE_UP = {
     "added_mass": np.diag([0.2, 0.5, 2.0, 1.0, 1.0, 0.4]) * INERTIA,
     "radiation_damping": 0.05 * INERTIA,

@@ -5,7 +5,7 @@ import pytest
 from meshing.shapes import box
 from pipelines.scene.scene import make_scene
 from pipelines.solve.header import make_header
-from pipelines.solve.hull import Hull
+from pipelines.solve.hull import MeshedHull
 from pipelines.solve.remarks import remarks as remarks_on
 
 MESH = box(100, 50, 10, panels=60)
@@ -20,7 +20,7 @@ def remarks(want=None, density=1025.0, gyration=None, **more):
         **more,
     }
     scene = make_scene(raw if want is None else {**raw, "want": want})
-    hull = Hull(MESH, None)
+    hull = MeshedHull(MESH, None)
     return remarks_on(scene, hull, make_header(scene, hull).body)
 
 
