@@ -1,13 +1,15 @@
 """MoorDyn input files, read and written: tables of text under headings of dashes.
 
 Columns are found by the names in the table's first line, so files of version 1 and 2 are both read; where these
-names are not known the order of version 2 is taken.  What is read is kept as it stands, also what the statics of
-`mooring.lines` cannot use: `moordyn_system` makes a System of it, or says why not.
+names are not known the order of version 2 is taken.  A row has an entry for every column; what follows # is a note.
+What is read is kept as it stands, also what the statics of `mooring.lines` cannot use: `moordyn_system` makes a System
+of it, or says why not.
 MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
 """
 
 from __future__ import annotations
 
+import re
 import typing
 from dataclasses import dataclass, field
 
@@ -15,12 +17,15 @@ from meshing.text_files import read_text
 from meshing.whole_files import write_whole
 
 from .fault import FormatError, fault
-from .moordyn_rows import SECTIONS, BodyRow, FailureRow, LineRow, LineTypeRow, PointRow, RodRow, RodTypeRow
+from .moordyn_rows import OPTIONAL, SECTIONS, BodyRow, FailureRow, LineRow, LineTypeRow, PointRow, RodRow, RodTypeRow
 
 
 @dataclass(frozen=True)
 class MoorDynFile:
-    """All sections of a file; options : {name: value as text}; outputs : channel names"""
+    """All sections of a file; options : {name: value as text}; outputs : channel names
+
+    syrope, control, external : the lines of these sections as they stand
+    """
 
     title: tuple[str, ...] = ()
     line_types: tuple[LineTypeRow, ...] = ()
@@ -30,6 +35,9 @@ class MoorDynFile:
     points: tuple[PointRow, ...] = ()
     lines: tuple[LineRow, ...] = ()
     failures: tuple[FailureRow, ...] = ()
+    syrope: tuple[str, ...] = ()
+    control: tuple[str, ...] = ()
+    external: tuple[str, ...] = ()
     options: dict[str, str] = field(default_factory=dict)
     outputs: tuple[str, ...] = ()
 
@@ -42,6 +50,7 @@ class MoorDynFile:
         return next((given[name.lower()] for name in names if name.lower() in given), default)
 
 
+COUNT = re.compile(r"\s*\d+\s+N[A-Z][A-Za-z]+\b")  # version 1.01 gives the number of rows first: "2 NTypes"
 FORCES = ("fx", "fy", "fz")  # of points, version 1: only nought is understood
 
 
@@ -66,11 +75,17 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
                 raise fault(path, number, SECTIONS[key].title, f"is there twice, first at line {first}")
             first = number
             found[key] = []
-        elif line.strip():
-            title.append(line.rstrip()) if key is None else found[key].append((number, line))
+        elif key is None:
+            title += [line.rstrip()] if line.strip() else []
+        elif SECTIONS[key].row is None:
+            found[key] += [(number, line)] if line.strip() else []
+        elif line.split("#")[0].strip() or len(found[key]) < 2:  # the names may begin with #, and units be "(#)"
+            found[key] += [(number, line)] if line.strip() and not COUNT.match(line) else []
     if "lines" not in found:
         raise fault(path, None, None, "there is no section LINES; this is no MoorDyn input file")
     made = {key: _rows(key, rows, path) for key, rows in found.items() if SECTIONS[key].row is not None}
+    for key in ("syrope", "control", "external"):
+        made[key] = tuple(line.rstrip() for _, line in found.get(key, []))
     options = _options(found.get("options", []), path)
     outputs = tuple(name for _, line in found.get("outputs", []) for name in line.split("#")[0].split())
     checked = MoorDynFile(tuple(title), options=options, outputs=outputs, **made)
@@ -102,7 +117,7 @@ def _rows(key, rows, path):
     if len(rows) < 2:
         raise fault(path, rows[0][0] if rows else None, section.title, "a line of names and a line of units are needed")
     fields = _columns(key, rows[0][1].split())
-    made = tuple(_row(key, fields, number, line.split(), path) for number, line in rows[2:])
+    made = tuple(_row(key, fields, number, line.split("#")[0].split(), path) for number, line in rows[2:])
     seen = set()
     for (number, _), row in zip(rows[2:], made, strict=True):
         if row[0] in seen:
@@ -134,9 +149,11 @@ def _row(key, fields, number, words, path):
                 raise fault(path, number, section.title, f"a force of {word} kN on a point is not read; allowed: 0")
             continue
         values[name] = _value(kinds[name], name, word, number, section, path)
-    needed = [name for name in section.row._fields if name not in section.row._field_defaults and name not in values]
-    if needed:
-        raise fault(path, number, section.title, f"{len(words)} entries, {needed[0]} is missing")
+    wanted = [*section.row._fields[: -len(section.row._field_defaults) or None], *filter(None, fields)]
+    missing = [name for name in dict.fromkeys(wanted) if name not in values and name not in OPTIONAL]
+    if missing:
+        what = f"{len(words)} entries, {', '.join(missing)} missing; allowed: one for each of {len(fields)} columns"
+        raise fault(path, number, section.title, what)
     return section.row(**values)
 
 

@@ -113,6 +113,8 @@ class Section(NamedTuple):
     aliases: dict[str, str]  # further names of columns, lower case → field
 
 
+OPTIONAL = ("Cl", "dF", "cF", "outputs")  # columns a row may lack
+
 SECTIONS = {
     "line_types": Section(
         "LINE TYPES",
@@ -139,6 +141,7 @@ SECTIONS = {
             "massden": "mass",
             "massdeninair": "mass",
             "ba": "BA",
+            "cintdamp": "BA",
             "cdn": "Cd",
             "can": "Ca",
             "cdt": "CdAx",
@@ -261,6 +264,9 @@ SECTIONS = {
         (("FailureID", "(#)"), ("Point", "(#)"), ("Line(s)", "(#)"), ("FailTime", "(s)"), ("FailTen", "(N)")),
         {},
     ),
+    "syrope": Section("SYROPE IC", ("SYROPE",), None, (), {}),
+    "control": Section("CONTROL", ("CONTROL",), None, (), {}),
+    "external": Section("EXTERNAL LOADS", ("EXTERNAL LOADS",), None, (), {}),
     "options": Section("OPTIONS", ("OPTIONS",), None, (), {}),
     "outputs": Section("OUTPUTS", ("OUTPUTS", "OUTPUT"), None, (), {}),
 }

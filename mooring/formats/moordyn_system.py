@@ -1,76 +1,229 @@
-"""A MoorDyn file as a System of lines, and a System as a MoorDyn file.
+"""A MoorDyn file as a System of lines at rest.
 
-Points that are Coupled belong to one body named "vessel" at the origin, those of bodies 1, 2 … to "body 1" …;
-other names are the ids of the file.  A free body has its weight at its CG and its buoyancy, whole, at its origin.
-Submerged weight is (mass − ρ π/4 d²) g.  What statics cannot represent is refused by name.
+Coupled points and bodies are held where they are given: by the vessel, whose place a run in time would prescribe.
+The points belong to one body named "vessel" at the origin, those of bodies 1, 2 … to "body 1" …; other names are the
+ids of the file.  Ends of a rod that is held are points "R1A", "R1B"; a free rod without length is one free point "R1",
+one with a length a body "rod 1" that floats or sinks whole.  A free body has its weight at its CG and its buoyancy,
+whole, at its origin.  Submerged weight is (mass − ρ π/4 d²) g.
+What statics cannot represent is refused by name, or left out with a warning for each kind.
 """
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 from bem import DOFS
 
 from ..lines.system.graph import System
-from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, UniformLine
+from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineDynamics, LineType, UniformLine
 from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
-from .moordyn_rows import BodyRow, LineRow, LineTypeRow, PointRow
+from .moordyn_left_out import left_out
+from .moordyn_rows import LineTypeRow
 
-FIXED, COUPLED, FREE = ("fixed", "fix", "anchor"), ("coupled", "vessel", "ves"), ("free", "connect", "con")
+FIXED = ("fixed", "fix", "anchor")
+COUPLED = ("coupled", "cpld", "vessel", "ves", "fairlead")
+FREE = ("free", "connect", "con", "point")
 VESSEL = "vessel"
+DEPTH = ("WtrDpth", "depth", "WaterDepth")
+DENSITY = ("WtrDnsty", "rho", "rhoW", "WtrDens")
+GRAVITY = ("g", "gravity", "grav")
+FRICTION = ("FrictionCoefficient", "mu_kT", "FricCoeff")
+STILL = 1e-6  # N/m: weight of a line that weighs nothing in water; the solver wants one
 
 
-def system_of_moordyn(file: MoorDynFile, path="MoorDyn file") -> System:
-    """The System of what was read.  Raises FormatError for what is not represented, ValueError for what cannot be."""
-    if file.rods:
-        raise FormatError(f"{path}: rod {file.rods[0].id} is no part of statics; replace it by a point")
-    depth = _option(file, path, None, "WtrDpth", "depth", "WaterDepth")
-    density = _option(file, path, 1025.0, "rhoW", "rho", "WtrDnsty", "WtrDens")
-    gravity = _option(file, path, 9.80665, "g", "gravity", "grav")
-    friction = _option(file, path, 0.0, "FrictionCoefficient", "mu_kT", "FricCoeff")
-    types = {row.name: _type(row, density, gravity, path) for row in file.line_types}
-    bodies = [_body(row, density, gravity, path) for row in file.bodies]
-    points = [_point(row, file.bodies, path) for row in file.points]
-    if any(isinstance(point, Fairlead) and point.body == VESSEL for point in points):
-        bodies.insert(0, Body(VESSEL))
-    lines = [UniformLine(row.id, types[row.type], row.length, _end(row.a), _end(row.b), friction) for row in file.lines]
-    return System(depth, lines, points, bodies, density, gravity)
+class _Water(NamedTuple):
+    density: float
+    gravity: float
+    path: object
 
 
-def read_moordyn_system(path) -> System:
-    """The System of a MoorDyn input file."""
-    return system_of_moordyn(read_moordyn(path), path)
+def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None) -> System:
+    """The System of what was read.
+
+    depth : m, for a file that does not say it or has a bathymetry; else that of its lowest point, with a warning
+    warns : of each kind of thing that is left out
+    raises : FormatError for what is not represented, ValueError for what cannot be
+    """
+    depth, said = _depth(file, path, depth)
+    water = _Water(_option(file, path, 1025.0, DENSITY), _option(file, path, 9.80665, GRAVITY), path)
+    friction = _option(file, path, 0.0, FRICTION)
+    types = {row.name: _type(row, water) for row in file.line_types}
+    lines = [
+        UniformLine(row.id, types[row.type], row.length, _end(row.a), _end(row.b), friction, row.segments or None)
+        for row in file.lines
+    ]
+    points, bodies, idle = _points_and_bodies(file, water, lines)
+    lines = _joined(lines, points)
+    for text in (*said, *left_out(file), *idle, *_weightless(types.values())):
+        warnings.warn(f"{path}: {text}", stacklevel=2)
+    return System(depth, lines, points, bodies, water.density, water.gravity)
 
 
-def _option(file, path, default, *names):
+def read_moordyn_system(path, depth=None) -> System:
+    """The System of a MoorDyn input file; depth : m, where the file does not say it."""
+    return system_of_moordyn(read_moordyn(path), path, depth)
+
+
+def _option(file, path, default, names):
     text = file.option(*names, default=None)
     if text is None:
-        if default is None:
-            raise FormatError(f"{path}, section OPTIONS: {names[0]} is missing; allowed: the water depth in m")
         return default
     try:
-        return float(text)
+        return float(text.lower().replace("d", "e"))
     except ValueError:
         raise FormatError(f"{path}, section OPTIONS: {names[0]} is {text!r}; allowed: a number (no file)") from None
 
 
-def _type(row, density, gravity, path):
+def _depth(file, path, given):
+    """m, and what is to be said of it; a point below the bed lowers the bed, as MoorDyn has it"""
+    text, said = file.option(*DEPTH), []
+    lowest = max((-row.z for row in file.points if row.attachment.lower() in (*FIXED, *COUPLED, *FREE)), default=0.0)
+    try:
+        own = None if text is None else float(text)
+    except ValueError:
+        own = None
+        if given is None:
+            what = f"WtrDpth is {text!r}, a bathymetry; allowed: a number, or a depth given beside the file"
+            raise FormatError(f"{path}, section OPTIONS: {what}") from None
+        said.append(f"the bathymetry {text} (WtrDpth) is left out; the bed is flat at {given:g} m")
+    if own is not None and given is not None and own != given:
+        raise FormatError(f"{path}: WtrDpth is {own:g} m and the depth given {given:g} m; allowed: one of them")
+    depth = own if own is not None else given
+    if depth is None:
+        said.append(f"WtrDpth is missing; the bed is at the lowest point, {lowest:g} m; give the depth if it is not")
+    elif depth < lowest:
+        said.append(f"depth is {depth:g} m and the lowest point at {lowest:g} m; the bed is taken there")
+    return max(lowest, depth or 0.0), said
+
+
+def _type(row: LineTypeRow, water):
     try:
         stiffness = float(row.EA.split("|")[0])
     except ValueError:
         what = f"EA of {row.name} is {row.EA!r}; allowed: a number or a|b"
-        raise FormatError(f"{path}, section LINE TYPES: {what}") from None
-    weight = (row.mass - density * np.pi / 4 * row.diameter**2) * gravity
-    return LineType(row.name, weight, stiffness, row.mass, row.diameter, source=str(path))
+        raise FormatError(f"{water.path}, section LINE TYPES: {what}") from None
+    dynamics = LineDynamics(
+        row.Cd, row.CdAx, row.Ca, row.CaAx, _number(row.BA.split("|")[0], -1.0), _number(row.EI, 0.0)
+    )
+    weight = (row.mass - water.density * np.pi / 4 * row.diameter**2) * water.gravity
+    return LineType(
+        row.name, weight or STILL, stiffness, row.mass, row.diameter, source=str(water.path), dynamics=dynamics
+    )
+
+
+def _number(text, default):
+    """A number, or the default for the name of a file"""
+    try:
+        return float(text)
+    except ValueError:
+        return default
+
+
+def _weightless(types):
+    names = [kind.name for kind in types if kind.weight == STILL]
+    return [f"line type {', '.join(names)} weighs nothing in water; {STILL:g} N/m is counted"] if names else []
 
 
 def _end(name):
-    """Point 3 may be written 3, P3 or Point3"""
+    """Point 3 may be written 3, P3 or Point3; the ends of rod 1 R1A, Rod1A"""
     plain = name.lower().removeprefix("point").removeprefix("connection").removeprefix("p").removeprefix("c")
+    rod = name.lower().removeprefix("rod").removeprefix("r")
+    if rod[:-1].isdigit() and rod[-1] in "ab":
+        return f"R{rod.upper()}"
     return plain if plain.isdigit() else name
+
+
+def _points_and_bodies(file, water, lines):
+    """Points of points and rods, the bodies that bear lines, and what is said of those that bear none"""
+    used = {end for line in lines for end in (line.a, line.b)}
+    points = [_point(row, file.bodies, water.path) for row in file.points]
+    idle = [point.name for point in points if isinstance(point, FreePoint) and point.name not in used]
+    points = [point for point in points if point.name not in idle]
+    said = [f"point {', '.join(idle)} is free and no line holds it: left out"] if idle else []
+    bodies, idle = [], []
+    for row in file.rods:
+        if {f"R{row.id}A", f"R{row.id}B"} & used:
+            made, moving = _rod(row, file, water)
+            points += made
+            bodies += moving
+        else:
+            _check_idle(row, file, water.path)
+            idle.append(row.id)
+    said += [f"rod {', '.join(idle)} bears no line: left out but for its weight on a free body"] if idle else []
+    borne = {point.body for point in points if isinstance(point, Fairlead)}
+    idle = [row.id for row in file.bodies if f"body {row.id}" not in borne]
+    said += [f"body {', '.join(idle)} bears no line: left out"] if idle else []
+    bodies = [_body(row, file, water) for row in file.bodies if row.id not in idle] + bodies
+    if VESSEL in borne:
+        bodies.insert(0, Body(VESSEL, freedom=()))
+    return points, bodies, said
+
+
+def _check_idle(row, file, path):
+    """A rod without lines changes nothing at rest, unless it turns about a point of a body that moves"""
+    kind = row.attachment.lower()
+    body = _body_of(kind.removesuffix("pinned"), file.bodies)
+    if kind.endswith("pinned") and body is not None and body.attachment.lower() in FREE:
+        raise FormatError(
+            f"{path}, section RODS: rod {row.id} is attached to {row.attachment} and turns; allowed on a free body: "
+            "rods that are rigid on it (Body and its id)"
+        )
+
+
+def _body_of(attachment, bodies):
+    """The BodyRow an attachment "Body1" names, None where there is none"""
+    kind = attachment.lower()
+    number = kind.removeprefix("body").removeprefix("b")
+    return next((row for row in bodies if kind[0] == "b" and row.id == number), None)
+
+
+def _rod(row, file, water):
+    """Points at the ends of a rod, and the body it is where it moves"""
+    names, kind = (f"R{row.id}A", f"R{row.id}B"), row.attachment.lower()
+    ends = (row.xa, row.ya, row.za), (row.xb, row.yb, row.zb)
+    if kind in FIXED:
+        return [Anchor(name, place) for name, place in zip(names, ends, strict=True)], []
+    if kind in COUPLED:
+        return [Fairlead(name, VESSEL, place) for name, place in zip(names, ends, strict=True)], []
+    if kind in FREE:
+        return _free_rod(row, names, np.array(ends), file, water)
+    body = _body_of(row.attachment, file.bodies)
+    if body is None:
+        raise FormatError(
+            f"{water.path}, section RODS: attachment of rod {row.id} is {row.attachment!r}; "
+            "allowed: Fixed, Coupled, Free, or Body and the id of one of BODIES (none that is pinned)"
+        )
+    return [Fairlead(name, f"body {body.id}", place) for name, place in zip(names, ends, strict=True)], []
+
+
+def _free_rod(row, names, ends, file, water):
+    length = float(np.linalg.norm(ends[1] - ends[0]))
+    if length == 0:
+        return [FreePoint(f"R{row.id}", tuple(map(float, ends[0])))], []
+    weight, middle = _weight(row, file, water), ends.mean(axis=0)
+    body = Body(f"rod {row.id}", (*map(float, middle), 0.0, 0.0, 0.0), DOFS, load=(0.0, 0.0, -weight, 0.0, 0.0, 0.0))
+    made = [Fairlead(n, body.name, tuple(map(float, end - middle))) for n, end in zip(names, ends, strict=True)]
+    return made, [body]
+
+
+def _weight(row, file, water):
+    """N, of a rod in water, which acts at its middle"""
+    kind = next((kind for kind in file.rod_types if kind.name == row.type), None)
+    if kind is None:
+        raise FormatError(f"{water.path}, section RODS: rod {row.id}: type {row.type!r} is unknown")
+    length = np.hypot(np.hypot(row.xb - row.xa, row.yb - row.ya), row.zb - row.za)
+    return float(water.gravity * length * (kind.mass - water.density * np.pi / 4 * kind.diameter**2))
+
+
+def _joined(lines, points):
+    """Both ends of a rod without length are one point"""
+    one = {f"{p.name}{end}": p.name for p in points if p.name[0] == "R" and p.name[1:].isdigit() for end in "AB"}
+    return [replace(line, a=one.get(line.a, line.a), b=one.get(line.b, line.b)) for line in lines]
 
 
 def _point(row, bodies, path):
@@ -80,10 +233,10 @@ def _point(row, bodies, path):
     if kind in COUPLED:
         return Fairlead(name, VESSEL, place)
     if kind in FREE:
-        return FreePoint(name, place, row.mass, row.volume)
-    body = kind.removeprefix("body").removeprefix("b")
-    if kind[0] == "b" and body in [b.id for b in bodies]:
-        return Fairlead(name, f"body {body}", place)
+        return FreePoint(name, place, row.mass, row.volume, drag_area=row.CdA, added_mass=row.Ca)
+    body = _body_of(row.attachment, bodies)
+    if body is not None:
+        return Fairlead(name, f"body {body.id}", place)
     raise FormatError(
         f"{path}, section POINTS: attachment of point {row.id} is {row.attachment!r}; "
         "allowed: Fixed, Coupled, Free, or Body and the id of one of BODIES"
@@ -103,7 +256,8 @@ def _numbers(row, name, path, count):
     return values
 
 
-def _body(row, density, gravity, path):
+def _body(row, file, water):
+    path = water.path
     turns = np.radians([row.roll0, row.pitch0, row.yaw0])
     if np.count_nonzero(turns) > 1:
         raise FormatError(
@@ -112,10 +266,8 @@ def _body(row, density, gravity, path):
         )
     position = (row.x0, row.y0, row.z0, *turns)
     kind, name = row.attachment.lower(), f"body {row.id}"
-    if kind in FIXED:
+    if kind in (*FIXED, *COUPLED):
         return Body(name, position, freedom=())
-    if kind in COUPLED:
-        return Body(name, position)
     if kind not in FREE:
         raise FormatError(
             f"{path}, section BODIES: attachment of body {row.id} is {row.attachment!r}; allowed: Fixed, Coupled, Free"
@@ -124,95 +276,13 @@ def _body(row, density, gravity, path):
         raise FormatError(f"{path}, section BODIES: free body {row.id} starts heeled; allowed: r0 = p0 = 0")
     cg = _numbers(row, "CG", path, 3)
     x, y, z = cg if len(cg) == 3 else (0.0, 0.0, cg[0])
-    weight = row.mass * gravity
-    load = (0.0, 0.0, density * gravity * row.volume - weight, -weight * y, weight * x, 0.0)
-    return Body(name, position, DOFS, np.diag([0.0, 0.0, 0.0, -weight * z, -weight * z, 0.0]), load)
-
-
-def moordyn_of_system(system: System, segments=20, coefficients=(1.33, 1.0, 0.64, 0.5), damping="-1.0") -> MoorDynFile:
-    """The MoorDynFile of a System, for a dynamic run.
-
-    segments : of each line; coefficients : Cd, Ca, CdAx, CaAx of every type; damping : BA or −fraction of critical
-    Bodies are written as Coupled: their hydrostatics and loads are not MoorDyn's to know.
-    raises : FormatError where a type has no mass or diameter, the friction differs from line to line, or a line has
-        segments
-    """
-    cut = [line.name for line in system.lines if not isinstance(line, UniformLine)]
-    if cut:
-        raise FormatError(
-            f"line {cut[0]} has several segments; allowed for MoorDyn: uniform lines, joined at free points"
-        )
-    types = {line.type.name: line.type for line in system.lines}
-    for line in system.lines:
-        if types[line.type.name] != line.type:
-            raise FormatError(f"line type {line.type.name!r} stands for two types; allowed: one name for each")
-    friction = {line.bed_friction for line in system.lines}
-    if len(friction) > 1:
-        raise FormatError(f"bed friction is {min(friction):g} and {max(friction):g}; allowed for MoorDyn: one value")
-    points = {point.name: str(i) for i, point in enumerate(system.points, 1)}
-    bodies = {body.name: str(i) for i, body in enumerate(system.bodies, 1)}
-    options = {
-        "dtM": "0.001",
-        "kBot": "3.0e6",
-        "cBot": "3.0e5",
-        "WtrDpth": repr(float(system.depth)),
-        "rhoW": repr(float(system.density)),
-        "g": repr(float(system.gravity)),
-    }
-    if max(friction) > 0:
-        options["FrictionCoefficient"] = repr(float(max(friction)))
-    names = [name.replace(" ", "_") for name in types]
-    if len(set(names)) < len(names):
-        raise FormatError("two line types have the same name once blanks are replaced; rename one")
-    return MoorDynFile(
-        ("MoorDyn input file written by hakobune",),
-        tuple(_type_row(kind, coefficients, damping) for kind in types.values()),
-        bodies=tuple(_body_row(body, bodies[body.name]) for body in system.bodies),
-        points=tuple(_point_row(point, points, bodies) for point in system.points),
-        lines=tuple(_line_row(str(i), line, points, segments) for i, line in enumerate(system.lines, 1)),
-        options=options,
-        outputs=tuple(f"{what}{i}" for i in range(1, len(system.lines) + 1) for what in ("FairTen", "AnchTen")),
-    )
-
-
-def _line_row(number, line, points, segments):
-    name = line.type.name.replace(" ", "_")
-    return LineRow(number, name, points[line.a], points[line.b], float(line.length), segments, "p")
-
-
-def _type_row(kind, coefficients, damping):
-    if kind.mass is None or kind.diameter is None:
-        raise FormatError(f"line type {kind.name!r} has no mass or no diameter, which MoorDyn needs; give both")
-    if not np.isfinite(kind.axial_stiffness):
-        raise FormatError(f"line type {kind.name!r} is inextensible, and a MoorDyn file needs EA; give it")
-    name = kind.name.replace(" ", "_")
-    return LineTypeRow(
-        name, float(kind.diameter), float(kind.mass), repr(float(kind.axial_stiffness)), damping, "0", *coefficients
-    )
-
-
-def _body_row(body, number):
-    x, y, z = map(float, body.position[:3])
-    angles = map(float, np.degrees(body.position[3:]))
-    return BodyRow(number, "Coupled", x, y, z, *angles, 0.0, "0", "0", 0.0, "0", "0")
-
-
-def _point_row(point, points, bodies):
-    place = tuple(map(float, point.position))
-    if isinstance(point, FreePoint):
-        return PointRow(points[point.name], "Free", *place, float(point.mass), float(point.volume))
-    kind = f"Body{bodies[point.body]}" if isinstance(point, Fairlead) else "Fixed"
-    return PointRow(points[point.name], kind, *place)
-
-
-def renamed(system: System) -> System:
-    """The system with the names a MoorDyn file gives: numbers for points and lines, "body n" for bodies."""
-    points = {point.name: str(i) for i, point in enumerate(system.points, 1)}
-    bodies = {body.name: f"body {i}" for i, body in enumerate(system.bodies, 1)}
-    lines = [replace(x, name=str(i), a=points[x.a], b=points[x.b]) for i, x in enumerate(system.lines, 1)]
-    renamed_points = [
-        replace(p, name=points[p.name], **({"body": bodies[p.body]} if isinstance(p, Fairlead) else {}))
-        for p in system.points
-    ]
-    renamed_bodies = tuple(replace(body, name=bodies[body.name]) for body in system.bodies)
-    return replace(system, lines=tuple(lines), points=tuple(renamed_points), bodies=renamed_bodies)
+    buoyancy = water.density * water.gravity * row.volume
+    weights = [(row.mass * water.gravity, x, y, z)]  # N, at a place in the body's axes
+    for rod in file.rods:
+        if _body_of(rod.attachment, file.bodies) is row:
+            middle = 0.5 * (rod.xa + rod.xb), 0.5 * (rod.ya + rod.yb), 0.5 * (rod.za + rod.zb)
+            weights.append((_weight(rod, file, water), *middle))
+    weight, at = zip(*((w, place) for w, *place in weights), strict=True)
+    mx, my, mz = map(float, np.array(weight) @ np.array(at))
+    load = (0.0, 0.0, buoyancy - sum(weight), -my, mx, 0.0)
+    return Body(name, position, DOFS, np.diag([0.0, 0.0, 0.0, -mz, -mz, 0.0]), load)

@@ -40,11 +40,13 @@ def system_of_moorpy(data, path="YAML file", depth=None) -> System:
     if not isinstance(data, dict):
         raise FormatError(f"{path}: the file is not a table of keys; this is no MoorPy file")
     if data.get("file"):
-        return read_moordyn_system(Path(path).parent / data["file"])
+        return read_moordyn_system(Path(path).parent / data["file"], depth)
     if data.get("bodies"):
         raise FormatError(f"{path}: bodies is not read, MoorPy does not define it yet; use points of type vessel")
     density = _number(data, ("water_density", "rho"), path, "the file", 1025.0)
-    depth = _number(data, ("water_depth", "depth"), path, "the file", depth)
+    given, depth = depth, _number(data, ("water_depth", "depth"), path, "the file", depth)
+    if given is not None and given != depth:
+        raise FormatError(f"{path}: water_depth is {depth:g} m and the depth given {given:g} m; allowed: one of them")
     tables = {key: _table(data, key, path) for key in KNOWN}
     types = {row["name"]: _type(row, density, path) for row in tables["line_types"]}
     points = [_point(row, path) for row in tables["points"]]

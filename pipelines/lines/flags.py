@@ -40,7 +40,9 @@ def lines(
     offset: Annotated[float | None, Parameter(help="m, draw and print the offset curve to both sides")] = None,
     direction: Annotated[str | None, Parameter(help="degrees of the offsets: a,b,c", allow_leading_hyphen=True)] = None,
     broken: Annotated[bool, Parameter(help="the equilibrium after the loss of each line", negative="")] = False,
-    depth: Annotated[float | None, Parameter(help="m, for a YAML file that does not say it")] = None,
+    depth: Annotated[
+        float | None, Parameter(help="m, for a MoorDyn or YAML file that does not say it", allow_leading_hyphen=True)
+    ] = None,
     database: Annotated[Path | None, Parameter(help="of the body, for its natural periods")] = None,
     output: Annotated[Path | None, Parameter(help="results, .h5")] = None,
     picture: Annotated[

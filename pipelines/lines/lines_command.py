@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import warnings
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +15,7 @@ from bem.database.file import check_place
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
-from .system_file import read_system
+from .system_file import TOML, YAML, read_system
 
 KN = 1e3
 SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
@@ -35,12 +37,13 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
         check_output(output, "a file of channels", is_channels, DATABASE)
     if moordyn is not None:
         check_place(moordyn)
-    system = read_system(file, depth)
-    name = _body(system, body, needed=bool(force) or offset is not None or database is not None)
-    if force:
-        system = _loaded(system, name, force)
-    exported = None if moordyn is None else _moordyn_file(system, moordyn)
     console = _console()
+    with _warnings_shown(console):
+        system = read_system(file, depth)
+        name = _body(system, body, needed=bool(force) or offset is not None or database is not None)
+        exported = None if moordyn is None else _moordyn_file(system, moordyn, file)
+        if force:
+            system = _loaded(system, name, force)
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         state = rest(system)
@@ -70,6 +73,18 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
     return 1 if any(isinstance(left, Exception) for left in losses.values()) else 0
 
 
+@contextmanager
+def _warnings_shown(console):
+    """Prints what is warned of within, each once, also where an error ends it."""
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        try:
+            yield
+        finally:
+            for text in dict.fromkeys(str(warning.message) for warning in said):
+                console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+
+
 def _console():
     from rich.console import Console
 
@@ -89,7 +104,14 @@ def _body(system, name, needed):
 def _loaded(system, name, force):
     if len(force) != 3:
         raise StudyError(f"--force has {len(force)} numbers; allowed: 3, Fx and Fy in kN and Mz in kN m")
-    load = np.array(next(body.load for body in system.bodies if body.name == name), float)
+    from mooring.lines.system.parts import Body
+
+    given = next(body for body in system.bodies if body.name == name)
+    if not given.freedom:
+        warnings.warn(f"{name} is held where it is given; under --force it moves in surge, sway and yaw", stacklevel=2)
+        bodies = [replace(body, freedom=Body.freedom) if body is given else body for body in system.bodies]
+        system = replace(system, bodies=tuple(bodies))
+    load = np.array(given.load, float)
     load[[0, 1, 5]] += KN * np.asarray(force, float)
     return system.with_loads({name: load})
 
@@ -204,13 +226,15 @@ def _show_periods(console, state, name, database):
     console.print(table)
 
 
-def _moordyn_file(system, path):
-    """The MoorDynFile of a system, before anything is solved for it."""
-    from mooring.formats.moordyn_system import moordyn_of_system
+def _moordyn_file(system, path, source):
+    """The MoorDynFile of a system, before anything is solved for it; source : the file the system was read from"""
+    from mooring.formats.moordyn import read_moordyn
+    from mooring.formats.moordyn_writing import moordyn_of_system
 
     if Path(path).exists():
         raise StudyError(f"{path} exists and is not replaced; give another name")
-    return moordyn_of_system(system)
+    other = source.suffix.lower() in (*YAML, *TOML)
+    return moordyn_of_system(system, None if other else read_moordyn(source))
 
 
 def _write(state, output, picture, curves, losses):

@@ -86,10 +86,14 @@ class SystemTable(Table):
 def read_system(path, depth=None) -> System:
     """The System of a file, by its suffix: .toml, .yaml or .yml, anything else is MoorDyn's.
 
-    depth : m, for a YAML file that does not say it.  Raises ValueError, one line.
+    depth : m, for a MoorDyn or YAML file that does not say it.  Raises ValueError, one line.
     """
     path = Path(path)
+    if depth is not None and not 0 < depth < math.inf:
+        raise StudyError(f"--depth is {depth:g} m; allowed: above 0, finite")
     if path.suffix.lower() in TOML:
+        if depth is not None:
+            raise StudyError(f"--depth is {depth:g} m and {path} has its own; allowed: without it, or [water] depth")
         return make_system(read_toml(path, "a system", StudyError)[0])
     if path.suffix.lower() in YAML:
         from mooring.formats.moorpy import read_moorpy
@@ -97,7 +101,7 @@ def read_system(path, depth=None) -> System:
         return read_moorpy(path, depth)
     from mooring.formats.moordyn_system import read_moordyn_system
 
-    return read_moordyn_system(path)
+    return read_moordyn_system(path, depth)
 
 
 def make_system(raw) -> System:

@@ -10,10 +10,12 @@ ON_BED = 1e-6  # m: what is this close to the bed lies on it
 
 
 def check_system(system):
-    for name, allowed in (("depth", "m"), ("density", "kg/m³"), ("gravity", "m/s²")):
+    if not 0 < system.depth < np.inf:
+        raise LineSystemError(f"depth is {system.depth:g} m; allowed: above 0, finite")
+    for name, unit in (("density", "kg/m³"), ("gravity", "m/s²")):
         value = getattr(system, name)
-        if not 0 < value < np.inf:
-            raise LineSystemError(f"{name} is {value:g} {allowed}; allowed: above 0, finite")
+        if not 0 <= value < np.inf:
+            raise LineSystemError(f"{name} is {value:g} {unit}; allowed: finite, at least 0")
     _check_names("line", system.lines)
     _check_names("point", system.points)
     _check_names("body", system.bodies)

@@ -28,11 +28,28 @@ class EquilibriumError(ValueError):
 
 
 @dataclass(frozen=True)
+class LineDynamics:
+    """What only a moving or bent line feels; statics leave it, files keep it.
+
+    drag_normal, drag_tangential : C_d on d and on π d per metre; added_mass_normal, added_mass_tangential : C_a
+    damping : axial, BA in N s; below 0, minus the fraction of critical; bending_stiffness : EI, N m²
+    """
+
+    drag_normal: float = 1.33
+    drag_tangential: float = 0.64
+    added_mass_normal: float = 1.0
+    added_mass_tangential: float = 0.5
+    damping: float = -1.0
+    bending_stiffness: float = 0.0
+
+
+@dataclass(frozen=True)
 class LineType:
     """What a line is made of.
 
     weight : N/m submerged, below 0 where it floats; axial_stiffness : EA, N, may be inf
     mass : kg/m in air; diameter : m, of a cylinder of the same volume; breaking_load, proof_load : N
+    dynamics : LineDynamics, None where it is not known
     """
 
     name: str
@@ -43,6 +60,7 @@ class LineType:
     breaking_load: float = np.inf
     proof_load: float | None = None
     source: str = ""
+    dynamics: LineDynamics | None = None
 
     def __post_init__(self):
         _check(f"line type {self.name}: weight", self.weight, self.weight != 0, "finite, not 0 N/m")
@@ -54,7 +72,10 @@ class LineType:
 
 @dataclass(frozen=True)
 class UniformLine:
-    """A uniform line between two points, named by their names.  length : m, unstretched"""
+    """A uniform line between two points, named by their names.
+
+    length : m, unstretched; elements : of a run in time, None where it is left to whoever runs it
+    """
 
     name: str
     type: LineType
@@ -62,6 +83,7 @@ class UniformLine:
     a: str
     b: str
     bed_friction: float = 0.0
+    elements: int | None = None
 
     def __post_init__(self):
         _check(f"line {self.name}: length", self.length, self.length > 0, "finite, above 0 m")
@@ -135,6 +157,7 @@ class FreePoint:
 
     position : (3,) m, where the search for its place begins; mass : kg; volume : m³
     height : m over which it comes out of the water, that of a sphere if not given; it may rest on the bed
+    drag_area : C_d A, m²; added_mass : times the displaced mass; of a run in time
     """
 
     name: str
@@ -142,6 +165,8 @@ class FreePoint:
     mass: float = 0.0
     volume: float = 0.0
     height: float | None = None
+    drag_area: float = 0.0
+    added_mass: float = 0.0
 
     def __post_init__(self):
         _check(f"point {self.name}: mass", self.mass, self.mass >= 0, "finite, at least 0 kg")

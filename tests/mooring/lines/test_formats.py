@@ -1,5 +1,6 @@
 """MoorDyn and MoorPy files: what is written is read back equal, and faults are named with line and section."""
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -7,7 +8,8 @@ import pytest
 
 from mooring.formats.fault import FormatError
 from mooring.formats.moordyn import MoorDynFile, moordyn_text, parse_moordyn, read_moordyn, write_moordyn
-from mooring.formats.moordyn_system import moordyn_of_system, renamed, system_of_moordyn
+from mooring.formats.moordyn_system import system_of_moordyn
+from mooring.formats.moordyn_writing import moordyn_of_system, renamed
 from mooring.formats.moorpy import read_moorpy, system_of_moorpy
 from mooring.formats.results import channels_of_rest, read_channels, read_frames, write_channels
 from mooring.formats.yaml_text import parse_yaml
@@ -188,6 +190,136 @@ def bridle():
     )
 
 
+def quiet_system(text, **settings):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return system_of_moordyn(parse_moordyn(text), **settings)
+
+
+def test_coupled_points_and_bodies_are_held_where_they_are_given():
+    system = quiet_system(VERSION_2)
+    assert system.bodies[0].freedom == () and system.bodies[0].name == "body 1"
+    state = rest(quiet_system(VERSION_1))
+    assert state.system.bodies[0].name == "vessel" and np.all(state.position == 0)
+    fairlead = state.points[1]
+    assert tuple(fairlead) == (-5.0, 0.0, 0.0)
+
+
+def test_a_depth_stands_in_where_the_file_has_none_and_only_there():
+    bare = VERSION_2.replace("70       WtrDpth  water depth (m)\n", "")
+    assert quiet_system(bare, depth=75.0).depth == 75.0
+    with pytest.warns(UserWarning, match="WtrDpth is missing; the bed is at the lowest point, 70 m"):
+        assert system_of_moordyn(parse_moordyn(bare)).depth == 70.0
+    with pytest.warns(UserWarning, match="depth is 60 m and the lowest point at 70 m"):
+        assert system_of_moordyn(parse_moordyn(bare), depth=60.0).depth == 70.0
+    with pytest.raises(FormatError, match="WtrDpth is 70 m and the depth given 80 m"):
+        quiet_system(VERSION_2, depth=80.0)
+    bathymetry = VERSION_2.replace("70       WtrDpth", "bed.txt  WtrDpth")
+    with pytest.warns(UserWarning, match="bathymetry bed.txt .WtrDpth. is left out; the bed is flat at 70 m"):
+        assert system_of_moordyn(parse_moordyn(bathymetry), depth=70.0).depth == 70.0
+
+
+LEFT_OUT = [
+    ("-0.8         0 ", "-0.8         4e4 ", "bending stiffness EI of chain is left out"),
+    ("1000     rhoW", "3 WaveKin", "waves (WaveKin 3) left out"),
+    ("1000     rhoW", "1 Currents", "currents (Currents 1) left out"),
+    ("1000     rhoW", "bed.txt SeafloorFile", "the bathymetry (SeafloorFile bed.txt) left out"),
+    ("1000     rhoW", "3 mystery", "option mystery is unknown and left out"),
+    ("-- OPTIONS", "-- SYROPE IC ---\nLine(s) Tmax0 Tmean0\n(-) (N) (N)\n2 1e6 5e5\n--- OPTIONS",
+     "section SYROPE IC is left out"),
+    ("3    Body1 ", "3    Coupled ", "dynamic stiffness (EA a|b) of rope is left out, the static counts"),
+    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is left out"),
+    ("7    Fixed       280     -160    -70     0       0       0      0\n",
+     "7 Fixed 280 -160 -70 0 0 0 0\n8 Free 0 0 0 0 0 0 0\n", "point 8 is free and no line holds it: left out"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "message"), LEFT_OUT)
+def test_everything_that_lines_at_rest_leave_out_is_named(old, new, message):
+    assert old in VERSION_2
+    with pytest.warns(UserWarning) as said:
+        system_of_moordyn(parse_moordyn(VERSION_2.replace(old, new, 1)))
+    texts = [str(one.message) for one in said]
+    assert sum(message in text for text in texts) == 1 and len(texts) == len(set(texts))
+
+
+def test_a_still_and_plain_file_is_read_without_a_warning():
+    still = VERSION_1.replace("40      WtrDpth", "40 WtrDpth\n0 WaveKin\n0 Currents\n0.001 dtM\n3e6 kBot\n1 writeLog")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        system_of_moordyn(parse_moordyn(still))
+
+
+ROD = """\
+--- ROD TYPES ---
+TypeName Diam Mass/m Cd Ca CdEnd CaEnd
+(name) (m) (kg/m) (-) (-) (-) (-)
+tube 0.3 200.0 1 1 1 1
+--- RODS ---
+ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs Outputs
+(#) (name) (-) (m) (m) (m) (m) (m) (m) (-) (-)
+1 tube {rod} - # a note
+--- POINTS ---
+"""
+
+
+def with_rod(rod):
+    """Two lines of 450 m from anchors 900 m apart to the ends of a rod between them."""
+    types = VERSION_2[VERSION_2.index("-- LINE TYPES") : VERSION_2.index("rope ")]
+    rows = (
+        "ID Attachment X Y Z Mass Volume CdA Ca\n- - - - - - - - -\n1 Fixed -450 0 0 0 0 0 0\n2 Fixed 450 0 0 0 0 0 0\n"
+    )
+    lines = "--- LINES ---\nID LineType AttachA AttachB UnstrLen NumSegs\n- - - - - -\n"
+    lines += "1 chain 1 R1A 450 20\n2 chain 2 R1B 450 20\n"
+    return f"-{types}{ROD.format(rod=rod)}{rows}{lines}--- OPTIONS ---\n150 WtrDpth\n"
+
+
+def test_a_rod_hangs_between_its_lines_with_its_weight_in_water():
+    state = rest(quiet_system(with_rod("Free -10 0 -75 10 0 -75 1")))
+    weight = 20 * (200 - 1025 * np.pi / 4 * 0.3**2) * 9.80665
+    assert state.system.bodies[0].name == "rod 1"
+    total = 900 * state.system.lines[0].type.weight + weight
+    assert np.sum(state.lines.vertical_a) == pytest.approx(total, rel=1e-6)
+    assert np.allclose(state.position[0, 3:], 0, atol=1e-9)
+
+
+def test_a_rod_without_length_joins_its_lines_and_one_that_is_held_ends_them():
+    joint = quiet_system(with_rod("Free 0 0 -75 0 0 -75 0"))
+    assert joint.lines[0].b == joint.lines[1].b == "R1" and isinstance(joint.points[-1], FreePoint)
+    held = quiet_system(with_rod("Fixed -10 0 -75 10 0 -75 1"))
+    assert [point.position for point in held.points[2:]] == [(-10.0, 0.0, -75.0), (10.0, 0.0, -75.0)]
+    with pytest.raises(FormatError, match="attachment of rod 1 is 'Pinned'"):
+        quiet_system(with_rod("Pinned -10 0 -75 10 0 -75 1"))
+
+
+def test_what_a_run_in_time_needs_is_kept_when_a_file_is_read_and_written():
+    first = parse_moordyn(VERSION_2.replace("3.0e6    kBot", "1.5e6    kb\n0.4 FrictionCoefficient\nRK4 tScheme"))
+    system = quiet_system(VERSION_2.replace("0       0\n3    Body1", "0.3     0.7\n3    Body1"))
+    again = parse_moordyn(moordyn_text(moordyn_of_system(system, first)))
+    kinds = [(row.Cd, row.Ca, row.CdAx, row.CaAx, float(row.BA), float(row.EI)) for row in again.line_types]
+    assert kinds == [(1.37, 1.0, 0.64, 0.5, -0.8, 0.0), (1.2, 1.0, 0.0, 0.0, 1e5, 0.0)]
+    assert [row.segments for row in again.lines] == [25, 10, 10, 30, 30]
+    assert (again.option("kBot"), again.option("cBot"), again.option("tScheme")) == ("1.5e6", "3.0e5", "RK4")
+
+
+def test_written_options_have_the_names_that_moordyn_2_documents():
+    options = moordyn_of_system(bridle()).options
+    assert set(options) <= {"dtM", "kBot", "cBot", "WtrDpth", "WtrDnsty", "g", "FrictionCoefficient"}
+    assert "rhoW" not in options
+
+
+def test_the_written_time_step_is_stable_for_the_axial_waves_of_every_line():
+    system = bridle()
+    step = float(moordyn_of_system(system).options["dtM"])
+    for line in system.lines:
+        wave = np.sqrt(line.type.axial_stiffness / line.type.mass)
+        assert step * 2 * wave / (line.length / 20) <= 0.5
+    finer = replace(system, lines=tuple(replace(line, elements=200) for line in system.lines))
+    assert float(moordyn_of_system(finer).options["dtM"]) == pytest.approx(step / 10, rel=0.1)
+    read = parse_moordyn("--- LINES ---\na\nb\n--- OPTIONS ---\n1e-5 dtM\n")
+    assert float(moordyn_of_system(system, read).options["dtM"]) == 1e-5
+
+
 def test_a_system_written_for_moordyn_and_read_back_has_the_same_forces():
     system = bridle()
     again = system_of_moordyn(parse_moordyn(moordyn_text(moordyn_of_system(system))))
@@ -207,7 +339,7 @@ FAULTS = [
     ("1    chain     1 ", "1    chane     1 ", "section LINES: line 1: type 'chane' is unknown; allowed: chain, rope"),
     ("250.5     25 ", "250.5     2.5 ", "segments is 2.5; allowed: a whole number"),
     ("2    Free        -60     0       -30     2.5d3   0.4     0      0", "2  Free",
-     "section POINTS: 2 entries, x is missing"),
+     "section POINTS: 2 entries, x, y, z, mass, volume, CdA, Ca missing"),
     ("2    Free  ", "1    Free  ", "section POINTS: id 1 is used twice"),
     ("- LINES -", "- LNIES -", "section LNIES"),
     ("- OUTPUTS -", "- LINES -", "section LINES: is there twice"),
@@ -225,8 +357,7 @@ def test_a_faulty_file_names_line_and_section(tmp_path, old, new, message):
 
 
 REFUSED = [
-    ("70       WtrDpth", "bathy.txt WtrDpth", "WtrDpth is 'bathy.txt'; allowed: a number"),
-    ("70       WtrDpth  water depth (m)\n", "", "WtrDpth is missing"),
+    ("70       WtrDpth", "bathy.txt WtrDpth", "WtrDpth is 'bathy.txt', a bathymetry; allowed: a number"),
     ("653.3E6 ", "table.txt ", "EA of chain is 'table.txt'"),
     ("3    Body1 ", "3    Turbine1 ", "attachment of point 3 is 'Turbine1'"),
     ("0      0     0      0     0     30 ", "0      0     0      5     0     30 ", "2 angles that are not 0"),

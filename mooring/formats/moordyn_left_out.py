@@ -1,0 +1,74 @@
+"""What a MoorDyn file asks for that lines at rest on a flat bed in still water do not have: one text for each kind.
+
+Settings of a run in time (step, scheme, relaxation, outputs, stiffness and damping of the bed, drag, added mass, axial
+damping) change nothing at rest and are not named.  MoorDyn 2.7 documentation, "Inputs" and "Features".
+"""
+
+from __future__ import annotations
+
+# of the file's OPTIONS in lower case: what they bring in where their value is not 0
+BROUGHT_IN = {
+    "wavekin": "waves",
+    "waterkin": "waves and currents",
+    "currents": "currents",
+    "seafloorfile": "the bathymetry",
+    "bathfile": "the bathymetry",
+}
+# settings of a run in time, and what the System understands, between blanks
+IN_TIME = (
+    " dtm dt cfl tscheme kbot kb cbot cb dtic icdt tmaxic ictmax cdscaleic icdfac threshic icthresh icgendynamic "
+    "gendynamicic fileic icfile dtwave unifycurrentgrid writelog writeunits dtout disableoutput disableouttime "
+    "fricdamp statdynfricscale mu_ka mc cv inertialf inertialf_ramp outswitch "
+)
+UNDERSTOOD = " wtrdpth depth waterdepth wtrdnsty rho rhow wtrdens g gravity grav frictioncoefficient mu_kt friccoeff "
+
+
+def left_out(file):
+    """[text] for each kind of thing of a MoorDynFile that its System does not have."""
+    said = [*_of_types(file), *_of_options(file)]
+    joints = [row.id for row in file.rods if (row.xa, row.ya, row.za) == (row.xb, row.yb, row.zb)]
+    for names, what in (
+        ([row.id for row in file.failures], "failure {} of lines is left out: nothing breaks at rest"),
+        ([row.name for row in file.rod_types if file.rods], "bending and end forces of rods of type {} are left out"),
+        (joints, "rod {} has no length: the bending it would pass on is left out"),
+    ):
+        if names:
+            said.append(what.format(", ".join(names)))
+    for key, title in (("syrope", "SYROPE IC"), ("control", "CONTROL"), ("external", "EXTERNAL LOADS")):
+        if getattr(file, key):
+            said.append(f"section {title} is left out")
+    return said
+
+
+def _of_types(file):
+    rows = file.line_types
+    for names, what in (
+        ([row.name for row in rows if not _nought(row.EI)], "bending stiffness EI of {} is left out"),
+        (
+            [row.name for row in rows if "|" in row.EA],
+            "dynamic stiffness (EA a|b) of {} is left out, the static counts",
+        ),
+        ([row.name for row in rows if row.Cl], "vortex-induced vibration (Cl) of {} is left out"),
+    ):
+        if names:
+            yield what.format(", ".join(names))
+
+
+def _of_options(file):
+    unknown = []
+    for name, value in file.options.items():
+        key = name.lower()
+        if key in BROUGHT_IN:
+            if not _nought(value):
+                yield f"{BROUGHT_IN[key]} ({name} {value}) left out: still water over a flat bed"
+        elif f" {key} " not in IN_TIME + UNDERSTOOD:
+            unknown.append(name)
+    if unknown:
+        yield f"option {', '.join(unknown)} is unknown and left out"
+
+
+def _nought(text):
+    try:
+        return float(text) == 0
+    except ValueError:
+        return text.lower() in ("none", "-")

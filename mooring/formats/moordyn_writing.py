@@ -1,0 +1,189 @@
+"""A System of lines as a MoorDyn v2 input file, with a time step its lines are stable at.
+
+An axial wave of the shortest segment, l long, has the angular frequency and the rate of decay
+
+    ω = 2 √(EA/m) / l,    σ = 4 BA / (m l²) = 2 ζ ω,
+
+a node at the bed ω² = k d/m and σ = c d/m with the bed's kBot and cBot, a bent one ω = 4 √(EI/m) / l², and a free
+point of mass M between springs EA/l at most ω² = 2 Σ(EA/l) / M.  MoorDyn's scheme, Runge–Kutta of second order, keeps
+a decaying motion to σ dt = 2; of an undamped one it adds (ω dt)⁴/8 a step.  dtM is the least 0.2/ω and 1/σ, rounded
+down.  Masses are those in air: added mass only slows the nodes down.
+MoorDyn 2.7 documentation, "Inputs" (names of options) and "Troubleshooting" (time step).
+"""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import replace
+
+import numpy as np
+
+from ..lines.system.graph import System
+from ..lines.system.parts import Fairlead, FreePoint, LineDynamics, UniformLine
+from .fault import FormatError
+from .moordyn import MoorDynFile
+from .moordyn_rows import BodyRow, LineRow, LineTypeRow, PointRow
+
+SEGMENTS = 20  # of a line that does not say how many
+LONGEST_STEP = 0.05  # s
+# settings of a run in time under the names of version 2, and those of version 1; all else a System says itself
+SETTINGS = {
+    "kBot": ("kBot", "kb"),
+    "cBot": ("cBot", "cb"),
+    "dtIC": ("dtIC", "ICdt"),
+    "TmaxIC": ("TmaxIC", "ICTmax"),
+    "CdScaleIC": ("CdScaleIC", "ICDfac"),
+    "threshIC": ("threshIC", "ICthresh"),
+    "ICgenDynamic": ("ICgenDynamic", "genDynamicIC"),
+    "tScheme": ("tScheme",),
+    "FricDamp": ("FricDamp",),
+    "StatDynFricScale": ("StatDynFricScale",),
+    "dtOut": ("dtOut",),
+}
+BED = {"kBot": "3.0e6", "cBot": "3.0e5"}  # MoorDyn's own, Pa/m and Pa s/m
+
+
+def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> MoorDynFile:
+    """The MoorDynFile of a System, for a dynamic run.
+
+    source : the file it was read from, whose settings of a run in time are kept
+    Bodies are written as Coupled, held where they are given: their hydrostatics and loads are not MoorDyn's to know.
+    raises : FormatError where a type has no mass or diameter, the friction differs from line to line, or a line has
+        segments
+    """
+    cut = [line.name for line in system.lines if not isinstance(line, UniformLine)]
+    if cut:
+        raise FormatError(
+            f"line {cut[0]} has several segments; allowed for MoorDyn: uniform lines, joined at free points"
+        )
+    types = {line.type.name: line.type for line in system.lines}
+    for line in system.lines:
+        if types[line.type.name] != line.type:
+            raise FormatError(f"line type {line.type.name!r} stands for two types; allowed: one name for each")
+    friction = {line.bed_friction for line in system.lines}
+    if len(friction) > 1:
+        raise FormatError(f"bed friction is {min(friction):g} and {max(friction):g}; allowed for MoorDyn: one value")
+    points = {point.name: str(i) for i, point in enumerate(system.points, 1)}
+    bodies = {body.name: str(i) for i, body in enumerate(system.bodies, 1)}
+    given = source or MoorDynFile()
+    kept = {name: given.option(*names, default=BED.get(name)) for name, names in SETTINGS.items()}
+    kept = {name: value for name, value in kept.items() if value is not None}
+    longest = _positive("dtM", given.option("dtM", "dt", default=repr(LONGEST_STEP)))
+    bed = [_positive(name, kept[name]) for name in BED]
+    moved = [body.name for body in system.bodies if body.freedom]
+    if moved:
+        warnings.warn(
+            f"{', '.join(moved)} may move here, and the MoorDyn file holds it where it is given (Coupled)", stacklevel=2
+        )
+    options = {
+        "dtM": repr(stable_step(system, longest, *bed)),
+        **kept,
+        "WtrDpth": repr(float(system.depth)),
+        "WtrDnsty": repr(float(system.density)),
+        "g": repr(float(system.gravity)),
+    }
+    if max(friction) > 0:
+        options["FrictionCoefficient"] = repr(float(max(friction)))
+    names = [name.replace(" ", "_") for name in types]
+    if len(set(names)) < len(names):
+        raise FormatError("two line types have the same name once blanks are replaced; rename one")
+    return MoorDynFile(
+        ("MoorDyn input file written by hakobune",),
+        tuple(_type_row(kind) for kind in types.values()),
+        bodies=tuple(_body_row(body, bodies[body.name]) for body in system.bodies),
+        points=tuple(_point_row(point, points, bodies) for point in system.points),
+        lines=tuple(_line_row(str(i), line, points) for i, line in enumerate(system.lines, 1)),
+        options=options,
+        outputs=tuple(f"{what}{i}" for i in range(1, len(system.lines) + 1) for what in ("FairTen", "AnchTen")),
+    )
+
+
+def _positive(name, text):
+    """The number of an option that was read"""
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0 <= value < np.inf or (value == 0 and name == "dtM"):
+        raise FormatError(f"option {name} of the file that was read is {text!r}; allowed: a number above 0")
+    return value
+
+
+def stable_step(system, longest, bed_stiffness, bed_damping):
+    """s, at most the longest; bed_stiffness, bed_damping : Pa/m and Pa s/m"""
+    fastest, decay, springs = [0.2 / longest], [0.0], {}
+    for line in system.lines:
+        kind, felt = line.type, line.type.dynamics or LineDynamics()
+        step, EA, m = line.length / (line.elements or SEGMENTS), kind.axial_stiffness, kind.mass
+        axial = 2 * np.sqrt(EA / m) / step
+        fastest += [
+            axial,
+            np.sqrt(bed_stiffness * kind.diameter / m),
+            4 * np.sqrt(felt.bending_stiffness / m) / step**2,
+        ]
+        decay += [4 * felt.damping / (m * step**2) if felt.damping > 0 else -2 * felt.damping * axial]
+        decay += [bed_damping * kind.diameter / m]
+        for end in (line.a, line.b):
+            k, mass = springs.get(end, (0.0, 0.0))
+            springs[end] = k + EA / step, mass + 0.5 * m * step
+    for point in system.free_points:
+        k, mass = springs[point.name]
+        fastest.append(np.sqrt(2 * k / (mass + point.mass)))
+    return _down(min(0.2 / max(fastest), 1 / max(*decay, 1e-9)))
+
+
+def _down(value):
+    """The next lower number of two digits"""
+    unit = 10.0 ** (np.floor(np.log10(value)) - 1)
+    return float(f"{np.floor(value / unit * (1 + 1e-12)) * unit:.1e}")
+
+
+def _line_row(number, line, points):
+    name = line.type.name.replace(" ", "_")
+    segments = line.elements or SEGMENTS
+    return LineRow(number, name, points[line.a], points[line.b], float(line.length), segments, "p")
+
+
+def _type_row(kind):
+    if kind.mass is None or kind.diameter is None:
+        raise FormatError(f"line type {kind.name!r} has no mass or no diameter, which MoorDyn needs; give both")
+    if not np.isfinite(kind.axial_stiffness):
+        raise FormatError(f"line type {kind.name!r} is inextensible, and a MoorDyn file needs EA; give it")
+    felt = kind.dynamics or LineDynamics()
+    texts = (repr(float(value)) for value in (kind.axial_stiffness, felt.damping, felt.bending_stiffness))
+    coefficients = felt.drag_normal, felt.added_mass_normal, felt.drag_tangential, felt.added_mass_tangential
+    return LineTypeRow(
+        kind.name.replace(" ", "_"), float(kind.diameter), float(kind.mass), *texts, *map(float, coefficients)
+    )
+
+
+def _body_row(body, number):
+    x, y, z = map(float, body.position[:3])
+    angles = map(float, np.degrees(body.position[3:]))
+    return BodyRow(number, "Coupled", x, y, z, *angles, 0.0, "0", "0", 0.0, "0", "0")
+
+
+def _point_row(point, points, bodies):
+    place = tuple(map(float, point.position))
+    if isinstance(point, FreePoint):
+        return PointRow(
+            points[point.name],
+            "Free",
+            *place,
+            *map(float, (point.mass, point.volume, point.drag_area, point.added_mass)),
+        )
+    kind = f"Body{bodies[point.body]}" if isinstance(point, Fairlead) else "Fixed"
+    return PointRow(points[point.name], kind, *place)
+
+
+def renamed(system: System) -> System:
+    """The system with the names a MoorDyn file gives: numbers for points and lines, "body n" for bodies."""
+    points = {point.name: str(i) for i, point in enumerate(system.points, 1)}
+    bodies = {body.name: f"body {i}" for i, body in enumerate(system.bodies, 1)}
+    lines = [replace(x, name=str(i), a=points[x.a], b=points[x.b]) for i, x in enumerate(system.lines, 1)]
+    renamed_points = [
+        replace(p, name=points[p.name], **({"body": bodies[p.body]} if isinstance(p, Fairlead) else {}))
+        for p in system.points
+    ]
+    renamed_bodies = tuple(replace(body, name=bodies[body.name]) for body in system.bodies)
+    return replace(system, lines=tuple(lines), points=tuple(renamed_points), bodies=renamed_bodies)

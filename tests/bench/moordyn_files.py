@@ -1,0 +1,147 @@
+"""Every MoorDyn file below a folder: read, brought to rest, written, read again; with a peer run in MoorDyn too.
+
+python tests/bench/moordyn_files.py FOLDER [--peer PYTHON] [--refine N]
+
+A row a file: read or refused (why), what is left out, the largest tension at rest, the largest change of a force
+after writing and reading again, and of MoorDyn's tensions at both ends of every line at rest, over the largest
+tension of the system.  With --peer the bodies are held where they are given, as a written file has them; files are
+written with the settings of relaxation below, whatever the file had, and at least N segments a line.
+PYTHON is one that has moordyn (2.7.2).
+"""
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import warnings
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from mooring.formats.moordyn import read_moordyn, write_moordyn
+from mooring.formats.moordyn_system import system_of_moordyn
+from mooring.formats.moordyn_writing import moordyn_of_system
+from mooring.lines.system.equilibrium import held_at, rest
+
+HEADING = re.compile(r"^\s*-{3}.*(LINE TYPES|LINE DICTIONARY|LINES|RODS)\b", re.IGNORECASE | re.MULTILINE)
+RELAXATION = {"dtIC": "2.0", "TmaxIC": "600", "CdScaleIC": "4", "threshIC": "1e-6", "ICgenDynamic": "1"}
+PEER = """
+import json, sys, moordyn
+system = moordyn.Create(sys.argv[1])
+moordyn.Init(system, json.loads(sys.argv[2]), [0.0] * len(json.loads(sys.argv[2])))
+lines = [moordyn.GetLine(system, i + 1) for i in range(moordyn.GetNumberLines(system))]
+ends = [[moordyn.GetLineNodeTen(l, i) for i in (0, moordyn.GetLineN(l))] for l in lines]
+ends = [[sum(x * x for x in end) ** 0.5 for end in pair] for pair in ends]
+print("\\n" + json.dumps(ends))
+"""
+
+
+def files(folder):
+    """MoorDyn inputs by their headings, MAP's left aside."""
+    for path in sorted(Path(folder).rglob("*")):
+        if path.suffix.lower() in (".txt", ".dat", ".inp") and path.is_file():
+            text = path.read_text("utf-8", errors="replace")
+            if HEADING.search(text) and "MAP" not in path.stem and not path.stem.endswith("_out"):
+                yield path
+
+
+def read(path):
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        file = read_moordyn(path)
+        system = system_of_moordyn(file, path)
+    return file, system, [str(one.message).removeprefix(f"{path}: ") for one in said]
+
+
+def at_rest(system):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return rest(system)
+
+
+def written_again(file, system, folder):
+    """The largest change of a force at the given pose after writing and reading, over the largest."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        path = Path(folder) / "again.txt"
+        write_moordyn(moordyn_of_system(system, file), path)
+        again = system_of_moordyn(read_moordyn(path), path)
+    before, after = system.load().rows[:, 1:5], again.load().rows[:, 1:5]
+    for a, b in zip(system.lines, again.lines, strict=True):
+        assert replace(a.type, name="", source="") == replace(b.type, name="", source="")
+        assert (a.length, b.elements) == (b.length, a.elements or b.elements)
+    return float(np.abs(after - before).max() / np.abs(before).max())
+
+
+def against_peer(python, file, system, folder, refine):
+    """The largest difference of MoorDyn's tension at an end of a line, over the largest tension."""
+    held = held_at(system, {body.name: body.position for body in system.bodies})
+    held = replace(held, lines=tuple(replace(x, elements=max(x.elements or 20, refine)) for x in held.lines))
+    source = replace(file, options={**file.options, **RELAXATION})
+    path = Path(folder) / "peer.txt"
+    write_moordyn(moordyn_of_system(held, source), path)
+    places = [float(x) for body in held.bodies for x in body.position]
+    done = subprocess.run(
+        [python, "-c", PEER, str(path), json.dumps(places)], capture_output=True, text=True, cwd=folder, timeout=900
+    )
+    if done.returncode:
+        return (done.stderr.strip().splitlines() or ["crashed"])[-1][:60]
+    theirs = np.array(json.loads(done.stdout.strip().splitlines()[-1]))
+    state = at_rest(held)
+    ours = np.column_stack([state.lines.tension_a, state.lines.tension_b])
+    return float(np.abs(theirs - ours).max() / ours.max())
+
+
+def row(path, peer, refine, folder):
+    try:
+        file, system, said = read(path)
+    except (ValueError, OSError) as error:
+        return dict(read=False, why=str(error).removeprefix(str(path)), said=[])
+    found = dict(read=True, said=said)
+    try:
+        found["tension"] = at_rest(system).tension.max()
+    except ValueError as error:
+        found["why"] = str(error)
+        return found
+    try:
+        found["again"] = written_again(file, system, folder)
+        if peer:
+            found["peer"] = against_peer(peer, file, system, folder, refine)
+    except (ValueError, subprocess.TimeoutExpired) as error:
+        found["why"] = str(error)[:150]
+    return found
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("folder", type=Path)
+    arguments.add_argument("--peer")
+    arguments.add_argument("--refine", type=int, default=0)
+    given = arguments.parse_args()
+    found = []
+    with tempfile.TemporaryDirectory() as folder:
+        for path in files(given.folder):
+            one = row(path, given.peer, given.refine, folder)
+            found.append(one)
+            state = "read" if one["read"] else "REFUSED"
+            numbers = f"{one['tension'] / 1e3:10.4g} kN  again {one['again']:.1e}" if "again" in one else ""
+            print(f"{path.relative_to(given.folder)}: {state} {numbers} {one.get('why', '')}", end=" ")
+            print(f"peer {one['peer']:.2e}" if isinstance(one.get("peer"), float) else one.get("peer", ""))
+            for text in one["said"]:
+                print(f"    left out or assumed: {text}")
+            sys.stdout.flush()
+    count = {
+        "files": len(found),
+        "read": sum(one["read"] for one in found),
+        "at rest": sum("tension" in one for one in found),
+        "written and read again within 1e-9": sum(one.get("again", 1) <= 1e-9 for one in found),
+        "MoorDyn within 0.5 %": sum(isinstance(p := one.get("peer"), float) and p <= 5e-3 for one in found),
+    }
+    print(", ".join(f"{name}: {value}" for name, value in count.items()))
+
+
+if __name__ == "__main__":
+    main()
