@@ -9,9 +9,10 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Bed:
-    """Straight facets between points, the last one going on for ever; Coulomb friction.
+    """Straight facets between the vertices `points`, the last one without end; Coulomb friction.
 
     points : (k, 2) m, x from the anchor towards the fairlead, rising strictly, and z; the anchor lies on the first
+        (given points are shifted so that it is at (0, 0))
     friction : ≥ 0
     """
 
@@ -38,7 +39,7 @@ class Bed:
 
     @classmethod
     def under(cls, x, y, z, anchor, fairlead, friction=0.0):
-        """The section of a gridded bed under a line, with a point wherever the line crosses a line of the grid.
+        """The section of a gridded bed under a line, with a vertex wherever the line crosses a line of the grid.
 
         x : (n,), y : (m,) rising, m; z : (n, m) m, bilinear in between; anchor, fairlead : (x, y) m
         The section ends at the edge of the grid beyond the fairlead; it has to contain both ends.
@@ -68,7 +69,7 @@ class Bed:
         return cls(np.column_stack([d, _bilinear(x, y, z, at)])[inside], friction)
 
     def depth_below(self, x, z):
-        """Height of points above the bed, m."""
+        """Height of points (x, z) above the bed, m; negative under it."""
         px, pz = self.points.T
         last = (pz[-1] - pz[-2]) / (px[-1] - px[-2])
         return z - np.where(x > px[-1], pz[-1] + last * (x - px[-1]), np.interp(x, px, pz))

@@ -1,9 +1,10 @@
-"""Kernels that write the equations of a walk with their exact derivatives.
+"""Kernels for the residuals of a line's equilibrium, and their exact derivatives.
 
-The steps found by `walk` fix which equations hold: a span ends on a facet, at a knuckle or at the anchor, a floating
-buoy lies in the surface, and the anchor is reached with no length left over.  The unknowns are H and V at the fairlead,
-the places, angles and pressures with which spans begin, s at knuckles, and the weights of floating buoys, in this
-order; two more columns of the derivatives belong to x and z of the fairlead.
+The contacts with the bed, found by `traverse` as a list of steps, fix which equations hold: a span ends on a facet, at
+a bed vertex or at the anchor, a floating buoy lies in the surface, and the anchor is reached with no length left over.
+The unknowns are, in this order, H and V at the fairlead, the place, angle or normal force with which each span begins,
+s at bed vertices, and the weights of floating buoys; the last two columns of the derivatives are those by x and z of
+the fairlead.
 """
 
 from __future__ import annotations
@@ -15,9 +16,8 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .crawl import crawl, land, put_on_facet, rest_sinker
-from .free_span import free_knot, free_step
-from .friction import leave, pin, turn_knuckle
+from .free_span import free_step, free_table_row
+from .friction import bend_at_vertex, leave_bed, place_on_vertex
 from .line_data import (
     DERIVATIVE_ROWS,
     EMERGED,
@@ -35,13 +35,15 @@ from .line_data import (
     next_stop,
     record,
 )
-from .touch import HALT, LIFT, SINKER, SPRING, TO_ANCHOR, TO_FACET, TO_KNUCKLE, TURN
+from .on_bed import march_on_facet, pass_grounded_sinker, put_on_facet, touch_down
+from .touchdown import BEND, OFF_FACET, OFF_SINKER, OFF_VERTEX, TO_ANCHOR, TO_FACET, TO_SINKER, TO_VERTEX
 
 
 class Equations(NamedTuple):
-    """Room for n equations: u (n,) unknowns, r (n,) residuals, J (n, n+2) derivatives, states of the point loads.
+    """n equations: u (n,) unknowns, r (n,) residuals, J (n, n+2) derivatives, states of the point loads.
 
     done : equations written, next unknown of a step, next unknown of a floating buoy
+    q, g, at : state of the traversal, see `line_data`
     """
 
     u: np.ndarray
@@ -55,15 +57,15 @@ class Equations(NamedTuple):
 
 
 @kernel()
-def room_for(n, states):
+def empty_equations(n, states):
     done, at = np.zeros(3, np.int64), np.zeros(3, np.int64)
     q, g = np.zeros(STATE_ROWS), np.zeros((DERIVATIVE_ROWS, n + 2))
     return Equations(np.zeros(n), np.zeros(n), np.zeros((n, n + 2)), states, done, q, g, at)
 
 
 @kernel()
-def write(e, value, a, i, b, j):
-    """Write an equation: value = 0 with the derivatives a g[i] + b g[j]."""
+def write_equation(e, value, a, i, b, j):
+    """Append the equation value = 0 with the derivatives a g[i] + b g[j]."""
     row = e.done[0]
     e.r[row] = value
     for k in range(e.g.shape[1]):
@@ -72,18 +74,18 @@ def write(e, value, a, i, b, j):
 
 
 @kernel()
-def take(e):
-    """The next unknown of a step."""
+def next_unknown(e):
+    """Index of the next unknown of a step."""
     e.done[1] += 1
     return e.done[1] - 1
 
 
 @kernel()
 def pass_load(line, e):
-    """Hang a point load on a free span; a floating buoy brings an unknown and the equation of the surface."""
+    """Pass a point load on a free span; a floating buoy adds its weight as an unknown and the equation z = surface."""
     load = e.at[1]
     if e.states[load] == FLOATING:
-        write(e, e.q[Z] - line.surface, 1.0, Z, 0.0, Z)
+        write_equation(e, e.q[Z] - line.surface, 1.0, Z, 0.0, Z)
         e.q[V] -= e.u[e.done[2]]
         e.g[V, e.done[2]] -= 1.0
         e.done[2] += 1
@@ -93,11 +95,11 @@ def pass_load(line, e):
 
 
 @kernel()
-def span(line, e, facet, load, target, unknown, rows):
-    """Go down a free span: to s = target, or, where that is nan, until it is parallel to a facet.
+def march_span(line, e, facet, load, target, unknown, rows):
+    """Integrate down a free span to s = target, or, where that is nan, until it is parallel to a facet.
 
-    load : the point load that is next when that happens, or that makes it happen, if it is a sinker
-    unknown : which unknown the target is, below 0 for none
+    load : index of the next point load there, or of the sinker at which the slope passes that of the facet
+    unknown : index of the unknown that the target is, below 0 for none
     """
     q, g, at = e.q, e.g, e.at
     to_facet = math.isnan(target)
@@ -107,7 +109,7 @@ def span(line, e, facet, load, target, unknown, rows):
         g[END, unknown] = 1.0
     for _ in range(10_000):
         weight = line.segments[at[0], 1]
-        row, ds = free_knot(line, q, at[0])
+        row, ds = free_table_row(line, q, at[0])
         stop, is_load = next_stop(line, at)
         to_stop = q[S] - stop <= ds
         if to_stop:
@@ -124,8 +126,8 @@ def span(line, e, facet, load, target, unknown, rows):
             mix(g, LENGTH, 1.0 if to_stop else 0.0, S, 0.0, S)
         if ends:
             ds = last
-        record(rows, at, q, ds, 0.0, weight, row, 0.0, False, line.knots)
-        free_step(q, g, ds, weight, line.knots[row, 1], line.knots[row, 2])
+        record(rows, at, q, ds, 0.0, weight, row, 0.0, False, line.strain_table)
+        free_step(q, g, ds, weight, line.strain_table[row, 1], line.strain_table[row, 2])
         if ends:
             return
         if to_stop:
@@ -140,58 +142,58 @@ def span(line, e, facet, load, target, unknown, rows):
 
 @kernel()
 def span_step(line, e, step, index, load, next_step, rows):
-    """A span and the equations of its end."""
+    """A free span and the equations of its end."""
     q, g = e.q, e.g
     target, unknown = math.nan, NOTHING
-    if step == TO_KNUCKLE:
-        unknown = take(e)
+    if step == TO_VERTEX:
+        unknown = next_unknown(e)
         target = e.u[unknown]
     elif step == TO_ANCHOR:
         target = 0.0
-    span(line, e, index, load, target, unknown, rows)
+    march_span(line, e, index, load, target, unknown, rows)
     if step == TO_FACET:
         tan = math.tan(line.bed[index, 2])
-        write(e, q[Z] - line.bed[index, 1] - (q[X] - line.bed[index, 0]) * tan, 1.0, Z, -tan, X)
-        if next_step == SINKER:
+        write_equation(e, q[Z] - line.bed[index, 1] - (q[X] - line.bed[index, 0]) * tan, 1.0, Z, -tan, X)
+        if next_step == OFF_SINKER:
             put_on_facet(line, q, g, index)
         else:
-            land(line, q, g, e.at, index)
+            touch_down(line, q, g, e.at, index)
         return
-    write(e, q[X] - line.bed[index, 0], 1.0, X, 0.0, X)
-    write(e, q[Z] - line.bed[index, 1], 1.0, Z, 0.0, Z)
-    pin(line, q, g, index)
+    write_equation(e, q[X] - line.bed[index, 0], 1.0, X, 0.0, X)
+    write_equation(e, q[Z] - line.bed[index, 1], 1.0, Z, 0.0, Z)
+    place_on_vertex(line, q, g, index)
 
 
 @kernel()
-def bed_step_of_walk(line, e, step, index, load, rows):
+def step_on_bed(line, e, step, index, load, rows):
     """A step that starts on the bed."""
     q, g = e.q, e.g
-    amount, unknown, halt = math.inf, NOTHING, NOTHING
-    if step == LIFT or step == SPRING or step == SINKER:  # noqa: SIM109
-        unknown = take(e)
+    amount, unknown, last_load = math.inf, NOTHING, NOTHING
+    if step == OFF_FACET or step == OFF_VERTEX or step == OFF_SINKER:  # noqa: SIM109
+        unknown = next_unknown(e)
         amount = e.u[unknown]
-    if step == SINKER:
-        rest_sinker(line, q, g, e.at, index, amount, unknown)
+    if step == OFF_SINKER:
+        pass_grounded_sinker(line, q, g, e.at, index, amount, unknown)
         return
-    if step == TURN or step == SPRING:  # noqa: SIM109
-        if step == TURN:
+    if step == BEND or step == OFF_VERTEX:  # noqa: SIM109
+        if step == BEND:
             amount = line.bed[index - 1, 2]
-        turn_knuckle(line, q, g, amount, unknown)
+        bend_at_vertex(line, q, g, amount, unknown)
     else:
-        if step == HALT:
-            halt = load
-        crawl(line, q, g, e.at, index, amount, unknown, halt, rows)
-        if step != LIFT and step != HALT:
+        if step == TO_SINKER:
+            last_load = load
+        march_on_facet(line, q, g, e.at, index, amount, unknown, last_load, rows)
+        if step != OFF_FACET and step != TO_SINKER:
             q[X], q[Z] = line.bed[index, 0], line.bed[index, 1]
             mix(g, X, 0.0, X, 0.0, X)
             mix(g, Z, 0.0, Z, 0.0, Z)
-    if step == LIFT or step == SPRING or step == HALT:  # noqa: SIM109
-        leave(line, q, g)
+    if step == OFF_FACET or step == OFF_VERTEX or step == TO_SINKER:  # noqa: SIM109
+        leave_bed(line, q, g)
 
 
 @kernel()
 def start_equations(line, e, x, z):
-    """Stand at the fairlead."""
+    """Set the state to that at the fairlead."""
     q, g, n = e.q, e.g, e.u.size
     for i in range(g.shape[0]):
         mix(g, i, 0.0, i, 0.0, i)
@@ -206,9 +208,9 @@ def start_equations(line, e, x, z):
 
 @kernel()
 def equations(line, e, x, z, steps, slack, rows):
-    """Residuals of the steps (k, 3) of a walk from (x, z), and their derivatives; the state stands at the anchor.
+    """Residuals of the steps (k, 3) with the fairlead at (x, z), and their derivatives; state left at the anchor.
 
-    slack : whether H, at its least, replaces the last equation; rows : room for the pieces, see `record`
+    slack : whether H at its lower limit replaces the last equation; rows : pieces are stored there, see `record`
     """
     start_equations(line, e, x, z)
     last = steps.shape[0] - 1
@@ -217,12 +219,12 @@ def equations(line, e, x, z, steps, slack, rows):
         if step <= TO_ANCHOR:
             span_step(line, e, step, index, load, steps[min(i + 1, last), 0], rows)
         else:
-            bed_step_of_walk(line, e, step, index, load, rows)
+            step_on_bed(line, e, step, index, load, rows)
     if steps[last, 0] > TO_ANCHOR:
-        write(e, e.q[S], 1.0, S, 0.0, S)
+        write_equation(e, e.q[S], 1.0, S, 0.0, S)
         if slack:
             row = e.u.size - 1
             e.r[row] = 0.0
             for k in range(e.J.shape[1]):
                 e.J[row, k] = 1.0 if k == 0 else 0.0
-        leave(line, e.q, e.g)
+        leave_bed(line, e.q, e.g)

@@ -1,4 +1,4 @@
-"""Kernels for a free piece of line in closed form, and the point loads that hang on it.
+"""Kernels for a free piece of line in closed form, and the weight of point loads on it.
 
 SR179 report (1982), section 3.1.1, integrated, with the strain λ − 1 + T/EA of one row of the tension table:
 
@@ -11,12 +11,12 @@ import math
 
 from bem.kernels.jit import kernel
 
-from .line_data import EMERGED, FLOATING, LENGTH, SUBMERGED, H, S, V, X, Z, strain_piece
+from .line_data import EMERGED, FLOATING, LENGTH, SUBMERGED, H, S, V, X, Z, strain_row
 
 
 @kernel()
 def free_step(q, g, ds, weight, factor, flexibility):
-    """Go down a free piece of length ds; its derivatives stand in g[LENGTH]."""
+    """Advance the state down a free piece of length ds, whose derivatives are g[LENGTH]."""
     h, v = q[H], q[V]
     low = v - weight * ds
     upper, lower = math.hypot(h, v), math.hypot(h, low)
@@ -48,25 +48,25 @@ def free_step(q, g, ds, weight, factor, flexibility):
 
 
 @kernel()
-def free_knot(line, q, segment):
-    """Row of the tension table of a free piece, and the length until it changes."""
-    first, last = line.first_knot[segment], line.first_knot[segment + 1] - 1
+def free_table_row(line, q, segment):
+    """Row of the tension table that holds for a free piece here, and the length for which it holds."""
+    first, last = line.first_row[segment], line.first_row[segment + 1] - 1
     if first == last:
         return first, math.inf
     h, v = q[H], q[V]
-    row = strain_piece(line, segment, math.hypot(h, v), v > 0)
-    if v > 0 and line.knots[row, 0] > h:
-        end = math.sqrt(line.knots[row, 0] ** 2 - h * h)
+    row = strain_row(line, segment, math.hypot(h, v), v > 0)
+    if v > 0 and line.strain_table[row, 0] > h:
+        end = math.sqrt(line.strain_table[row, 0] ** 2 - h * h)
         return row, max(v - end, 0.0) / line.segments[segment, 1]
-    if row == last or line.knots[row + 1, 0] <= h:
+    if row == last or line.strain_table[row + 1, 0] <= h:
         return row, math.inf
-    end = -math.sqrt(line.knots[row + 1, 0] ** 2 - h * h)
+    end = -math.sqrt(line.strain_table[row + 1, 0] ** 2 - h * h)
     return row, max(v - end, 0.0) / line.segments[segment, 1]
 
 
 @kernel()
-def soft_weight(line, load, z):
-    """Weight of a point load at the height z, a buoy losing its lift over a small height; and its state."""
+def smoothed_weight(line, load, z):
+    """Weight (N) and state of a point load at z; a buoy loses its lift linearly over the height `line.soft`."""
     wet, dry = line.loads[load, 1], line.loads[load, 2]
     if wet >= 0 or z <= line.surface - line.soft:
         return wet, SUBMERGED
@@ -84,7 +84,7 @@ def length_to(q, x, weight, factor, flexibility):
     target = (q[X] - x) * weight / h
     pull = flexibility * h
     u = start - target / (factor + pull * math.cosh(start)) if abs(start) < 300 else start - target / factor
-    # a span that rises to e^100 times H before it gets to x stops short of it: it clears the bed by far
+    # a span whose tension rises to e^100 H before it gets to x ends short of x; it is far above the bed
     low, high = max(start - target / factor, min(start, 0.0) - 100.0), start
     u = min(max(u, low), high)
     rise = 0.0

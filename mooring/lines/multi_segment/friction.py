@@ -1,8 +1,8 @@
 """Kernels for the tension of a line on the bed.
 
-On a facet of slope β, going down: T₋ = T − w (sin β ± μ cos β) Δs; plus where the line is being pulled towards the
-fairlead, minus where it gives way, and neither where the tension it was left with lies between the two.
-Over a knuckle T changes by exp(∓μ × turning), the limit of the same law on a rounded bed.
+On a facet of slope β, going down: T₋ = T − w (sin β ± μ cos β) Δs; plus where the line slides towards the fairlead,
+minus where it slides towards the anchor, and the tension kept from the position before where that lies between the two.
+At a bed vertex T changes by exp(∓μ Δβ), the capstan equation, limit of the same law on a rounded bed.
 SR179 report (1982), section 3.1.1, eq. 3.1.6.
 """
 
@@ -17,15 +17,16 @@ from .line_data import HIGH, LENGTH, LOW, PHI, H, S, T, V, X, Z, mix
 
 @kernel()
 def kept_tension(line, s):
-    """Tension left at s by an earlier position, its slope dT/ds, and the s down to which that holds.
+    """Tension at s kept from the position before, its slope dT/ds, and the s down to which that holds.
 
-    Without history the tension was as low as can be; where the line was off the bed it lands giving way.
+    Without history it is −∞: the line slides towards the fairlead.  Where the line was off the bed it is +∞: it slides
+    towards the anchor.
     """
-    if line.left.shape[0] == 0:
+    if line.kept.shape[0] == 0:
         return -math.inf, 0.0, -math.inf
     slack = 1e-12 * line.length
-    for j in range(line.left.shape[0]):
-        s0, s1, t0, t1 = line.left[j, 0], line.left[j, 1], line.left[j, 2], line.left[j, 3]
+    for j in range(line.kept.shape[0]):
+        s0, s1, t0, t1 = line.kept[j, 0], line.kept[j, 1], line.kept[j, 2], line.kept[j, 3]
         if s > s1 + slack:
             return math.inf, 0.0, s1
         if s > s0 + slack:
@@ -35,8 +36,8 @@ def kept_tension(line, s):
 
 
 @kernel()
-def held(line, q, g, low, high):
-    """Tension below a concentrated reaction: the one left there, kept between low and high, derivatives in g."""
+def kept_within(line, q, g, low, high):
+    """Tension below a concentrated friction force: the kept one, limited to low … high, whose derivatives are in g."""
     kept, slope, _ = kept_tension(line, q[S] - 1e-9 * line.length)
     if low <= kept <= high:
         q[T] = kept
@@ -47,30 +48,30 @@ def held(line, q, g, low, high):
 
 
 @kernel()
-def drop_load(line, q, g, angle, weight):
-    """Pass a weight that rests on the bed; its derivatives stand in g[LENGTH]."""
+def pass_weight_on_bed(line, q, g, angle, weight):
+    """Pass a weight (N) on the bed, whose derivatives are g[LENGTH]."""
     along, across = math.sin(angle), line.friction * math.cos(angle)
     pull, give = along + across, along - across
     mix(g, LOW, 1.0, T, -pull, LENGTH)
     mix(g, HIGH, 1.0, T, -give, LENGTH)
-    held(line, q, g, q[T] - pull * weight, q[T] - give * weight)
+    kept_within(line, q, g, q[T] - pull * weight, q[T] - give * weight)
 
 
 @kernel()
-def turn_knuckle(line, q, g, angle, unknown):
-    """Pass a knuckle from the angle φ to `angle`, which is the given unknown or, below 0, none.
+def bend_at_vertex(line, q, g, angle, unknown):
+    """Pass a bed vertex: the line bends from the angle φ to `angle`; the tension may change by exp(∓μ Δβ).
 
-    The tension may change by exp(∓μ × turning).
+    unknown : index of the unknown that `angle` is, below 0 for none
     """
     if line.friction > 0:
-        grip = math.exp(-line.friction * (angle - q[PHI]))
+        capstan = math.exp(-line.friction * (angle - q[PHI]))
         slope = q[T] * line.friction
-        mix(g, LOW, grip, T, grip * slope, PHI)
-        mix(g, HIGH, 1 / grip, T, -slope / grip, PHI)
+        mix(g, LOW, capstan, T, capstan * slope, PHI)
+        mix(g, HIGH, 1 / capstan, T, -slope / capstan, PHI)
         if unknown >= 0:
-            g[LOW, unknown] -= grip * slope
-            g[HIGH, unknown] += slope / grip
-        held(line, q, g, grip * q[T], q[T] / grip)
+            g[LOW, unknown] -= capstan * slope
+            g[HIGH, unknown] += slope / capstan
+        kept_within(line, q, g, capstan * q[T], q[T] / capstan)
     q[PHI] = angle
     mix(g, PHI, 0.0, T, 0.0, T)
     if unknown >= 0:
@@ -79,23 +80,23 @@ def turn_knuckle(line, q, g, angle, unknown):
 
 @kernel()
 def friction_rate(line, q, weight, angle):
-    """dT/ds on the bed, the length for which it holds, and the tension met at its end (nan: no meeting)."""
+    """dT/ds on the bed, the length for which it holds, and the kept tension reached at its end (nan: not reached)."""
     along, across = weight * math.sin(angle), weight * line.friction * math.cos(angle)
     kept, slope, until = kept_tension(line, q[S])
-    room = q[S] - until
+    available = q[S] - until
     t = q[T]
     if abs(t - kept) <= 1e-13 * (abs(t) + weight * line.length):
-        return slope, room, math.nan
+        return slope, available, math.nan
     rate = along + across if t > kept else along - across
     closing = (t - kept) / (rate - slope) if math.isfinite(kept) else math.inf
-    if 0 < closing < room:
+    if 0 < closing < available:
         return rate, closing, kept - slope * closing
-    return rate, room, math.nan
+    return rate, available, math.nan
 
 
 @kernel()
 def bed_step(q, g, ds, rate, factor, flexibility, angle):
-    """Go down a piece on the bed of length ds; its derivatives stand in g[LENGTH]."""
+    """Advance the state down a piece on the bed of length ds, whose derivatives are g[LENGTH]."""
     t = q[T]
     moved = ds * (factor + flexibility * (t - 0.5 * rate * ds))
     cos, sin = math.cos(angle), math.sin(angle)
@@ -113,8 +114,11 @@ def bed_step(q, g, ds, rate, factor, flexibility, angle):
 
 
 @kernel()
-def leave(line, q, g):
-    """Leave the bed with tension T at the angle φ; T is kept above 0, for spans that stand plumb on a buoy."""
+def leave_bed(line, q, g):
+    """H and V from the tension T and the angle φ, where the line leaves the bed.
+
+    T is at least `line.least`, for spans that hang vertically from a buoy.
+    """
     if q[T] < line.least:
         q[T] = line.least
         mix(g, T, 0.0, T, 0.0, T)
@@ -125,8 +129,8 @@ def leave(line, q, g):
 
 
 @kernel()
-def pin(line, q, g, vertex):
-    """Put the line on a point of the bed; T and φ from H and V."""
+def place_on_vertex(line, q, g, vertex):
+    """Put the line on a bed vertex; T and φ from H and V."""
     q[X], q[Z] = line.bed[vertex, 0], line.bed[vertex, 1]
     mix(g, X, 0.0, H, 0.0, H)
     mix(g, Z, 0.0, H, 0.0, H)

@@ -1,10 +1,11 @@
 """Static lines of any number of segments and point loads over an uneven bed with friction, below a sea surface.
 
 Free spans are elastic catenaries in closed form (`equations.span`), the line on a facet of the bed in closed form
-too (`friction`).  Which parts touch follows from one walk down the line for a given tension (`walk`),
-positions and forces from Newton's method on the equations of that walk (`equations`).
+too (`friction`).  For a given horizontal tension one integration from the fairlead
+down to the anchor (`traverse`) finds the contacts with the bed; Newton's method on the equations of equilibrium with
+these contacts (`equations`, `newton`) gives positions and forces.
 SR179 report (1982), section 3.1, with these differences: no nodes and no finite differences; on a slope only T is
-propagated; friction acts at knuckles too, and only as far as it is needed.
+propagated; friction acts at bed vertices too, and only as far as equilibrium needs it.
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
 and down with V.  Bending, current on the line and the weight of the line above water are neglected.
@@ -25,7 +26,7 @@ from .solution import LineState, StaticSolution
 __all__ = ["Bed", "LineState", "PointLoad", "Segment", "StaticLine", "StaticSolution"]
 
 FLAT = Bed.sloping()
-LEAST = 1e-11  # of the line's weight: the pull below which a line is called slack
+LEAST = 1e-11  # of the line's weight: horizontal tension below which a line is called slack
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
 
@@ -34,7 +35,7 @@ SOFT = 1e-7  # of the line length: height over which a buoy emerges while its st
 class StaticLine:
     """A line from its anchor to its fairlead.
 
-    segments : from the anchor up; loads : point loads; bed : Bed, or None for a line that touches nothing
+    segments : from the anchor up; loads : point loads; bed : Bed, or None for a line without one
     surface : m above the anchor; buoys do not rise above it but come out of the water; inf without
     uplift_limit : rad, allowed angle of the pull on the anchor above the bed; see `StaticSolution.anchor_uplift`
     """
@@ -86,12 +87,12 @@ class StaticLine:
         """
         x, z = np.broadcast_arrays(np.asarray(x, float), np.asarray(z, float))
         self._check(x, z)
-        data = self._data if state is None else self._data._replace(left=np.ascontiguousarray(state.pieces, float))
+        data = self._data if state is None else self._data._replace(kept=np.ascontiguousarray(state.pieces, float))
         close = np.maximum(x.ravel(), 1e-9 * self.length)
         from .search import solve_positions
 
-        room = self._room(data)
-        found, status, pieces, loads = solve_positions(data, close, np.ascontiguousarray(z.ravel()), self.weight, room)
+        heights, capacity = np.ascontiguousarray(z.ravel()), self._capacity(data)
+        found, status, pieces, loads = solve_positions(data, close, heights, self.weight, capacity)
         self._judge(x, z, found, status)
         return self._solution(x, z, found, status, loads, pieces)
 
@@ -148,13 +149,13 @@ class StaticLine:
                 f"z = {z.flat[i]:.6g} m {what}: {self!r}"
             )
 
-    def _room(self, data):
-        parts = len(data.segments) + len(data.loads) + len(data.left) + len(data.knots)
+    def _capacity(self, data):
+        parts = len(data.segments) + len(data.loads) + len(data.kept) + len(data.strain_table)
         return 4 * parts + 8 * len(data.bed) + 32
 
     @cached_property
     def _data(self):
-        """The line as the kernels read it."""
+        """LineData of the kernels."""
         from .line_data import LineData
 
         tables = [segment.strain_table for segment in self.segments]

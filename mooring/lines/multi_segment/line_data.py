@@ -1,10 +1,10 @@
-"""What the kernels of a static line know of the line, and the rows of the state they carry down it.
+"""Input of the kernels of a static line, and the state that they integrate along it.
 
-A walk starts at the fairlead and goes down.  Its state q holds H, V (the pull of the line above on the line below,
-towards the fairlead and up), x, z, s (unstretched length from the anchor), T and the angle φ, the last two where the
-line touches the bed.  Row i of g holds the derivatives of q[i] with respect to as many unknowns as it has columns;
-the rows after those are room for the derivatives of a length, of its end, and of two limits of the tension.
-`at` holds the segment, the next point load below and the number of recorded pieces.
+The line is traversed from the fairlead downwards.  The state q holds H, V (components of the tension, the force of the
+line above on the line below, towards the fairlead and up), x, z, s (unstretched length from the anchor), T and the
+angle φ, the last two where the line lies on the bed.  Row i of g holds the derivatives of q[i], a column for each
+unknown; four further rows hold those of a length (LENGTH), of its end (END), and of two limits of the tension (LOW,
+HIGH).  `at` holds the segment, the next point load below and the number of recorded pieces.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ class LineData(NamedTuple):
     """A line, from the anchor up; lengths m, forces N.
 
     segments : (n, 2) s of the lower end, weight N/m; length : m
-    first_knot : (n+1,) rows of each segment in knots : (…, 3) tension from which a row holds, λ, 1/EA
+    first_row : (n+1,) where each segment begins in strain_table : (…, 3) tension from which a row holds, λ, 1/EA
     loads : (m, 3) s, weight under water, weight out of it
     lowest_buoy : index of the first load with negative weight, m if there is none
     surface : z of the sea; soft : height over which a buoy emerges while states are sought, m
     bed : (k, 4) x and z of the left ends of the facets, the first is the anchor; angle, rad; the smallest tangent of
-        a facet and those before it; no_bed : the anchor is all there is
-    friction : μ; least : the smallest pull of a free span, N
-    left : (j, 4) rows of s₀, s₁, T₀, T₁ left on the bed by an earlier position, downwards
+        a facet and those before it; no_bed : the line touches the anchor alone
+    friction : μ; least : lower limit of the tension of a free span, N
+    kept : (j, 4) rows of s₀, s₁, T₀, T₁ on the bed at the position before, downwards: the tension that friction keeps
     """
 
     segments: np.ndarray
     length: float
-    first_knot: np.ndarray
-    knots: np.ndarray
+    first_row: np.ndarray
+    strain_table: np.ndarray
     loads: np.ndarray
     lowest_buoy: int
     surface: float
@@ -48,7 +48,7 @@ class LineData(NamedTuple):
     no_bed: bool
     friction: float
     least: float
-    left: np.ndarray
+    kept: np.ndarray
 
 
 @kernel()
@@ -78,21 +78,21 @@ def next_stop(line, at):
 
 
 @kernel()
-def strain_piece(line, segment, tension, falling):
+def strain_row(line, segment, tension, falling):
     """Row of the tension table that holds just below (falling) or just above `tension`."""
-    row = line.first_knot[segment]
+    row = line.first_row[segment]
     tension *= 1 - 1e-12 if falling else 1 + 1e-12
-    while row + 1 < line.first_knot[segment + 1] and line.knots[row + 1, 0] <= tension:
+    while row + 1 < line.first_row[segment + 1] and line.strain_table[row + 1, 0] <= tension:
         row += 1
     return row
 
 
 @kernel()
-def record(rows, at, q, ds, rate, weight, row, angle, on_bed, knots):
-    """Keep a piece: kind (0 free, 1 on the bed), s, ds, x, z, H or T, V or rate, w, λ, 1/EA, β."""
+def record(rows, at, q, ds, rate, weight, row, angle, on_bed, strain_table):
+    """Store a piece: kind (0 free, 1 on the bed), s, ds, x, z, H or T, V or rate, w, λ, 1/EA, β."""
     if at[2] < rows.shape[0]:
         piece = rows[at[2]]
         piece[0], piece[1], piece[2], piece[3], piece[4] = on_bed, q[S], ds, q[X], q[Z]
         piece[5], piece[6] = (q[T], rate) if on_bed else (q[H], q[V])
-        piece[7], piece[8], piece[9], piece[10] = weight, knots[row, 1], knots[row, 2], angle
+        piece[7], piece[8], piece[9], piece[10] = weight, strain_table[row, 1], strain_table[row, 2], angle
         at[2] += 1

@@ -1,6 +1,6 @@
-"""Kernels that solve the equations of a walk together, by Newton's method, at one position after another.
+"""Kernels that solve the equations of equilibrium of a line by Newton's method, at one position after another.
 
-The same derivatives with respect to the fairlead's position give the stiffness.
+The derivatives with respect to the fairlead's position give the stiffness.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .equations import equations, room_for
+from .equations import empty_equations, equations
 from .line_data import FLOATING, H, S, V
-from .walk import walk
+from .traverse import traverse
 
 
 @kernel()
@@ -55,7 +55,7 @@ def largest(r):
 
 @kernel()
 def newton_step(e, A):
-    """Solve for a step and the derivatives of u with respect to x and z: columns n, n+1, n+2 of A."""
+    """Newton step and derivatives of u by x and z into columns n, n+1, n+2 of A.  returns : see `solve_small`"""
     n = e.u.size
     for i in range(n):
         for k in range(n + 2):
@@ -65,8 +65,8 @@ def newton_step(e, A):
 
 
 @kernel()
-def shortened(line, e, old, A, size, x, z, steps, slack, rows):
-    """Go a step on, shortened until the residual falls.  returns : the residual; -1 where none falls, u as it was"""
+def damped_step(line, e, old, A, size, x, z, steps, slack, rows):
+    """Take a Newton step, halved until the residual falls.  returns : residual; −1, u unchanged, if it never falls"""
     n = e.u.size
     share = min(1.0, 0.7 * old[0] / A[0, n]) if A[0, n] > 0 else 1.0
     for trial in range(13):
@@ -81,7 +81,7 @@ def shortened(line, e, old, A, size, x, z, steps, slack, rows):
 
 
 @kernel()
-def polish(line, e, A, x, z, steps, slack, rows):
+def newton(line, e, A, x, z, steps, slack, rows):
     """Newton's method from e.u, which is overwritten; A : see `newton_step`.  returns : residual over the length"""
     old = np.empty(e.u.size)
     equations(line, e, x, z, steps, slack, rows)
@@ -93,7 +93,7 @@ def polish(line, e, A, x, z, steps, slack, rows):
             break
         for i in range(old.size):
             old[i] = e.u[i]
-        new = shortened(line, e, old, A, size, x, z, steps, slack, rows)
+        new = damped_step(line, e, old, A, size, x, z, steps, slack, rows)
         if new < 0:
             break
         settled = new == 0 or (size <= 1e-13 * line.length and new >= 0.5 * size)
@@ -103,7 +103,7 @@ def polish(line, e, A, x, z, steps, slack, rows):
 
 @kernel()
 def same_contacts(w, e, steps):
-    """Whether a walk touches what the equations say, within 1e-4 of the same starts."""
+    """Whether a traversal finds the contacts `steps`, and spans that begin within 1e-4 of what the equations say."""
     if w.count[0] != steps.shape[0]:
         return False
     for i in range(steps.shape[0]):
@@ -118,7 +118,7 @@ def same_contacts(w, e, steps):
 
 @kernel()
 def same_buoys(line, w, e):
-    """Whether a walk finds the buoys in the same states, and floating ones carry no more than they can."""
+    """Whether a traversal finds the buoys in the same states, and floating ones within their range of buoyancy."""
     floating = e.u.size
     for load in range(e.states.size):
         if w.states[load] != e.states[load]:
@@ -134,13 +134,13 @@ def same_buoys(line, w, e):
 
 @kernel()
 def confirmed(line, w, e, x, z, steps, slack):
-    """Whether a walk with the pull found ends at the anchor too, and starts as Newton's method says.
+    """Whether a traversal with the horizontal tension found ends at the anchor and begins with the same V.
 
-    The small height over which a buoy emerges in a walk may be felt in the length left over: then the contacts count.
+    The length left over may be off by the height `line.soft`, over which a buoy emerges there: then contacts decide.
     """
-    for i in range(w.near.size):
-        w.near[i] = e.u[i] if i < e.u.size else math.nan
-    left_over = walk(line, w, e.u[0], x, z)
+    for i in range(w.guesses.size):
+        w.guesses[i] = e.u[i] if i < e.u.size else math.nan
+    left_over = traverse(line, w, e.u[0], x, z)
     if not abs(w.unknowns[1] - e.u[1]) <= 1e-5 * (abs(e.u[1]) + e.u[0]):
         return False
     buoys = same_buoys(line, w, e)
@@ -150,19 +150,19 @@ def confirmed(line, w, e, x, z, steps, slack):
 
 
 @kernel()
-def equations_of(w):
-    """Room for the equations of a walk, with its unknowns and the weights of floating buoys."""
+def equations_for(w):
+    """Equations that begin from the unknowns of a traversal and its weights of floating buoys."""
     floating = 0
     for load in range(w.states.size):
         floating += 1 if w.states[load] == FLOATING else 0
-    e = room_for(w.count[1] + floating, w.states.copy())
+    e = empty_equations(w.count[1] + floating, w.states.copy())
     known = 0
     for i in range(w.count[1]):
         e.u[i] = w.unknowns[i]
         known += 1
     for load in range(w.states.size - 1, -1, -1):
         if w.states[load] == FLOATING:
-            e.u[known] = w.hung[load]
+            e.u[known] = w.load_weights[load]
             known += 1
     return e
 
@@ -179,19 +179,19 @@ def store(e, A, residual, result):
 
 
 @kernel()
-def follow(line, w, x, z, first, slack, rows, result):
-    """Solve positions from the given one on, for as long as the steps of the walk hold.
+def continuation(line, w, x, z, first, slack, rows, result):
+    """Solve positions from number `first` on, for as long as the contacts with the bed stay those recorded in w.
 
-    Each starts from the one before, moved on by its derivatives.  A position counts once a walk with its H confirms it.
+    Each begins from the one before, extrapolated by its derivatives, and is confirmed by a traversal with its H.
     rows : pieces of the last position solved; result : (n, 11) see `store`; w.states : left as they were
-    returns : the position at which the steps hold no longer
+    returns : number of the first position that was not solved
     """
-    e = equations_of(w)
+    e = equations_for(w)
     n = e.u.size
     A, steps = np.empty((n, n + 3)), w.steps[: w.count[0]].copy()
     i = first
     while i < x.size:
-        residual = polish(line, e, A, x[i], z[i], steps, slack, rows)
+        residual = newton(line, e, A, x[i], z[i], steps, slack, rows)
         if not (residual <= 1e-10 and e.u[0] > 0 and confirmed(line, w, e, x[i], z[i], steps, slack)):
             break
         store(e, A, residual, result[i])

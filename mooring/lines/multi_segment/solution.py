@@ -1,6 +1,6 @@
 """A solved static line: its forces, stiffness, grounded parts, profile, and the friction that it keeps.
 
-Coordinates and signs : `static`.
+Coordinates and signs : `mooring.lines.multi_segment.line`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class LineState(NamedTuple):
-    """What a line remembers: (k, 4) rows of s₀, s₁ (m from the anchor), T₀, T₁ (N) on the bed, downwards."""
+    """Tension that friction keeps on the bed: (k, 4) rows of s₀, s₁ (m from the anchor), T₀, T₁ (N), downwards."""
 
     pieces: np.ndarray
 
@@ -28,7 +28,7 @@ class StaticSolution:
     horizontal_fairlead, vertical_fairlead : N, pull on the fairlead towards the anchor and down
     horizontal_anchor, vertical_anchor : N, pull on the anchor towards the fairlead and up
     stiffness : (..., 2, 2) N/m, ∂(H, V at the fairlead)/∂(x, z)
-    slack : whether the line hangs plumb with its rest in a heap
+    slack : whether the line hangs vertically with its rest in a heap on the bed
     residual : largest error of an equation over the line length
     loads : states of the point loads, "submerged", "floating" or "emerged"; pieces : see `profile`; one position only
     """
@@ -86,7 +86,7 @@ class StaticSolution:
 
     @cached_property
     def state(self):
-        """LineState to give to the next `solve`: the friction the line keeps"""
+        """LineState for the next `solve`: the tension that friction keeps on the bed"""
         p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
         return LineState(_joined(np.column_stack([p[:, 1] - p[:, 2], p[:, 1], p[:, 5] - p[:, 6] * p[:, 2], p[:, 5]])))
 
@@ -108,7 +108,7 @@ class StaticSolution:
         return float(np.sum(np.diff(self.grounded, axis=1)))
 
     def profile(self, points=101):
-        """The line, drawn: (points, 4) of s from the anchor, x, z (m) and tension (N), joints of pieces not included.
+        """Points along the line: (points, 4) of s from the anchor, x, z (m) and tension (N), evenly spaced in s.
 
         Where the line is slack the heap on the bed is drawn stretched out towards the anchor.
         """
@@ -136,7 +136,7 @@ class StaticSolution:
 
 
 def _joined(pieces):
-    """Pieces whose tensions lie on one straight line made one, so that a long history stays short."""
+    """Neighbouring pieces on one straight line T(s) merged, so that a long history stays short."""
     joined = []
     for s0, s1, t0, t1 in pieces:
         if joined:

@@ -12,7 +12,7 @@ def span_of(solve, horizontal_tension, length, z):
 
     solve : x → StaticSolution; length : m, unstretched; z : m, height of the fairlead over the anchor
     The tension grows with the span: a step that leaves the bracket is halved into it.
-    raises : LineError where the line is too short for its height, or no span was found; what `solve` raises else
+    raises : LineError where the line is too short for its height, or no span was found; and what `solve` raises
     """
     if not (np.isfinite(horizontal_tension) and horizontal_tension > 0):
         raise ValueError(f"horizontal_tension is {horizontal_tension:g} N; allowed: finite, above 0")

@@ -46,7 +46,7 @@ def difference_stiffness(line, x, z, step):
 
 
 def test_one_segment_on_a_plane_is_the_uniform_line():
-    """Two solvers with nothing in common but the equations: a root in one variable, and a walk with Newton's method."""
+    """Two solvers with nothing in common but the equations: a root in one variable, and a system by Newton's method."""
     rng = np.random.default_rng(11)
     for _ in range(60):
         length, weight = 10 ** rng.uniform(0, 3, 2)

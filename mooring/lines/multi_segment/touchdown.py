@@ -1,7 +1,7 @@
-"""Kernels that find what a free span touches first.
+"""Kernels that find the first contact of a free span with the bed.
 
-A span hangs lower the steeper it starts, the later it leaves a facet and the harder its sinker presses on the bed, so
-the start at which it just touches something is a bracketed root.
+A span hangs lower the steeper it starts, the later it leaves a facet and the larger the normal force of its sinker on
+the bed, so the start at which it just touches a facet, a vertex or the anchor is a bracketed root.
 """
 
 from __future__ import annotations
@@ -12,20 +12,23 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .crawl import crawl, rest_sinker
-from .free_span import free_knot, free_step, length_to, soft_weight
-from .friction import leave, turn_knuckle
+from .free_span import free_step, free_table_row, length_to, smoothed_weight
+from .friction import bend_at_vertex, leave_bed
 from .line_data import NOTHING, H, S, V, X, Z, copy_state, next_stop
+from .on_bed import march_on_facet, pass_grounded_sinker
 
-# steps of a walk: a span to a facet, knuckle or the anchor; along a facet to its end, to a lift-off or to a sinker;
-# over a knuckle onto the next facet or into the air; the anchor reached on the bed; a sinker with a span below it
-NONE, TO_FACET, TO_KNUCKLE, TO_ANCHOR, ALONG, LIFT, TURN, SPRING, REST, SINKER, HALT = np.arange(11)
-FROM_FAIRLEAD, FROM_FACET, FROM_KNUCKLE, FROM_SINKER = np.arange(4)
+# steps of a traversal
+# TO_FACET, TO_VERTEX, TO_ANCHOR: a free span that ends there; ALONG: on a facet to its lower end; BEND: from a facet
+# over its lower vertex onto the next; OFF_FACET, OFF_VERTEX, OFF_SINKER: a free span begins inside a facet, at a
+# vertex, below a sinker on the bed; TO_SINKER: on a facet to a sinker; GROUNDED_ANCHOR: on the bed to the anchor
+NONE, TO_FACET, TO_VERTEX, TO_ANCHOR, ALONG, OFF_FACET = np.arange(6)
+BEND, OFF_VERTEX, GROUNDED_ANCHOR, OFF_SINKER, TO_SINKER = np.arange(6, 11)
+FROM_FAIRLEAD, FROM_FACET, FROM_VERTEX, FROM_SINKER = np.arange(4)
 
 
 @kernel()
 def clears(line, q, at, facet):
-    """Whether nothing further down can touch a line that is above `facet` now."""
+    """Whether the line, now above `facet`, cannot touch the bed further down."""
     if at[1] >= line.lowest_buoy:
         return False
     if line.no_bed:
@@ -35,14 +38,14 @@ def clears(line, q, at, facet):
 
 @kernel()
 def height_over(line, q, facet):
-    """Height of the line above a facet, across the facet."""
+    """Distance of the line from a facet, normal to it, m; negative under it."""
     angle = line.bed[facet, 2]
     return (q[Z] - line.bed[facet, 1]) * math.cos(angle) - (q[X] - line.bed[facet, 0]) * math.sin(angle)
 
 
 @kernel()
-def span_to_edge(q, g, weight, factor, flexibility, x, z):
-    """Go down a free span to the abscissa of a knuckle or the anchor; height above it, across the line."""
+def span_to_vertex(q, g, weight, factor, flexibility, x, z):
+    """Integrate down a free span to the x of a bed vertex or the anchor.  returns : distance normal to the line, m"""
     ds = length_to(q, x, weight, factor, flexibility)
     free_step(q, g, ds, weight, factor, flexibility)
     q[X] = x
@@ -50,35 +53,35 @@ def span_to_edge(q, g, weight, factor, flexibility, x, z):
 
 
 @kernel()
-def span_down(line, q, g, at, facet, states, hung):
-    """Walk a free span to the first thing it would go through; g has no columns.
+def first_contact(line, q, g, at, facet, states, load_weights):
+    """Integrate down a free span to the first facet, vertex or anchor that it would penetrate; g has no columns.
 
-    states, hung : states and weights of the point loads that it passes
-    returns : gap (m, across the line; negative where it goes through), step, index; q and at stand there
+    states, load_weights : set to states and weights (N) of the point loads on the way
+    returns : gap (m, normal; negative where it penetrates), step, index; q and at are left there
     """
     value = 1.0
     for _ in range(10_000):
         if clears(line, q, at, facet):
             break
         weight = line.segments[at[0], 1]
-        row, knot = free_knot(line, q, at[0])
-        factor, flexibility = line.knots[row, 1], line.knots[row, 2]
+        row, row_length = free_table_row(line, q, at[0])
+        factor, flexibility = line.strain_table[row, 1], line.strain_table[row, 2]
         stop, is_load = next_stop(line, at)
         tan = -math.inf if line.no_bed else math.tan(line.bed[facet, 2])
         steeper = q[V] - q[H] * tan
         # a span that has just left a facet is parallel to it but for rounding
         touch = steeper / weight if 1e-13 * math.hypot(q[H], q[V]) < steeper < math.inf else math.inf
-        ds = min(q[S] - stop, min(touch, knot))
+        ds = min(q[S] - stop, min(touch, row_length))
         x, z, v, s = q[X], q[Z], q[V], q[S]
         if math.isfinite(ds):
             free_step(q, g, ds, weight, factor, flexibility)
         if not math.isfinite(ds) or q[X] <= line.bed[facet, 0]:
             q[X], q[Z], q[V], q[S] = x, z, v, s
-            value = span_to_edge(q, g, weight, factor, flexibility, line.bed[facet, 0], line.bed[facet, 1])
+            value = span_to_vertex(q, g, weight, factor, flexibility, line.bed[facet, 0], line.bed[facet, 1])
             if facet == 0:
                 return value, TO_ANCHOR, facet
             if value < 0:
-                return value, TO_KNUCKLE, facet
+                return value, TO_VERTEX, facet
             facet -= 1
         elif ds == touch:
             q[V] = q[H] * tan
@@ -90,8 +93,8 @@ def span_down(line, q, g, at, facet, states, hung):
             if not is_load:
                 at[0] -= 1
                 continue
-            force, states[at[1]] = soft_weight(line, at[1], q[Z])
-            hung[at[1]] = force
+            force, states[at[1]] = smoothed_weight(line, at[1], q[Z])
+            load_weights[at[1]] = force
             if not line.no_bed and q[V] > q[H] * tan >= q[V] - force:
                 value = height_over(line, q, facet)
                 if value < 0:
@@ -103,47 +106,50 @@ def span_down(line, q, g, at, facet, states, hung):
 
 @kernel()
 def start_span(line, origin, q, g, at, facet, amount, rows):
-    """Set a span off: V at the fairlead, length along a facet, angle at a knuckle, or how hard a sinker presses."""
+    """Start a free span.  returns : the facet below it
+
+    amount : by `origin`, V at the fairlead, length along the facet, angle at the vertex or normal force of the sinker
+    """
     if origin == FROM_FAIRLEAD:
         q[V] = amount
         return facet
     if origin == FROM_FACET:
-        crawl(line, q, g, at, facet, amount, NOTHING, NOTHING, rows)
-        leave(line, q, g)
+        march_on_facet(line, q, g, at, facet, amount, NOTHING, NOTHING, rows)
+        leave_bed(line, q, g)
         return facet
     if origin == FROM_SINKER:
-        rest_sinker(line, q, g, at, facet, amount, NOTHING)
+        pass_grounded_sinker(line, q, g, at, facet, amount, NOTHING)
         return facet
-    turn_knuckle(line, q, g, amount, NOTHING)
-    leave(line, q, g)
+    bend_at_vertex(line, q, g, amount, NOTHING)
+    leave_bed(line, q, g)
     return facet - 1
 
 
 @kernel()
-def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, hung, rows):
-    """Gap, step and index of a span set off at (q0, at0), where q and at are left."""
+def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weights, rows):
+    """Gap, step and index of the first contact of a span from (q0, at0); q and at are left at the contact."""
     copy_state(q, at, q0, at0)
     facet = start_span(line, origin, q, g, at, facet, amount, rows)
-    return span_down(line, q, g, at, facet, states, hung)
+    return first_contact(line, q, g, at, facet, states, load_weights)
 
 
 @kernel()
-def first_touch(line, origin, q, g, at, facet, low, high, near, states, hung, rows):
-    """Start of the span that just touches; it is free at `low` and goes through something at `high`.
+def touching_start(line, origin, q, g, at, facet, low, high, guess, states, load_weights, rows):
+    """Start of the span that just touches the bed; from `low` it stays clear, from `high` it penetrates.
 
-    near : a guess, tried first with the smallest steps to either side; nan for none
+    guess : tried first, a small step to either side; nan for none
     q, at : left where it touches.  returns : start, step, index
     """
     q0, at0 = q.copy(), at.copy()
     f_low, f_high, step, index, side = math.nan, math.nan, NONE, NONE, 0
-    width = 1e-9 * abs(near) + 1e-13 * (high - low)
+    width = 1e-9 * abs(guess) + 1e-13 * (high - low)
     for trial in range(200):
         least = 4e-16 * (abs(high) + abs(low))
-        # the first four trials: below and above the guess, then the ends where these did not do
+        # the first four trials: below and above the guess, then the ends where these do not bracket the root
         if trial == 0:
-            amount = near - width
+            amount = guess - width
         elif trial == 1:
-            amount = near + width
+            amount = guess + width
         elif trial == 2:
             amount = low
         elif trial == 3:
@@ -153,13 +159,13 @@ def first_touch(line, origin, q, g, at, facet, low, high, near, states, hung, ro
                 break
             amount = 0.5 * (low + high)
             if trial % 4 != 3 and f_low > f_high:
-                # a step towards the far end as soon as the near one stands on the root
+                # at least a rounding step, also where the nearer end is the root
                 amount = min(max(low + (high - low) * f_low / (f_low - f_high), low + least), high - least)
         if trial < 2 and not low < amount < high:
             continue
         if (trial == 2 and not math.isnan(f_low)) or (trial == 3 and not math.isnan(f_high)):
             continue
-        value, found, where = try_span(line, origin, q0, at0, facet, amount, q, g, at, states, hung, rows)
+        value, found, where = try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weights, rows)
         if trial == 2:
             # a span that starts free may touch its own start by rounding
             low, f_low = amount, max(value, 0.0)
@@ -171,5 +177,5 @@ def first_touch(line, origin, q, g, at, facet, low, high, near, states, hung, ro
             low, f_low = amount, value
             f_high = 0.5 * f_high if side == -1 else f_high
             side = -1
-    try_span(line, origin, q0, at0, facet, high, q, g, at, states, hung, rows)
+    try_span(line, origin, q0, at0, facet, high, q, g, at, states, load_weights, rows)
     return high, step, index

@@ -1,0 +1,168 @@
+"""Kernels that integrate a line downwards along a facet of the bed, and that put a line or a sinker on the facet."""
+
+from __future__ import annotations
+
+import math
+
+from bem.kernels.jit import kernel
+
+from .friction import bed_step, friction_rate, kept_tension, pass_weight_on_bed
+from .line_data import END, LENGTH, PHI, H, S, T, V, X, Z, mix, next_stop, record, strain_row
+
+# what ends a piece on the bed: a row of the tension table, the tension kept from an earlier position, tension 0, a
+# joint or point load, the length asked for
+TABLE_ROW, KEPT_TENSION, NO_TENSION, STOP, DONE = 0, 1, 2, 3, 4
+
+
+@kernel()
+def length_for(distance, t, rate, factor, flexibility):
+    """Unstretched length of a piece on the bed that covers a distance, inf where it cannot."""
+    a = factor + flexibility * t
+    inside = a * a - 2 * flexibility * rate * distance
+    return 2 * distance / (a + math.sqrt(inside)) if inside > 0 else math.inf
+
+
+@kernel()
+def bed_piece(line, q, g, at, angle):
+    """dT/ds and row of the tension table here; length for which they hold; what ends it; kept tension reached."""
+    segment = at[0]
+    rate, ds, kept = friction_rate(line, q, line.segments[segment, 1], angle)
+    if q[T] <= 0 and rate > 0:
+        q[T], rate = 0.0, 0.0
+        mix(g, T, 0.0, T, 0.0, T)
+    row = strain_row(line, segment, q[T], rate > 0)
+    why = TABLE_ROW if math.isnan(kept) else KEPT_TENSION
+    if rate > 0:
+        available = (q[T] - line.strain_table[row, 0]) / rate
+        if available < ds:
+            ds, why = available, TABLE_ROW if line.strain_table[row, 0] > 0 else NO_TENSION
+    elif rate < 0 and row + 1 < line.first_row[segment + 1]:
+        available = (q[T] - line.strain_table[row + 1, 0]) / rate
+        if available < ds:
+            ds, why = available, TABLE_ROW
+    return rate, row, ds, why, kept
+
+
+@kernel()
+def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
+    """Integrate down along a facet by a length, or to its lower end where `amount` is infinite.
+
+    Stops at a buoy and at the point load `last_load`.
+    unknown : index of the unknown that the length is, below 0 for none; rows : see `record`
+    """
+    angle = line.bed[facet, 2]
+    cos = math.cos(angle)
+    target = q[S] - amount
+    mix(g, END, 1.0, S, 0.0, S)
+    if unknown >= 0:
+        g[END, unknown] -= 1.0
+    for _ in range(10_000):
+        rate, row, ds, why, kept = bed_piece(line, q, g, at, angle)
+        factor, flexibility = line.strain_table[row, 1], line.strain_table[row, 2]
+        stop, is_load = next_stop(line, at)
+        if q[S] - stop <= ds:
+            ds, why = q[S] - stop, STOP
+        end = q[S] - target
+        if math.isinf(amount):
+            end = length_for((q[X] - line.bed[facet, 0]) / cos, q[T], rate, factor, flexibility)
+        if end <= ds and not (end == ds and why == STOP and is_load and at[1] == last_load):
+            ds, why = end, DONE
+        if why == STOP:
+            mix(g, LENGTH, 1.0, S, 0.0, S)
+        elif why == DONE and math.isinf(amount):
+            low_stretch = factor + flexibility * (q[T] - rate * ds)
+            mix(g, LENGTH, 1 / cos / low_stretch, X, -flexibility * ds / low_stretch, T)
+        elif why == DONE:
+            mix(g, LENGTH, 1.0, S, -1.0, END)
+        else:
+            mix(g, LENGTH, 0.0, S, 0.0, S)
+        record(rows, at, q, ds, rate, line.segments[at[0], 1], row, angle, True, line.strain_table)
+        bed_step(q, g, ds, rate, factor, flexibility, angle)
+        if why == KEPT_TENSION:
+            q[T] = kept
+            mix(g, T, kept_tension(line, q[S])[1], S, 0.0, T)
+        elif why == NO_TENSION:
+            q[T] = 0.0
+            mix(g, T, 0.0, T, 0.0, T)
+        elif why == STOP:
+            q[S] = stop
+            if is_load and (line.loads[at[1], 1] < 0 or at[1] == last_load):
+                return
+            pass_on_bed(line, q, g, at, angle, is_load)
+        elif why == DONE:
+            return
+
+
+@kernel()
+def pass_on_bed(line, q, g, at, angle, is_load):
+    """Pass a joint, or a sinker that lies on the bed."""
+    if not is_load:
+        at[0] -= 1
+        return
+    at[1] -= 1
+    mix(g, LENGTH, 0.0, T, 0.0, T)
+    pass_weight_on_bed(line, q, g, angle, line.loads[at[1] + 1, 1])
+
+
+@kernel()
+def is_at_sinker(line, q, at):
+    """Whether the state is at a sinker."""
+    return at[1] >= 0 and q[S] == line.loads[at[1], 0] and line.loads[at[1], 1] > 0
+
+
+@kernel()
+def put_on_facet(line, q, g, facet):
+    """Set z to that of the facet at x, where a span ends on it."""
+    tan = math.tan(line.bed[facet, 2])
+    q[Z] = line.bed[facet, 1] + (q[X] - line.bed[facet, 0]) * tan
+    mix(g, Z, tan, X, 0.0, X)
+
+
+@kernel()
+def touch_down(line, q, g, at, facet):
+    """Touchdown on a facet: the line arrives tangentially, or with a sinker that the bed carries in part."""
+    angle = line.bed[facet, 2]
+    cos, tan = math.cos(angle), math.tan(angle)
+    q[T], q[PHI] = q[H] / cos, angle
+    mix(g, T, 1 / cos, H, 0.0, H)
+    mix(g, PHI, 0.0, H, 0.0, H)
+    if is_at_sinker(line, q, at):
+        at[1] -= 1
+        mix(g, LENGTH, tan, H, -1.0, V)
+        pass_weight_on_bed(line, q, g, angle, q[H] * tan - (q[V] - line.loads[at[1] + 1, 1]))
+    put_on_facet(line, q, g, facet)
+
+
+@kernel()
+def normal_force_on(line, q, at, facet):
+    """Normal force of the sinker here on a facet, N, if the line below it lies on the facet."""
+    angle = line.bed[facet, 2]
+    return (q[H] * math.tan(angle) - q[V] + line.loads[at[1], 1]) * math.cos(angle)
+
+
+@kernel()
+def pass_grounded_sinker(line, q, g, at, facet, normal_force, unknown):
+    """Pass a sinker with a normal force (N, the unknown of the given index) on a facet; a free span begins below it.
+
+    Friction acts on it as if it slid towards the fairlead, but leaves the span at least the tension `line.least`.
+    """
+    angle = line.bed[facet, 2]
+    along = math.sin(angle) + line.friction * math.cos(angle)
+    across = math.cos(angle) - line.friction * math.sin(angle)
+    by_normal_force = across
+    if q[H] - normal_force * along >= line.least:
+        q[H] -= normal_force * along
+        q[V] += normal_force * across - line.loads[at[1], 1]
+        if unknown >= 0:
+            g[H, unknown] -= along
+    else:
+        tan = math.tan(angle)
+        by_normal_force = 1 / math.cos(angle)
+        q[V] += normal_force * by_normal_force - (q[H] - line.least) * tan - line.loads[at[1], 1]
+        q[H] = line.least
+        mix(g, V, 1.0, V, -tan, H)
+        mix(g, H, 0.0, H, 0.0, H)
+    if unknown >= 0:
+        g[V, unknown] += by_normal_force
+    at[1] -= 1
+    put_on_facet(line, q, g, facet)
