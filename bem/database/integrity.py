@@ -197,8 +197,13 @@ def remark(file, name):
 
 
 def row_crc(file, i):
-    """CRC-32 of checks and wall time of a frequency"""
-    return crc(*(file["checks"][name][i] for name in CHECKS), np.frombuffer(bytes(file["wall_time"][i]), np.uint8))
+    """CRC-32 of the checks and the wall time that are stored for a frequency"""
+    return checks_crc({name: file["checks"][name][i] for name in CHECKS}, bytes(file["wall_time"][i]))
+
+
+def checks_crc(checks, wall_time):
+    """CRC-32 of {name: value} of `schema.CHECKS` and of wall times as text in bytes"""
+    return crc(np.array([checks[name] for name in CHECKS], float), np.frombuffer(wall_time, np.uint8))
 
 
 def check_cells(file, name, values=None, rows=None):

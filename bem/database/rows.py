@@ -21,7 +21,7 @@ import numpy as np
 from meshing.whole_files import keep_room
 
 from .file import DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
-from .integrity import ROWS, check_cells, check_rows, crc, has_checksums, remark, row_crc
+from .integrity import ROWS, check_cells, check_rows, checks_crc, crc, has_checksums, remark, row_crc
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
 
 SAME = 1e-9  # relative in omega, rad in heading: closer than any two a person asks for, wider than rounding
@@ -109,45 +109,51 @@ def append(file, omega, headings, result):
         by_heading = "wave_direction" in cell_axes(name)
         shape = ((len(columns),) if by_heading else ()) + file[name].shape[2 if by_heading else 1 :]
         cells[name] = _checked(name, result[name], shape, f"omega = {omega:.6g} rad/s")
-    marks = {}
+    marks, sealed = {}, has_checksums(file)
     for name, value in cells.items():
-        places, stored = _cells(name, i, columns), [value]
-        _put(file[name], places, value)
+        stored = [value]
         if _estimate(name) in file:
             unknown = np.full(value.shape, np.nan)
             stored.append(np.asarray(result.get("estimated_error", {}).get(name, unknown), float))
-            _put(file[_estimate(name)], places, stored[1])
-        parts = zip(*stored, strict=True) if len(places[0]) > 1 else [stored]
-        marks[name] = [(place, crc(*part)) for place, part in zip(places, parts, strict=True)]
+            _put(file[_estimate(name)], name, i, columns, stored[1])
+        _put(file[name], name, i, columns, value)
+        by_heading = len(cell_axes(name)) > 1
+        found = [crc(*parts) for parts in zip(*stored, strict=True)] if by_heading else crc(*stored)
+        marks[name] = np.asarray(found if sealed else np.ones_like(found), file["stored"][name].dtype)
+    _append_checks(file, i, result)
+    file.flush()
+    for name, value in marks.items():
+        _put(file["stored"][name], name, i, columns, value)
+    _mark_whole_rows(file)
+    file.flush()
+
+
+def _append_checks(file, i, result):
+    """The worst of each check of a frequency, and its wall times, summed"""
+    checks = {name: file["checks"][name][i] for name in CHECKS}
     for name, value in result.get("checks", {}).items():
         if name in CHECKS:
-            file["checks"][name][i] = np.fmax(file["checks"][name][i], value)
+            checks[name] = file["checks"][name][i] = np.fmax(checks[name], value)
     seconds = dict(json.loads(file["wall_time"][i]))
     for step, value in result.get("wall_time", {}).items():
         seconds[step] = round(seconds.get(step, 0.0) + float(value), 6)
-    file["wall_time"][i] = steps_text(seconds)
+    text = steps_text(seconds)
+    file["wall_time"][i] = text
     if ROWS in file:
-        file[ROWS][i] = row_crc(file, i)
-    file.flush()
-    for name, cells in marks.items():
-        for place, mark in cells:
-            file["stored"][name][place] = mark if has_checksums(file) else 1
-    _mark_whole_rows(file)
-    file.flush()
+        file[ROWS][i] = checks_crc(checks, text)
 
 
 def _estimate(name):
     return f"estimated_error/{name}"
 
 
-def _cells(name, i, columns):
-    """Indices of what is filled at once: one for each heading, or one"""
-    return [(i, column) for column in columns] if "wave_direction" in cell_axes(name) else [(i,)]
-
-
-def _put(dataset, cells, value):
-    for cell, part in zip(cells, value if len(cells[0]) > 1 else [value], strict=True):
-        dataset[cell] = part
+def _put(dataset, name, i, columns, value):
+    """Write a row of what is stored with a quantity, of all its headings or of some; each write takes 0.1 ms"""
+    if len(cell_axes(name)) < 2 or columns == list(range(dataset.shape[1])):
+        dataset[i] = value
+        return
+    for column, part in zip(columns, value, strict=True):
+        dataset[i, column] = part
 
 
 def append_limit(file, name, value):
@@ -164,11 +170,12 @@ def row_values(file, omega, headings, names):
     (i,) = _places(file, [omega], "omega")
     columns, found = _places(file, headings, "wave_direction"), {}
     for name in names:
-        cells = _cells(name, i, columns)
-        if name not in file or not all(file["stored"][name][cell] for cell in cells):
+        if name not in file:
             return None
-        values = [file[name][cell] for cell in cells]
-        found[name] = np.array(values) if "wave_direction" in cell_axes(name) else values[0]
+        chosen = columns if "wave_direction" in cell_axes(name) else ...
+        if not np.all(file["stored"][name][i][chosen]):
+            return None
+        found[name] = file[name][i][chosen]
     return found
 
 
