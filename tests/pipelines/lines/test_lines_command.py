@@ -171,6 +171,68 @@ def test_lines_runs_a_system_and_writes_results_picture_and_moordyn_file(spread,
     assert 0 < position[0] < 20
 
 
+MOORDYN = """--- LINE TYPES ---
+Name Diam MassDen EA BA EI Cd Ca CdAx CaAx
+(-) (m) (kg/m) (N) (N-s) (N-m^2) (-) (-) (-) (-)
+chain 0.1 150 6e8 -0.8 {EI} 1.2 1.0 0.1 0.5
+--- POINTS ---
+ID Attachment X Y Z Mass Volume CdA Ca
+(#) (-) (m) (m) (m) (kg) (m^3) (m^2) (-)
+1 Fixed -250 0 -60 0 0 0 0
+2 Coupled -5 0 0 0 0 0 0
+3 Fixed 250 0 -60 0 0 0 0
+4 Coupled 5 0 0 0 0 0 0
+--- LINES ---
+ID LineType AttachA AttachB UnstrLen NumSegs
+(#) (-) (-) (-) (m) (-)
+1 chain 1 2 260 20
+2 chain 3 4 260 20
+--- OPTIONS ---
+0.001 dtM
+"""
+
+
+@pytest.fixture
+def legs(tmp_path):
+    path = tmp_path / "legs.txt"
+    path.write_text(MOORDYN.format(EI="2e4"))
+    return path
+
+
+def test_coupled_points_of_a_moordyn_file_are_held_until_a_force_moves_the_vessel(legs, capsys):
+    assert main(["lines", str(legs), "--depth", "60"]) == 0
+    shown = capsys.readouterr().out
+    assert "vessel: x 0.000 m, y 0.000 m, z 0.000 m" in shown and "held" not in shown
+    assert "bending stiffness EI of chain is left out" in shown
+    assert main(["lines", str(legs), "--depth", "60", "--force", "50,0,0"]) == 0
+    shown = capsys.readouterr().out
+    assert "vessel is held where it is given; under --force it moves in surge, sway and yaw" in shown
+    assert float(re.search(r"vessel: x (-?[\d.]+) m", shown)[1]) > 0.1
+
+
+def test_a_depth_counts_where_a_moordyn_file_has_none(legs, capsys):
+    lying = {}
+    for depth in (60, 65):
+        assert main(["lines", str(legs), "--depth", str(depth)]) == 0
+        rows = capsys.readouterr().out.splitlines()
+        lying[depth] = float(next(row.split("│") for row in rows if row.startswith("│ 1 "))[5])
+    assert 0 < lying[65] < lying[60]
+    assert main(["lines", str(legs)]) == 0
+    assert "WtrDpth is missing; the bed is at the lowest point, 60 m" in capsys.readouterr().out
+    for wrong, message in (("-60", "--depth is -60 m; allowed: above 0"), ("nan", "--depth is nan m; allowed")):
+        assert main(["lines", str(legs), "--depth", wrong]) == 2
+        assert message in capsys.readouterr().err
+
+
+def test_a_moordyn_file_written_from_a_moordyn_file_keeps_its_coefficients(legs, tmp_path):
+    assert main(["lines", str(legs), "--depth", "60", "--moordyn", str(tmp_path / "again.txt")]) == 0
+    text = (tmp_path / "again.txt").read_text().splitlines()
+    row = next(line.split() for line in text if line.startswith("chain"))
+    assert [float(value) for value in row[4:]] == [-0.8, 2e4, 1.2, 1.0, 0.1, 0.5]
+    options = {line.split()[1]: line.split()[0] for line in text if len(line.split()) == 2}
+    assert options["WtrDnsty"] == "1025.0" and float(options["dtM"]) <= 0.001
+
+
 def test_lines_moves_the_body_where_a_force_on_the_command_line_pushes_it(spread, capsys):
     places = []
     for force in ("0,0,0", "100,0,0"):
