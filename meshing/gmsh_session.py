@@ -80,7 +80,7 @@ def graded_patches(patches, symmetry="", name=""):
     returns : PanelMesh; a point two patches share is one point
 
     gmsh has no cosine law for the points of a side, so every segment is a line of one element and the patch is
-    told its corners.
+    given its corners.
     """
     with session(name or "patches") as gmsh:
         build = _Builder(gmsh)
@@ -195,7 +195,7 @@ class _Builder:
 
 
 def _surface_panels(gmsh, surface, row, points, along):
-    """(n, 4) corners on one surface, turned to agree with the vector `along`"""
+    """(n, 4) corners on one surface, oriented so that normals point along the vector `along`"""
     quads = row[gmsh.model.mesh.getElementsByType(QUADRANGLE, surface)[1].astype(np.int64)].reshape(-1, 4)
     triangles = row[gmsh.model.mesh.getElementsByType(TRIANGLE, surface)[1].astype(np.int64)].reshape(-1, 3)
     corners = np.concatenate([quads, triangles[:, [0, 1, 2, 2]]])

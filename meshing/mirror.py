@@ -1,6 +1,6 @@
-"""Mirror planes of a mesh that was written out whole: half or a quarter of the panels are as many equations less.
+"""Mirror planes found in a mesh of a whole hull, which is reduced to half or a quarter of its panels.
 
-Two planes cut a problem into four of a quarter the size, and the work on dense systems to a sixteenth.
+Two planes split a problem into four of a quarter the size, which takes a sixteenth of the work on dense systems.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ def _half(mesh, axis, tolerance):
     first, second = np.lexsort(seen.T), np.lexsort(theirs.T)
     if not np.array_equal(seen[first], theirs[second]):
         return None
-    turned = mesh.area_vectors[own[first]] * mirror - mesh.area_vectors[other[second]]
+    apart = mesh.area_vectors[own[first]] * mirror - mesh.area_vectors[other[second]]
     crossing = np.any(mesh.points[mesh.corners[own], axis] < -reach)
-    if crossing or np.abs(turned).max() > reach * mesh.sizes.max():
+    if crossing or np.abs(apart).max() > reach * mesh.sizes.max():
         return None
     used, corners = np.unique(mesh.corners[own], return_inverse=True)
     points = mesh.points[used]

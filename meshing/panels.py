@@ -135,7 +135,7 @@ class PanelMesh:
         return replace(base, points=base.points + np.array([dx, dy, dz]))
 
     def rotated(self, angle):
-        """A copy turned about the z axis by `angle` rad, without mirror planes."""
+        """A copy rotated about the z axis by `angle` rad, without mirror planes."""
         c, s = np.cos(angle), np.sin(angle)
         base = self.whole()
         return replace(base, points=base.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]))

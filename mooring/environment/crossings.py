@@ -1,4 +1,4 @@
-"""Waves of a record between zero crossings, and what a narrow spectrum says of their heights.
+"""Waves of a record between zero crossings, and the distribution of their heights in a narrow spectrum.
 
 A wave lasts from one crossing to the next of the same kind; its height is its crest less its trough.  Crossing times
 are interpolated straight, crests and troughs by the parabola through the highest values, without which the heights of

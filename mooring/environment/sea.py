@@ -2,8 +2,8 @@
 
     η(x, y, t) = Σ aᵢ cos{ωᵢ t − kᵢ (x cos βᵢ + y sin βᵢ) − εᵢ}
 
-Every component has a direction of its own.  Several directions at one frequency would be locked in phase, and the
-height of the sea would differ from place to place (Jefferys 1987, Applied Ocean Research 9).  Neighbours in frequency
+Every component has a direction of its own.  Several directions at one frequency would be phase-locked, and the wave
+height would differ from place to place (Jefferys 1987, Applied Ocean Research 9).  Neighbours in frequency
 take directions spread over the circle by multiples of the golden ratio, so that any narrow band holds all of them.
 """
 
@@ -63,21 +63,21 @@ class Sea:
         if self.spreading is None:
             share = _shares_of_one(headings, self.direction)
             return share if omega is None else np.tile(share, (len(np.atleast_1d(omega)), 1))
-        hats = _hats(headings, self.direction + ANGLES)
+        basis = _linear_weights(headings, self.direction + ANGLES)
         if not self.spreading.depends_on_frequency:
-            share = _scaled(self.spreading.shares() @ hats, headings)
+            share = _scaled(self.spreading.shares() @ basis, headings)
             return share if omega is None else np.tile(share, (len(np.atleast_1d(omega)), 1))
         if omega is not None:
-            return _scaled(self.spreading.shares(omega) @ hats, headings)
+            return _scaled(self.spreading.shares(omega) @ basis, headings)
         middles = self.spectrum.quantile((np.arange(200) + 0.5) / 200)  # of equal energy
-        return _scaled(np.mean(self.spreading.shares(middles) @ hats, axis=0), headings)
+        return _scaled(np.mean(self.spreading.shares(middles) @ basis, axis=0), headings)
 
     def components(self, count, seed, *, frequencies="equal_step", amplitudes="deterministic", low=None, high=None):
         """Components of one realisation.
 
         count : their number; seed : whole number, the same seed gives the same sea
-        frequencies : "equal_step", bands of equal width; "equal_energy", bands of equal energy.  The frequency lies
-            by chance in its band, so that no record repeats; a component carries the energy of its band.
+        frequencies : "equal_step", bands of equal width; "equal_energy", bands of equal energy.  The frequency
+            is random within its band, so that no record repeats; a component carries the energy of its band.
         amplitudes : "deterministic", √(2 m₀) of the band, which holds the energy of a record near that of the
             spectrum; "random", Rayleigh-distributed with that energy as the mean, which lets it vary as in nature
             if no two components are further apart than 2π over the length of the record
@@ -131,7 +131,7 @@ def _equal_energy(spectrum, low, high, count, rng):
 
 
 def _places(count, rng):
-    """(n,) 0 to 1, by chance, in the bands; drawn again where neighbours would be nearer than `NEAREST` bands.
+    """(n,) random places, 0 to 1, in the bands; drawn again where neighbours would be nearer than `NEAREST` bands.
 
     Two that nearly coincide beat so slowly that a record holds their sum or their difference: without this the energy
     of three hours of swell (500 components) was off by more than 2 % in 5 % of the seeds, with it in none of 200.
@@ -171,11 +171,11 @@ def _whole_number(thing, value, least):
 
 
 def _shares_of_one(headings, direction):
-    """(m,) shares of a wave towards `direction` that its two neighbours have.  Raises ValueError in a gap above 45°."""
+    """(m,) weights of the two headings beside a wave towards `direction`.  Raises ValueError in a gap above 45°."""
     apart = np.abs(np.mod(np.asarray(headings, float) - direction + np.pi, 2 * np.pi) - np.pi)
     if apart.min() <= 1e-9:
         return np.eye(len(headings))[apart.argmin()]
-    share = _hats(headings, np.array([direction]))[0]
+    share = _linear_weights(headings, np.array([direction]))[0]
     if not share.any():
         given = ", ".join(f"{np.rad2deg(b):g}" for b in headings)
         raise ValueError(
@@ -184,8 +184,8 @@ def _shares_of_one(headings, direction):
     return share
 
 
-def _hats(headings, angles):
-    """(c, m) weights of the headings at angles on the circle; rows of angles between none of them are 0"""
+def _linear_weights(headings, angles):
+    """(c, m) weights of headings that interpolate linearly at angles on the circle; rows of 0 in gaps above 45°"""
     ring = np.mod(headings, 2 * np.pi)
     order = np.argsort(ring)
     start = ring[order]
@@ -197,10 +197,10 @@ def _hats(headings, angles):
     i = np.searchsorted(start, angle, side="right") - 1  # −1: the gap across 0
     t = np.mod(angle - start[i], 2 * np.pi) / gap[i]
     covered = gap[i] <= WIDEST_GAP * (1 + 1e-9)
-    hats, rows = np.zeros((len(angles), len(headings))), np.arange(len(angles))
-    hats[rows, order[i]] += (1 - t) * covered
-    hats[rows, order[(i + 1) % len(order)]] += t * covered
-    return hats
+    weight, rows = np.zeros((len(angles), len(headings))), np.arange(len(angles))
+    weight[rows, order[i]] += (1 - t) * covered
+    weight[rows, order[(i + 1) % len(order)]] += t * covered
+    return weight
 
 
 def _scaled(share, headings):

@@ -54,7 +54,7 @@ def issc(height, **period):
     """ISSC spectrum; 4√m₀ = height exactly.
 
     height : m, significant; one period (s) of `periods.KINDS`.  mean_period is the T_v of the formula, and T01
-    is 1.0020 times that.  significant_period stands in the relation of the Mitsuyasu form, which has the same shape.
+    is 1.0020 times that.  significant_period is converted as in the Mitsuyasu form, which has the same shape.
     """
     printed = ("mean_period", (0.8 * 0.44) ** -0.25)
     return _by_height("issc", height, 0.11 / (4 * 0.44), period, printed, MITSUYASU_PEAK)

@@ -1,4 +1,4 @@
-"""Tables of numbers from text files: `#` lines are left out, one row of names may stand first."""
+"""Tables of numbers from text files: lines with `#` are comments, the first row may hold names."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ class TableError(ValueError):
 
 
 def read_table(path, blank=None):
-    """Names (a list, or None) and values (n, m) of a file whose columns are parted by commas, semicolons or blanks.
+    """Names (a list, or None) and values (n, m) of a file with columns separated by commas, semicolons or blanks.
 
     blank : value of an empty place; None allows none
     Raises TableError.
     """
     path = Path(path)
     rows = [
-        (number, _parted(line))
+        (number, _split(line))
         for number, line in enumerate(read_text(path, TableError).splitlines(), 1)
-        if _counts(line)
+        if _has_data(line)
     ]
     if not rows:
         raise TableError(f"{path} has no rows")
@@ -48,11 +48,11 @@ def column_of(path, names, wanted):
     return names.index(wanted)
 
 
-def _counts(line):
+def _has_data(line):
     return line.strip() and not line.lstrip().startswith("#")
 
 
-def _parted(line):
+def _split(line):
     line = line.strip()
     for mark in (";", ","):
         if mark in line:

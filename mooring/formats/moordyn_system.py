@@ -19,7 +19,7 @@ import numpy as np
 from bem import DOFS
 
 from ..lines.system.graph import System
-from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineDynamics, LineType, UniformLine
+from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineDynamics, LineType, MooredBody, UniformLine
 from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
 from .moordyn_left_out import left_out
@@ -160,7 +160,7 @@ def _points_and_bodies(file, water, lines):
     said += [f"body {', '.join(idle)} bears no line: left out"] if idle else []
     bodies = [_body(row, file, water) for row in file.bodies if row.id not in idle] + bodies
     if VESSEL in borne:
-        bodies.insert(0, Body(VESSEL, freedom=()))
+        bodies.insert(0, MooredBody(VESSEL, freedom=()))
     return points, bodies, said
 
 
@@ -206,7 +206,9 @@ def _free_rod(row, names, ends, file, water):
     if length == 0:
         return [FreePoint(f"R{row.id}", tuple(map(float, ends[0])))], []
     weight, middle = _weight(row, file, water), ends.mean(axis=0)
-    body = Body(f"rod {row.id}", (*map(float, middle), 0.0, 0.0, 0.0), DOFS, load=(0.0, 0.0, -weight, 0.0, 0.0, 0.0))
+    body = MooredBody(
+        f"rod {row.id}", (*map(float, middle), 0.0, 0.0, 0.0), DOFS, load=(0.0, 0.0, -weight, 0.0, 0.0, 0.0)
+    )
     made = [Fairlead(n, body.name, tuple(map(float, end - middle))) for n, end in zip(names, ends, strict=True)]
     return made, [body]
 
@@ -267,7 +269,7 @@ def _body(row, file, water):
     position = (row.x0, row.y0, row.z0, *turns)
     kind, name = row.attachment.lower(), f"body {row.id}"
     if kind in (*FIXED, *COUPLED):
-        return Body(name, position, freedom=())
+        return MooredBody(name, position, freedom=())
     if kind not in FREE:
         raise FormatError(
             f"{path}, section BODIES: attachment of body {row.id} is {row.attachment!r}; allowed: Fixed, Coupled, Free"
@@ -285,4 +287,4 @@ def _body(row, file, water):
     weight, at = zip(*((w, place) for w, *place in weights), strict=True)
     mx, my, mz = map(float, np.array(weight) @ np.array(at))
     load = (0.0, 0.0, buoyancy - sum(weight), -my, mx, 0.0)
-    return Body(name, position, DOFS, np.diag([0.0, 0.0, 0.0, -mz, -mz, 0.0]), load)
+    return MooredBody(name, position, DOFS, np.diag([0.0, 0.0, 0.0, -mz, -mz, 0.0]), load)

@@ -15,7 +15,7 @@ import numpy as np
 from meshing.text_files import read_text
 
 from ..lines.system.graph import System
-from ..lines.system.parts import Anchor, Body, Fairlead, FreePoint, LineType, UniformLine
+from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineType, MooredBody, UniformLine
 from .fault import FormatError
 from .moordyn_system import read_moordyn_system
 from .yaml_text import parse_yaml
@@ -52,7 +52,7 @@ def system_of_moorpy(data, path="YAML file", depth=None) -> System:
     points = [_point(row, path) for row in tables["points"]]
     bodies = sorted({point.body for point in points if isinstance(point, Fairlead)})
     lines = [_line(row, types, path) for row in tables["lines"]]
-    return System(depth, lines, points, [Body(name) for name in bodies], density)
+    return System(depth, lines, points, [MooredBody(name) for name in bodies], density)
 
 
 def _table(data, key, path):

@@ -32,7 +32,7 @@ SAME = 0.025  # of L/B or B/d: nearer to a tested proportion it counts as that p
 def box_table(length, beam, draft, depth):
     """DragTable of a box, sizes in m.
 
-    Its `notes` name what is a guess: printed values that break the trend of their neighbours, a length/beam between
+    Its `notes` name uncertain values: printed ones that break the trend of their neighbours, a length/beam between
     those tested, and the moment of anything but L/B = 2, where the lever is taken 0.09 (L/B − 1) (sin 2χ)^1.2: 0 for a
     square, which has no long side, and the report's value at 2; its turning tests give 0.058 at 1.5 and 0.091 at 2.
     raises : ValueError outside the tests, where coefficients have to be given

@@ -2,7 +2,7 @@
 
     F_x = ± C_x q A_x,   F_y = ± C_y q A_y,   M_z = − sign(F_x F_y) (a/L) L √(F_x² + F_y²),   q = ½ ρ U²
 
-A box looks the same from bow and stern and from both sides, so the angle between stream and x axis is reduced
+A box is symmetric fore and aft and port to starboard, so the angle between stream and x axis is reduced
 to 0 … 90° and forces point downstream.  The force acts on the upstream half, which turns the box broadside.
 Between the angles of a table coefficients are monotone cubics with slopes that fit the same symmetry, so that
 forces have a continuous slope all the way round.
@@ -22,7 +22,7 @@ from .smooth import smooth
 class DragTable:
     """Coefficients against the angle between stream and x axis, rad from 0 to π/2, each (n,).
 
-    notes : what a user of these numbers has to know, one line each
+    notes : warnings on the origin of the numbers, one line each
     """
 
     angle: np.ndarray

@@ -28,7 +28,7 @@ def wind_force(
 
     speed : (…) m/s; direction : (…) rad, the wind blows to; freeboard : D − d, m
     front_area, side_area : m², of superstructures seen from ahead and from abeam
-    raises : ValueError for sizes, speeds and densities that cannot be
+    raises : ValueError for impossible sizes, speeds and densities
     """
     check_positive(length=length, beam=beam, freeboard=freeboard)
     for name, area in (("front area", front_area), ("side area", side_area)):

@@ -112,7 +112,7 @@ def read_hull_coefficients(path):
 
 
 def _check_angles(columns):
-    """Raises ValueError unless the angles go once or half round and the ends fit."""
+    """Raises ValueError unless the angles span 180° or 360° and the values at the ends agree."""
     angle, _, y, n = columns
     half, whole = abs(angle[-1] - np.pi) < 1e-9, abs(angle[-1] - 2 * np.pi) < 1e-9
     if not (np.all(np.diff(angle) > 0) and abs(angle[0]) < 1e-9 and (half or whole)):

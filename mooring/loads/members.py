@@ -38,7 +38,7 @@ def wind_on_members(members, speed_10, direction, exponent=None, density=AIR_DEN
     """(6,) N and N m about the origin, z = 0 at the waterline, of wind towards `direction` rad on Members.
 
     speed_10 : m/s at 10 m; exponent : of the power law over height, without it the report's table
-    raises : ValueError naming the member that cannot be
+    raises : ValueError naming the member whose shape or area is impossible
     """
     if not 0 < density < np.inf:
         raise ValueError(f"density is {density:g} kg/m³; allowed: above 0")
@@ -53,7 +53,7 @@ def wind_on_members(members, speed_10, direction, exponent=None, density=AIR_DEN
 
 
 def _checked(where, member):
-    """Drag coefficient of a member that can be"""
+    """Drag coefficient of a member.  Raises ValueError for an impossible one."""
     if isinstance(member.shape, str) and member.shape not in C_D:
         raise ValueError(f"{where}: shape is {member.shape!r}; allowed: {', '.join(C_D)}, or a drag coefficient")
     coefficient = C_D[member.shape] if isinstance(member.shape, str) else member.shape

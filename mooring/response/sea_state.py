@@ -1,4 +1,4 @@
-"""A body in one sea state: standard deviations, extremes and drift, and what a reader has to know about them.
+"""A body in one sea state: standard deviations, extremes and drift, with warnings on their limits.
 
 The spectrum is integrated over the stored frequencies only.  What lies outside is estimated with each transfer
 function held at its end, and named where it is more than 1 %.

@@ -1,4 +1,4 @@
-"""A sea as the response sees it: headings with their shares, and the energy beyond the stored frequencies."""
+"""Headings of a sea with their shares of its energy, and the energy outside the stored frequencies."""
 
 from __future__ import annotations
 

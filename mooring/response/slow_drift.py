@@ -4,7 +4,7 @@ Newman (1974) takes the transfer function of a pair of waves from the mean drift
 
     F(t) = Σᵢ Σⱼ aᵢ aⱼ T_ij cos{(ωᵢ − ωⱼ)t − (εᵢ − εⱼ)},    T_ij = sign √(DᵢDⱼ) where Dᵢ and Dⱼ have one sign, else 0
 
-which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for those that push and one for those that pull.
+which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for D > 0, less one of √−Dᵢ for D < 0.
 No sum frequencies are in it and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  It holds for small ωᵢ − ωⱼ: the force of the bound
 long wave, which grows with the difference and in shallow water, is left out.  The body is frozen at its mean place
 and heading: wave phases and D do not follow its slow motion (for its effect on damping see `wave_drift_damping`).
@@ -80,8 +80,8 @@ def newman(components, drift, t):
     """
     wave = np.asarray(components.amplitude) * np.exp(1j * np.asarray(components.phase))
     drift = np.asarray(drift, float)
-    push, pull = np.sqrt(np.maximum(drift, 0.0)), np.sqrt(np.maximum(-drift, 0.0))
-    rows = wave * np.concatenate([push, pull], axis=1).T
+    positive, negative = np.sqrt(np.maximum(drift, 0.0)), np.sqrt(np.maximum(-drift, 0.0))
+    rows = wave * np.concatenate([positive, negative], axis=1).T
     used = np.flatnonzero(np.any(rows != 0, axis=1))
     power = np.zeros((len(rows), len(np.atleast_1d(t))))
     power[used] = np.abs(_sums(rows[used], np.asarray(components.omega, float), np.atleast_1d(t))) ** 2

@@ -1,9 +1,9 @@
 """Viscous damping in irregular waves by equivalent linearisation.
 
-A law of `bem.viscous` gives the linear damping that takes the energy of a regular motion of amplitude a at ω.  In
+A law of `bem.viscous` gives the linear damping that dissipates as much in a regular motion of amplitude a at ω.  In
 irregular motion with standard deviations σ and σ_v it is taken at ω = σ_v/σ and a = 1.88 σ, which for quadratic drag
-N₂ is √(8/π) σ_v N₂: the least mean square difference of a Gaussian motion (Borgman 1969).  The motion follows from
-the damping and the damping from the motion; their passes close in on each other.
+N₂ is √(8/π) σ_v N₂: the least mean square difference of a Gaussian motion (Borgman 1969).  Motion and damping
+depend on each other and are found by fixed-point iteration.
 """
 
 from __future__ import annotations

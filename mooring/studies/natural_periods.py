@@ -3,7 +3,7 @@
     (C + K_mooring) q = ω² (M + A(ω)) q
 
 For the j-th smallest eigenvalue λⱼ(ω) the natural frequency is the root of ω² = λⱼ(ω).  λⱼ is continuous,
-positive and bounded, so every j has a root and none can be lost in a change of order between two frequencies.
+positive and bounded, so every j has a root, whichever motion it belongs to at each frequency.
 """
 
 from __future__ import annotations

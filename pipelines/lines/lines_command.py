@@ -104,12 +104,12 @@ def _body(system, name, needed):
 def _loaded(system, name, force):
     if len(force) != 3:
         raise StudyError(f"--force has {len(force)} numbers; allowed: 3, Fx and Fy in kN and Mz in kN m")
-    from mooring.lines.system.parts import Body
+    from mooring.lines.system.parts import MooredBody
 
     given = next(body for body in system.bodies if body.name == name)
     if not given.freedom:
         warnings.warn(f"{name} is held where it is given; under --force it moves in surge, sway and yaw", stacklevel=2)
-        bodies = [replace(body, freedom=Body.freedom) if body is given else body for body in system.bodies]
+        bodies = [replace(body, freedom=MooredBody.freedom) if body is given else body for body in system.bodies]
         system = replace(system, bodies=tuple(bodies))
     load = np.array(given.load, float)
     load[[0, 1, 5]] += KN * np.asarray(force, float)

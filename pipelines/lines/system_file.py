@@ -12,7 +12,7 @@ from pathlib import Path
 import msgspec
 
 from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint
+from mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody
 
 from ..common.line_tables import LineTable, TypeTable, line_of
 from ..common.quantities import StudyError, Table
@@ -108,7 +108,7 @@ def make_system(raw) -> System:
     """The System of nested dictionaries as TOML gives them.  Raises ValueError, one line."""
     table = typed(raw, SystemTable, StudyError)
     bodies = [
-        Body(
+        MooredBody(
             body.name,
             (*body.position, 0.0, 0.0, math.radians(body.heading_deg)),
             tuple(body.freedom),

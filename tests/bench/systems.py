@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from bem import DOFS
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Body, Fairlead, LineType, UniformLine
+from mooring.lines.system.parts import Anchor, Fairlead, LineType, MooredBody, UniformLine
 
 DEPTH, LENGTH, WEIGHT, EA = 100.0, 595.0, 1000.0, 5e8
 HEADINGS = [20, 60, 120, 160, 200, 240, 300, 340]
@@ -72,7 +72,7 @@ def eight_lines():
         points.append(Fairlead(f"F{i}", "body", (50 * np.cos(a), 20 * np.sin(a), -5.0)))
         lines.append(UniformLine(f"L{i}", kind, LENGTH, f"A{i}", f"F{i}"))
     C = np.diag([0.0, 0.0, RHO * G * WATERPLANE, MASS * G * GM, MASS * G * GM, 0.0])
-    return System(DEPTH, lines, points, (Body("body", freedom=DOFS, hydrostatic_stiffness=C, load=LOAD),), RHO, G)
+    return System(DEPTH, lines, points, (MooredBody("body", freedom=DOFS, hydrostatic_stiffness=C, load=LOAD),), RHO, G)
 
 
 def least(action, runs):

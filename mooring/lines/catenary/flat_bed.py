@@ -206,14 +206,14 @@ def solve_line(row, x, a, b, length, weight, flexibility, friction, with_bed):
             grounded = drop > a
     if not grounded:
         return
-    turned = b == 0.0 and a > 0.0
-    if turned:  # the end on the bed comes first
+    flipped = b == 0.0 and a > 0.0
+    if flipped:  # the end on the bed comes first
         a, b = b, a
     if a > 0.0:
         friction = 0.0
     H = grounded_tension(x, a, b, length, weight, flexibility, friction)
     put_grounded(row, H, a, b, length, weight, flexibility, friction)
-    if turned:
+    if flipped:
         exchange(row)
 
 

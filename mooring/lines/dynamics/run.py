@@ -1,4 +1,4 @@
-"""One run of a dynamic line: what goes in, the loop around the kernels, and the history that comes out."""
+"""One run of a dynamic line: its input, the loop over the kernels' steps, and the history of results."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class DynamicLineError(ValueError):
 
 
 class Energies(NamedTuple):
-    """All (n,) J, since the start: work done on the line at its ends, what was lost to what, and what is stored."""
+    """All (n,) J, since the start: work done on the line at its ends, work lost to each cause, and energy stored."""
 
     work: np.ndarray
     drag: np.ndarray
@@ -133,7 +133,7 @@ def _control(case, state):
 
 
 def run_esdirk(case, state):
-    """Result of steps chosen by their error; history in pieces, so that an interrupt is heard."""
+    """Result of steps chosen by their error; the kernel returns after each piece of history, where Ctrl-C acts."""
     from .lumped.esdirk import COLUMNS, DONE, TOO_SHORT, run, tableau
 
     control, pictures, until = _control(case, state), _pictures(case, state), state.time + case.duration

@@ -2,10 +2,10 @@
 
 Forces and signs: `lumped.forces`; steps: `lumped.esdirk` (default) and `lumped.houbolt`, the scheme of the SR179
 report (1982), section 2.2.  The report's iteration on tensions with lagged angles has a limit c Δt/ℓ of about 0.45;
-here every scheme solves for the nodes with the tangent of tension, geometry and bed, and none has.
+here every scheme solves for the nodes with the tangent of tension, geometry and bed, and has no such limit.
 
-Energy is kept in books: work at the fairlead = what the line stores + drag + inertia of the water + structural
-damping + damping and friction of the bed.
+Energy balance: work at the fairlead = energy stored in the line + work lost to drag, inertia of the water, structural
+damping, and damping and friction of the bed.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ __all__ = [
     "simulate",
 ]
 
-JOINT, JERK = 1e-6, 1e-3  # m by which a motion may miss the end of a run, m/s at which a line at rest is torn loose
+JOINT, JERK = 1e-6, 1e-3  # m, gap allowed between a run and the next; m/s, fairlead speed allowed for a line at rest
 
 
 def simulate(
@@ -59,7 +59,7 @@ def simulate(
     line : DynamicLine; motion : FairleadMotion; duration : s; current : CurrentProfile; waves : WaveTrain
     tolerance : error of a step in any tension, of the largest tension
     method : "esdirk", or "houbolt", whose step begins at `longest_step` and is halved until tensions agree
-    longest_step : s, an upper bound; frames : number of pictures, evenly in time; stations : node numbers
+    longest_step : s, an upper bound; frames : number of stored shapes, evenly in time; stations : node numbers
     start : State, the `end` of a run before, which the fairlead goes on from (then the mesh is not checked)
     check_mesh : run half as many elements too, estimate the error of the largest tension by the square of the
     element length, and warn above `mesh_tolerance`
@@ -121,7 +121,7 @@ def _check(line, motion, duration, tolerance, method, longest_step, frames, stat
 
 
 def _check_joint(motion, state, from_rest):
-    """The fairlead has to go on where the line is; one that starts with a jerk is said."""
+    """Raise ValueError unless the fairlead starts at the line's end; warn if it starts with a velocity from rest."""
     position, velocity, _ = motion.at(state.time)
     gap = np.linalg.norm(position - state.position[-1])
     if not gap <= JOINT * (1 + np.abs(position).max()):
@@ -136,7 +136,7 @@ def _check_joint(motion, state, from_rest):
 
 
 def _check_above_bed(line, motion, begin, duration):
-    """The bed holds the line, but nothing holds a fairlead that is moved through it."""
+    """Warn of a fairlead that is moved below the bed: contact acts on the line alone."""
     if line.bed is None:
         return
     times = np.linspace(begin, begin + duration, 201)

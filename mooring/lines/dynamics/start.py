@@ -8,7 +8,7 @@ from ..catenary.solve import profile, solve_lines
 from ..catenary.state import LineError, State
 from .lumped import system as lumped
 
-LIGHTEST = 1e-6  # of all weights: a line of less is taken to hang with this, for the first guess only
+LIGHTEST = 1e-6  # of all weights: least weight of a line in the first guess
 SOFT = 1e4  # times the weight: axial stiffness that Newton's method takes from the first guess
 LOOSE = 1e6  # times the slip that mobilises friction: it then acts as a force, not as a spring
 LEAST_PACKED = 0.5  # of its length; slack elements on the bed start no shorter
@@ -17,7 +17,7 @@ LEAST_PACKED = 0.5  # of its length; slack elements on the bed start no shorter
 def start(line, fairlead, water):
     """State of a line at rest with its fairlead at (3,) m, in still water or a current.
 
-    Friction is what a line keeps that was pulled out from slack: from the touch-down on it holds all it can.
+    Friction is that of a line pulled out from slack: fully mobilised from the touchdown point on.
     raises : LineError where no equilibrium was found
     """
     fairlead = np.asarray(fairlead, float)
@@ -90,7 +90,7 @@ def _guess(line, fairlead):
 
 
 def _folded(x, z, s, lying, span, slope):
-    """A slack line whose part on the bed would be a heap lies straight out past the anchor and back instead."""
+    """A slack line is laid straight out past the anchor and back, where its part on the bed would be a heap."""
     reach = span / np.cos(slope)
     if lying == 0 or reach > LEAST_PACKED * lying:
         return x, z

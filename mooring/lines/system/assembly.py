@@ -109,7 +109,7 @@ def add_float(force, K, points, owner, column, floats):
 
 
 @kernel()
-def uniform_rows(points, ends, turned, lines, bed):
+def uniform_rows(points, ends, flipped, lines, bed):
     """(n, ROW) forces and derivatives of the uniform lines, each from the end at which friction arrives last.
 
     A row of `lines` without a length is left for others to fill.
@@ -119,7 +119,7 @@ def uniform_rows(points, ends, turned, lines, bed):
         length, weight, flexibility, friction = lines[n]
         if length == 0.0:
             continue
-        a, b = (ends[n, 1], ends[n, 0]) if turned[n] else (ends[n, 0], ends[n, 1])
+        a, b = (ends[n, 1], ends[n, 0]) if flipped[n] else (ends[n, 0], ends[n, 1])
         dx, dy = points[b, 0] - points[a, 0], points[b, 1] - points[a, 1]
         x, low, high = np.sqrt(dx * dx + dy * dy), points[a, 2], points[b, 2]
         row = rows[n]
@@ -132,7 +132,7 @@ def uniform_rows(points, ends, turned, lines, bed):
 
 
 @kernel()
-def add_rows(rows, points, owner, column, floats, ends, turned, place, size):
+def add_rows(rows, points, owner, column, floats, ends, flipped, place, size):
     """force (N,) and K (N, N) from the rows of all lines, which are left in the order of their ends."""
     force, K = np.zeros(size), np.zeros((size, size))
     k, f, arm = np.zeros((2, 2, 3, 3)), np.zeros((2, 3)), np.zeros((2, 3))
@@ -143,7 +143,7 @@ def add_rows(rows, points, owner, column, floats, ends, turned, place, size):
         if row[0] >= BEYOND_REACH:
             force[:] = np.nan
             return force, K
-        pair[0], pair[1] = (ends[n, 1], ends[n, 0]) if turned[n] else (ends[n, 0], ends[n, 1])
+        pair[0], pair[1] = (ends[n, 1], ends[n, 0]) if flipped[n] else (ends[n, 0], ends[n, 1])
         dx, dy = points[pair[1], 0] - points[pair[0], 0], points[pair[1], 1] - points[pair[0], 1]
         x = np.sqrt(dx * dx + dy * dy)
         ox, oy = (dx / x, dy / x) if x > 0.0 else (1.0, 0.0)
@@ -164,20 +164,20 @@ def add_rows(rows, points, owner, column, floats, ends, turned, place, size):
                 r = pair[j]
                 if owner[r] != FIXED:
                     add_block(K, k[i, j], column[p], width, column[r], 6 if owner[r] >= 0 else 3, arm[i], arm[j])
-        if turned[n]:
+        if flipped[n]:
             exchange(row)
     return force, K
 
 
 @kernel()
-def assemble(position, owner, column, floats, ends, turned, lines, bed, place, turn, free):
+def assemble(position, owner, column, floats, ends, flipped, lines, bed, place, turn, free):
     """force (N,), K (N, N) = −∂force, rows (n, ROW) and points (p, 3) of a system; N = 6 bodies + 3 free points.
 
     lines : (n, 4) length, weight, 1/EA, friction; bed : height of the bed, m
-    turned : (n,) whether end b is the one at which friction arrives last
+    flipped : (n,) whether end b is the anchor on the bed, where friction has acted in full
     """
     points = place_points(position, owner, column, place, turn, free)
-    rows = uniform_rows(points, ends, turned, lines, bed)
+    rows = uniform_rows(points, ends, flipped, lines, bed)
     size = 6 * place.shape[0] + 3 * free.shape[0]
-    force, K = add_rows(rows, points, owner, column, floats, ends, turned, place, size)
+    force, K = add_rows(rows, points, owner, column, floats, ends, flipped, place, size)
     return force, K, rows, points

@@ -38,7 +38,7 @@ def cross_matrix(a):
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
-def turned(R, turn):
+def rotated(R, turn):
     """R after a further rotation by the vector `turn` (3,) rad about space axes."""
     angle = math.sqrt(turn @ turn)
     S = cross_matrix(turn)

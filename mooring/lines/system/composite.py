@@ -22,13 +22,13 @@ from .parts import Anchor, LineSystemError
 class Composite(NamedTuple):
     """A line as its solver reads it.
 
-    number : of the line in its system; line : StaticLine from its origin; turned : whether the origin is end b
+    number : of the line in its system; line : StaticLine from its origin; flipped : whether the origin is end b
     anchored : whether the origin is an anchor on a bed
     """
 
     number: int
     line: StaticLine
-    turned: bool
+    flipped: bool
     anchored: bool
 
     @property
@@ -67,7 +67,7 @@ def of_line(given, number, end, height):
 def fill_row(row, one, A, B):
     """Fill the row (`catenary.flat_bed.ROW`) of a Composite from its origin A to B; returns its StaticSolution or None.
 
-    Where there is none the first number of the row says so and the rest is nan.
+    Without a solution the first number of the row is the `State` that names why, the rest nan.
     """
     try:
         found = solution(one, A, B)
@@ -110,7 +110,7 @@ def points_along(one, found, A, B, s):
     """(k, 3) m in space at unstretched lengths s (k,) m from end a of a solved Composite with its origin at A."""
     span = np.hypot(*(B - A)[:2])
     outward = (B - A)[:2] / span if span > 0 else np.array([1.0, 0.0])
-    x, z, _ = found.at(one.line.length - s if one.turned else s).T
+    x, z, _ = found.at(one.line.length - s if one.flipped else s).T
     return np.column_stack([A[:2] + x[:, None] * outward, A[2] + z])
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from bem import DOFS
 
-from .bodies import angles, turned
+from .bodies import angles, rotated
 from .composite import check_free
 from .findings import culprit, freedom_name, warn_of_floating, warn_of_friction
 from .graph import LineForces, Pose, System, line_forces
@@ -51,8 +51,8 @@ class SystemEquilibrium:
     @property
     def position(self):
         """(b, 6) m and rad: origins of the bodies, then roll, pitch and yaw"""
-        turned = np.array([angles(R) for R in self.pose.turn]).reshape(-1, 3)
-        return np.hstack([self.pose.place, turned])
+        attitude = np.array([angles(R) for R in self.pose.turn]).reshape(-1, 3)
+        return np.hstack([self.pose.place, attitude])
 
     @property
     def tension(self):
@@ -72,7 +72,7 @@ def moved(system, pose, step):
     if count:
         steps = step[: 6 * count].reshape(count, 6)
         place = pose.place + steps[:, :3]
-        turn = np.array([turned(R, s) for R, s in zip(pose.turn, steps[:, 3:], strict=True)])
+        turn = np.array([rotated(R, s) for R, s in zip(pose.turn, steps[:, 3:], strict=True)])
     else:
         place, turn = pose.place, pose.turn
     free = pose.free + step[6 * count :].reshape(-1, 3)

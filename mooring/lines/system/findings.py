@@ -1,4 +1,4 @@
-"""What is said of a system of lines: warnings of what is not counted, and names for what went wrong."""
+"""Warnings of effects a system of lines leaves out, and the line or freedom named where no equilibrium is found."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .parts import CompositeLine
 
 
 def warn_of_floating(system, load):
-    """Warn of lines lighter than water that would rise above it: the surface holds no line here."""
+    """Warn of lines lighter than water that would rise above its surface, which is not modelled as a limit of lines."""
     for i, line in enumerate(system.lines):
         down = load.rows[i, 3:5]
         if isinstance(line, CompositeLine) or line.type.weight > 0 or np.any(down >= 0):
@@ -31,7 +31,7 @@ def warn_of_floating(system, load):
 
 
 def warn_of_friction(system, lines):
-    """Warn of lines whose friction is not counted although they lie on the bed."""
+    """Warn of lines on the bed whose friction is left out."""
     left = [
         f"{line.name} ({lying:.3g} m)"
         for line, end, lying in zip(system.lines, system.anchored_ends, lines.grounded_length, strict=True)
@@ -46,9 +46,9 @@ def warn_of_friction(system, lines):
 
 
 def fault_of(one, a, b):
-    """What the solver of a Composite says of its ends a and b, (3,) m each."""
+    """Message of the solver of a Composite for its ends at a and b, (3,) m each."""
     try:
-        solution(one, *((b, a) if one.turned else (a, b)))
+        solution(one, *((b, a) if one.flipped else (a, b)))
     except ValueError as error:
         return str(error)
     return "it has an equilibrium"
@@ -63,7 +63,7 @@ def freedom_name(system, index):
 
 
 def culprit(system, rows, starts, ends):
-    """What is wrong with a line that has no solution between its ends, (n, 3) m in space each."""
+    """Message on the first line without a solution between its ends, (n, 3) m in space each."""
     bad = int(np.argmax(rows[:, 0]))  # beyond reach, below the bed, unsolved
     line, a, b = system.lines[bad], starts[bad], ends[bad]
     if isinstance(line, CompositeLine):

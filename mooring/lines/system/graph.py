@@ -20,7 +20,16 @@ from .bodies import hydrostatic_load, rotation
 from .checks import ON_BED, check_system
 from .composite import composite, fill_row
 from .findings import culprit
-from .parts import Anchor, Body, CompositeLine, EquilibriumError, Fairlead, FreePoint, LineSystemError, UniformLine
+from .parts import (
+    Anchor,
+    CompositeLine,
+    EquilibriumError,
+    Fairlead,
+    FreePoint,
+    LineSystemError,
+    MooredBody,
+    UniformLine,
+)
 
 
 class Pose(NamedTuple):
@@ -74,7 +83,8 @@ class SystemArrays(NamedTuple):
 
     position : (p, 3) m of points, in space or in the axes of their body; owner : (p,) number of the body, FIXED or FREE
     column : (p,) first degree of freedom; floats : (p, 3) weight and buoyancy of free points, N, and their height, m
-    ends : (n, 2) points of each line; turned : (n,) whether end b is the anchor on the bed
+    ends : (n, 2) points of each line; flipped : (n,) whether end b is the anchor on the bed, so that the
+    line is solved from there
     lines : (n, 4) length, weight, 1/EA and friction, 0 for a line of segments; bed : its height, m
     """
 
@@ -83,7 +93,7 @@ class SystemArrays(NamedTuple):
     column: np.ndarray
     floats: np.ndarray
     ends: np.ndarray
-    turned: np.ndarray
+    flipped: np.ndarray
     lines: np.ndarray
     bed: float
 
@@ -95,7 +105,7 @@ class System:
     depth: float
     lines: tuple[UniformLine | CompositeLine, ...]
     points: tuple[Anchor | Fairlead | FreePoint, ...]
-    bodies: tuple[Body, ...] = ()
+    bodies: tuple[MooredBody, ...] = ()
     density: float = 1025.0
     gravity: float = 9.80665
 
@@ -161,8 +171,8 @@ class System:
             if isinstance(line, UniformLine):
                 friction = line.bed_friction * bool(end)
                 lines[i] = line.length, line.type.weight, 1 / line.type.axial_stiffness, friction
-        turned = np.array([end == "b" for end in anchored])
-        return SystemArrays(position, owner, column, floats, ends, turned, lines, -float(self.depth))
+        flipped = np.array([end == "b" for end in anchored])
+        return SystemArrays(position, owner, column, floats, ends, flipped, lines, -float(self.depth))
 
     @cached_property
     def composites(self):
@@ -195,11 +205,11 @@ class System:
         pose = self.pose if pose is None else pose
         if not self.composites:
             return SystemLoad(*assemble(*self.arrays, *pose), {})
-        position, owner, column, floats, ends, turned, _, _ = self.arrays
+        position, owner, column, floats, ends, flipped, _, _ = self.arrays
         points = place_points(position, owner, column, *pose)
         rows, solutions = self._rows(points, ends)
         size = 6 * len(self.bodies) + 3 * len(self.free_points)
-        force, K = add_rows(rows, points, owner, column, floats, ends, turned, pose.place, size)
+        force, K = add_rows(rows, points, owner, column, floats, ends, flipped, pose.place, size)
         return SystemLoad(force, K, rows, points, solutions)
 
     def _rows(self, points, ends):
@@ -207,9 +217,9 @@ class System:
         from .assembly import uniform_rows
 
         arrays, solutions = self.arrays, {}
-        rows = uniform_rows(points, ends, arrays.turned, arrays.lines, arrays.bed)
+        rows = uniform_rows(points, ends, arrays.flipped, arrays.lines, arrays.bed)
         for one in self.composites:
-            A, B = points[ends[one.number][::-1] if one.turned else ends[one.number]]
+            A, B = points[ends[one.number][::-1] if one.flipped else ends[one.number]]
             solutions[one.number] = fill_row(rows[one.number], one, A, B)
         return rows, solutions
 
@@ -225,8 +235,8 @@ class System:
         rows, solutions = self._rows(np.concatenate([starts, ends]), pairs)
         if np.any(rows[:, 0] > State.BEYOND_REACH):
             raise EquilibriumError(f"{culprit(self, rows, starts, ends)} where its ends are held")
-        for row, turned in zip(rows, self.arrays.turned, strict=True):
-            if turned:
+        for row, flipped in zip(rows, self.arrays.flipped, strict=True):
+            if flipped:
                 exchange(row)
         return line_forces(self, rows, solutions)
 

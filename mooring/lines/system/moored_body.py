@@ -11,7 +11,7 @@ from ..catenary.solve import span_at_tension
 from ..multi_segment.span import span_of
 from .composite import of_line, solution
 from .graph import System
-from .parts import Anchor, Body, CompositeLine, Fairlead, LineSystemError, UniformLine
+from .parts import Anchor, CompositeLine, Fairlead, LineSystemError, MooredBody, UniformLine
 
 
 class Leg(NamedTuple):
@@ -33,7 +33,7 @@ def moored_body(legs, depth, center=(0.0, 0.0, 0.0), density=1025.0, gravity=9.8
         arm = tuple(float(f - c) for f, c in zip(fairlead, center, strict=True))
         points += [Anchor(ends[0], tuple(map(float, anchor))), Fairlead(ends[1], name, arm)]
         lines.append(replace(line, a=ends[0], b=ends[1]))
-    body = Body(name, (*map(float, center), 0.0, 0.0, 0.0))
+    body = MooredBody(name, (*map(float, center), 0.0, 0.0, 0.0))
     return System(depth, lines, points, (body,), density, gravity)
 
 

@@ -20,7 +20,7 @@ from ..multi_segment.segments import PointLoad, Segment
 
 
 class LineSystemError(ValueError):
-    """A system that cannot be: the message names the part, its value and what is allowed."""
+    """An impossible system: the message names the part, its value and what is allowed."""
 
 
 class EquilibriumError(ValueError):
@@ -153,7 +153,7 @@ class Fairlead:
 
 @dataclass(frozen=True)
 class FreePoint:
-    """A joint, sinker or buoy that goes where forces send it.
+    """A joint, sinker or buoy that is free to move to its equilibrium.
 
     position : (3,) m, where the search for its place begins; mass : kg; volume : m³
     height : m over which it comes out of the water, that of a sphere if not given; it may rest on the bed
@@ -181,7 +181,7 @@ class FreePoint:
 
 
 @dataclass(frozen=True)
-class Body:
+class MooredBody:
     """A floating body.
 
     position : (6,) m and rad at rest: x, y, z of its axes' origin, then roll, pitch and yaw, R = Rz Ry Rx

@@ -23,7 +23,7 @@ def composite_points(state, number, s):
     """(k, 3) m in space at unstretched lengths s (k,) m from end a of a line of segments."""
     one = next(one for one in state.system.composites if one.number == number)
     ends = state.points[state.system.arrays.ends[number]]
-    return points_along(one, state.lines.solutions[number], *(ends[::-1] if one.turned else ends), s)
+    return points_along(one, state.lines.solutions[number], *(ends[::-1] if one.flipped else ends), s)
 
 
 def loads_on_lines(state):

@@ -1,7 +1,7 @@
-"""What is asked of a system at rest: its stiffness as one body feels it, offset curves, the loss of one line.
+"""Studies of a system at rest: the mooring stiffness of one body, offset curves, the loss of one line.
 
-Free points and other bodies follow a small motion of one body so that nothing is left on them.  With their
-freedoms e and those of the body b the stiffness it feels is K_bb − K_be K_ee⁻¹ K_eb.
+Free points and other bodies follow a small motion of one body quasi-statically.  With e their degrees of freedom and b
+those of the body, its stiffness is the Schur complement K_bb − K_be K_ee⁻¹ K_eb.
 """
 
 from __future__ import annotations
@@ -47,10 +47,10 @@ def body_number(system, name):
 
 
 def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
-    """(6, 6) stiffness of the lines as one body feels it, without its own hydrostatics.
+    """(6, 6) mooring stiffness of one body, without its own hydrostatics.
 
-    others : "free", other bodies follow as far as they may; "held", they stay where they are
-    raises : LineSystemError where a free point is held by nothing in some direction
+    others : "free", other bodies follow in the motions they are free in; "held", they do not move
+    raises : LineSystemError where a free point has no stiffness in some direction
     """
     if others not in ("free", "held"):
         raise LineSystemError(f"others is {others!r}; allowed: 'free', 'held'")

@@ -13,13 +13,13 @@ from mooring.lines.system.equilibrium import held_at, moved, rest
 from mooring.lines.system.graph import System
 from mooring.lines.system.parts import (
     Anchor,
-    Body,
     CompositeLine,
     EquilibriumError,
     Fairlead,
     FreePoint,
     LineSystemError,
     LineType,
+    MooredBody,
     UniformLine,
 )
 from mooring.lines.system.shapes import line_shapes, loads_on_lines
@@ -50,7 +50,7 @@ def three_legs(first, joints=(), load=(2e5, 1e5, 0.0, 0.0, 0.0, 2e6), z=-4.0):
         if i:
             lines.append(UniformLine(f"L{i}", CHAIN, 325.0, f"A{i}", f"F{i}"))
     C = np.diag([0.0, 0.0, 3e7, 5e9, 3e10, 0.0])
-    return System(60.0, lines, points, [Body("hull", freedom=DOFS, hydrostatic_stiffness=C, load=load)], RHO, G)
+    return System(60.0, lines, points, [MooredBody("hull", freedom=DOFS, hydrostatic_stiffness=C, load=load)], RHO, G)
 
 
 def same_rest(one, other, tolerance):
@@ -63,16 +63,16 @@ def same_rest(one, other, tolerance):
     return a, b
 
 
-@pytest.mark.parametrize("turned", [False, True])
+@pytest.mark.parametrize("flipped", [False, True])
 @pytest.mark.parametrize("friction", [0.0, 0.6])
-def test_equal_segments_with_loads_of_no_weight_are_the_uniform_line(turned, friction):
+def test_equal_segments_with_loads_of_no_weight_are_the_uniform_line(flipped, friction):
     def cut(a, b):
-        ends = (b, a) if turned else (a, b)
+        ends = (b, a) if flipped else (a, b)
         loads = [(100.0, 0.0), (250.0, 0.0)]
         return [composite("L0", [(CHAIN, 100.0), (CHAIN, 150.0), (CHAIN, 75.0)], *ends, loads, bed_friction=friction)]
 
     def whole(a, b):
-        return [UniformLine("L0", CHAIN, 325.0, *((b, a) if turned else (a, b)), friction)]
+        return [UniformLine("L0", CHAIN, 325.0, *((b, a) if flipped else (a, b)), friction)]
 
     one, other = same_rest(three_legs(cut), three_legs(whole), 1e-10)
     for name in ("horizontal_a", "horizontal_b", "vertical_a", "vertical_b", "grounded_length", "utilisation"):
@@ -125,7 +125,7 @@ def hung_between():
         composite("chain of the buoy", [(ROPE, 20.0), (CHAIN, 170.0)], "buoy", "N", [(60.0, 5e3)]),
         composite("rope of the buoy", [(ROPE, 50.0), (CHAIN, 30.0)], "north", "buoy"),
     ]
-    bodies = [Body("west", (-50.0, 0, 0, 0, 0, 0)), Body("east", (50.0, 0, 0, 0, 0, 0.05))]
+    bodies = [MooredBody("west", (-50.0, 0, 0, 0, 0, 0)), MooredBody("east", (50.0, 0, 0, 0, 0, 0.05))]
     return System(70.0, lines, points, bodies)
 
 

@@ -16,7 +16,7 @@ from mooring.formats.yaml_text import parse_yaml
 from mooring.lines.catalogue import line_type
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.graph import System
-from mooring.lines.system.parts import Anchor, Body, Fairlead, FreePoint, UniformLine
+from mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody, UniformLine
 
 VERSION_2 = """\
 --------------------- MoorDyn Input File ------------------------------------
@@ -186,7 +186,7 @@ def bridle():
             FreePoint("buoy", (70.0, 0.0, -2.0), 5e3, 20.0),
             Fairlead("bow", "barge", (30.0, 1.0, 1.0)),
         ],
-        [Body("barge", (0.0, 0.0, 0.0, 0.0, 0.0, 0.1), load=(-5e4, 0, 0, 0, 0, 0))],
+        [MooredBody("barge", (0.0, 0.0, 0.0, 0.0, 0.0, 0.1), load=(-5e4, 0, 0, 0, 0, 0))],
     )
 
 

@@ -11,17 +11,17 @@ import pytest
 from bem import DOFS
 from bem.database.between_frequencies import Between
 from bem.database.reader import Reader
-from mooring.lines.system.bodies import angles, cross_matrix, heading, hydrostatic_load, rotation, turned
+from mooring.lines.system.bodies import angles, cross_matrix, heading, hydrostatic_load, rotated, rotation
 from mooring.lines.system.equilibrium import moved, rest
 from mooring.lines.system.graph import System
 from mooring.lines.system.parts import (
     Anchor,
-    Body,
     EquilibriumError,
     Fairlead,
     FreePoint,
     LineSystemError,
     LineType,
+    MooredBody,
     UniformLine,
 )
 from mooring.lines.system.shapes import line_shapes
@@ -48,7 +48,7 @@ def turbine(depth, anchor_radius, fairlead_radius, fairlead_z, length, weight, s
         points.append(Anchor(f"A{i}", (anchor_radius * c, anchor_radius * s, -depth)))
         points.append(Fairlead(f"F{i}", "platform", (fairlead_radius * c, fairlead_radius * s, fairlead_z)))
         lines.append(UniformLine(f"L{i}", kind, length, f"A{i}", f"F{i}"))
-    return System(depth, lines, points, (Body("platform", freedom=DOFS),))
+    return System(depth, lines, points, (MooredBody("platform", freedom=DOFS),))
 
 
 OC3 = turbine(320.0, 853.87, 5.2, -70.0, 902.2, 698.094, 384.243e6, (180, 60, 300))
@@ -136,7 +136,7 @@ def eight_lines(freedom=DOFS, load=(2e5, 1e5, 1e6, 0.0, 0.0, 2e6)):
         lines.append(UniformLine(f"L{i}", CHAIN, 595.0, f"A{i}", f"F{i}"))
     C = np.zeros((6, 6))
     C[2:5, 2:5] = [[3e7, 0, 1e7], [0, 5e9, 0], [1e7, 0, 3e10]]
-    return System(100.0, lines, points, (Body("ship", freedom=freedom, hydrostatic_stiffness=C, load=load),))
+    return System(100.0, lines, points, (MooredBody("ship", freedom=freedom, hydrostatic_stiffness=C, load=load),))
 
 
 def catalogue_of_systems():
@@ -157,7 +157,7 @@ def catalogue_of_systems():
             Fairlead("stern", "barge", (-30.0, 0.0, 1.0)),
             Anchor("stern anchor", (-270.0, 0.0, -60.0)),
         ],
-        [Body("barge", load=(-5e4, 2e4, 0, 0, 0, 0))],
+        [MooredBody("barge", load=(-5e4, 2e4, 0, 0, 0, 0))],
     )
     two = System(
         80.0,
@@ -186,7 +186,7 @@ def catalogue_of_systems():
             FreePoint("float", (0.0, 0.0, -5.0), mass=1e4, volume=60.0),
             FreePoint("sinker", (0.0, -20.0, -78.0), mass=3e4, volume=4.0),
         ],
-        [Body("west hull", (-80.0, 0, 0, 0, 0, 0)), Body("east hull", (80.0, 0, 0, 0, 0, 0.1))],
+        [MooredBody("west hull", (-80.0, 0, 0, 0, 0, 0)), MooredBody("east hull", (80.0, 0, 0, 0, 0, 0.1))],
     )
     return {"eight lines": eight_lines(), "bridle": bridle, "two bodies": two}
 
@@ -295,7 +295,7 @@ def test_a_sinker_too_light_is_lifted_and_one_too_heavy_rests_on_the_bed():
                 FreePoint("sinker", (100.0, 0.0, -49.0), mass=mass),
                 Fairlead("ship", "ship", (0.0, 0.0, 0.0)),
             ],
-            [Body("ship", (ship, 0, 0, 0, 0, 0), freedom=())],
+            [MooredBody("ship", (ship, 0, 0, 0, 0, 0), freedom=())],
         )
 
     light, heavy = rest(chain_with(1e3, 158.0)), rest(chain_with(2e5, 145.0))
@@ -378,7 +378,7 @@ def test_no_line_left_to_hold_a_load_is_an_error_that_names_what_is_left():
         20.0,
         [UniformLine("bow", ROPE, 30.0, "pile", "bow")],
         [Anchor("pile", (0.0, 0.0, 2.0)), Fairlead("bow", "ship", (0.0, 0.0, 1.0))],
-        [Body("ship", (20.0, 0, 0, 0, 0, 0), freedom=("Surge",), load=(-1e30, 0, 0, 0, 0, 0))],
+        [MooredBody("ship", (20.0, 0, 0, 0, 0, 0), freedom=("Surge",), load=(-1e30, 0, 0, 0, 0, 0))],
     )
     with pytest.raises(EquilibriumError, match="ship surge"):
         rest(hawser, steps=5)
@@ -396,26 +396,26 @@ def test_rotations_compose_and_come_back():
         R = rotation(roll, pitch, yaw)
         assert np.allclose(R @ R.T, np.eye(3)) and np.linalg.det(R) == pytest.approx(1)
         assert np.allclose(angles(R), (roll, pitch, yaw))
-        assert np.allclose(turned(turned(R, np.array([0, 0, 0.7])), np.array([0, 0, -0.7])), R)
-    assert np.allclose(turned(np.eye(3), np.array([0.0, 0.0, 1.1])), rotation(0, 0, 1.1))
+        assert np.allclose(rotated(rotated(R, np.array([0, 0, 0.7])), np.array([0, 0, -0.7])), R)
+    assert np.allclose(rotated(np.eye(3), np.array([0.0, 0.0, 1.1])), rotation(0, 0, 1.1))
     assert heading(rotation(0.0, 0.0, 2.5)) == pytest.approx(2.5)
 
 
 def test_hydrostatics_turn_with_the_heading_and_their_stiffness_is_exact():
     C = np.zeros((6, 6))
     C[2:5, 2:5] = [[3e7, 1e6, 1e7], [1e6, 5e9, 2e8], [1e7, 2e8, 3e10]]
-    R = turned(rotation(0, 0, 2.0), np.array([0.05, -0.08, 0.0]))
+    R = rotated(rotation(0, 0, 2.0), np.array([0.05, -0.08, 0.0]))
     force, K = hydrostatic_load(C, 0.7, R)
     for j in range(6):
         h, columns = 1e-4, []
         for s in (1, -1, 2, -2):
             step = np.zeros(6)
             step[j] = s * h
-            columns.append(hydrostatic_load(C, 0.7 + step[2], turned(R, step[3:]))[0])
+            columns.append(hydrostatic_load(C, 0.7 + step[2], rotated(R, step[3:]))[0])
         difference = -(8 * (columns[0] - columns[1]) - (columns[2] - columns[3])) / (12 * h)
         assert np.abs(difference - K[:, j]).max() < 1e-8 * np.abs(K).max()
     turn = np.kron(np.eye(2), rotation(0, 0, 2.0))
-    upright, _ = hydrostatic_load(C, 0.7, turned(np.eye(3), rotation(0, 0, -2.0) @ np.array([0.05, -0.08, 0.0])))
+    upright, _ = hydrostatic_load(C, 0.7, rotated(np.eye(3), rotation(0, 0, -2.0) @ np.array([0.05, -0.08, 0.0])))
     assert np.allclose(force, turn @ upright)
 
 
@@ -441,7 +441,7 @@ def test_stiffness_about_another_point_is_that_of_fairleads_measured_from_it():
 WRONG = [
     (lambda: UniformLine("x", CHAIN, -3.0, "a", "b"), "line x: length is -3; allowed: finite, above 0 m"),
     (lambda: LineType("t", 0.0), "line type t: weight is 0; allowed: finite, not 0 N/m"),
-    (lambda: Body("b", freedom=("Jump",)), "body b: freedom 'Jump' is unknown"),
+    (lambda: MooredBody("b", freedom=("Jump",)), "body b: freedom 'Jump' is unknown"),
     (lambda: FreePoint("p", (0, 0, 0), mass=-1.0), "point p: mass is -1; allowed: finite, at least 0 kg"),
     (lambda: replace(OC3, depth=0.0), "depth is 0 m; allowed: above 0, finite"),
     (lambda: replace(OC3, lines=()), "the system has no lines"),
@@ -486,11 +486,11 @@ def test_a_light_line_that_would_float_is_warned_of():
         rest(hung)
 
 
-def ground_chain(friction, turned=False):
-    """A ship on two chains; turned: the lines named from the ship to the anchor"""
+def ground_chain(friction, flipped=False):
+    """A ship on two chains; flipped: the lines named from the ship to the anchor"""
     ends = [("A1", "bow"), ("A2", "stern")]
     lines = [
-        UniformLine(f"L{i}", CHAIN, 240.0, *(pair[::-1] if turned else pair), friction) for i, pair in enumerate(ends)
+        UniformLine(f"L{i}", CHAIN, 240.0, *(pair[::-1] if flipped else pair), friction) for i, pair in enumerate(ends)
     ]
     return System(
         40.0,
@@ -501,12 +501,12 @@ def ground_chain(friction, turned=False):
             Fairlead("bow", "ship", (50.0, 0.0, 0.0)),
             Fairlead("stern", "ship", (-50.0, 0.0, 0.0)),
         ],
-        [Body("ship", load=(2e5, 0, 0, 0, 0, 0))],
+        [MooredBody("ship", load=(2e5, 0, 0, 0, 0, 0))],
     )
 
 
 def test_friction_takes_tension_from_the_fairlead_to_the_anchor_whichever_end_is_named_first():
-    one, other = rest(ground_chain(0.4)), rest(ground_chain(0.4, turned=True))
+    one, other = rest(ground_chain(0.4)), rest(ground_chain(0.4, flipped=True))
     assert np.allclose(one.position, other.position, atol=1e-9)
     lost = one.lines.horizontal_b - one.lines.horizontal_a
     assert np.allclose(lost, np.minimum(0.4 * 1000 * one.lines.grounded_length, one.lines.horizontal_b))
@@ -525,7 +525,7 @@ def test_friction_between_free_points_is_not_counted_and_that_is_said():
             FreePoint("sinker", (100.0, 0.0, -50.0), mass=1e5),
             Fairlead("ship", "ship", (0.0, 0.0, 0.0)),
         ],
-        [Body("ship", (200.0, 0, 0, 0, 0, 0), freedom=())],
+        [MooredBody("ship", (200.0, 0, 0, 0, 0, 0), freedom=())],
     )
     with pytest.warns(UserWarning, match="bed friction is not counted on riser"):
         assert rest(leg).lines.grounded_length[1] > 1.0
@@ -553,7 +553,7 @@ def test_legs_of_many_pieces_come_to_rest_from_a_rough_start(seed):
         for j in range(pieces):
             kind = LineType(f"T{i}{j}", 10 ** rng.uniform(1.5, 3.7), 10 ** rng.uniform(7, 9.3))
             lines.append(UniformLine(f"L{i}{j}", kind, length, names[j], names[j + 1]))
-    state = rest(System(depth, lines, points, [Body("hull", load=(*rng.normal(size=2) * 2e5, 0, 0, 0, 1e5))]))
+    state = rest(System(depth, lines, points, [MooredBody("hull", load=(*rng.normal(size=2) * 2e5, 0, 0, 0, 1e5))]))
     assert np.abs(state.residual).max() < 1e-8 * state.tension.sum()
     assert np.all(state.pose.free[:, 2] >= -depth) and np.all(state.bed_reaction >= 0)
 
@@ -574,7 +574,7 @@ class SmallDatabase:
 
 
 def test_natural_periods_are_those_of_the_stiffness_in_the_axes_of_the_body():
-    """A system turned as a whole about the vertical has the same periods."""
+    """A system rotated as a whole about the vertical has the same periods."""
     system, db = eight_lines(load=(0.0,) * 6), SmallDatabase()
     periods = moored_periods(rest(system), "ship", db)
     angle = 0.8
