@@ -1,4 +1,4 @@
-"""One job of a bench: a process with its threads, its caches and its peak memory, and how far its result is off."""
+"""One job of a bench: a process with its threads, its caches and its peak memory, and the error of its result."""
 
 from __future__ import annotations
 

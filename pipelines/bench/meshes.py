@@ -74,7 +74,7 @@ def _wedge(case, panels, graded):
 
 
 def _swept(profile, step):
-    """A strip of panels between the profile (r, z) turned by −step/2 and by step/2, normals to the right of its way"""
+    """A strip of panels between the profile (r, z) rotated by −step/2 and by step/2, normals to its right"""
     angles = (-step / 2, step / 2)
     vertices = [(r * math.cos(a), r * math.sin(a), z) for a in angles for r, z in profile]
     n = len(profile)

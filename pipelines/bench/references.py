@@ -1,4 +1,4 @@
-"""What the coefficients should be, and how far a result is from it.
+"""Reference coefficients, and the error of a result against them.
 
     error of c = max over ω |c − c_ref| / max over ω |c_ref|,        c of A_ij, B_ij, X_i
 

@@ -1,4 +1,4 @@
-"""Ctrl-C between frequencies, and what is said of a command that it ended."""
+"""Ctrl-C between frequencies, and the message of a command that it ended."""
 
 from __future__ import annotations
 

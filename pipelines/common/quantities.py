@@ -1,4 +1,4 @@
-"""Quantities of a study file in SI, and the one line that is said of a value that cannot be.
+"""Quantities of a study file in SI, and the one-line message for an impossible value.
 
 A quantity carries its unit in the key where it is not SI: `speed_knots`, `pretension_tonf`.  Wind, current and waves
 have either `direction_deg`, travelled to, 0 → +x, or `incidence_deg`, the angle χ of the reports, 0 from ahead:

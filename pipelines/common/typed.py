@@ -1,4 +1,4 @@
-"""Tables of TOML as typed values, and one line on the first thing in them that cannot be."""
+"""Tables of TOML as typed values, and one line on the first fault in them."""
 
 from __future__ import annotations
 

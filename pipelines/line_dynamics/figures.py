@@ -1,4 +1,4 @@
-"""What a designer asks of a run of a dynamic line: tensions, slack, work and where it went, statics beside it.
+"""Figures of a run of a dynamic line: tensions, slack, work and its losses, with the quasi-static tension beside them.
 
 An end is slack where its tension is below a tenth of that at rest: the dynamic force then exceeds 0.9 of the static
 one, the slack criterion of DNV-RP-H103 (2011), section 4.4.3.  Means are over time; the figures of a run that repeats
@@ -21,7 +21,7 @@ LOSSES = ("drag", "water_inertia", "structural", "bed", "friction")
 class End:
     """Tension at one end, N, in the window: largest at `time` s, mean, least; rest : before the motion
 
-    slack : s of the window in which it is below a tenth of that at rest, nan where nothing pulls at rest
+    slack : s of the window in which it is below a tenth of that at rest, nan where there is no tension at rest
     quasi_static : largest of the line at rest in every position
     """
 
@@ -39,7 +39,7 @@ class Figures:
     """begin, end : s, the window; cycles : in it, or None where nothing repeats
 
     work : J in the window, at the ends; losses : {name: J}; stored : J, change; change : of the largest tension from
-    the last cycle but one to the last, as a share; regime : HarmonicTension, or why there is none
+    the last cycle but one to the last, as a share; regime : HarmonicTension, or the reason for none
     """
 
     begin: float
@@ -55,7 +55,7 @@ class Figures:
 
     @property
     def imbalance(self):
-        """J, of work not found again in losses and store: the error of the time steps"""
+        """J, work less losses and stored energy: the error of the time steps"""
         return self.work - sum(self.losses.values()) - self.stored
 
     def attributes(self):

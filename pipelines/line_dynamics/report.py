@@ -1,4 +1,4 @@
-"""What is printed of a run of a dynamic line: tensions, work, regime, and what a reader has to know of them."""
+"""Tables of a run of a dynamic line: tensions, work, regime, and findings on them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .figures import LOSSES
 
 KN = 1e3
 STEADY = 0.02  # change of the largest tension between the last two cycles
-DYNAMIC = 0.1  # over the largest quasi-static tension, where inertia and drag are said not to matter
+DYNAMIC = 0.1  # over the largest quasi-static tension, below which inertia and drag are reported as negligible
 BALANCE = 0.01  # of the work, or of what was lost: left over by the time steps
 
 
@@ -84,7 +84,7 @@ def _number(value, form):
 
 
 def findings(found, result, breaking):
-    """Lines on what a reader of the figures has to know."""
+    """Findings on the figures, one line each."""
     largest = result.tension_fairlead.max()
     if max(largest, result.tension_anchor.max()) > breaking:
         yield f"the largest tension is {largest / KN:.0f} kN, the breaking load {breaking / KN:.0f} kN: the line parts"

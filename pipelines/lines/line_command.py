@@ -72,7 +72,7 @@ def line(type, weight, stiffness, length, depth, fairlead_z, span, tension, fric
 
 
 def _check_flags(**given):
-    """Raise StudyError for the first value that cannot be; None is not given."""
+    """Raise StudyError for the first impossible value; None is not given."""
     for name, value in given.items():
         unit, good, allowed = FLAGS[name]
         if value is not None and not good(value):

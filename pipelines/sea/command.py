@@ -17,7 +17,7 @@ PHASES = 2**26  # components times √values; 64 bytes of memory were measured f
 
 @dataclass(frozen=True)
 class Findings:
-    """What is known of a sea: its spectrum; a record, its waves and the estimate of its spectrum.
+    """Results on a sea: its spectrum; a record, its waves and the estimate of its spectrum.
 
     analysed : the spectrum is that estimate
     """
@@ -177,7 +177,7 @@ def _record(spectrum, flags):
 
 
 def _number_of_components(spectrum, flags, duration):
-    """Random amplitudes show the energy they happen to have unless neighbours are as near as the record resolves."""
+    """Random amplitudes need components as close as the record resolves, else its energy is that of a few of them."""
     import math
 
     resolved = math.ceil(spectrum.quantile(0.999) * duration / (2 * math.pi))

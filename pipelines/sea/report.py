@@ -11,7 +11,7 @@ from mooring.environment.spectrum import Tabulated
 
 from ..common.outputs import opening
 
-WAVES = 1000  # whose highest is told where no record says how many there are
+WAVES = 1000  # whose expected maximum is printed for a spectrum without a record
 ROWS = 1000  # of a spectrum that is written
 SHARES = (1e-6, 1 - 1e-4)  # of its energy that lie below the first and the last row
 

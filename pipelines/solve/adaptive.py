@@ -1,4 +1,4 @@
-"""Few frequencies for a whole band: solved where most is unknown until everything between is within tolerance.
+"""Few frequencies for a whole band: added where the estimated error is largest until it is within tolerance everywhere.
 
 Each frequency goes to the database as usual; the error between them is estimated from what is stored
 (`bem.database.between_frequencies`).  A run that is resumed, or repeated, therefore asks only for what is missing
@@ -48,14 +48,14 @@ def filled_band(scene, file, fill, wider, console):
 
 
 def controlled(scene, db):
-    """Names of what is held to the tolerance: coefficients and excitation; only without them, what there is."""
+    """Names of quantities that the tolerance applies to: coefficients and excitation, or another without them."""
     names = [name for name in CONTROLLED if name in db.names]
     smooth = ("Froude_Krylov_force", "diffraction_force", "drift_force_fixed", "kochin_radiation", "kochin_diffraction")
     return names or [name for name in smooth if name in db.names][:1]
 
 
 def _estimated(scene, db):
-    """Places (p,) rad/s over the band, and the largest error there; infinite before there is something to go by."""
+    """Places (p,) rad/s over the band, and the largest error there; infinite with too few frequencies."""
     places, names = np.linspace(scene.waves.band.first, scene.waves.band.last, PLACES), controlled(scene, db)
     if not names:
         return places, 0.0

@@ -18,7 +18,7 @@ LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3)}  # a buoy of twelve sides has a ya
 LONGEST = 7  # breadths, up to which panels across were counted
 COARSE = 0.71  # of the counts: about half as many panels
 FEWEST = 2  # in a direction of the coarse mesh
-TOO_CLOSE = 0.8  # of the panels: a coarse mesh that is hardly coarser says nothing
+TOO_CLOSE = 0.8  # of the panels: a coarse mesh that is hardly coarser gives no estimate of the error
 
 
 def panels_for(body, tolerance):

@@ -39,7 +39,7 @@ def problem_of(header, scene):
 
 
 def _panels_of_limits(scene, body):
-    """Panels for the limits of the frequency: without waves the tolerance alone tells how many"""
+    """Panels for the limits of the frequency: without waves the tolerance alone sets their number"""
     return PanelProblem(meshed(scene.body, fine_counts(scene.body, scene.accuracy, math.inf)), **body)
 
 

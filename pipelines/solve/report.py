@@ -1,4 +1,4 @@
-"""What is said at the end of a run and by `hakobune check`: tables on the terminal."""
+"""Tables at the end of a run and of `hakobune check`, on the terminal."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ CHECKED = {
     "residual": "linear system",
     "estimated_error": "two resolutions",
 }
-MEANINGLESS = 0.5  # a law broken by half of what it is about: the numbers are none, whatever accuracy was asked for
+MEANINGLESS = 0.5  # a law violated by half of its terms: the numbers are unusable at any accuracy
 RESIDUAL = 1e-6  # of a linear system; four digits below the finest tolerance that makes sense
 
 
@@ -43,7 +43,7 @@ def checked(db):
 
 
 def failed_laws(db, own_panels):
-    """What to say of laws that a run does not obey, one line; "" where it does.
+    """One line on the laws that the results of a run violate, "" if none.
 
     own_panels : panels were given, as a number or a mesh file, and no tolerance promised
     """

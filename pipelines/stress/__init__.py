@@ -1,1 +1,1 @@
-"""Random scenes over everything a user may ask for, each solved as the commands do and held to laws."""
+"""Random scenes over everything a user may ask for, each solved as the commands do and tested against laws."""

@@ -1,4 +1,4 @@
-"""A campaign: scene after scene solved and held to the laws, a row each; what fails is a result, not an end."""
+"""A campaign: each scene is solved and tested against the laws, a row for each; a failure is a result of its row."""
 
 from __future__ import annotations
 
@@ -9,17 +9,18 @@ import numpy as np
 
 from ..scene.scene import SceneError, make_scene
 from .laws import CURVATURE, allowed, kink, violations
+from .rotated import rotated
 from .scenes import drawn
 from .solved import solved
-from .turned import turned
 
 STEP = 1e-3  # of every parameter, and of a radian in the phase of the waves over the hull
 
 
 class Row(NamedTuple):
-    """One scene: where it lies, how it was solved, violations in units of what is allowed, what failed.
+    """One scene: its parameters, how it was solved, violations of laws over the allowed ones, and the failure.
 
-    waves : lengths over the body; estimate : stored relative error; smooth, turned : NaN where not tried
+    waves : lengths over the body; estimate : stored relative error
+    smooth, turned (a rotated and shifted mesh) : NaN where not tried
     verdict : "" or what failed, in a line
     """
 
@@ -56,7 +57,7 @@ LAWS = ("reciprocity", "Haskind", "energy", "dissipation", "smooth", "turned")
 def row_of(seed, number, method="auto", tolerance=0.01, most_waves=np.inf, every=20):
     """The `Row` of one scene, unsolved with more than `most_waves` over the body or by a method that is not for it.
 
-    every : one scene in so many is solved again with every parameter moved a little, and one turned and shifted
+    every : one scene in so many is solved again with each parameter perturbed, and one rotated and shifted
     """
     scene = drawn(seed, number)
     start, row = time.perf_counter(), _placed(scene)._replace(command=scene.command(method, tolerance))
@@ -75,7 +76,7 @@ def row_of(seed, number, method="auto", tolerance=0.01, most_waves=np.inf, every
 
 
 def represented(scene, method, tolerance):
-    """Whether a method is for such scenes; `auto` has to be"""
+    """Whether a method can represent the scene; `auto` has to"""
     try:
         make_scene(scene.tables(method, tolerance))
     except SceneError:
@@ -106,12 +107,12 @@ def _solved(scene, row, seed, method, tolerance, every):
     if scene.number % every == 0:
         row = row._replace(smooth=roughest(scene, here, method, tolerance))
     if scene.number % every == every // 2:
-        row = row._replace(turned=turned(scene, seed))
+        row = row._replace(turned=rotated(scene, seed))
     return row
 
 
 def roughest(scene, here, method, tolerance):
-    """Largest second difference in any parameter over what the errors of the three results allow"""
+    """Largest second difference in any parameter over that which the errors of the three results allow"""
     found = []
     for _, sides in scene.neighbours(STEP / (1 + scene.k * scene.reach)):
         before, after = (solved(side, method, tolerance) for side in sides)

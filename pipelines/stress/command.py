@@ -1,4 +1,4 @@
-"""`hakobune stress`: random scenes over the whole range, each held to laws; what fails is told with its command."""
+"""`hakobune stress`: random scenes over the whole range, tested against laws, failures with their command."""
 
 from __future__ import annotations
 

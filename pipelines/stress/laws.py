@@ -1,4 +1,4 @@
-"""What every answer has to keep, as violations in units of what the stored error estimate e allows.
+"""Laws that every result obeys, as violations over those that its estimated error e allows.
 
 With Z and X each wrong by no more than e of their size, theory allows
 

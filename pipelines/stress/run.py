@@ -1,4 +1,4 @@
-"""A campaign from its first scene to its last: rows written as they come, failures told at once, time left."""
+"""A campaign from its first scene to its last: rows are written, and failures and time left printed, as they come."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ def run(questions, output, executor, say):
     say : takes each line of progress
     """
     check_output(output, "a table of stress scenes", is_table, (".csv",))
-    rows, told = [], time.perf_counter()
-    start = told
+    rows, printed = [], time.perf_counter()
+    start = printed
     with output.open("w", newline="", encoding="utf-8") as file, ctrl_c(say) as stop:
         writer = Writer(file, ["seed {0}, method {2}, tolerance {3:g}, at most {4:g} waves".format(*questions[0])])
         for row in _answers(questions, executor):
@@ -31,8 +31,8 @@ def run(questions, output, executor, say):
             if row.verdict:
                 say(f"scene {row.number}: {row.verdict}\n  {row.command}")
             now = time.perf_counter()
-            if now - told > EVERY:
-                told, left = now, (now - start) / len(rows) * (len(questions) - len(rows))
+            if now - printed > EVERY:
+                printed, left = now, (now - start) / len(rows) * (len(questions) - len(rows))
                 failed = sum(1 for row in rows if row.verdict)
                 say(f"{len(rows)}/{len(questions)}  {failed} failed  {duration(left)} left")
             if stop.asked:

@@ -1,7 +1,7 @@
-"""Random scenes: boxes and buoys in any depth, in waves that are anything from endless to a ripple.
+"""Random scenes: boxes and buoys in any depth, in waves of any length.
 
 depth/draft 1.005 … ∞, kh 1e-4 … 200 (in infinite depth k·draft 1e-4 … 20), B/d and R/d 0.2 … 100, L/B 1 … 20, drawn
-evenly in the logarithm with a twentieth of the draws at either end.  A third of the frequencies lies on or beside an
+evenly in the logarithm, a twentieth of the draws at either end.  A third of the frequencies lies on or beside an
 irregular one: with φ = 0 or the walls' resonances of the water inside the hull,
 
     K = κ coth κd    where the panel method's equations have a false resonance (interior of the hull),
@@ -86,7 +86,7 @@ class StressScene:
 
 
 def drawn(seed, number):
-    """The `StressScene` of a seed and a number, which no other scene has any part in"""
+    """The `StressScene` of a seed and a number, which depends on no other scene"""
     rng = np.random.default_rng([seed, number])
     draft = _rounded(_even(rng, *DRAFTS))
     width = _with_ends(rng, *WIDTHS) * draft
@@ -146,5 +146,5 @@ def _with_ends(rng, low, high):
 
 
 def _rounded(value, digits=6):
-    """As it can be written in a command line"""
+    """Rounded to what is written in a command line"""
     return float(f"{value:.{digits}g}")

@@ -1,4 +1,4 @@
-"""A scene solved the way the commands do it: scene, mesh, lid, method, one frequency; nothing is stored."""
+"""A scene solved as the commands do: scene, mesh, lid, method, one frequency; nothing is stored."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ QUANTITIES = ("added_mass", "radiation_damping", "excitation_force")
 class Solved:
     """Z = A + iB/ω (6, 6) and excitation X (m, 6), and their sizes as in `bem.checks`.
 
-    panels : on the whole hull, 0 where none is computed with; result : all that came back
+    panels : on the whole hull, 0 where none is computed with; result : of the solver
     """
 
     method: str

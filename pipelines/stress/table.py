@@ -11,7 +11,7 @@ import numpy as np
 from ..common.outputs import opening
 from .campaign import Row
 
-USELESS = 0.3  # an estimated error above which a result says little
+USELESS = 0.3  # an estimated error above which a result is of little use
 
 
 class Writer:

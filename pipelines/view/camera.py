@@ -16,7 +16,7 @@ BAR = 0.40  # to the right, where a colour bar stands
 DEEP = 2.0  # of the hull's diagonal: a bed farther below would leave the hull small
 
 
-def hold(plotter, hull, bar=False):
+def fit(plotter, hull, bar=False):
     """Move the camera of a pyvista Plotter, its direction kept, until all that is drawn is in the picture.
 
     hull : PanelMesh; a sea bed far below it is left out of the picture; bar : whether a colour bar is drawn
@@ -57,6 +57,6 @@ def _distance(sides):
 
 
 def _middle(sides, distance):
-    """Place of the camera that leaves the same room on both sides"""
+    """Place of the camera with equal margins on both sides"""
     low, high, out_low, out_high = sides
     return ((out_high - high * distance) + (low * distance - out_low)) / 2

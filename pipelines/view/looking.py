@@ -71,7 +71,7 @@ def drawn(picture, off_screen=True):
     """A pyvista Plotter with a Picture whole in it"""
     from meshing.view import scene
 
-    from .camera import hold
+    from .camera import fit
 
     plotter = scene(
         picture.mesh,
@@ -82,7 +82,7 @@ def drawn(picture, off_screen=True):
         depth=picture.depth,
         off_screen=off_screen,
     )
-    hold(plotter, picture.mesh, bar=picture.field is not None)
+    fit(plotter, picture.mesh, bar=picture.field is not None)
     return plotter
 
 

@@ -57,15 +57,15 @@ def _coefficients(db, axes):
     if "radiation_damping" in db.names:
         curves["B/ω", "--"] = np.einsum("wii->wi", db["radiation_damping"]) / db.omega[:, None]
     size = np.max([np.abs(curve).max(axis=0) for curve in curves.values()], axis=0)
-    loud = size > QUIET * _largest_of_kind(size, _length(db) ** 2)
+    shown = size > QUIET * _largest_of_kind(size, _length(db) ** 2)
     for columns, unit in ((FORCES, "kg"), (MOMENTS, "kg m²")):
         scale, _, power = _prefix(size[columns].max())
         for i in range(6)[columns]:
-            for (label, style), curve in curves.items() if loud[i] else ():
+            for (label, style), curve in curves.items() if shown[i] else ():
                 _curve(axes[i], db.omega, curve[:, i] / scale, style, "C0" if style == "-" else "C3", label)
             axes[i].set_ylabel(f"{power}{unit}")
-    if loud.any():
-        axes[np.argmax(loud)].legend(frameon=False)
+    if shown.any():
+        axes[np.argmax(shown)].legend(frameon=False)
 
 
 def _excitation(db, axes):
@@ -74,10 +74,10 @@ def _excitation(db, axes):
 
 def _phases(db, axes):
     force = db["excitation_force"]
-    loud = _loud(np.abs(force), _length(db))
+    shown = _above_rounding(np.abs(force), _length(db))
     for i, axis in enumerate(axes):
         for j, color in enumerate(heading_colors(len(db.wave_direction))):
-            if loud[j, i]:
+            if shown[j, i]:
                 lag = np.degrees(np.angle(force[:, j, i]))
                 _curve(axis, db.omega, _broken_at_jumps(lag), "-", color)
         axis.set(ylim=(-190, 190), yticks=(-180, -90, 0, 90, 180), ylabel="degrees")
@@ -127,18 +127,18 @@ def _largest_of_kind(size, lever):
     return np.repeat([forces, max(moments, forces * lever)], 3)
 
 
-def _loud(size, lever):
+def _above_rounding(size, lever):
     """(m, 6) whether a curve of `size` (n, m, 6) is more than rounding"""
     return size.max(axis=0) > QUIET * _largest_of_kind(size, lever)
 
 
 def _amplitudes(db, axes, size, units, lever, prefixes=True):
-    loud = _loud(size, lever)
+    shown = _above_rounding(size, lever)
     for columns, unit in zip((FORCES, MOMENTS), units, strict=True):
         scale, prefix, _ = _prefix(size[:, :, columns].max()) if prefixes else (1.0, "", "")
         for i in range(6)[columns]:
             for j, color in enumerate(heading_colors(len(db.wave_direction))):
-                if loud[j, i]:
+                if shown[j, i]:
                     _curve(axes[i], db.omega, size[:, j, i] / scale, "-", color)
             axes[i].set_ylabel(f"{prefix}{unit}")
             axes[i].set_ylim(bottom=0)

@@ -13,9 +13,9 @@ from pipelines.cli import main
 from pipelines.stress import scenes
 from pipelines.stress.campaign import roughest, row_of
 from pipelines.stress.laws import ALLOWED, allowed, violations
+from pipelines.stress.rotated import rotated
 from pipelines.stress.scenes import drawn, irregular
 from pipelines.stress.solved import solved
-from pipelines.stress.turned import turned
 
 SEED = 7
 DRAWN = [drawn(SEED, number) for number in range(3000)]
@@ -133,10 +133,10 @@ def test_a_jump_in_one_parameter_is_found(answer):
 
 
 def test_a_mesh_that_is_not_the_one_turned_is_found(monkeypatch):
-    scene = next(s for s in (DRAWN[n] for n in SHORT) if s.shape == "box" and turned(s, SEED) >= 0)
-    assert turned(scene, SEED) < 1
-    monkeypatch.setattr("pipelines.stress.turned._turn", lambda angle: np.eye(3))
-    assert turned(scene, SEED) > 100
+    scene = next(s for s in (DRAWN[n] for n in SHORT) if s.shape == "box" and rotated(s, SEED) >= 0)
+    assert rotated(scene, SEED) < 1
+    monkeypatch.setattr("pipelines.stress.rotated._rotation", lambda angle: np.eye(3))
+    assert rotated(scene, SEED) > 100
 
 
 def test_a_campaign_writes_a_row_for_every_scene(tmp_path, capsys):

@@ -1,11 +1,11 @@
-"""A mesh turned and shifted: the panel method without mirror planes, and against itself with two of them.
+"""Panel method on a rotated and shifted mesh, without mirror planes, and compared with itself with two of them.
 
-With R the turn by α about the vertical, a body moved to p has, about p,
+With R the rotation by α about the vertical, a body moved to p has, about p,
 
     A' = R A Rᵀ,    X'(β + α) = exp(ik p·(cos(β+α), sin(β+α))) R X(β)
 
-which the answer keeps within the accuracy of the Green function's tables, whatever the error of the panels.  With
-mirror planes a panel is integrated more finely where any of its images is near: that differs by the panels' error.
+which results obey within the accuracy of the Green function's tables, whatever the discretisation error.  With mirror
+planes a panel is integrated more finely where an image of it is near, a difference within the discretisation error.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ TABLES = 1e-5  # of the wave part, relative
 MOST_PANELS = 220  # of the whole hull
 
 
-def turned(scene, seed):
-    """Largest difference over what is allowed; NaN where no mesh of these counts carries the wave"""
+def rotated(scene, seed):
+    """Largest difference over the allowed one; NaN where panels of these counts would be longer than the wave"""
     rng = np.random.default_rng([seed, scene.number, 1])
     counts = np.array([rng.integers(*limits) for limits in COUNTS])
     angle, place = rng.uniform(-math.pi, math.pi), rng.uniform(-1, 1, 2) * scene.reach
@@ -53,9 +53,9 @@ def difference(one, other, angle, phase, towards):
 
     one, other : `Solved`; phase : k times the place; towards : (m,) rad, headings of the second
     """
-    R = np.kron(np.eye(2), _turn(angle))
-    carried = np.exp(-1j * (phase[0] * np.cos(towards) + phase[1] * np.sin(towards)))
-    pair = one.relative(R.T @ other.Z @ R - one.Z, carried[:, None] * other.X @ R - one.X)
+    R = np.kron(np.eye(2), _rotation(angle))
+    shift = np.exp(-1j * (phase[0] * np.cos(towards) + phase[1] * np.sin(towards)))
+    pair = one.relative(R.T @ other.Z @ R - one.Z, shift[:, None] * other.X @ R - one.X)
     return float(max(np.abs(part).max() for part in pair))
 
 
@@ -65,7 +65,7 @@ def _solved(scene, hull, headings, **more):
     return scaled("panel", hull[0].total, prepared, scene.omega, result)
 
 
-def _turn(angle):
+def _rotation(angle):
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
@@ -77,5 +77,5 @@ def _mesh(scene, counts):
 def _usable(scene, mesh):
     """Whether no panel is longer than the wave or too slender, and there are few of them"""
     aspect = float((mesh.sizes**2 / mesh.areas).max())
-    carries = mesh.sizes.max() <= 2 * math.pi / scene.k
-    return carries and aspect <= LONGEST_ASPECT and mesh.total <= MOST_PANELS
+    resolved = mesh.sizes.max() <= 2 * math.pi / scene.k
+    return resolved and aspect <= LONGEST_ASPECT and mesh.total <= MOST_PANELS
