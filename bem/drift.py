@@ -29,6 +29,24 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
     return density * gravity * np.asarray(n / (np.pi * k))[..., None] * np.stack([x, y, m / k], axis=-1)
 
 
+def harmonics(H, theta):
+    """Orders (t,) and coefficients (…, t) of the Fourier series of H (…, t) over equally spaced theta (t,) rad.
+
+    A Kochin function has no more harmonics than kR and a few: the series is the function, and its derivative exact.
+    """
+    order = np.fft.fftfreq(len(theta), 1 / len(theta))
+    return order, np.fft.fft(H, axis=-1) * np.exp(-1j * order * theta[0]) / len(theta)
+
+
+def slope_and_ahead(H, theta, beta):
+    """H′ (…, m, t), and H and H′ (…, m) of each of the m rows of H (…, m, t) at its own beta (m,) rad."""
+    order, series = harmonics(H, theta)
+    turn = 1j * np.where(np.abs(order) == len(theta) / 2, 0.0, order)  # the highest has no phase of its own
+    slope = np.fft.ifft(turn * series * np.exp(1j * order * theta[0]) * len(theta), axis=-1)
+    wave = series * np.exp(1j * np.multiply.outer(beta, order))
+    return slope, wave.sum(axis=-1), (turn * wave).sum(axis=-1)
+
+
 def energy_defect(H, forward):
     """(headings,) violation of (1/2π)∫|H|²dθ = −Re H(β), relative to the largest |H| or the left-hand side
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .drift import about, mean_drift
+from .drift import about, mean_drift, slope_and_ahead
 from .motions import response
 from .viscous import linearised_response
 from .waves import group_factor, wavenumber
@@ -44,15 +44,7 @@ def free_body(problem, omega, headings, theta, flow):
     if set(KOCHIN) <= set(flow):
         H = flow["kochin_diffraction"] + made["rao"] @ flow["kochin_radiation"]
         k = float(wavenumber(omega, problem.depth, problem.gravity))
-        far = _slope_and_ahead(H, theta, np.asarray(headings, float))
+        far = slope_and_ahead(H, theta, np.asarray(headings, float))
         water = k, float(group_factor(k, problem.depth)), problem.density, problem.gravity
         made["drift_force"] = about(mean_drift(H, *far, theta, headings, *water), problem.rotation_center)
     return made
-
-
-def _slope_and_ahead(H, theta, beta):
-    """H′ (m, t), and H and H′ (m,) of each row at its β, by the Fourier series: H is band-limited"""
-    order = np.fft.fftfreq(len(theta), 1 / len(theta))
-    series = np.fft.fft(H, axis=-1)
-    wave = np.exp(1j * np.multiply.outer(beta - theta[0], order)) / len(theta)
-    return np.fft.ifft(1j * order * series), np.sum(series * wave, axis=-1), np.sum(1j * order * series * wave, axis=-1)

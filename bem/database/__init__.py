@@ -1,7 +1,7 @@
 """The database of a scene: its schema, its HDF5 file, its rows, and what lies between its frequencies.
 
-The functions of `rows` in DOOR can be imported from here.  They are loaded when asked for: h5py takes 0.1 s,
-which `hakobune --help`, needing no more than the names of `schema`, does not have.
+The functions of `rows` and `widening` in DOOR can be imported from here.  They are loaded when asked for: h5py takes
+0.1 s, which `hakobune --help`, needing no more than the names of `schema`, does not have.
 """
 
 from importlib import import_module
@@ -15,4 +15,4 @@ DOOR = (
 def __getattr__(name):
     if name not in DOOR:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(".rows", __name__), name)
+    return getattr(import_module(".widening" if name == "extend" else ".rows", __name__), name)

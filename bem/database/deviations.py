@@ -1,11 +1,70 @@
-"""Deviations of known quantities, carried through an equation to what follows from them."""
+"""Estimated errors of what a `reader.Reader` says: of both interpolations, carried on to what follows from them.
+
+Every deviation is about one standard deviation, of a complex quantity that of the modulus.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
+from ..waves import wavenumber
+from . import far_field_drift
+from .between_frequencies import DRIFT, KOCHIN, RADIATION
+
 STEP = 1e-3  # of the deviations, with which they are carried through an equation
 DRAWS = 8  # by chance; a deviation is known to a quarter
+
+
+def carried(reader, omega, headings, name, names):
+    """(q, p, …) deviation of "rao" or drift, of those of the quantities `names` that they follow from."""
+    found = reader.where_stored(omega, headings, name)
+    if found is not None and found.complete:
+        return np.zeros(found.values.shape)
+    if not reader.rebuilds_drift and name != "rao":
+        return interpolated(reader, omega, headings, name)
+    radiated, H = reader.far_field(omega, headings) if reader.rebuilds_drift else (None, None)
+    parts = {
+        "added_mass": lambda: reader.coefficients(omega)[0],
+        "radiation_damping": lambda: reader.coefficients(omega)[1],
+        "excitation_force": lambda: reader.forces(omega, headings),
+        "kochin_radiation": lambda: radiated,
+        "kochin_diffraction": lambda: H,
+    }
+    parts = {part: parts[part]() for part in names}
+    errors = {part: interpolated(reader, omega, headings, part) for part in names}
+    if name == "rao":
+        error = one_by_one(lambda p: reader.solved(omega, *p.values()), parts, errors)
+    else:
+        waves = wavenumber(omega, reader.depth, reader.gravity) * reader.radius
+
+        def equation(p):
+            R, D, *others = p.values()
+            X = reader.solved(omega, *others) if others else None
+            return far_field_drift.of_far_field(reader, omega, headings, R, D, X)
+
+        error = by_chance(equation, parts, errors, KOCHIN, waves)
+    return error if found is None else np.where(found.mask[..., None], 0.0, error)
+
+
+def interpolated(reader, omega, headings, name):
+    """(q, p, …) deviation of a quantity at omega (q,) rad/s and headings (p,) rad, None for those stored."""
+    error = reader.between.error(omega, name)
+    if headings is None or name in (*RADIATION, "kochin_radiation"):
+        return error
+    values, ring = reader.between.value(omega, name), reader.ring_of(name)
+    mirrored = ring.of_drift if name in DRIFT else ring.of_kochin if name == "kochin_diffraction" else ring.of_forces
+    values, error = mirrored(values), np.abs(mirrored(error))
+    over = reader.turned(omega, headings, name)
+    independent = len(ring.headings)
+    if name != "kochin_diffraction":  # what symmetry makes zero says nothing
+        size = np.abs(values).max(axis=0)
+        independent = np.sum(size > 1e-6 * size.max(axis=0), axis=0) / 2 ** len(ring.images)
+    if name == "excitation_force" and "kochin_radiation" in reader.between.quantities:
+        there = reader.of_haskind(omega, ring.headings)
+        values = np.where(np.isnan(there), values, values - there)
+    spread = np.sqrt(np.abs(over.weights) ** 2 @ (error**2).reshape(*error.shape[:2], -1))
+    spread = spread.reshape(*spread.shape[:2], *error.shape[2:])
+    return np.hypot(spread, over.deviation(values, independent))
 
 
 def one_by_one(equation, parts, errors):

@@ -3,8 +3,7 @@
 Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made,
 so that an append changes numbers in place and never the structure of the file.  Beside it, in /stored, lies
 one mark per frequency (and heading).  Data first, flush, then the mark.  The file is made under another name
-and renamed, so that it exists only whole; more frequencies, headings or quantities are a new file beside the
-old one that takes over its rows and then its name.
+and renamed, so that it exists only whole; it is widened by a new one (`widening`).
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ import numpy as np
 from meshing.whole_files import keep_room
 
 from .file import DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
-from .integrity import ROWS, check_cells, check_rows, checks_crc, crc, has_checksums, remark, row_crc
+from .integrity import ROWS, check_cells, check_rows, checks_crc, crc, has_checksums
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
 
 SAME = 1e-9  # relative in omega, rad in heading: closer than any two a person asks for, wider than rounding
@@ -55,33 +54,6 @@ def create(path, header, omega, wave_direction, names):
         lay_out(file, header, omega, wave_direction, names)
 
 
-def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
-    """Widen a file by frequencies, headings and quantities; what it holds is kept, the rest is pending.
-
-    header : takes the place of the stored one where something is added; one of another `scene_hash` at once
-    anew : names of which nothing is kept
-    Returns whether anything had to be added: then a new file has the name, and one that was given open is the old one.
-    """
-    with writing(path) as old:
-        kept = read_header(old)
-        header = header or kept
-        stored = [name for name in QUANTITIES if name in old]
-        wider_omega = _union(old["omega"][()], omega, _same_omega)
-        wider_heading = _union(old["wave_direction"][()], wave_direction, _same_heading)
-        wider = [name for name in QUANTITIES if name in stored or name in names]
-        grown = (
-            len(wider_omega) > len(old["omega"])
-            or len(wider_heading) > len(old["wave_direction"])
-            or len(wider) > len(stored)
-            or header.scene_hash != kept.scene_hash
-        )
-        if grown:
-            with beside(old.filename, grows=True) as file:
-                lay_out(file, header, wider_omega, wider_heading, wider)
-                _take_over(old, file, anew)
-    return grown
-
-
 @contextlib.contextmanager
 def writing(path):
     """The open file of a database, for `append`; only one process at a time may have it."""
@@ -91,7 +63,7 @@ def writing(path):
         for name in (name for name in QUANTITIES if name in file):
             check_cells(file, name)
         check_rows(file, np.ones(len(file["omega"]), bool))
-        _mark_whole_rows(file)
+        mark_whole_rows(file)
         yield file
 
 
@@ -102,8 +74,8 @@ def append(file, omega, headings, result):
     result : {name: array}, and "checks", "estimated_error", "wall_time" as `solve_frequency` returns them
     Raises DatabaseError, and marks nothing, if a value has the wrong shape or is not finite.
     """
-    (i,) = _places(file, [omega], "omega")
-    columns = _places(file, headings, "wave_direction")
+    (i,) = places_on(file, [omega], "omega")
+    columns = places_on(file, headings, "wave_direction")
     cells = {}
     for name in (name for name in QUANTITIES if name in file and name in result and name not in LIMITS):
         by_heading = "wave_direction" in cell_axes(name)
@@ -112,10 +84,10 @@ def append(file, omega, headings, result):
     marks, sealed = {}, has_checksums(file)
     for name, value in cells.items():
         stored = [value]
-        if _estimate(name) in file:
+        if estimate_of(name) in file:
             unknown = np.full(value.shape, np.nan)
             stored.append(np.asarray(result.get("estimated_error", {}).get(name, unknown), float))
-            _put(file[_estimate(name)], name, i, columns, stored[1])
+            _put(file[estimate_of(name)], name, i, columns, stored[1])
         _put(file[name], name, i, columns, value)
         by_heading = len(cell_axes(name)) > 1
         found = [crc(*parts) for parts in zip(*stored, strict=True)] if by_heading else crc(*stored)
@@ -124,7 +96,7 @@ def append(file, omega, headings, result):
     file.flush()
     for name, value in marks.items():
         _put(file["stored"][name], name, i, columns, value)
-    _mark_whole_rows(file)
+    mark_whole_rows(file)
     file.flush()
 
 
@@ -143,7 +115,8 @@ def _append_checks(file, i, result):
         file[ROWS][i] = checks_crc(checks, text)
 
 
-def _estimate(name):
+def estimate_of(name):
+    """Name of the dataset of estimated errors of a quantity"""
     return f"estimated_error/{name}"
 
 
@@ -167,8 +140,8 @@ def append_limit(file, name, value):
 
 def row_values(file, omega, headings, names):
     """{name: values, shaped as `append` takes them} of one frequency, or None where not all of them are stored."""
-    (i,) = _places(file, [omega], "omega")
-    columns, found = _places(file, headings, "wave_direction"), {}
+    (i,) = places_on(file, [omega], "omega")
+    columns, found = places_on(file, headings, "wave_direction"), {}
     for name in names:
         if name not in file:
             return None
@@ -313,8 +286,8 @@ class Database:
             for name in names:
                 check_cells(file, name, None, self.rows)
             return {
-                name: file[_estimate(name)][()][self.rows]
-                if _estimate(name) in file
+                name: file[estimate_of(name)][()][self.rows]
+                if estimate_of(name) in file
                 else np.full((self.rows.sum(), *file[name].shape[1:]), np.nan)
                 for name in names
             }
@@ -379,28 +352,8 @@ class Database:
         return f"run its command again with --only {','.join(missing)}"
 
 
-def _take_over(old, new, anew):
-    """Copy numbers and marks of quantities not in `anew`, checks and wall times to their places in a wider file."""
-    i = _places(new, old["omega"], "omega")
-    j = _places(new, old["wave_direction"], "wave_direction")
-    for name in (name for name in QUANTITIES if name in old and name not in anew):
-        axes = cell_axes(name)
-        for path in (p for p in (name, f"stored/{name}", _estimate(name)) if p in old and p in new):
-            value = np.asarray(new[path])
-            value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = old[path][()]
-            new[path][...] = value
-        if not has_checksums(old) or (_estimate(name) in old) != (_estimate(name) in new):
-            remark(new, name)
-    for path in (*(f"checks/{name}" for name in CHECKS), "wall_time"):
-        value = new[path][()]
-        value[i] = old[path][()]
-        new[path][...] = value
-    _mark_whole_rows(new)
-    for row in i:
-        new[ROWS][row] = row_crc(new, row)
-
-
-def _mark_whole_rows(file):
+def mark_whole_rows(file):
+    """Note which frequencies have all their quantities"""
     whole = np.ones(len(file["omega"]), bool)
     for mark in (file["stored"][name][()] for name in file["stored"] if name not in LIMITS):
         whole &= (mark != 0).reshape(len(whole), -1).all(axis=1)
@@ -435,24 +388,22 @@ def _first_axis(name):
     return axes[0] if axes else None
 
 
-def _same_omega(a, b):
+def same_omega(a, b):
+    """Whether two frequencies, rad/s, are one"""
     return abs(a - b) <= SAME * abs(b)
 
 
-def _same_heading(a, b):
+def same_heading(a, b):
+    """Whether two headings, rad, are one"""
     return abs((a - b + np.pi) % (2 * np.pi) - np.pi) <= SAME
 
 
-def _places(file, values, axis):
-    same = _same_omega if axis == "omega" else _same_heading
+def places_on(file, values, axis):
+    """Numbers of `values` on an axis of the file.  Raises DatabaseError for one that is not there."""
+    same = same_omega if axis == "omega" else same_heading
     known = file[axis][()]
     places = [next((i for i, x in enumerate(known) if same(x, value)), None) for value in values]
     if None in places:
         absent = values[places.index(None)]
         raise DatabaseError(f"{axis} = {absent:.9g} is not one of the file's {len(known)} values")
     return places
-
-
-def _union(old, new, same):
-    added = [float(b) for b in new if not any(same(a, b) for a in old)]
-    return np.unique(np.concatenate([old, added]))

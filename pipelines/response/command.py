@@ -52,11 +52,11 @@ def response(
 
 def _in_sea(read, body, db, points):
     from bem import DOFS
+    from bem.viscous_table import laws_of
     from mooring.response.sea_state import sea_state
     from mooring.response.viscous import linearised
 
     from ..common.quantities import positive
-    from ..scene.viscous_table import laws_of
     from .study import sea_of
 
     sea = sea_of(read.sea)

@@ -28,10 +28,10 @@ import msgspec
 import numpy as np
 
 from bem import DOFS
+from bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive
 from ..common.typed import read_toml, typed
-from ..scene.viscous_table import Laws
 
 
 class SeaTable(Table):

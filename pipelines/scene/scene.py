@@ -13,12 +13,13 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from bem.viscous_table import ViscousTable
 from bem.waves import wavenumber
 
 from ..common.typed import read_toml, typed
 from . import products
 from .methods import approach, check_method, names_given
-from .viscous_table import ViscousTable, viscous_of
+from .viscous_table import viscous_of
 
 SHAPES = {"box": ("length", "beam", "draft"), "buoy": ("radius", "draft"), "mesh": ("file",)}
 FREQUENCY_KEYS = ("omegas", "periods", "xi_B", "band")

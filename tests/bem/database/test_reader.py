@@ -6,6 +6,8 @@ import pytest
 from bem.database import open_database
 from bem.database.between_frequencies import BetweenError
 from pipelines.cli import main
+from pipelines.scene.scene import make_scene
+from pipelines.solve.run import solve
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28"
 
@@ -107,3 +109,32 @@ def test_refusals_name_the_number_the_range_and_the_way_out(coarse):
             ask()
         assert "\n" not in str(caught.value)
     assert issubclass(BetweenError, ValueError)
+
+
+def viscous(folder, name, omegas):
+    """The box with the roll damping of Yamashita in waves of 3 m"""
+    hull = {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "gyration": [15.55, 29.44, 32.28]}
+    raw = {
+        "water": {"depth": 20.0},
+        "bodies": [hull],
+        "panels": 120,
+        "viscous": {"wave_height": 3.0, "roll": "Yamashita"},
+    }
+    scene = make_scene(raw | {"waves": {"omegas": omegas, "headings_deg": [45.0, 90.0]}})
+    assert solve(scene, folder / f"{name}.h5").exit_status == 0
+    return open_database(folder / f"{name}.h5")
+
+
+def test_viscous_motions_between_waves_are_linearised_at_the_wave_height_of_the_scene(tmp_path):
+    """On stored waves the stored motion, between them that of a solve there; the damping counts in roll"""
+    stored = viscous(tmp_path, "stored", np.linspace(0.35, 0.95, 10).tolist())
+    between = viscous(tmp_path, "between", [0.45, 0.52, 0.58])
+    found, again = stored.reader, stored.reader.damped(stored.reader.viscous)
+    assert np.array_equal(found.motions(stored.omega), stored["rao"])
+    assert np.allclose(again.motions(stored.omega), stored["rao"], rtol=1e-12, atol=1e-12 * np.abs(stored["rao"]).max())
+    value, told = stored.at(between.omega, "rao")
+    scale = np.abs(between["rao"]).max(axis=(0, 1))
+    moving = scale > 1e-6 * scale.max()
+    assert np.all((np.abs(value - between["rao"]) <= 3 * told + 1e-9 * scale)[..., moving])
+    roll = np.abs(found.floating().motions(stored.omega))[:, 1, 3].max()
+    assert np.abs(stored["rao"])[:, 1, 3].max() < 0.9 * roll

@@ -1,0 +1,96 @@
+"""Mean drift of a body of a database in any wave: from its Kochin functions, less what the far field errs.
+
+Drift follows from motions X and Kochin functions (`bem.drift`).  Energy,
+
+    −Re H(β) = (1/2π) ∫ |H|² dθ + kP/(2ρgC_g),    P = ½ω² X* B′ X the power absorbed,
+
+stands for the forward value in the forces, which would else be the small difference of what errors do not respect;
+the moment has none.  At stored waves the far field of the fixed body misses the stored drift by what panels err; this
+is taken out, straight between frequencies.  Where no Kochin functions are stored the drift itself is interpolated.
+
+Every function takes a `reader.Reader`, omega (q,) rad/s, and headings (p,) rad or None for those stored.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..drift import about, mean_drift, slope_and_ahead
+from ..waves import group_factor, wavenumber
+from .between_frequencies import DRIFT, KOCHIN, BetweenError
+
+
+def drift(reader, omega, headings, fixed):
+    """(q, p, 3) N/m² and N m/m² where no stored number serves.  Raises BetweenError where nothing does."""
+    if reader.rebuilds_drift:
+        radiated, H = reader.far_field(omega, headings)
+        X = None if fixed else reader.motions(omega, headings)
+        return of_far_field(reader, omega, headings, radiated, H, X) - _amiss(reader, omega, headings)
+    name = DRIFT[0] if fixed else DRIFT[1]
+    if name not in reader.between.quantities:
+        raise BetweenError(
+            f"{', '.join(KOCHIN)} must be stored for {name}; run its command again with --only kochin,drift"
+        )
+    if not fixed and not reader.own:
+        raise BetweenError(
+            "drift of a body with added damping or stiffness is rebuilt from Kochin functions, which the database "
+            "lacks; run its command again with --only kochin,drift"
+        )
+    values = reader.between.value(omega, name)
+    if headings is None:
+        return values
+    ring = reader.ring_of(name)
+    return reader.turned(omega, headings, name).value(ring.of_drift(values), "drift")
+
+
+def of_far_field(reader, omega, headings, radiated, H, X):
+    """(q, p, 3) about rotation_center; motions X (q, p, 6) or None for the fixed body
+
+    radiated : (q, 6, t) and H (q, p, t) Kochin functions of the radiation and the diffraction
+    """
+    k = wavenumber(omega, reader.depth, reader.gravity)[:, None]
+    n, beta = group_factor(k, reader.depth), reader.headings if headings is None else np.atleast_1d(headings)
+    absorbed = 0.0
+    if X is not None:
+        H = H + X @ radiated
+        speed = n * omega[:, None] / k
+        absorbed = k * _absorbed(reader, omega, X) / (2 * reader.density * reader.gravity * speed)
+    theta = reader.between.theta
+    slope, _, forward_slope = slope_and_ahead(H, theta, beta)
+    forward = -np.mean(np.abs(H) ** 2, axis=-1) - absorbed
+    force = mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, reader.density, reader.gravity)
+    return about(force, reader.rotation_center)
+
+
+def _absorbed(reader, omega, X):
+    """(q, p) W/m², ½ω² X* B′ X of the damping beside radiation"""
+    loss = np.einsum("qpi,ij,qpj->qp", X.conj(), reader.damping, X).real
+    if reader.viscous:
+        laws = reader.viscous
+        damped = [
+            [laws.damping(w, laws.wave_amplitude * np.abs(x)) for x in row] for w, row in zip(omega, X, strict=True)
+        ]
+        loss = loss + np.einsum("qpi,qpij,qpj->qp", X.conj(), np.array(damped), X).real
+    return 0.5 * omega[:, None] ** 2 * loss
+
+
+def _amiss(reader, omega, headings):
+    """(q, p, 3) by how much the far field misses stored drift of the fixed body, straight between frequencies"""
+    if DRIFT[0] not in reader.between.quantities:
+        return 0.0
+    known, at_stored = reader.omega, reader.missed_drift
+    low = np.clip(np.searchsorted(known, omega) - 1, 0, max(len(known) - 2, 0))
+    high = np.minimum(low + 1, len(known) - 1)
+    step = known[high] - known[low]
+    share = np.where(step > 0, (omega - known[low]) / np.where(step > 0, step, 1.0), 0.0)[:, None, None]
+    missed = (1 - share) * at_stored[low] + share * at_stored[high]
+    if headings is None:
+        return missed
+    ring = reader.ring_of(DRIFT[0])
+    return reader.turned(omega, headings, DRIFT[0]).value(ring.of_drift(missed), "drift")
+
+
+def missed(reader):
+    """(n, m, 3) how far the far field is from stored drift of the fixed body at stored waves"""
+    radiated, H = reader.far_field(reader.omega)
+    return of_far_field(reader, reader.omega, None, radiated, H, None) - reader.between.quantities[DRIFT[0]]

@@ -1,0 +1,66 @@
+"""Widening a database by frequencies, headings and quantities: a new file that takes over the rows of the old one.
+
+It is made beside the old one and takes its name when it is whole, so that a run can be killed at any instant.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .file import beside, lay_out, read_header
+from .integrity import ROWS, has_checksums, remark, row_crc
+from .rows import estimate_of, mark_whole_rows, places_on, same_heading, same_omega, writing
+from .schema import CHECKS, QUANTITIES, cell_axes
+
+
+def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
+    """Widen a file by frequencies, headings and quantities; what it holds is kept, the rest is pending.
+
+    header : takes the place of the stored one where something is added; one of another `scene_hash` at once
+    anew : names of which nothing is kept
+    Returns whether anything had to be added: then a new file has the name, and one that was given open is the old one.
+    """
+    with writing(path) as old:
+        kept = read_header(old)
+        header = header or kept
+        stored = [name for name in QUANTITIES if name in old]
+        wider_omega = _union(old["omega"][()], omega, same_omega)
+        wider_heading = _union(old["wave_direction"][()], wave_direction, same_heading)
+        wider = [name for name in QUANTITIES if name in stored or name in names]
+        grown = (
+            len(wider_omega) > len(old["omega"])
+            or len(wider_heading) > len(old["wave_direction"])
+            or len(wider) > len(stored)
+            or header.scene_hash != kept.scene_hash
+        )
+        if grown:
+            with beside(old.filename, grows=True) as file:
+                lay_out(file, header, wider_omega, wider_heading, wider)
+                _take_over(old, file, anew)
+    return grown
+
+
+def _take_over(old, new, anew):
+    """Copy numbers and marks of quantities not in `anew`, checks and wall times to their places in a wider file."""
+    i = places_on(new, old["omega"], "omega")
+    j = places_on(new, old["wave_direction"], "wave_direction")
+    for name in (name for name in QUANTITIES if name in old and name not in anew):
+        axes = cell_axes(name)
+        for path in (p for p in (name, f"stored/{name}", estimate_of(name)) if p in old and p in new):
+            value = np.asarray(new[path])
+            value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = old[path][()]
+            new[path][...] = value
+        if not has_checksums(old) or (estimate_of(name) in old) != (estimate_of(name) in new):
+            remark(new, name)
+    for path in (*(f"checks/{name}" for name in CHECKS), "wall_time"):
+        value = new[path][()]
+        value[i] = old[path][()]
+        new[path][...] = value
+    mark_whole_rows(new)
+    for row in i:
+        new[ROWS][row] = row_crc(new, row)
+
+
+def _union(old, new, same):
+    added = [float(b) for b in new if not any(same(a, b) for a in old)]
+    return np.unique(np.concatenate([old, added]))

@@ -1,0 +1,98 @@
+"""The table [viscous] of a scene: damping of heave, roll and pitch that depends on their amplitude.
+
+    [viscous]
+    wave_height = 2.0                                        # m, of the regular waves it is linearised in
+    roll = "Yamashita"                                       # boxes in deep water, B/d from 5 to 10
+    heave = { amplitudes = [0.5, 1.0], b = [0.02, 0.05] }    # b_H of SR179 report (1982), eq. 2.1.4.6
+    pitch = { drag = 1.0e9 }                                 # N m s², moment over the square of the velocity
+
+Roll and pitch have amplitudes_deg in place of amplitudes.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+
+import msgspec
+import numpy as np
+
+from .viscous import Quadratic, Tabulated, Viscous, report_scale, yamashita_roll
+
+MODES = ("heave", "roll", "pitch")
+
+
+class Law(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """drag : N s²/m² or N m s²; or b at amplitudes : m, amplitudes_deg : degrees"""
+
+    drag: float | None = None
+    b: list[float] | None = None
+    amplitudes: list[float] | None = None
+    amplitudes_deg: list[float] | None = None
+
+
+class Laws(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """Laws by motion; at least one"""
+
+    heave: Law | None = None
+    roll: Law | str | None = None
+    pitch: Law | None = None
+
+
+class ViscousTable(Laws, frozen=True, kw_only=True):
+    """wave_height : m, of the regular waves in which the damping is linearised"""
+
+    wave_height: float
+
+
+def viscous_of_text(scene, box, density, gravity):
+    """`bem.viscous.Viscous` of the text of a scene that has the table.
+
+    box : {"length", "beam", "draft"} m, empty for other bodies
+    Raises ValueError, one line.
+    """
+    table = msgspec.convert(tomllib.loads(scene)["viscous"], ViscousTable)
+    return viscous_of_table(table, box, density, gravity)
+
+
+def viscous_of_table(table, box, density, gravity):
+    """`bem.viscous.Viscous` of a `ViscousTable`, arguments as in `viscous_of_text`"""
+    return Viscous(laws_of("viscous", table, box, density, gravity), 0.5 * table.wave_height)
+
+
+def laws_of(where, table, box, density, gravity):
+    """{degree of freedom: law} of a table of `Laws`.
+
+    where : the table's name, for messages; box : {"length", "beam", "draft"} m, empty for other bodies
+    Raises ValueError, one line.
+    """
+    given = {mode: getattr(table, mode) for mode in MODES if getattr(table, mode) is not None}
+    if not given:
+        raise ValueError(f"{where} has no law; give heave, roll or pitch")
+    return {mode.capitalize(): _law(f"{where}.{mode}", mode, law, box, density, gravity) for mode, law in given.items()}
+
+
+def _law(where, mode, law, box, density, gravity):
+    if isinstance(law, str):
+        if law != "Yamashita":
+            raise ValueError(f"{where} is {law!r}; allowed: Yamashita, or a table of drag or b")
+        return yamashita_roll(*_sizes(where, box), density)
+    if (law.drag is None) == (law.b is None):
+        raise ValueError(f"{where}: give one of drag, b")
+    if law.drag is not None:
+        if not 0 <= law.drag < math.inf:
+            raise ValueError(f"{where}.drag is {law.drag:g}; allowed: at least 0, finite")
+        return Quadratic(law.drag)
+    wanted, other = ("amplitudes", "amplitudes_deg") if mode == "heave" else ("amplitudes_deg", "amplitudes")
+    amplitudes = getattr(law, wanted)
+    if amplitudes is None or getattr(law, other) is not None:
+        raise ValueError(f"{where}.b needs {wanted}, and nothing else")
+    amplitudes = np.radians(amplitudes) if mode != "heave" else amplitudes
+    scale = report_scale(mode.capitalize(), *_sizes(where, box), density, gravity)
+    return Tabulated(scale, tuple(amplitudes), tuple(law.b))
+
+
+def _sizes(where, box):
+    if not box:
+        raise ValueError(f"{where}: b is made dimensionless by length, beam and draft of a box; give drag")
+    return box["length"], box["beam"], box["draft"]
