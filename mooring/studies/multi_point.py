@@ -74,12 +74,12 @@ class MultiPoint:
 
     @property
     def utilisation(self):
-        """(n,) largest tension over breaking load; infinite beyond reach, 0 where no breaking load is given"""
+        """(n,) largest tension over breaking load; infinite beyond reach, nan where no breaking load is given"""
         return self.extreme.utilisation
 
     @cached_property
     def acceptable(self):
-        """Whether every line stays within the allowable fraction of its breaking load."""
+        """Whether every line is known to stay within the allowable fraction of its breaking load."""
         return bool(np.all(self.utilisation <= self.allowable))
 
 

@@ -128,6 +128,10 @@ def _line_findings(result):
             (lines.vertical_a < 0) & (mean.vertical_a >= 0) & ~beyond,
             "lifting the anchor at the largest tension",
         ),
+        (
+            np.isinf(result.system.breaking_load),
+            "without a breaking load, how much of it they use is unknown: give breaking_load of their type",
+        ),
         (beyond, "beyond reach at the largest displacement: an inextensible line cannot follow, give its EA"),
         ((result.utilisation > 1) & ~beyond, "beyond the breaking load"),
         (

@@ -13,7 +13,7 @@ from mooring.lines.multi_segment.bed import Bed
 from mooring.lines.multi_segment.segments import PointLoad, Segment
 from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
 
-from .quantities import StudyError, Table, force, one_of, positive
+from .quantities import HEAVIEST, StudyError, Table, below, force, friction, one_of, positive
 from .units import KGF
 
 
@@ -88,6 +88,8 @@ def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineT
     except ValueError as error:
         raise StudyError(f"{where}.catalogue: {error}") from None
     weight = one_of(where, table, {"weight_kg_per_m": KGF, "weight_N_per_m": 1.0}, required=known is None)
+    if weight is not None:
+        below(f"{where}: weight in N/m", weight, HEAVIEST)
     return LineType(
         name or table.catalogue or where,
         weight or known.weight,
@@ -100,9 +102,7 @@ def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineT
 
 def bed_friction(where, table):
     """Coefficient of a TypeTable"""
-    if not (table.bed_friction >= 0 and math.isfinite(table.bed_friction)):
-        raise StudyError(f"{where}.bed_friction is {table.bed_friction:g}; allowed: at least 0")
-    return table.bed_friction
+    return friction(f"{where}.bed_friction", table.bed_friction)
 
 
 def of_types(where, name, types):
@@ -125,9 +125,9 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
         for part, kind in zip(parts, kinds, strict=True)
     ]
     lengths = [positive(f"{place}.length", part.length) for place, part in zip(places, parts, strict=True)]
-    friction = [bed_friction(f"types.{part.type}", kind) for part, kind in zip(parts, kinds, strict=True)]
+    rough = [bed_friction(f"types.{part.type}", kind) for part, kind in zip(parts, kinds, strict=True)]
     if not (table.segments or table.bodies or table.bed):
-        return UniformLine(name, made[0], lengths[0], *ends, friction[0])
+        return UniformLine(name, made[0], lengths[0], *ends, rough[0])
     try:
         segments = [
             Segment(length, kind.weight, kind.axial_stiffness, kind.diameter or 0.0, kind.breaking_load, kind.name)
@@ -136,7 +136,7 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
     except ValueError as error:
         raise StudyError(f"{where} ({name}): {error}") from None
     loads = _point_loads(where, table.bodies, lengths, density, gravity)
-    on_bed = _friction(where, table.bed, friction)
+    on_bed = _friction(where, table.bed, rough)
     return CompositeLine(name, segments, *ends, loads, on_bed, _own_bed(where, table.bed, on_bed))
 
 
@@ -168,7 +168,7 @@ def _point_loads(where, bodies, lengths, density, gravity):
 
 def _friction(where, bed, of_segments):
     if bed is not None and bed.friction is not None:
-        return bed.friction
+        return friction(f"{where}.bed.friction", bed.friction)
     if len(set(of_segments)) > 1:
         low, high = min(of_segments), max(of_segments)
         raise StudyError(

@@ -13,6 +13,10 @@ import msgspec
 
 from .units import KNOT, TONF
 
+DEEPEST = 12_000.0  # m, the deepest sea
+HEAVIEST = 1e6  # N/m, chain of 2 m diameter
+ROUGHEST = 5.0  # coefficient of friction
+
 
 class StudyError(ValueError):
     """A study cannot be used; one line names the key, its value and what is allowed."""
@@ -26,6 +30,25 @@ def positive(key, value):
     if not 0 < value < math.inf:
         raise StudyError(f"{key} is {value:g}; allowed: above 0, finite")
     return value
+
+
+def below(key, value, limit, why=""):
+    """The value, above 0 and at most `limit`.  Raises StudyError."""
+    if not 0 < value <= limit:
+        raise StudyError(f"{key} is {value:g}; allowed: above 0, at most {limit:g}{why}")
+    return value
+
+
+def friction(key, value):
+    """The coefficient of friction, 0 to ROUGHEST.  Raises StudyError."""
+    if not 0 <= value <= ROUGHEST:
+        raise StudyError(f"{key} is {value:g}; allowed: 0 to {ROUGHEST:g}")
+    return value
+
+
+def water_depth(key, value):
+    """m, above 0 and at most DEEPEST.  Raises StudyError."""
+    return below(key, value, DEEPEST, ", the deepest sea")
 
 
 def one_of(where, table, units, required=False):

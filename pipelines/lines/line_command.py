@@ -7,23 +7,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..common.picture import PLOTS, check_picture, save
-from ..common.quantities import StudyError
+from ..common.quantities import DEEPEST, HEAVIEST, ROUGHEST, StudyError
 from ..common.units import TONF
+from .overloads import LONGEST_STRAIN
 
 KN = 1e3
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
-DEEPEST = 12_000.0  # m
-LONGEST_STRAIN = 0.5  # nylon rope parts before
 STEEPEST = np.degrees(1.5)  # of a bed that `mooring.catenary` knows
 FLAGS = {  # unit, whether a value is good, what is allowed
-    "weight": (" N/m", lambda value: 0 < value <= 1e6, "above 0, at most 1e6"),  # chain of 2 m diameter
+    "weight": (" N/m", lambda value: 0 < value <= HEAVIEST, f"above 0, at most {HEAVIEST:g}"),
     "stiffness": (" kN", lambda value: value > 0, "above 0"),
     "length": (" m", lambda value: 0 < value <= 1e5, "above 0, at most 1e5"),
     "depth": (" m", lambda value: 0 <= value <= DEEPEST, f"at least 0, at most {DEEPEST:g}, the deepest sea"),
     "fairlead_z": (" m", np.isfinite, "finite"),
     "span": (" m", lambda value: 0 <= value < np.inf, "at least 0, finite"),
     "tension": (" kN", lambda value: 0 < value < np.inf, "above 0, finite"),
-    "friction": ("", lambda value: 0 <= value <= 5, "0 to 5"),
+    "friction": ("", lambda value: 0 <= value <= ROUGHEST, f"0 to {ROUGHEST:g}"),
     "slope_deg": ("°", lambda value: abs(value) < STEEPEST, f"above −{STEEPEST:.2f} and below {STEEPEST:.2f}"),
 }
 

@@ -15,9 +15,11 @@ from bem.database.file import check_place
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
+from .overloads import overloads
 from .system_file import TOML, YAML, read_system
 
 KN = 1e3
+FARTHEST = 1e5  # m
 SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
 
 
@@ -37,6 +39,8 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
         check_output(output, "a file of channels", is_channels, DATABASE)
     if moordyn is not None:
         check_place(moordyn)
+    if offset is not None and not 0 < offset <= FARTHEST:
+        raise StudyError(f"--offset is {offset:g} m; allowed: above 0, at most {FARTHEST:g}")
     console = _console()
     with _warnings_shown(console):
         system = read_system(file, depth)
@@ -54,6 +58,8 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
         warnings.simplefilter("ignore")  # said already of the intact system
         losses = one_line_broken(state) if broken else {}
         curves = [] if offset is None else _curves(state, name, offset, directions)
+    for text in overloads(state, curves, losses):
+        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
     if name is not None:
         _show_stiffness(console, state, name)
     if curves:
@@ -173,8 +179,6 @@ def _show_stiffness(console, state, name):
 def _curves(state, name, offset, directions):
     from mooring.lines.system.studies import offset_curve
 
-    if not offset > 0:
-        raise StudyError(f"--offset is {offset:g} m; allowed: above 0")
     offsets = np.linspace(-offset, offset, 21)
     return [offset_curve(state, name, np.radians(direction), offsets) for direction in directions]
 

@@ -7,6 +7,7 @@ TOML, in m, kg and degrees, with [water], [types.<name>] as in a mooring study, 
 from __future__ import annotations
 
 import math
+import warnings
 from pathlib import Path
 
 import msgspec
@@ -15,9 +16,10 @@ from mooring.lines.system.graph import System
 from mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody
 
 from ..common.line_tables import LineTable, TypeTable, line_of
-from ..common.quantities import StudyError, Table
+from ..common.quantities import StudyError, Table, water_depth
 from ..common.typed import read_toml, typed
 
+HIGHEST = 30.0  # m above the water, of a bollard on a quay or of a tower
 YAML, TOML = (".yaml", ".yml"), (".toml",)
 
 
@@ -124,4 +126,17 @@ def make_system(raw) -> System:
         line_of(f"lines[{i}]", line.name, line, table.types, (line.start, line.end), water.density, water.gravity)
         for i, line in enumerate(table.lines)
     ]
-    return System(table.water.depth, lines, points, bodies, table.water.density, table.water.gravity)
+    _warn_of_high_anchors(table.anchors)
+    return System(
+        water_depth("water.depth", water.depth), lines, points, bodies, table.water.density, table.water.gravity
+    )
+
+
+def _warn_of_high_anchors(anchors):
+    high = [f"{one.name} (z = {one.position[2]:g} m)" for one in anchors if one.position[2] > HIGHEST]
+    if high:
+        warnings.warn(
+            f"anchors above the water: {', '.join(high)}, limit {HIGHEST:g} m, as of a quay; z is 0 at the water and "
+            "negative below it",
+            stacklevel=2,
+        )

@@ -111,8 +111,7 @@ def _show(result, study, output):
     worst = int(np.argmax(result.tension))
     console.print(
         f"largest tension: {result.tension[worst] / TONF:.0f} tonf in {result.system.line_names[worst]}, "
-        f"{100 * result.utilisation[worst]:.0f} % of its breaking load "
-        f"(allowable {100 * result.allowable:.0f} %)",
+        f"{_used(result, worst)}",
         highlight=False,
         soft_wrap=True,
     )
@@ -120,6 +119,12 @@ def _show(result, study, output):
         console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
     if output is not None:
         console.print(f"written: {output}, {output.stem}_plan.png", highlight=False, soft_wrap=True)
+
+
+def _used(result, line):
+    if np.isinf(result.system.breaking_load[line]):
+        return "how much of its breaking load is unknown: none is given"
+    return f"{100 * result.utilisation[line]:.0f} % of its breaking load (allowable {100 * result.allowable:.0f} %)"
 
 
 def _motions(amplitudes):
@@ -166,5 +171,7 @@ def _lines_table(result):
         strict=True,
     ):
         style = "red" if row[-1] > 100 * result.allowable else None
-        table.add_row(row[0], *(f"{value:.1f}" for value in row[1:]), style=style)
+        *forces, used = row[1:]
+        share = "unknown" if np.isnan(used) else f"{used:.1f}"
+        table.add_row(row[0], *(f"{value:.1f}" for value in forces), share, style=style)
     return table

@@ -18,7 +18,7 @@ from mooring.loads.box_drag import drag_table
 from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
 
 from ..common.line_tables import LineTable, TypeTable, line_of
-from ..common.quantities import StudyError, Table, direction, force, positive, speed
+from ..common.quantities import StudyError, Table, direction, force, positive, speed, water_depth
 from ..common.typed import read_toml, typed
 
 
@@ -166,7 +166,7 @@ def make_study(raw):
     study = typed(raw, Study, StudyError)
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
-    positive("water.depth", study.water.depth)
+    water_depth("water.depth", study.water.depth)
     return study
 
 

@@ -48,8 +48,8 @@ class LineForces(NamedTuple):
 
     horizontal : N towards the other end; vertical : N, downward pull on what the end is made fast to
     tension : N; grounded_length : m; status : values of `mooring.catenary.State`
-    utilisation : largest tension in the line over breaking load, of the segment that is nearest to it; 0 where none is
-        known.  Beyond reach forces and utilisation are infinite
+    utilisation : largest tension in the line over breaking load, of the segment that is nearest to it; nan where no
+        breaking load is known.  Beyond reach forces and utilisation are infinite
     solutions : {number of a line of segments: its StaticSolution}
     """
 
@@ -293,9 +293,10 @@ def line_forces(system, rows, solutions) -> LineForces:
     tension_a, tension_b = np.hypot(ha, va), np.hypot(hb, vb)
     with np.errstate(invalid="ignore"):
         used = np.maximum(tension_a, tension_b) / system.breaking_load
-    used[beyond] = np.inf
     for number, found in solutions.items():
         if found is not None:
             segments = zip(found.segment_tensions, found.line.segments, strict=True)
             used[number] = max(tension / segment.breaking_load for tension, segment in segments)
+    used[np.isinf(system.breaking_load)] = np.nan
+    used[beyond] = np.inf
     return LineForces(ha, hb, va, vb, tension_a, tension_b, lying, status.astype(int), used, solutions)

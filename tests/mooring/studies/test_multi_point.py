@@ -399,3 +399,14 @@ def test_contradicting_hull_is_refused():
     study = make_study(tomllib.loads(STUDY.replace("freeboard", "beam = 40.0\nfreeboard")))
     with pytest.raises(StudyError, match=r"hull\.beam is 40 m, the database is for 50 m"):
         study.hull_of({"length": 100.0, "beam": 50.0, "draft": 10.0})
+
+
+def test_lines_without_a_breaking_load_are_not_called_acceptable(tmp_path, database, capsys):
+    study = tmp_path / "study.toml"
+    study.write_text(STUDY.replace("breaking_load_tonf = 1700.0\n", ""))
+    result = moor(study, database)
+    shown = capsys.readouterr().out
+    assert not result.acceptable and np.isnan(result.utilisation).all()
+    assert "how much of its breaking load is unknown" in shown and " 0 % of its breaking load" not in shown
+    (said,) = (text for text in result.warnings if "without a breaking load" in text)
+    assert all(name in said for name in result.system.line_names)

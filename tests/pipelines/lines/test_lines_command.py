@@ -354,3 +354,51 @@ def test_a_type_of_a_study_may_come_from_the_catalogue_and_be_corrected():
     assert heavier.weight == 1200.0 and heavier.axial_stiffness == plain.axial_stiffness
     with pytest.raises(StudyError, match="nothing is given"):
         line_type("types.x", TypeTable())
+
+
+@pytest.mark.parametrize(
+    "flags, state", [([], "at rest"), (["--offset", "5"], "held at offsets"), (["--broken"], "after the loss of")]
+)
+def test_lines_loaded_above_their_breaking_load_are_named_with_number_and_limit(tmp_path, capsys, flags, state):
+    weak = tmp_path / "weak.toml"
+    weak.write_text(SPREAD.replace("breaking_load_kN = 2500", "breaking_load_kN = 40"))
+    main(["lines", str(weak), *flags])
+    said = [line for line in capsys.readouterr().out.splitlines() if line.startswith(f"warning: {state}")]
+    assert said and all("stern wire" in line and "limit 100 %" in line for line in said)
+
+
+def test_a_line_stretched_to_twice_its_length_is_said_to_part(tmp_path, capsys):
+    short = tmp_path / "short.toml"
+    short.write_text(SPREAD.replace("length = 80.0", "length = 20.0").replace("2.0e5", "200.0"))
+    main(["lines", str(short)])
+    assert re.search(r"warning: at rest, stretched by: stern wire .* limit 50 %", capsys.readouterr().out)
+
+
+@pytest.mark.parametrize(
+    "old, new, said",
+    [
+        ("bed_friction = 0.5", "bed_friction = 1e9", "bed_friction is 1e+09; allowed: 0 to 5"),
+        ("depth = 60.0", "depth = 20000.0", "water.depth is 20000; allowed: above 0, at most 12000"),
+        ("weight_N_per_m = 120.0", "weight_N_per_m = 1e7", "1e+07; allowed: above 0, at most 1e+06"),
+    ],
+)
+def test_systems_that_cannot_be_are_refused_with_their_limit(tmp_path, capsys, old, new, said):
+    path = tmp_path / "wrong.toml"
+    path.write_text(SPREAD.replace(old, new))
+    assert main(["lines", str(path)]) == 2
+    shown = capsys.readouterr()
+    assert said in shown.err and not shown.out
+
+
+@pytest.mark.parametrize("offset", ["nan", "inf", "1e9", "0"])
+def test_an_offset_that_cannot_be_is_refused_before_anything_is_shown(spread, capsys, offset):
+    assert main(["lines", str(spread), "--offset", offset]) == 2
+    shown = capsys.readouterr()
+    assert "--offset is" in shown.err and not shown.out
+
+
+def test_an_anchor_high_above_the_water_is_warned_of(tmp_path, capsys):
+    path = tmp_path / "high.toml"
+    path.write_text(SPREAD.replace("position = [-320.0, 0.0, -60.0]", "position = [-320.0, 0.0, 60.0]"))
+    main(["lines", str(path)])
+    assert "anchors above the water: A1 (z = 60 m), limit 30 m" in capsys.readouterr().out

@@ -1,0 +1,51 @@
+"""Lines of a system loaded beyond what breaks them: one line for each state, with the number and its limit."""
+
+from __future__ import annotations
+
+import numpy as np
+
+LONGEST_STRAIN = 0.5  # nylon rope parts before
+
+
+def overloads(state, curves=(), losses=None):
+    """Lines above their breaking load, or stretched by more than a half: at rest, at offsets, with a line broken.
+
+    state : SystemEquilibrium; curves : OffsetCurves of it, where the breaking load is the least of a line's segments
+    losses : {line: SystemEquilibrium without it, or an exception}
+    """
+    yield from _of_one("at rest", state.system, state.tension, state.lines.utilisation)
+    for curve in curves:
+        where = f"held at offsets up to {np.abs(curve.offset).max():g} m along {np.degrees(curve.direction):g}°"
+        tension = curve.tension.max(axis=0)
+        yield from _of_one(where, state.system, tension, tension / state.system.breaking_load)
+    for lost, left in (losses or {}).items():
+        if not isinstance(left, Exception):
+            yield from _of_one(f"after the loss of {lost}", left.system, left.tension, left.lines.utilisation)
+
+
+def _of_one(where, system, tension, used):
+    """tension : (n,) N, the larger of both ends; used : (n,) share of the breaking load"""
+    broken = _named(system, used, 1.0)
+    if broken:
+        yield (
+            f"{where}, tension in % of the breaking load: {broken}; limit 100 %, there a line parts; "
+            "give a stronger type or a longer line"
+        )
+    stretched = _named(system, tension / [_stiffness(line) for line in system.lines], LONGEST_STRAIN)
+    if stretched:
+        yield (
+            f"{where}, stretched by: {stretched}; limit {100 * LONGEST_STRAIN:g} %, where any rope parts; "
+            "give a longer line or a nearer anchor"
+        )
+
+
+def _named(system, shares, limit):
+    """Lines above a limit, with their shares; "" where there are none"""
+    above = [(name, share) for name, share in zip(system.line_names, shares, strict=True) if share > limit]
+    return ", ".join(f"{name} {100 * share:.4g} %" for name, share in above)
+
+
+def _stiffness(line):
+    """N, of the softest segment; inf where it is a table of strain and tension, which knows its own strain"""
+    parts = getattr(line, "segments", None) or [line.type]
+    return min(part.axial_stiffness if np.ndim(part.axial_stiffness) == 0 else np.inf for part in parts)
