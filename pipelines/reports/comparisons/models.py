@@ -12,6 +12,7 @@ from mooring.studies.natural_periods import natural_periods
 from ...scene.methods import METHODS
 from .cases import MODEL_CHI, MODELS, model_case
 from .pictures import Curve, drift_picture, roll_picture, wave_picture
+from .report_units import unit_of_added_mass
 from .tables import drift_rows, wave_rows, write_table
 
 XI = tuple(sorted({round(0.1 * i, 2) for i in range(3, 31)} | {round(0.05 * i, 2) for i in range(18, 37)}))
@@ -81,12 +82,11 @@ def period_rows(results):
 def _periods(results):
     db = results.db
     alone, coupled = natural_periods(db.reader, coupled=False), natural_periods(db.reader)
-    row = {key: results.case.columns[key] for key in ("model", "method")}
+    row, unit = {key: results.case.columns[key] for key in ("model", "method")}, unit_of_added_mass(db)
     for d, name, measured in ((3, "roll", 0), (4, "pitch", 1)):
         inside = alone.inside[d] and coupled.inside[d]
         period, seen = alone.period[d] if inside else np.nan, MEASURED[row["model"]][measured]
-        xi = (2 * np.pi / period) ** 2 * db.dimensions["beam"] / (2 * db.gravity)
-        added = np.interp(xi, results.xi, results.coefficient(f"A{d + 1}{d + 1}")) if inside else np.nan
+        added = db.reader.held_added_mass(2 * np.pi / period)[0, d, d] / unit[d, d] if inside else np.nan
         row |= {
             f"A{d + 1}{d + 1}": added,
             f"T_{name}": period,

@@ -68,7 +68,7 @@ def in_report_units(case, db):
     size, omega = db.dimensions, db.omega[rows]
     L, B = size["length"], size["beam"]
     arm = np.array([1, 1, 1, B / 2, L / 2, L / 2])
-    mass = db.density * db.displaced_volume * np.outer(arm, arm)
+    mass = unit_of_added_mass(db)
     force = db.density * db.gravity * L * B / 2 * arm
     k = db["wavenumber"][rows]
     motion = np.where(np.arange(6) < 3, 1.0, k[:, None, None])
@@ -87,6 +87,13 @@ def in_report_units(case, db):
         motions=db["rao"][rows][:, columns] / motion,
         drift=drift,
     )
+
+
+def unit_of_added_mass(db):
+    """(6, 6) ρ∇ of a box, kg, with half its beam or length for each rotation"""
+    L, B = db.dimensions["length"], db.dimensions["beam"]
+    arm = np.array([1, 1, 1, B / 2, L / 2, L / 2])
+    return db.density * db.displaced_volume * np.outer(arm, arm)
 
 
 def lag(values):
