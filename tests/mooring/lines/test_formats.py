@@ -304,7 +304,7 @@ def test_what_a_run_in_time_needs_is_kept_when_a_file_is_read_and_written():
 
 def test_written_options_have_the_names_that_moordyn_2_documents():
     options = moordyn_of_system(bridle()).options
-    assert set(options) <= {"dtM", "kBot", "cBot", "WtrDpth", "WtrDnsty", "g", "FrictionCoefficient"}
+    assert set(options) <= {"dtM", "kBot", "cBot", "WtrDpth", "WtrDnsty", "g", "FrictionCoefficient", "ICgenDynamic"}
     assert "rhoW" not in options
 
 
