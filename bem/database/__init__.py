@@ -1,4 +1,4 @@
-"""The database of a scene: its schema, its HDF5 file, its rows, and what lies between its frequencies.
+"""The database of a scene: its schema, its HDF5 file, its rows, and interpolation between its frequencies and headings.
 
 The functions of `rows` and `widening` in DOOR can be imported from here.  They are loaded when asked for: h5py takes
 0.1 s, which `hakobune --help`, needing no more than the names of `schema`, does not have.

@@ -1,4 +1,4 @@
-"""What a database holds at its headings, at frequencies between the stored ones, with the estimated error.
+"""Quantities of a database at its headings and at frequencies between the stored ones, with estimated errors.
 
 Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which later echoes make
 one-sided; forces and Kochin functions with the distance ahead of the origin at which the hull meets the wave
@@ -6,8 +6,9 @@ one-sided; forces and Kochin functions with the distance ahead of the origin at 
 
     A(ω) = A(0) + [A(ω₁) − A(0)] (ω/ω₁)² below,    A(ω) = A(∞) + [A(ω_n) − A(∞)] (ω_n/ω)² above,
 
-the leading terms of both ends; how far the first power would lead is told as the error.  Entries whose limit is
-infinite, as that of heave in finite depth, keep their end value with an infinite error.  Nothing else is known there.
+the leading terms of both ends; the difference from the first power is the estimated error.  Entries whose limit is
+infinite, as that of heave in finite depth, keep their end value with an infinite error.  Other quantities are not
+extrapolated.
 """
 
 from __future__ import annotations
@@ -240,7 +241,7 @@ class Between:
         return self._values["impedance"][1]
 
     def _growth(self, name, omega, dimensions):
-        """(q, 1, …) what is taken out before a fit: Kochin functions grow like k, and a fit knows one size only"""
+        """(q, 1, …) factor removed before a fit: Kochin functions grow like k, and a fit has one variance"""
         k = self._abscissa(omega).phase if name in KOCHIN else np.ones(len(omega))
         return k.reshape(-1, *[1] * (dimensions - 1))
 
@@ -275,7 +276,7 @@ def _towards(limit, end, share, error):
 
 
 def _seen(scale):
-    """(6,) infinite for motions that move no water, as yaw of a buoy: what is left of them is rounding"""
+    """(6,) infinite for motions that move no water, as yaw of a buoy, whose coefficients are rounding errors"""
     largest = np.repeat([scale[:3].max(), scale[3:].max()], 3)
     return np.where(scale > 1e-4 * largest, scale, np.inf)
 

@@ -1,21 +1,21 @@
 """Any heading from the stored ones: mirror images of a symmetric body, then plane waves over the plan of the hull.
 
-A body with a plane of symmetry answers a wave from the mirrored side with the mirrored force.  With P the signs of
+On a body with a plane of symmetry the mirror image of a wave exerts the mirror image of the force.  With P the signs of
 the six modes in the mirror (−1 for those that change side), F(β′) = P F(β):
 
     plane y = 0:  β′ = −β,      P = (+ − + − + −),    drift (+ − −)
     plane x = 0:  β′ = π − β,   P = (− + + + − −),    drift (− + −)
 
-Whatever a wave towards β does to a body is linear in the wave where it meets the hull, so that over β it is a sum of
+A force or Kochin function is linear in the incident wave at the hull, so that over β it is a sum of
 exp(ik x·e), e = (cos β, sin β), x in the plan of the hull.  Were all parts of the plan equal and independent, two
 headings would have the covariance of these waves, for a plan of 2a by 2b about c
 
     κ(β, β′) = exp(ik c·Δ) f(ka Δ_x) f(kb Δ_y),    Δ = e − e′,    f(x) = (1 − ¹⁄₅) sin x / x + ¹⁄₅ cos x
 
-with a fifth of each side at its ends, where hulls meet waves; what is quadratic in the wave (drift) has κ².  Values
+with a fifth of the weight at the ends of the hull; quantities quadratic in the wave (drift) have κ².  Values
 between are those of Gaussian-process regression with κ, as in `interpolant`: the phase of the wave at the ends of the
-hull is in it, and kR = 3.4 is followed over gaps of 30° to 0.6 % in surge, where a spline is 4 % off.  The variance it
-leaves is the estimated error.
+hull is in it, and kR = 3.4 is followed over gaps of 30° to 0.6 % in surge, where a spline is 4 % off.  The remaining
+variance is the estimated error.
 """
 
 from __future__ import annotations
@@ -162,7 +162,7 @@ class Turned:
 
     @cached_property
     def _left(self):
-        """(q, p) share of the variance that is left at the headings wanted"""
+        """(q, p) share of the variance that remains at the headings wanted"""
         left = np.maximum(1 - np.sum(np.abs(self._whitened) ** 2, axis=-1) - 2 * NUGGET, 0)
         return np.where(self.place >= 0, 0.0, left)
 

@@ -1,18 +1,19 @@
-"""Functions of frequency from few values of them, with an estimate of the error in between.
+"""Interpolation of functions of frequency between few values, with an estimate of its error.
 
 Kernel interpolation (Gaussian-process regression without noise): with kernel κ, nodes x and values f
 
     f(y) ≈ κ(y, x) κ(x, x)⁻¹ f,    variance σ² [κ(y, y) − κ(y, x) κ(x, x)⁻¹ κ(x, y)],    σ² = f* κ(x, x)⁻¹ f / n
 
-(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eqs 2.25, 2.26).  What waves and a body of
-length L make of each other is smooth in frequency but for echoes: what returns from a distance d turns like exp(ikd),
-one-sidedly because it returns later.  So
+(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eqs 2.25, 2.26).  Hydrodynamic
+quantities of a body of length L are smooth in frequency but for echoes: a wave that returns from a distance d has the
+phase exp(ikd), d > 0 because it returns later.  So
 
     κ(x, y) = exp(−(s − t)²/2ℓ²) Σⱼ aⱼ exp(i(k − q) dⱼ),    s = ½ (ω √(L/g) + √(kL)),    Σ aⱼ = 1
 
-with s, k of x and t, q of y.  Waves first met at the distance `lead` ahead of the origin turn by exp(−ik lead), which
-is taken out before and put back after.  No one ℓ and no one row of echoes serves all: every member of a family is
-fitted and counts by the inverse fourth power of its error at nodes left out (Rippa, Adv. Comput. Math. 11, 1999).
+with s, k of x and t, q of y.  Waves that meet the hull at the distance `lead` ahead of the origin have the phase
+exp(−ik lead), which is removed before the fit.  No single ℓ and set of echoes fits all quantities: every member of a
+family is fitted and weighted by the inverse fourth power of its error at nodes left out (Rippa, Adv. Comput. Math. 11,
+1999).
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ SAMPLE = 15  # functions of a group that stand for all of them
 
 
 class Abscissa(NamedTuple):
-    """Frequencies as the kernel sees them: s and kL of `interpolant`, both (n,)"""
+    """Arguments of the kernel: s and kL of `interpolant`, both (n,)"""
 
     smooth: np.ndarray
     phase: np.ndarray
@@ -46,7 +47,7 @@ class Member(NamedTuple):
     """A kernel of the family.
 
     reach : ℓ, but at most `nodes` mean distances of the nodes; delays : dⱼ in lengths of the body, with their
-    weights aⱼ; lead : share of the `lead` that is taken out
+    weights aⱼ; lead : share of the `lead` that is removed
     """
 
     reach: float
@@ -94,7 +95,7 @@ class Rows(NamedTuple):
     """Every member of the family between nodes x (n,) and places y (q,), whatever is fitted.
 
     cardinal : (members, q, n) value at y of what is 1 at one node and 0 at the others; left : (members, q) share of
-    the variance that the nodes leave open
+    the variance that remains
     """
 
     cardinal: np.ndarray
@@ -103,7 +104,7 @@ class Rows(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Nodes:
-    """Where functions are known, and what follows from that alone; real functions have the real part of the kernel.
+    """Frequencies at which functions are known, and the weights of a fit; for real functions κ is real.
 
     x : Abscissa (n,)
     """
@@ -303,7 +304,7 @@ def _root(kernel):
 
 
 def _left_open(row, root):
-    """(m,) share of the variance that nodes leave open at m places, from the kernel between these and those (m, n)
+    """(m,) share of the variance that remains at m places, from the kernel between these and those (m, n)
 
     By the inverse itself, with entries of 1e9, it would be noise of 1e-7: that stood for an error of half a per cent of
     added mass in long waves, where a hundredth of a per cent was true.
@@ -312,7 +313,7 @@ def _left_open(row, root):
 
 
 def unknown(x, y):
-    """(m,) share of the variance of `SPREAD` that values at x leave open at y"""
+    """(m,) share of the variance of `SPREAD` that remains at y with values at x"""
     return _left_open(SPREAD.kernel(y, x), _root(SPREAD.kernel(x, x)))
 
 

@@ -1,14 +1,14 @@
-"""What a database knows of its body in any wave: one value, asked by every study.
+"""The body of a database in any wave: coefficients, forces, motions and drift with estimated errors, for every study.
 
     {−ω²[M + A] − iω[B + B′] + [C + C′]} X = F,    H = H_D + Σ_j X_j H_j,    drift from H by the far field (`drift`)
 
 A, B, F and the Kochin functions H_j, H_D are interpolated (`between_frequencies`, `between_headings`); motions and
-drift are never: they follow by their equations, so that a resonance between stored frequencies keeps its height.
+drift are never: they follow by their equations, so that a resonance between stored frequencies is resolved.
 Forces over the headings are those of Haskind's relation where Kochin functions of the radiation are stored,
 
     F_j(β) = −4i ρg n/k² H_j(β + π),    n = C_g/C,
 
-less what this errs at the stored headings, interpolated.  Drift needs more frequencies than forces, being of second
+less the error of this at the stored headings, interpolated.  Drift needs more frequencies than forces, being of second
 order in them; its error says so.  In a stored wave the answer is the stored number.  Where no Kochin functions are
 stored the drift itself is interpolated, with an error that counts the step to the next stored frequency.
 """

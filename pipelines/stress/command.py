@@ -24,7 +24,7 @@ def stress(
     """Solve random boxes and buoys in any depth and wave, and hold every answer to the laws of waves.
 
     Finite, reciprocal, energy kept and damping not negative within the stored estimated error; one scene in twenty
-    again with every parameter moved a little, and one as a mesh turned and shifted.  Status 1 if one fails.
+    again with every parameter moved a little, and one as a mesh rotated and shifted.  Status 1 if one fails.
     """
     from ..solve.work import executor_of
     from .run import run

@@ -132,7 +132,7 @@ def test_a_jump_in_one_parameter_is_found(answer):
     assert roughest(scene, leapt, "contour", 0.01) > 1
 
 
-def test_a_mesh_that_is_not_the_one_turned_is_found(monkeypatch):
+def test_a_mesh_that_is_not_the_rotated_one_is_found(monkeypatch):
     scene = next(s for s in (DRAWN[n] for n in SHORT) if s.shape == "box" and rotated(s, SEED) >= 0)
     assert rotated(scene, SEED) < 1
     monkeypatch.setattr("pipelines.stress.rotated._rotation", lambda angle: np.eye(3))
