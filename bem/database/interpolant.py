@@ -104,7 +104,7 @@ class Rows(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Nodes:
-    """Frequencies at which functions are known, and the weights of a fit; for real functions κ is real.
+    """Frequencies at which functions are known, and the weights of a fit; real functions take the real part of κ.
 
     x : Abscissa (n,)
     """
