@@ -12,6 +12,8 @@ from ..scene.methods import names_given
 from ..scene.products import expand
 from .hull import panels_matter
 
+TILT = 2.0  # degrees at rest, above which coordinates are more likely wrong than meant
+GRAVITIES = 9.7, 9.9  # m/s² on the earth
 DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Sea
 
 
@@ -26,6 +28,8 @@ def remarks(scene, hull, body):
         *lid_or_waves,
         *_size_remarks(scene, hull.mesh),
         *_density_remarks(scene.water.density),
+        *_gravity_remarks(scene.water.gravity),
+        *_tilt_remarks(scene, body),
         *_body_remarks(scene, body),
         *_motion_remarks(scene),
     )
@@ -48,6 +52,27 @@ def _density_remarks(density):
     low, high = DENSITIES
     if not low <= density <= high:
         yield f"density {density:g} kg/m³ is not that of water, {low:g} to {high:g} kg/m³; check its unit (--density)"
+
+
+def _gravity_remarks(gravity):
+    low, high = GRAVITIES
+    if not low <= gravity <= high:
+        yield f"gravity {gravity:g} m/s² is not that of the earth, {low:g} to {high:g} m/s²; check its unit"
+
+
+def _tilt_remarks(scene, body):
+    """Weight and buoyancy out of line turn the body until the hydrostatic stiffness holds it: M / C, small angles."""
+    lever = np.asarray(body["center_of_mass"], float)[:2] - np.asarray(body["center_of_buoyancy"], float)[:2]
+    weight = body["mass"] * scene.water.gravity
+    for name, arm, axis, dof in (("trim", lever[0], "x", 4), ("heel", lever[1], "y", 3)):
+        restoring = body["hydrostatic_stiffness"][dof, dof]
+        angle = np.degrees(abs(weight * arm) / restoring) if restoring > 0 else 0.0  # else said to capsize
+        if angle > TILT:
+            yield (
+                f"centre of gravity {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
+                f"{abs(weight * arm):.4g} N m, {angle:.3g}° of static {name}, limit {TILT:g}°; the body is taken "
+                "upright; check where its coordinates begin (--center-of-gravity)"
+            )
 
 
 def _motion_remarks(scene):
