@@ -3,8 +3,9 @@
     python tests/pipelines/full_disk_campaign.py --kills 200        (as root, on Linux: it mounts a small tmpfs)
 
 A disk of random size, from too small for any file to just large enough, more frequencies or fewer, which make a wider
-file beside the old one, and SIGKILL at a random instant, for some runs after their end.  A run that ends by itself on a full disk must say so in one line with status 1.  After every ROUND
-kills the disk grows, the command finishes, and every dataset is compared bit by bit with those of an undisturbed run.
+file beside the old one, and SIGKILL at a random instant, for some runs after their end.  A run that ends by itself on
+a full disk must say so in one line with status 1.  After every ROUND kills the disk grows, the command finishes, and
+every dataset is compared bit by bit with those of an undisturbed run.
 """
 
 import argparse
