@@ -3,6 +3,17 @@
 Each function takes the quantities of one frequency (`bem.frequency.FrequencyRun`) and returns the largest
 relative violation.  Radiation is measured by √|Zᵢᵢ Zⱼⱼ| with Z = A + iB/ω, forces by the larger of excitation and
 diffraction force over the headings.
+
+At resonance damping alone decides: its error is measured by √(Bᵢᵢ Bⱼⱼ) too (`damping_error`), about the rotation
+centre, unless all of it is negligible in the motions (`damping_scale`); the contour method keeps the tolerance by
+this measure as well.  In X = F / (C − ω²(M + A) − iωB) damping is negligible where
+
+    ωB ≤ ε |C − ω²(M + A)|    damping left out altogether moves X by less than the tolerance ε, or
+    ωB ≤ ω²(M + A) / πN       oscillations die like exp(−Bt / 2(M + A)), in more than N periods: the resonance does
+                              not build up within a sea state, and its height is that of the waves' duration
+
+with N = 1000, three hours of waves of 11 s.  Of a body of unknown inertia, which may resonate anywhere, the second
+alone is asked, with M = 0.
 """
 
 from __future__ import annotations
@@ -14,6 +25,7 @@ from .drift import energy_defect
 # the error falls like this power of the number of panels: to a fifth from 104 to 416 of them on the series box,
 # all coefficients, depths 12 m to infinity; estimates made with it are right in the median (tests/bench/tolerance.py)
 ERROR_ORDER = 1.16
+PERIODS = 1000  # N, in a sea state
 
 
 def check(run):
@@ -63,8 +75,13 @@ def estimate(run, rough, refinement):
 
     refinement : how many panels there are for one of the coarse mesh
     """
-    share = 1 / (refinement**ERROR_ORDER - 1)
+    share = share_left(refinement)
     return share * (run.radiation - rough.radiation), share * (run.excitation - rough.excitation)
+
+
+def share_left(refinement):
+    """Error of a mesh by what a coarser one differs from it; refinement as in `estimate`"""
+    return 1 / (refinement**ERROR_ORDER - 1)
 
 
 def at_least_haskind(error, excitation, haskind, dofs):
@@ -93,6 +110,14 @@ def largest_error(run, radiation, excitation):
     return float(max(o.max() for o in out))
 
 
+def damping_error(run, radiation):
+    """The largest error of damping by its own size, `damping_scale`, from errors of radiation (6, 6); 0 without any"""
+    if not run.radiates:
+        return 0.0
+    T, asked = run.problem.transform, np.ix_(run.asked, run.asked)
+    return float((np.abs((T @ radiation @ T.T).imag[asked]) / damping_scale(run)).max())
+
+
 def _wanted(run):
     return run.radiation[np.ix_(run.dofs, run.dofs)]
 
@@ -102,6 +127,22 @@ def radiation_scale(run):
     size = np.sqrt(np.abs(np.diag(run.radiation)))
     size = np.where(run.prepared.displacing, size, np.inf)[run.dofs]
     return np.outer(size, size)
+
+
+def damping_scale(run):
+    """√(Bᵢᵢ Bⱼⱼ)/ω of the degrees of freedom asked for, about the rotation centre; infinite where it is negligible"""
+    problem, T, square = run.problem, run.problem.transform, run.omega**2
+    Z = np.diag(T @ run.radiation @ T.T)
+    inertia, stiffness = (
+        None if part is None else np.diag(part) for part in (problem.inertia_matrix, problem.hydrostatic_stiffness)
+    )
+    mass = np.abs(Z.real if inertia is None else Z.real + inertia)
+    least = mass / (np.pi * PERIODS)
+    if inertia is not None and stiffness is not None:
+        least = np.maximum(least, problem.tolerance * np.abs(stiffness / square - mass))
+    size, least = (np.sqrt(np.outer(part, part)) for part in (np.abs(Z.imag), least))
+    counts = (size > least) & np.outer(run.prepared.displacing, run.prepared.displacing)
+    return np.where(counts, size, np.inf)[np.ix_(run.asked, run.asked)]
 
 
 def excitation_scale(run):

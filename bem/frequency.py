@@ -17,6 +17,7 @@ from .waves import group_factor, wavenumber
 RADIATION = {"added_mass", "radiation_damping", "kochin_radiation"}
 DIFFRACTION = {"diffraction_force", "excitation_force", "kochin_diffraction", "drift_force_fixed", "pressure"}
 FREE = {"rao", "drift_force"}
+DRIFT = {"drift_force_fixed", "drift_force"}
 
 
 def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
@@ -28,7 +29,7 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
     returns : arrays over 6 degrees of freedom (NaN where not in `dofs`), "checks", "wall_time" (s) and, where the
         method has one, "estimated_error" of names in `schema.ESTIMATES`
     """
-    run = prepared.run(omega, headings, want, theta, dofs)
+    run = prepared.run(omega, headings, want, theta, dofs).within_tolerance()
     result = run.result()
     if run.solves:
         start = time.perf_counter()
@@ -43,7 +44,7 @@ class FrequencyRun:
 
     A method gives `radiation`, `froude_krylov`, `diffraction`, `haskind`, `kochin` and `residual` as in
     `bem.first_order.FirstOrder` (`kochin` at `theta` and at the headings), `solves` and `errors`: estimated
-    errors of `radiation` (6, 6) and `excitation` (m, 6), or None.
+    errors, with signs, of `radiation` (6, 6) and `excitation` (m, 6), or None; `kochin_errors` alike.
     """
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
@@ -86,18 +87,29 @@ class FrequencyRun:
     def excitation(self):
         return self.froude_krylov + self.diffraction
 
+    def within_tolerance(self):
+        """These quantities as fine as the tolerance asks for, where the method can tell from its estimated error"""
+        return self
+
     @cached_property
     def rao(self):
         """(m, 6) about the rotation centre"""
+        return self._motions(self.radiation, self.excitation)
+
+    def _motions(self, radiation, excitation):
         T = self.problem.transform
-        Z = T @ self.radiation @ T.T
-        return motions(self.problem, self.omega, Z.real, self.omega * Z.imag, self.excitation @ T.T)
+        Z = T @ radiation @ T.T
+        return motions(self.problem, self.omega, Z.real, self.omega * Z.imag, excitation @ T.T)
 
     def drift(self, moving):
-        (radiation, dradiation), (H, slope) = self.kochin
-        if moving:
+        """(m, 3) about the rotation centre"""
+        return self._mean_drift(*self.kochin, self.rao if moving else None)
+
+    def _mean_drift(self, radiation, diffraction, rao):
+        (radiation, dradiation), (H, slope) = radiation, diffraction
+        if rao is not None:
             T = self.problem.transform
-            H, slope = H + self.rao @ (T @ radiation), slope + self.rao @ (T @ dradiation)
+            H, slope = H + rao @ (T @ radiation), slope + rao @ (T @ dradiation)
         t, m = len(self.theta), np.arange(len(self.headings))
         force = mean_drift(
             H[:, :t], slope[:, :t], H[m, t + m], slope[m, t + m], self.theta, self.headings, self.k,
@@ -116,7 +128,11 @@ class FrequencyRun:
         return np.nan if self.errors is None else largest_error(self, *self.errors)
 
     def estimated_errors(self):
-        """{name: absolute errors} of `schema.ESTIMATES` that are wanted, about the rotation centre"""
+        """{name: absolute errors} of `schema.ESTIMATES` that are wanted, about the rotation centre.
+
+        Those of motions and drift are what they change by when coefficients, forces and Kochin functions are corrected
+        by their errors: these belong together, and at resonance what follows from them is not linear.
+        """
         if self.errors is None:
             return {}
         (radiation, excitation), T = self.errors, self.problem.transform
@@ -126,6 +142,15 @@ class FrequencyRun:
             "radiation_damping": self.omega * np.abs(Z.imag),
             "excitation_force": np.abs(self.asked_only(excitation @ T.T)),
         }
+        rao = None
+        if self.free and self.want & FREE:
+            rao = self._motions(self.radiation - radiation, self.excitation - excitation)
+            out["rao"] = np.abs(self.asked_only(self.rao - rao))
+        if self.want & DRIFT and self.kochin_errors is not None:
+            corrected = [H - error for H, error in zip(self.kochin, self.kochin_errors, strict=True)]
+            for name, motion in (("drift_force_fixed", None), ("drift_force", rao)):
+                if name in self.want and (motion is not None or name == "drift_force_fixed"):
+                    out[name] = np.abs(self.drift(motion is not None) - self._mean_drift(*corrected, motion))
         return {name: value for name, value in out.items() if name in self.want}
 
     def result(self):

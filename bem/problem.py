@@ -18,6 +18,7 @@ class Problem:
     depth : m, may be inf; density : kg/m³; gravity : m/s²; rotation_center : m
     inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`; None leaves the body without motions
     viscous : `bem.viscous.Viscous` or None
+    tolerance : relative error asked for
     """
 
     depth: float = np.inf
@@ -27,6 +28,7 @@ class Problem:
     inertia_matrix: np.ndarray | None = None
     hydrostatic_stiffness: np.ndarray | None = None
     viscous: object = None
+    tolerance: float = 1e-2
 
     @property
     def transform(self):

@@ -45,19 +45,22 @@ def effect_of_bed(shape, sizes, bed):
     return EFFECT * (max(half, draft) / (bed - draft)) ** 2
 
 
+def bed_share(problem):
+    """`effect_of_bed` of a problem over a raised bed, zero without one"""
+    if problem.bed is None or problem.bed >= problem.depth:
+        return 0.0
+    return effect_of_bed(problem.shape, problem.sizes, problem.bed)
+
+
 def with_bed(run, radiation, excitation):
     """Errors of radiation (6, 6) and excitation (m, 6), with the effect of a run's raised bed added.
 
     Entries that are zero by symmetry stay zero.
     """
-    problem = run.problem
-    if problem.bed is None or problem.bed >= problem.depth:
+    share = bed_share(run.problem)
+    if not share:
         return radiation, excitation
-    share, radiation, excitation = (
-        effect_of_bed(problem.shape, problem.sizes, problem.bed),
-        radiation + 0,
-        excitation + 0,
-    )
+    radiation, excitation = radiation + 0, excitation + 0
     if run.radiates:
         block = np.ix_(run.dofs, run.dofs)
         radiation[block] = longer(radiation[block], share * _finite(radiation_scale(run)))

@@ -24,7 +24,7 @@ from ..kernels.threads import blas_threads
 from ..modes import class_of
 from ..problem import check_gap
 from ..waves import wavenumber
-from .accuracy import Accuracy, accuracy, finer
+from .accuracy import DIGIT, Accuracy, accuracy, finer
 from .frequency_limits import infinite_frequency, zero_frequency
 from .matching import fixed_terms
 from .modal_sums import ChebyshevNodes, contracted
@@ -153,6 +153,15 @@ class ContourBody:
         """The same body with a digit more, from which the error of this one is estimated"""
         fine = finer(self.accuracy, self.draft, self.depth - self.draft, self.plan.scale)
         return ContourBody(self.plan.to(fine), self.draft, self.depth, fine)
+
+    @cached_property
+    def sharper(self):
+        """The same body for a tenth of the tolerance; None at the last"""
+        digits = self.accuracy.digits + DIGIT
+        if digits > MARGIN - np.log10(TOLERANCES[0]) + 1e-9:
+            return None
+        sharp = accuracy(digits, self.draft, self.depth - self.draft, self.plan.scale)
+        return ContourBody(self.plan.to(sharp), self.draft, self.depth, sharp)
 
     @property
     def tolerance(self):

@@ -59,7 +59,9 @@ BODY = {
     "transverse_metacentric_height": ((), "m", float),
     "longitudinal_metacentric_height": ((), "m", float),
 }
-ESTIMATES = ("added_mass", "radiation_damping", "excitation_force")  # with an error each, in /estimated_error
+ESTIMATES = (  # with an error each, in /estimated_error
+    "added_mass", "radiation_damping", "excitation_force", "rao", "drift_force_fixed", "drift_force"
+)  # fmt: skip
 CHECKS = ("reciprocity", "Haskind", "energy", "residual", "estimated_error")
 
 LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)

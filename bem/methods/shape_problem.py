@@ -8,11 +8,13 @@ from functools import cached_property
 import numpy as np
 
 from .. import DOFS
-from ..checks import at_least_haskind, longer
-from ..contour.raised_bed import SHARE, with_bed
-from ..frequency import FrequencyRun
+from ..checks import at_least_haskind, damping_error, largest_error, longer
+from ..contour.raised_bed import SHARE, bed_share, with_bed
+from ..frequency import DRIFT, FrequencyRun
 from ..panels.frequency_limits import with_net_flux
 from ..problem import Problem
+
+MOST_DIGITS = 2  # more than the tolerance asks for
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -99,7 +101,26 @@ class PreparedShapeProblem:
 
 
 class ShapeRun(FrequencyRun):
-    """One frequency of a method without panels."""
+    """One frequency of a method without panels, by the prepared solver or a sharper one."""
+
+    def __init__(self, prepared, omega, headings, want, theta, dofs, solver=None):
+        super().__init__(prepared, omega, headings, want, theta, dofs)
+        self.solver = prepared.solver if solver is None else solver
+
+    def within_tolerance(self):
+        """By up to `MOST_DIGITS` digits more, as errors ask for to be within the tolerance, damping by its own size.
+
+        Few problems need one: heights of a gap and drafts at which what keel and sides radiate nearly cancels.
+        """
+        run = self
+        for _ in range(MOST_DIGITS if self.problem.method == "contour" and self.solves else 0):
+            error = max(largest_error(run, *run.differences), damping_error(run, run.differences[0]))
+            known = run.first_order.neglected is None
+            if not known or error <= self.problem.tolerance or run.solver.sharper is None:
+                break
+            question = self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked]
+            run = ShapeRun(self.prepared, *question, run.solver.sharper)
+        return run
 
     @property
     def solves(self):
@@ -109,10 +130,16 @@ class ShapeRun(FrequencyRun):
     @cached_property
     def first_order(self):
         """`bem.first_order.FirstOrder` at the angles `theta` followed by the headings"""
-        at = np.concatenate([self.theta, self.headings]) if self.far_field else ()
-        return self.prepared.solver.first_order(
-            self.omega, self.waves, at, self.dofs, self.problem.density, self.problem.gravity
-        )
+        return self._first_order(self.solver, self.far_field)
+
+    @cached_property
+    def finer(self):
+        """The same by the finer body of the contour method"""
+        return self._first_order(self.solver.finer, self.want & DRIFT)
+
+    def _first_order(self, solver, far_field):
+        at = np.concatenate([self.theta, self.headings]) if far_field else ()
+        return solver.first_order(self.omega, self.waves, at, self.dofs, self.problem.density, self.problem.gravity)
 
     @property
     def waves(self):
@@ -124,17 +151,25 @@ class ShapeRun(FrequencyRun):
         """Of the contour method, by a finer body and Haskind; None for strips, whose error is that of strip theory"""
         if self.problem.method != "contour":
             return None
-        ours, problem = self.first_order, self.problem
-        fine = self.prepared.solver.finer.first_order(
-            self.omega, self.waves, (), self.dofs, problem.density, problem.gravity
-        )
-        force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
-        excitation = at_least_haskind(force - better, force, ours.haskind, self.dofs)
-        radiation = ours.radiation - fine.radiation
+        (radiation, excitation), ours = self.differences, self.first_order
         if ours.neglected is not None:
             A, B = (longer(part, ours.neglected[0]) for part in (radiation.real, radiation.imag))
             radiation, excitation = A + 1j * B, longer(excitation, ours.neglected[1])
         return with_bed(self, radiation, excitation)
+
+    @cached_property
+    def differences(self):
+        """From the finer body and Haskind: errors without what is left out of short waves and what a raised bed adds"""
+        ours, fine = self.first_order, self.finer
+        force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
+        excitation = at_least_haskind(force - better, force, ours.haskind, self.dofs)
+        return ours.radiation - fine.radiation, excitation
+
+    @property
+    def kochin_errors(self):
+        """As `errors`, of `kochin`"""
+        fine = self.finer.kochin_radiation, self.finer.kochin_diffraction
+        return [H - better + bed_share(self.problem) * H for H, better in zip(self.kochin, fine, strict=True)]
 
     @property
     def radiated(self):
@@ -150,9 +185,7 @@ class ShapeRun(FrequencyRun):
         if self.diffracts:
             return self.first_order.froude_krylov
         problem = self.problem
-        return self.prepared.solver.froude_krylov(
-            self.omega, self.headings, self.dofs, problem.density, problem.gravity
-        )
+        return self.solver.froude_krylov(self.omega, self.headings, self.dofs, problem.density, problem.gravity)
 
     @property
     def diffraction(self):

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from .. import DOFS
-from ..checks import at_least_haskind, estimate
+from ..checks import at_least_haskind, estimate, share_left
 from ..frequency import FrequencyRun
 from ..green.tables import wave_table
 from ..kernels.threads import blas_threads
@@ -49,14 +49,24 @@ class PanelRun(FrequencyRun):
     @cached_property
     def errors(self):
         """`bem.checks.estimate` against the coarser mesh, and Haskind of what radiates; None without one"""
-        coarse = self.prepared.coarse
-        if coarse is None:
+        if self.coarse is None:
             return None
-        rough = coarse.run(self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked])
-        radiation, excitation = estimate(self, rough, self.prepared.refinement)
+        radiation, excitation = estimate(self, self.coarse, self.prepared.refinement)
         if self.radiates and self.diffracts:
             excitation = at_least_haskind(excitation, self.excitation, self.haskind, self.dofs)
         return radiation, excitation
+
+    @cached_property
+    def coarse(self):
+        """The same frequency on the coarser mesh, or None"""
+        coarse = self.prepared.coarse
+        return coarse and coarse.run(self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked])
+
+    @property
+    def kochin_errors(self):
+        """As `errors`, of `kochin`"""
+        share = share_left(self.prepared.refinement)
+        return [share * (H - rough) for H, rough in zip(self.kochin, self.coarse.kochin, strict=True)]
 
     @property
     def depth_values(self):

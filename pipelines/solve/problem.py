@@ -25,6 +25,7 @@ def problem_of(header, scene):
         "inertia_matrix": header.body.get("inertia_matrix"),
         "hydrostatic_stiffness": header.body.get("hydrostatic_stiffness"),
         "viscous": viscous_of(scene),
+        "tolerance": scene.accuracy,
     }
     method, bed, _ = scene.approach
     if METHODS[method].panels:
@@ -33,9 +34,7 @@ def problem_of(header, scene):
     panels = None if bed is None else _panels_of_limits(scene, body)
     if "pressure" in scene.names():
         panels = _panel_problem(header, scene, body)
-    return ShapeProblem(
-        method=method, shape=scene.body.shape, sizes=lengths, tolerance=scene.accuracy, panels=panels, bed=bed, **body
-    )
+    return ShapeProblem(method=method, shape=scene.body.shape, sizes=lengths, panels=panels, bed=bed, **body)
 
 
 def _panels_of_limits(scene, body):

@@ -10,12 +10,16 @@ times the smaller of draft and half beam, λ/L 0.5 … 20, tolerances 0.02, 0.01
 The true error is that against the contour method, which tests/identities holds to the exact cylinder, at a thousandth
 of the tolerance, at least 1e-7; below `FLOOR` that cannot tell errors apart.  An estimate is right that is within a
 factor of three of it.  The worst error is measured as in `bem.checks`; coefficients are those of A, B and excitation
-that are above a thousandth of √|ZᵢᵢZⱼⱼ| and of the size of the force.
+that are above a thousandth of √|ZᵢᵢZⱼⱼ| and of the size of the force.  Of damping those count that `damping_scale`
+has of their own size, of motions and mean drift those above a thousandth of the largest of their unit, and of moments
+above that of the force on half the body's length.  The body's mass is the displaced one, its radii of gyration are
+0.2 to 0.4 of beam and length.
 """
 
 import argparse
 import sys
 import time
+from dataclasses import fields
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,16 +28,18 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import numpy as np
 
 from bem import DOFS
-from bem.checks import excitation_scale, largest_error, radiation_scale
+from bem.checks import damping_scale, excitation_scale, largest_error, radiation_scale
 from bem.methods.panel_problem import prepare
 from bem.methods.shape_problem import ShapeProblem
+from bem.problem import Problem
 from pipelines.scene.scene import make_scene
 from pipelines.solve.plan import planned
 
 BEAM, GRAVITY = 50.0, 9.80665
 FLOOR = 1e-8
 NEGLIGIBLE = 1e-3
-WANT = ("added_mass", "radiation_damping", "excitation_force")
+WANT = ("added_mass", "radiation_damping", "excitation_force", "rao", "drift_force", "drift_force_fixed")
+FREE = WANT[3:]
 
 
 class Ranges(NamedTuple):
@@ -62,18 +68,21 @@ class Scene(NamedTuple):
     omega: float
     heading: float
     tolerance: float
+    gyration: float = 0.3
 
     def __str__(self):
         sizes = " × ".join(f"{s:.4g}" for s in self.sizes)
         return (
             f"{self.shape} {sizes} m in {self.depth:.4g} m, ω {self.omega:.3g}, {self.heading:.0f}°, "
-            f"tolerance {self.tolerance:.1e}"
+            f"tolerance {self.tolerance:.1e}, gyration {self.gyration:.2g}"
         )
 
 
 class Outcome(NamedTuple):
     """error, estimate : worst, relative; ratios : (c,) estimate over error of the coefficients
 
+    damping : (c,) errors of damping that counts, relative to its own size
+    further : {name: (c,) estimate over error} of damping that counts, motions and mean drift
     seconds, estimate_seconds : of the second of two frequencies
     """
 
@@ -81,6 +90,8 @@ class Outcome(NamedTuple):
     error: float
     estimate: float
     ratios: np.ndarray
+    damping: np.ndarray
+    further: dict
     seconds: float
     estimate_seconds: float
 
@@ -105,7 +116,7 @@ def drawn(rng, method, ranges=None):
         if 0.02 <= k * depth <= 50 and gap > ranges.gap[0] * draft:
             omega = float(np.sqrt(GRAVITY * k * np.tanh(k * depth)))
             sizes = (length, BEAM, draft) if shape == "box" else (BEAM / 2, draft)
-            return Scene(method, shape, sizes, depth, omega, heading, tolerance)
+            return Scene(method, shape, sizes, depth, omega, heading, tolerance, rng.uniform(0.2, 0.4))
 
 
 def _between(rng, low, high):
@@ -115,9 +126,12 @@ def _between(rng, low, high):
 def solved(scene):
     """The run of a scene, and what solves it"""
     names = ("length", "beam", "draft") if scene.shape == "box" else ("radius", "draft")
+    across, along = (BEAM * scene.gyration, max(scene.sizes[:-1]) * scene.gyration)
+    along = along if scene.shape == "box" else across
+    body = {"gyration": [across, along, along], **dict(zip(names, scene.sizes, strict=True))}
     raw = {
         "water": {"depth": scene.depth},
-        "bodies": [{"shape": scene.shape, **dict(zip(names, scene.sizes, strict=True))}],
+        "bodies": [{"shape": scene.shape, **body}],
         "waves": {"omegas": [scene.omega], "headings_deg": [scene.heading]},
         "method": scene.method,
         "tolerance": scene.tolerance,
@@ -125,27 +139,55 @@ def solved(scene):
     }
     made = make_scene(raw)
     prepared = prepare(planned(made).problem)
-    return prepared.run(scene.omega, made.headings(), WANT, None, DOFS), prepared
+    return prepared.run(scene.omega, made.headings(), WANT, None, DOFS).within_tolerance(), prepared
 
 
-def reference(scene, headings):
+def reference(scene, headings, problem):
     """The contour method at a thousandth of the tolerance"""
     tolerance = max(1e-7, scene.tolerance / 1000)
-    problem = ShapeProblem(
-        method="contour", shape=scene.shape, sizes=scene.sizes, depth=scene.depth, tolerance=tolerance
-    )  # fmt: skip
+    body = {f.name: getattr(problem, f.name) for f in fields(Problem)} | {"depth": scene.depth, "tolerance": tolerance}
+    problem = ShapeProblem(method="contour", shape=scene.shape, sizes=scene.sizes, **body)
     return prepare(problem).run(scene.omega, headings, WANT, None, DOFS)
 
 
 def outcome(scene):
     """`Outcome` of one scene"""
     run, prepared = solved(scene)
-    _ = run.errors
     again = prepared.run(scene.omega * 1.001, run.headings, WANT, None, DOFS)
-    seconds = _seconds(again.result), _seconds(again.estimated_error)
-    exact = reference(scene, run.headings)
+    seconds = _seconds(again.result), _seconds(again.estimated_errors)
+    exact = reference(scene, run.headings, prepared.problem)
     errors = run.radiation - exact.radiation, run.excitation - exact.excitation
-    return Outcome(scene, largest_error(run, *errors), run.estimated_error(), _ratios(run, errors), *seconds)
+    worst = largest_error(run, *errors), run.estimated_error()
+    return Outcome(scene, *worst, _ratios(run, errors), *_damping(run, errors, exact), *seconds)
+
+
+def _damping(run, errors, exact):
+    """`Outcome.damping` and `Outcome.further`"""
+    T, size = run.problem.transform, damping_scale(run)
+    true, guess, value = (np.abs((T @ Z @ T.T).imag) for Z in (errors[0], run.errors[0], exact.radiation))
+    counts = np.isfinite(size)
+    own = true[counts] / size[counts]
+    seen = counts & (value > NEGLIGIBLE * size)
+    further = {"radiation_damping": _ratio(true[seen], guess[seen], size[seen])}
+    found, known, told = run.result(), exact.result(), run.estimated_errors()
+    for name in FREE:
+        value = np.abs(known[name])
+        size = _sizes(value, run.prepared.radius)
+        seen = value > NEGLIGIBLE * size
+        further[name] = _ratio(np.abs(found[name] - known[name])[seen], told[name][seen], size[seen])
+    return own, further
+
+
+def _sizes(value, radius):
+    """Largest motion or rotation of `value` (m, 6), largest force and moment of (m, 3), no moment below its force's"""
+    forces = value.shape[1] - (3 if value.shape[1] == 6 else 1)
+    force, moment = value[:, :forces].max(), value[:, forces:].max()
+    moment = moment if forces == 3 else max(moment, force * radius / 2)
+    return np.where(np.arange(value.shape[1]) < forces, force, moment) * np.ones_like(value)
+
+
+def _ratio(error, estimate, size):
+    return np.maximum(estimate, FLOOR * size) / np.maximum(error, FLOOR * size)
 
 
 def _ratios(run, errors):
@@ -183,6 +225,11 @@ def report(outcomes, worst=5):
     print(f"tolerance met                              {np.mean(over <= 1):.1%}")
     print(f"estimate of the worst error right          {np.mean(right(ratios)):.1%}")
     print(f"estimates of {len(all_ratios)} coefficients right       {np.mean(right(all_ratios)):.1%}")
+    own = np.concatenate([o.damping / o.scene.tolerance for o in outcomes])
+    print(f"{len(own)} damping coefficients of their own size within the tolerance  {np.mean(own <= 1):.1%}")
+    for name in outcomes[0].further:
+        all_of = np.concatenate([o.further[name] for o in outcomes])
+        print(f"estimates of {len(all_of)} of {name} right".ljust(60) + f"{np.mean(right(all_of)):.1%}")
     print("                       5 %     25 %     50 %     75 %     95 %")
     for name, values in (("error / tolerance", over), ("estimate / error", ratios)):
         print(f"{name:18s}" + "".join(f"{q:9.2g}" for q in np.quantile(values, [0.05, 0.25, 0.5, 0.75, 0.95])))

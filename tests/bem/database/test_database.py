@@ -122,7 +122,7 @@ def test_errors_are_kept_for_what_is_there_and_absent_where_there_is_no_estimate
                 del made["estimated_error"]
             append(file, row.omega, row.headings, made)
     errors = open_database(path).estimated_errors()
-    assert set(errors) == {"added_mass", "excitation_force"}
+    assert set(errors) == {"added_mass", "excitation_force", "drift_force"}
     assert errors["excitation_force"].shape == (3, 2, 6) and errors["added_mass"].dtype == float
     for error in errors.values():
         assert np.isnan(error[1]).all() and np.isfinite(error[[0, 2]]).all()

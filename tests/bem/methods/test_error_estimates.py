@@ -10,6 +10,7 @@ from bem.contour.accuracy import accuracy, finer
 from bem.frequency import solve_frequency
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
+from meshing.hydrostatics import hydrostatics, inertia_matrix
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 
@@ -132,3 +133,27 @@ def test_no_part_of_a_finer_body_is_coarser(gap, digits):
             assert getattr(other, part) >= getattr(one, part), part
         assert other.smallest <= one.smallest
     assert fine.kappa > coarse.kappa and fine.plan > coarse.plan and fine.further > coarse.further
+
+
+def test_errors_of_motions_and_drift_follow_those_of_coefficients_and_far_field():
+    """Box of the series calculations by the contour method, against itself at a thousandth of the tolerance"""
+    omega, headings = 0.55, np.radians([0.0, 30.0, 90.0])
+    names = {"rao", "drift_force", "drift_force_fixed"}
+    found, better = (
+        solve_frequency(floating_box(tolerance).prepared(), omega, headings, names) for tolerance in (1e-2, 1e-5)
+    )
+    for name in names:
+        true, told = np.abs(found[name] - better[name]), found["estimated_error"][name]
+        size = np.abs(better[name]).reshape(-1, better[name].shape[-1]).max(axis=0)
+        counts = np.abs(better[name]) > 1e-3 * size
+        right = (told > true / 3) & (told < 3 * true)
+        assert np.mean(right[counts]) >= 0.9, name
+
+
+def floating_box(tolerance):
+    at_rest = hydrostatics(box(100, 50, 10, panels=100))
+    inertia = inertia_matrix(1025.0 * at_rest.volume, (0.0, 0.0, 0.0), (15.0, 29.0, 32.0), (0.0, 0.0, 0.0))
+    return ShapeProblem(
+        method="contour", shape="box", sizes=(100.0, 50.0, 10.0), depth=20.0, tolerance=tolerance,
+        inertia_matrix=inertia, hydrostatic_stiffness=at_rest.stiffness,
+    )  # fmt: skip
