@@ -10,6 +10,7 @@ every dataset is compared bit by bit with those of an undisturbed run.
 
 import argparse
 import os
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -20,10 +21,10 @@ import numpy as np
 from kill_campaign import _assert_readable, _finish, _start, compared
 
 # by the contour method, where no frequency depends on which others are asked for
-WORDS = (
+WORDS = shlex.split(
     "box --length 100 --beam 50 --draft 10 --depth 20 --method contour --gyration 15.55,29.44,32.28 "
     "--heading 0,30 --only radiation,limits,diffraction,kochin,motions,drift --omega 0.2:1.0:60"
-).split()
+)
 OMEGAS = [repr(float(omega)) for omega in np.linspace(0.2, 1.0, 60)]  # of WORDS
 ROUND = 10  # kills before the disk grows
 LARGE = 65_536  # KiB
