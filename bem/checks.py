@@ -71,16 +71,16 @@ def scattered_energy(run):
 
 
 def estimate(run, rough, refinement):
-    """Errors of radiation (6, 6) and excitation (m, 6), from a coarser mesh of the same body.
+    """Errors, found less true, of radiation (6, 6) and excitation (m, 6), from a coarser mesh of the same body.
 
     refinement : how many panels there are for one of the coarse mesh
     """
     share = share_left(refinement)
-    return share * (run.radiation - rough.radiation), share * (run.excitation - rough.excitation)
+    return share * (rough.radiation - run.radiation), share * (rough.excitation - run.excitation)
 
 
 def share_left(refinement):
-    """Error of a mesh by what a coarser one differs from it; refinement as in `estimate`"""
+    """Error of a mesh over what a coarser one has more; refinement as in `estimate`"""
     return 1 / (refinement**ERROR_ORDER - 1)
 
 

@@ -66,7 +66,7 @@ class PanelRun(FrequencyRun):
     def kochin_errors(self):
         """As `errors`, of `kochin`"""
         share = share_left(self.prepared.refinement)
-        return [share * (H - rough) for H, rough in zip(self.kochin, self.coarse.kochin, strict=True)]
+        return [share * (rough - H) for H, rough in zip(self.kochin, self.coarse.kochin, strict=True)]
 
     @property
     def depth_values(self):

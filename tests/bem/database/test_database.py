@@ -152,6 +152,20 @@ def test_a_file_without_estimated_errors_is_read_finished_and_extended(path):
     assert np.isfinite(error[1]).all() and np.isnan(error[[0, 2, 3]]).all()
 
 
+def test_a_file_with_checksums_but_no_estimated_errors_of_drift_is_read_and_extended(path):
+    with h5py.File(path, "r+") as file:
+        del file["estimated_error/drift_force"]
+    fill(path)
+    db = open_database(path)
+    errors = db.estimated_errors()
+    assert db.complete and np.isfinite(errors["added_mass"]).all()
+    assert np.isnan(errors["drift_force"]).all() and errors["drift_force"].shape == (3, 2, 3)
+    assert extend(path, omega=(0.6,))
+    fill(path)
+    error = open_database(path).estimated_errors()["drift_force"]
+    assert np.isfinite(error[1]).all() and np.isnan(error[[0, 2, 3]]).all()
+
+
 def test_infinite_depth_survives(tmp_path):
     create(tmp_path / "deep.h5", header(water_depth=np.inf), OMEGAS, HEADINGS, NAMES)
     assert np.isinf(open_database(tmp_path / "deep.h5").water_depth)
