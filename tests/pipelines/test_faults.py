@@ -21,8 +21,8 @@ BOX = "box --length 100 --beam 50 --draft 10"
 BODY = f"{BOX} --depth 20 --panels 24"
 MASS = "--gyration 15.6,29.4,32.3"
 DATABASES = {
-    "full": f"{MASS} --omega 0.3,0.6,0.9 --heading 0,210,240",
-    "no_drift": f"{MASS} --omega 0.6 --heading 240 --only radiation,motions",
+    "full": f"{MASS} --omega 0.3,0.45,0.6,0.9 --heading 0,210,240",
+    "no_drift": f"{MASS} --omega 0.3,0.45,0.6,0.9 --heading 240 --only radiation,motions",
     "no_mass": "--omega 0.6 --heading 240 --only radiation",
     "no_rao": f"{MASS} --omega 0.6 --heading 240 --only drift",
 }
@@ -126,9 +126,9 @@ LACKING = {
     "look full.h5 --field pressure --screenshot x.png": ("--omega rad/s and --heading degrees",),
     "look full.h5 --omega 0.6 --screenshot x.png": ("belong to --field pressure",),
     "look full.h5 --field pressure --omega 0.6 --heading 0 --screenshot x.png": ("no pressure", "--only pressure"),
-    "moor study.toml --database no_drift.h5": ("no_drift.h5 holds no drift_force", "--only drift_force"),
+    "moor study.toml --database no_drift.h5": ("drift", "--only"),
     "moor study.toml --database no_mass.h5": ("inertia", "--gyration"),
-    "moor study.toml --database no_rao.h5": ("no_rao.h5 holds no", "--only"),
+    "moor study.toml --database no_rao.h5": ("added_mass is not stored", "--only added_mass"),
     "moor study.toml --database text.h5": ("text.h5 is not an HDF5 file",),
     "moor none.toml --database full.h5": ("none.toml does not exist",),
     "moor study.toml": ("--database",),
@@ -142,7 +142,7 @@ STUDIES = {  # what is replaced in the study, by what
     ("length = 100.0", "length = 110.0"): ("hull.length is 110 m", "100 m"),
     ("incidence_deg = 60.0", "incidence_deg = 6000.0"): ("incidence_deg is 6000", "360"),
     ("period = 10.0\nincidence_deg = 60.0", "period = 10.0\nincidence_deg = 270.0"): ("wave direction 90°", "heading"),
-    ("period = 10.0", "period = 60.0"): ("wave period 60 s", "6.981 to 20.94 s"),
+    ("period = 10.0", "period = 60.0"): ("period 60 s", "6.981 to 20.94 s"),
     ("height = 4.5", "height = -4.5"): ("waves.height is -4.5", "above 0"),
     ("speed = 50.0", "speed = inf"): ("wind.speed is inf", "finite"),
     ("length = 260.0", "length = nan"): ("spreads[0].length is nan", "above 0"),

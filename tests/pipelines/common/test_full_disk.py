@@ -26,7 +26,7 @@ LIMITED = (
 # command, its output, bytes a file may have
 COMMANDS = [
     (f"{BOX} --omega 0.5,1 --output new.h5", "new.h5", 8192),
-    (f"{BOX} --omega 0.3,0.6,0.9,1.1 --output box.h5", "box.h5", 8192),
+    (f"{BOX} --omega 0.3,0.45,0.6,0.9,1.1 --output box.h5", "box.h5", 8192),
     (f"{BOX} --omega 0.5 --mesh-only --output new.gdf", "new.gdf", 100),
     (f"{SEA} --record waves.csv", "waves.csv", 4096),
     ("sea --height 3 --mean-period 8 --output spectrum.csv", "spectrum.csv", 100),
@@ -51,7 +51,7 @@ def ran(words, folder, limit):
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     made = tmp_path_factory.mktemp("disk")
-    status, said = ran(f"{BOX} --omega 0.3,0.6,0.9 --output box.h5", made, -1)
+    status, said = ran(f"{BOX} --omega 0.3,0.45,0.6,0.9 --output box.h5", made, -1)
     assert status == 0, said
     return made
 
@@ -90,7 +90,7 @@ def fill(disk, room):
     ("words", "output"),
     [
         (f"{BOX} --omega 0.5,1 --output new.h5", "new.h5"),
-        (f"{BOX} --omega 0.3,0.6,0.9,1.1 --output box.h5", "box.h5"),
+        (f"{BOX} --omega 0.3,0.45,0.6,0.9,1.1 --output box.h5", "box.h5"),
         ("moor moor_chain_12.toml --database box.h5 --output moor.h5", "moor.h5"),
         ("lines lines_barge.toml --output lines.h5", "lines.h5"),
     ],
