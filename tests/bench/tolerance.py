@@ -162,12 +162,11 @@ def outcome(scene):
 
 
 def _damping(run, errors, exact):
-    """`Outcome.damping` and `Outcome.further`"""
+    """`Outcome.damping` and `Outcome.further`; damping that symmetry makes zero is right by itself and not counted"""
     T, size = run.problem.transform, damping_scale(run)
     true, guess, value = (np.abs((T @ Z @ T.T).imag) for Z in (errors[0], run.errors[0], exact.radiation))
-    counts = np.isfinite(size)
-    own = true[counts] / size[counts]
-    seen = counts & (value > NEGLIGIBLE * size)
+    seen = np.isfinite(size) & (value > NEGLIGIBLE * size)
+    own = true[seen] / size[seen]
     further = {"radiation_damping": _ratio(true[seen], guess[seen], size[seen])}
     found, known, told = run.result(), exact.result(), run.estimated_errors()
     for name in FREE:
