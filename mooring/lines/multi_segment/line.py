@@ -1,6 +1,6 @@
 """Static lines of any number of segments and point loads over an uneven bed with friction, below a sea surface.
 
-Free spans are elastic catenaries in closed form (`equations.span`), the line on a facet of the bed in closed form
+Free spans are elastic catenaries in closed form (`free_span`), the line on a facet of the bed in closed form
 too (`friction`).  For a given horizontal tension one integration from the fairlead
 down to the anchor (`traverse`) finds the contacts with the bed; Newton's method on the equations of equilibrium with
 these contacts (`equations`, `newton`) gives positions and forces.
