@@ -81,9 +81,10 @@ def box_drag(direction, pressure, area_x, area_y, length, table):
 
 
 def about(load, middle, center):
-    """The same F_x, F_y, M_z with the moment about `center` instead of `middle`, both (x, y, …) m."""
+    """The same F_x, F_y, M_z (…, 3) with the moment about `center` instead of `middle`, both (x, y, …) m."""
     arm = np.asarray(middle, float)[:2] - np.asarray(center, float)[:2]
-    return load + np.array([0.0, 0.0, arm[0] * load[1] - arm[1] * load[0]])
+    moment = arm[0] * load[..., 1] - arm[1] * load[..., 0]
+    return load + moment[..., None] * np.array([0.0, 0.0, 1.0])
 
 
 def check_positive(**sizes):

@@ -23,8 +23,11 @@ from .free_piece import ROUNDING, asinh_excess
 
 
 @kernel()
-def ellipse_parameter(X, Z, kappa):
-    """t of a suspended line with span X and height Z over its length; inf where it cannot reach."""
+def ellipse_parameter(X, Z, kappa, near=0.0, close=ROUNDING):
+    """t of a suspended line with span X and height Z over its length; inf where it cannot reach.
+
+    near : a value near it, 0 where none is known; close : last change of ln t, over ln t, that is left
+    """
     reach2 = X * X + Z * Z
     if kappa == 0 and reach2 >= 1:
         return math.inf
@@ -39,7 +42,9 @@ def ellipse_parameter(X, Z, kappa):
     if reach2 < 1:
         high = min(high, 1 / math.sqrt(3 * max(1 - reach2, 1e-300)))
     low, high = math.log(low), math.log(high)
-    q = high
+    q = math.log(near) if near > 0 else high
+    if not low <= q <= high:
+        q = high
     for _ in range(200):
         t = math.exp(q)
         bend = math.asinh(1 / t)
@@ -56,7 +61,7 @@ def ellipse_parameter(X, Z, kappa):
         following = q + 0.5 * value * total / slope
         if not low <= following <= high:
             following = 0.5 * (low + high)
-        settled = abs(following - q) <= ROUNDING * max(1.0, abs(q))
+        settled = abs(following - q) <= close * max(1.0, abs(q))
         q = following
         if settled:
             break

@@ -1,0 +1,122 @@
+"""The pull of a uniform line on an end that moves, from its solution a moment ago: for bodies in time.
+
+The equations are those of `flat_bed` and `suspended`.  Their unknown, H of a line on the bed and the parameter t of one
+that hangs free, is kept between calls.  Newton's method then starts a step's change away from the root and squares the
+error: a step of 1e-7 of H leaves 1e-14.  With T = H + rise at the fairlead and asinh(wS/H) = ln[(wS + T)/H] an
+iteration on the bed takes one logarithm and two roots; where it does not settle, the safe search of `flat_bed` does.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from .flat_bed import ROW, bed_stretch, free_length, grounded_tension, leaves_bed, mirror, solve_line
+from .state import BEYOND_REACH, GROUNDED, SLACK, SUSPENDED
+from .suspended import ellipse_parameter
+
+CLOSE = 1e-7  # relative change by the last step of Newton's method
+KEPT = 2  # numbers kept of each line: its State, and H or t
+
+
+@kernel()
+def tension_near(H, x, height, length, weight, flexibility, friction):
+    """H of a line with some length on the bed from a value near it; nan where Newton's method does not settle at once.
+
+    x = (H/w) asinh(wS/H) + H S/EA + (L − S) + stretch of the part on the bed
+    """
+    load = weight * height
+    for _ in range(6):
+        s = 1.0 + flexibility * H
+        rise = 2.0 * load / (s + math.sqrt(s * s + 2.0 * flexibility * load))
+        held, T = math.sqrt(rise * (rise + 2.0 * H)), H + rise
+        S, bend = held / weight, math.log((held + T) / H)
+        lying = length - S
+        if lying <= 0.0:
+            return math.nan
+        stretch, by_tension, by_length, _ = bed_stretch(H, lying, weight, flexibility, friction)
+        missed = x - (H * (bend / weight + flexibility * S) + lying + stretch)
+        turn = flexibility * H - by_length - rise / T
+        rate = (
+            by_tension + flexibility * S + (bend - held / T) / weight + turn * S / ((T + H) * (1.0 + flexibility * T))
+        )
+        step = missed / rate
+        H += step
+        if H <= 0.0:
+            return math.nan
+        if abs(step) <= CLOSE * H:
+            return H
+    return math.nan
+
+
+@kernel()
+def pull(kept, x, height, length, weight, flexibility, friction):
+    """(H, V) N, towards the anchor and down, on an end `height` above the anchor on the bed and x away from it.
+
+    kept : (2,) of an earlier call for this line, zeros before the first, and left for the next
+    nan where a line cannot reach, or the end is below the bed
+    """
+    if height < 0.0:
+        kept[0] = BEYOND_REACH
+        return math.nan, math.nan
+    plumb = 2.0 * weight * height / (1.0 + math.sqrt(1.0 + 2.0 * flexibility * weight * height))
+    if length - plumb / weight >= x:
+        kept[0] = SLACK
+        return 0.0, plumb
+    if kept[0] == GROUNDED or not leaves_bed(x, height, length, weight, flexibility):
+        H = math.nan
+        if kept[0] == GROUNDED:
+            H = tension_near(kept[1], x, height, length, weight, flexibility, friction)
+        if math.isnan(H):
+            H = grounded_tension(x, 0.0, height, length, weight, flexibility, friction)
+        hanging = free_length(H, height, weight, flexibility)
+        if hanging < length:
+            kept[0], kept[1] = GROUNDED, H
+            return H, weight * hanging
+    X, Z, kappa = x / length, height / length, 0.5 * flexibility * weight * length
+    t = ellipse_parameter(X, Z, kappa, kept[1] if kept[0] == SUSPENDED else 0.0, CLOSE)
+    if math.isinf(t):
+        kept[0] = BEYOND_REACH
+        return math.nan, math.nan
+    kept[0], kept[1] = SUSPENDED, t
+    root, half = math.sqrt(1.0 + t * t), 0.5 * weight * length
+    cosine = min(max(Z / (1.0 + kappa * root), -1.0), 1.0)
+    sine = min(X / (t * (math.asinh(1.0 / t) + kappa)), 1.0) if X > 0.0 else 0.0
+    return half * t * sine, half * (1.0 + root * cosine)
+
+
+@kernel()
+def pull_of_any(kept, row, x, low, high, bed, length, weight, flexibility, friction):
+    """(H, V) on the end at z = `high` of a line whose other end, at z = `low`, is held anywhere: on the bed or not.
+
+    row : (ROW,) room for results; `pull` where the held end is an anchor on the bed of a line that sinks
+    """
+    if weight > 0.0 and low == bed:
+        return pull(kept, x, high - bed, length, weight, flexibility, friction)
+    if weight > 0.0:
+        solve_line(row, x, low - bed, high - bed, length, weight, flexibility, 0.0, True)
+    else:
+        solve_line(row, x, -low, -high, length, -weight, flexibility, 0.0, False)
+        mirror(row)
+    kept[0] = row[0]
+    if row[0] >= BEYOND_REACH:
+        return math.nan, math.nan
+    return row[2], row[4]
+
+
+@kernel()
+def pulls(kept, rows, x, low, high, bed, lines, out):
+    """out (n, 2) of `pull_of_any` for lines (n, 4): length, weight, 1/EA, friction"""
+    for i in range(x.size):
+        length, weight, flexibility, friction = lines[i]
+        out[i, 0], out[i, 1] = pull_of_any(
+            kept[i], rows[i], x[i], low[i], high[i], bed, length, weight, flexibility, friction
+        )
+
+
+def workspace(count):
+    """kept (n, KEPT) and rows (n, ROW) for lines that nothing is known of yet"""
+    return np.zeros((count, KEPT)), np.zeros((count, ROW))

@@ -1,0 +1,221 @@
+"""The equation of motion of a body in time, and the powers of everything that acts on it, compiled.
+
+    (M + A∞) ν̇ + C(νₛ) ν + ∫₀ᵗ K(t−τ) ν(τ) dτ + B′ν + N₂ν|ν| + C η = F₁ + F₂ + F_wind + F_current + F_lines + F_given
+
+η = (x, y, z, φ, θ, ψ): place of the rotation centre from that at rest, in space, roll and pitch, and the heading, which
+may be any.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the slow velocity
+(after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew, so that
+it does no work; with a current its moment on the added mass (Munk's) is in the current coefficients and left out here.
+The memory is  ẋ = −a x + b x′ + Bν,  ẋ′ = −b x − a x′ + B′ν,  ∫Kν = Σ C x + C′x′  (`bem.time_domain.memory`).
+Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
+
+State: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J, memory (2 each).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from .interpolation import EDGE, between_samples, on_ring
+from .line_loads import line_loads
+from .streams import stream_force
+from .wave_loads import HEADINGS, ROWS
+
+WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "given")
+FIRST_WORK, MEMORY = 18, 18 + len(WORKS)  # where works and memory begin in the state
+
+
+class Body(NamedTuple):
+    """Constants of the equation.
+
+    mass_inverse : (6, 6) of M + A∞; rigid, slow : (6, 6) M, and the added mass of slow motion
+    stiffness : (6, 6) hydrostatic, on η in heading axes; spring : (6, 6) on η in space axes; damping : (6, 6) B′
+    quadratic : (6,) N₂; numbers : filter's ωc rad/s, ramp's length s, whether Munk's moment is in the current
+    decay, turn : (p,) 1/s; into : (p, 2, 6), out : (p, 2, 6) of the memory
+    drift_damping : (HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
+    given : (6, n) N and N m, a table in time in heading axes, from 0 s in steps of numbers[3] s; one column for none
+    """
+
+    mass_inverse: np.ndarray
+    rigid: np.ndarray
+    slow: np.ndarray
+    stiffness: np.ndarray
+    spring: np.ndarray
+    damping: np.ndarray
+    quadratic: np.ndarray
+    numbers: np.ndarray
+    decay: np.ndarray
+    turn: np.ndarray
+    into: np.ndarray
+    out: np.ndarray
+    drift_damping: np.ndarray
+    given: np.ndarray
+
+
+class Work(NamedTuple):
+    """Room for work of one evaluation, and the window of wave forces in use.
+
+    window : (ROWS, m); span : start s, step s; force, part : (6,); R : (3, 3)
+    """
+
+    window: np.ndarray
+    span: np.ndarray
+    force: np.ndarray
+    part: np.ndarray
+    stream: np.ndarray
+    waves: np.ndarray
+    weights: np.ndarray
+    quintic: np.ndarray
+    value: np.ndarray
+    drag: np.ndarray
+    R: np.ndarray
+
+
+def room(columns):
+    """`Work` for windows of so many columns"""
+    return Work(
+        np.zeros((ROWS, columns)), np.zeros(2), np.zeros(6), np.zeros(6), np.zeros(3), np.zeros(ROWS), np.zeros(4),
+        np.zeros(6), np.zeros(1), np.zeros(6), np.zeros((3, 3)),
+    )  # fmt: skip
+
+
+@kernel()
+def ramp(t, length):
+    """Share of the loads at t s of a ramp: from 0 to 1, with a continuous slope and curvature"""
+    if length <= 0.0 or t >= length:
+        return 1.0
+    s = max(t / length, 0.0)
+    return s * s * s * (10.0 - s * (15.0 - 6.0 * s))
+
+
+@kernel()
+def give(force, y, rate, part, count, number):
+    """Add the first `count` numbers of a part to the force, and its power to the rate of its work."""
+    power = 0.0
+    for j in range(count):
+        force[j] += part[j]
+        power += part[j] * y[6 + j]
+    rate[FIRST_WORK + number] += power
+
+
+@kernel()
+def add_horizontal(work, y, rate, x, y_force, moment, number):
+    """Add a surge and sway force and a yaw moment"""
+    work.force[0] += x
+    work.force[1] += y_force
+    work.force[5] += moment
+    rate[FIRST_WORK + number] += x * y[6] + y_force * y[7] + moment * y[11]
+
+
+@kernel()
+def restore(body, y, work):
+    """Hydrostatic and spring forces and those of the turning axes, which only exchange energy"""
+    cos, sin = np.cos(y[5]), np.sin(y[5])
+    for i in range(6):
+        total = 0.0
+        for j in range(2, 5):
+            total += body.stiffness[i, j] * y[j]
+        work.force[i] -= total
+    for i in range(6):
+        total = 0.0
+        for j in range(6):
+            total += body.spring[i, j] * y[j]
+        work.part[i] = -total
+    work.force[0] += cos * work.part[0] + sin * work.part[1]
+    work.force[1] += -sin * work.part[0] + cos * work.part[1]
+    for i in range(2, 6):
+        work.force[i] += work.part[i]
+    u, v, r = cos * y[15] + sin * y[16], -sin * y[15] + cos * y[16], y[17]
+    along = body.rigid[0, 0] * u + body.rigid[0, 1] * v + body.rigid[0, 5] * r
+    across = body.rigid[1, 0] * u + body.rigid[1, 1] * v + body.rigid[1, 5] * r
+    water_along = body.slow[0, 0] * u + body.slow[0, 1] * v + body.slow[0, 5] * r
+    water_across = body.slow[1, 0] * u + body.slow[1, 1] * v + body.slow[1, 5] * r
+    munk = 0.0 if body.numbers[2] > 0.0 else 1.0
+    work.force[0] += (across + water_across) * y[11]
+    work.force[1] -= (along + water_along) * y[11]
+    work.force[5] += (along + munk * water_along) * y[7] - (across + munk * water_across) * y[6]
+
+
+@kernel()
+def dissipate(body, y, rate, work):
+    """Linear and quadratic damping, and the memory of the water with the rates of its states"""
+    for i in range(6):
+        total = body.quadratic[i] * y[6 + i] * abs(y[6 + i])
+        for j in range(6):
+            total += body.damping[i, j] * y[6 + j]
+        work.part[i] = -total
+    give(work.force, y, rate, work.part, 6, 6)
+    work.part[:] = 0.0
+    for p in range(body.decay.size):
+        a, b, m = body.decay[p], body.turn[p], MEMORY + 2 * p
+        first, second = -a * y[m] + b * y[m + 1], -b * y[m] - a * y[m + 1]
+        for j in range(6):
+            first += body.into[p, 0, j] * y[6 + j]
+            second += body.into[p, 1, j] * y[6 + j]
+            work.part[j] -= body.out[p, 0, j] * y[m] + body.out[p, 1, j] * y[m + 1]
+        rate[m], rate[m + 1] = first, second
+    give(work.force, y, rate, work.part, 6, 5)
+
+
+@kernel()
+def load(body, wind, current, t, y, rate, work):
+    """Waves, drift, wind, current and what is given, each grown by the ramp"""
+    share = ramp(t, body.numbers[1])
+    if work.window.shape[1] > 1:
+        between_samples(work.window, (t - work.span[0]) / work.span[1] + EDGE, work.quintic, work.waves)
+        for j in range(6):
+            work.part[j] = share * work.waves[j]
+        give(work.force, y, rate, work.part, 6, 0)
+        on_ring(body.drift_damping, y[14], work.weights, work.drag)
+        cos, sin = np.cos(y[14]), np.sin(y[14])
+        u, v = cos * y[15] + sin * y[16], -sin * y[15] + cos * y[16]
+        grown, d, w = share * share, work.drag, work.waves
+        add_horizontal(
+            work, y, rate, grown * (w[6] - d[0] * u - d[1] * v), grown * (w[7] - d[2] * u - d[3] * v),
+            grown * (w[8] - d[4] * u - d[5] * v), 1,
+        )  # fmt: skip
+    stream_force(wind, t, y[5], y[6], y[7], work.weights, work.quintic, work.stream, work.value)
+    add_horizontal(work, y, rate, share * work.stream[0], share * work.stream[1], share * work.stream[2], 2)
+    stream_force(current, t, y[5], y[6], y[7], work.weights, work.quintic, work.stream, work.value)
+    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], 3)
+    if body.given.shape[1] > 1:
+        between_samples(body.given, t / body.numbers[3], work.quintic, work.part)
+        for j in range(6):
+            work.part[j] *= share
+        give(work.force, y, rate, work.part, 6, 7)
+
+
+@kernel()
+def rates(body, lines, line_work, wind, current, t, y, rate, work):
+    """rate (n,) of the state y (n,) at t s; returns whether every line has a force."""
+    rate[:] = 0.0
+    work.force[:] = 0.0
+    restore(body, y, work)
+    dissipate(body, y, rate, work)
+    load(body, wind, current, t, y, rate, work)
+    good = line_loads(lines, line_work, y[:6], work.R, work.part)
+    give(work.force, y, rate, work.part, 6, 4)
+    cos, sin = np.cos(y[5]), np.sin(y[5])
+    rate[0], rate[1] = cos * y[6] - sin * y[7], sin * y[6] + cos * y[7]
+    for j in range(2, 6):
+        rate[j] = y[6 + j]
+    for i in range(6):
+        total = 0.0
+        for j in range(6):
+            total += body.mass_inverse[i, j] * work.force[j]
+        rate[6 + i] = total
+    c = body.numbers[0]
+    for j in range(3):
+        at = 5 if j == 2 else j
+        rate[12 + j] = y[15 + j]
+        rate[15 + j] = c * c * (y[at] - y[12 + j]) - 2 * c * y[15 + j]
+    return good
+
+
+def ring_of_headings():
+    """(HEADINGS,) rad at which `Body.drift_damping` is wanted"""
+    return np.arange(HEADINGS) * (2 * np.pi / HEADINGS)

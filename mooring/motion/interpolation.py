@@ -1,0 +1,55 @@
+"""Interpolation between equal steps, compiled."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+EDGE = 3  # samples beyond the ends that a quintic through six samples may need
+
+
+@kernel()
+def lagrange_weights(place, weights):
+    """Weights (n,) of the polynomial through n samples at 0, 1, …, n−1, at a place among them."""
+    n = weights.size
+    for i in range(n):
+        w = 1.0
+        for j in range(n):
+            if j != i:
+                w *= (place - j) / (i - j)
+        weights[i] = w
+
+
+@kernel()
+def between_samples(samples, place, weights, out):
+    """out (k,) of samples (k, m) at equal steps, at a place counted in steps from the first; quintic, six samples."""
+    m = samples.shape[1]
+    first = min(max(int(np.floor(place)) - 2, 0), m - 6)
+    lagrange_weights(place - first, weights)
+    for j in range(out.size):
+        total = 0.0
+        for i in range(6):
+            total += weights[i] * samples[j, first + i]
+        out[j] = total
+
+
+def ring_table(values):
+    """(n + 3, k) of values (n, k) at n equal steps of a circle, led on so that four neighbours always exist."""
+    values = np.asarray(values, float)
+    return np.concatenate([values[-1:], values, values[:2]])
+
+
+@kernel()
+def on_ring(table, angle, weights, out):
+    """out (k,) of a `ring_table` at an angle, rad; cubic through four neighbours"""
+    n = table.shape[0] - 3
+    place = angle * (n / (2 * np.pi))
+    whole = np.floor(place)
+    lagrange_weights(place - whole + 1.0, weights)
+    first = int(whole) % n
+    for j in range(out.size):
+        total = 0.0
+        for i in range(4):
+            total += weights[i] * table[first + i, j]
+        out[j] = total

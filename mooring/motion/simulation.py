@@ -1,0 +1,286 @@
+"""A moored body in time: the door.  What does not depend on weather is prepared once, then every seed is a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from bem import DOFS
+
+from ..environment.sea import Components, joined
+from ..lines.system.equilibrium import rest
+from . import integrator
+from .equation import MEMORY, WORKS, Body, room
+from .expected import drift_damping_ring, expected_motion
+from .line_loads import body_lines, line_loads, line_work
+from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
+from .wave_loads import no_waves, wave_table
+
+STEPS_AT_ONCE = 2000  # between reports of progress
+FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
+SHARE = 0.02  # of the tolerance that the errors of one such time may have
+FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
+FEWEST, MOST = 200, 2000  # wave components of a sea
+
+
+class SimulationError(ValueError):
+    """A run that cannot be made or carried on: the message names the time, the number and the way out."""
+
+
+@dataclass(frozen=True, eq=False)
+class Moored:
+    """A body on its lines, ready to be moved.
+
+    reader : `bem.database.reader.Reader`; system : its `System`, None for a body without lines
+    hull : `ExposedBox` that wind and current act on, None for none; memory : `bem.time_domain.memory.Memory`
+    start : (6,) m, rad of the equilibrium at rest from the place given; spring, damping : (6, 6) linear, beside lines
+    quadratic : (6,) N₂ of drag on each motion; stiffness : (6, 6) of water, lines and springs at rest
+    findings : what a reader has to know, one line each
+    """
+
+    reader: object
+    system: object
+    hull: object
+    memory: object
+    start: np.ndarray
+    spring: np.ndarray
+    damping: np.ndarray
+    quadratic: np.ndarray
+    stiffness: np.ndarray
+    slow_added_mass: np.ndarray
+    findings: tuple[str, ...] = ()
+
+    def __repr__(self):
+        lines = 0 if self.system is None else len(self.system.lines)
+        return f"<Moored {lines} lines, {self.memory}>"
+
+
+class Realisation(NamedTuple):
+    """One run.
+
+    time : (n,) s; motion : (n, 6) m, rad of the rotation centre from its place at rest, yaw unwrapped
+    velocity : (n, 6) m/s, rad/s in axes that turn with the heading; slow : (n, 3) low-passed x, y and yaw
+    wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : of the run
+    estimated_error : (6,) of the motions, nan where not asked for; steps : taken
+    work : {name: J} done on the body from the start of the ramp to the end; findings : one line each
+    """
+
+    time: np.ndarray
+    motion: np.ndarray
+    velocity: np.ndarray
+    slow: np.ndarray
+    wave: np.ndarray
+    wind_speed: np.ndarray
+    tension: np.ndarray
+    seed: int
+    estimated_error: np.ndarray
+    steps: int
+    work: dict
+    findings: tuple[str, ...] = ()
+
+
+def moored(db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None):
+    """`Moored` of an opened database, a `System` of one body with its axes at the rotation centre, and its hull.
+
+    hull : ExposedBox; the drag of the water on it is that of the box tests where they reach
+    memory : a Memory, by default that of the database; spring, damping : (6, 6) SI; quadratic : (6,) N s²/m² …
+    raises : ValueError naming what is missing or does not fit
+    """
+    body = db.reader.floating()
+    if memory is None:
+        from bem.time_domain.memory import memory_of_database
+
+        memory = memory_of_database(db)
+    spring, damping = (np.zeros((6, 6)) if m is None else np.asarray(m, float) for m in (spring, damping))
+    quadratic = np.zeros(6) if quadratic is None else np.asarray(quadratic, float)
+    start, stiffness = np.zeros(6), body.stiffness + spring
+    if system is not None:
+        _check_place(system, db)
+        start, stiffness = _rest(system, body.stiffness, spring)
+    slow = body.held_added_mass(0.0)[0]
+    return Moored(body, system, hull, memory, start, spring, damping, quadratic, stiffness, slow)
+
+
+def simulate(moored, weather, settings, seed=0, progress=None):
+    """One `Realisation` of a `Moored` body in a `Weather`.
+
+    seed : whole number; the same gives the same bits.  progress : called with the share done
+    raises : SimulationError where the motion cannot be followed
+    """
+    findings = list(moored.findings)
+    components = wave_components(moored, weather, settings, seed)
+    table, expected = no_waves(), expected_motion(moored, components)
+    if components is not None:
+        reader = moored.reader
+        wanted = settings.slow_drift != "none" and reader.knows_drift
+        table = wave_table(reader, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
+    end = settings.ramp + settings.duration
+    wind, current, drag = _streams(moored, weather, seed, end, findings)
+    lines = body_lines(moored.system, [(name, settings.ramp + t) for name, t in settings.lines_lost])
+    body = _body(moored, weather, settings, components, drag, current is not None)
+    samples, last, clock = _run(
+        moored, settings, expected, body, lines, wind, current if current is not None else calm(), table, progress
+    )
+    return _realisation(moored, settings, seed, lines, wind, table, samples, last, clock, findings)
+
+
+def wave_components(moored, weather, settings, seed):
+    """Components of the weather's waves, None for none; as many as the record needs not to repeat."""
+    if weather.regular is not None:
+        w = weather.regular
+        return Components(*(np.array([float(v)]) for v in (w.omega, 0.5 * w.height, 0.0, w.direction)))
+    if not weather.seas:
+        return None
+    low, high = moored.reader.omega[0], moored.reader.omega[-1]
+    parts = []
+    for number, sea in enumerate(weather.seas):
+        band = np.clip(sea.spectrum.quantile((1e-5, 1 - 1e-3)), low, high)
+        count = settings.components
+        if count is None:
+            count = int(np.clip(np.ptp(band) * settings.duration / (4 * np.pi), FEWEST, MOST))
+        parts.append(sea.components(count, seed + 7919 * number, low=float(band[0]), high=float(band[1])))
+    return parts[0] if len(parts) == 1 else joined(*parts)
+
+
+def _rest(system, hydrostatic, spring):
+    """(6,) place at rest from that given, and (6, 6) stiffness there"""
+    body = replace(system.bodies[0], freedom=DOFS, hydrostatic_stiffness=hydrostatic + spring)
+    state = rest(replace(system, bodies=(body,)))
+    return (state.position - np.array([body.position]))[0], np.asarray(state.stiffness)[:6, :6]
+
+
+def _check_place(system, db):
+    place, center = np.asarray(system.bodies[0].position[:3]), np.asarray(db.rotation_center, float)
+    if not np.allclose(place, center, rtol=0, atol=1e-9):
+        raise ValueError(f"the body's axes lie at {place}; allowed: at the rotation centre {center} of the database")
+    if not abs(system.depth - db.water_depth) <= 1e-6 * system.depth:
+        raise ValueError(f"the lines are for {system.depth:g} m of water, the database for {db.water_depth:g} m")
+
+
+def _streams(moored, weather, seed, end, findings):
+    """Wind and current Streams, None for no water drag, and N₂ of yaw"""
+    reader, hull = moored.reader, moored.hull
+    if hull is None:
+        if weather.wind or weather.current:
+            raise SimulationError("wind and current need the hull they act on; give its length, beam and freeboard")
+        return calm(), None, 0.0
+    wind = calm()
+    if weather.wind:
+        wind = wind_stream(weather.wind, hull, reader.rotation_center, weather.gusts, seed + 104729, 0.0, end)
+    try:
+        current = current_stream(weather.current, hull, reader.rotation_center, reader.density, reader.depth)
+        table = None if weather.current is None else weather.current.table
+        return wind, current, turning_drag(hull, reader.density, reader.depth, table)
+    except ValueError as error:
+        if weather.current:
+            raise SimulationError(str(error)) from None
+        findings.append(f"slow motion has no drag of the water: {error}")
+        return wind, None, 0.0
+
+
+def _body(moored, weather, settings, components, drag, munk):
+    """`equation.Body` of a run"""
+    reader, memory = moored.reader, moored.memory
+    added, B = memory.added_mass_infinity, moored.damping
+    decay, turn, into, out = memory.decay, memory.turn, memory.into, memory.out
+    if settings.memory == "constant":
+        w = np.array([mean_frequency(components)])
+        A, radiated = reader.coefficients(w)
+        added, B = A[0], B + radiated[0]
+        decay, turn, into, out = np.zeros(0), np.zeros(0), np.zeros((0, 2, 6)), np.zeros((0, 2, 6))
+    quadratic = moored.quadratic.copy()
+    quadratic[5] += drag
+    filter_rate = FILTER * (mean_frequency(components) if components is not None else 0.4)
+    ring = np.zeros((4, 6))
+    if components is not None and settings.wave_drift_damping and settings.slow_drift != "none" and reader.knows_drift:
+        ring = drift_damping_ring(reader, weather)
+    return Body(
+        np.linalg.inv(reader.inertia + added),
+        reader.inertia,
+        moored.slow_added_mass,
+        reader.stiffness,
+        moored.spring,
+        B,
+        quadratic,
+        np.array([filter_rate, settings.ramp, float(munk), 1.0]),
+        *(np.ascontiguousarray(part, float) for part in (decay, turn, into, out)),
+        ring,
+        np.zeros((6, 1)),
+    )
+
+
+def mean_frequency(components):
+    """rad/s, of the energy; components None: not known"""
+    energy = components.amplitude**2
+    return float(components.omega @ energy / energy.sum())
+
+
+def _run(moored, settings, expected, body, lines, wind, current, table, progress):
+    """Samples (n, 18), `LineWork` and the last Clock"""
+    end = settings.ramp + settings.duration
+    rows = int(np.floor(end / settings.step + 1e-9)) + 1
+    columns = table.factor.shape[1] if len(table.omega) else 1
+    y = np.zeros(MEMORY + 2 * len(body.decay))
+    y[:6] = moored.start
+    y[12:15] = moored.start[[0, 1, 5]]
+    scale = SHARE * settings.tolerance / FORGOTTEN * expected
+    first = settings.fixed_step or 0.05
+    clock = integrator.Clock(
+        np.array([0.0, first, 0.0, -1e9, end, settings.step, settings.fixed_step or 0.0]),
+        np.zeros(3, np.int64),
+        scale,
+        y,
+        np.zeros_like(y),
+        np.zeros((7, len(y))),
+        np.array([y[12:15], y[12:15]]),
+    )
+    work, kept, samples = room(columns), line_work(lines), np.zeros((rows, 18))
+    c = len(table.omega)
+    matrices = np.zeros((19, 2 * c)), np.zeros((19, columns))
+    mean = settings.slow_drift == "mean"
+    while True:
+        state = integrator.advance(
+            body, lines, kept, wind, current, table, clock, work, *matrices, mean, samples, STEPS_AT_ONCE
+        )
+        if progress is not None:
+            progress(min(clock.now[0] / end, 1.0))
+        if state == integrator.DONE:
+            return samples, kept, clock
+        if state != integrator.RUNNING:
+            raise SimulationError(_failure(state, clock, settings, lines, moored))
+
+
+def _failure(state, clock, settings, lines, moored):
+    t, place = clock.now[0], clock.y[:6]
+    where = f"at {t - settings.ramp:.4g} s after the ramp, the body {np.hypot(*place[:2]):.3g} m from its place"
+    if state == integrator.NO_LINE:
+        return (
+            f"{where}: a line cannot reach its fairlead or its end is below the bed; lengthen it, or weaken the loads"
+        )
+    if state == integrator.TOO_SHORT:
+        return f"{where}: steps below {integrator.SHORTEST:g} s would be needed; raise the tolerance or soften a line"
+    return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
+
+
+def _realisation(moored, settings, seed, lines, wind, table, samples, last, clock, findings):
+    time = settings.step * np.arange(len(samples)) - settings.ramp
+    tension = np.zeros((len(samples), len(lines.lost)))
+    kept, R, out = line_work(lines), np.zeros((3, 3)), np.zeros(6)
+    for i, row in enumerate(samples):
+        kept.whole[:] = lines.lost > time[i] + settings.ramp
+        line_loads(lines, kept, row[:6], R, out)
+        tension[i] = np.hypot(*kept.tension.T)
+    wave = np.zeros(len(samples))
+    if len(table.omega):
+        from ..environment.wave_records import elevation
+
+        parts = Components(table.omega, table.amplitude, table.phase, table.direction)
+        wave = elevation(parts, time + settings.ramp, 0.0, 0.0, moored.reader.depth, moored.reader.gravity)
+    speed = np.hypot(*wind.velocity) + gust_at(wind, time + settings.ramp)
+    work = dict(zip(WORKS, clock.y[18 : 18 + len(WORKS)].tolist(), strict=True))
+    return Realisation(
+        time, samples[:, :6], samples[:, 6:12], samples[:, 12:15], wave, speed, tension, seed, np.full(6, np.nan),
+        int(clock.counts[0]), work, tuple(findings),
+    )  # fmt: skip

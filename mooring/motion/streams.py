@@ -1,0 +1,112 @@
+"""Wind and current on a body in time: steady coefficients at the velocity relative to the body, gusts added.
+
+    F = c(α) |U|²,    U = U∞ (1 + u′/|U∞|) − (u, v) in the body's axes, α its angle
+
+A body that turns meets the water along its length at r x; the moment of this cross flow on a body at rest is
+
+    M = −¼ ρ C_y(90°) d (L/2)⁴ r|r|        SR179 report (1982), guideline 3.6.5 (its "+" between the factors is a product)
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from ..environment.gusts import MissingVariance, gust_components
+from ..environment.wave_records import real_sum
+from ..loads.box_current import box_table, current_force
+from ..loads.box_drag import about
+from ..loads.box_wind import wind_force
+from .interpolation import between_samples, on_ring, ring_table
+
+RING = 720  # angles of a table of coefficients
+GUST_BAND = (2 * np.pi * 1e-4, 2 * np.pi)  # rad/s; the report takes 0.001 to 1 Hz
+GUST_STEP, GUSTS = 0.2, 400  # s, number of components
+
+
+class Stream(NamedTuple):
+    """Wind or current as the kernels read it.
+
+    table : (RING + 3, 3) N s²/m², N m s²/m² of unit speed at equal angles; velocity : (2,) m/s in space
+    gusts : (1, n) m/s along the mean, from `first` (1,) s − in steps of GUST_STEP; one column where there are none
+    """
+
+    table: np.ndarray
+    velocity: np.ndarray
+    gusts: np.ndarray
+    first: np.ndarray
+
+
+def calm():
+    """A Stream that exerts no force"""
+    return Stream(np.zeros((RING + 3, 3)), np.zeros(2), np.zeros((1, 1)), np.zeros(1))
+
+
+def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
+    """The Stream of a `Wind` on an `ExposedBox`, with gusts of a `GustSpectrum` from `start` to `end` s."""
+    speed, direction, density, table = wind.speed, wind.direction, wind.density, wind.table
+    angles = np.arange(RING) * (2 * np.pi / RING)
+    unit = wind_force(np.ones(RING), angles, hull.length, hull.beam, hull.freeboard, density, table)
+    record, first = np.zeros((1, 1)), start
+    if gusts is not None:
+        first = start - 4 * GUST_STEP
+        t = first + GUST_STEP * np.arange(int(np.ceil((end - first) / GUST_STEP)) + 6)
+        with warnings.catch_warnings():  # what lies beyond 1 Hz moves no hull
+            warnings.simplefilter("ignore", MissingVariance)
+            omega, amplitude, phase = gust_components(gusts, seed, *GUST_BAND, GUSTS)
+        record = real_sum(amplitude * np.exp(-1j * phase), omega, t)[None]
+    return Stream(ring_table(about(unit, (0.0, 0.0), center)), _vector(speed, direction), record, np.array([first]))
+
+
+def current_stream(current, hull, center, density, depth):
+    """The Stream of a `Current` (None: water at rest) on an `ExposedBox`; raises ValueError without coefficients."""
+    table = current.table if current is not None and current.table is not None else None
+    if table is None:
+        table = box_table(hull.length, hull.beam, hull.draft, depth)
+    angles = np.arange(RING) * (2 * np.pi / RING)
+    unit = current_force(np.ones(RING), angles, hull.length, hull.beam, hull.draft, density, table)
+    velocity = np.zeros(2) if current is None else _vector(current.speed, current.direction)
+    return Stream(ring_table(about(unit, (0.0, 0.0), center)), velocity, np.zeros((1, 1)), np.zeros(1))
+
+
+def turning_drag(hull, density, depth, table=None):
+    """N₂ of yaw, N m s²: cross flow on a box that turns at rest."""
+    table = box_table(hull.length, hull.beam, hull.draft, depth) if table is None else table
+    return 0.25 * density * float(table.curve(np.pi / 2)[1]) * hull.draft * (0.5 * hull.length) ** 4
+
+
+@kernel()
+def stream_force(stream, t, heading, u, v, weights, quintic, out, value):
+    """out (3,) N, N, N m in the body's axes, at velocities u, v (m/s) along and across it.
+
+    weights (4,), quintic (6,), value (1,) : room for work
+    """
+    cos, sin = np.cos(heading), np.sin(heading)
+    x, y = stream.velocity
+    if stream.gusts.shape[1] > 1:
+        between_samples(stream.gusts, (t - stream.first[0]) / GUST_STEP, quintic, value)
+        speed = np.hypot(x, y)
+        x, y = x * (1.0 + value[0] / speed), y * (1.0 + value[0] / speed)
+    along, across = cos * x + sin * y - u, -sin * x + cos * y - v
+    square = along * along + across * across
+    if square == 0.0:
+        out[:] = 0.0
+        return
+    on_ring(stream.table, np.arctan2(across, along), weights, out)
+    for j in range(3):
+        out[j] *= square
+
+
+def gust_at(stream, t):
+    """(n,) m/s of the gusts at times t (n,) s"""
+    if stream.gusts.shape[1] == 1:
+        return np.zeros(len(t))
+    return np.interp(t, stream.first[0] + GUST_STEP * np.arange(stream.gusts.shape[1]), stream.gusts[0])
+
+
+def _vector(speed, direction):
+    return speed * np.array([np.cos(direction), np.sin(direction)])

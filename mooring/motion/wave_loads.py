@@ -1,0 +1,156 @@
+"""First-order wave forces, slow drift and elevation at a body that moves slowly, from the components of its sea.
+
+    F(t) = Re Σ aᵢ X(ωᵢ, βᵢ − ψ) exp{i(kᵢ·r + εᵢ − ωᵢt)},    D(t) = |Σ aᵢ √D⁺ᵢ e^{…}|² − |Σ aᵢ √D⁻ᵢ e^{…}|²
+
+in axes that turn with the slow heading ψ; r is where the origin of the database's axes lies in its slow position.  The
+drift is Newman's with the root of both diagonals (`mooring.response.slow_drift`).  Time is cut into windows.  A slow
+pose is foreseen for the end of each window, and forces pass linearly from those of the pose at its begin to those of
+that at its end, so that they are continuous whatever the body does.  Within a window exp(−iωt) at equal steps is
+always the same matrix: a window costs two products of small real matrices.  Between the steps forces are polynomials
+of fifth degree through six of them.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+from bem.waves import wavenumber
+
+from .interpolation import EDGE, lagrange_weights
+
+HEADINGS = 120  # of the ring on which forces are tabulated; 3° apart, cubic between
+STEPS_PER_RADIAN = 1.0 / 0.6  # of the highest component: quintics between steps are then 1e-4 off at most
+WINDOW = 6.0  # s; poses foreseen this far ahead
+ROWS = 10  # six forces, three of drift, the elevation
+
+
+class WaveTable(NamedTuple):
+    """Components and the forces of each on a ring of headings, as the kernels read them.
+
+    omega, number (wavenumber), amplitude, phase, direction : (c,); force : (c, HEADINGS, 6) complex per metre
+    drift : (c, HEADINGS, 3) N/m²; factor : (2c, m) cos ωt and sin ωt of the steps; center : (2,) m
+    times : step and length of a window, s
+    """
+
+    omega: np.ndarray
+    number: np.ndarray
+    amplitude: np.ndarray
+    phase: np.ndarray
+    direction: np.ndarray
+    force: np.ndarray
+    drift: np.ndarray
+    factor: np.ndarray
+    center: np.ndarray
+    times: np.ndarray
+
+
+def wave_table(body, components, depth, center, gravity, drift=True):
+    """`WaveTable` of a `bem.database.reader.Reader` in wave components (`mooring.environment.sea.Components`).
+
+    Components outside the stored frequencies exert no force, and the drift of the nearest stored one.
+    center : (3,) m, rotation centre; drift : whether drift is wanted
+    """
+    omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
+    ring = np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
+    held = np.clip(omega, body.omega[0], body.omega[-1])
+    inside = held == omega
+    force = np.zeros((len(omega), HEADINGS, 6), complex)
+    drifts = np.zeros((len(omega), HEADINGS, 3))
+    for rows in np.array_split(np.arange(len(omega)), max(1, len(omega) // 64)):
+        force[rows] = body.forces(held[rows], ring)
+        if drift:
+            drifts[rows] = body.drift(held[rows], ring)
+    force[~inside] = 0.0
+    step = 1.0 / (STEPS_PER_RADIAN * omega.max())
+    count = max(2, int(np.ceil(WINDOW / step)))
+    times = step * (np.arange(count + 1 + 2 * EDGE) - EDGE)
+    turn = np.multiply.outer(omega, times)
+    factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
+    k = wavenumber(omega, depth, gravity)
+    return WaveTable(
+        omega, k, amplitude, phase, direction, force, drifts, factor, np.asarray(center, float)[:2],
+        np.array([step, step * count]),
+    )  # fmt: skip
+
+
+def no_waves(window=WINDOW):
+    """A `WaveTable` without components"""
+    none = np.zeros(0)
+    count = max(2, int(window))
+    shape = np.zeros((0, HEADINGS, 6), complex), np.zeros((0, HEADINGS, 3)), np.zeros((0, count + 1 + 2 * EDGE))
+    return WaveTable(none, none, none, none, none, *shape, np.zeros(2), np.array([window / count, window]))
+
+
+@kernel()
+def fill_rows(table, rows, pose, start):
+    """rows (19, 2c): coefficients of `factor` for 6 forces, the elevation and real and imaginary roots of the drift.
+
+    pose : (3,) slow x, y (m from the place at rest) and heading; start : s of the window
+    """
+    c = table.omega.size
+    cos, sin = np.cos(pose[2]), np.sin(pose[2])
+    cx, cy = table.center
+    x, y = cx + pose[0] - cos * cx + sin * cy, cy + pose[1] - sin * cx - cos * cy
+    weights = np.empty(4)
+    for i in range(c):
+        beta, k = table.direction[i], table.number[i]
+        turn = k * (x * np.cos(beta) + y * np.sin(beta)) + table.phase[i] - table.omega[i] * start
+        a = table.amplitude[i] * np.exp(1j * turn)
+        place = (beta - pose[2]) * (HEADINGS / (2 * np.pi))
+        whole = np.floor(place)
+        lagrange_weights(place - whole + 1.0, weights)
+        first = int(whole) - 1
+        rows[6, i], rows[6, c + i] = a.real, a.imag
+        for j in range(6):
+            f = 0j
+            for n in range(4):
+                f += weights[n] * table.force[i, (first + n) % HEADINGS, j]
+            f *= a
+            rows[j, i], rows[j, c + i] = f.real, f.imag
+        for j in range(3):
+            d = 0.0
+            for n in range(4):
+                d += weights[n] * table.drift[i, (first + n) % HEADINGS, j]
+            root = np.sqrt(abs(d))
+            up, down = (root, 0.0) if d > 0.0 else (0.0, root)
+            for part, r in ((7 + 4 * j, up), (9 + 4 * j, down)):
+                rows[part, i], rows[part, c + i] = r * a.real, r * a.imag
+                rows[part + 1, i], rows[part + 1, c + i] = r * a.imag, -r * a.real
+
+
+@kernel()
+def fill_window(table, window, rows, sums, begin, end, start, mean_drift):
+    """window (ROWS, m): forces at the steps of the window that begins at `start` s, from two slow poses (3,) each.
+
+    mean_drift : whether each component drifts alone, without the beat of pairs
+    """
+    window[:] = 0.0
+    c, m = table.omega.size, window.shape[1]
+    if c == 0:
+        return
+    steps = m - 1 - 2 * EDGE
+    for side in range(2):
+        fill_rows(table, rows, begin if side == 0 else end, start)
+        np.dot(rows, table.factor, sums)
+        for n in range(m):
+            later = (n - EDGE) / steps
+            share = 1.0 - later if side == 0 else later
+            for j in range(6):
+                window[j, n] += share * sums[j, n]
+            window[9, n] += share * sums[6, n]
+            if not mean_drift:
+                for j in range(3):
+                    p = 7 + 4 * j
+                    slow = sums[p, n] ** 2 + sums[p + 1, n] ** 2 - sums[p + 2, n] ** 2 - sums[p + 3, n] ** 2
+                    window[6 + j, n] += share * slow
+        if mean_drift:
+            for j in range(3):
+                p, mean = 7 + 4 * j, 0.0
+                for i in range(c):
+                    mean += rows[p, i] ** 2 + rows[p, c + i] ** 2 - rows[p + 2, i] ** 2 - rows[p + 2, c + i] ** 2
+                for n in range(m):
+                    later = (n - EDGE) / steps
+                    window[6 + j, n] += (1.0 - later if side == 0 else later) * mean

@@ -1,0 +1,71 @@
+"""What loads a body in time, and how a run is made."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+SLOW_DRIFT = ("newman", "mean", "none")
+MEMORY = ("states", "constant")
+
+
+@dataclass(frozen=True)
+class Weather:
+    """Everything that acts on a body beside its lines; None or nothing leaves a load out.
+
+    seas : tuple of `mooring.environment.sea.Sea`, long- or short-crested
+    regular : waves of one height, period and direction (`mooring.studies.conditions.Waves`), in place of seas
+    wind, current : `mooring.studies.conditions.Wind` and `Current`; gusts : `mooring.environment.gusts.GustSpectrum`
+    """
+
+    seas: tuple = ()
+    regular: object = None
+    wind: object = None
+    gusts: object = None
+    current: object = None
+
+    def __post_init__(self):
+        object.__setattr__(self, "seas", tuple(self.seas))
+        if self.seas and self.regular is not None:
+            raise ValueError("weather has seas and a regular wave; allowed: one of them")
+        if self.gusts is not None and self.wind is None:
+            raise ValueError("weather has gusts and no wind; allowed: gusts about a mean wind")
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a run is made.
+
+    duration : s that statistics are taken of; ramp : s before it, in which every load grows from nothing
+    step : s between samples that are kept; tolerance : of the motions, relative to their standard deviations
+    components : number of wave components of each sea, None to choose it by duration and bandwidth
+    slow_drift : "newman", "mean" or "none"; wave_drift_damping : whether slow velocities change the drift
+    memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
+    lines_lost : (name, s) of lines that break, counted from the end of the ramp
+    fixed_step : s, integrate with steps of that size and without control of the error; None to control it
+    """
+
+    duration: float
+    ramp: float = 200.0
+    step: float = 0.5
+    tolerance: float = 1e-3
+    components: int | None = None
+    slow_drift: str = "newman"
+    wave_drift_damping: bool = True
+    memory: str = "states"
+    lines_lost: tuple[tuple[str, float], ...] = ()
+    fixed_step: float | None = None
+
+    def __post_init__(self):
+        for name, low in (("duration", 0.0), ("step", 0.0), ("tolerance", 0.0)):
+            value = getattr(self, name)
+            if not low < value < float("inf"):
+                raise ValueError(f"{name} is {value:g}; allowed: above 0, finite")
+        if not 0 <= self.ramp < float("inf"):
+            raise ValueError(f"ramp is {self.ramp:g} s; allowed: at least 0")
+        if self.tolerance > 0.1:
+            raise ValueError(f"tolerance is {self.tolerance:g}; allowed: above 0, at most 0.1")
+        for name, words in (("slow_drift", SLOW_DRIFT), ("memory", MEMORY)):
+            if getattr(self, name) not in words:
+                raise ValueError(f"{name} is {getattr(self, name)!r}; allowed: {', '.join(words)}")
+        if self.components is not None and not (self.components == int(self.components) and self.components >= 1):
+            raise ValueError(f"components is {self.components}; allowed: a whole number from 1")
