@@ -4,7 +4,7 @@
 
 A body that turns meets the water along its length at r x; the moment of this cross flow on a body at rest is
 
-    M = −¼ ρ C_y(90°) d (L/2)⁴ r|r|        SR179 report (1982), guideline 3.6.5 (its "+" between the factors is a product)
+    M = −¼ ρ C_y(90°) d (L/2)⁴ r|r|        SR179 report (1982), guideline 3.6.5 (its "+" between factors is a product)
 """
 
 from __future__ import annotations
