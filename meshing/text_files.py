@@ -5,6 +5,8 @@ from __future__ import annotations
 import stat
 from pathlib import Path
 
+from .seals import MARK, REMEDY, text_damaged
+
 LARGEST = 256  # MB; a record of a year at 10 Hz
 
 
@@ -12,18 +14,25 @@ def read_text(path, error=ValueError, *, errors="strict"):
     """The text of a regular file, without a byte order mark.
 
     error : class raised with one line; errors : as of `bytes.decode`
-    raises : error where there is no file, no text, no permission, something endless (a device, a pipe), or too much
+    raises : error where there is no file, no text, no permission, something endless (a device, a pipe), too much, or
+        a seal (`seals`) that is broken
     """
     path = Path(path)
     try:
         check_size(path, error)
-        return path.read_bytes().decode("utf-8-sig", errors).replace("\r\n", "\n")
+        text = path.read_bytes().decode("utf-8-sig", errors).replace("\r\n", "\n")
     except FileNotFoundError:
         raise error(f"{path} does not exist") from None
     except UnicodeDecodeError:
         raise error(f"{path} cannot be read: not text") from None
     except OSError as fault:
         raise error(f"{path} cannot be read: {fault.strerror}") from None
+    if text_damaged(text):
+        raise error(
+            f"{path} is damaged: its lines do not match their checksum; {REMEDY}; if it was changed on purpose, take "
+            f"out {MARK.strip()!r} and what follows in that line"
+        )
+    return text
 
 
 def check_size(path, error=ValueError):

@@ -116,7 +116,10 @@ def plot(file: Path, /, *, output: Annotated[Path | None, Parameter(help=".png, 
 
 @app.command
 def check(file: Path, /, *, repair: Annotated[bool, Parameter(negative=(), help="mark damage as unsolved")] = False):
-    """Physics checks of a database against its tolerance, and mesh findings; status 1 if one fails."""
+    """Physics checks of a database against its tolerance, and mesh findings; of a result (.h5, .csv), its checksum.
+
+    Status 1 if one fails.
+    """
     from .solve.checking import check
 
     return check(file, _console(), repair)

@@ -18,7 +18,8 @@ from meshing.panels import PanelMesh
 from meshing.whole_files import NotWritten, write_whole
 
 from ..waves import wavenumber
-from .integrity import CHECKSUM, MARK, ROWS, DatabaseError, check_schema, fixed_checksum, seal, seal_broken
+from .integrity import CHECKSUM, MARK, ROWS, DatabaseError, check_schema, fixed_checksum
+from .results import OURS, check_seal, named, seal_of
 from .schema import (
     BODY,
     CHECKS,
@@ -80,17 +81,6 @@ def check_place(path):
         raise DatabaseError(f"{path} cannot be written: no permission in {path.parent}")
 
 
-def has_schema(path, schema):
-    """Whether a file is HDF5 with this attribute `schema`, which results of studies have and databases do not"""
-    if seal_broken(path):
-        return False
-    try:
-        with h5py.File(path) as file:
-            return file.attrs.get("schema") == schema
-    except OSError:
-        return False
-
-
 def check_replaceable(path):
     """Raise DatabaseError if there is a file under this name that is no database, of whatever version, or in use."""
     if not Path(path).exists():
@@ -110,7 +100,7 @@ def check_replaceable(path):
 def beside(path, grows=False):
     """A new file that takes the name `path` when it is whole, and vanishes if it never is.
 
-    grows : its numbers are filled in later; a file that does not is sealed with its checksum (`integrity.seal`)
+    grows : its numbers are filled in later; a file that does not is sealed with its checksum (`results`)
     raises : `meshing.whole_files.NotWritten` where it does not arrive on the disk, and the old file is as it was
 
     HDF5 makes it in memory, since it ends in a segmentation fault on a disk that is full.
@@ -121,7 +111,8 @@ def beside(path, grows=False):
         yield file
         file.flush()
         image = file.id.get_file_image()
-    write_whole(path, b"" if grows else seal(image), image)
+        seal = b"" if grows else seal_of(file, image)
+    write_whole(path, seal, image)
 
 
 @contextlib.contextmanager
@@ -138,6 +129,7 @@ def opened(path, mode="r", checked=False):
     path = Path(path)
     if not path.is_file():
         raise DatabaseError(f"{path} does not exist" if not path.exists() else f"{path} is not a file")
+    check_seal(path)
     try:
         foreign = not h5py.is_hdf5(path)
         file = None if foreign else h5py.File(path, mode)
@@ -148,7 +140,7 @@ def opened(path, mode="r", checked=False):
     with file:
         if file.attrs.get("format") != FORMAT:
             own = str(file.attrs.get("schema", ""))
-            what = f"a {own.rsplit(' ', 1)[0]}" if own.startswith("hakobune") else "an HDF5 file of another program"
+            what = f"a file of {named(own)}" if own.startswith(OURS) else "an HDF5 file of another program"
             raise DatabaseError(f"{path} is {what}, not a hakobune database")
         version = int(file.attrs.get("schema_version", 0))
         if version != SCHEMA_VERSION:

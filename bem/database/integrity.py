@@ -9,7 +9,6 @@ checksums have marks of one byte, and are held to the schema alone.
 from __future__ import annotations
 
 import zlib
-from pathlib import Path
 
 import h5py
 import numpy as np
@@ -33,24 +32,6 @@ def crc(*parts):
     for part in parts:
         value = zlib.crc32(np.ascontiguousarray(part).tobytes(), value)
     return value or 1
-
-
-SEAL = b"hakobune: CRC-32 of what follows "
-BLOCK = 512  # bytes before an HDF5 file that are the user's
-
-
-def seal(image):
-    """The block before an HDF5 file that is whole, with the CRC-32 of its bytes `image`"""
-    return (SEAL + f"{zlib.crc32(image):08x}\n".encode()).ljust(BLOCK, b"\0")
-
-
-def seal_broken(path):
-    """Whether a file has a seal and is not what was sealed"""
-    try:
-        content = Path(path).read_bytes() if Path(path).is_file() else b""
-    except OSError:
-        return False
-    return content.startswith(SEAL) and seal(content[BLOCK:]) != content[:BLOCK]
 
 
 def has_checksums(file):

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bem.waves import wavenumber
-from meshing.whole_files import write_whole
+from meshing.seals import write_sealed
 
 from .allowed import positive, row_of_numbers
 from .tables import TableError, column_of, read_table
@@ -73,7 +73,7 @@ def write_record(path, record, comment=""):
     """Write time_s,elevation_m as CSV; `comment` goes before them in # lines."""
     rows = [f"# {line}" for line in comment.splitlines()] + ["time_s,elevation_m"]
     rows += [f"{t:.6f},{value:.6g}" for t, value in zip(record.time, record.elevation, strict=True)]
-    write_whole(path, "\n".join(rows) + "\n")
+    write_sealed(path, "\n".join(rows) + "\n")
 
 
 def read_record(path, step=None, column=None):

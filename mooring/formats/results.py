@@ -9,6 +9,7 @@ Numbers count from 1 in the order of the file; the group `names` says which line
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 
 import numpy as np
@@ -73,34 +74,35 @@ def _put(file, name, value, unit):
 
 
 def is_channels(path):
-    """Whether a file holds channels written here."""
-    from bem.database.file import has_schema
+    """Whether a file holds channels written here.  Raises ValueError for one that is damaged."""
+    from bem.database.results import has_schema
 
     return has_schema(path, SCHEMA)
 
 
 def read_channels(path):
-    """{channel: (n,) values} of a file, `Time` among them.  Raises FormatError."""
+    """{channel: (n,) values} of a file, `Time` among them.  Raises FormatError, also for a file that is damaged."""
     import h5py
 
-    from bem.database.integrity import seal_broken
-
-    if not Path(path).exists():
-        raise FormatError(f"{path} does not exist")
-    if seal_broken(path):
-        raise FormatError(f"{path} is damaged: its bytes do not match their checksum; copy it again, or make it anew")
-    if not is_channels(path):
-        raise FormatError(f"{path} is not a file of channels")
-    with h5py.File(path) as file:
+    with _opened(path) as file:
         return {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
 
 
 def read_frames(path):
-    """(f,) s and (f, k, 3) m of a file of channels.  Raises FormatError where it has none."""
-    import h5py
-
-    read_channels(path)
-    with h5py.File(path) as file:
+    """(f,) s and (f, k, 3) m of a file of channels.  Raises FormatError where it has none, or is damaged."""
+    with _opened(path) as file:
         if "frames" not in file:
             raise FormatError(f"{path} holds no frames; store them with the run")
         return file["frames/Time"][()], file["frames/Line1"][()]
+
+
+@contextlib.contextmanager
+def _opened(path):
+    from bem.database.integrity import DatabaseError
+    from bem.database.results import opened_result
+
+    try:
+        with opened_result(path, SCHEMA) as file:
+            yield file
+    except DatabaseError as error:
+        raise FormatError(str(error)) from None

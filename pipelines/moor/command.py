@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from bem import DOFS
-from bem.database.file import has_schema
+from bem.database.results import has_schema
 from mooring.studies.multi_point import PLANE, line_ends, multi_point
 
 from ..common.outputs import DATABASE, check_output

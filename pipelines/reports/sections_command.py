@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
-from meshing.whole_files import write_whole
+from meshing.seals import write_sealed
 
 from ..scene.flags import _flag
 
@@ -85,7 +85,7 @@ def _check_above(flag, values, low, allowed, largest=sys.float_info.max):
 
 def is_table(path):
     """Whether a file was written here"""
-    from bem.database.file import has_schema
+    from bem.database.results import has_schema
 
     from ..common.outputs import opening
 
@@ -108,7 +108,7 @@ def csv_text(rows, tolerance):
 
 
 def _write_csv(output, rows, grid, tolerance):
-    write_whole(output, csv_text(rows, tolerance))
+    write_sealed(output, csv_text(rows, tolerance))
 
 
 def _write_hdf5(output, rows, grid, tolerance):

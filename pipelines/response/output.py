@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bem.database.file import has_schema
-from meshing.whole_files import write_whole
+from bem.database.results import has_schema
+from meshing.seals import write_sealed
 
 from ..common.outputs import opening
 
@@ -20,7 +20,7 @@ def write_csv(path, rows, notes):
     lines = [f"# {line}" for line in notes] + [",".join(("response", "unit", *rows.columns))]
     for name, unit, values in zip(rows.names, rows.units, rows.values, strict=True):
         lines.append(",".join([name, unit, *(f"{value:.6g}" for value in values)]))
-    write_whole(path, "\n".join(lines) + "\n")
+    write_sealed(path, "\n".join(lines) + "\n")
 
 
 def write_h5(path, result, rows, text, database, warned):

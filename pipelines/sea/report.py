@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from meshing.whole_files import write_whole
+from meshing.seals import write_sealed
 from mooring.environment.crossings import expected_maximum_height, rayleigh_height
 from mooring.environment.periods import KINDS, WORDS
 from mooring.environment.spectrum import Tabulated
@@ -40,7 +40,7 @@ def write_spectrum(path, found):
         names += ",low_m2_s_rad,high_m2_s_rad"
         columns += found.estimate.confidence(0.95)
     rows = [",".join(f"{value:.8g}" for value in row) for row in zip(*columns, strict=True)]
-    write_whole(path, comment + "\n".join([names, *rows]) + "\n")
+    write_sealed(path, comment + "\n".join([names, *rows]) + "\n")
 
 
 def is_spectrum(path):

@@ -16,24 +16,21 @@ from meshing.whole_files import keep_room
 
 from ..scene.methods import METHODS
 from .report import checked, checks_table
-
-OTHERS = {  # attribute `schema` of what other commands write: the command, and the one that reads it
-    "hakobune mooring study 1": ("moor", None),
-    "hakobune response study 1": ("response", None),
-    "hakobune sections 1": ("sections", None),
-    "hakobune channels 1": ("lines or line-dynamics", "lines"),
-}
+from .result_files import check_result, is_result
 
 
 def check(path, console, repair=False):
-    """Print checks and findings of a database; returns 0 if all is there and holds, else 1.
+    """Print checks and findings of a database, or whether a result is whole; 0 if all is there and holds, else 1.
 
-    repair : what is damaged is marked as unsolved before
+    repair : what is damaged of a database is marked as unsolved before
+    raises : ValueError for a file that is neither
     """
     say = partial(console.print, highlight=False, markup=False, soft_wrap=True)
+    if is_result(path):
+        return check_result(path, say, repair)
     if repair:
         say(_repaired(path))
-    db = _opened(path)
+    db = open_database(path)
     try:
         found, checks, broken = _findings(db), checked(db) if len(db.omega) else [], _broken(db)
     except DatabaseError as damage:
@@ -78,37 +75,6 @@ def _repaired(path):
         return f"{path}: nothing is damaged"
     what = ", ".join(f"{name} ({count})" for name, count in found.items())
     return f"{path}: marked as unsolved: {what}; run its command again to solve them"
-
-
-def _opened(path):
-    """The database of a file.  Raises DatabaseError, which names what another command wrote."""
-    try:
-        return open_database(path)
-    except DatabaseError:
-        attributes = _attributes(path)
-        if attributes.get("schema") not in OTHERS:
-            raise
-    raise DatabaseError(f"{path} is {_named(path, attributes)}")
-
-
-def _attributes(path):
-    """Of an HDF5 file; none of any other"""
-    import h5py
-
-    try:
-        with h5py.File(path) as file:
-            return dict(file.attrs)
-    except OSError:
-        return {}
-
-
-def _named(path, attributes):
-    """What a file of OTHERS is, what reads it, and which database can be checked in its place"""
-    writer, reader = OTHERS[attributes["schema"]]
-    reads = f"hakobune {reader} {path} draws it" if reader else "no command reads it, h5py does"
-    source = attributes.get("database")
-    checked = f"check the database it was made with, {source}" if source else "check takes a database"
-    return f"a result of hakobune {writer}, not a database; {reads}; {checked}"
 
 
 def _findings(db):

@@ -2,17 +2,19 @@
 
     python tests/fuzz/databases.py --flips 10000 --seed 1
 
-Of each copy of a database, or of a file of channels, 1 to 64 bytes in a row are replaced at random, and everything
-that a reader may ask for is read.  Counts: refused in one line; harmless, all as before; fewer rows, a lost mark with
-which the run solves again; believed, other numbers without a word; crashed, a signal or an exception that is no line.
-Work is done by a second process, since HDF5 may be brought to its end by what it reads.
+Of each copy of a database, or of a result of another command, 1 to 64 bytes in a row are replaced at random, and
+everything that a reader may ask for is read.  Counts: refused in one line; harmless, all as before; fewer rows, a lost
+mark with which the run solves again; believed, other numbers without a word; crashed, a signal or an exception that
+is no line.  Work is done by a second process, since HDF5 may be brought to its end by what it reads.
 """
 
 from __future__ import annotations
 
 import argparse
 import collections
+import contextlib
 import multiprocessing
+import os
 import sys
 import tempfile
 from pathlib import Path
@@ -21,18 +23,25 @@ import numpy as np
 
 sys.path[:0] = [str(Path(__file__).parents[2])]
 
+import pipelines
+
 SECONDS = 20.0
 
 
 def everything(path):
     """Whatever a reader may ask of a file, as a list of names and values"""
-    from bem.database.file import has_schema
-    from bem.database.integrity import SEAL
-    from mooring.formats.results import SCHEMA, read_channels
+    from bem.database.results import opened_result, schema_of
+    from meshing.seals import is_sealed
+    from meshing.text_files import read_text
 
     path = Path(path)
-    if path.read_bytes()[: len(SEAL)] == SEAL or has_schema(path, SCHEMA):
-        return [*read_channels(path).items()]
+    if path.suffix == ".csv":
+        return [(i, line) for i, line in enumerate(read_text(path).splitlines()) if not line.startswith("#")]
+    if is_sealed(path):
+        with opened_result(path, schema_of(path)) as file:
+            found = [*file.attrs.items()]
+            file.visititems(lambda name, item: found.append((name, item[()])) if hasattr(item, "shape") else None)
+            return found
     from bem.database import open_database
 
     db = open_database(path)
@@ -97,9 +106,9 @@ def campaign(files, flips, seed, tell=None):
     contents = {str(name): Path(name).read_bytes() for name in files}
     process, link = _worker([*contents])
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "damaged.h5"
         for i in range(flips):
             name = [*contents][i % len(contents)]
+            path = Path(folder) / f"damaged{Path(name).suffix}"
             content, where = damaged(contents[name], random)
             path.write_bytes(content)
             try:
@@ -121,16 +130,27 @@ def campaign(files, flips, seed, tell=None):
 
 
 def make_files(folder):
-    """A database and a file of channels to be damaged"""
+    """A database and the results of studies, to be damaged"""
     from mooring.formats.results import write_channels
     from pipelines.cli import main
 
-    box, run = folder / "box.h5", folder / "run.h5"
-    words = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 24 --gyration 15.6,29.4,32.3"
-    main([*words.split(), "--omega", "0.3,0.6,0.9", "--heading", "0,60", "--output", str(box)])
+    scenes, run = Path(pipelines.__file__).parent / "scenes", folder / "run.h5"
+    commands = {
+        "box.h5": "box --length 100 --beam 40 --draft 12 --depth 30 --panels 24 --gyration 13,25,26 "
+        "--omega 0.3,0.6,0.9 --heading 0,60",
+        "wide.h5": "box --length 100 --beam 50 --draft 10 --depth 20 --method contour --gyration 15.6,29.4,32.3 "
+        "--omega 0.3:1.0:4 --heading 0:180:5",
+        "response.h5": f"response {scenes}/response_box_20m.toml --database {folder}/wide.h5",
+        "moor.h5": f"moor {scenes}/moor_chain_12.toml --database {folder}/wide.h5",
+        "sections.h5": "sections --beam-draft 5 --depth-draft 2 --xi 0.5,1 --tolerance 1e-3",
+        "sections.csv": "sections --beam-draft 5 --depth-draft 2 --xi 0.5,1 --tolerance 1e-3",
+    }
+    with open(os.devnull, "w") as nowhere, contextlib.redirect_stdout(nowhere):
+        for name, words in commands.items():
+            main([*words.split(), "--output", str(folder / name)])
     time = np.arange(0.0, 20.0, 0.1)
     write_channels(run, time, {"FairTen1": (np.cos(time), "N")}, {"lines": ["bow"]})
-    return box, run
+    return [run, *(folder / name for name in commands)]
 
 
 def main():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
-from meshing.whole_files import write_whole
+from meshing.seals import write_sealed
 
 from ...common.outputs import opening
 from .report_units import PAIRS, lag
@@ -51,7 +51,7 @@ def write_table(path, kind, rows):
     writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
     writer.writeheader()
     writer.writerows({key: _shown(value) for key, value in row.items()} for row in rows)
-    write_whole(path, text.getvalue())
+    write_sealed(path, text.getvalue())
     return path
 
 

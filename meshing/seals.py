@@ -1,0 +1,130 @@
+"""Seals of result files: a CRC-32 of all that is in one, which tells whether it is still what was written.
+
+HDF5   a block before the file, which HDF5 leaves to its user: a line with the CRC-32 of every byte after it,
+       then a line for each dataset, with which damage is named
+text   the last of the # lines at its head, with the CRC-32 of all other lines
+"""
+
+from __future__ import annotations
+
+import re
+import zlib
+from pathlib import Path
+
+from .whole_files import write_whole
+
+START = b"hakobune: "
+FIRST = re.compile(START + rb"CRC-32 ([0-9a-f]{8}) of what follows, HDF5 from byte (\d{1,18})\n")
+DATASET = re.compile(r"([0-9a-f]{8}) (\d{1,18}) (\d{1,18}) (.+)")  # CRC-32, first byte from that of HDF5, bytes, name
+SIGNATURE = b"\x89HDF\r\n\x1a\n"
+LEAST_BLOCK, LARGEST_BLOCK = 512, 2**20  # bytes; HDF5 looks for itself at 0, 512, 1024, …, powers of two
+AT_ONCE = 2**22  # bytes read of a file
+MARK = "  [CRC-32 of all else: "
+REMEDY = "copy it again, or delete it and make it anew"
+
+
+def hdf5_seal(image, places):
+    """The block before an HDF5 file that is whole.
+
+    image : its bytes; places : {name: (first byte, bytes)} of its datasets
+    """
+    lines = (f"{zlib.crc32(image[a : a + n]):08x} {a} {n} {name}\n" for name, (a, n) in places.items())
+    table = "".join(lines).encode()
+    size = LEAST_BLOCK
+    while size < len(table) + 80:
+        size *= 2
+    end = b", HDF5 from byte %d\n" % size
+    rest = table.ljust(size - len(START + b"CRC-32 00000000 of what follows" + end), b"\0")
+    return START + b"CRC-32 %08x of what follows" % zlib.crc32(image, zlib.crc32(rest)) + end + rest
+
+
+def is_sealed(path):
+    """Whether an HDF5 file, or a text, has a seal, broken or not; False where there is no file"""
+    try:
+        return _sealed_hdf5(path) if Path(path).is_file() else False
+    except OSError:
+        return False
+
+
+def damage(path):
+    """What is damaged of a sealed HDF5 file, in some words; "" where nothing is, or it has no seal.  Raises OSError."""
+    if not _sealed_hdf5(path):
+        return ""
+    with Path(path).open("rb") as file:
+        first = FIRST.fullmatch(file.readline(80))
+        if first is None:
+            return "its seal"
+        value, begin = int(first[1], 16), int(first[2])
+        table = file.tell()
+        if _crc(file) == value:
+            return ""
+        file.seek(table)
+        lines = file.read(max(0, min(begin - table, LARGEST_BLOCK))).decode(errors="replace").splitlines()
+        found = [DATASET.fullmatch(line) for line in lines]
+        wrong = [part[4] for part in found if part and _piece_differs(file, begin, part)]
+    more = f" and {len(wrong) - 1} others" if len(wrong) > 1 else ""
+    return f"{wrong[0]}{more}" if wrong else "its structure, names or attributes"
+
+
+def _sealed_hdf5(path):
+    """Whether a file is HDF5 behind a block, which only sealed ones of ours have, or begins as a seal does"""
+    with Path(path).open("rb") as file:
+        opening = file.read(len(SIGNATURE) + len(START))
+        if opening.startswith(SIGNATURE) or not opening:
+            return False
+        if opening.startswith(START):
+            return True
+        place = LEAST_BLOCK
+        while place <= LARGEST_BLOCK:
+            file.seek(place)
+            if file.read(len(SIGNATURE)) == SIGNATURE:
+                return True
+            place *= 2
+    return False
+
+
+def _piece_differs(file, begin, line):
+    file.seek(begin + int(line[2]))
+    return _crc(file, int(line[3])) != int(line[1], 16)
+
+
+def _crc(file, count=None):
+    """CRC-32 of the next `count` bytes of an open file, or of all that are left"""
+    value, left = 0, count
+    while left is None or left > 0:
+        part = file.read(AT_ONCE if left is None else min(left, AT_ONCE))
+        if not part:
+            break
+        value = zlib.crc32(part, value)
+        left = None if left is None else left - len(part)
+    return value
+
+
+def write_sealed(path, text):
+    """Write a text whose first lines begin with #, sealed.  Raises `meshing.whole_files.NotWritten`."""
+    head = _end_of_head(text)
+    text, head = (text, head) if head else (f"#\n{text}", 2)
+    write_whole(path, text[: head - 1], f"{MARK}{zlib.crc32(text.encode()):08x}]", text[head - 1 :])
+
+
+def text_sealed(text):
+    """Whether a text has a seal, broken or not"""
+    return MARK in text[: _end_of_head(text)]
+
+
+def text_damaged(text):
+    """Whether a text, its lines ended by line feeds, has a seal that is broken"""
+    place = text.find(MARK, 0, _end_of_head(text))
+    if place < 0:
+        return False
+    end = place + len(MARK) + 9
+    value = zlib.crc32(text[end:].encode(), zlib.crc32(text[:place].encode()))
+    return text[place:end] != f"{MARK}{value:08x}]"
+
+
+def _end_of_head(text):
+    """Where the lines at the beginning that begin with # end, after the last line feed"""
+    end = 0
+    while text.startswith("#", end):
+        end = text.find("\n", end) + 1 or len(text)
+    return end
