@@ -109,14 +109,17 @@ class Turned:
     def value(self, values, kind):
         """(q, p, …) from values (q, M, …); kind : "force", "drift" or "kochin" """
         one = len(self.wanted) == 1 and self.place[0] >= 0
-        out = values[:, self.place] if one else _joined(self.weights, values)
+        return self.unfolded(values[:, self.place] if one else _joined(self.weights, values), kind)
+
+    def unfolded(self, values, kind):
+        """values (q, p, …) at the `folded` headings, mirrored in place to those wanted"""
         for plane, image in self.ring.images.items():
             turned = self._folds[plane]
             if kind == "kochin":
-                out[:, turned] = out[:, turned][..., image]
+                values[:, turned] = values[:, turned][..., image]
             else:
-                out[:, turned] *= MIRRORS[plane][1 if kind == "force" else 2]
-        return out
+                values[:, turned] *= MIRRORS[plane][1 if kind == "force" else 2]
+        return values
 
     def deviation(self, values, independent):
         """(q, p, …) standard deviation of `value`; `independent` (…) values of the ring do not follow from others"""
@@ -131,8 +134,8 @@ class Turned:
         return {plane: (s if plane == "y" else c) < -SAME for plane in self.ring.images}
 
     @cached_property
-    def _folded(self):
-        """(p,) the headings of one side of every mirror"""
+    def folded(self):
+        """(p,) rad, the headings wanted or their mirror images on one side of every plane of symmetry"""
         folded = self.wanted
         for plane, turned in self._folds.items():
             folded = np.where(turned, MIRRORS[plane][0](folded), folded)
@@ -140,7 +143,7 @@ class Turned:
 
     @cached_property
     def place(self):
-        return self.ring.stored(self._folded)
+        return self.ring.stored(self.folded)
 
     @cached_property
     def weights(self):
@@ -158,7 +161,7 @@ class Turned:
 
     @cached_property
     def _whitened(self):
-        return self._kernel(self._folded, self.ring.headings) @ self._root.conj().swapaxes(1, 2)
+        return self._kernel(self.folded, self.ring.headings) @ self._root.conj().swapaxes(1, 2)
 
     @cached_property
     def _left(self):

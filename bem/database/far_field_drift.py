@@ -22,11 +22,14 @@ from .between_frequencies import DRIFT, KOCHIN, BetweenError
 
 def drift(reader, omega, headings, fixed):
     """(q, p, 3) N/m² and N m/m² where no stored number serves.  Raises BetweenError where nothing does."""
-    if reader.rebuilds_drift:
-        radiated, H = reader.far_field(omega, headings)
-        X = None if fixed else reader.motions(omega, headings)
-        return of_far_field(reader, omega, headings, radiated, H, X) - _amiss(reader, omega, headings)
     name = DRIFT[0] if fixed else DRIFT[1]
+    if reader.rebuilds_drift:
+        over = None if headings is None else reader.turned(omega, headings, name)
+        folded = None if headings is None else over.folded
+        radiated, H = reader.far_field(omega, folded)
+        X = None if fixed else reader.motions(omega, folded)
+        value = of_far_field(reader, omega, folded, radiated, H, X) - _amiss(reader, omega, folded)
+        return value if headings is None else over.unfolded(value, "drift")
     if name not in reader.between.quantities:
         raise BetweenError(
             f"{', '.join(KOCHIN)} must be stored for {name}; run its command again with --only kochin,drift"

@@ -122,10 +122,6 @@ class Reader:
             _known(name, self.between.quantities[name])
         return replace(self, viscous=None, own=self.own and not self.viscous)
 
-    def damped(self, laws):
-        """The same body with a `bem.viscous.Viscous` in place of the viscous damping of stored motions"""
-        return replace(self, viscous=laws, own=False)
-
     def critical_damping(self, mode):
         """2√(C (M + A)) of one mode alone (0 … 5), A at its own natural frequency, held outside the stored ones.
 
@@ -175,11 +171,11 @@ class Reader:
             return self.forces(omega, headings) - self.forces(omega, headings, "Froude_Krylov_force")
         if name != "excitation_force" or "kochin_radiation" not in self.between.quantities:
             return over.value(on_ring, "force")
-        there = self.of_haskind(omega, np.concatenate([self._ring.headings, over.wanted]))
+        there = self.of_haskind(omega, np.concatenate([self._ring.headings, over.folded]))
         if np.any(np.isnan(there)):
             return over.value(on_ring, "force")
         round_ = len(self._ring.headings)
-        return there[:, round_:] + over.value(on_ring - there[:, :round_], "force")
+        return over.unfolded(there[:, round_:], "force") + over.value(on_ring - there[:, :round_], "force")
 
     def far_field(self, omega, headings=None):
         """Kochin functions (q, 6, t) of the radiation and (q, p, t) of the diffraction."""

@@ -1,4 +1,6 @@
-"""One reader of a database between its waves: motions, drift and periods of every study, with told errors."""
+"""One reader of a database between its waves: motions, drift and periods of every study, with estimated errors."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -44,16 +46,17 @@ def test_an_answer_does_not_depend_on_what_else_is_asked_for(coarse):
 
 def test_mirrored_headings_have_mirrored_answers(coarse):
     drift = coarse.at(0.6, "drift_force", np.radians([20.0, -20.0, 160.0, 200.0]))[0][0]
-    assert np.allclose(drift[1:], drift[0] * [[1, -1, -1], [-1, 1, -1], [-1, -1, 1]], rtol=1e-6)
+    assert np.allclose(drift[1:], drift[0] * [[1, -1, -1], [-1, 1, -1], [-1, -1, 1]], rtol=1e-12)
 
 
 @pytest.mark.parametrize("name", ["excitation_force", "rao", "drift_force_fixed", "drift_force"])
-def test_told_errors_hold_against_a_finer_database(coarse, fine, name):
-    """Gaps of 30° and 0.067 rad/s against solved waves; nine of ten within three deviations or 1e-3"""
-    value, told = coarse.at(fine.omega, name, fine.wave_direction)
+def test_estimated_errors_hold_against_a_finer_database(coarse, fine, name):
+    """Gaps of 30° and 0.067 rad/s against solved waves: nine of ten within three standard deviations"""
+    value, estimated = coarse.at(fine.omega, name, fine.wave_direction)
     wrong = np.abs(value - fine[name])
     scale = np.abs(fine[name]).max(axis=(0, 1))
-    assert np.mean(wrong <= np.maximum(3 * told, 1e-3 * scale)) > 0.9
+    known = np.maximum(wrong, estimated) > 1e-9 * scale  # else symmetry makes it zero, or it is a stored wave
+    assert np.mean((wrong <= 3 * estimated)[known]) > 0.9
     assert np.sqrt(np.mean((wrong / scale) ** 2)) < 0.03
 
 
@@ -129,12 +132,12 @@ def test_viscous_motions_between_waves_are_linearised_at_the_wave_height_of_the_
     """On stored waves the stored motion, between them that of a solve there; the damping counts in roll"""
     stored = viscous(tmp_path, "stored", np.linspace(0.35, 0.95, 10).tolist())
     between = viscous(tmp_path, "between", [0.45, 0.52, 0.58])
-    found, again = stored.reader, stored.reader.damped(stored.reader.viscous)
+    found, again = stored.reader, replace(stored.reader, own=False)  # solved again
     assert np.array_equal(found.motions(stored.omega), stored["rao"])
     assert np.allclose(again.motions(stored.omega), stored["rao"], rtol=1e-12, atol=1e-12 * np.abs(stored["rao"]).max())
-    value, told = stored.at(between.omega, "rao")
+    value, estimated = stored.at(between.omega, "rao")
     scale = np.abs(between["rao"]).max(axis=(0, 1))
     moving = scale > 1e-6 * scale.max()
-    assert np.all((np.abs(value - between["rao"]) <= 3 * told + 1e-9 * scale)[..., moving])
+    assert np.all((np.abs(value - between["rao"]) <= 3 * estimated + 1e-9 * scale)[..., moving])
     roll = np.abs(found.floating().motions(stored.omega))[:, 1, 3].max()
     assert np.abs(stored["rao"])[:, 1, 3].max() < 0.9 * roll

@@ -100,8 +100,7 @@ def test_damping_turns_with_the_waves(box_body):
     omega = np.linspace(0.3, 1.0, 57)
     one, other = damping_coefficients(box_body, omega, np.radians([30.0, 150.0])).swapaxes(0, 1)
     mirror = np.array([[-1], [1], [-1]]) * np.array([-1, 1])
-    # slopes of drift whose Kochin functions, interpolated one by one, are mirror images to 1e-8
-    assert np.allclose(other, mirror * one, rtol=1e-5, atol=1e-5 * np.abs(one).max(axis=(0, 2), keepdims=True))
+    assert np.allclose(other, mirror * one, rtol=1e-9, atol=1e-9 * np.abs(one).max(axis=(0, 2), keepdims=True))
 
 
 def test_mean_damping_of_a_box_takes_energy_out_of_slow_surge_in_head_seas(box_body):
