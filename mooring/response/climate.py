@@ -1,6 +1,7 @@
 """A body in a climate: every response in every cell of a table of heights and periods, and its long-term extremes.
 
-In one family of spectra σ is proportional to the height, so that a column of the table costs one integral.
+In one family of spectra σ is proportional to the height, so that a column of the table costs one integral, the same
+as that of `sea_state` over the same frequencies.
 """
 
 from __future__ import annotations
@@ -12,10 +13,10 @@ import numpy as np
 
 from ..environment.sea import Sea
 from .findings import MISSED
-from .linear import frequencies, over_headings
+from .linear import frequencies
 from .long_term import LongTerm, long_term
 from .points import transfer_functions
-from .sea_state import TINY
+from .sea_state import TINY, linear_response, mean_drift
 from .seas import directions, energy_outside
 
 UNIT = 0.01  # m, height of the sea of each column: so low that no sea is too steep
@@ -85,11 +86,12 @@ def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreadin
         int(j): family(UNIT, **{scatter.period_kind: scatter.periods[j]}, **shape)
         for j in np.flatnonzero(scatter.probability.any(axis=0))
     }
-    powers = _Powers(body, frequencies(body, lambda w: sum(s.density(w) for s in spectra.values())), points)
+    grids = {j: frequencies(body, spectrum.density) for j, spectrum in spectra.items()}
+    known = _Known(body, np.unique(np.concatenate(list(grids.values()))), points)
     states, columns = [], []
     for j, spectrum in spectra.items():
         for beta, share in directions_and_shares:
-            column = _column(powers, Sea(spectrum, beta, spreading and spreading(spectrum)))
+            column = _column(known, Sea(spectrum, beta, spreading and spreading(spectrum)), grids[j])
             for i in np.flatnonzero(scatter.probability[:, j]):
                 states.append((scatter.heights[i], scatter.periods[j], beta, scatter.probability[i, j] * share))
                 columns.append(column)
@@ -97,44 +99,40 @@ def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreadin
     scale = (height[:, None] / UNIT) ** 2
     m0, m2, drift = (scale * np.array([getattr(c, name) for c in columns]) for name in ("m0", "m2", "drift"))
     missed = np.array([c.missed for c in columns])
-    return Climate(
-        powers.names, powers.units, height, period, direction, probability, m0, m2, drift if powers.drifts else None,
-        tuple(_findings(body, probability, missed)),
-    )  # fmt: skip
+    drift = drift if body.knows_drift else None
+    findings = tuple(_findings(body, probability, missed))
+    names, units = known.names, known.units
+    return Climate(names, units, height, period, direction, probability, m0, m2, drift, findings)
 
 
-class _Powers:
-    """|X|² (q, p, c) and drift (q, p, 3) by headings, each computed once"""
+class _Known:
+    """Transfer functions (q, p, c) and drift (q, p, 3) by headings at all frequencies omega, each computed once"""
 
     def __init__(self, body, omega, points):
-        self.body, self.omega, self.points, self.known = body, omega, points, {}
-        self.drifts = body.knows_drift
+        self.body, self.omega, self.points, self.by_headings = body, omega, points, {}
         self.names = self.units = ()
 
-    def at(self, heading):
-        key = tuple(np.round(np.mod(heading, 2 * np.pi), 9))
-        if key not in self.known:
+    def at(self, omega, heading):
+        """Transfer and drift, zero where it is not known, at frequencies omega among all"""
+        key = np.asarray(heading).tobytes()
+        if key not in self.by_headings:
             transfer = transfer_functions(self.body, self.omega, heading, self.points)
             self.names, self.units = transfer.names, transfer.units
             shape = (len(self.omega), len(heading), 3)
-            force = self.body.drift(self.omega, heading) if self.drifts else np.zeros(shape)
-            self.known[key] = np.abs(transfer.value) ** 2, force
-        return self.known[key]
+            drift = self.body.drift(self.omega, heading) if self.body.knows_drift else np.zeros(shape)
+            self.by_headings[key] = transfer, drift
+        transfer, drift = self.by_headings[key]
+        rows = np.searchsorted(self.omega, omega)
+        return transfer._replace(omega=omega, value=transfer.value[rows]), drift[rows]
 
 
-def _column(powers, sea):
-    omega, spectrum = powers.omega, sea.spectrum
+def _column(known, sea, omega):
+    """What `sea_state.sea_state` gives for the same sea"""
     heading, weights = directions(sea, omega)
-    power, force = (over_headings(values, weights) for values in powers.at(heading))
-    density = spectrum.density(omega)[:, None]
-    low, high = energy_outside(powers.body, spectrum)
-    beyond = spectrum.moment(0) * (low * force[0] + high * force[-1])
-    return _Column(
-        np.trapezoid(power * density, omega, axis=0),
-        np.trapezoid(power * omega[:, None] ** 2 * density, omega, axis=0),
-        2 * (np.trapezoid(force * density, omega, axis=0) + beyond),
-        low + high,
-    )
+    transfer, drift = known.at(omega, heading)
+    _, found = linear_response(sea, transfer, weights)
+    inside, beyond = mean_drift(known.body, sea, omega, drift, weights)
+    return _Column(found.m0, found.m2, inside + beyond.sum(axis=0), sum(energy_outside(known.body, sea.spectrum)))
 
 
 def _findings(body, probability, missed):

@@ -4,8 +4,7 @@
 
 D in N per m² of wave amplitude squared (moment N m/m²), in surge, sway and yaw.  The SR179 report (1982) has two
 coefficients for it: R_w = F / (½ρgLζ²) in 3.6.10 and 3.7.1.1, and C_R of the guideline (3.3) with the depth factor
-outside, F = ½ρgLζ² C_R (1 + 2kh/sinh 2kh).  So R_w = C_R (1 + 2kh/sinh 2kh), and the sum of 3.6.9 takes R_w once;
-the square printed there counts it twice.
+outside, R_w = C_R (1 + 2kh/sinh 2kh).  The sum of 3.6.9 takes R_w once; the square printed there counts it twice.
 
 D is that of `bem.database.reader.Reader`, which follows the resonances of the motions between stored waves.
 """
@@ -13,8 +12,6 @@ D is that of `bem.database.reader.Reader`, which follows the resonances of the m
 from __future__ import annotations
 
 import numpy as np
-
-from bem.waves import group_factor, wavenumber
 
 from .linear import over_headings
 
@@ -37,23 +34,12 @@ def mean_in_sea(omega, drift, density, weights=(1.0,)):
     return 2 * np.trapezoid(over_headings(drift, weights) * np.asarray(density)[:, None], omega, axis=0)
 
 
-def mean_in_sea_beyond(body, spectrum, heading, weights=(1.0,)):
-    """(2, 3) the part of the mean force in waves below and above the stored band, D held at its ends.
+def mean_in_sea_beyond(body, spectrum, ends, weights=(1.0,)):
+    """(2, 3) the part of the mean force in waves below and above the stored band, D held at its ends (2, p, 3).
 
     In short waves D tends to that of total reflection, a constant; in long waves it falls, and the end is an upper
     bound.  weights : (p,) or (2, p)
     """
     low, high = body.omega[0], body.omega[-1]
     energy = np.array([spectrum.moment(0, 0.0, low), spectrum.moment(0, high, np.inf)])
-    return 2 * over_headings(body.drift([low, high], heading), weights) * energy[:, None]
-
-
-def from_R_w(coefficient, length, density, gravity=9.80665):
-    """N/m² from R_w = F / (½ρgLζ²), of SR179 report (1982), eqs 3.6.10 and 3.7.1.1; length m, density kg/m³"""
-    return 0.5 * density * gravity * length * np.asarray(coefficient, float)
-
-
-def from_C_R(coefficient, omega, length, depth, density, gravity=9.80665):
-    """N/m² from C_R with F = ½ρgLζ² C_R (1 + 2kh/sinh 2kh), the guideline of the SR179 report (1982), 3.3"""
-    shallow = 2 * group_factor(wavenumber(omega, depth, gravity), depth)
-    return from_R_w(np.asarray(coefficient, float) * shallow, length, density, gravity)
+    return 2 * over_headings(ends, weights) * energy[:, None]

@@ -134,8 +134,8 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
     omega = frequencies(body, sea.spectrum.density)
     heading, weights = directions(sea, omega)
     transfer = transfer_functions(body, omega, heading, points)
-    spectrum = response_spectrum(transfer.value, sea.spectrum.density(omega), weights)
-    found = _without_rounding(moments(omega, spectrum), transfer.units)
+    spectrum, found = linear_response(sea, transfer, weights)
+    found = _without_rounding(found, transfer.units)
     warnings = [
         *findings.waves_outside(body, sea.spectrum),
         *findings.responses_outside(body, sea.spectrum, transfer, weights, found.m0),
@@ -152,18 +152,30 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
     )  # fmt: skip
 
 
+def linear_response(sea, transfer, weights):
+    """Spectrum (q, c) of every response, unit² s/rad, and its Moments; weights (p,) or (q, p) of the headings"""
+    spectrum = response_spectrum(transfer.value, sea.spectrum.density(transfer.omega), weights)
+    return spectrum, moments(transfer.omega, spectrum)
+
+
+def mean_drift(body, sea, omega, drift, weights):
+    """(3,) N, N, N m of waves within the stored band, (2, 3) of those below and above it; drift (q, p, 3) at omega"""
+    ends = weights if weights.ndim == 1 else weights[[0, -1]]
+    inside = drifts.mean_in_sea(omega, drift, sea.spectrum.density(omega), weights)
+    return inside, drifts.mean_in_sea_beyond(body, sea.spectrum, drift[[0, -1]], ends)
+
+
 def slow_forces(body, sea, omega, heading, weights) -> SlowForces:
     """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it."""
-    density = sea.spectrum.density(omega)
     value = body.drift(omega, heading)
-    ends = weights if weights.ndim == 1 else weights[[0, -1]]
-    beyond = drifts.mean_in_sea_beyond(body, sea.spectrum, heading, ends)
+    inside, beyond = mean_drift(body, sea, omega, value, weights)
     try:
-        damping = mean_damping(omega, damping_coefficients(body, omega, heading), density, weights)
+        coefficients = damping_coefficients(body, omega, heading)
+        damping = mean_damping(omega, coefficients, sea.spectrum.density(omega), weights)
     except BetweenError:
         damping = None
     return SlowForces(
-        drifts.mean_in_sea(omega, value, density, weights) + beyond.sum(axis=0),
+        inside + beyond.sum(axis=0),
         beyond,
         DIFFERENCES,
         force_spectrum(sea.spectrum, *held_beyond(omega, over_headings(value, weights), sea.spectrum), DIFFERENCES),

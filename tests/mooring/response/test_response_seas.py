@@ -145,8 +145,8 @@ def test_every_cell_of_a_climate_is_its_sea_state(box_body, spread):
             box_body, Sea(issc(found.height[i], mean_period=found.period[i]), found.direction[i], spread), HOUR
         )
         kept = alone.sigma > 0
-        assert np.allclose(found.m0[i][kept], alone.moments.m0[kept], rtol=2e-3)  # both are integrals to 1e-3
-        assert np.allclose(found.drift[i], alone.slow.drift, rtol=2e-3, atol=2e-3 * np.abs(alone.slow.drift).max())
+        assert np.allclose(found.m0[i][kept], alone.moments.m0[kept], rtol=1e-9)
+        assert np.allclose(found.drift[i], alone.slow.drift, rtol=1e-9, atol=1e-9 * np.abs(alone.slow.drift).max())
 
 
 def test_climate_of_one_state_has_the_extremes_of_that_state(box_body):
