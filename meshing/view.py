@@ -46,15 +46,11 @@ def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.in
     return plotter
 
 
-def look(mesh, lid=None, field=None, field_name="", normals=True, depth=math.inf, screenshot=None):
-    """Show a mesh in a window, or write the picture to the file `screenshot`, which needs no display.
-
-    Other parameters as for `scene`.
-    """
-    plotter = scene(mesh, lid, field, field_name, normals, depth, off_screen=screenshot is not None)
+def show(plotter, title, screenshot=None):
+    """Show a Plotter in a window, or write its picture to the file `screenshot`, which needs no display; close it."""
     try:
         if screenshot is None:
-            plotter.show(title=mesh.name or "panel mesh")
+            plotter.show(title=title)
         else:
             with made_beside(screenshot) as partial:
                 plotter.screenshot(str(partial))

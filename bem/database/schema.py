@@ -9,7 +9,6 @@ from .. import DOFS
 
 FORMAT = "hakobune database"
 SCHEMA_VERSION = 1
-AXES = ("omega", "wave_direction", "influenced_dof", "radiating_dof", "drift_dof", "theta", "panel", "xyz")
 DRIFT_DOFS = ("Surge", "Sway", "Yaw")
 
 _SQUARE = ("influenced_dof", "radiating_dof")

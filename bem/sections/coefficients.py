@@ -20,7 +20,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..froude_krylov import incident_force
 from ..problem import check_gap
 from ..waves import group_factor, wavenumber
 
@@ -132,14 +131,8 @@ def radiation(flow, density):
     return out
 
 
-def froude_krylov(flow, density, sines):
-    """−iρω ∮ φ_I n dl of φ_I = −(ig/ω) Z₀ exp(iky sinβ), (m, 3) per metre; sines : sinβ (m,)"""
-    kappa = flow.k * np.asarray(sines, float)
-    return density * flow.gravity * incident_force(flow.beam / 2, flow.draft, flow.depth, flow.k, kappa)
-
-
 def diffraction(flow, density, sines):
-    """iρω ∮ φⱼ ∂φ_I/∂n dl (Haskind) in the same waves, (m, 3) per metre"""
+    """iρω ∮ φⱼ ∂φ_I/∂n dl (Haskind) of φ_I = −(ig/ω) Z₀ exp(iky sinβ), (m, 3) per metre; sines : sinβ (m,)"""
     return 1j * density * flow.omega * flow.haskind_integral(sines)
 
 

@@ -78,11 +78,6 @@ class Crossings:
         """s, between crossings; of a spectrum it is T02"""
         return float(self.periods.mean())
 
-    @property
-    def spectral_width(self):
-        """ε from the numbers of crossings and maxima; 0 where there is one maximum to a wave"""
-        return math.sqrt(max(0.0, 1 - self.maxima_per_wave**-2))
-
 
 def zero_crossings(record, step, direction="up"):
     """Crossings of a record.

@@ -41,13 +41,3 @@ def the_one_period(family, periods):
         raise ValueError(f"{family}: {state}; allowed: one of {', '.join(KINDS)}")
     ((kind, value),) = given.items()
     return kind, positive(kind.replace("_", " "), value, "s")
-
-
-def period_of(spectrum, kind):
-    """s; the period of that kind of a spectrum.  Raises ValueError where the spectrum has none."""
-    if kind not in KINDS:
-        raise ValueError(f"{kind!r} is no kind of period; allowed: {', '.join(KINDS)}")
-    value = getattr(spectrum, KINDS[kind])
-    if value is None:
-        raise ValueError(f"{spectrum.name} spectrum: significant period is not known of its shape; give another kind")
-    return value

@@ -56,11 +56,6 @@ class Scatter:
         for i, j in np.argwhere(self.probability > 0):
             yield float(self.heights[i]), float(self.periods[j]), float(self.probability[i, j])
 
-    def spectra(self, family):
-        """(Spectrum, probability) of every class that occurs; family : a function of `spectra`, as `issc`"""
-        for height, period, probability in self.states():
-            yield family(height, **{self.period_kind: period}), probability
-
 
 def read_scatter(path):
     """Scatter of a CSV file.  Raises TableError."""

@@ -14,7 +14,6 @@ MoorDyn 2.7 documentation, "Inputs" (names of options) and "Troubleshooting" (ti
 from __future__ import annotations
 
 import warnings
-from dataclasses import replace
 
 import numpy as np
 
@@ -175,16 +174,3 @@ def _point_row(point, points, bodies):
         )
     kind = f"Body{bodies[point.body]}" if isinstance(point, Fairlead) else "Fixed"
     return PointRow(points[point.name], kind, *place)
-
-
-def renamed(system: System) -> System:
-    """The system with the names a MoorDyn file gives: numbers for points and lines, "body n" for bodies."""
-    points = {point.name: str(i) for i, point in enumerate(system.points, 1)}
-    bodies = {body.name: f"body {i}" for i, body in enumerate(system.bodies, 1)}
-    lines = [replace(x, name=str(i), a=points[x.a], b=points[x.b]) for i, x in enumerate(system.lines, 1)]
-    renamed_points = [
-        replace(p, name=points[p.name], **({"body": bodies[p.body]} if isinstance(p, Fairlead) else {}))
-        for p in system.points
-    ]
-    renamed_bodies = tuple(replace(body, name=bodies[body.name]) for body in system.bodies)
-    return replace(system, lines=tuple(lines), points=tuple(renamed_points), bodies=renamed_bodies)

@@ -30,10 +30,6 @@ class LongTerm(NamedTuple):
         sigma = np.where(self.sigma > 0, self.sigma, 1.0)
         return np.sum(np.where(self.sigma > 0, self.probability * self.rate, 0.0) * np.exp(-0.5 * (x / sigma) ** 2), -1)
 
-    def exceedance(self, x):
-        """(…,) share of all maxima above x"""
-        return self.crossing_rate(x) / self.crossing_rate(0.0)
-
     def level(self, time):
         """Value exceeded once on average in `time` s.  Raises ValueError where it is exceeded by no state so rarely."""
         from scipy.optimize import brentq
@@ -46,11 +42,6 @@ class LongTerm(NamedTuple):
     def not_exceeded(self, x, time):
         """(…,) probability that the largest value in `time` s stays below x, crossings taken as independent"""
         return np.exp(-time * self.crossing_rate(x))
-
-    def contributions(self, x):
-        """(s,) share of each sea state in the crossings of x: which storms make the design value"""
-        each = [LongTerm(*(v[i : i + 1] for v in self)).crossing_rate(x) for i in range(len(self.sigma))]
-        return np.array(each) / self.crossing_rate(x)
 
 
 def long_term(m0, m2, probability) -> LongTerm:

@@ -77,11 +77,6 @@ class MultiPoint:
         """(n,) largest tension over breaking load; infinite beyond reach, nan where no breaking load is given"""
         return self.extreme.utilisation
 
-    @cached_property
-    def acceptable(self):
-        """Whether every line is known to stay within the allowable fraction of its breaking load."""
-        return bool(np.all(self.utilisation <= self.allowable))
-
 
 def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
     """Study of a body, its stored wave database `db`, and its lines.

@@ -7,7 +7,6 @@ import io
 import math
 
 from meshing.seals import write_sealed
-from meshing.text_files import read_text
 from meshing.whole_files import write_whole
 
 from ..common.outputs import opening
@@ -45,11 +44,6 @@ def write_csv(path, rows, heading):
     writer.writerow(Row._fields)
     writer.writerows([_cell(value) for value in row] for row in rows)
     write_sealed(path, text.getvalue())
-
-
-def read_csv(path):
-    """The rows of `write_csv`, values as text.  Raises ValueError for a file that is damaged."""
-    return list(csv.DictReader(line for line in read_text(path).splitlines() if not line.startswith("#")))
 
 
 def is_rows(path):

@@ -56,15 +56,10 @@ def look(path, screenshot=None, field=None, omega=None, heading=None):
 def _show(picture, screenshot):
     from vtkmodules.vtkCommonCore import vtkLogger
 
+    from meshing.view import show
+
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # it warns in colour of a display nobody asked for
-    plotter = drawn(picture, off_screen=screenshot is not None)
-    try:
-        if screenshot is None:
-            plotter.show(title=picture.mesh.name or "panel mesh")
-        else:
-            plotter.screenshot(str(screenshot))
-    finally:
-        plotter.close()
+    show(drawn(picture, off_screen=screenshot is not None), picture.mesh.name or "panel mesh", screenshot)
 
 
 def drawn(picture, off_screen=True):

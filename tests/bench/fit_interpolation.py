@@ -93,7 +93,7 @@ def measured(body, depth, places, names):
 
         def error():
             now = between(open_database(path))
-            return max(off(name, now.at(omega, name)[0], exact[name]) for name in NAMES), now
+            return max(off(name, now.value(omega, name), exact[name]) for name in NAMES), now
 
         mine, now = error()
         deviation = float(now.largest_error(omega, NAMES).max())

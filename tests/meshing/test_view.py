@@ -3,7 +3,7 @@ import pytest
 
 from meshing.lid import lid
 from meshing.shapes import box, buoy
-from meshing.view import look, scene
+from meshing.view import scene, show
 
 pytest.importorskip("pyvista")
 
@@ -14,7 +14,8 @@ def test_a_picture_is_written_without_a_display(tmp_path, monkeypatch):
     monkeypatch.delenv("DISPLAY", raising=False)
     hull = buoy(10, 10, panels=100)
     path = tmp_path / "hull.png"
-    look(hull, lid(hull), field=hull.areas, field_name="area, m²", depth=30.0, screenshot=path)
+    plotter = scene(hull, lid(hull), field=hull.areas, field_name="area, m²", depth=30.0, off_screen=True)
+    show(plotter, "buoy", path)
     picture = imread(path)
     assert picture.shape[0] > 500
     assert picture.shape[1] > 500

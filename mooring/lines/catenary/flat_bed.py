@@ -223,14 +223,3 @@ def mirror(row):
     row[3], row[4] = -row[3], -row[4]
     for k in (7, 8, 10, 11, 12, 15):
         row[k] = -row[k]
-
-
-@kernel()
-def solve_rows(rows, x, a, b, length, weight, flexibility, friction, with_bed):
-    """`solve_line` for (n,) lines; rows (n, ROW) is filled."""
-    for i in range(x.size):
-        if weight[i] > 0.0:
-            solve_line(rows[i], x[i], a[i], b[i], length[i], weight[i], flexibility[i], friction[i], with_bed)
-        else:
-            solve_line(rows[i], x[i], -a[i], -b[i], length[i], -weight[i], flexibility[i], 0.0, False)
-            mirror(rows[i])

@@ -44,11 +44,6 @@ class Energies(NamedTuple):
         total = self.kinetic + self.elastic + self.potential + self.bed_elastic
         return total - total[0]
 
-    @property
-    def lost(self):
-        """(n,) J"""
-        return self.drag + self.water_inertia + self.structural + self.bed + self.friction
-
 
 @dataclass(frozen=True)
 class Result:

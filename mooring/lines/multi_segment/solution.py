@@ -69,15 +69,6 @@ class StaticSolution:
         """(...,) whether the uplift stays within the line's `uplift_limit`"""
         return self.anchor_uplift <= self.line.uplift_limit
 
-    @property
-    def stiffness_in_space(self):
-        """(..., 3, 3) N/m along the line, across it and up: the plane's own stiffness, and H over the span across"""
-        k = np.zeros((*np.shape(self.x), 3, 3))
-        k[..., 0::2, 0::2] = self.stiffness
-        span = np.where(self.x > 0, self.x, 1.0)
-        k[..., 1, 1] = np.where(self.x > 0, self.horizontal_fairlead / span, self.stiffness[..., 0, 0])
-        return k
-
     @cached_property
     def _one(self):
         if self.pieces is None:

@@ -133,16 +133,3 @@ def about_body_axes(stiffness, force, R, center):
     K = shift.T @ K @ shift
     K[3:, 3:] += cross_matrix(R.T @ force) @ S
     return K
-
-
-def balanced(system):
-    """The system with steady loads added to its bodies so that its given pose is one of rest for heave, roll, pitch.
-
-    A body designed to float at its draft with its lines on has their pull in its displacement.
-    """
-    state = rest(held_at(system, {body.name: body.position for body in system.bodies}))
-    loads = {}
-    for i, body in enumerate(system.bodies):
-        pull = system.load(state.pose).force[6 * i : 6 * i + 6]
-        loads[body.name] = np.asarray(body.load) - np.array([0, 0, 1, 1, 1, 0]) * pull
-    return system.with_loads(loads)

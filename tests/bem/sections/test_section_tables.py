@@ -1,4 +1,4 @@
-"""Tables of sections in the report's order, interpolation between shapes, the command that writes them."""
+"""Tables of sections in the report's order, and the command that writes them."""
 
 import csv
 import io
@@ -7,44 +7,9 @@ import h5py
 import numpy as np
 import pytest
 
-from bem.sections.tables import COLUMNS, FORCES, IMPEDANCES, interpolant, row_of, table_name, tables
+from bem.sections.tables import COLUMNS, table_name, tables
 from pipelines.cli import main
 from pipelines.reports.sections_command import csv_text
-
-
-def complex_values(row):
-    """M + iN and E exp(iε) in the order of the interpolant"""
-    forces = [row[f"E_{mode}"] * np.exp(1j * np.radians(row[f"eps_{mode}_deg"])) for mode in FORCES]
-    return np.array([row[f"M_{name}"] + 1j * row[f"N_{name}"] for name in IMPEDANCES] + forces)
-
-
-@pytest.fixture(scope="module")
-def between():
-    return interpolant(xi=(0.2, 1.0, 3.0), beam_draft=(5.0, 12.0), depth_draft=(1.2, 4.0), tolerance=1e-4)
-
-
-def test_interpolated_rows_keep_to_their_bound_at_shapes_between(between):
-    rng = np.random.default_rng(1982)
-    for beam, depth in zip(rng.uniform(5, 12, 25), rng.uniform(1.2, 4, 25), strict=True):
-        bound = between.error(beam, depth)
-        for row, limit in zip(between.rows(beam, depth), bound, strict=True):
-            direct = row_of(beam, depth, row["xi_B"], tolerance=1e-7)
-            assert np.all(np.abs(complex_values(row) - complex_values(direct)) < limit), (beam, depth, row["xi_B"])
-
-
-def test_the_bound_is_within_the_tolerance_asked_for(between):
-    for beam, depth in ((5.0, 1.2), (8.0, 2.0)):
-        largest = np.abs([complex_values(row) for row in between.rows(beam, depth)])
-        assert np.all(between.error(beam, depth)[:, :2] < 1e-2 * largest[:, :2])
-    scaled = np.abs(between.series).sum((0, 1))  # no value is larger
-    assert np.all(between.bound < 1e-4 * scaled)
-
-
-def test_shapes_outside_the_range_are_refused(between):
-    with pytest.raises(ValueError, match="B/d is 20; this table holds 5 to 12"):
-        between.rows(20.0, 2.0)
-    with pytest.raises(ValueError, match="H/d is 10"):
-        between.error(6.0, 10.0)
 
 
 def test_the_twenty_tables_come_in_the_order_of_the_report():

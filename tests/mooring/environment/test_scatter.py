@@ -26,7 +26,7 @@ def test_counts_become_probabilities_of_their_classes(tmp_path):
 
 def test_spectra_of_the_classes_have_their_periods_and_all_of_the_probability(tmp_path):
     scatter = read_scatter(written(tmp_path, TABLE))
-    spectra = list(scatter.spectra(mitsuyasu_bretschneider))
+    spectra = [(mitsuyasu_bretschneider(h, **{scatter.period_kind: t}), p) for h, t, p in scatter.states()]
     np.testing.assert_allclose([s.T_significant for s, _ in spectra], [4.5, 5.5, 5.5, 6.5])
     assert abs(sum(p for _, p in spectra) - 1) < 1e-14
     mean_square = sum(p * s.moment(0) for s, p in spectra)

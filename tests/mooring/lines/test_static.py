@@ -322,13 +322,6 @@ def test_uplift_at_the_anchor_is_measured_from_the_bed():
     assert not found.anchor_holds
 
 
-def test_stiffness_across_the_line_turns_its_pull():
-    found = StaticLine([Segment(100.0, 10.0, 1e6)]).solve(90.0, 20.0)
-    k = found.stiffness_in_space
-    assert np.isclose(k[1, 1] * 90.0, found.horizontal_fairlead)
-    assert np.allclose(k[::2, ::2], found.stiffness)
-
-
 def test_a_section_of_a_plane_grid_is_a_plane():
     x, y = np.linspace(0, 100, 6), np.linspace(-50, 50, 5)
     z = 0.1 * x[:, None] + 0.05 * y[None, :] - 30

@@ -27,7 +27,6 @@ from mooring.lines.system.parts import (
 from mooring.lines.system.shapes import line_shapes
 from mooring.lines.system.studies import (
     about_body_axes,
-    balanced,
     mooring_stiffness,
     offset_curve,
     one_line_broken,
@@ -382,12 +381,6 @@ def test_no_line_left_to_hold_a_load_is_an_error_that_names_what_is_left():
     )
     with pytest.raises(EquilibriumError, match="ship surge"):
         rest(hawser, steps=5)
-
-
-def test_balanced_bodies_float_where_they_were_given():
-    system = replace(OC4, bodies=(replace(OC4.bodies[0], hydrostatic_stiffness=np.diag([0, 0, 4e6, 1e9, 1e9, 0])),))
-    assert rest(system).position[0, 2] < -0.3
-    assert np.allclose(rest(balanced(system)).position[0], 0, atol=1e-9)
 
 
 def test_rotations_compose_and_come_back():

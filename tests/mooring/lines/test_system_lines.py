@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mooring.lines.catenary.flat_bed import BELOW_BED, ROW, solve_rows
+from mooring.lines.catenary.flat_bed import BELOW_BED, ROW, mirror, solve_line
 from mooring.lines.catenary.solve import solve_lines
 from mooring.lines.catenary.state import State
 
@@ -12,7 +12,12 @@ def solved(x, a, b, length, weight, axial_stiffness, friction=0.0, bed=True):
     arrays = np.broadcast_arrays(*(np.asarray(v, float) for v in (x, a, b, length, weight, axial_stiffness, friction)))
     x, a, b, length, weight, axial_stiffness, friction = (v.ravel().copy() for v in arrays)
     rows = np.zeros((x.size, ROW))
-    solve_rows(rows, x, a, b, length, weight, 1 / axial_stiffness, friction, bed)
+    for row, one in zip(rows, zip(x, a, b, length, weight, 1 / axial_stiffness, friction, strict=True), strict=True):
+        if one[4] > 0:
+            solve_line(row, *one, bed)
+        else:  # a line that pulls upwards is one that hangs, upside down
+            solve_line(row, one[0], -one[1], -one[2], one[3], -one[4], one[5], 0.0, False)
+            mirror(row)
     return rows
 
 
