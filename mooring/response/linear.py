@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bem import DOFS
+from bem.database.resonances import about, resonances
 
 COARSE = 64  # steps over the band to begin with, at least one between two stored frequencies and at most four
 CONVERGED = 1e-3  # of the largest integral of |X|² of its mode
@@ -32,12 +33,12 @@ def frequencies(body, density=None):
     """(q,) rad/s from the lowest to the highest stored frequency, close enough for every resonance between them.
 
     body : `bem.database.reader.Reader`; density : function of omega (q,), the waves that matter; None for all alike
-    Steps between stored frequencies are halved, all of them once and then where it counts, until ∫ |X|² S dω of every
-    mode and stored heading is known to 1e-3 of the largest of its mode.  Raises ValueError where 256 steps are not
-    enough: a mode without damping.
+    Steps between stored frequencies, and places about resonances (`bem.database.resonances`), are halved, all once and
+    then where it counts, until ∫ |X|² S dω of every mode and stored heading is known to 1e-3 of the largest of its
+    mode.  Raises ValueError where 256 steps are not enough: a mode without damping.
     """
     coarse = int(np.clip(np.ceil(COARSE / max(len(body.omega) - 1, 1)), 1, 4))
-    omega = subdivided(body.omega, coarse)
+    omega = np.union1d(subdivided(body.omega, coarse), about(body, resonances(body)))
     power, steps = _power(body, omega, density), np.full(len(omega) - 1, coarse)
     open_ = np.ones(len(steps), bool)
     while True:

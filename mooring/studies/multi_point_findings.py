@@ -5,13 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from bem import DOFS
+from bem.database.resonances import resonances as known_resonances
 
 from ..lines.catenary.state import State
 
 UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
-ROLLING = 1e-4  # rad per m of wave amplitude; less is rounding in waves that do not roll the body
-ROLL = (0.85, 1.15)  # of the wave period; there roll without viscous damping is several times too large
+MOVING = 1e-4  # m or rad per m of wave amplitude; less is rounding in waves that do not move the body
+NEAR = (0.85, 1.15)  # of the wave period; there a motion without viscous damping is several times too large
+WEAK = 0.1  # damping ratio of waves alone, to which viscous damping adds a tenth to a third
 NEGLIGIBLE = 0.05  # mooring over hydrostatic stiffness, where free motions are used
 TURNED = 0.1  # rad; over that angle the drag coefficients of a box change by a tenth of their largest values
 SHALLOW = 20.0  # m; SR179 report, section 5.5.3: there some simulations of its floaters exceeded this method
@@ -29,7 +31,7 @@ def findings(result, db):
         if db.has_viscous_motions:
             yield "motions and drift hold the viscous damping of the wave height in the database's scene"
         else:
-            yield from _rolling(result, waves)
+            yield from _undamped(result, db, waves)
         yield from _stiff_modes(result, np.asarray(db.hydrostatic_stiffness, float))
     yield from _held(result.at_rest)
     yield from _outside_the_method(result, db.water_depth)
@@ -67,15 +69,19 @@ def resonances(result, wave_period):
             )
 
 
-def _rolling(result, waves):
-    period = result.at_equilibrium.period[result.at_equilibrium.names.index("Roll")]
-    rolls = result.amplitudes[3] > ROLLING * 0.5 * waves.height
-    if rolls and ROLL[0] <= period / waves.period <= ROLL[1]:
-        yield (
-            f"natural period of roll {period:.3g} s lies within {ROLL[0]:g} to {ROLL[1]:g} of the wave period "
-            f"{waves.period:g} s: its amplitude {result.amplitudes[3]:.2g} rad has no viscous damping; "
-            "motion, drift and tension are too large"
-        )
+def _undamped(result, db, waves):
+    """Roll, and heave and pitch that waves alone damp little, near the wave period"""
+    low, high = NEAR
+    weak = {3} | {one.mode for one in known_resonances(db.reader) if one.damping < WEAK}
+    for mode in sorted(weak & {2, 3, 4}):
+        period = result.at_equilibrium.period[result.at_equilibrium.names.index(DOFS[mode])]
+        amplitude, unit = result.amplitudes[mode], "m" if mode == 2 else "rad"
+        if amplitude > MOVING * 0.5 * waves.height and low <= period / waves.period <= high:
+            yield (
+                f"natural period of {DOFS[mode].lower()} {period:.3g} s lies within {low:g} to {high:g} of the wave "
+                f"period {waves.period:g} s: its amplitude {amplitude:.2g} {unit} has no viscous damping; "
+                "motion, drift and tension are too large"
+            )
 
 
 def _stiff_modes(result, hydrostatic):

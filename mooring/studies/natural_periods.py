@@ -9,9 +9,10 @@ positive and bounded, so every j has a root, whichever motion it belongs to at e
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import permutations
 
 import numpy as np
+
+from bem.database.resonances import by_motion, natural_modes
 
 from ..lines.system.equilibrium import SystemEquilibrium
 from ..lines.system.studies import about_body_axes, body_number, mooring_stiffness
@@ -60,9 +61,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
         """λ (q, 6), vectors in columns (q, 6, 6) and the mass (q, 6, 6) they are of"""
         M = kept * (body.inertia + body.held_added_mass(w)) / unit
         M = 0.5 * (M + M.swapaxes(1, 2))
-        root = np.linalg.inv(np.linalg.cholesky(M))
-        values, vectors = np.linalg.eigh(root @ C @ root.swapaxes(1, 2))
-        return values, root.swapaxes(1, 2) @ vectors, M
+        return *natural_modes(M, C), M
 
     frequencies = _own_frequencies(lambda w: modes(w)[0])
     own = np.arange(6)
@@ -70,7 +69,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     vectors = vectors[own, :, own]
     energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))
     shapes = vectors / np.take_along_axis(vectors, np.abs(vectors).argmax(axis=1)[:, None], axis=1)
-    order = _by_motion(energies)
+    order = by_motion(energies)
     frequencies, shapes = frequencies[order], shapes[order]
     # eigenvalues of a mode without restoring are rounding errors of the stiffest one
     free = np.abs(frequencies) <= 1e-6 * np.abs(frequencies).max()
@@ -107,13 +106,6 @@ def _own_frequencies(eigenvalues):
         low, above = np.where(upper, low, w), np.where(upper, 0.5 * above, found)
         high, below = np.where(upper, w, high), np.where(upper, found, 0.5 * below)
     return np.where(start > 0, w, -np.sqrt(np.maximum(-start, 0)))
-
-
-def _by_motion(energies):
-    """Which mode is called Surge, Sway, …: the assignment with the largest sum of energy shares."""
-    shares = energies / energies.sum(axis=1, keepdims=True)
-    every = np.array(list(permutations(range(6))))
-    return every[shares[every, np.arange(6)].sum(axis=1).argmax()]
 
 
 def moored_periods(state: SystemEquilibrium, body, db):

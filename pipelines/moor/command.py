@@ -8,10 +8,12 @@ from pathlib import Path
 import numpy as np
 
 from bem import DOFS
+from bem.database.resonances import resonances
 from bem.database.results import has_schema
 from mooring.studies.multi_point import PLANE, line_ends, multi_point
 
 from ..common.outputs import DATABASE, check_output
+from ..common.resonances import resonance_lines
 from ..common.units import TONF
 from .study import read_study
 
@@ -55,7 +57,7 @@ def moor(study_path, database_path, output_path=None, quiet=False):
 
         draw_plan(result, hull, output.with_name(output.stem + "_plan.png"))
     if not quiet:
-        _show(result, study, output)
+        _show(result, resonance_lines(resonances(db.reader)) if result.conditions.waves else [], output)
     return result
 
 
@@ -97,7 +99,7 @@ def _put(file, name, value, unit):
     file.create_dataset(name, data=np.asarray(value, float)).attrs["units"] = unit
 
 
-def _show(result, study, output):
+def _show(result, resonant, output):
     from rich.console import Console
 
     console = Console()
@@ -108,6 +110,8 @@ def _show(result, study, output):
     console.print(f"equilibrium: x {x:.3f} m, y {y:.3f} m, yaw {np.degrees(turn):.3f}°", highlight=False)
     if result.conditions.waves:
         console.print(_motions(result.amplitudes), highlight=False, soft_wrap=True)
+    for line in resonant:
+        console.print(f"free motions: {line}", highlight=False, soft_wrap=True)
     worst = int(np.argmax(result.tension))
     console.print(
         f"largest tension: {result.tension[worst] / TONF:.0f} tonf in {result.system.line_names[worst]}, "

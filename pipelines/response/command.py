@@ -24,8 +24,10 @@ def response(
     The study (TOML) says which sea or scatter diagram, and which points of the body.
     """
     from bem.database import open_database
+    from bem.database.resonances import resonances
 
     from ..common.quantities import StudyError
+    from ..common.resonances import resonance_lines, underdamped
     from .study import read_response_study
 
     read, text = read_response_study(study)
@@ -46,7 +48,10 @@ def response(
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
     warned = [str(w.message) for w in caught] + list(result.warnings)
-    _write(read, result, body.radius, points, warned, text, database, output, plot)
+    found = resonances(body)
+    warned += resonance_lines([one for one in found if underdamped(one)])
+    noted = resonance_lines([one for one in found if not underdamped(one)])
+    _write(read, result, body.radius, points, (noted, warned), text, database, output, plot)
     return 0
 
 
@@ -85,13 +90,14 @@ def _in_climate(read, body, points, study):
     return climate(body, **climate_of(read.climate, study), points=points)
 
 
-def _write(read, result, radius, points, warned, text, database, output, plot):
+def _write(read, result, radius, points, said, text, database, output, plot):
     from . import output as response_output
     from . import report as response_report
 
     years = read.climate and read.climate.years
     rows = response_report.sea_rows(result) if read.sea else response_report.climate_rows(result, years)
-    lines = response_report.notes(result, radius, years)
+    noted, warned = said
+    lines = response_report.notes(result, radius, years) + noted
     if output is not None and output.suffix == ".csv":
         response_output.write_csv(output, rows, lines + warned)
     elif output is not None:

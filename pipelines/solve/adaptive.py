@@ -2,7 +2,8 @@
 
 Each frequency goes to the database as usual; the error between them is estimated from what is stored
 (`bem.database.between_frequencies`).  A run that is resumed, or repeated, therefore asks only for what is missing
-to the tolerance.
+to the tolerance.  The tolerance is relative to the largest coefficient of a band; the height of a resonance hangs on
+damping that can be a thousandth of it.  Resonances (`bem.database.resonances`) are therefore solved for too.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import numpy as np
 from bem.database import open_database
 from bem.database.between_frequencies import FORCES, RADIATION, between
 from bem.database.interpolant import Abscissa, abscissa, chosen
+from bem.database.resonances import resonances
 
 FIRST = 12  # frequencies before an error is estimated
 MOST = 120  # frequencies in a band; more means that the solver's own error is above the tolerance
@@ -21,6 +23,8 @@ PLACES = 400  # in a band, equally far apart
 # standard deviations: the largest error is 1.3 to 1.8 of them for boxes of the series calculations, 0.9 to 2.1 for
 # boxes and buoys that were not among those (tests/bench/fit_interpolation.py)
 WIDTH = 1.35
+SHARP = 0.02  # damping ratio of a resonance that is solved for, however well its damping is known
+NEAR = 2e-3  # relative, of a resonance and a stored frequency: coefficients change by no more than they are known to
 CONTROLLED = (*RADIATION, FORCES[0])
 
 
@@ -36,9 +40,12 @@ def filled_band(scene, file, fill, wider, console):
         places, error = _estimated(scene, db)
         if console:
             console.print(_told(scene, db, error), highlight=False, markup=False, soft_wrap=True)
-        if error <= scene.accuracy or _inside(scene, db.omega) >= MOST:
+        if _inside(scene, db.omega) >= MOST:
             break
-        file = wider(file, omega=_next(scene, db, places, error))
+        new = _unseen(scene, db) if error <= scene.accuracy else _next(scene, db, places, error)
+        if not len(new):
+            break
+        file = wider(file, omega=new)
         after = fill(file)
         outcome = replace(after, solved=outcome.solved + after.solved, jobs=outcome.jobs + after.jobs)
     if outcome.exit_status:
@@ -74,6 +81,15 @@ def _next(scene, db, places, error):
     return places[chosen(Abscissa(*known), open_, count)]
 
 
+def _unseen(scene, db):
+    """The first resonance to be solved for, rad/s, none or one: sharp, or less sure than the tolerance"""
+    for one in resonances(db.reader) if "rao" in db.names else ():
+        apart = np.abs(db.omega / one.omega - 1).min()
+        if apart > NEAR and (one.damping < SHARP or one.error > scene.accuracy * one.peak):
+            return np.array([one.omega])
+    return np.zeros(0)
+
+
 def _inside(scene, omega):
     band = scene.waves.band
     return int(np.sum((omega >= band.first * (1 - 1e-9)) & (omega <= band.last * (1 + 1e-9))))
@@ -84,6 +100,8 @@ def _told(scene, db, error):
     solved = f"{_inside(scene, db.omega)} frequencies from {band.first:g} to {band.last:g} rad/s"
     if not np.isfinite(error):
         return f"{solved}: too few to estimate the error between them"
-    told = f"{solved}: estimated error between them {100 * error:.2g} % (tolerance {100 * scene.accuracy:.2g} %)"
-    less_sure = any("drift" in name for name in set(db.names) - set(controlled(scene, db)))
-    return told + ", of drift more" * less_sure
+    words = "coefficients and forces" if FORCES[0] in controlled(scene, db) else "coefficients"
+    share, limit = 100 * error, 100 * scene.accuracy
+    told = f"{solved}: estimated error of {words} between them {share:.2g} % (tolerance {limit:.2g} %)"
+    less_sure = [word for word, name in (("motions", "rao"), ("drift", "drift_force")) if name in db.names]
+    return told + f", of {' and '.join(less_sure)} more" * bool(less_sure)

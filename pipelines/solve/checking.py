@@ -15,7 +15,7 @@ from meshing.quality import Finding, findings
 from meshing.whole_files import keep_room
 
 from ..scene.methods import METHODS
-from .report import checked, checks_table
+from .report import checked, checks_table, resonances_of
 from .result_files import check_result, is_result
 
 
@@ -40,6 +40,8 @@ def check(path, console, repair=False):
         console.print(checks_table(checks))
     for finding in (*found, *broken):
         say(f"{finding.severity}: {finding.text}")
+    for line in resonances_of(db):
+        say(f"note: {line}")
     if not db.complete:
         say(
             f"incomplete: {int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run its command again to go on"

@@ -6,6 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bem.database.resonances import resonances
+
+from ..common.resonances import resonance_lines
+
 CHECKED = {
     "reciprocity": "A and B symmetric",
     "Haskind": "forces by radiation",
@@ -82,12 +86,19 @@ def checks_table(checks):
     return table
 
 
+def resonances_of(db):
+    """A line for each resonance of the freely floating body of a database"""
+    if "rao" not in db.names or not len(db.omega):
+        return []
+    return resonance_lines(resonances(db.reader), db.omega, db["rao"])
+
+
 def print_outcome(console, outcome, db):
-    """The end of a run: body, checks, remarks, failures, and what is stored."""
+    """The end of a run: body, checks, remarks, resonances, failures, and what is stored."""
     console.print(body_table(db))
     if outcome.stored:
         console.print(checks_table(checked(db)))
-    for remark in outcome.remarks:
+    for remark in (*outcome.remarks, *resonances_of(db)):
         _line(console, f"note: {remark}")
     for where, reason in outcome.failures:
         name = where if isinstance(where, str) else f"ω = {where:.6g} rad/s"

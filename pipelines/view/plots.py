@@ -1,11 +1,19 @@
-"""A page of curves from a database: one column per degree of freedom, one row per kind of result."""
+"""A page of curves from a database: one column per degree of freedom, one row per kind of result.
+
+Curves are those of `bem.database.reader` between the stored frequencies, with a point at every resonance: joined by
+straight lines, a dozen frequencies chosen for smooth coefficients would show nothing of it.
+"""
 
 from __future__ import annotations
+
+from functools import cached_property
 
 import numpy as np
 
 from bem import DOFS
 from bem.database import DatabaseError
+from bem.database.between_frequencies import DRIFT, FEWEST, BetweenError
+from bem.database.resonances import about, resonances
 from bem.database.schema import DRIFT_DOFS, QUANTITIES
 
 from ..common.picture import save
@@ -13,6 +21,9 @@ from ..common.picture import save
 PREFIXES = ((1e9, "G", "10⁹ "), (1e6, "M", "10⁶ "), (1e3, "k", "10³ "))
 QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symmetry makes it zero
 FORCES, MOMENTS = slice(0, 3), slice(3, 6)
+PLACES = 300  # frequencies of a curve, beside those stored and those about resonances
+MARKED = 30  # stored frequencies that are marked; more would be a thick line
+HIGH = 5  # times the motion away from a sharp resonance: above, its peak is written and not drawn
 ROWS = {
     "A and B/ω": ("added_mass", "radiation_damping"),
     "excitation": ("excitation_force",),
@@ -20,6 +31,44 @@ ROWS = {
     "response": ("rao",),
     "mean drift": ("drift_force_fixed", "drift_force"),
 }
+
+
+class Curves:
+    """A database at frequencies `omega` (q,) rad/s that show all it knows; `stored` (n,) numbers of the stored ones"""
+
+    def __init__(self, db):
+        self.db, self.mesh, self.names, self.wave_direction = db, db.mesh, db.names, db.wave_direction
+        if len(db.omega) >= FEWEST:
+            low, high = db.omega[[0, -1]]
+            sharp = about(db.reader, self.peaks)
+            self.omega = np.unique(np.concatenate([np.linspace(low, high, PLACES)[1:-1], db.omega, sharp]))
+        else:
+            self.omega = db.omega
+        self.stored = np.searchsorted(self.omega, db.omega)
+
+    def __getitem__(self, name):
+        """Values (q, …) of the reader; where it knows none between the stored ones, those on straight lines"""
+        stored, body = self.db[name], getattr(self.db, "reader", None)
+        if len(self.omega) == len(self.db.omega):
+            return stored
+        try:
+            if name == "rao":
+                return body.motions(self.omega)
+            if name in DRIFT and body.rebuilds_drift:
+                return body.drift(self.omega, fixed=name == DRIFT[0])
+            if name not in DRIFT:
+                return body.between.value(self.omega, name)
+        except (BetweenError, FloatingPointError):
+            pass
+        high = np.clip(np.searchsorted(self.db.omega, self.omega), 1, len(stored) - 1)
+        share = (self.omega - self.db.omega[high - 1]) / (self.db.omega[high] - self.db.omega[high - 1])
+        share = share.reshape(-1, *[1] * (stored.ndim - 1))
+        return (1 - share) * stored[high - 1] + share * stored[high]
+
+    @cached_property
+    def peaks(self):
+        """[Resonance] of the freely floating body"""
+        return resonances(self.db.reader) if "rao" in self.names and len(self.db.omega) >= FEWEST else []
 
 
 def plot(db, output):
@@ -36,8 +85,9 @@ def plot(db, output):
     with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
         figure = Figure(figsize=(17, 1.1 + 2.35 * len(rows)), layout="constrained")
         grid = figure.subplots(len(rows), 6, sharex=True, squeeze=False)
+        curves = Curves(db)
         for name, axes in zip(rows, grid, strict=True):
-            DRAW[name](db, axes)
+            DRAW[name](curves, axes)
         _dress(db, figure, grid)
         save(figure, output, 130)
     return figure
@@ -62,7 +112,7 @@ def _coefficients(db, axes):
         scale, _, power = _prefix(size[columns].max())
         for i in range(6)[columns]:
             for (label, style), curve in curves.items() if shown[i] else ():
-                _curve(axes[i], db.omega, curve[:, i] / scale, style, "C0" if style == "-" else "C3", label)
+                _curve(axes[i], db, curve[:, i] / scale, style, "C0" if style == "-" else "C3", label)
             axes[i].set_ylabel(f"{power}{unit}")
     if shown.any():
         axes[np.argmax(shown)].legend(frameon=False)
@@ -79,7 +129,7 @@ def _phases(db, axes):
         for j, color in enumerate(heading_colors(len(db.wave_direction))):
             if shown[j, i]:
                 lag = np.degrees(np.angle(force[:, j, i]))
-                _curve(axis, db.omega, _broken_at_jumps(lag), "-", color)
+                _curve(axis, db, _broken_at_jumps(lag), "-", color)
         axis.set(ylim=(-190, 190), yticks=(-180, -90, 0, 90, 180), ylabel="degrees")
 
 
@@ -87,6 +137,21 @@ def _responses(db, axes):
     response = np.abs(db["rao"])
     response[:, :, MOMENTS] = np.degrees(response[:, :, MOMENTS])
     _amplitudes(db, axes, response, ("m/m", "°/m"), np.degrees(1 / _length(db)), prefixes=False)
+    for one in db.peaks:
+        for i in range(6):
+            _cut(axes[i], one, db.omega, response[:, :, i])
+
+
+def _cut(axis, one, omega, size):
+    """Leave a peak that would dwarf all else out of sight, and write it"""
+    near = np.abs(omega / one.omega - 1) < max(0.1, 2 * one.damping)
+    highest, top = size[near].max(), HIGH * size[~near].max(initial=0.0)
+    if axis.lines and 0 < top < highest:
+        axis.set_ylim(0, top)
+        axis.annotate(
+            f"{highest:.3g} at {one.omega:.4g} rad/s\ndamping ratio {one.damping:.2g}", (one.omega, top),
+            xytext=(6, -3), textcoords="offset points", va="top", color="0.3",
+        )  # fmt: skip
 
 
 def _drift(db, axes):
@@ -103,7 +168,7 @@ def _drift(db, axes):
         for name, value in drift.items():
             for j, color in enumerate(heading_colors(len(db.wave_direction))):
                 if np.abs(value[:, j, part]).max() > floor:
-                    _curve(axis, db.omega, value[:, j, part] / scale, styles[name], color)
+                    _curve(axis, db, value[:, j, part] / scale, styles[name], color)
         if axis.lines:
             axis.axhline(0, color="0.6", linewidth=0.6)
         axis.set_ylabel(f"{prefix}{'N m/m²' if dof == 'Yaw' else 'N/m²'}")
@@ -139,14 +204,17 @@ def _amplitudes(db, axes, size, units, lever, prefixes=True):
         for i in range(6)[columns]:
             for j, color in enumerate(heading_colors(len(db.wave_direction))):
                 if shown[j, i]:
-                    _curve(axes[i], db.omega, size[:, j, i] / scale, "-", color)
+                    _curve(axes[i], db, size[:, j, i] / scale, "-", color)
             axes[i].set_ylabel(f"{prefix}{unit}")
             axes[i].set_ylim(bottom=0)
 
 
-def _curve(axis, omega, value, style, color, label=None):
-    marker = "o" if len(omega) <= 30 else None
-    axis.plot(omega, value, style, color=color, label=label, linewidth=1.2, marker=marker, markersize=2.2)
+def _curve(axis, db, value, style, color, label=None):
+    marker = "o" if len(db.stored) <= MARKED else None
+    axis.plot(
+        db.omega, value, style, color=color, label=label, linewidth=1.2, marker=marker, markersize=2.2,
+        markevery=list(db.stored),
+    )  # fmt: skip
 
 
 def _prefix(largest):

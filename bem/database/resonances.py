@@ -1,0 +1,163 @@
+"""Resonances of a body of a database: where few stored frequencies see nothing of its motions, and how high they are.
+
+    C q = ω² (M + A(ω)) q,    ζ = q*(B + B′)q / 2ω q*(M + A)q
+
+Eigenvalues λⱼ(ω) of C and M + A, in rising order, are continuous in frequency, so that every root of √λⱼ(ω) = ω lies
+between two neighbouring places of different sign of √λⱼ − ω.  A lightly damped motion follows 1 / (2ζ) at the root and
+is half as strong in energy at ω (1 ± ζ): that width, and not the step between stored frequencies, says where the motion
+has to be known.  Coefficients are smooth there and come from `between_frequencies`; the height of a peak hangs on
+damping alone, and is as uncertain as that.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import permutations
+
+import numpy as np
+
+from .. import DOFS
+from .between_frequencies import FEWEST, BetweenError
+
+SHARP = 0.25  # damping ratio above which a peak is less than twice the static motion
+AROUND = 2.0 ** np.arange(-3, 8)  # in widths, on both sides of a peak
+WIDEST = 0.3  # of a frequency, on both sides of it
+CLOSE = 1e-9  # relative, of a natural frequency
+STEPS = 4  # places between two stored frequencies
+QUIET = 1e-3  # of the largest motion of its kind: a peak below is none
+KINDS = slice(0, 3), slice(3, 6)
+
+
+@dataclass(frozen=True)
+class Resonance:
+    """A peak of one motion, `mode` 0 … 5, at omega rad/s in waves towards `heading` rad.
+
+    peak : m/m or rad/m; error : its estimated error between stored frequencies; damping : ratio ζ
+    viscous : whether damping beside that of waves is in it
+    """
+
+    mode: int
+    omega: float
+    damping: float
+    peak: float
+    error: float
+    heading: float
+    viscous: bool
+
+    def __repr__(self):
+        return f"<Resonance {DOFS[self.mode]} {self.omega:.4g} rad/s, peak {self.peak:.3g}, damping {self.damping:.2g}>"
+
+    @property
+    def period(self):
+        """s"""
+        return 2 * np.pi / self.omega
+
+
+def resonances(body):
+    """[Resonance] of a `reader.Reader` within its stored frequencies, rising; [] where they are not known.
+
+    Those whose damping ratio is below a quarter, and that waves of the stored headings excite.
+    """
+    if len(body.omega) < FEWEST or body.inertia is None or body.stiffness is None:
+        return []
+    try:
+        found = [_resonance(body, *root) for root in _roots(body)]
+    except (BetweenError, np.linalg.LinAlgError, FloatingPointError):  # no positive inertia, no viscous equilibrium
+        return []
+    return sorted((one for one in found if one is not None and one.damping < SHARP), key=lambda one: one.omega)
+
+
+def about(body, found):
+    """(q,) rad/s within the stored frequencies that show the shape of each peak of `found`, resonances of the body"""
+    low, high = body.between.span
+    omega = np.concatenate([[], *(_places(one.omega, one.damping) for one in found)])
+    return np.unique(omega[(omega > low) & (omega < high)])
+
+
+def natural_modes(inertia, stiffness):
+    """λ (q, 6) rising and vectors, in columns (q, 6, 6), of symmetric inertia (q, 6, 6) and stiffness (6, 6)"""
+    root = np.linalg.inv(np.linalg.cholesky(inertia))
+    values, vectors = np.linalg.eigh(root @ stiffness @ root.swapaxes(1, 2))
+    return values, root.swapaxes(1, 2) @ vectors
+
+
+def by_motion(energies):
+    """(6,) which mode is called Surge, Sway, …: the assignment with the largest sum of energy shares.
+
+    energies : (6, 6) kinetic, rows are modes
+    """
+    shares = energies / energies.sum(axis=1, keepdims=True)
+    every = np.array(list(permutations(range(6))))
+    return every[shares[every, np.arange(6)].sum(axis=1).argmax()]
+
+
+def _roots(body):
+    """(mode, ω) of every natural frequency within the stored ones"""
+    knots = np.arange(len(body.omega))
+    omega = np.interp(np.arange((len(knots) - 1) * STEPS + 1) / STEPS, knots, body.omega)
+    excess = _excess(body, omega)
+    for i, j in np.argwhere((excess[:-1] > 0) & (excess[1:] <= 0) | (excess[:-1] < 0) & (excess[1:] >= 0)):
+        w = _root(lambda x, j=j: float(_excess(body, np.array([x]))[0, j]), omega[i], omega[i + 1])
+        _, vectors, M = _modes(body, np.array([w]))
+        energies = np.abs(vectors[0].T * (M[0] @ vectors[0]).T)
+        yield int(np.flatnonzero(by_motion(energies) == j)[0]), w, vectors[0][:, j]
+
+
+def _root(function, low, high):
+    """Where a function, nearly straight, is zero between places of different sign (Illinois)"""
+    f, g = function(low), function(high)
+    for _ in range(50):
+        x = (low * g - high * f) / (g - f)
+        y = function(x)
+        if abs(y) <= CLOSE * x:
+            break
+        if (y > 0) == (g > 0):
+            high, g, f = x, y, 0.5 * f
+        else:
+            low, f, g = x, y, 0.5 * g
+    return x
+
+
+def _excess(body, omega):
+    """(q, 6) √λ − ω"""
+    return np.sqrt(np.maximum(_modes(body, omega)[0], 0)) - omega[:, None]
+
+
+def _modes(body, omega):
+    M = body.inertia + body.held_added_mass(omega)
+    M = 0.5 * (M + M.swapaxes(1, 2))
+    return *natural_modes(M, 0.5 * (body.stiffness + body.stiffness.T)), M
+
+
+def _resonance(body, mode, omega, q):
+    """The Resonance of a natural mode q (6,), or None where waves do not excite it"""
+    low, high = body.between.span
+    damping = max(_ratio(body, omega, q, 0.0), 1e-9)
+    if damping >= SHARP:
+        return None
+    places = np.clip(_places(omega, damping), low, high)
+    for _ in range(2):
+        X = np.abs(body.motions(places))
+        i, m = np.unravel_index(X[:, :, mode].argmax(), X.shape[:2])
+        at, peak = places[i], float(X[i, m, mode])
+        places = np.linspace(places[max(i - 1, 0)], places[min(i + 1, len(places) - 1)], 17)
+    kind = next(kind for kind in KINDS if mode in range(6)[kind])
+    if peak <= QUIET * np.abs(body.motions(body.omega))[:, :, kind].max():
+        return None
+    extra = body.viscous.damping(at, body.viscous.wave_amplitude * X[i, m]) if body.viscous else 0.0
+    error = body.at([at], "rao")[1][0, m, mode]
+    return Resonance(
+        mode, float(at), _ratio(body, omega, q, extra), peak, float(error), float(body.headings[m]),
+        bool(np.any(extra)) or bool(body.damping.any()),
+    )  # fmt: skip
+
+
+def _ratio(body, omega, q, extra):
+    """ζ of a mode q (6,)"""
+    A, B = (part[0] for part in body.coefficients([omega]))
+    return float(q @ (B + body.damping + extra) @ q / (2 * omega * (q @ (body.inertia + A) @ q)))
+
+
+def _places(omega, damping):
+    away = np.unique(np.minimum(damping * AROUND, WIDEST))
+    return omega * np.concatenate([1 - away[::-1], [1.0], 1 + away])

@@ -1,0 +1,52 @@
+"""Resonances of a body in words: period, mode, peak, damping ratio, and what the peak hangs on."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem import DOFS
+
+VISCOUS = 0.1  # ratio of wave damping; viscous damping, 1 to 3 % of critical, takes up to a third off lower ones
+UNSURE = 0.05  # estimated error of a peak that is named
+SEEN = 0.8  # of a peak that stored frequencies show
+
+
+def resonance_lines(found, omega=None, rao=None):
+    """A line for each of `found`, of `bem.database.resonances`.
+
+    omega, rao : (n,) rad/s and (n, m, 6) stored; None for the motions of another body
+    """
+    return [f"{_peak(one)}{_stored(one, omega, rao)}{_uncertain(one)}" for one in found]
+
+
+def underdamped(one):
+    """Whether viscous damping, that would lower a peak of heave, roll or pitch by a third and more, is not in it"""
+    return not one.viscous and one.mode in (2, 3, 4) and one.damping < VISCOUS
+
+
+def _peak(one):
+    factor, unit = (180 / np.pi, "°/m") if one.mode > 2 else (1.0, "m/m")
+    damping = f"damping ratio {one.damping:.2g}"
+    if not one.viscous:
+        damping += " of waves alone"
+        damping += ", without the viscous damping that lowers it" * underdamped(one)
+    return (
+        f"resonance of {DOFS[one.mode].lower()} at {one.period:.4g} s ({one.omega:.5g} rad/s): peak "
+        f"{factor * one.peak:.3g} {unit} in waves towards {np.degrees(one.heading):.4g}°, {damping}"
+    )
+
+
+def _stored(one, omega, rao):
+    if rao is None:
+        return ""
+    near = np.abs(omega / one.omega - 1) < max(0.1, 2 * one.damping)
+    near[np.argmin(np.abs(omega - one.omega))] = True
+    share = np.abs(rao[near][:, :, one.mode]).max() / one.peak
+    return f"; stored frequencies near it show {100 * share:.2g} % of the peak" if share < SEEN else ""
+
+
+def _uncertain(one):
+    share = one.error / one.peak
+    if share <= UNSURE:
+        return ""
+    return f"; the peak is uncertain by {100 * share:.2g} %, limit {100 * UNSURE:g} %: solve {one.omega:.6g} rad/s too"
