@@ -24,6 +24,7 @@ from .viscous_table import viscous_of
 SHAPES = {"box": ("length", "beam", "draft"), "buoy": ("radius", "draft"), "mesh": ("file",)}
 FREQUENCY_KEYS = ("omegas", "periods", "xi_B", "band")
 MOST = 10_000  # frequencies or headings in one list
+CLOSEST = 2e-9  # relative in omega, rad in heading: twice of what is one and the same in a database
 EXTENT = 1e-3, 1e6  # m, sizes and places
 RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6), "band": (1e-6, 1e4)}
 
@@ -307,7 +308,9 @@ def _check_waves(scene):
         raise SceneError("waves.xi_B needs a beam, a body from a mesh file has none; give omegas or periods")
     _check_list(f"waves.{key}", getattr(scene.waves, key), partial(_within, limits=RANGES[key]))
     _check_list("waves.headings_deg", scene.waves.headings_deg, _check_heading)
-    _check_once("waves.headings_deg", [heading % 360 for heading in _listed("", scene.waves.headings_deg)])
+    _check_apart("waves.headings_deg", _listed("", scene.waves.headings_deg), scene.headings(), turn=2 * np.pi)
+    values = sorted(_listed("", getattr(scene.waves, key)), reverse=key == "periods")
+    _check_apart(f"waves.{key}", values, scene.omegas())
 
 
 def _check_heading(key, value):
@@ -321,14 +324,23 @@ def _check_list(key, value, check_one):
         raise SceneError(f"{key} has {len(values)} values; allowed: 1 to {MOST}")
     for one in values:
         check_one(key, one)
-    _check_once(key, values)
 
 
-def _check_once(key, values):
-    ordered = np.sort(values)
-    same = np.flatnonzero(np.diff(ordered) <= 1e-9 * np.abs(ordered[1:]))
-    if same.size:
-        raise SceneError(f"{key} has {ordered[same[0]]:.9g} twice; allowed: each value once")
+def _check_apart(key, given, values, turn=None):
+    """Raise SceneError for two that a database would take for one.
+
+    given : as the scene has them; values : the same, rising, as a database has them; turn : of angles
+    """
+    given, values = np.sort(given) if turn else np.array(given), np.asarray(values)
+    if turn:
+        order = np.argsort(values % turn, kind="stable")
+        given, values = given[order], values[order] % turn
+        given, values = np.append(given, given[0]), np.append(values, values[0] + turn)
+    near = np.flatnonzero(np.diff(values) <= CLOSEST * (1.0 if turn else values[1:]))
+    if near.size:
+        one, other = sorted(given[[near[0], near[0] + 1]])
+        again = "" if f"{one:.9g}" == f"{other:.9g}" else f", once as {other:.9g}"
+        raise SceneError(f"{key} has {one:.9g} twice{again}; allowed: each value once, {CLOSEST:g} apart")
 
 
 def _check_rest(scene):
