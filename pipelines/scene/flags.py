@@ -39,6 +39,7 @@ class SceneFlags:
     mass: Annotated[float | None, _flag("kg [that of the displaced water]")] = None
     center_of_gravity: Annotated[str | None, _flag("x,y,z m [0,0,0]")] = None
     gyration: Annotated[str | None, _flag("kxx,kyy,kzz m about it; without them no motions")] = None
+    trimmed: Annotated[bool, Parameter(help="held as it is drawn, whatever its weight does", negative="")] = False
     rotation_center: Annotated[str | None, _flag("x,y,z m [0,0,0]")] = None
     only: Annotated[str | None, _flag("names or groups to compute, a,b,c [all]")] = None
 
@@ -77,7 +78,7 @@ def overlaid(raw, flags, body):
                 waves[key] = numbers(f"--{flag}", text)
     if flags.heading is not None:
         waves["headings_deg"] = numbers("--heading", flags.heading)
-    _put(bodies[0], mass=flags.mass, **body)
+    _put(bodies[0], mass=flags.mass, trimmed=flags.trimmed or None, **body)
     for key in ("center_of_gravity", "gyration"):
         _put(bodies[0], **{key: _triple(key, getattr(flags, key))})
     _put(raw, method=flags.method, wall=flags.wall, rotation_center=_triple("rotation_center", flags.rotation_center))

@@ -38,6 +38,7 @@ def fixed_part(scene, mesh_file=None):
     if scene.panels is None:
         raw["tolerance"] = scene.accuracy
     for body in raw["bodies"]:
+        del body["trimmed"]  # of which no number depends
         if body["file"] is not None:
             body["file"] = mesh_file or content(body["file"])
     return {key: repr(value) for key, value in _flat(raw) if value is not None}

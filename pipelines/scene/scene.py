@@ -65,6 +65,7 @@ class BodyTable(_Table):
 
     center_of_gravity : m; gyration : (kxx, kyy, kzz) m about it
     mass : kg, left out: that of the displaced water
+    trimmed : whether something holds the body as it is drawn, though its weight would turn it
     """
 
     shape: str = "box"
@@ -76,6 +77,7 @@ class BodyTable(_Table):
     mass: float | None = None
     center_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
     gyration: tuple[float, float, float] | None = None
+    trimmed: bool = False
 
 
 class Waves(_Table):

@@ -21,6 +21,7 @@ from .header import body_properties, kochin_angles, make_header
 from .hull import make_hull, stored_hull
 from .problem import problem_of
 from .remarks import remarks
+from .weight import check_weight
 
 KOCHIN = {"kochin_radiation", "kochin_diffraction"}
 
@@ -77,6 +78,7 @@ def resumed(scene, file):
 
 
 def _plan(scene, hull, header):
+    check_weight(scene, hull.mesh, header.body)
     asked = scene.omegas(), scene.headings(), scene.names()
     return Plan(scene, *asked, header, problem_of(header, scene), remarks(scene, hull, header.body))
 

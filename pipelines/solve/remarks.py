@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from bem.contour.raised_bed import effect_of_bed
 from bem.contour.short_waves import MOST_WAVES
 from bem.database.schema import NEEDS_MOTION
@@ -11,9 +9,10 @@ from bem.database.schema import NEEDS_MOTION
 from ..scene.methods import names_given
 from ..scene.products import expand
 from .hull import panels_matter
+from .weight import weight_remarks
 
-TILT = 2.0  # degrees at rest, above which coordinates are more likely wrong than meant
 GRAVITIES = 9.7, 9.9  # m/s² on the earth
+FEET = 31.8, 32.5  # the same in ft/s²
 DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Sea
 
 
@@ -26,26 +25,11 @@ def remarks(scene, hull, body):
     return (
         *hull.findings,
         *lid_or_waves,
-        *_size_remarks(scene, hull.mesh),
         *_density_remarks(scene.water.density),
         *_gravity_remarks(scene.water.gravity),
-        *_tilt_remarks(scene, body),
-        *_body_remarks(scene, body),
+        *weight_remarks(scene, hull.mesh, body),
         *_motion_remarks(scene),
     )
-
-
-def _body_remarks(scene, body):
-    displaced = scene.water.density * body["displaced_volume"]
-    if abs(body["mass"] / displaced - 1) > 0.01:
-        yield (
-            f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; "
-            "allowed where lines or moorings carry the difference"
-        )
-    for name in ("transverse", "longitudinal"):
-        height = body[f"{name}_metacentric_height"]
-        if height <= 0:
-            yield f"{name} metacentric height {height:.4g} m is not positive: the body capsizes"
 
 
 def _density_remarks(density):
@@ -57,22 +41,8 @@ def _density_remarks(density):
 def _gravity_remarks(gravity):
     low, high = GRAVITIES
     if not low <= gravity <= high:
-        yield f"gravity {gravity:g} m/s² is not that of the earth, {low:g} to {high:g} m/s²; check its unit"
-
-
-def _tilt_remarks(scene, body):
-    """Weight and buoyancy out of line turn the body until the hydrostatic stiffness holds it: M / C, small angles."""
-    lever = np.asarray(body["center_of_mass"], float)[:2] - np.asarray(body["center_of_buoyancy"], float)[:2]
-    weight = body["mass"] * scene.water.gravity
-    for name, arm, axis, dof in (("trim", lever[0], "x", 4), ("heel", lever[1], "y", 3)):
-        restoring = body["hydrostatic_stiffness"][dof, dof]
-        angle = np.degrees(abs(weight * arm) / restoring) if restoring > 0 else 0.0  # else said to capsize
-        if angle > TILT:
-            yield (
-                f"centre of gravity {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
-                f"{abs(weight * arm):.4g} N m, {angle:.3g}° of static {name}, limit {TILT:g}°; the body is taken "
-                "upright; check where its coordinates begin (--center-of-gravity)"
-            )
+        feet = ": that is its value in ft/s²" if FEET[0] <= gravity <= FEET[1] else ""
+        yield f"gravity {gravity:g} m/s² is not that of the earth, {low:g} to {high:g} m/s²{feet}; check its unit"
 
 
 def _motion_remarks(scene):
@@ -84,19 +54,6 @@ def _motion_remarks(scene):
     if lacking:
         words = "are left out: they need" if len(lacking) > 1 else "is left out: it needs"
         yield f"{' and '.join(lacking)} {words} the radii of gyration (--gyration)"
-
-
-def _size_remarks(scene, mesh):
-    """No body has mass farther from its middle than it is long."""
-    if scene.body.gyration is None:
-        return
-    largest = float(np.ptp(mesh.whole().vertices.reshape(-1, 3), axis=0).max())
-    longest = max(scene.body.gyration)
-    if longest > largest:
-        yield (
-            f"radius of gyration {longest:g} m is larger than the largest dimension of the wetted body, "
-            f"{largest:.4g} m; check its unit (--gyration)"
-        )
 
 
 def _lid_remarks(lid, wave):

@@ -10,7 +10,7 @@ from pipelines.solve.run import solve
 from pipelines.solve.work import Here
 
 LIGHT = {"gyration": [6.0, 12.0, 13.0]}
-HEAVY = {"gyration": [7.0, 11.0, 14.0], "mass": 3.9e6, "center_of_gravity": [0.5, -0.25, 1.5]}
+HEAVY = {"gyration": [7.0, 11.0, 14.0], "mass": 3.9e6, "center_of_gravity": [0.5, -0.25, 1.5], "trimmed": True}
 DRAG = {"wave_height": 0.5, "pitch": {"drag": 1e7}, "heave": {"drag": 1e5}}
 WAVES = {"omegas": [0.4, 1.1], "headings_deg": [0.0, 30.0]}
 

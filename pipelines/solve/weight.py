@@ -1,0 +1,116 @@
+"""Whether the weight of a body lies where a body of its hull can have it.
+
+    M = m g (x_G − x_B),    tan θ = M / C        trim and heel at rest, C the hydrostatic stiffness
+    kᵢ² ≤ kⱼ² + kₖ²                               radii of gyration, since ∫(y² + z²) ≤ ∫(x² + y²) + ∫(x² + z²)
+
+The body is solved as its mesh lies.  Turned by 2° a hull of the length L would have a draft at its ends that is larger
+by L/57, of a barge a sixth of its draft: then the mesh is not that of the body afloat.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..scene.scene import SceneError
+
+TILT = 2.0  # degrees at rest
+TOLD = 0.1  # degrees, from which an angle is remarked
+GYRATION = 1.25  # times the largest radius there can be; those printed for models in tanks are above it by 8 %
+ROUNDED = 1.01  # of the same
+
+
+def check_weight(scene, mesh, body):
+    """Raise SceneError for a centre of gravity or radii of gyration that no body of this hull has.
+
+    body : as from `pipelines.solve.header.body_properties`
+    """
+    _check_place(mesh, body)
+    _check_gyration(scene.body.gyration)
+    for name, axis, arm, moment, angle in _tilts(scene, body):
+        if angle > TILT and not scene.body.trimmed:
+            raise SceneError(
+                f"center_of_gravity is {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
+                f"{moment:.4g} N m, {angle:.3g}° of static {name}, limit {TILT:g}°; check where its coordinates begin "
+                "(--center-of-gravity), or give --trimmed (trimmed = true under [[bodies]]) if something holds the "
+                "body as it is drawn"
+            )
+
+
+def weight_remarks(scene, mesh, body):
+    """Lines on mass, stability, trim and radii of gyration"""
+    displaced = scene.water.density * body["displaced_volume"]
+    if abs(body["mass"] / displaced - 1) > 0.01:
+        yield (
+            f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; "
+            "allowed where lines or moorings carry the difference"
+        )
+    for name in ("transverse", "longitudinal"):
+        height = body[f"{name}_metacentric_height"]
+        if height <= 0:
+            yield f"{name} metacentric height {height:.4g} m is not positive: the body capsizes"
+    for name, axis, arm, moment, angle in _tilts(scene, body):
+        if angle > TOLD:
+            yield (
+                f"centre of gravity {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
+                f"{moment:.4g} N m, {angle:.3g}° of static {name}; the body is solved as its mesh lies"
+            )
+    yield from _gyration_remarks(scene.body.gyration, mesh)
+
+
+def _gyration_remarks(gyration, mesh):
+    """No body has mass farther from its middle than it is long."""
+    if gyration is None:
+        return
+    largest, longest = _extent(mesh), max(gyration)
+    if longest > largest:
+        yield (
+            f"radius of gyration {longest:g} m is larger than the largest dimension of the wetted body, "
+            f"{largest:.4g} m; check its unit (--gyration)"
+        )
+    limit = _largest_radius(gyration)
+    if longest > ROUNDED * limit:
+        yield (
+            f"radius of gyration {longest:g} m is larger than the {limit:.4g} m that the other two allow any body, "
+            "k² ≤ k₂² + k₃²; check all three (--gyration)"
+        )
+
+
+def _check_place(mesh, body):
+    points, place = mesh.whole().vertices.reshape(-1, 3), np.asarray(body["center_of_mass"], float)
+    low, high, reach = points.min(axis=0), points.max(axis=0), _extent(mesh)
+    out = np.maximum(low - place, place - high)
+    if out.max() > reach:
+        i = int(np.argmax(out))
+        raise SceneError(
+            f"center_of_gravity has {'xyz'[i]} = {place[i]:g} m, {out[i]:.4g} m outside the wetted hull "
+            f"({low[i]:.4g} to {high[i]:.4g} m); allowed: up to its largest dimension, {reach:.4g} m; check its unit "
+            "(--center-of-gravity)"
+        )
+
+
+def _check_gyration(gyration):
+    if gyration is not None and max(gyration) > GYRATION * _largest_radius(gyration):
+        raise SceneError(
+            f"gyration has {max(gyration):g} m, but the other two allow any body at most "
+            f"{_largest_radius(gyration):.4g} m, k² ≤ k₂² + k₃²; check all three (--gyration)"
+        )
+
+
+def _largest_radius(gyration):
+    """m, that the two smaller radii allow the third"""
+    return float(np.hypot(*sorted(gyration)[:2]))
+
+
+def _tilts(scene, body):
+    """(name, axis, arm in m, moment in N m, angle in degrees) of trim and heel; none of a body that capsizes"""
+    lever = np.asarray(body["center_of_mass"], float)[:2] - np.asarray(body["center_of_buoyancy"], float)[:2]
+    moments = np.abs(body["mass"] * scene.water.gravity * lever)
+    for i, (name, axis, dof) in enumerate((("trim", "x", 4), ("heel", "y", 3))):
+        restoring = body["hydrostatic_stiffness"][dof, dof]
+        if restoring > 0:
+            yield name, axis, lever[i], moments[i], float(np.degrees(np.arctan2(moments[i], restoring)))
+
+
+def _extent(mesh):
+    """m, largest dimension of the wetted hull"""
+    return float(np.ptp(mesh.whole().vertices.reshape(-1, 3), axis=0).max())
