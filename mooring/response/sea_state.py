@@ -15,10 +15,10 @@ from bem.database.between_frequencies import BetweenError
 from . import drift as drifts
 from . import findings
 from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor
-from .linear import Moments, frequencies, moments, over_headings, response_spectrum
+from .linear import Moments, frequencies, moments, response_spectrum
 from .points import Point, relative_name, transfer_functions
 from .seas import directions
-from .slow_drift import force_spectrum, held_beyond
+from .slow_drift import force_spectrum, held_beyond, signed_means
 from .wave_drift_damping import damping_coefficients, mean_damping
 
 TINY = 1e-6  # of the largest standard deviation of its unit: rounding of what symmetry makes zero
@@ -178,7 +178,7 @@ def slow_forces(body, sea, omega, heading, weights) -> SlowForces:
         inside + beyond.sum(axis=0),
         beyond,
         DIFFERENCES,
-        force_spectrum(sea.spectrum, *held_beyond(omega, over_headings(value, weights), sea.spectrum), DIFFERENCES),
+        force_spectrum(sea.spectrum, *held_beyond(omega, signed_means(value, weights), sea.spectrum), DIFFERENCES),
         damping,
     )
 

@@ -5,12 +5,17 @@ Newman (1974) takes the transfer function of a pair of waves from the mean drift
     F(t) = Σᵢ Σⱼ aᵢ aⱼ T_ij cos{(ωᵢ − ωⱼ)t − (εᵢ − εⱼ)},    T_ij = sign √(DᵢDⱼ) where Dᵢ and Dⱼ have one sign, else 0
 
 which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for D > 0, less one of √−Dᵢ for D < 0.
-No sum frequencies are in it and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  It holds for small ωᵢ − ωⱼ: the force of the bound
+No sum frequencies are in it and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  Every component has its own direction, and the same T
+serves pairs of one heading and of two: each of a pair is taken by itself, so that a force that changes sign over the
+headings varies although its mean may vanish.  It holds for small ωᵢ − ωⱼ: the force of the bound
 long wave, which grows with the difference and in shallow water, is left out.  The body is frozen at its mean place
 and heading: wave phases and D do not follow its slow motion (for its effect on damping see `wave_drift_damping`).
 Over differences Δω the spectrum of the force is, after Pinkster (1980),
 
-    S_F(Δω) = 8 ∫ S(ω) S(ω + Δω) T²(ω, ω + Δω) dω
+    S_F(Δω) = 8 ∫ S(ω) S(ω + Δω) Σ_a Σ_b w_a w_b T²(ω, β_a; ω + Δω, β_b) dω
+
+with the shares w of the energy per heading.  With D = D⁺ − D⁻ of two parts that are nowhere negative T² is D⁺D⁺ + D⁻D⁻,
+so that the sum over all pairs is ⟨D⁺⟩⟨D⁺⟩ + ⟨D⁻⟩⟨D⁻⟩ of the means over the headings of each part.
 
 Half wave by half wave (Remery and Hermans 1971, Hsu and Blenkarn 1970; SR179 report (1982), eq. 3.7.1.5): between two
 zero crossings Δt apart the force is constant, D(ω) ζ² with ω = π/Δt and ζ the largest elevation between them.  In a
@@ -29,6 +34,8 @@ from typing import NamedTuple
 import numpy as np
 
 from bem.database.between_frequencies import BetweenError
+
+from .linear import over_headings
 
 MOST_OUTSIDE = 0.01  # share of the energy in components beyond the stored band that is taken at its ends
 FINE = np.deg2rad(5.0)  # between directions for which drift of short-crested waves is rebuilt
@@ -89,25 +96,35 @@ def newman(components, drift, t):
     return (power[:n] - power[n:]).T
 
 
+def signed_means(drift, weights=(1.0,)):
+    """(q, 2, 3) means over the headings of D where it is positive and of −D where it is negative.
+
+    drift : (q, p, 3); weights : (p,) or (q, p) shares of the energy per heading
+    """
+    return np.stack([over_headings(np.maximum(sign * drift, 0.0), weights) for sign in (1, -1)], axis=1)
+
+
 def force_spectrum(spectrum, omega, drift, difference):
     """(d, 3) N² s/rad: spectral density of the slow force over differences (d,) rad/s, Pinkster's with Newman's T.
 
-    spectrum : has `density`; omega : (q,) rising, close enough for D; drift : (q, 3) mean drift there, e.g. averaged
-    over the headings of the sea.  Waves beyond omega are left out.
+    spectrum : has `density`; omega : (q,) rising, close enough for D
+    drift : (q, 3) of long-crested waves, or (q, 2, 3) `signed_means` of short-crested ones.  Waves beyond omega are
+    left out.
     """
     omega, drift = np.asarray(omega, float), np.asarray(drift, float)
-    first = np.asarray(spectrum.density(omega))[:, None]
-    result = np.zeros((len(np.atleast_1d(difference)), drift.shape[1]))
+    parts = signed_means(drift[:, None]) if drift.ndim == 2 else drift
+    first = parts.reshape(len(omega), -1) * np.asarray(spectrum.density(omega))[:, None]
+    result = np.zeros((len(np.atleast_1d(difference)), first.shape[1]))
     for i, step in enumerate(np.atleast_1d(difference)):
         other = omega + step
         second = np.where(other <= omega[-1], spectrum.density(other), 0.0)[:, None]
-        D = np.stack([np.interp(other, omega, column) for column in drift.T], axis=-1)
-        result[i] = 8 * np.trapezoid(first * second * np.maximum(drift * D, 0.0), omega, axis=0)
-    return result
+        D = np.stack([np.interp(other, omega, column) for column in parts.reshape(len(omega), -1).T], axis=-1)
+        result[i] = 8 * np.trapezoid(first * second * D, omega, axis=0)
+    return result.reshape(len(result), 2, -1).sum(axis=1)
 
 
 def held_beyond(omega, drift, spectrum):
-    """omega and drift (q, 3) with rows up to 99.9 % of the energy of the waves, where D keeps its last value."""
+    """omega and drift (q, …) with rows up to 99.9 % of the energy of the waves, where D keeps its last value."""
     last = float(spectrum.quantile(0.999))
     if last <= omega[-1]:
         return omega, drift

@@ -18,8 +18,10 @@ from mooring.response.slow_drift import (
     half_wave_drift,
     half_waves,
     half_waves_outside,
+    held_beyond,
     newman,
     outside_band,
+    signed_means,
     with_mean,
 )
 
@@ -194,3 +196,51 @@ def test_a_matched_half_wave_record_has_the_integrals_mean_and_newmans_slow_vari
 def test_records_that_hold_no_half_waves_are_refused(record, words):
     with pytest.raises(ValueError, match=words):
         half_waves(record, 1.0)
+
+
+def pairs_of_headings(omega, D, share, density, difference):
+    """8 ∫ SS′ ΣΣ w_a w_b T² dω with T² = D_a D′_b where both have one sign, pair by pair; D (q, p) at equal steps"""
+    step, out = omega[1] - omega[0], []
+    for shift in np.rint(difference / step).astype(int):
+        last = len(omega) - shift
+        pairs = np.maximum(D[:last, :, None] * D[shift:, None, :], 0.0)
+        both = np.einsum("qab,a,b->q", pairs, share, share) * density[:last] * density[shift:]
+        out.append(8 * np.trapezoid(both, omega[:last]))
+    return np.array(out)
+
+
+@pytest.mark.parametrize("towards", [180.0, 120.0])
+def test_slow_drift_of_short_crests_is_the_sum_over_pairs_of_headings(box_body, towards):
+    """In waves towards 180° sway and yaw drift have no mean, but they beat; of cos⁴ in steps of 5°."""
+    spectrum, beta = jonswap(4.5, peak_period=11.0), np.radians(towards)
+    away = np.radians(np.arange(-85.0, 90.0, 5.0))
+    share = np.cos(away) ** 4 / np.sum(np.cos(away) ** 4)
+    omega, difference = np.linspace(box_body.omega[0], box_body.omega[-1], 321), np.arange(0.0, 0.2, 0.02)
+    D, density = box_body.drift(omega, beta + away), spectrum.density(omega)
+    by_pairs = np.stack([pairs_of_headings(omega, D[:, :, j], share, density, difference) for j in range(3)], axis=-1)
+    found = force_spectrum(spectrum, omega, signed_means(D, share), difference)
+    assert np.allclose(found, by_pairs, rtol=1e-3, atol=1e-3 * by_pairs.max(axis=0))
+    # pairs of the mean drift, by which sway would not vary at all in waves from ahead
+    of_mean = force_spectrum(spectrum, omega, np.einsum("qpj,p->qj", D, share), difference)
+    missing = 1 - np.sqrt(of_mean[0] / found[0])
+    assert np.all(missing[1:] > 0.999) if towards == 180.0 else missing[2] > 0.2
+
+
+def test_short_crests_vary_as_the_record_of_their_own_components_does(box_body):
+    """Deviation of sway force and yaw moment in waves towards 180°: six records of three hours, four standard errors.
+
+    Nothing of this has a mean, so that a sum over the headings before the product would leave nothing.
+    """
+    sea = Sea(jonswap(4.5, peak_period=11.0), np.pi, CosinePower(4))
+    records = []
+    for seed in range(6):
+        waves = sea.components(600, seed)
+        records.append(newman(waves, component_drift(box_body, waves, hold=True), THREE_HOURS[::4]).std(axis=0))
+    omega = frequencies(box_body, sea.spectrum.density)
+    heading = np.radians(np.arange(0.0, 360.0, 5.0))
+    parts = signed_means(box_body.drift(omega, heading), sea.directional(heading))
+    difference = np.linspace(0, 1.6, 801)
+    theory = force_spectrum(sea.spectrum, *held_beyond(omega, parts, sea.spectrum), difference)
+    expected, mean = np.sqrt(np.trapezoid(theory, difference, axis=0)), np.mean(records, axis=0)
+    error = np.std(records, axis=0, ddof=1) / np.sqrt(len(records))
+    assert np.all(np.abs(mean - expected)[1:] < 4 * error[1:])
