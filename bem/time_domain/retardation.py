@@ -2,14 +2,8 @@
 
     K(t) = (2/π) ∫₀^∞ B(ω) cos ωt dω,    B(ω) = ∫₀^∞ K cos ωt dt,    A(ω) = A(∞) − (1/ω) ∫₀^∞ K sin ωt dt
 
-(Cummins 1962, Ogilvie 1964; A + iB/ω at exp(−iωt)).  Damping is straight between its frequencies; below the band it is
-ω (a + bω²) with the value and the slope at its lower end; above it is c₃ (Ω/ω)³ + c₅ (Ω/ω)⁵: a vertical side
-damps like ω⁻³ in short waves, a horizontal one less than any power.  The cₚ are what makes B continuous at the end
-Ω of the band and Kramers and Kronig's relation
-
-    A(ω) = A(∞) + (2/π) ⨍₀^∞ B(x) / (x² − ω²) dx
-
-true for the added mass of the band, by least squares.  A(∞), if not given, is a further unknown of these.
+(Cummins 1962, Ogilvie 1964; A + iB/ω at exp(−iωt)).  Damping outside the band, and A(∞) if it is not given, are those
+of `whole_axis`.
 """
 
 from __future__ import annotations
@@ -19,10 +13,9 @@ from warnings import warn
 
 import numpy as np
 
-POWERS = (3, 5)
-CUT = 300.0  # times Ω: what is beyond is below 1/CUT² of what is above the band
+from .whole_axis import whole_axis
+
 WARN = 0.02  # relative error of the transform
-FIT = 60  # frequencies at which A is compared
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,19 +69,9 @@ def retardation(omega, added_mass, radiation_damping, times, added_mass_infinity
     """
     omega, times = np.asarray(omega, float), np.asarray(times, float)
     _check(omega, times)
-    below, above = np.linspace(0, omega[0], 30)[:-1], _above(omega[-1])
-    tails = (omega[-1] / above) ** np.array(POWERS)[:, None]
-    joined = np.concatenate([below, omega, above[1:]])
-    B = radiation_damping.reshape(len(omega), -1)
-    known = np.concatenate([_below(below, omega, B), B, np.zeros((len(above) - 1, B.shape[1]))])
-    shapes = np.concatenate([np.zeros((len(below) + len(omega), len(POWERS))), tails[:, 1:].T])
-    A = added_mass.reshape(len(omega), -1)
-    limit = None if added_mass_infinity is None else np.asarray(added_mass_infinity).ravel()
-    weights, limit = _tail(omega, A, B[-1], joined, known, shapes, limit)
-    spectrum = known + shapes @ weights
-    K = (2 / np.pi) * fourier_weights(times, joined).real @ spectrum
-    shape = radiation_damping.shape[1:]
-    out = Retardation(times, K.reshape(-1, *shape), limit.reshape(shape))
+    axis = whole_axis(omega, added_mass, radiation_damping, added_mass_infinity)
+    K = (2 / np.pi) * np.tensordot(fourier_weights(times, axis.omega).real, axis.damping, axes=1)
+    out = Retardation(times, K, axis.added_mass_infinity)
     error = _error(out, omega, added_mass, radiation_damping)
     if error.max() > WARN:
         warn(
@@ -122,58 +105,6 @@ def _check(omega, times):
         raise ValueError(
             f"time step is {step:g} s; allowed: above 0, at most {0.25 / omega[-1]:.3g} s (0.25 / highest)"
         )
-
-
-def _above(end):
-    """Frequencies from Ω on, ever farther apart, to where nothing is left"""
-    return end * np.geomspace(1, CUT, 600)
-
-
-def _below(omega, band, B):
-    """ω (a + bω²) with the value and the slope of B at the lower end of the band"""
-    w = band[0]
-    slope = (B[1] - B[0]) / (band[1] - band[0])
-    b = (slope * w - B[0]) / (2 * w**3)
-    return np.outer(omega, B[0] / w - b * w * w) + np.outer(omega**3, b)
-
-
-def _tail(omega, A, last, joined, known, shapes, limit):
-    """cₚ (p, c) and A(∞) (c,)"""
-    at = np.linspace(omega[0], omega[0] + 0.95 * (omega[-1] - omega[0]), FIT)
-    at = omega[np.unique(np.searchsorted(omega, at))][:-1] + 0.5 * np.diff(omega).mean()  # off the corners of B
-    relation = (2 / np.pi) * kramers_kronig(at, joined)
-    measured = np.array([np.interp(at, omega, column) for column in A.T]).T
-    right = measured - relation @ known
-    left = relation @ shapes
-    if limit is None:
-        left = np.column_stack([left, np.ones(len(at))])
-    else:
-        right = right - limit
-    # B is continuous at Ω: c₃ = B(Ω) − c₄ − c₅ − …; a known starts with the straight line from B(Ω) down to the tail
-    first, others = left[:, 0], left[:, 1 : len(POWERS)] - left[:, [0]]
-    free = np.column_stack([others, left[:, len(POWERS) :]])
-    solved = np.linalg.lstsq(free, right - np.outer(first, last), rcond=1e-6)[0]
-    c = solved[: len(POWERS) - 1]
-    weights = np.vstack([last - c.sum(axis=0), c])
-    return weights, limit if limit is not None else solved[-1]
-
-
-def kramers_kronig(omega, points):
-    """w (q, n) with Σ w B = ⨍ B(x) / (x² − ω²) dx for B straight between points (n,), none of them at omega (q,)."""
-    a, b = points[:-1], points[1:]
-    w = np.atleast_1d(omega)[:, None]
-
-    def zeroth(x):  # ∫ dx / (x² − ω²)
-        return np.log(np.abs((x - w) / (x + w))) / (2 * w)
-
-    def first(x):  # ∫ x dx / (x² − ω²)
-        return 0.5 * np.log(np.abs(x * x - w * w))
-
-    plain, moment = zeroth(b) - zeroth(a), first(b) - first(a)
-    out = np.zeros((len(w), len(points)))
-    out[:, :-1] += (b * plain - moment) / (b - a)
-    out[:, 1:] += (moment - a * plain) / (b - a)
-    return out
 
 
 def _error(made, omega, added_mass, damping):

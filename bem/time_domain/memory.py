@@ -1,0 +1,308 @@
+"""The memory of the water as a linear system that takes energy from every motion, for integration in time.
+
+    (M + A(∞)) ν̇ + y + … = F,    ẋ = a x + b ν,    y = c x,    c (−iω − a)⁻¹ b ≈ B + iω [A(∞) − A]
+
+with velocities ν (6,) about the rotation centre, in axes of the body.  The n states x are r that decay and p pairs that
+turn as well, r + 2p = n, in the order: r, first of each pair, second of each pair,
+
+    ẋ_k = −decay_k x_k + Σ_j input_jk ν_j                                            k < r
+    ẋ_k = −decay_k x_k + turn_i x_{k+p} + Σ_j input_jk ν_j,                          k = r + i, i < p
+    ẋ_{k+p} = −decay_k x_{k+p} − turn_i x_k + Σ_j input_j,k+p ν_j
+    y_j = Σ_k output_jk x_k
+
+Motions that symmetry keeps apart have states of their own.  Damping at every frequency and A(∞) are those of
+`whole_axis`, their poles those of `rational`, and output follows from a matrix P ≥ 0 such that (`passive_fit`)
+
+    d/dt ½ xᵀP x = yᵀν − ½ |lossᵀ x|²,    y = 0 in steady motion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+from warnings import warn
+
+import numpy as np
+
+from .. import DOFS
+from ..database.reader import Reader, reader
+from .passive_fit import passive_fit
+from .rational import balanced, fitted
+from .whole_axis import monopole_damping, whole_axis
+
+FEWEST = 8  # frequencies
+POINTS = 800  # of the band, straight between
+POLES = (32, 48)  # that the states are taken from, an input
+STILL = 1e-4  # √ of the impedance of a motion that moves no water, relative to the largest of its kind
+SPREAD = (30.0, 8.0)  # how far below and above the band is fitted, as a factor
+CLOSE = (0.02, 0.1)  # deviation of what is fitted from the database: remarked, refused
+
+
+class MemoryArrays(NamedTuple):
+    """What kernels take: decay (n,), turn (p,), input (6, n), output (6, n), all contiguous"""
+
+    decay: np.ndarray
+    turn: np.ndarray
+    input: np.ndarray
+    output: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Memory:
+    """decay (n,) 1/s, turn (p,) rad/s, input and output (6, n) of the module's equations.
+
+    storage : (n, n) P, J a unit of states squared; loss : (n, q) with power ½ |lossᵀx|² W
+    added_mass_infinity : (6, 6) kg …, stored or by causality
+    error : (6, 6) largest difference of the transform from what is fitted, from ω = 0 to beyond the band, couplings
+    and their motions by √(ii · jj) of the largest transform
+    deviation : (6, 6) of what is fitted from the database in its band, likewise; error + deviation bound the rest
+    band : rad/s, first and last stored frequency; groups : motions that are coupled, numbers 0 to 5
+    """
+
+    decay: np.ndarray
+    turn: np.ndarray
+    input: np.ndarray
+    output: np.ndarray
+    storage: np.ndarray
+    loss: np.ndarray
+    added_mass_infinity: np.ndarray
+    error: np.ndarray
+    deviation: np.ndarray
+    band: tuple
+    groups: tuple
+
+    def __repr__(self):
+        names = "; ".join(", ".join(DOFS[i].lower() for i in group) for group in self.groups)
+        return f"<Memory {self.states} states ({names}), error {self.error.max():.1e}>"
+
+    @property
+    def states(self):
+        """Number of states n"""
+        return len(self.decay)
+
+    @property
+    def arrays(self):
+        """`MemoryArrays` for kernels (`memory_kernels`)"""
+        return MemoryArrays(*(np.ascontiguousarray(x) for x in (self.decay, self.turn, self.input, self.output)))
+
+    @property
+    def matrices(self):
+        """a (n, n) 1/s, b (n, 6), c (6, n)"""
+        n, p = self.states, len(self.turn)
+        a, first = -np.diag(self.decay), n - 2 * p + np.arange(p)
+        a[first, first + p], a[first + p, first] = self.turn, -self.turn
+        return a, self.input.T, self.output
+
+    def rate(self, states, velocity):
+        """ẋ (n,) of states (n,) and velocities (6,) m/s, rad/s: what the kernel `memory_rate` writes"""
+        a, b, _ = self.matrices
+        return a @ states + b @ velocity
+
+    def force(self, states):
+        """y (6,) N, N m, against the motion: what the kernel `memory_force` writes"""
+        return self.output @ states
+
+    def stored_energy(self, states):
+        """J of states (…, n) in the water's motion that comes back"""
+        return 0.5 * np.einsum("...i,ij,...j->...", states, self.storage, states)
+
+    def lost_power(self, states):
+        """W of states (…, n) that are carried away"""
+        return 0.5 * np.sum((states @ self.loss) ** 2, axis=-1)
+
+    def transform(self, omega):
+        """B + iω [A(∞) − A] (q, 6, 6) kg/s … at omega (q,) rad/s"""
+        return _transfer(self.decay, self.turn, self.input, self.output, np.atleast_1d(omega)).conj()
+
+    def damping(self, omega):
+        """B (q, 6, 6) kg/s … at omega (q,) rad/s"""
+        return self.transform(omega).real
+
+    def added_mass(self, omega):
+        """A (q, 6, 6) kg … at omega (q,) rad/s above 0"""
+        omega = np.atleast_1d(omega)
+        return self.added_mass_infinity - self.transform(omega).imag / omega[:, None, None]
+
+    def retardation(self, times):
+        """K (m, 6, 6) kg/s² … at times (m,) s"""
+        left, right, rate = _complex_modes(self.decay, self.turn, self.input, self.output)
+        decay = np.exp(np.multiply.outer(np.asarray(times, float), rate))
+        return np.einsum("ik,qk,jk->qij", left, decay, right).real
+
+
+def memory_of_database(db, tolerance=1e-3):
+    """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
+
+    tolerance : of the transform, relative to the largest of each motion, 1e-5 to 0.1
+    raises : ValueError where damping or added mass are not known for all motions, at too few frequencies, or contradict
+    each other because the band is too short; and where the tolerance is not reached
+    """
+    if not 1e-5 <= tolerance <= 0.1:
+        raise ValueError(f"tolerance of the memory is {tolerance:g}; allowed: 1e-5 to 0.1")
+    body = db if isinstance(db, Reader) else reader(db)
+    if len(body.omega) < FEWEST:
+        raise ValueError(
+            f"memory needs radiation at {FEWEST} frequencies at least, {len(body.omega)} are stored; solve a band, "
+            "as --omega auto:0.1:2"
+        )
+    band = body.between.span
+    omega = np.linspace(*band, POINTS)
+    added_mass, damping = (0.5 * (x + x.swapaxes(1, 2)) for x in body.coefficients(omega))
+    axis = _axis(body, omega, added_mass, damping)
+    at = _frequencies(axis, band)
+    wanted = axis.transform(at)
+    size = np.sqrt(np.abs(np.einsum("qii->qi", wanted)).max(axis=0))
+    size[_still(size)] = 0.0
+    scale = np.outer(size, size)
+    deviation = _deviation(axis, omega, added_mass, damping, scale)
+    _check_deviation(deviation, band, damping, size)
+    groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
+    parts = [_fitted(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance) for g in groups]
+    joined = _joined(parts, groups, size)
+    made = _transfer(*joined[:4], at).conj()
+    error = _relative(np.abs(made - wanted).max(axis=0), scale)
+    return Memory(*joined, axis.added_mass_infinity, error, deviation, band, groups)
+
+
+def _axis(body, omega, added_mass, damping):
+    """`WholeAxis` of a body, its damping without what would give energy"""
+    size = np.sqrt(np.abs(np.einsum("qii->qi", damping)).max(axis=0))
+    size = np.where(size > 0, size, 1.0)
+    values, vectors = np.linalg.eigh(damping / np.outer(size, size))
+    damping = (vectors * np.maximum(values, 0)[:, None]) @ vectors.swapaxes(1, 2) * np.outer(size, size)
+    limit, monopole = body.between.limits.get("added_mass_infinity"), None
+    if limit is not None and not np.all(np.isfinite(limit)):
+        limit = None
+    if body.stiffness is not None:
+        flux = np.zeros(6)
+        flux[2:5] = body.stiffness[2, 2:5] / (body.density * body.gravity)
+        monopole = monopole_damping(flux, body.density, body.depth, body.gravity)
+    return whole_axis(omega, added_mass, damping, limit, monopole)
+
+
+def _frequencies(axis, band):
+    """(q,) rad/s at which memory is fitted: from far below the band to far above"""
+    low, high = band
+    return axis.between(
+        np.concatenate(
+            [
+                np.geomspace(low / SPREAD[0], low, 20)[:-1],
+                np.linspace(low, high, 150),
+                np.geomspace(high, high * SPREAD[1], 25)[1:],
+            ]
+        )
+    )
+
+
+def _still(size):
+    kind = np.repeat([size[:3].max(), size[3:].max()], 3)
+    return size <= STILL * kind
+
+
+def _relative(values, scale):
+    return np.divide(values, scale, out=np.zeros_like(values), where=scale > 0)
+
+
+def _deviation(axis, omega, added_mass, damping, scale):
+    at = slice(2, -2, 8)  # at the ends damping has a corner, and added mass its logarithm
+    middle = 0.5 * (omega[1:] + omega[:-1])[at]
+    mean = (0.5 * (x[1:] + x[:-1])[at] for x in (added_mass, damping))
+    A, B = mean
+    made = axis.transform(middle)
+    given = B + 1j * middle[:, None, None] * (axis.added_mass_infinity - A)
+    return _relative(np.abs(made - given).max(axis=0), scale)
+
+
+def _check_deviation(deviation, band, damping, size):
+    worst = deviation.max()
+    if worst <= CLOSE[0]:
+        return
+    i, j = np.unravel_index(deviation.argmax(), deviation.shape)
+    ends = [x[i, i] / size[i] ** 2 if size[i] > 0 else 0.0 for x in (damping[0], damping[-1])]
+    line = (
+        f"added mass and damping from {band[0]:.3g} to {band[1]:.3g} rad/s contradict each other by {worst:.2g} of the "
+        f"largest ({DOFS[i].lower()}–{DOFS[j].lower()}); allowed: {CLOSE[1]:g}, good: {CLOSE[0]:g}; damping of "
+        f"{DOFS[i].lower()} is {ends[0]:.2g} of the largest at the lower end and {ends[1]:.2g} at the upper: extend "
+        "the band there, or solve to a smaller tolerance"
+    )
+    if worst > CLOSE[1]:
+        raise ValueError(line)
+    warn(line, stacklevel=3)
+
+
+def _groups(coupled):
+    """Sets of motions that are coupled (6, 6), directly or through others, as tuples"""
+    found, left = [], [i for i in range(len(coupled)) if coupled[i, i]]
+    while left:
+        group = {left[0]}
+        while True:
+            wider = group | {j for i in group for j in left if coupled[i, j]}
+            if wider == group:
+                break
+            group = wider
+        found.append(tuple(sorted(group)))
+        left = [i for i in left if i not in group]
+    return tuple(found)
+
+
+def _fitted(omega, wanted, size, group, tolerance):
+    """`Passive` of coupled motions, in units of `size`, with the fewest states found within tolerance"""
+    wanted, s = wanted.conj() / np.outer(size, size), 1j * omega
+    best = np.inf
+    for poles in POLES:
+        whole = balanced(fitted(s, wanted, poles))
+        first = max(4, len(group) + 1, int(np.sum(whole.values > 2 * tolerance)))
+        for states in range(first + first % 2, len(whole.values) + 1, 2):
+            made = passive_fit(*whole.reduced(states)[:2], s, wanted)
+            error = np.abs(_transfer(made.decay, made.turn, made.input.T, made.output, omega) - wanted).max()
+            best = min(best, error)
+            if error <= tolerance:
+                return made
+    raise ValueError(
+        f"memory of {', '.join(DOFS[i].lower() for i in group)} is {best:.2g} off with the best of the systems tried; "
+        f"the tolerance is {tolerance:g}: ask for less, or solve the database to a smaller tolerance"
+    )
+
+
+def _joined(parts, groups, size):
+    """decay, turn, input, output, storage, loss of all groups, in the order of the module"""
+    alone = [len(part.decay) - 2 * len(part.turn) for part in parts]
+    n, pairs = sum(len(part.decay) for part in parts), sum(len(part.turn) for part in parts)
+    decay, turn = np.zeros(n), np.concatenate([part.turn for part in parts] or [np.zeros(0)])
+    into, out = np.zeros((6, n)), np.zeros((6, n))
+    storage, loss = np.zeros((n, n)), np.zeros((n, sum(len(group) for group in groups)))
+    r, p, q = 0, 0, 0
+    for part, group, real in zip(parts, groups, alone, strict=True):
+        group, count = list(group), len(part.turn)
+        first = sum(alone) + p + np.arange(count)
+        place = np.concatenate([r + np.arange(real), first, first + pairs])
+        decay[place] = part.decay
+        into[np.ix_(group, place)] = part.input.T * size[group][:, None]
+        out[np.ix_(group, place)] = part.output * size[group][:, None]
+        storage[np.ix_(place, place)] = part.storage
+        loss[np.ix_(place, q + np.arange(len(group)))] = part.loss
+        r, p, q = r + real, p + count, q + len(group)
+    return decay, turn, into, out, storage, loss
+
+
+def _complex_modes(decay, turn, into, out):
+    """Outputs (m, r + p), inputs (m, r + p), rates (r + p,): twice the real part of pairs is in the outputs"""
+    n, p = len(decay), len(turn)
+    r = n - 2 * p
+    rate = np.concatenate([-decay[:r] + 0j, -decay[r : r + p] + 1j * turn])
+    left = np.concatenate([out[:, :r], out[:, r : r + p] + 1j * out[:, r + p :]], axis=1)
+    right = np.concatenate([into[:, :r], into[:, r : r + p] - 1j * into[:, r + p :]], axis=1)
+    return left, right, rate
+
+
+def _transfer(decay, turn, into, out, omega):
+    """c (iω − a)⁻¹ b (q, m, m)"""
+    left, right, rate = _complex_modes(decay, turn, into, out)
+    r = len(decay) - 2 * len(turn)
+    gain = 1 / (1j * omega[:, None] - rate)
+    back = 1 / (1j * omega[:, None] - rate[r:].conj())
+    first = np.matmul(left * gain[:, None], right.T)
+    # a pair is ½ of its mode and ½ of the conjugate one
+    half = np.matmul(left[:, r:] * gain[:, None, r:], right[:, r:].T)
+    other = np.matmul(left[:, r:].conj() * back[:, None], right[:, r:].conj().T)
+    return first + 0.5 * (other - half)

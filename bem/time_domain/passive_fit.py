@@ -1,0 +1,159 @@
+"""Passive linear systems near a matrix function of frequency.
+
+    ẋ = A x + B u,    y = C x,    C = BᵀP,    AᵀP + P A = −L Lᵀ,    Lᵀ A⁻¹ B = 0
+
+takes energy from every motion, since d/dt ½ xᵀP x = yᵀu − ½ |Lᵀx|² (Kalman, Yakubovich and Popov): what is not stored
+in P ≥ 0 is lost, whatever L is.  At s = iω the Hermitian part of H = C (s − A)⁻¹ B is ½ VᴴV with V = Lᵀ (s − A)⁻¹ B.
+The last condition makes it zero at ω = 0: steady motion is not resisted.
+
+A and B are given by their modes; L (n, m) is found by least squares of H over samples, H(0) = 0 a heavy one, by
+Gauss and Newton with Levenberg's and Marquardt's damping.  In coordinates z of the modes, A = diag λ, P is Pₖₗ = −(L Lᴴ)ₖₗ / (λ̄ₖ + λₗ), and
+derivatives of H to L are products of matrices.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+ROUNDS = 80
+STEADY = 100.0  # weight of H(0) = 0, whose part that does no work is not zero by itself
+ENOUGH = 1e-3  # relative gain in squares of a round after which no more is tried
+REAL = 1e-10  # imaginary part, relative, of what is a real mode
+
+
+class Passive(NamedTuple):
+    """A passive system in real modes: first those that decay, then pairs that turn as well.
+
+    decay : (n,) 1/s; turn : (p,) rad/s of pairs k, whose two states are r + k and r + p + k with r = n − 2p
+    input : (n, m); output : (m, n); storage P : (n, n); loss L : (n, m)
+    """
+
+    decay: np.ndarray
+    turn: np.ndarray
+    input: np.ndarray
+    output: np.ndarray
+    storage: np.ndarray
+    loss: np.ndarray
+
+
+class _Modes(NamedTuple):
+    """λ (n,), B (n, m) in modes, and what takes real states to them, unitary (n, n)"""
+
+    rate: np.ndarray
+    input: np.ndarray
+    basis: np.ndarray
+    pairs: int
+
+
+def passive_fit(A, B, s, H):
+    """`Passive` near H (q, m, m) at s (q,) = iω, with the modes of a stable A (n, n), B (n, m), n > m"""
+    modes = _modes(A, B)
+    problem = _Problem(modes, s, H)
+    loss = modes.basis @ problem.free @ _least_squares(problem, problem.start())
+    P = (loss @ loss.conj().T) * problem.sums
+    C = modes.input.conj().T @ P
+    back = modes.basis.conj().T
+    return Passive(
+        -modes.rate.real,
+        modes.rate.imag[len(modes.rate) - 2 * modes.pairs : len(modes.rate) - modes.pairs],
+        (back @ modes.input).real,
+        (C @ modes.basis).real,
+        (back @ P @ modes.basis).real,
+        (back @ loss).real,
+    )
+
+
+def _modes(A, B):
+    rate, vectors = np.linalg.eig(A)
+    b = np.linalg.solve(vectors, B.astype(complex))
+    alone = np.abs(rate.imag) <= REAL * np.abs(rate)
+    upper = ~alone & (rate.imag > 0)
+    # a real mode has real inputs but for one factor, which its vector may have
+    largest = b[alone][np.arange(alone.sum()), np.abs(b[alone]).argmax(axis=1)]
+    single = (b[alone] * np.conj(largest / np.abs(largest))[:, None]).real
+    r, p = int(alone.sum()), int(upper.sum())
+    rate = np.concatenate([rate[alone].real, rate[upper], rate[upper].conj()])
+    b = np.concatenate([single, b[upper], b[upper].conj()])
+    b = b * (np.sqrt(-2 * rate.real) / np.linalg.norm(b, axis=1))[:, None]
+    basis = np.zeros((r + 2 * p, r + 2 * p), complex)
+    basis[:r, :r] = np.eye(r)
+    one = np.sqrt(0.5) * np.eye(p)
+    basis[r:, r:] = np.block([[one, -1j * one], [one, 1j * one]])
+    return _Modes(rate, b, basis, p)
+
+
+class _Problem:
+    """H of unknown Z (a, m), with L = free Z in real states, and its derivatives"""
+
+    def __init__(self, modes, s, H):
+        s = np.append(0.0, s)
+        self.modes, self.weights = modes, np.append(STEADY, np.ones(len(H)))
+        self.wanted = np.concatenate([np.zeros_like(H[:1]), H])
+        n, m = modes.input.shape
+        self.sums = -1 / (modes.rate.conj()[:, None] + modes.rate)
+        self.response = (modes.input[:, None, :] / (s[:, None] - modes.rate[:, None, None])).reshape(n, -1)
+        steady = (modes.basis.conj().T @ (modes.input / modes.rate[:, None])).real  # A⁻¹ B
+        self.free = np.linalg.svd(steady)[0][:, m:]
+        self.columns = modes.basis @ self.free
+        paired = modes.input.conj().T[:, None, :] * self.columns.T
+        self.left = paired.reshape(-1, n)
+
+    def transfer(self, Z):
+        """H (q, m, m)"""
+        loss = self.columns @ Z
+        P = (loss @ loss.conj().T) * self.sums
+        m = Z.shape[1]
+        return (self.modes.input.conj().T @ P @ self.response).reshape(m, -1, m).swapaxes(0, 1)
+
+    def misses(self, Z):
+        """Real differences from what is wanted, in one row"""
+        off = ((self.transfer(Z) - self.wanted) * self.weights[:, None, None]).ravel()
+        return np.concatenate([off.real, off.imag])
+
+    def slopes(self, Z):
+        """(unknowns, misses) derivatives"""
+        a, m = Z.shape
+        loss, B = self.columns @ Z, self.modes.input.conj()
+        out = []
+        for column in loss.T:
+            first = self.left @ ((self.sums * column.conj()) @ self.response)
+            weight = (B * column[:, None]).T @ self.sums
+            second = (weight[:, None, :] * self.columns.conj().T).reshape(m * a, -1) @ self.response
+            part = (first + second).reshape(m, a, -1, m).transpose(1, 2, 0, 3) * self.weights[:, None, None]
+            part = part.reshape(a, -1)
+            out.append(np.concatenate([part.real, part.imag], axis=1))
+        return np.stack(out, axis=1).reshape(a * m, -1)
+
+    def start(self):
+        """Z whose L is the C of least squares with the same modes: V has then the peaks of H"""
+        m = self.wanted.shape[1]
+        real = (self.modes.basis.conj().T @ self.response).reshape(len(self.modes.rate), -1).T
+        right = self.wanted.transpose(0, 2, 1).reshape(-1, m)
+        left, right = (np.concatenate([part.real, part.imag]) for part in (real, right))
+        Z = self.free.T @ np.linalg.lstsq(left, right, rcond=None)[0]
+        made = self.transfer(Z)
+        return Z * np.sqrt(max(np.vdot(made, self.wanted).real / np.vdot(made, made).real, 1e-3))
+
+
+def _least_squares(problem, Z):
+    off = problem.misses(Z)
+    square, damping = off @ off, 1e-3
+    for _ in range(ROUNDS):
+        slopes = problem.slopes(Z)
+        normal, gradient = slopes @ slopes.T, slopes @ off
+        own = np.diag(normal) + 1e-12 * np.diag(normal).max()
+        for _ in range(12):
+            step = np.linalg.solve(normal + damping * np.diag(own), gradient).reshape(Z.shape)
+            there = problem.misses(Z - step)
+            if there @ there < square:
+                break
+            damping *= 4
+        else:
+            return Z
+        gain = 1 - (there @ there) / square
+        Z, off, square, damping = Z - step, there, there @ there, max(damping / 5, 1e-14)
+        if gain < ENOUGH:
+            break
+    return Z

@@ -1,0 +1,137 @@
+"""Stable linear systems of few states near a matrix function of frequency.
+
+    H(s) ≈ Σ_k R_k / (s − p_k),    p_k common to all entries, real or in conjugate pairs
+
+by vector fitting (Gustavsen and Semlyen, IEEE Trans. Power Delivery 14, 1999; relaxed, 2006): poles move to the zeros
+of σ = d + Σ c_k / (s − a_k) for which σ H has the poles a_k, until they stay.  Its states, as many as poles times inputs,
+are reduced in balance: those that are weakly reached and weakly seen are taken to follow the others at once (Liu and
+Anderson, Int. J. Control 50, 1989), and what remains is stable.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+ROUNDS = 12  # of moving poles: they stay to three digits
+SLOW = 4  # real poles to start from
+REAL = 1e-10  # imaginary part, relative, of what is a real pole
+
+
+class System(NamedTuple):
+    """ẋ = A x + B u, y = C x: A (n, n) 1/s, B (n, m), C (m, n)"""
+
+    A: np.ndarray
+    B: np.ndarray
+    C: np.ndarray
+
+
+class Balanced(NamedTuple):
+    """A system of 1/s with the square roots of its Gramians: reached (n, n), seen (n, n), and their singular vectors"""
+
+    system: System
+    reached: np.ndarray
+    seen: np.ndarray
+    left: np.ndarray
+    values: np.ndarray
+    right: np.ndarray
+
+    def reduced(self, states):
+        """`System` of the states with the largest singular values"""
+        root = np.sqrt(self.values[:states])
+        into = self.reached @ self.right[:states].T / root
+        out = (self.seen @ self.left[:, :states] / root).T
+        A, B, C = self.system
+        A = np.linalg.inv(out @ A @ into)
+        return System(A, A @ (out @ B), (C @ into) @ A)
+
+
+def fitted(s, H, count):
+    """`System` with `count` poles an input whose transfer function is near H (q, m, m), symmetric, at s (q,) = iω"""
+    m = H.shape[1]
+    rows, columns = np.triu_indices(m)
+    entries = H[:, rows, columns]
+    poles = _moved(s, entries, _first_poles(s, count))
+    residues = np.linalg.lstsq(_real(fractions(s, poles)), _real(entries), rcond=None)[0]
+    A, b = _blocks(poles)
+    C = np.zeros((m, len(A), m))
+    C[rows, :, columns] = C[columns, :, rows] = residues.T
+    return System(np.kron(A, np.eye(m)), np.kron(b[:, None], np.eye(m)), C.reshape(m, -1))
+
+
+def balanced(system):
+    """`Balanced` of a stable system, as a function of 1/s: what is reduced is exact in steady motion"""
+    from scipy.linalg import solve_continuous_lyapunov
+
+    inverse = np.linalg.inv(system.A)
+    A, B, C = system = System(inverse, inverse @ system.B, system.C @ inverse)
+    reached = _root(solve_continuous_lyapunov(A, -B @ B.T))
+    seen = _root(solve_continuous_lyapunov(A.T, -C.T @ C))
+    return Balanced(system, reached, seen, *np.linalg.svd(seen.T @ reached))
+
+
+def fractions(s, poles):
+    """(q, n) real-coefficient partial fractions at s (q,) of poles with imaginary part ≥ 0, two for each pair"""
+    columns = []
+    for p in poles:
+        first = 1 / (s - p)
+        if p.imag == 0:
+            columns.append(first)
+        else:
+            second = 1 / (s - p.conj())
+            columns += [first + second, 1j * (first - second)]
+    return np.array(columns).T
+
+
+def _first_poles(s, count):
+    """A few that decay slowly, for logarithms at ω = 0; the others turn, evenly over the lower quarter of |s|"""
+    size = np.abs(s)
+    slow = -np.geomspace(size.min(), size.max() / 40, SLOW) + 0j
+    w = np.linspace(0.02, 1.0, (count - SLOW) // 2) * size.max() / 4
+    return np.concatenate([slow, -0.1 * w - 0.02 * w[-1] + 1j * w])
+
+
+def _moved(s, entries, poles):
+    for _ in range(ROUNDS):
+        phi = fractions(s, poles)
+        n = phi.shape[1]
+        parts = []
+        for entry in entries.T:
+            triangle = np.linalg.qr(_real(np.hstack([phi, -entry[:, None] * phi, -entry[:, None]])), mode="r")
+            parts.append(triangle[n:, n:])  # what concerns σ alone
+        left = np.vstack(parts)
+        size = np.linalg.norm(left)  # Σ Re σ = q keeps σ from vanishing
+        left = np.vstack([left, np.append(phi.real.sum(axis=0), len(s)) * size / len(s)])
+        right = np.append(np.zeros(len(left) - 1), size)
+        *c, d = np.linalg.lstsq(left, right, rcond=None)[0]
+        A, b = _blocks(poles)
+        new = np.linalg.eigvals(A - np.outer(b, c) / (d if abs(d) > 1e-8 else 1e-8))
+        new = np.where(np.abs(new.imag) < REAL * np.abs(new), new.real + 0j, new)
+        new = -np.abs(new.real) + 1j * new.imag
+        poles = np.sort_complex(new[new.imag >= 0])
+    return poles
+
+
+def _blocks(poles):
+    """A (n, n), b (n,) with (s − A)⁻¹ b = `fractions`"""
+    n = sum(1 if p.imag == 0 else 2 for p in poles)
+    A, b, k = np.zeros((n, n)), np.zeros(n), 0
+    for p in poles:
+        if p.imag == 0:
+            A[k, k], b[k] = p.real, 1.0
+            k += 1
+        else:
+            A[k : k + 2, k : k + 2] = [[p.real, p.imag], [-p.imag, p.real]]
+            b[k] = 2.0
+            k += 2
+    return A, b
+
+
+def _root(matrix):
+    values, vectors = np.linalg.eigh(0.5 * (matrix + matrix.T))
+    return vectors * np.sqrt(np.maximum(values, 0))
+
+
+def _real(values):
+    return np.concatenate([values.real, values.imag])

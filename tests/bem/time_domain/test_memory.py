@@ -1,0 +1,125 @@
+"""Memory of a box in shallow water: near its database, passive whatever the motion, the same as convolution."""
+
+import numpy as np
+import pytest
+
+from bem.database import open_database
+from bem.database.reader import reader
+from bem.time_domain.memory import memory_of_database
+from bem.time_domain.memory_kernels import memory_force, memory_rate
+from pipelines.scene.scene import make_scene
+from pipelines.solve.run import solve
+
+BAND = {"band": {"from": 0.1, "to": 2.0}}
+
+
+def database(path, waves=BAND):
+    scene = {
+        "water": {"depth": 12.0},
+        "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0}],
+        "waves": waves,
+        "tolerance": 0.005,
+        "want": ["radiation", "added_mass_infinity"],
+    }
+    solve(make_scene(scene), path)
+    return open_database(path)
+
+
+@pytest.fixture(scope="module")
+def box(tmp_path_factory):
+    return reader(database(tmp_path_factory.mktemp("memory") / "box.h5"))
+
+
+@pytest.fixture(scope="module")
+def memory(box):
+    return memory_of_database(box, 3e-3)
+
+
+def difference(memory, body, omega):
+    """Largest (6, 6) of B + iω (A(∞) − A), relative to √(ii · jj)"""
+    A, B = body.coefficients(omega)
+    wanted = B + 1j * omega[:, None, None] * (memory.added_mass_infinity - A)
+    size = np.sqrt(np.abs(np.einsum("qii->qi", wanted)).max(axis=0))
+    return np.abs(memory.transform(omega) - wanted).max(axis=0) / np.outer(size, size)
+
+
+def test_the_database_is_met_between_its_frequencies_to_the_reported_error(memory, box):
+    off = difference(memory, box, np.linspace(0.107, 1.993, 500))
+    assert memory.error.max() <= 3e-3
+    # the size of a motion is its largest in the band here, not over all frequencies
+    assert np.all(off <= 1.1 * (memory.error + memory.deviation) + 1e-12)
+
+
+def test_no_history_of_velocities_can_take_energy_out(memory):
+    a, b, c = memory.matrices
+    P, loss = memory.storage, memory.loss
+    size = np.abs(P).max()
+    assert np.abs(a.T @ P + P @ a + loss @ loss.T).max() <= 1e-12 * size * np.abs(a).max()
+    assert np.abs(P @ b - c.T).max() <= 1e-12 * np.abs(c).max()
+    assert np.linalg.eigvalsh(P).min() >= -1e-12 * size
+    assert np.linalg.eigvals(a).real.max() < 0
+
+
+def test_work_of_random_motions_is_stored_or_lost(memory):
+    a, b, _ = memory.matrices
+    step, rng = 0.02, np.random.default_rng(4)
+    turn = np.linalg.inv(np.eye(memory.states) - 0.5 * step * a)
+    into = step * turn @ b
+    turn = turn @ (np.eye(memory.states) + 0.5 * step * a)
+    states, work, lost = np.zeros(memory.states), 0.0, 0.0
+    for velocity in rng.standard_normal((4000, 6)) * [1, 1, 1, 0.02, 0.02, 0.02]:
+        new = turn @ states + into @ velocity
+        middle = 0.5 * (states + new)  # the midpoint rule keeps the balance of energy exactly
+        work += step * memory.force(middle) @ velocity
+        lost += step * memory.lost_power(middle)
+        states = new
+        assert work >= 0
+    assert work == pytest.approx(memory.stored_energy(states) + lost, rel=1e-10)
+
+
+def test_steady_motion_is_not_resisted(memory):
+    a, b, c = memory.matrices
+    size = np.sqrt(np.einsum("qii->qi", np.abs(memory.transform(np.linspace(0.1, 2, 100)))).max(axis=0))
+    share = c @ np.linalg.solve(a, b) / np.outer(size, size)
+    assert np.abs(share + share.T).max() <= 1e-12  # no work
+    assert np.abs(share).max() <= 1e-5
+
+
+def test_motions_that_symmetry_keeps_apart_stay_apart(memory):
+    assert set(memory.groups) == {(0, 4), (1, 3), (2,), (5,)}
+    apart = np.ones((6, 6), bool)
+    for group in memory.groups:
+        apart[np.ix_(group, group)] = False
+    assert np.all(memory.transform([0.3, 1.0])[:, apart] == 0)
+
+
+def test_states_grow_as_the_tolerance_shrinks(box, memory):
+    finer = memory_of_database(box, 1e-3)
+    assert memory.states < finer.states
+    assert finer.error.max() <= 1e-3 < memory.error.max()
+
+
+def test_kernels_are_the_equation(memory):
+    rng = np.random.default_rng(1)
+    states, velocity = rng.standard_normal(memory.states), rng.standard_normal(6)
+    rate, force = np.zeros(memory.states), np.zeros(6)
+    memory_rate(memory.arrays, states, velocity, rate)
+    memory_force(memory.arrays, states, force)
+    assert np.allclose(rate, memory.rate(states, velocity), rtol=1e-12, atol=1e-12 * np.abs(rate).max())
+    assert np.allclose(force, memory.force(states), rtol=1e-12, atol=1e-12 * np.abs(force).max())
+
+
+def test_retardation_is_the_answer_to_a_push(memory):
+    from scipy.linalg import expm
+
+    a, b, c = memory.matrices
+    exact = c @ expm(3.7 * a) @ b
+    assert memory.retardation([3.7])[0] == pytest.approx(exact, abs=1e-11 * np.abs(exact).max())
+
+
+def test_bands_and_tolerances_that_cannot_do_are_refused(box, tmp_path):
+    with pytest.raises(ValueError, match=r"tolerance of the memory is 0; allowed: 1e-5 to 0.1"):
+        memory_of_database(box, 0)
+    few = database(tmp_path / "few.h5", {"omegas": [0.3, 0.6, 0.9]})
+    with pytest.raises(ValueError, match="memory needs radiation at 8 frequencies at least, 3 are stored"):
+        memory_of_database(few)
