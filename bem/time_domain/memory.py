@@ -28,14 +28,14 @@ from .. import DOFS
 from ..database.reader import Reader, reader
 from .passive_fit import passive_fit
 from .rational import balanced, fitted
-from .whole_axis import monopole_damping, whole_axis
+from .whole_axis import monopole_damping, whole_axis, without_negative
 
 FEWEST = 8  # frequencies
 POINTS = 800  # of the band, straight between
 POLES = (32, 48)  # that the states are taken from, an input
 STILL = 1e-4  # √ of the impedance of a motion that moves no water, relative to the largest of its kind
 SPREAD = (30.0, 8.0)  # how far below and above the band is fitted, as a factor
-CLOSE = (0.02, 0.1)  # deviation of what is fitted from the database: remarked, refused
+CLOSE = (0.03, 0.1)  # deviation of what is fitted from the database: remarked, refused
 
 
 class MemoryArrays(NamedTuple):
@@ -166,10 +166,7 @@ def memory_of_database(db, tolerance=1e-3):
 
 def _axis(body, omega, added_mass, damping):
     """`WholeAxis` of a body, its damping without what would give energy"""
-    size = np.sqrt(np.abs(np.einsum("qii->qi", damping)).max(axis=0))
-    size = np.where(size > 0, size, 1.0)
-    values, vectors = np.linalg.eigh(damping / np.outer(size, size))
-    damping = (vectors * np.maximum(values, 0)[:, None]) @ vectors.swapaxes(1, 2) * np.outer(size, size)
+    damping = without_negative(damping, damping)
     limit, monopole = body.between.limits.get("added_mass_infinity"), None
     if limit is not None and not np.all(np.isfinite(limit)):
         limit = None
@@ -251,13 +248,14 @@ def _fitted(omega, wanted, size, group, tolerance):
     best = np.inf
     for poles in POLES:
         whole = balanced(fitted(s, wanted, poles))
-        first = max(4, len(group) + 1, int(np.sum(whole.values > 2 * tolerance)))
-        for states in range(first + first % 2, len(whole.values) + 1, 2):
+        states = max(4, len(group) + 1, int(np.sum(whole.values > 2 * tolerance)))
+        while states <= len(whole.values):
             made = passive_fit(*whole.reduced(states)[:2], s, wanted)
             error = np.abs(_transfer(made.decay, made.turn, made.input.T, made.output, omega) - wanted).max()
             best = min(best, error)
             if error <= tolerance:
                 return made
+            states += 2 if error < 2 * tolerance else 4
     raise ValueError(
         f"memory of {', '.join(DOFS[i].lower() for i in group)} is {best:.2g} off with the best of the systems tried; "
         f"the tolerance is {tolerance:g}: ask for less, or solve the database to a smaller tolerance"

@@ -7,6 +7,8 @@ Damping is straight between the frequencies of the band.  Beyond its ends ω₁ 
     Bᵢⱼ = Mᵢⱼ(ω) + [Bᵢⱼ(ω₁) − Mᵢⱼ(ω₁)] (ω/ω₁)^{(pᵢ + pⱼ)/2} below,    Bᵢⱼ = Bᵢⱼ(Ω) (Ω/ω)^{(rᵢ + rⱼ)/2} above,
 
 with pᵢ, rᵢ from the slopes of the diagonal, so that a matrix that takes energy out at an end does so beyond it too.
+What the added mass of the band asks for besides, as where damping still rises at Ω, is added there in the shapes
+(Ω/ω)³ − (Ω/ω)⁵ and (Ω/ω)⁵ − (Ω/ω)⁹, by least squares, as far as no energy comes of it.
 M are the waves of a body that changes the volume below the surface by qᵢ m² a unit of motion, ω → 0 (the pulsating
 source; Newman, Marine Hydrodynamics, 1977, section 6.18, and its limit in shallow water):
 
@@ -26,6 +28,8 @@ LOWEST, DIPOLE, HIGHEST = 1.0, 3.0, 12.0  # powers of ω that are believed
 SIDE = 3.0  # slowest power of ω⁻¹ that is believed
 END = 0.85  # share of the band above which its upper slope is taken
 CUT = 300.0  # times Ω: what is beyond is below 1/CUT² of what is above the band
+BUMPS = ((3, 5), (5, 9))  # powers of Ω/ω of damping that rises and falls beyond the band
+FEEBLE = 0.01
 COMPARED = 60  # frequencies at which added mass is compared
 
 
@@ -63,20 +67,16 @@ class WholeAxis:
 def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=None):
     """`WholeAxis` of coefficients (n, 6, 6) at omega (n,) rad/s rising, dense enough for straight lines between.
 
-    added_mass_infinity : (6, 6), None for that with which causality returns the added mass of the band in the mean
+    added_mass_infinity : (6, 6), None for that with which causality returns the added mass of the band best
     monopole : function of ω (q,) giving M (q, 6, 6) kg/s …, None where it is not known
     """
     below, low = _below(omega, damping, monopole)
     above, high = _above(omega, damping)
     axis = np.concatenate([below, omega, above])
-    out = WholeAxis(axis, np.concatenate([low, damping, high]), added_mass_infinity)
-    if added_mass_infinity is not None:
-        return out
-    step = max(1, len(omega) // COMPARED)
-    at = 0.5 * (omega[:-1] + omega[1:])[step // 2 :: step]
-    measured = np.stack([np.interp(at, omega, column) for column in added_mass.reshape(len(omega), -1).T], axis=1)
-    limit = np.mean(measured.reshape(-1, *added_mass.shape[1:]) - out.excess(at), axis=0)
-    return WholeAxis(axis, out.damping, limit)
+    first = WholeAxis(axis, np.concatenate([low, damping, high]), added_mass_infinity)
+    more, limit = _unseen(omega, added_mass, first, above)
+    high = without_negative(high + more, damping)
+    return WholeAxis(axis, np.concatenate([low, damping, high]), limit)
 
 
 def monopole_damping(flux, density, depth, gravity):
@@ -139,6 +139,41 @@ def _above(omega, damping):
     power = -(x @ np.log(np.where(seen, own, 1.0))) / (x @ x)
     power = np.clip(np.where(seen, power, SIDE), SIDE, HIGHEST)
     return axis, damping[-1] * (last / axis)[:, None, None] ** _paired(power)
+
+
+def _unseen(omega, added_mass, axis, above):
+    """Damping (q, 6, 6) beyond Ω beside its power, and A(∞), that the added mass of the band asks for"""
+    step = max(1, len(omega) // COMPARED)
+    at = 0.5 * (omega[:-1] + omega[1:])[step // 2 :: step]
+    flat = added_mass.reshape(len(omega), -1)
+    measured = np.stack([np.interp(at, omega, column) for column in flat.T], axis=1)
+    missing = measured - axis.excess(at).reshape(len(at), -1)
+    x = omega[-1] / above
+    shapes = np.stack([x**low - x**high for low, high in BUMPS], axis=1)
+    left = (2 / np.pi) * kramers_kronig(at, axis.omega)[:, -len(above) :] @ shapes
+    known = axis.added_mass_infinity is not None
+    if known:
+        missing = missing - axis.added_mass_infinity.ravel()
+    else:
+        left = np.column_stack([left, np.ones(len(at))])
+    # by ω: as impedance, whose size those of the damping are told by; what is weakly felt in the band stays small
+    keep = FEEBLE * np.sqrt(len(at)) * np.eye(len(BUMPS), left.shape[1])
+    right = np.vstack([at[:, None] * missing, np.zeros((len(BUMPS), missing.shape[1]))])
+    found = np.linalg.lstsq(np.vstack([at[:, None] * left, keep]), right, rcond=None)[0]
+    shape = added_mass.shape[1:]
+    more = (shapes @ found[: len(BUMPS)]).reshape(-1, *shape) * np.any(axis.damping, axis=0)
+    return more, axis.added_mass_infinity if known else found[-1].reshape(shape)
+
+
+def without_negative(matrices, damping):
+    """Matrices (q, 6, 6) without what would give energy, motions measured by their largest damping (n, 6, 6)"""
+    size = np.sqrt(np.abs(np.einsum("qii->qi", damping)).max(axis=0))
+    scale = np.outer(size, size)
+    scale[scale == 0] = 1.0
+    values, vectors = np.linalg.eigh(0.5 * (matrices + matrices.swapaxes(1, 2)) / scale)
+    mended = (vectors * np.maximum(values, 0)[:, None]) @ vectors.swapaxes(1, 2) * scale
+    mended[:, ~np.any(damping, axis=0)] = 0.0  # what symmetry keeps apart, to the last digit
+    return np.where((values[:, 0] < 0)[:, None, None], mended, matrices)
 
 
 def _paired(power):
