@@ -7,8 +7,8 @@ in P ≥ 0 is lost, whatever L is.  At s = iω the Hermitian part of H = C (s �
 The last condition makes it zero at ω = 0: steady motion is not resisted.
 
 A and B are given by their modes; L (n, m) is found by least squares of H over samples, H(0) = 0 a heavy one, by
-Gauss and Newton with Levenberg's and Marquardt's damping.  In coordinates z of the modes, A = diag λ, P is Pₖₗ = −(L Lᴴ)ₖₗ / (λ̄ₖ + λₗ), and
-derivatives of H to L are products of matrices.
+Gauss and Newton with Levenberg's and Marquardt's damping.  In coordinates z of the modes, A = diag λ, P is
+Pₖₗ = −(L Lᴴ)ₖₗ / (λ̄ₖ + λₗ), and derivatives of H to L are products of matrices.
 """
 
 from __future__ import annotations
