@@ -28,7 +28,7 @@ from .. import DOFS
 from ..database.reader import Reader, reader
 from .passive_fit import passive_fit
 from .rational import balanced, fitted
-from .whole_axis import monopole_damping, whole_axis, without_negative
+from .whole_axis import ends_of, whole_axis, without_negative
 
 FEWEST = 8  # frequencies
 POINTS = 800  # of the band, straight between
@@ -167,14 +167,7 @@ def memory_of_database(db, tolerance=1e-3):
 def _axis(body, omega, added_mass, damping):
     """`WholeAxis` of a body, its damping without what would give energy"""
     damping = without_negative(damping, damping)
-    limit, monopole = body.between.limits.get("added_mass_infinity"), None
-    if limit is not None and not np.all(np.isfinite(limit)):
-        limit = None
-    if body.stiffness is not None:
-        flux = np.zeros(6)
-        flux[2:5] = body.stiffness[2, 2:5] / (body.density * body.gravity)
-        monopole = monopole_damping(flux, body.density, body.depth, body.gravity)
-    return whole_axis(omega, added_mass, damping, limit, monopole)
+    return whole_axis(omega, added_mass, damping, *ends_of(body))
 
 
 def _frequencies(axis, band):

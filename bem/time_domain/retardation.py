@@ -13,7 +13,8 @@ from warnings import warn
 
 import numpy as np
 
-from .whole_axis import whole_axis
+from ..database.reader import Reader, reader
+from .whole_axis import ends_of, whole_axis
 
 WARN = 0.02  # relative error of the transform
 
@@ -61,15 +62,15 @@ def fourier_weights(frequencies, points):
     return out
 
 
-def retardation(omega, added_mass, radiation_damping, times, added_mass_infinity=None):
+def retardation(omega, added_mass, radiation_damping, times, added_mass_infinity=None, monopole=None):
     """`Retardation` of coefficients (n, 6, 6) at omega (n,) rad/s rising, dense enough for straight lines between.
 
-    times : (m,) s, from 0 in equal steps, at most 0.25/Ω; added_mass_infinity : (6, 6) of `added_mass_limit`
+    times : (m,) s, from 0 in equal steps, at most 0.25/Ω; added_mass_infinity, monopole : as in `whole_axis`
     raises : ValueError for times that cannot hold the band, and fewer than 20 frequencies
     """
     omega, times = np.asarray(omega, float), np.asarray(times, float)
     _check(omega, times)
-    axis = whole_axis(omega, added_mass, radiation_damping, added_mass_infinity)
+    axis = whole_axis(omega, added_mass, radiation_damping, added_mass_infinity, monopole)
     K = (2 / np.pi) * np.tensordot(fourier_weights(times, axis.omega).real, axis.damping, axes=1)
     out = Retardation(times, K, axis.added_mass_infinity)
     error = _error(out, omega, added_mass, radiation_damping)
@@ -83,13 +84,10 @@ def retardation(omega, added_mass, radiation_damping, times, added_mass_infinity
 
 
 def from_database(db, times, points=1200):
-    """`Retardation` of a database: its fit between the frequencies (`bem.database.between_frequencies`), its A(∞)
-    if it is stored.
-    """
-    omega = np.linspace(db.omega[0], db.omega[-1], points)
-    A, B = (db.at(omega, name)[0] for name in ("added_mass", "radiation_damping"))
-    limit = db["added_mass_infinity"] if "added_mass_infinity" in db.names else None
-    return retardation(omega, A, B, times, limit)
+    """`Retardation` of a `bem.database.Database` or `Reader` by its fit between the frequencies, with A(∞) if stored"""
+    body = db if isinstance(db, Reader) else reader(db)
+    omega = np.linspace(*body.between.span, points)
+    return retardation(omega, *body.coefficients(omega), times, *ends_of(body))
 
 
 def _check(omega, times):

@@ -79,6 +79,18 @@ def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=No
     return WholeAxis(axis, np.concatenate([low, damping, high]), limit)
 
 
+def ends_of(body):
+    """A(∞) (6, 6) and M of a `bem.database.reader.Reader` for `whole_axis`, each None where it is not known"""
+    limit = body.between.limits.get("added_mass_infinity")
+    if limit is not None and not np.all(np.isfinite(limit)):
+        limit = None
+    if body.stiffness is None:
+        return limit, None
+    flux = np.zeros(6)
+    flux[2:5] = body.stiffness[2, 2:5] / (body.density * body.gravity)
+    return limit, monopole_damping(flux, body.density, body.depth, body.gravity)
+
+
 def monopole_damping(flux, density, depth, gravity):
     """M of the module as a function of omega (q,) rad/s.
 

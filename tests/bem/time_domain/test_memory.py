@@ -5,8 +5,10 @@ import pytest
 
 from bem.database import open_database
 from bem.database.reader import reader
+from bem.time_domain.convolution import convolution
 from bem.time_domain.memory import memory_of_database
 from bem.time_domain.memory_kernels import memory_force, memory_rate
+from bem.time_domain.retardation import from_database
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
 
@@ -83,6 +85,28 @@ def test_steady_motion_is_not_resisted(memory):
     share = c @ np.linalg.solve(a, b) / np.outer(size, size)
     assert np.abs(share + share.T).max() <= 1e-12  # no work
     assert np.abs(share).max() <= 1e-5
+
+
+def test_states_and_convolution_differ_by_no_more_than_their_transforms(memory, box):
+    from scipy.signal import lsim
+
+    step, count = 0.1, 2000
+    direct = from_database(box, np.arange(0, 200, step), 600)
+    frequencies = np.fft.rfftfreq(count, step) * 2 * np.pi
+    noise = np.fft.rfft(np.random.default_rng(3).standard_normal((count, 6)), axis=0)
+    noise = np.fft.irfft(noise * np.exp(-0.5 * (frequencies / 0.7) ** 2)[:, None], count, axis=0)
+    velocity = np.vstack([noise * np.sin(np.linspace(0, np.pi, count))[:, None] ** 2, np.zeros((1000, 6))])
+    points = np.linspace(0.001, 6, 2000)
+    size = np.sqrt(np.einsum("qii->qi", np.abs(memory.transform(points))).max(axis=0))
+    gap = (memory.transform(points) - direct.transform(points)) / np.outer(size, size)
+    velocity /= size  # power counts alike in all motions
+    a, b, c = memory.matrices
+    states = lsim((a, b, c, np.zeros((6, 6))), velocity, step * np.arange(len(velocity)))[1]
+    apart = np.linalg.norm((states - convolution(direct, velocity)) / size)
+    largest = np.linalg.norm(gap, 2, axis=(1, 2)).max()
+    # Parseval, and (ωh)²/12 of the trapezium rule up to 2 rad/s, beyond which nothing moves
+    assert apart <= (largest + (2 * step) ** 2 / 12) * np.linalg.norm(velocity * size)
+    assert largest <= 2 * (memory.error + memory.deviation).max()
 
 
 def test_motions_that_symmetry_keeps_apart_stay_apart(memory):
