@@ -35,6 +35,7 @@ MESHIO = (".msh", ".vtu", ".vtk", ".stl", ".ply", ".obj", ".off")
 READABLE = (*TEXT_READERS, *MESHIO)
 WRITABLE = (*TEXT_WRITERS, ".msh", ".vtu")
 
+LARGEST = 32  # MB; a hundred thousand panels with all their digits, more than any method here solves
 SAME_POINT = 1e-6  # of the size of the mesh
 AT_SURFACE = 1e-6
 
@@ -52,7 +53,7 @@ def read_mesh(path):
         raise ValueError(f"{path}: cannot read {suffix or 'a file without suffix'}; allowed: {', '.join(READABLE)}")
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
-    check_size(path)
+    check_size(path, largest=LARGEST)
     read = TEXT_READERS.get(suffix, _read_with_meshio)
     mesh = read(path)
     if not len(mesh):

@@ -7,19 +7,19 @@ from pathlib import Path
 
 from .seals import MARK, REMEDY, text_damaged
 
-LARGEST = 256  # MB; a record of a year at 10 Hz
+LARGEST = 256  # MB; a record of ten million values
 
 
-def read_text(path, error=ValueError, *, errors="strict"):
+def read_text(path, error=ValueError, *, errors="strict", largest=LARGEST):
     """The text of a regular file, without a byte order mark.
 
-    error : class raised with one line; errors : as of `bytes.decode`
+    error : class raised with one line; errors : as of `bytes.decode`; largest : MB
     raises : error where there is no file, no text, no permission, something endless (a device, a pipe), too much, or
         a seal (`seals`) that is broken
     """
     path = Path(path)
     try:
-        check_size(path, error)
+        check_size(path, error, largest)
         text = path.read_bytes().decode("utf-8-sig", errors).replace("\r\n", "\n")
     except FileNotFoundError:
         raise error(f"{path} does not exist") from None
@@ -35,12 +35,12 @@ def read_text(path, error=ValueError, *, errors="strict"):
     return text
 
 
-def check_size(path, error=ValueError):
-    """Raises `error` where a path is no regular file or larger than LARGEST; OSError where it cannot be looked at."""
+def check_size(path, error=ValueError, largest=LARGEST):
+    """Raises `error` where a path is no regular file or has more than `largest` MB; OSError where none can be seen."""
     found = Path(path).stat()
     if stat.S_ISDIR(found.st_mode):
         raise error(f"{path} cannot be read: Is a directory")
     if not stat.S_ISREG(found.st_mode):
         raise error(f"{path} cannot be read: it is a device or a pipe, which may never end; give a file")
-    if found.st_size > LARGEST * 1e6:
-        raise error(f"{path} has {found.st_size / 1e6:.0f} MB; allowed: {LARGEST} MB of text")
+    if found.st_size > largest * 1e6:
+        raise error(f"{path} has {found.st_size / 1e6:.0f} MB; allowed: up to {largest} MB")

@@ -7,6 +7,8 @@ orientation; `meshing.quality.findings` tells when it is wrong.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from .panels import PanelMesh
@@ -193,9 +195,16 @@ def _numbers(path, k, line, count):
 
 def _number(path, k, word):
     try:
-        return float(word.rstrip(",").replace("D", "E").replace("d", "e"))
+        value = float(word.rstrip(",").replace("D", "E").replace("d", "e"))
     except ValueError:
-        raise ValueError(f"{path}, line {k}: {word!r} is not a number") from None
+        value = math.nan
+    if not math.isfinite(value):
+        raise ValueError(f"{path}, line {k}: {_shown(word)} is not a finite number")
+    return value
+
+
+def _shown(word):
+    return repr(word if len(word) <= 40 else f"{word[:40]}…")
 
 
 def _is_number(word):

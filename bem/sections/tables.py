@@ -23,12 +23,19 @@ COLUMNS = (
 )
 
 
-def tables(beam_draft=BEAM_DRAFT, depth_draft=DEPTH_DRAFT, xi=XI, tolerance=TOLERANCE):
+def tables(beam_draft=BEAM_DRAFT, depth_draft=DEPTH_DRAFT, xi=XI, tolerance=TOLERANCE, progress=None):
     """Rows of all tables in the report's order: H/d, then B/d, then ξ_B; a list of dictionaries with `COLUMNS`.
 
-    depth_draft may hold inf.  Raises ValueError for a shape that cannot be solved to the tolerance.
+    depth_draft may hold inf; progress : called after each row, which are made in an order that tells their pace
+    Raises ValueError for a shape that cannot be solved to the tolerance.
     """
-    return [row_of(B, H, x, tolerance) for H in depth_draft for B in beam_draft for x in xi]
+    shapes = [(B, H, x) for H in depth_draft for B in beam_draft for x in xi]
+    rows = [None] * len(shapes)
+    for i in np.random.default_rng(0).permutation(len(shapes)):  # deep water takes a hundred times as long
+        rows[i] = row_of(*shapes[i], tolerance)
+        if progress is not None:
+            progress()
+    return rows
 
 
 def row_of(beam_draft, depth_draft, xi, tolerance=TOLERANCE):

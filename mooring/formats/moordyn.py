@@ -50,13 +50,14 @@ class MoorDynFile:
         return next((given[name.lower()] for name in names if name.lower() in given), default)
 
 
+LARGEST = 8  # MB
 COUNT = re.compile(r"\s*\d+\s+N[A-Z][A-Za-z]+\b")  # version 1.01 gives the number of rows first: "2 NTypes"
 FORCES = ("fx", "fy", "fz")  # of points, version 1: only nought is understood
 
 
 def read_moordyn(path) -> MoorDynFile:
     """The MoorDynFile of a path.  Raises FormatError with line and section."""
-    return parse_moordyn(read_text(path, FormatError), path)
+    return parse_moordyn(read_text(path, FormatError, largest=LARGEST), path)
 
 
 def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:

@@ -20,6 +20,7 @@ from .fault import FormatError
 from .moordyn_system import read_moordyn_system
 from .yaml_text import parse_yaml
 
+LARGEST = 0.5  # MB; a parser in Python takes some seconds
 KNOWN = {
     "line_types": {"name", "diameter", "mass_density", "stiffness", "breaking_load", "cost", "transverse_added_mass",
                    "tangential_added_mass", "transverse_drag", "tangential_drag"},
@@ -30,7 +31,7 @@ KNOWN = {
 
 def read_moorpy(path, depth=None) -> System:
     """The System of a MoorPy or RAFT file; depth : m, for files that leave it to the program."""
-    return system_of_moorpy(parse_yaml(read_text(path, FormatError), path), path, depth)
+    return system_of_moorpy(parse_yaml(read_text(path, FormatError, largest=LARGEST), path), path, depth)
 
 
 def system_of_moorpy(data, path="YAML file", depth=None) -> System:

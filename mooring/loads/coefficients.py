@@ -20,6 +20,7 @@ from meshing.text_files import read_text
 from .box_drag import check_positive, stream_pressure
 from .smooth import smooth
 
+LARGEST = 8  # MB
 SIZES = ("area_x", "area_y", "area_n", "length")
 COLUMNS = (("angle", "CX", "CY", "CN"), ("angle", "CX", "CYA", "CYF"))
 
@@ -102,7 +103,7 @@ def read_hull_coefficients(path):
     With OCIMF's current coefficients all areas are length times draft.
     raises : ValueError naming the file, the line or the value
     """
-    lines = read_text(path).splitlines()
+    lines = read_text(path, largest=LARGEST).splitlines()
     try:
         sizes, columns = _sizes(lines), _columns(lines)
         lateral, moment = _lateral(columns, sizes)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from functools import partial
 from pathlib import Path
@@ -9,7 +10,10 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+from ..common.bounds import told
 from ..scene.flags import _flag
+
+SECONDS = 15.0  # of a job, about
 
 
 def _plain(text):
@@ -44,6 +48,7 @@ def bench(
     check_folder(output)
     output.mkdir(parents=True, exist_ok=True)
     check_output(output / FILES[0], "the rows of a bench", is_rows, (".csv",))
+    told(f"{len(jobs)} jobs take", SECONDS * len(jobs))
     if not peers:
         print("no --peer: other programs are left out")
     try:
@@ -70,12 +75,14 @@ def _peers(pythons):
 
 
 def _threads(text):
+    most = max(os.cpu_count() or 1, 2)
     try:
         numbers = [int(word) for word in text.split(",")]
     except ValueError:
         numbers = [0]
-    if min(numbers) < 1 or len(set(numbers)) < len(numbers):
-        raise ValueError(f"--threads is {text!r}; allowed: different whole numbers from 1, as 1,2")
+    if not 1 <= min(numbers) <= max(numbers) <= most or len(set(numbers)) < len(numbers):
+        shown = text if len(text) <= 40 else f"{text[:40]}…"
+        raise ValueError(f"--threads is {shown!r}; allowed: different whole numbers from 1 to {most}, as 1,2")
     return numbers
 
 

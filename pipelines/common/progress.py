@@ -79,10 +79,14 @@ def checks_text(result):
 
 
 def duration(seconds):
-    """`12 s`, `3 min 20 s`, `2 h 05 min`"""
+    """`12 s`, `3 min 20 s`, `2 h 05 min`, `5 days`, `40 years`"""
+    if not seconds < 365 * 86400:
+        return f"{seconds / (365.25 * 86400):.2g} years"
     seconds = round(seconds)
     if seconds < 60:
         return f"{seconds} s"
     if seconds < 3600:
         return f"{seconds // 60} min {seconds % 60:02} s"
-    return f"{seconds // 3600} h {seconds % 3600 // 60:02} min"
+    if seconds < 3 * 86400:
+        return f"{seconds // 3600} h {seconds % 3600 // 60:02} min"
+    return f"{seconds // 86400} days"

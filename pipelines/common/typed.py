@@ -10,6 +10,7 @@ import msgspec
 
 from meshing.text_files import read_text
 
+LARGEST = 8  # MB, which take some seconds
 WORDS = {
     "float": "a number",
     "int": "a whole number",
@@ -26,7 +27,7 @@ def read_toml(path, what, error):
 
     what : "a study", for messages; error : class raised with one line
     """
-    text = read_text(path, error)
+    text = read_text(path, error, largest=LARGEST)
     try:
         return tomllib.loads(text), text
     except RecursionError:

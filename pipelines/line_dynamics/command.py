@@ -10,6 +10,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from ..common.bounds import check_memory, check_seconds, told
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
@@ -22,6 +23,10 @@ from .study import read_line_dynamics
 
 KN = 1e3
 EVERY = 2.0  # s between two lines of progress
+FINEST = 1e-8  # tolerance; rounding of tensions is 1e-10 or so
+STEPS = 6.0  # for each longest step that the motion allows, at a tolerance of 1e-3: 2 to 12 were counted
+OF_ELEMENT, OF_STEP = 2e3, 600.0  # bytes
+OF_CALL, OF_ELEMENT_STEP = 2e-5, 4e-6  # s of a step, and of each element in it, with the run of fewer elements
 FRAMES = 20  # of a cycle, or of a run without one at least 200
 
 
@@ -48,12 +53,15 @@ def _run(study, text, folder, output, picture):
 
     from mooring.lines.dynamics.simulation import simulate
 
+    _check_finest(study)
     line, breaking = line_of(study)
     course = course_of(study, folder)
     if not 0 < course.duration < np.inf:
         raise StudyError(f"duration is {course.duration:g} s; allowed: finite, above 0")
     window = course.window(study.measure_from)
     current, wave = current_of(study), wave_of(study, course.ramp or None)
+    frames = frames_of(study, course)
+    check_effort(study, line, course, frames)
     console = Console()
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
@@ -65,7 +73,7 @@ def _run(study, text, folder, output, picture):
             current=current,
             waves=wave,
             tolerance=study.tolerance,
-            frames=frames_of(study, course),
+            frames=frames,
             progress=Progress(console, course.duration),
         )
     harmonics = sum(any(part.amplitude) for part in study.fairlead.motions)
@@ -86,6 +94,31 @@ def frames_of(study, course):
         return study.frames
     cycles = 0.0 if course.cycle is None else course.duration / course.cycle
     return int(min(max(200, FRAMES * cycles), 2000)) + 1
+
+
+def _check_finest(study):
+    """Raise a ValueError for a tolerance below rounding, or more elements than fit; before there is an array."""
+    if not FINEST <= study.tolerance <= 0.1:
+        raise StudyError(f"tolerance is {study.tolerance:g}; allowed: {FINEST:g} to 0.1")
+    elements = sum(part.elements or 0 for part in study.segments)
+    check_memory(f"{elements} elements need", OF_ELEMENT * elements, "give fewer elements")
+
+
+def check_effort(study, line, course, frames):
+    """Raise TooMuchError for a run that nobody can wait for or store, and say what a long one takes.
+
+    Steps are as many as the tolerance asks for, a guess within a factor of three: most in snapping lines.
+    """
+    fastest = min(course.motion.longest_step, np.inf if study.wave is None else study.wave.period / 12)
+    fastest = min(fastest, course.duration / 100)
+    steps = STEPS * (1e-3 / study.tolerance) ** 0.38 * course.duration / fastest
+    what = f"{course.duration:g} s of {line.elements} elements"
+    way_out = "give a shorter duration (--duration), fewer elements or slower motions"
+    memory = OF_STEP * steps + 3 * 24.0 * frames * (line.elements + 1)
+    check_memory(f"{what} need", memory, way_out)
+    seconds = (OF_CALL + OF_ELEMENT_STEP * line.elements) * steps
+    check_seconds(f"{what} take", seconds, way_out)
+    told(f"{what} take", seconds)
 
 
 def check_reach(line, breaking, course):

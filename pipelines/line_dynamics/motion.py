@@ -11,6 +11,7 @@ from meshing.text_files import read_text
 
 from ..common.quantities import StudyError, positive
 
+LARGEST = 64  # MB of a table of positions
 CYCLES = 12  # of a harmonic run whose duration is not given
 TOGETHER = 1e-6  # by which the longest period may miss a multiple of another
 
@@ -90,7 +91,7 @@ def read_positions(path):
 
     raises : StudyError
     """
-    text = read_text(path, lambda line: StudyError(f"fairlead.table: {line}"))
+    text = read_text(path, lambda line: StudyError(f"fairlead.table: {line}"), largest=LARGEST)
     rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and line.lstrip()[0] != "#"]
     if rows and [cell.strip().lower()[:1] for cell in rows[0][1].split(",")] == ["t", "x", "y", "z"]:
         rows = rows[1:]

@@ -57,10 +57,12 @@ def lines(
 
         print(draw_result(file, picture))
         return 0
+    from ..common.bounds import check_count
     from .lines_command import lines
 
     load = _numbers("--force", force) if force else None
     directions = _numbers("--direction", direction) if direction else [0.0, 90.0]
+    check_count("--direction", len(directions), most=360)
     return lines(file, body, load, depth, offset, directions, broken, database, output, picture, moordyn)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from bem import DOFS
 from bem.database.file import check_place
 
+from ..common.bounds import MOST, Pace, check_seconds, told
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
@@ -20,6 +21,7 @@ from .system_file import TOML, YAML, read_system
 
 KN = 1e3
 FARTHEST = 1e5  # m
+OF_POINTS = 2e-3  # s for the square of the number of free points, where they are hard to bring to rest
 SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
 
 
@@ -29,9 +31,9 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
     force : (3,) kN, kN and kN m on the body; offset : m; directions : degrees; returns the exit status
     raises : ValueError, one line
     """
+    from bem.database import open_database
     from mooring.formats.results import is_channels
     from mooring.lines.system.equilibrium import rest
-    from mooring.lines.system.studies import one_line_broken
 
     if picture is not None:
         check_picture(picture, PLOTS)
@@ -41,6 +43,7 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
         check_place(moordyn)
     if offset is not None and not 0 < offset <= FARTHEST:
         raise StudyError(f"--offset is {offset:g} m; allowed: above 0, at most {FARTHEST:g}")
+    db = None if database is None else open_database(database)
     console = _console()
     with _warnings_shown(console):
         system = read_system(file, depth)
@@ -48,6 +51,7 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
         exported = None if moordyn is None else _moordyn_file(system, moordyn, file)
         if force:
             system = _loaded(system, name, force)
+    _check_effort(system)
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         state = rest(system)
@@ -56,7 +60,7 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
         console.print(f"warning: {warning.message}", style="yellow", highlight=False, soft_wrap=True)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # said already of the intact system
-        losses = one_line_broken(state) if broken else {}
+        losses = _losses(state) if broken else {}
         curves = [] if offset is None else _curves(state, name, offset, directions)
     for text in overloads(state, curves, losses):
         console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
@@ -67,7 +71,7 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
     if broken:
         _show_losses(console, state, losses, name)
     if database is not None:
-        _show_periods(console, state, name, database)
+        _show_periods(console, state, name, db)
     written = _write(state, output, picture, curves, losses)
     if exported is not None:
         from mooring.formats.moordyn import write_moordyn
@@ -95,6 +99,16 @@ def _console():
     from rich.console import Console
 
     return Console()
+
+
+def _check_effort(system):
+    """Raise TooMuchError for more lines or free points than can be brought to rest, and say what many may take."""
+    points, way_out = len(system.free_points), "give fewer lines and points"
+    if len(system.lines) > MOST:
+        raise StudyError(f"the system has {len(system.lines)} lines; allowed: up to {MOST}")
+    what, seconds = f"{points} free points may take", OF_POINTS * points**2
+    check_seconds(what, seconds, way_out)
+    told(what, seconds)
 
 
 def _body(system, name, needed):
@@ -180,7 +194,15 @@ def _curves(state, name, offset, directions):
     from mooring.lines.system.studies import offset_curve
 
     offsets = np.linspace(-offset, offset, 21)
-    return [offset_curve(state, name, np.radians(direction), offsets) for direction in directions]
+    pace = Pace("offset curves take", len(directions) * len(offsets), "give fewer with --direction")
+    return [offset_curve(state, name, np.radians(direction), offsets, pace.step) for direction in directions]
+
+
+def _losses(state):
+    from mooring.lines.system.studies import one_line_broken
+
+    count = len(state.system.lines)
+    return one_line_broken(state, Pace(f"{count} losses of a line take", count, "leave out --broken").step)
 
 
 def _show_curves(console, name, curves, directions):
@@ -219,11 +241,10 @@ def _show_losses(console, state, losses, name):
     console.print(table)
 
 
-def _show_periods(console, state, name, database):
-    from bem.database import open_database
+def _show_periods(console, state, name, db):
     from mooring.studies.natural_periods import moored_periods
 
-    periods = moored_periods(state, name, open_database(database))
+    periods = moored_periods(state, name, db)
     table = _table(f"natural periods of {name}", "mode", "s")
     for mode, period in zip(periods.names, periods.period, strict=True):
         table.add_row(mode, f"{period:.2f}")

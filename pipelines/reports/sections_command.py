@@ -11,6 +11,7 @@ from typing import Annotated
 
 from meshing.seals import write_sealed
 
+from ..common.bounds import Pace, check_count, check_memory
 from ..scene.flags import _flag
 
 NOTES = (
@@ -23,6 +24,7 @@ NOTES = (
 )
 SUFFIXES = (".csv", ".h5")
 SCHEMA = "hakobune sections 1"
+BYTES = 2000  # of a row
 
 
 def sections(
@@ -51,7 +53,10 @@ def sections(
     _check_above("--xi", grid[2], 0, "above 0, finite")
     if output is not None:
         check_output(output, "a table of sections", is_table, SUFFIXES)
-    rows = tables(*grid, tolerance)
+    count = math.prod(map(len, grid))
+    way_out = "give fewer in --beam-draft, --depth-draft or --xi"
+    check_memory(f"{count} sections need", BYTES * count, way_out)
+    rows = tables(*grid, tolerance, Pace(f"{count} sections take", count, way_out).step)
     if output is None:
         print(csv_text(rows, tolerance), end="")
     else:
@@ -69,9 +74,11 @@ def _listed(flag, text, default):
         return list(default)
     values = numbers(flag, text)
     if isinstance(values, dict):
-        if values["count"] < 2 or not values["from"] < values["to"] < np.inf:
-            raise ValueError(f"{flag} is {text!r}; allowed: start:stop:count with start below stop, count 2 or more")
+        check_count(flag, values["count"], 2)
+        if not values["from"] < values["to"] < np.inf:
+            raise ValueError(f"{flag} is {text!r}; allowed: start:stop:count with start below stop")
         return np.linspace(values["from"], values["to"], values["count"]).tolist()
+    check_count(flag, len(values))
     if len(set(values)) < len(values):
         raise ValueError(f"{flag} is {text!r}; allowed: every number once")
     return values

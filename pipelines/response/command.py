@@ -28,11 +28,14 @@ def response(
 
     from ..common.quantities import StudyError
     from ..common.resonances import resonance_lines, underdamped
+    from .effort import check_effort
     from .study import read_response_study
 
     read, text = read_response_study(study)
     scatter = [study.parent / read.climate.scatter] if read.climate else []
     _check_places(output, plot, study, database, *scatter)
+    if read.sea:
+        check_effort(read)
     points = read.places()
     db = open_database(database)
     body = read.restrained(db.reader.floating())
@@ -85,9 +88,12 @@ def _in_climate(read, body, points, study):
         raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a climate")
     from mooring.response.climate import climate
 
+    from .effort import check_effort
     from .study import climate_of
 
-    return climate(body, **climate_of(read.climate, study), points=points)
+    given = climate_of(read.climate, study)
+    check_effort(read, given["scatter"])
+    return climate(body, **given, points=points)
 
 
 def _write(read, result, radius, points, said, text, database, output, plot):

@@ -22,6 +22,7 @@ Directions have either `direction_deg`, travelled to, or `incidence_deg`, the an
 from __future__ import annotations
 
 import math
+from collections import Counter
 from pathlib import Path
 
 import msgspec
@@ -116,8 +117,7 @@ class ResponseStudy(Table):
         """Points of the study"""
         from mooring.response.points import Point
 
-        names = [point.name for point in self.points]
-        twice = [name for name in names if names.count(name) > 1]
+        twice = [name for name, count in Counter(point.name for point in self.points).items() if count > 1]
         if twice:
             raise StudyError(f"two points are called {twice[0]!r}; give each a name of its own")
         for i, point in enumerate(self.points):

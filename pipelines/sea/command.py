@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,10 +10,17 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+from meshing.text_files import LARGEST
+
+from ..common.bounds import check_memory, check_seconds, told, whole_number
 from .flags import SPREADINGS, ReadingFlags, RecordFlags, SpectrumFlags
 
 LONGEST = 10_000_000  # values of a record
-PHASES = 2**26  # components times √values; 64 bytes of memory were measured for each
+# measured: bytes for a component times √values, for a value, for a component; s for each, and for a component's wave
+# of Mitsuyasu's directions; s for a component at a value
+BYTES = 64, 180, 700
+OF_BYTE = 1.5e-7  # s, of a record that is read
+SECONDS, OF_DIRECTIONS, OF_PHASES = (1e-6, 1e-6), 6e-5, 0.5e-9
 
 
 @dataclass(frozen=True)
@@ -67,7 +75,7 @@ def _check_places(file, table, record, output, plot):
     from ..common.picture import PLOTS, check_picture
     from .report import is_record, is_spectrum
 
-    paths = [path.resolve() for path in (file, table, record, output, plot) if path is not None]
+    paths = [Path(os.path.realpath(path)) for path in (file, table, record, output, plot) if path is not None]
     for i, path in enumerate(paths):
         if path in paths[:i]:
             raise ValueError(f"{path.name} is named twice; give each file a name of its own")
@@ -86,6 +94,9 @@ def _analysed(file, spectrum, record, reading):
 
     _refuse("a record file is given", spectrum, SpectrumFlags())
     _refuse("a record file is given", record, RecordFlags(step=record.step))
+    size = file.stat().st_size if file.is_file() else 0
+    if size <= LARGEST * 1e6:  # what is wrong with it otherwise, the reader says
+        told(f"{file} of {size / 1e6:.0f} MB takes", OF_BYTE * size)
     read = read_record(file, record.step, reading.column)
     estimated = estimate(read.elevation, read.step, reading.segment)
     waves = zero_crossings(read.elevation, read.step)
@@ -168,9 +179,9 @@ def _record(spectrum, flags):
     _warn_of_long_steps(spectrum, step)
     state = Sea(spectrum, math.radians(flags.direction or 0.0), _spreading(flags.spreading, spectrum))
     words = {"frequencies": flags.frequencies, "amplitudes": flags.amplitudes}
-    seed = _whole("seed", flags.seed, 0, 1)
-    number = _whole("components", flags.components, 1, _number_of_components(spectrum, flags, duration))
-    _check_memory(number, count)
+    seed = whole_number("seed", flags.seed, 0, 1)
+    number = whole_number("components", flags.components, 1, _number_of_components(spectrum, flags, duration))
+    _check_effort(number, count, state.spreading)
     components = state.components(number, seed, **{key: word for key, word in words.items() if word is not None})
     depth = math.inf if flags.depth is None else flags.depth
     return Record(elevation(components, step * np.arange(count), *_point(flags.point), depth), step)
@@ -184,13 +195,16 @@ def _number_of_components(spectrum, flags, duration):
     return max(500, resolved) if flags.amplitudes == "random" else 500
 
 
-def _check_memory(components, count):
-    most = int(PHASES / count**0.5)
-    if components > most:
-        raise ValueError(
-            f"{components} components need {64e-9 * components * count**0.5:.3g} GB for {count} steps; allowed: "
-            f"{64e-9 * PHASES:.2g} GB, {most} components; give fewer with --components, or a shorter --duration"
-        )
+def _check_effort(components, count, spreading):
+    """Raise TooMuchError for a record that does not fit, and say what a long one takes."""
+    way_out = "give fewer with --components, or a shorter --duration"
+    sizes = components * count**0.5, count, components
+    what = f"{components} components at {count} times"
+    check_memory(f"{what} need", sum(a * b for a, b in zip(BYTES, sizes, strict=True)), way_out)
+    directions = OF_DIRECTIONS if spreading is not None and spreading.depends_on_frequency else 0.0
+    seconds = SECONDS[0] * count + (SECONDS[1] + directions) * components + OF_PHASES * components * count
+    check_seconds(f"{what} take", seconds, way_out)
+    told(f"{what} take", seconds)
 
 
 def _warn_of_long_steps(spectrum, step):
@@ -203,14 +217,6 @@ def _warn_of_long_steps(spectrum, step):
             "allowed: 1 %; give a shorter --step",
             stacklevel=2,
         )
-
-
-def _whole(name, text, least, otherwise):
-    if text is None:
-        return otherwise
-    if not text.isdecimal() or int(text) < least:
-        raise ValueError(f"--{name} is {text!r}; allowed: a whole number from {least}")
-    return int(text)
 
 
 def _positive(name, value, otherwise):

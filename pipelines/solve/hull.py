@@ -19,6 +19,7 @@ from ..scene.scene import SceneError
 from .panel_counts import coarse_counts, fine_counts, meshed, sizes
 
 MOST_PANELS = 20_000
+MOST_GIVEN = 100_000  # of a mesh file, or by --panels
 FOR_SHOW = 500  # panels of a mesh that is only drawn
 
 
@@ -40,7 +41,7 @@ def make_hull(scene):
         _check_waves_along(scene)
         return MeshedHull(_meshed(scene.body, FOR_SHOW), None)
     if scene.body.shape == "mesh":
-        mesh = folded(read_mesh(scene.body.file))
+        mesh = folded(_checked_count(scene, read_mesh(scene.body.file)))
     elif scene.panels is not None:
         mesh = _meshed(scene.body, scene.panels)
     else:
@@ -48,6 +49,13 @@ def make_hull(scene):
     found = _usable(scene, mesh)  # a lid needs a waterline that closes
     made = make_lid(scene, mesh)
     return MeshedHull(mesh, made, (*found, *_without_errors(scene, lid_findings(mesh, made))))
+
+
+def _checked_count(scene, mesh):
+    """The mesh.  Raises SceneError for more panels than are looked at, whatever memory there is."""
+    if mesh.total > MOST_GIVEN:
+        raise SceneError(f"{scene.body.file} has {mesh.total} panels; allowed: up to {MOST_GIVEN}")
+    return mesh
 
 
 def stored_hull(scene, header):

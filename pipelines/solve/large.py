@@ -5,6 +5,7 @@ from __future__ import annotations
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 
+from ..common.bounds import check_memory
 from ..common.progress import duration
 from ..scene.scene import SceneError
 
@@ -55,14 +56,8 @@ def announced(problem, limits, console, processes=1):
 
 
 def _check_memory(total, memory, processes):
-    from bem.panels.band.cost import available_memory
-
-    free = available_memory()
-    if memory > free:
-        raise SceneError(
-            f"{total} panels need about {memory / 1e9:.1f} GB, {free / 1e9:.1f} GB are free; "
-            "give fewer panels (--panels)" + (" or fewer processes (--executor)" if processes > 1 else "")
-        )
+    fewer = " or fewer processes (--executor)" if processes > 1 else ""
+    check_memory(f"{total} panels need", memory, f"give fewer panels (--panels){fewer}", SceneError)
 
 
 def _times(needed, limits):

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
+from ..common.bounds import check_seconds, whole_number
 from ..scene.flags import _flag
 
 
@@ -27,17 +28,18 @@ def stress(
     again with every parameter moved a little, and one as a mesh rotated and shifted.  Status 1 if one fails.
     """
     from ..solve.work import executor_of
-    from .run import run
+    from .run import SECONDS, run
 
-    count, start, number = _whole("scenes", scenes, 1), _whole("seed", seed, 0), _whole("first", first, 0)
+    count, start, number = whole_number("scenes", scenes, 1), whole_number("seed", seed), whole_number("first", first)
     if method not in ("auto", "panel", "contour"):
         raise ValueError(f"--method is {method!r}; allowed: auto, panel, contour")
     if not 1e-5 <= tolerance <= 0.2:
         raise ValueError(f"--tolerance is {tolerance}; allowed: 1e-5 to 0.2")
     if not waves > 0:
         raise ValueError(f"--waves is {waves}; allowed: above 0")
-    questions = [(start, n, method, tolerance, waves) for n in range(number, number + count)]
     workers = executor_of(executor)
+    check_seconds(f"{count} scenes take", SECONDS * count / workers.count, "give fewer with --scenes")
+    questions = [(start, n, method, tolerance, waves) for n in range(number, number + count)]
     try:
         rows, interrupted = run(questions, output, workers, lambda text: print(text, flush=True))
     finally:
@@ -51,9 +53,3 @@ def stress(
         )
         return 130
     return 1 if any(row.verdict for row in rows) else 0
-
-
-def _whole(name, text, least):
-    if not text.isdecimal() or int(text) < least:
-        raise ValueError(f"--{name} is {text!r}; allowed: a whole number from {least}")
-    return int(text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 
+from ..common.bounds import told
 from ..common.interrupt import ctrl_c
 from ..common.outputs import check_output
 from ..common.progress import duration
@@ -11,6 +12,7 @@ from ..solve.work import Here
 from .campaign import row_of
 from .table import Writer, is_table, summary
 
+SECONDS = 0.5  # of a scene, about
 EVERY = 5.0  # s between lines of progress
 AHEAD = 200  # scenes that processes are given before the first is back: one of many waves takes as long as a hundred
 
@@ -21,6 +23,7 @@ def run(questions, output, executor, say):
     say : takes each line of progress
     """
     check_output(output, "a table of stress scenes", is_table, (".csv",))
+    told(f"{len(questions)} scenes take", SECONDS * len(questions) / executor.count)
     rows, printed = [], time.perf_counter()
     start = printed
     with output.open("w", newline="", encoding="utf-8") as file, ctrl_c(say) as stop:

@@ -122,7 +122,7 @@ def test_a_gmsh_file_has_hull_and_lid_as_groups(tmp_path):
 
 BAD = {
     "short.gdf": ("one line\n", "1 lines"),
-    "word.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3 4 five\n", "line 5: 'five' is not a number"),
+    "word.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3 4 five\n", "line 5: 'five' is not a finite number"),
     "few.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3\n", "3 coordinates after line 4; 1 panels have 12"),
     "gravity.gdf": ("h\n1 1.0\n0 0\n0\n", "GRAV is 1; allowed"),
     "wall.gdf": ("h\n1 9.81\n-1 0\n0\n", "symmetry -1 0"),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -102,23 +101,3 @@ def _seconds(work):
         work()
         times.append(time.perf_counter() - start)
     return min(times[1:])
-
-
-def available_memory():
-    """Bytes that can be had without swapping, of the machine or of the container that the process is in"""
-    import psutil
-
-    return min(float(psutil.virtual_memory().available), _left_to_container())
-
-
-def _left_to_container(place=Path("/sys/fs/cgroup")):
-    """Bytes below the limit of Linux' control group (version 2), its file cache counted as free; infinite without one
-
-    place : folder of the process's group, as seen from inside a container
-    """
-    try:
-        limit, used = (float((place / name).read_text()) for name in ("memory.max", "memory.current"))
-        stat = dict(line.split() for line in (place / "memory.stat").read_text().splitlines())
-    except (OSError, ValueError):  # no such group, or its limit is the word "max"
-        return np.inf
-    return limit - used + float(stat.get("inactive_file", 0)) + float(stat.get("active_file", 0))

@@ -73,10 +73,10 @@ def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
     return K[np.ix_(own, own)] - K[np.ix_(own, rest_of)] @ np.linalg.solve(inner, K[np.ix_(rest_of, own)])
 
 
-def offset_curve(state: SystemEquilibrium, body, direction, offsets) -> OffsetCurve:
+def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=None) -> OffsetCurve:
     """Forces and tensions with a body held at offsets from its place at rest, its attitude kept.
 
-    direction : rad; offsets : (m,) m; everything else comes to rest anew at each
+    direction : rad; offsets : (m,) m; everything else comes to rest anew at each, after which `progress` is called
     raises : EquilibriumError naming the offset at which no equilibrium was found
     """
     i = body_number(state.system, body)
@@ -97,6 +97,8 @@ def offset_curve(state: SystemEquilibrium, body, direction, offsets) -> OffsetCu
         except EquilibriumError as error:
             raise EquilibriumError(f"body {body} at offset {offsets[j]:g} m: {error}") from None
         starts[side] = found[int(j)].pose
+        if progress is not None:
+            progress()
     states = [found[j] for j in range(len(offsets))]
     own = slice(6 * i, 6 * i + 6)
     force = np.array([s.system.load(s.pose).force[own] for s in states]).reshape(-1, 6)
@@ -104,10 +106,11 @@ def offset_curve(state: SystemEquilibrium, body, direction, offsets) -> OffsetCu
     return OffsetCurve(body, direction, offsets, force, tension, np.array([s.lines.grounded_length for s in states]))
 
 
-def one_line_broken(state: SystemEquilibrium):
+def one_line_broken(state: SystemEquilibrium, progress=None):
     """The equilibrium after the loss of each line: {name: SystemEquilibrium, or EquilibriumError where there is none}.
 
     The search starts from the intact equilibrium; what hangs loose by one end goes with its line.
+    progress : called after each line
     """
     found = {}
     for name in state.system.line_names:
@@ -118,6 +121,8 @@ def one_line_broken(state: SystemEquilibrium):
             found[name] = rest(left, state.pose._replace(free=state.pose.free[chosen]))
         except (EquilibriumError, LineSystemError) as error:
             found[name] = error
+        if progress is not None:
+            progress()
     return found
 
 

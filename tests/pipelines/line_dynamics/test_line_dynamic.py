@@ -178,7 +178,7 @@ FAULTS = [
     (("[fairlead]", "[wave]\nheight = 12\nperiod = 6\ndirection_deg = 0\n[fairlead]"), [], "wave.height is 12 m"),
     (("duration = 24.0", "duration = 15.0"), [], "one cycle of 8 s before the end; give a longer duration"),
     (("", ""), ["--duration", "-1"], "duration is -1 s; allowed: finite, above 0"),
-    (("", ""), ["--tolerance", "0"], "tolerance is 0.0; allowed: above 0"),
+    (("", ""), ["--tolerance", "0"], "tolerance is 0; allowed: 1e-08"),
     (("", ""), ["--picture", "x.doc"], "has the suffix '.doc'; allowed"),
     (("", ""), ["--output", "/nowhere/x.h5"], "there is no folder /nowhere"),
 ]  # fmt: skip

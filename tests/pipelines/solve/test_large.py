@@ -16,7 +16,7 @@ from bem.panels.band.cost import Cost
 from bem.panels.influence import Geometry
 from meshing.lid import lid
 from meshing.shapes import box, buoy
-from pipelines.common import progress
+from pipelines.common import bounds, progress
 from pipelines.common.progress import Preparing, Progress
 from pipelines.scene.scene import SceneError, make_scene
 from pipelines.solve import large
@@ -67,18 +67,18 @@ def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
     problem = PanelProblem(mesh, lid(mesh), depth=20.0, band=(0.5, 0.5))
     monkeypatch.setattr(large, "WORTH_TELLING", 100)
     monkeypatch.setattr(cost, "cost", lambda *_: Cost(5e9, {WAVES: (60.0, 1.0)}))
-    monkeypatch.setattr(cost, "available_memory", lambda: 8e9)
+    monkeypatch.setattr(bounds, "available_memory", lambda: 8e9)
     announced(problem, 0, None)
-    with pytest.raises(SceneError, match=r"need about 10.0 GB, 8.0 GB are free; give fewer panels .* fewer processes"):
+    with pytest.raises(SceneError, match=r"need about 10 GB, 8.0 GB are free; give fewer panels .* fewer processes"):
         announced(problem, 0, None, processes=2)
-    monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
-    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5.0 GB, 4.0 GB are free; give fewer panels"):
+    monkeypatch.setattr(bounds, "available_memory", lambda: 4e9)
+    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about 5 GB, 4.0 GB are free; give fewer panels"):
         announced(problem, 0, None)
 
 
 @pytest.mark.parametrize("options", [{"depth": 20.0}, {"depth": 20.0, "zero_draft": True}])
 def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, monkeypatch):
-    monkeypatch.setattr(cost, "available_memory", lambda: 4e9)
+    monkeypatch.setattr(bounds, "available_memory", lambda: 4e9)
     mesh = box(100, 50, 1, panels=8000)
     with pytest.raises(SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, 4.0 GB are free; give fewer panels"):
         announced(PanelProblem(mesh, **options), 0, None)
@@ -157,11 +157,11 @@ def test_time_left_is_that_of_frequencies_whoever_prepared_the_body(monkeypatch)
 
 
 def test_free_memory_is_known_and_no_more_than_a_container_leaves(tmp_path):
-    assert 1e6 < cost.available_memory() < np.inf
-    assert cost._left_to_container(tmp_path) == np.inf
+    assert 1e6 < bounds.available_memory() < np.inf
+    assert bounds._left_to_container(tmp_path) == np.inf
     files = {"memory.max": "8000", "memory.current": "5000", "memory.stat": "anon 4000\ninactive_file 700\n"}
     for name, text in files.items():
         (tmp_path / name).write_text(text)
-    assert cost._left_to_container(tmp_path) == 3700
+    assert bounds._left_to_container(tmp_path) == 3700
     (tmp_path / "memory.max").write_text("max")
-    assert cost._left_to_container(tmp_path) == np.inf
+    assert bounds._left_to_container(tmp_path) == np.inf
