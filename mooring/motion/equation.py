@@ -6,10 +6,10 @@
 may be any.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the slow velocity
 (after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew, so that
 it does no work; with a current its moment on the added mass (Munk's) is in the current coefficients and left out here.
-The memory is  ẋ = −a x + b x′ + Bν,  ẋ′ = −b x − a x′ + B′ν,  ∫Kν = Σ C x + C′x′  (`bem.time_domain.memory`).
+The memory is a linear system that is driven by ν (`bem.time_domain.memory`).
 Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
 
-State: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J, memory (2 each).
+State: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J, memory.
 """
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from bem.kernels.jit import kernel
+from bem.time_domain.memory import MemoryArrays
+from bem.time_domain.memory_kernels import memory_force, memory_rate
 
 from .interpolation import EDGE, between_samples, on_ring
 from .line_loads import line_loads
@@ -35,7 +37,7 @@ class Body(NamedTuple):
     mass_inverse : (6, 6) of M + A∞; rigid, slow : (6, 6) M, and the added mass of slow motion
     stiffness : (6, 6) hydrostatic, on η in heading axes; spring : (6, 6) on η in space axes; damping : (6, 6) B′
     quadratic : (6,) N₂; numbers : filter's ωc rad/s, ramp's length s, whether Munk's moment is in the current
-    decay, turn : (p,) 1/s; into : (p, 2, 6), out : (p, 2, 6) of the memory
+    memory : `bem.time_domain.memory.MemoryArrays`
     drift_damping : (HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
     given : (6, n) N and N m, a table in time in heading axes, from 0 s in steps of numbers[3] s; one column for none
     """
@@ -48,10 +50,7 @@ class Body(NamedTuple):
     damping: np.ndarray
     quadratic: np.ndarray
     numbers: np.ndarray
-    decay: np.ndarray
-    turn: np.ndarray
-    into: np.ndarray
-    out: np.ndarray
+    memory: MemoryArrays
     drift_damping: np.ndarray
     given: np.ndarray
 
@@ -112,8 +111,8 @@ def add_horizontal(work, y, rate, x, y_force, moment, number):
 
 
 @kernel()
-def restore(body, y, work):
-    """Hydrostatic and spring forces and those of the turning axes, which only exchange energy"""
+def restore(body, y, rate, work):
+    """Hydrostatic and spring forces and those of the turning axes, whose work is that of the current, if any"""
     cos, sin = np.cos(y[5]), np.sin(y[5])
     for i in range(6):
         total = 0.0
@@ -135,9 +134,8 @@ def restore(body, y, work):
     water_along = body.slow[0, 0] * u + body.slow[0, 1] * v + body.slow[0, 5] * r
     water_across = body.slow[1, 0] * u + body.slow[1, 1] * v + body.slow[1, 5] * r
     munk = 0.0 if body.numbers[2] > 0.0 else 1.0
-    work.force[0] += (across + water_across) * y[11]
-    work.force[1] -= (along + water_along) * y[11]
-    work.force[5] += (along + munk * water_along) * y[7] - (across + munk * water_across) * y[6]
+    moment = (along + munk * water_along) * y[7] - (across + munk * water_across) * y[6]
+    add_horizontal(work, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, 3)
 
 
 @kernel()
@@ -149,15 +147,10 @@ def dissipate(body, y, rate, work):
             total += body.damping[i, j] * y[6 + j]
         work.part[i] = -total
     give(work.force, y, rate, work.part, 6, 6)
-    work.part[:] = 0.0
-    for p in range(body.decay.size):
-        a, b, m = body.decay[p], body.turn[p], MEMORY + 2 * p
-        first, second = -a * y[m] + b * y[m + 1], -b * y[m] - a * y[m + 1]
-        for j in range(6):
-            first += body.into[p, 0, j] * y[6 + j]
-            second += body.into[p, 1, j] * y[6 + j]
-            work.part[j] -= body.out[p, 0, j] * y[m] + body.out[p, 1, j] * y[m + 1]
-        rate[m], rate[m + 1] = first, second
+    memory_rate(body.memory, y[MEMORY:], y[6:12], rate[MEMORY:])
+    memory_force(body.memory, y[MEMORY:], work.part)
+    for j in range(6):
+        work.part[j] = -work.part[j]
     give(work.force, y, rate, work.part, 6, 5)
 
 
@@ -194,7 +187,7 @@ def rates(body, lines, line_work, wind, current, t, y, rate, work):
     """rate (n,) of the state y (n,) at t s; returns whether every line has a force."""
     rate[:] = 0.0
     work.force[:] = 0.0
-    restore(body, y, work)
+    restore(body, y, rate, work)
     dissipate(body, y, rate, work)
     load(body, wind, current, t, y, rate, work)
     good = line_loads(lines, line_work, y[:6], work.R, work.part)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..response.wave_drift_damping import damping_coefficients
-from .interpolation import ring_table
+from bem.waves import wavenumber
 
-RING = 36  # headings, 10° apart
+from ..response.wave_drift_damping import from_slopes
+from .interpolation import ring_table
+from .wave_loads import HEADINGS
+
 LEAST = 1e-2  # of the largest translation, that every motion is allowed to be
+GROUPS = 48  # of wave components
 STILL = 0.1  # m, scale of a body without waves
 
 
@@ -20,36 +23,48 @@ def expected_motion(moored, components):
     if components is None:
         motion = STILL * unit
         return np.concatenate([motion, 0.5 * motion])
-    omega = np.clip(components.omega, reader.omega[0], reader.omega[-1])
-    beta = np.arctan2(*(components.amplitude**2 @ f(components.direction) for f in (np.sin, np.cos)))
+    energy = 0.5 * components.amplitude**2
+    beta = np.arctan2(*(energy @ f(components.direction) for f in (np.sin, np.cos)))
+    at, share = _groups(components.omega, energy)
+    omega = np.clip(at, reader.omega[0], reader.omega[-1])
     K = moored.stiffness - reader.stiffness
     X = np.abs(reader.restrained(stiffness=0.5 * (K + K.T), damping=moored.damping).motions(omega, [beta])[:, 0])
     X = np.minimum(X, 20.0 * unit)
-    power = 0.5 * components.amplitude[:, None] ** 2 * X**2
-    motion, speed = np.sqrt(power.sum(axis=0)), np.sqrt((components.omega[:, None] ** 2 * power).sum(axis=0))
+    power = share[:, None] * X**2
+    motion, speed = np.sqrt(power.sum(axis=0)), np.sqrt((omega[:, None] ** 2 * power).sum(axis=0))
     for part in (motion, speed):
         part[:] = np.maximum(part, LEAST * (part / unit).max() * unit)
     return np.concatenate([motion, speed])
 
 
-def drift_damping_ring(reader, weather):
-    """(RING + 3, 6) B over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; N s/m …
+def _groups(omega, energy):
+    """At most GROUPS frequencies that stand for all, and the energy of each, m²"""
+    order = np.argsort(omega)
+    parts = np.array_split(order, min(GROUPS, len(omega)))
+    return np.array([omega[p].mean() for p in parts]), np.array([energy[p].sum() for p in parts])
 
-    Wave drift damping of all seas together, each about its mean direction with its spreading.
+
+def drift_damping_ring(forces, weather, depth, gravity):
+    """(HEADINGS + 3, 6) B over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; N s/m …
+
+    Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.
     """
-    headings = np.arange(RING) * (2 * np.pi / RING)
-    total = np.zeros((RING, 3, 2))
+    headings, omega = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), forces.omega
+    by_omega = forces.curves[1](omega, 1)
+    around = np.concatenate([forces.drift[:, -1:], forces.drift, forces.drift[:, :1]], axis=1)
+    by_heading = (around[:, 2:] - around[:, :-2]) * (HEADINGS / (4 * np.pi))
+    k = wavenumber(omega, depth, gravity)
+    B = from_slopes(omega, headings, k, depth, forces.drift, by_omega, by_heading).reshape(len(omega), HEADINGS, 6)
     if weather.regular is not None:
         w = weather.regular
-        omega = np.clip(w.omega * np.array([0.98, 1.0, 1.02]), reader.omega[0], reader.omega[-1])
-        B = damping_coefficients(reader, omega, w.direction - headings)[1]
-        return ring_table((B * (0.5 * w.height) ** 2).reshape(RING, 6))
-    omega = np.linspace(reader.omega[0], reader.omega[-1], 96)
-    on_ring = damping_coefficients(reader, omega, headings)
+        place = np.clip(w.omega, omega[0], omega[-1])
+        one = np.array([[np.interp(place, omega, B[:, j, c]) for c in range(6)] for j in range(HEADINGS)])
+        turned = np.mod(w.direction - headings, 2 * np.pi)
+        rows = [np.interp(turned, headings, one[:, c], period=2 * np.pi) for c in range(6)]
+        return ring_table((0.5 * w.height) ** 2 * np.stack(rows, axis=-1))
+    total = np.zeros((HEADINGS, 6))
     for sea in weather.seas:
-        density = np.asarray(sea.spectrum.density(omega))
-        mean = 2 * np.trapezoid(on_ring * density[:, None, None, None], omega, axis=0)
+        mean = 2 * np.trapezoid(B * np.asarray(sea.spectrum.density(omega))[:, None, None], omega, axis=0)
         for i, heading in enumerate(headings):
-            share = sea.directional(headings + heading)
-            total[i] += np.einsum("p,pjk->jk", share, mean)
-    return ring_table(total.reshape(RING, 6))
+            total[i] += sea.directional(headings + heading) @ mean
+    return ring_table(total)

@@ -9,16 +9,24 @@ from bem.kernels.jit import kernel
 EDGE = 3  # samples beyond the ends that a quintic through six samples may need
 
 
+DENOMINATORS = np.array(  # (−1)^(n−1−i) i! (n−1−i)! of n = 4 and 6
+    [[-6.0, 2.0, -2.0, 6.0, 1.0, 1.0], [-120.0, 24.0, -12.0, 12.0, -24.0, 120.0]]
+)
+
+
 @kernel()
 def lagrange_weights(place, weights):
-    """Weights (n,) of the polynomial through n samples at 0, 1, …, n−1, at a place among them."""
+    """Weights (n,) of the polynomial through n = 4 or 6 samples at 0, 1, …, n−1, at a place among them."""
     n = weights.size
+    row = 0 if n == 4 else 1
+    before = 1.0
     for i in range(n):
-        w = 1.0
-        for j in range(n):
-            if j != i:
-                w *= (place - j) / (i - j)
-        weights[i] = w
+        weights[i] = before / DENOMINATORS[row, i]
+        before *= place - i
+    after = 1.0
+    for i in range(n - 1, -1, -1):
+        weights[i] *= after
+        after *= place - i
 
 
 @kernel()

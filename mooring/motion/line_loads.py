@@ -19,8 +19,10 @@ from bem.kernels.jit import kernel
 
 from ..lines.catenary.moving_end import pull_of_any, workspace
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
+from .line_tables import Packed, packed, packed_pull, tabulate
 
 NEVER = np.inf  # s at which a line breaks that does not
+REACH = (1.5, 0.35)  # depths that a span may fall and a fairlead rise or sink in a table
 
 
 class Lines(NamedTuple):
@@ -28,8 +30,7 @@ class Lines(NamedTuple):
 
     anchor : (n, 3) m in space, fairlead : (n, 3) m in the body's axes; lines : (n, 4) length, weight, 1/EA, friction
     lost : (n,) s; bed : (1,) m, its height; table : (n,) number of its table, below 0 for a closed form
-    origin, spacing : (k, 2) m of span and height of a table; values : (k, p, q, 2, 4) of H and V: f, f_x, f_z, f_xz
-    place : (3,) m, origin of the body's axes at rest
+    tables : `Packed`; place : (3,) m, origin of the body's axes at rest
     """
 
     anchor: np.ndarray
@@ -38,9 +39,7 @@ class Lines(NamedTuple):
     lost: np.ndarray
     bed: np.ndarray
     table: np.ndarray
-    origin: np.ndarray
-    spacing: np.ndarray
-    values: np.ndarray
+    tables: Packed
     place: np.ndarray
 
 
@@ -63,13 +62,15 @@ def line_work(lines):
     return LineWork(*workspace(count), np.zeros((count, 2)), np.ones(count, bool))
 
 
-def body_lines(system, lost=()):
+def body_lines(system, lost=(), tables=((), ())):
     """`Lines` of a System of one body, whose lines run between anchors and fairleads; of None, none.
+
+    tables : LineTables, and for every line the number of its own, below 0 for a uniform line (`tables_of`)
 
     lost : (name, s) of lines that break.  raises : ValueError for other systems, and names that are unknown
     """
     if system is None:
-        return _arrays([], [], [], [], -1.0, np.zeros(3))
+        return _arrays([], [], [], [], -1.0, np.zeros(3), tables)
     points = {point.name: point for point in system.points}
     if len(system.bodies) != 1:
         raise ValueError(f"the system has {len(system.bodies)} bodies; a body in time is one")
@@ -86,9 +87,9 @@ def body_lines(system, lost=()):
             raise ValueError(f"line {line.name} runs from {line.a} to {line.b}; allowed: from an anchor to the body")
         anchors.append(ends[0].position)
         fairleads.append(ends[1].position)
-        if not isinstance(line, UniformLine):
-            raise ValueError(f"line {line.name} has segments; allowed in time: uniform lines")
-        given.append((line.length, line.type.weight, 1 / line.type.axial_stiffness, line.bed_friction))
+        uniform = isinstance(line, UniformLine)
+        kind = (line.type.weight, 1 / line.type.axial_stiffness) if uniform else (1.0, 0.0)
+        given.append((line.length, *kind, line.bed_friction))
     anchors = np.array(anchors, float).reshape(-1, 3)
     near = np.abs(anchors[:, 2] + system.depth) <= 1e-6 * system.depth
     anchors[near, 2] = -system.depth
@@ -96,21 +97,48 @@ def body_lines(system, lost=()):
     for name, when in lost:
         times[system.line_names.index(name)] = when
     place = np.array(system.bodies[0].position[:3], float)
-    return _arrays(anchors, fairleads, given, times, -float(system.depth), place)
+    return _arrays(anchors, fairleads, given, times, -float(system.depth), place, tables)
 
 
-def _arrays(anchors, fairleads, given, times, bed, place):
-    """Lines in closed form, without tables"""
+def tables_of(system, start):
+    """LineTables of the lines with segments about the body's place at rest, and (n,) the number of each line's own.
+
+    start : (6,) of the body at rest, from the place given.  Lines that are alike share a table.
+    raises : ValueError naming a line without equilibrium
+    """
+    points = {point.name: np.asarray(point.position, float) for point in system.points}
+    place, R = np.asarray(system.bodies[0].position[:3]) + start[:3], np.zeros((3, 3))
+    rotation_of(start[3:], R)
+    reach = REACH[0] * system.depth, REACH[1] * system.depth
+    tables, known, number = [], {}, np.full(len(system.lines), -1)
+    for one in system.composites:
+        line = system.lines[one.number]
+        if not one.anchored:
+            raise ValueError(f"line {line.name} has segments and no end on the bed; allowed in time: an anchored one")
+        a, b = (points[line.b], points[line.a]) if one.flipped else (points[line.a], points[line.b])
+        away = place + R @ b - a
+        span, height = float(np.hypot(*away[:2])), float(away[2])
+        alike = (line.segments, line.loads, line.bed_friction, line.bed, round(span, 6), round(height, 6))
+        if alike not in known:
+            known[alike] = len(tables)
+            try:
+                tables.append(tabulate(one, line.breaking_load, span, height, reach))
+            except ValueError as error:
+                raise ValueError(f"line {line.name}: {error}") from None
+        number[one.number] = known[alike]
+    return tuple(tables), number
+
+
+def _arrays(anchors, fairleads, given, times, bed, place, tables):
+    """Lines as arrays"""
     return Lines(
         np.asarray(anchors, float).reshape(-1, 3),
         np.array(fairleads, float).reshape(-1, 3),
         np.array(given, float).reshape(-1, 4),
         np.array(times, float),
         np.array([bed]),
-        np.full(len(given), -1),
-        np.zeros((0, 2)),
-        np.zeros((0, 2)),
-        np.zeros((0, 2, 2, 2, 4)),
+        np.asarray(tables[1], np.int64) if len(tables[1]) else np.full(len(given), -1),
+        packed(tables[0]),
         place,
     )
 
@@ -148,9 +176,12 @@ def line_loads(lines, work, position, R, out):
         z = lines.place[2] + position[2] + az
         span = np.sqrt(x * x + y * y)
         length, weight, flexibility, friction = lines.lines[i]
-        H, V = pull_of_any(
-            work.kept[i], work.rows[i], span, a[2], z, lines.bed[0], length, weight, flexibility, friction
-        )
+        if lines.table[i] >= 0:
+            H, V = packed_pull(lines.tables, lines.table[i], span, z - a[2])
+        else:
+            H, V = pull_of_any(
+                work.kept[i], work.rows[i], span, a[2], z, lines.bed[0], length, weight, flexibility, friction
+            )
         if not np.isfinite(H):
             good = False
             continue
@@ -170,3 +201,15 @@ def line_loads(lines, work, position, R, out):
     out[4] = -sin * mx + cos * my  # M · Rz e_y
     out[5] = mz
     return good
+
+
+@kernel()
+def tensions_along(lines, work, times, positions, out):
+    """out (n, lines) N at the fairleads, at times (n,) s with the body at positions (n, 6 or more)"""
+    R, force = np.zeros((3, 3)), np.zeros(6)
+    for i in range(times.size):
+        for j in range(lines.lost.size):
+            work.whole[j] = lines.lost[j] > times[i]
+        line_loads(lines, work, positions[i, :6], R, force)
+        for j in range(lines.lost.size):
+            out[i, j] = np.hypot(work.tension[j, 0], work.tension[j, 1])

@@ -8,20 +8,26 @@ from typing import NamedTuple
 import numpy as np
 
 from bem import DOFS
+from bem.time_domain.fast_states import slow_memory
+from bem.time_domain.memory import MemoryArrays, memory_of_database
 
 from ..environment.sea import Components, joined
 from ..lines.system.equilibrium import rest
 from . import integrator
 from .equation import MEMORY, WORKS, Body, room
 from .expected import drift_damping_ring, expected_motion
-from .line_loads import body_lines, line_loads, line_work
+from .line_loads import body_lines, line_work, tables_of, tensions_along
+from .line_tables import TOLERANCE
 from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
-from .wave_loads import no_waves, wave_table
+from .wave_loads import WaveForces, no_waves, wave_forces, wave_table
 
 STEPS_AT_ONCE = 2000  # between reports of progress
 FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
-SHARE = 0.02  # of the tolerance that the errors of one such time may have
+SHARE = 0.3  # of the tolerance that the errors of one such time may have
+MEMORY_TOLERANCES = (1e-3, 3e-3, 1e-2, 3e-2)
+FASTEST = 8.0  # rad/s, of states of the memory: explicit steps of 0.4 s are stable
 FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
+FINER, CHAOTIC = 0.1, 0.1  # tolerance of the run that estimates the error; error over σ of a path that is chance
 FEWEST, MOST = 200, 2000  # wave components of a sea
 
 
@@ -37,7 +43,8 @@ class Moored:
     hull : `ExposedBox` that wind and current act on, None for none; memory : `bem.time_domain.memory.Memory`
     start : (6,) m, rad of the equilibrium at rest from the place given; spring, damping : (6, 6) linear, beside lines
     quadratic : (6,) N₂ of drag on each motion; stiffness : (6, 6) of water, lines and springs at rest
-    findings : what a reader has to know, one line each
+    slow_added_mass : (6, 6) of the lowest frequency known; waves : WaveForces
+    tables : of lines with segments (`line_loads.tables_of`); findings : what a reader has to know, one line each
     """
 
     reader: object
@@ -50,6 +57,8 @@ class Moored:
     quadratic: np.ndarray
     stiffness: np.ndarray
     slow_added_mass: np.ndarray
+    waves: WaveForces
+    tables: tuple
     findings: tuple[str, ...] = ()
 
     def __repr__(self):
@@ -88,19 +97,20 @@ def moored(db, system=None, hull=None, *, memory=None, spring=None, damping=None
     memory : a Memory, by default that of the database; spring, damping : (6, 6) SI; quadratic : (6,) N s²/m² …
     raises : ValueError naming what is missing or does not fit
     """
-    body = db.reader.floating()
+    body, findings = db.reader.floating(), ()
     if memory is None:
-        from bem.time_domain.memory import memory_of_database
-
-        memory = memory_of_database(db)
+        memory, findings = _memory(db)
     spring, damping = (np.zeros((6, 6)) if m is None else np.asarray(m, float) for m in (spring, damping))
     quadratic = np.zeros(6) if quadratic is None else np.asarray(quadratic, float)
-    start, stiffness = np.zeros(6), body.stiffness + spring
+    start, stiffness, tables = np.zeros(6), body.stiffness + spring, ((), ())
     if system is not None:
         _check_place(system, db)
         start, stiffness = _rest(system, body.stiffness, spring)
+        tables = tables_of(system, start)
+        findings = (*findings, *_of_tables(system, tables))
     slow = body.held_added_mass(0.0)[0]
-    return Moored(body, system, hull, memory, start, spring, damping, quadratic, stiffness, slow)
+    rest_of_it = wave_forces(body), tables, findings
+    return Moored(body, system, hull, memory, start, spring, damping, quadratic, stiffness, slow, *rest_of_it)
 
 
 def simulate(moored, weather, settings, seed=0, progress=None):
@@ -114,16 +124,34 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     table, expected = no_waves(), expected_motion(moored, components)
     if components is not None:
         reader = moored.reader
-        wanted = settings.slow_drift != "none" and reader.knows_drift
-        table = wave_table(reader, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
+        wanted = settings.slow_drift != "none"
+        table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
     end = settings.ramp + settings.duration
     wind, current, drag = _streams(moored, weather, seed, end, findings)
-    lines = body_lines(moored.system, [(name, settings.ramp + t) for name, t in settings.lines_lost])
+    lines = body_lines(moored.system, [(name, settings.ramp + t) for name, t in settings.lines_lost], moored.tables)
     body = _body(moored, weather, settings, components, drag, current is not None)
-    samples, last, clock = _run(
-        moored, settings, expected, body, lines, wind, current if current is not None else calm(), table, progress
-    )
-    return _realisation(moored, settings, seed, lines, wind, table, samples, last, clock, findings)
+    loads = wind, current if current is not None else calm(), table
+    samples, clock = _run(moored, settings, expected, body, lines, *loads, progress)
+    found = _realisation(moored, settings, seed, lines, wind, table, samples, clock, findings)
+    if not settings.estimate_error:
+        return found
+    finer = replace(settings, tolerance=FINER * settings.tolerance)
+    return _with_error(found, _run(moored, finer, expected, body, lines, *loads, progress)[0][:, :6])
+
+
+def _with_error(found, finer):
+    """A Realisation with the root mean square difference from motions (n, 6) of a run to a smaller tolerance"""
+    late = found.time >= 0
+    error = np.sqrt(np.mean((found.motion - finer)[late] ** 2, axis=0))
+    share = error / np.maximum(found.motion[late].std(axis=0), 1e-300)
+    worst, findings = int(np.argmax(np.where(found.motion[late].std(axis=0) > 1e-9, share, 0.0))), found.findings
+    if share[worst] > CHAOTIC:
+        findings = (
+            *findings,
+            f"{DOFS[worst].lower()} of a run to a tenth of the tolerance differs by {share[worst]:.2g} of its standard "
+            "deviation: this motion forgets where it came from; believe statistics over seeds, not a single path",
+        )
+    return found._replace(estimated_error=error, findings=findings)
 
 
 def wave_components(moored, weather, settings, seed):
@@ -142,6 +170,32 @@ def wave_components(moored, weather, settings, seed):
             count = int(np.clip(np.ptp(band) * settings.duration / (4 * np.pi), FEWEST, MOST))
         parts.append(sea.components(count, seed + 7919 * number, low=float(band[0]), high=float(band[1])))
     return parts[0] if len(parts) == 1 else joined(*parts)
+
+
+def _of_tables(system, tables):
+    """A finding where a table of a line is coarser than wanted"""
+    for i, table in enumerate(tables[0]):
+        if table.error > TOLERANCE:
+            name = system.line_names[int(np.flatnonzero(tables[1] == i)[0])]
+            off, wanted = 100 * table.error, 100 * TOLERANCE
+            yield f"line {name}: its table of forces is {off:.2g} % of the tension off, wanted {wanted:g} %"
+
+
+def _memory(db):
+    """The Memory of a database to the smallest tolerance that it allows, and a finding where that is above the first"""
+    for tolerance in MEMORY_TOLERANCES:
+        try:
+            memory = memory_of_database(db, tolerance)
+        except ValueError as error:
+            refused = error
+            continue
+        if tolerance == MEMORY_TOLERANCES[0]:
+            return memory, ()
+        return memory, (
+            f"memory of the water is fitted to {memory.error.max():.2g} of the largest, wanted "
+            f"{MEMORY_TOLERANCES[0]:g}; store more frequencies over a wider band",
+        )
+    raise refused
 
 
 def _rest(system, hydrostatic, spring):
@@ -183,19 +237,19 @@ def _streams(moored, weather, seed, end, findings):
 def _body(moored, weather, settings, components, drag, munk):
     """`equation.Body` of a run"""
     reader, memory = moored.reader, moored.memory
-    added, B = memory.added_mass_infinity, moored.damping
-    decay, turn, into, out = memory.decay, memory.turn, memory.into, memory.out
+    slow = slow_memory(memory, FASTEST)
+    added, B, arrays = memory.added_mass_infinity + slow.inertia, moored.damping + slow.damping, slow.arrays
     if settings.memory == "constant":
         w = np.array([mean_frequency(components)])
         A, radiated = reader.coefficients(w)
-        added, B = A[0], B + radiated[0]
-        decay, turn, into, out = np.zeros(0), np.zeros(0), np.zeros((0, 2, 6)), np.zeros((0, 2, 6))
+        added, B = A[0], moored.damping + radiated[0]
+        arrays = MemoryArrays(np.zeros(0), np.zeros(0), np.zeros((6, 0)), np.zeros((6, 0)))
     quadratic = moored.quadratic.copy()
     quadratic[5] += drag
     filter_rate = FILTER * (mean_frequency(components) if components is not None else 0.4)
     ring = np.zeros((4, 6))
     if components is not None and settings.wave_drift_damping and settings.slow_drift != "none" and reader.knows_drift:
-        ring = drift_damping_ring(reader, weather)
+        ring = drift_damping_ring(moored.waves, weather, reader.depth, reader.gravity)
     return Body(
         np.linalg.inv(reader.inertia + added),
         reader.inertia,
@@ -205,7 +259,7 @@ def _body(moored, weather, settings, components, drag, munk):
         B,
         quadratic,
         np.array([filter_rate, settings.ramp, float(munk), 1.0]),
-        *(np.ascontiguousarray(part, float) for part in (decay, turn, into, out)),
+        arrays,
         ring,
         np.zeros((6, 1)),
     )
@@ -218,11 +272,11 @@ def mean_frequency(components):
 
 
 def _run(moored, settings, expected, body, lines, wind, current, table, progress):
-    """Samples (n, 18), `LineWork` and the last Clock"""
+    """Samples (n, 18) and the last Clock"""
     end = settings.ramp + settings.duration
     rows = int(np.floor(end / settings.step + 1e-9)) + 1
     columns = table.factor.shape[1] if len(table.omega) else 1
-    y = np.zeros(MEMORY + 2 * len(body.decay))
+    y = np.zeros(MEMORY + len(body.memory.decay))
     y[:6] = moored.start
     y[12:15] = moored.start[[0, 1, 5]]
     scale = SHARE * settings.tolerance / FORGOTTEN * expected
@@ -247,7 +301,7 @@ def _run(moored, settings, expected, body, lines, wind, current, table, progress
         if progress is not None:
             progress(min(clock.now[0] / end, 1.0))
         if state == integrator.DONE:
-            return samples, kept, clock
+            return samples, clock
         if state != integrator.RUNNING:
             raise SimulationError(_failure(state, clock, settings, lines, moored))
 
@@ -264,14 +318,10 @@ def _failure(state, clock, settings, lines, moored):
     return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
 
 
-def _realisation(moored, settings, seed, lines, wind, table, samples, last, clock, findings):
+def _realisation(moored, settings, seed, lines, wind, table, samples, clock, findings):
     time = settings.step * np.arange(len(samples)) - settings.ramp
     tension = np.zeros((len(samples), len(lines.lost)))
-    kept, R, out = line_work(lines), np.zeros((3, 3)), np.zeros(6)
-    for i, row in enumerate(samples):
-        kept.whole[:] = lines.lost > time[i] + settings.ramp
-        line_loads(lines, kept, row[:6], R, out)
-        tension[i] = np.hypot(*kept.tension.T)
+    tensions_along(lines, line_work(lines), time + settings.ramp, samples, tension)
     wave = np.zeros(len(samples))
     if len(table.omega):
         from ..environment.wave_records import elevation

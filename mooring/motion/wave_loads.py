@@ -12,6 +12,8 @@ of fifth degree through six of them.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -19,10 +21,12 @@ import numpy as np
 from bem.kernels.jit import kernel
 from bem.waves import wavenumber
 
+from ..response.linear import frequencies
 from .interpolation import EDGE, lagrange_weights
 
-HEADINGS = 120  # of the ring on which forces are tabulated; 3° apart, cubic between
-STEPS_PER_RADIAN = 1.0 / 0.6  # of the highest component: quintics between steps are then 1e-4 off at most
+HEADINGS = 120  # of the ring on which forces are tabulated; 3° apart, polynomials of fifth degree between
+PHASE = (0.3, 0.6)  # rad of the highest component in a step, of few components and of many: quintics are 4e-6, 2e-4 off
+FEW = 40
 WINDOW = 6.0  # s; poses foreseen this far ahead
 ROWS = 10  # six forces, three of drift, the elevation
 
@@ -30,9 +34,9 @@ ROWS = 10  # six forces, three of drift, the elevation
 class WaveTable(NamedTuple):
     """Components and the forces of each on a ring of headings, as the kernels read them.
 
-    omega, number (wavenumber), amplitude, phase, direction : (c,); force : (c, HEADINGS, 6) complex per metre
-    drift : (c, HEADINGS, 3) N/m²; factor : (2c, m) cos ωt and sin ωt of the steps; center : (2,) m
-    times : step and length of a window, s
+    omega, number (wavenumber), amplitude, phase, direction : (c,); force : (c, HEADINGS, 15) real and imaginary parts
+    of six forces per metre and three of drift per square metre; factor : (2c, m) cos ωt and sin ωt of the steps
+    center : (2,) m, rotation centre; times : step and length of a window, s
     """
 
     omega: np.ndarray
@@ -41,37 +45,66 @@ class WaveTable(NamedTuple):
     phase: np.ndarray
     direction: np.ndarray
     force: np.ndarray
-    drift: np.ndarray
     factor: np.ndarray
     center: np.ndarray
     times: np.ndarray
 
 
-def wave_table(body, components, depth, center, gravity, drift=True):
-    """`WaveTable` of a `bem.database.reader.Reader` in wave components (`mooring.environment.sea.Components`).
+@dataclass(frozen=True, eq=False)
+class WaveForces:
+    """Forces and drift of a body over frequencies and a ring of headings, for any sea.
+
+    omega : (q,) rad/s; force : (q, HEADINGS, 12) real and imaginary parts per metre; drift : (q, HEADINGS, 3) or None
+    """
+
+    omega: np.ndarray
+    force: np.ndarray
+    drift: np.ndarray | None
+
+    @cached_property
+    def curves(self):
+        """Cubic splines over the frequency, of forces and of drift (None where it is not known)"""
+        from scipy.interpolate import CubicSpline
+
+        drift = None if self.drift is None else CubicSpline(self.omega, self.drift)
+        return CubicSpline(self.omega, self.force), drift
+
+
+def wave_forces(body):
+    """`WaveForces` of a `bem.database.reader.Reader` at frequencies close enough for every resonance."""
+    omega, ring = frequencies(body), np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
+    force = np.empty((len(omega), HEADINGS, 12))
+    drift = np.empty((len(omega), HEADINGS, 3)) if body.knows_drift else None
+    for rows in np.array_split(np.arange(len(omega)), max(1, len(omega) // 64)):
+        found = body.forces(omega[rows], ring)
+        force[rows, :, :6], force[rows, :, 6:] = found.real, found.imag
+        if drift is not None:
+            drift[rows] = body.drift(omega[rows], ring)
+    return WaveForces(omega, force, drift)
+
+
+def wave_table(forces, components, depth, center, gravity, drift=True):
+    """`WaveTable` of `WaveForces` in wave components (`mooring.environment.sea.Components`).
 
     Components outside the stored frequencies exert no force, and the drift of the nearest stored one.
-    center : (3,) m, rotation centre; drift : whether drift is wanted
+    center : (3,) m, rotation centre; drift : whether it is wanted
     """
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
-    ring = np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
-    held = np.clip(omega, body.omega[0], body.omega[-1])
-    inside = held == omega
-    force = np.zeros((len(omega), HEADINGS, 6), complex)
-    drifts = np.zeros((len(omega), HEADINGS, 3))
-    for rows in np.array_split(np.arange(len(omega)), max(1, len(omega) // 64)):
-        force[rows] = body.forces(held[rows], ring)
-        if drift:
-            drifts[rows] = body.drift(held[rows], ring)
-    force[~inside] = 0.0
-    step = 1.0 / (STEPS_PER_RADIAN * omega.max())
+    held = np.clip(omega, forces.omega[0], forces.omega[-1])
+    of_force, of_drift = forces.curves
+    force = np.zeros((len(omega), HEADINGS, 15))
+    force[:, :, :12] = of_force(held)
+    force[held != omega] = 0.0
+    if drift and of_drift is not None:
+        force[:, :, 12:] = of_drift(held)
+    step = PHASE[len(omega) > FEW] / omega.max()
     count = max(2, int(np.ceil(WINDOW / step)))
     times = step * (np.arange(count + 1 + 2 * EDGE) - EDGE)
     turn = np.multiply.outer(omega, times)
     factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
     k = wavenumber(omega, depth, gravity)
     return WaveTable(
-        omega, k, amplitude, phase, direction, force, drifts, factor, np.asarray(center, float)[:2],
+        omega, k, amplitude, phase, direction, force, factor, np.asarray(center, float)[:2],
         np.array([step, step * count]),
     )  # fmt: skip
 
@@ -80,7 +113,7 @@ def no_waves(window=WINDOW):
     """A `WaveTable` without components"""
     none = np.zeros(0)
     count = max(2, int(window))
-    shape = np.zeros((0, HEADINGS, 6), complex), np.zeros((0, HEADINGS, 3)), np.zeros((0, count + 1 + 2 * EDGE))
+    shape = np.zeros((0, HEADINGS, 15)), np.zeros((0, count + 1 + 2 * EDGE))
     return WaveTable(none, none, none, none, none, *shape, np.zeros(2), np.array([window / count, window]))
 
 
@@ -94,31 +127,31 @@ def fill_rows(table, rows, pose, start):
     cos, sin = np.cos(pose[2]), np.sin(pose[2])
     cx, cy = table.center
     x, y = cx + pose[0] - cos * cx + sin * cy, cy + pose[1] - sin * cx - cos * cy
-    weights = np.empty(4)
+    weights, parts = np.empty(6), np.empty(15)
     for i in range(c):
         beta, k = table.direction[i], table.number[i]
         turn = k * (x * np.cos(beta) + y * np.sin(beta)) + table.phase[i] - table.omega[i] * start
-        a = table.amplitude[i] * np.exp(1j * turn)
+        a, b = table.amplitude[i] * np.cos(turn), table.amplitude[i] * np.sin(turn)
+        rows[6, i], rows[6, c + i] = a, b
         place = (beta - pose[2]) * (HEADINGS / (2 * np.pi))
         whole = np.floor(place)
-        lagrange_weights(place - whole + 1.0, weights)
-        first = int(whole) - 1
-        rows[6, i], rows[6, c + i] = a.real, a.imag
+        lagrange_weights(place - whole + 2.0, weights)
+        parts[:] = 0.0
+        for n in range(6):
+            w, near = weights[n], table.force[i, (int(whole) - 2 + n) % HEADINGS]
+            for j in range(15):
+                parts[j] += w * near[j]
         for j in range(6):
-            f = 0j
-            for n in range(4):
-                f += weights[n] * table.force[i, (first + n) % HEADINGS, j]
-            f *= a
-            rows[j, i], rows[j, c + i] = f.real, f.imag
+            rows[j, i], rows[j, c + i] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
         for j in range(3):
-            d = 0.0
-            for n in range(4):
-                d += weights[n] * table.drift[i, (first + n) % HEADINGS, j]
+            d = parts[12 + j]
             root = np.sqrt(abs(d))
             up, down = (root, 0.0) if d > 0.0 else (0.0, root)
-            for part, r in ((7 + 4 * j, up), (9 + 4 * j, down)):
-                rows[part, i], rows[part, c + i] = r * a.real, r * a.imag
-                rows[part + 1, i], rows[part + 1, c + i] = r * a.imag, -r * a.real
+            p = 7 + 4 * j
+            rows[p, i], rows[p, c + i] = up * a, up * b
+            rows[p + 1, i], rows[p + 1, c + i] = up * b, -up * a
+            rows[p + 2, i], rows[p + 2, c + i] = down * a, down * b
+            rows[p + 3, i], rows[p + 3, c + i] = down * b, -down * a
 
 
 @kernel()

@@ -42,6 +42,7 @@ class Settings:
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it
+    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
     """
 
     duration: float
@@ -54,6 +55,7 @@ class Settings:
     memory: str = "states"
     lines_lost: tuple[tuple[str, float], ...] = ()
     fixed_step: float | None = None
+    estimate_error: bool = False
 
     def __post_init__(self):
         for name, low in (("duration", 0.0), ("step", 0.0), ("tolerance", 0.0)):

@@ -1,0 +1,40 @@
+"""States of a memory that decay within a fraction of any wave period follow the motion at once.
+
+    y = c (s − a)⁻¹ b ν  →  −c a⁻¹ b ν − c a⁻² b ν̇        |s| ≪ |a|
+
+a damping and an inertia; what is left out is (ω/|a|)² of their force.  Without this an explicit integration would have
+to take steps of 3/|a|, whatever the motion.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .memory import MemoryArrays
+
+
+class SlowMemory(NamedTuple):
+    """arrays : `MemoryArrays` of the states that are left; damping, inertia : (6, 6) of those that follow at once"""
+
+    arrays: MemoryArrays
+    damping: np.ndarray
+    inertia: np.ndarray
+
+
+def slow_memory(memory, fastest):
+    """`SlowMemory` of a `Memory`; states with poles beyond `fastest` rad/s follow at once."""
+    decay, turn, into, out = memory.arrays
+    n, p = len(decay), len(turn)
+    real, pairs = np.arange(n - 2 * p), n - 2 * p + np.arange(p)
+    keep_real = decay[real] <= fastest
+    keep_pair = np.hypot(decay[pairs], turn) <= fastest
+    kept = np.concatenate([real[keep_real], pairs[keep_pair], pairs[keep_pair] + p])
+    gone = np.setdiff1d(np.arange(n), kept)
+    a = memory.matrices[0][np.ix_(gone, gone)]
+    b, c = into[:, gone].T, out[:, gone]
+    once = np.linalg.solve(a, b)
+    left = (decay[kept], turn[keep_pair], into[:, kept], out[:, kept])
+    arrays = MemoryArrays(*(np.ascontiguousarray(part) for part in left))
+    return SlowMemory(arrays, -c @ once, -c @ np.linalg.solve(a, once))

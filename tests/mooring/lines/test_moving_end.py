@@ -1,0 +1,36 @@
+"""The pull on a moving end is that of the closed forms, wherever it comes from and whatever was solved before."""
+
+import numpy as np
+
+from mooring.lines.catenary.flat_bed import ROW, solve_line
+from mooring.lines.catenary.moving_end import pull_of_any, workspace
+
+
+def path(rng, length):
+    """Spans and heights of an end that wanders from slack to taut, in steps and jumps"""
+    x = length * (0.75 + 0.35 * np.sin(np.arange(400) * rng.uniform(0.01, 0.3)))
+    z = length * rng.uniform(0.05, 0.4) * (1 + 0.2 * np.sin(np.arange(400) * 0.2))
+    jumps = rng.random(400) < 0.05
+    return np.where(jumps, length * rng.uniform(0, 1.05, 400), x), z
+
+
+def test_a_warm_start_changes_nothing_but_rounding():
+    rng, worst = np.random.default_rng(5), 0.0
+    for _ in range(60):
+        length, weight = 10 ** rng.uniform(1, 3), 10 ** rng.uniform(1, 4) * rng.choice([1, 1, 1, -1])
+        flexibility, friction = 10 ** rng.uniform(-10, -6.5), rng.choice([0.0, 0.7])
+        low, bed = (0.0, 0.0) if rng.random() < 0.7 else (0.05 * length, 0.0)
+        kept, rows = workspace(1)
+        for x, z in zip(*path(rng, length), strict=True):
+            found = pull_of_any(kept[0], rows[0], x, low, z, bed, length, weight, flexibility, friction)
+            row = np.zeros(ROW)
+            if weight > 0:
+                solve_line(row, x, low, z, length, weight, flexibility, friction if low == bed else 0.0, True)
+                wanted = row[2], row[4]
+            else:
+                solve_line(row, x, -low, -z, length, -weight, flexibility, 0.0, False)
+                wanted = row[2], -row[4]
+            assert np.isfinite(found).all() == np.isfinite(wanted).all()
+            scale = np.hypot(*wanted)
+            worst = max(worst, np.abs(np.subtract(found, wanted)).max() / scale)
+    assert worst <= 1e-10

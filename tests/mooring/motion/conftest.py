@@ -1,0 +1,46 @@
+"""One database of the series box for all tests of bodies in time, and its mooring of twelve chains."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pipelines
+from bem.database import open_database
+from mooring.motion.simulation import moored
+from pipelines.cli import main
+from pipelines.moor.study import read_study
+
+BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --omega 0.15:2:50 --heading 0:90:4 --gyration 15.55,29.44,32.28"
+SPRING = np.diag([5e6, 8e6, 0.0, 0.0, 0.0, 2e10])
+
+
+@pytest.fixture(scope="session")
+def database(tmp_path_factory):
+    path = tmp_path_factory.mktemp("motion") / "box.h5"
+    assert main([*BOX.split(), "--output", str(path)]) == 0
+    return open_database(path)
+
+
+@pytest.fixture(scope="session")
+def on_springs(database):
+    """The box on linear springs, without hull: everything but the memory of the water is linear and known"""
+    return moored(database, spring=SPRING)
+
+
+@pytest.fixture(scope="session")
+def study():
+    return read_study(Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml")[0]
+
+
+@pytest.fixture(scope="session")
+def on_chains(database, study, on_springs):
+    hull = study.hull_of(database.dimensions)
+    system = study.system(hull, database.rotation_center, database.density, database.gravity)
+    return moored(database, system, hull, memory=on_springs.memory)
+
+
+@pytest.fixture(scope="session")
+def without_hull(on_chains):
+    return replace(on_chains, hull=None)

@@ -1,0 +1,183 @@
+"""A body in time against what must be true of it: the frequency domain, energy, order, equilibrium, symmetry."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bem.time_domain.fast_states import slow_memory
+from bem.time_domain.retardation import fourier_weights
+from bem.time_domain.whole_axis import monopole_damping, whole_axis
+from mooring.environment.sea import Sea
+from mooring.environment.spectra import issc, jonswap
+from mooring.lines.system.equilibrium import rest
+from mooring.motion.simulation import FASTEST, SimulationError, simulate, wave_components
+from mooring.motion.weather import Settings, Weather
+from mooring.studies.conditions import Current, Waves, Wind
+
+LINEAR = Settings(duration=300.0, ramp=500.0, slow_drift="none", tolerance=1e-5, step=0.2)
+CALM = Settings(duration=60.0, ramp=0.0, slow_drift="none")
+
+
+def harmonic(run, omega, ramp):
+    """(6,) complex motion of a run in the steady state of a regular wave"""
+    n = run.time >= 0
+    t = run.time[n] + ramp
+    basis = np.stack([np.cos(omega * t), np.sin(omega * t), np.ones_like(t), t], axis=1)
+    cos, sin = np.linalg.lstsq(basis, run.motion[n], rcond=None)[0][:2]
+    return cos + 1j * sin
+
+
+def frequency_answer(moored, omega, direction, memory):
+    """(6,) motion per metre with the coefficients of a memory, and the matrix of its equation"""
+    reader = moored.reader
+    H = memory.transform(np.array([omega]))[0]
+    Z = -(omega**2) * (reader.inertia + memory.added_mass_infinity) - 1j * omega * H + reader.stiffness + moored.spring
+    return np.linalg.solve(Z, reader.forces([omega], [direction])[0, 0]), Z
+
+
+@pytest.mark.parametrize(("omega", "degrees"), [(0.4, 0), (0.7, 40), (1.1, 250)])
+def test_regular_waves_give_the_motions_of_the_frequency_domain(on_springs, omega, degrees):
+    direction = np.radians(degrees)
+    damped = replace(on_springs, damping=np.diag([2e6, 2e6, 0, 0, 0, 1e9]))
+    run = simulate(damped, Weather(regular=Waves(0.002, 2 * np.pi / omega, direction)), LINEAR)
+    found = harmonic(run, omega, LINEAR.ramp) / 0.001
+    wanted, Z = frequency_answer(on_springs, omega, direction, on_springs.memory)
+    wanted = np.linalg.solve(Z - 1j * omega * damped.damping, Z @ wanted)
+    reader = on_springs.reader.restrained(stiffness=on_springs.spring, damping=damped.damping)
+    stored = reader.motions([omega], [direction])[0, 0]
+    kind = np.repeat([np.abs(wanted[:3]).max(), np.abs(wanted[3:]).max()], 3)
+    assert np.all(np.abs(found - wanted) <= 1e-4 * kind)
+    fit = on_springs.memory.error.max() + on_springs.memory.deviation.max()
+    assert np.all(np.abs(wanted - stored) <= 10 * fit * kind)  # least damping ratio in these waves is about 0.1
+
+
+def test_states_that_decay_at_once_change_the_memory_by_their_speed_squared(on_springs):
+    memory, omega = on_springs.memory, np.linspace(0.1, 1.5, 15)
+    slow = slow_memory(memory, FASTEST)
+    left = replace(memory, decay=slow.arrays.decay, turn=slow.arrays.turn, input=slow.arrays.input,
+                   output=slow.arrays.output)  # fmt: skip
+    H = left.transform(omega) + slow.damping - 1j * omega[:, None, None] * slow.inertia
+    size = np.sqrt(np.abs(np.einsum("qii->qi", memory.transform(omega))).max(axis=0))
+    assert np.abs((H - memory.transform(omega)) / np.outer(size, size)).max() <= (1.5 / FASTEST) ** 2 * 0.1
+
+
+def test_free_decay_is_the_inverse_fourier_transform_of_the_database(on_springs):
+    reader, start = on_springs.reader, np.array([1.0, 0, 0.5, 0.02, 0, 0])
+    moved = replace(on_springs, start=start)
+    run = simulate(moved, Weather(), replace(CALM, tolerance=1e-5))
+    band = np.linspace(reader.omega[0], reader.omega[-1], 800)
+    limit = reader.between.limits["added_mass_infinity"]
+    flux = np.zeros(6)
+    flux[2:5] = reader.stiffness[2, 2:5] / (reader.density * reader.gravity)
+    monopole = monopole_damping(flux, reader.density, reader.depth, reader.gravity)
+    axis = whole_axis(band, *reader.coefficients(band), limit, monopole)
+    omega = axis.between(np.concatenate([np.linspace(1e-3, 4.0, 6000), np.geomspace(4.0, 60.0, 1500)]))
+    K, s, M = axis.transform(omega), -1j * omega[:, None, None], reader.inertia + limit
+    X = np.linalg.solve(s**2 * M + s * K + reader.stiffness + moved.spring, (s * M + K) @ start[:, None])[..., 0].real
+    found = (2 / np.pi) * (fourier_weights(run.time, omega).real @ X)
+    late = run.time > 0
+    for mode in (0, 2, 3):
+        assert np.abs(run.motion[late, mode] - found[late, mode]).max() <= 1e-3 * abs(start[mode])  # that of the fit
+
+
+def test_the_integrator_is_of_fifth_order(without_hull):
+    moved = replace(without_hull, start=without_hull.start + [1.5, -1.0, 0.3, 0.01, 0.01, 0.02])
+    steps = np.array([0.5, 0.25, 0.125])
+    settings = Settings(duration=24.0, ramp=0.0, memory="states", fixed_step=1 / 64)
+    exact = simulate(moved, Weather(), settings).motion[-1]
+    errors = [np.abs(simulate(moved, Weather(), replace(settings, fixed_step=h)).motion[-1] - exact)[0] for h in steps]
+    assert np.all(np.log2(np.divide(errors[:-1], errors[1:])) > 4.5), errors
+
+
+def test_work_of_all_loads_is_the_change_of_energy(on_chains):
+    sea = Sea(jonswap(2.0, peak_period=9.0), 0.6)
+    weather = Weather(seas=(sea,), wind=Wind(30.0, 0.5), current=Current(1.0, 0.7))
+    settings = Settings(duration=120.0, ramp=60.0, tolerance=1e-7, components=60)
+    run = simulate(on_chains, weather, settings, seed=2)
+    reader = on_chains.reader
+    slow = slow_memory(on_chains.memory, FASTEST)
+    M = reader.inertia + on_chains.memory.added_mass_infinity + slow.inertia
+    nu, eta = run.velocity[-1], run.motion[-1]
+    C = reader.stiffness
+    stored = 0.5 * nu @ M @ nu + 0.5 * (eta @ C @ eta - on_chains.start @ C @ on_chains.start)
+    done = sum(run.work.values())
+    assert abs(done - stored) <= 1e-6 * max(abs(w) for w in run.work.values())
+    assert run.work["damping"] <= 0 and run.work["memory"] < 0
+
+
+def test_a_body_settles_where_the_lines_balance_it(on_chains):
+    damped = replace(on_chains, damping=np.diag([2e7, 2e7, 4e7, 4e9, 1e10, 2e10]), hull=None)
+    moved = replace(damped, start=damped.start + [0.8, -0.5, 0.2, 0.005, 0.003, 0.02])
+    run = simulate(moved, Weather(), replace(CALM, duration=6000.0, step=100.0, tolerance=1e-6))
+    assert np.abs(run.motion[-1] - on_chains.start).max() <= 1e-8
+
+
+def test_a_line_that_breaks_leaves_the_system_without_it(on_chains):
+    name = on_chains.system.line_names[0]
+    damped = replace(on_chains, damping=np.diag([2e7, 2e7, 4e7, 4e9, 1e10, 2e10]), hull=None)
+    settings = replace(CALM, duration=3000.0, step=5.0, lines_lost=((name, 33.3),))
+    run = simulate(damped, Weather(), settings)
+    assert np.abs(run.motion[run.time < 33] - on_chains.start).max() <= 1e-6
+    assert np.all(run.tension[run.time > 34, 0] == 0) and np.all(run.tension[run.time < 33, 0] > 0)
+    body = replace(on_chains.system.bodies[0], hydrostatic_stiffness=on_chains.reader.stiffness)
+    body = replace(body, freedom=("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"))
+    left = rest(replace(on_chains.system, bodies=(body,)).without(name)).position[0]
+    assert np.abs(run.motion[-1] - left).max() <= 1e-5
+
+
+def test_the_same_seed_gives_the_same_bits_and_another_another_sea(on_chains):
+    weather = Weather(seas=(Sea(issc(3.0, mean_period=9.0), 0.3),), wind=Wind(20.0, 0.0))
+    settings = Settings(duration=60.0, ramp=30.0, components=50)
+    first, again, other = (simulate(on_chains, weather, settings, seed) for seed in (4, 4, 5))
+    assert np.array_equal(first.motion, again.motion) and np.array_equal(first.tension, again.tension)
+    assert not np.allclose(first.wave, other.wave)
+
+
+def test_waves_from_the_other_side_give_the_mirror_image(on_chains):
+    settings = Settings(duration=100.0, ramp=50.0, tolerance=1e-5)
+    runs = [
+        simulate(on_chains, Weather(regular=Waves(3.0, 9.0, side * 0.7), current=Current(1.0, side * 0.4)), settings)
+        for side in (1, -1)
+    ]
+    flip = np.array([1, -1, 1, -1, 1, -1])
+    difference = np.abs(runs[0].motion - runs[1].motion * flip)
+    assert np.all(difference.max(axis=0) <= 1e-3 * np.abs(runs[0].motion).max(axis=0))
+
+
+def test_the_spread_of_linear_motions_is_that_of_the_spectrum(on_springs):
+    damped = replace(on_springs, damping=np.diag([4e6, 4e6, 0, 5e8, 0, 1e10]))
+    weather = Weather(seas=(Sea(issc(0.5, mean_period=8.0), 0.8),))
+    settings = Settings(duration=600.0, ramp=200.0, slow_drift="none", memory="states", tolerance=1e-2, components=100)
+    power = np.array([simulate(damped, weather, settings, seed).motion[400:].var(axis=0) for seed in range(12)])
+    reader = damped.reader.restrained(stiffness=damped.spring, damping=damped.damping)
+    omega = np.linspace(reader.omega[0], reader.omega[-1], 800)
+    X = np.abs(reader.motions(omega, [0.8])[:, 0]) ** 2
+    wanted = np.trapezoid(X * weather.seas[0].spectrum.density(omega)[:, None], omega, axis=0)
+    off = (power.mean(axis=0) - wanted) / (power.std(axis=0, ddof=1) / np.sqrt(len(power)))
+    assert np.sum(np.abs(off) <= 2.2) >= 5 and np.all(np.abs(off) <= 4.0)  # Student's t with 11 degrees of freedom
+
+
+def test_components_are_as_many_as_the_record_needs(on_springs):
+    weather = Weather(seas=(Sea(issc(2.0, mean_period=9.0), 0.0),))
+    counts = [len(wave_components(on_springs, weather, Settings(duration=t), 0).omega) for t in (600.0, 10800.0)]
+    assert counts[0] == 200 and counts[1] > 800
+
+
+def test_a_line_that_cannot_reach_is_named_with_its_time(on_chains):
+    weather = Weather(current=Current(15.0, 0.0))
+    with pytest.raises(SimulationError, match=r"cannot reach|steps below"):
+        stiff = replace(on_chains.system, lines=[replace(line, type=replace(line.type, axial_stiffness=np.inf))
+                                                 for line in on_chains.system.lines])  # fmt: skip
+        simulate(replace(on_chains, system=stiff), weather, Settings(duration=300.0, ramp=10.0))
+
+
+def test_the_estimated_error_is_that_of_the_run(on_chains):
+    weather = Weather(seas=(Sea(issc(3.0, mean_period=9.0), 0.3),))
+    settings = Settings(duration=200.0, ramp=50.0, components=60, tolerance=1e-2, estimate_error=True)
+    run = simulate(on_chains, weather, settings, seed=1)
+    exact = simulate(on_chains, weather, replace(settings, tolerance=1e-6, estimate_error=False), seed=1)
+    late = run.time >= 0
+    error = np.sqrt(np.mean((run.motion - exact.motion)[late] ** 2, axis=0))
+    assert np.all((run.estimated_error <= 3 * error) & (error <= 3 * run.estimated_error))
+    assert np.all(error <= settings.tolerance * run.motion[late].std(axis=0))
