@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .overlap import overlaps
+
 WELD = 1e-6  # of the hull's size: points closer than that are one
 AT_SURFACE = 1e-6  # of the draft
 NO_AREA = 1e-9  # of the square of the longest edge
@@ -53,6 +55,7 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
         *_duplicates(welded),
         *_holes(edges),
         *_orientation(welded, edges),
+        *_overlaps(mesh),
         *_clearance(mesh, depth, edges),
         *_resolution(mesh, shortest_wave),
         *lid_findings(mesh, lid),
@@ -227,6 +230,15 @@ def _parts(mesh, edges):
     _, part = np.unique(part[:n], return_inverse=True)
     share = np.einsum("ni,ni->n", mesh.centroids, mesh.area_vectors) / 3
     return part, mesh.copies * np.bincount(part, share)
+
+
+def _overlaps(mesh):
+    for inside, of, place in overlaps(mesh.whole().merged(WELD)):
+        yield Finding(
+            "error",
+            f"two parts of the hull lie in each other: {inside} of {of} panels looked at of one are inside of another, "
+            f"the first at {_where(place)}; join them to one hull, or move them apart",
+        )
 
 
 def _clearance(mesh, depth, edges):

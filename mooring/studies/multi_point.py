@@ -21,6 +21,7 @@ from ..lines.system.parts import Anchor, Fairlead
 from .conditions import Conditions
 from .multi_point_findings import HORIZONTAL, findings
 from .natural_periods import NaturalPeriods, natural_periods
+from .places import check_places, place_findings
 from .steady_loads import steady_loads, with_coefficients
 
 PLANE = [0, 1, 5]
@@ -115,7 +116,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
         system.forces_between(anchors, moved),
         (),
     )
-    return replace(result, warnings=tuple(findings(result, db)))
+    return replace(result, warnings=(*place_findings(system, hull), *findings(result, db)))
 
 
 def line_ends(state):
@@ -159,6 +160,7 @@ def _check(db, system, hull, allowable):
     if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
         raise ValueError("the database has no inertia of the body; give --gyration kxx,kyy,kzz and solve again")
     _check_body(system, np.asarray(db.rotation_center, float))
+    check_places(system, hull)
 
 
 def _check_body(system, center):

@@ -8,6 +8,7 @@ from bem import DOFS
 from bem.database.resonances import resonances as known_resonances
 
 from ..lines.catenary.state import State
+from ..lines.system.findings import LONGEST_STRAIN, strains
 
 UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
@@ -137,6 +138,11 @@ def _line_findings(result):
         (
             np.isinf(result.system.breaking_load),
             "without a breaking load, how much of it they use is unknown: give breaking_load of their type",
+        ),
+        (
+            strains(result.system, result.tension) > LONGEST_STRAIN,
+            f"stretched by more than {100 * LONGEST_STRAIN:g} % at the largest tension, where any rope parts: give a "
+            "longer line or a nearer anchor",
         ),
         (beyond, "beyond reach at the largest displacement: an inextensible line cannot follow, give its EA"),
         ((result.utilisation > 1) & ~beyond, "beyond the breaking load"),

@@ -10,6 +10,9 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from mooring.lines.system.findings import LONGEST_STRAIN
+
+from ..common.anchors import warn_of_anchors
 from ..common.bounds import check_memory, check_seconds, told
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
@@ -66,6 +69,7 @@ def _run(study, text, folder, output, picture):
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         check_reach(line, breaking, course)
+        warn_of_anchors({"anchor": study.anchor[2]}, study.water.depth)
         result = simulate(
             line,
             course.motion,
@@ -128,11 +132,13 @@ def check_reach(line, breaking, course):
     away = np.linalg.norm(places - np.array(line.anchor), axis=1)
     far = int(np.argmax(away))
     flexibility = sum(segment.length / segment.axial_stiffness for segment in line.segments)
-    reach = line.length + flexibility * breaking
-    if np.isfinite(reach) and away[far] > reach:
+    reach = line.length + min(flexibility * breaking, LONGEST_STRAIN * line.length)
+    if away[far] > reach:
+        parts = flexibility * breaking <= LONGEST_STRAIN * line.length
+        how = f"breaks at {breaking / KN:.0f} kN" if parts else f"is {LONGEST_STRAIN:.0%} longer, where any rope parts"
         raise StudyError(
             f"the fairlead is {away[far]:.2f} m from the anchor at t = {times[far]:.2f} s; allowed: up to "
-            f"{reach:.2f} m, where the line of {line.length:g} m breaks at {breaking / KN:.0f} kN"
+            f"{reach:.2f} m, where the line of {line.length:g} m {how}"
         )
     if away[far] > line.length:
         pull = (away[far] - line.length) / flexibility

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-LONGEST_STRAIN = 0.5  # nylon rope parts before
+from mooring.lines.system.findings import LONGEST_STRAIN, strains
 
 
 def overloads(state, curves=(), losses=None):
@@ -31,7 +31,7 @@ def _of_one(where, system, tension, used):
             f"{where}, tension in % of the breaking load: {broken}; limit 100 %, there a line parts; "
             "give a stronger type or a longer line"
         )
-    stretched = _named(system, tension / [_stiffness(line) for line in system.lines], LONGEST_STRAIN)
+    stretched = _named(system, strains(system, tension), LONGEST_STRAIN)
     if stretched:
         yield (
             f"{where}, stretched by: {stretched}; limit {100 * LONGEST_STRAIN:g} %, where any rope parts; "
@@ -43,9 +43,3 @@ def _named(system, shares, limit):
     """Lines above a limit, with their shares; "" where there are none"""
     above = [(name, share) for name, share in zip(system.line_names, shares, strict=True) if share > limit]
     return ", ".join(f"{name} {100 * share:.4g} %" for name, share in above)
-
-
-def _stiffness(line):
-    """N, of the softest segment; inf where it is a table of strain and tension, which knows its own strain"""
-    parts = getattr(line, "segments", None) or [line.type]
-    return min(part.axial_stiffness if np.ndim(part.axial_stiffness) == 0 else np.inf for part in parts)

@@ -7,7 +7,6 @@ TOML, in m, kg and degrees, with [water], [types.<name>] as in a mooring study, 
 from __future__ import annotations
 
 import math
-import warnings
 from pathlib import Path
 
 import msgspec
@@ -15,11 +14,11 @@ import msgspec
 from mooring.lines.system.graph import System
 from mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody
 
+from ..common.anchors import warn_of_anchors
 from ..common.line_tables import LineTable, TypeTable, line_of
 from ..common.quantities import StudyError, Table, water_depth
 from ..common.typed import read_toml, typed
 
-HIGHEST = 30.0  # m above the water, of a bollard on a quay or of a tower
 YAML, TOML = (".yaml", ".yml"), (".toml",)
 
 
@@ -88,8 +87,15 @@ class SystemTable(Table):
 def read_system(path, depth=None) -> System:
     """The System of a file, by its suffix: .toml, .yaml or .yml, anything else is MoorDyn's.
 
-    depth : m, for a MoorDyn or YAML file that does not say it.  Raises ValueError, one line.
+    depth : m, for a MoorDyn or YAML file that does not say it.  Warns of anchors where there are none.
+    Raises ValueError, one line.
     """
+    system = _read(path, depth)
+    warn_of_anchors({one.name: one.position[2] for one in system.points if isinstance(one, Anchor)}, system.depth)
+    return system
+
+
+def _read(path, depth):
     path = Path(path)
     if depth is not None and not 0 < depth < math.inf:
         raise StudyError(f"--depth is {depth:g} m; allowed: above 0, finite")
@@ -126,17 +132,6 @@ def make_system(raw) -> System:
         line_of(f"lines[{i}]", line.name, line, table.types, (line.start, line.end), water.density, water.gravity)
         for i, line in enumerate(table.lines)
     ]
-    _warn_of_high_anchors(table.anchors)
     return System(
         water_depth("water.depth", water.depth), lines, points, bodies, table.water.density, table.water.gravity
     )
-
-
-def _warn_of_high_anchors(anchors):
-    high = [f"{one.name} (z = {one.position[2]:g} m)" for one in anchors if one.position[2] > HIGHEST]
-    if high:
-        warnings.warn(
-            f"anchors above the water: {', '.join(high)}, limit {HIGHEST:g} m, as of a quay; z is 0 at the water and "
-            "negative below it",
-            stacklevel=2,
-        )

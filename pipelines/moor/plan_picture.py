@@ -9,6 +9,8 @@ from mooring.studies.multi_point import line_ends
 
 from ..common.picture import save
 
+UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
+
 
 def draw_plan(result, hull, path):
     """Write the plan of a MultiPoint result as a picture."""
@@ -20,16 +22,16 @@ def draw_plan(result, hull, path):
     figure = Figure(figsize=(10, 7), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
-    used = np.where(np.isfinite(result.utilisation), result.utilisation, 0.0)
-    colours = ScalarMappable(Normalize(0, max(1.0, used.max())), "turbo")
+    used = result.utilisation
+    colours = ScalarMappable(Normalize(0, max(1.0, used[np.isfinite(used)].max(initial=0.0))), "turbo")
     anchors, at_rest = line_ends(result.rest)
     for anchor, rest, now, share in zip(anchors, at_rest, line_ends(result.equilibrium)[1], used, strict=True):
         axes.plot([anchor[0], rest[0]], [anchor[1], rest[1]], color="0.75", lw=1, ls="--")
-        axes.plot([anchor[0], now[0]], [anchor[1], now[1]], color=colours.to_rgba(share), lw=2.5)
+        axes.plot([anchor[0], now[0]], [anchor[1], now[1]], color=_colour(colours, share), lw=2.5)
         axes.plot(*anchor[:2], "k^", ms=5)
         ends = np.array([anchor[:2], now[:2]])
         axes.annotate(
-            f"{100 * share:.0f} %",
+            _words(share),
             ends.mean(axis=0),
             fontsize=8,
             ha="center",
@@ -51,6 +53,15 @@ def draw_plan(result, hull, path):
     axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=_title(result))
     figure.legend(loc="outside lower center", ncols=5, fontsize=8)
     save(figure, path, 150)
+
+
+def _colour(colours, share):
+    """Of a share of the breaking load; grey, which is in no scale, where there is none"""
+    return UNKNOWN if np.isnan(share) else colours.to_rgba(min(share, colours.norm.vmax))
+
+
+def _words(share):
+    return "unknown" if np.isnan(share) else "beyond reach" if np.isinf(share) else f"{100 * share:.0f} %"
 
 
 def _draw_loads(axes, result, hull):

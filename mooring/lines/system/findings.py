@@ -12,6 +12,21 @@ from ..catenary.state import State
 from .composite import solution
 from .parts import CompositeLine
 
+LONGEST_STRAIN = 0.5  # nylon rope parts before
+
+
+def strains(system, tension):
+    """(n,) of the softest segment of each line at tension (n,) N; 0 where it is a table, which knows its own strain"""
+    stiffness = [
+        min(np.inf if np.ndim(part.axial_stiffness) else part.axial_stiffness for part in _parts(line))
+        for line in system.lines
+    ]
+    return np.asarray(tension) / np.array(stiffness)
+
+
+def _parts(line):
+    return line.segments if isinstance(line, CompositeLine) else [line.type]
+
 
 def warn_of_floating(system, load):
     """Warn of lines lighter than water that would rise above its surface, which is not modelled as a limit of lines."""

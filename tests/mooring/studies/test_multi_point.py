@@ -26,6 +26,7 @@ from mooring.studies.multi_point_findings import resonances
 from pipelines.common.quantities import StudyError
 from pipelines.common.units import KNOT, TONF
 from pipelines.moor.command import moor
+from pipelines.moor.plan_picture import UNKNOWN
 from pipelines.moor.study import make_study, read_study
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
@@ -331,6 +332,23 @@ def test_every_number_of_the_results_file_has_its_unit(tmp_path, database):
     with h5py.File(output) as file:
         file.visititems(look)
     assert bare == []
+
+
+def test_a_line_without_a_breaking_load_has_a_colour_of_its_own_in_the_plan(tmp_path, database, monkeypatch):
+    study, drawn = tmp_path / "study.toml", []
+    study.write_text(STUDY.replace("breaking_load_tonf = 1700.0\n", ""))
+    monkeypatch.setattr("pipelines.moor.plan_picture.save", lambda figure, *_: drawn.append(figure))
+    moor(study, database, tmp_path / "moor.h5", quiet=True)
+    axes = drawn[0].axes[0]
+    assert {line.get_color() for line in axes.lines if line.get_linewidth() == 2.5} == {UNKNOWN}
+    assert {text.get_text() for text in axes.texts if text.get_text()} == {"unknown"}
+
+
+def test_a_line_of_rubber_is_said_to_part(database, tmp_path):
+    study = tmp_path / "study.toml"
+    study.write_text(STUDY.replace("axial_stiffness_tonf = 221700.0", "axial_stiffness_tonf = 90.0"))
+    said = " ".join(moor(study, database, quiet=True).warnings)
+    assert "stretched by more than 50 % at the largest tension" in said
 
 
 def test_command_writes_results_and_plan(tmp_path, database, capsys):

@@ -1,6 +1,7 @@
 """`hakobune line-dynamics` as a user calls it, and what it makes of a run."""
 
 import re
+import warnings
 from pathlib import Path
 
 import h5py
@@ -11,6 +12,7 @@ import pipelines
 from mooring.formats.results import read_channels, read_frames
 from mooring.lines.catenary.solve import solve_lines
 from pipelines.cli import main
+from pipelines.common.anchors import warn_of_anchors
 from pipelines.line_dynamics import command as line_dynamics_command
 from pipelines.line_dynamics.figures import time_below
 from pipelines.line_dynamics.motion import course_of
@@ -162,6 +164,27 @@ def test_a_line_pulled_beyond_its_length_is_said_with_the_force_it_takes(tmp_pat
     away = np.hypot(310.0, 58.0) - 315.0
     assert said == pytest.approx(4.6e5 * away / 315.0, abs=1.0)
     assert attributes(tmp_path / "taut.h5")["largest_fairlead"] > 1e3 * said
+
+
+def test_a_line_without_a_breaking_load_does_not_stretch_for_ever(tmp_path, capsys):
+    own = "weight_N_per_m = 985.0\naxial_stiffness_kN = 4.6e5\nmass_kg_per_m = 115.5\ndiameter = 0.137"
+    path = changed(tmp_path, ('catalogue = "R3 studless 76 mm"', own), ("length = 315.0", "length = 15.0"))
+    assert main(["line-dynamics", str(path)]) == 2
+    assert (
+        "allowed: up to 22.50 m, where the line of 15 m is 50% longer, where any rope parts" in capsys.readouterr().err
+    )
+
+
+@pytest.mark.parametrize(
+    ("z", "said"),
+    [("60.0", "anchors above the water: anchor (z = 60 m), limit 30 m"),
+     ("-30.0", "anchors above the bed: anchor (30 m), limit 3 m; the bed is at z = -60 m"), ("-59.0", "")],
+)  # fmt: skip
+def test_an_anchor_that_lies_nowhere_is_warned_of(z, said):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        warn_of_anchors({"anchor": float(z)}, 60.0)
+    assert [said in str(one.message) for one in caught] == [True] * bool(said)
 
 
 FAULTS = [

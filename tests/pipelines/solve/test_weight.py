@@ -38,6 +38,21 @@ def test_coordinates_from_the_stern_are_refused_unless_the_body_is_held(place):
     assert any("static" in line for line in told(center_of_gravity=place, trimmed=True))
 
 
+def test_a_hull_beside_its_origin_is_refused_only_where_something_is_said_of_its_weight():
+    for known in ({}, {"gyration": [15.0, 29.0, 32.0]}):
+        scene = make_scene(
+            {"water": {"depth": 20.0}, "waves": {"omegas": [0.5]},
+             "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, **known}]}
+        )  # fmt: skip
+        beside = MESH.moved(20.0)
+        properties = make_header(scene, MeshedHull(beside, None)).body
+        if known:
+            with pytest.raises(SceneError, match="-20 m off the centre of buoyancy"):
+                check_weight(scene, beside, properties)
+        else:
+            check_weight(scene, beside, properties)
+
+
 @pytest.mark.parametrize(("place", "axis"), [([1e6, 0.0, 0.0], "x"), ([0.0, 0.0, 1e6], "z"), ([0.0, 0.0, -400.0], "z")])
 @pytest.mark.parametrize("trimmed", [False, True])
 def test_a_centre_of_gravity_far_from_the_hull_is_refused(place, axis, trimmed):

@@ -1,0 +1,66 @@
+"""Parts of a hull that lie in each other, by the solid angle under which one is seen from the other.
+
+    w(p) = (1/4π) Σ Ω(p),    tan Ω/2 = a·(b × c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)
+
+of triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983) and of their
+images above the water, which close a hull that is open at its waterline: ±1 inside, 0 outside.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+MOST = 32  # parts; a mesh that falls into more has panels that do not meet, which is said otherwise
+SAMPLE = 100  # panels of a part that stand for all of it
+BLOCK = 1 << 20  # places times panels at once
+
+
+def overlaps(welded):
+    """[(number of panels of one part inside another, of how many looked at, (3,) m the first)] of parts of a hull.
+
+    welded : whole PanelMesh whose panels share their points
+    """
+    part = _parts(welded)
+    out = []
+    if part.max() >= MOST:
+        return out
+    for one in range(part.max() + 1):
+        panels = np.flatnonzero(part == one)
+        some = panels[:: max(1, len(panels) // SAMPLE)]
+        for other in (other for other in range(part.max() + 1) if other != one):
+            seen = welded.vertices[part == other]
+            low, high = seen.reshape(-1, 3).min(axis=0), seen.reshape(-1, 3).max(axis=0)
+            centres = welded.centroids[some]
+            near = centres[np.all((centres[:, :2] > low[:2]) & (centres[:, :2] < high[:2]), axis=1)]
+            inside = np.abs(_winding(near, seen)) > 0.5 if len(near) else np.zeros(0, bool)
+            if inside.any():
+                out.append((int(inside.sum()), len(some), near[np.argmax(inside)]))
+    return out
+
+
+def _parts(mesh):
+    """(n,) number of the part that each panel belongs to; parts share no point"""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    a, b = mesh.corners.reshape(-1), np.roll(mesh.corners, 1, axis=1).reshape(-1)
+    size = len(mesh.points)
+    _, number = connected_components(coo_matrix((np.ones(len(a)), (a, b)), (size, size)), directed=False)
+    return np.unique(number[mesh.corners[:, 0]], return_inverse=True)[1].reshape(-1)
+
+
+def _winding(places, panels):
+    """(p,) w at places (p, 3) of panels (n, 4, 3) and their images"""
+    images = panels[:, ::-1] * [1.0, 1.0, -1.0]
+    corners = np.concatenate([panels, images])
+    triangles = np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
+    step = max(1, BLOCK // len(triangles))
+    return np.concatenate([_solid_angles(places[i : i + step], triangles) for i in range(0, len(places), step)])
+
+
+def _solid_angles(places, triangles):
+    a, b, c = np.moveaxis(triangles[None] - places[:, None, None], 2, 0)
+    la, lb, lc = (np.linalg.norm(side, axis=-1) for side in (a, b, c))
+    dot = np.einsum("pni,pni->pn", a, b) * lc + np.einsum("pni,pni->pn", b, c) * la
+    dot = dot + np.einsum("pni,pni->pn", c, a) * lb + la * lb * lc
+    return np.arctan2(np.einsum("pni,pni->pn", a, np.cross(b, c)), dot).sum(axis=1) / (2 * np.pi)

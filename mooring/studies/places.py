@@ -1,0 +1,86 @@
+"""Whether lines are made fast where a hull and an anchor are, and can reach from one to the other."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..lines.system.findings import LONGEST_STRAIN
+from ..lines.system.parts import Fairlead
+
+BESIDE = 0.1  # of the hull's length: farther out of the hull no bracket or outrigger carries a fairlead
+NEAR = 0.01  # of it: so far out a fairlead is remarked, and so much of a line inside of the hull
+
+
+def check_places(system, hull):
+    """Raise ValueError for a fairlead off the hull, and for a line that no material stretches to its anchor.
+
+    system : of one body at rest; hull : `conditions.ExposedBox`, its middle at x = y = 0
+    """
+    for line, anchor, fairlead in _ends(system):
+        out = _outside(fairlead, hull)
+        if out > BESIDE * hull.length:
+            x, y, z = fairlead
+            raise ValueError(
+                f"line {line.name}: its fairlead ({x:g}, {y:g}, {z:g}) m is {out:.4g} m off the hull of "
+                f"{hull.length:g} by {hull.beam:g} m, z {-hull.draft:g} to {hull.freeboard:g} m; allowed: up to "
+                f"{BESIDE * hull.length:.3g} m; its coordinates begin in the middle of the hull"
+            )
+        away = float(np.linalg.norm(fairlead - anchor))
+        if away > (1 + LONGEST_STRAIN) * line.length:
+            raise ValueError(
+                f"line {line.name} is {line.length:g} m long and its anchor {away:.4g} m from its fairlead: stretched "
+                f"by {100 * (away / line.length - 1):.3g} %, limit {100 * LONGEST_STRAIN:g} %, where any rope parts; "
+                "give a longer line or a nearer anchor"
+            )
+
+
+def place_findings(system, hull):
+    """Lines on fairleads beside the hull, and on lines whose way to the anchor leads through it"""
+    beside, through = [], []
+    for line, anchor, fairlead in _ends(system):
+        out, inside = _outside(fairlead, hull), _inside(fairlead, anchor, hull)
+        if out > NEAR * hull.length:
+            beside.append(f"{line.name} {out:.3g} m")
+        if inside > NEAR * hull.length:
+            through.append(f"{line.name} {inside:.3g} m")
+    if beside:
+        yield f"fairleads beside the hull: {', '.join(beside)}; limit {NEAR * hull.length:.3g} m; check where they are"
+    if through:
+        yield (
+            f"lines through the hull, on the straight way from fairlead to anchor: {', '.join(through)}; limit "
+            f"{NEAR * hull.length:.3g} m; check fairleads and headings"
+        )
+
+
+def _ends(system):
+    """(line, anchor (3,), fairlead (3,)) in space, of lines from anchors to the body at rest"""
+    points, body = {point.name: point for point in system.points}, system.bodies[0]
+    for line in system.lines:
+        a, b = points[line.a], points[line.b]
+        a, b = (b, a) if isinstance(a, Fairlead) else (a, b)
+        yield line, np.asarray(a.position, float), np.asarray(b.position, float) + np.asarray(body.position[:3], float)
+
+
+def _box(hull):
+    """Corners of the hull at least and at most x, y, z"""
+    half = 0.5 * np.array([hull.length, hull.beam])
+    return np.array([*-half, -hull.draft]), np.array([*half, hull.freeboard])
+
+
+def _outside(point, hull):
+    """m, of a point from the hull; 0 within"""
+    low, high = _box(hull)
+    return float(np.linalg.norm(np.maximum(np.maximum(low - point, point - high), 0.0)))
+
+
+def _inside(start, end, hull):
+    """m, of the straight way between two points that lies within the hull"""
+    low, high = _box(hull)
+    way = end - start
+    with np.errstate(divide="ignore", invalid="ignore"):
+        into, out = np.sort([(low - start) / way, (high - start) / way], axis=0)
+    still = way == 0
+    free = (start > low) & (start < high)
+    into, out = np.where(still, np.where(free, -np.inf, np.inf), into), np.where(still, np.inf, out)
+    share = min(out.min(), 1.0) - max(into.max(), 0.0)
+    return float(max(share, 0.0) * np.linalg.norm(way))

@@ -1,0 +1,27 @@
+"""Anchors where there are none: high above the water, or between it and the bed."""
+
+from __future__ import annotations
+
+import warnings
+
+HIGHEST = 30.0  # m above the water, of a bollard on a quay or of a tower
+OFF_BED = 1.0, 0.05  # m, and share of the depth, above the bed: a pile or a frame that stands on it
+
+
+def warn_of_anchors(heights, depth):
+    """Warn of anchors {name: z in m} far above the water, or under water and off the bed at `depth` m (may be inf)."""
+    high = [f"{name} (z = {z:g} m)" for name, z in heights.items() if z > HIGHEST]
+    if high:
+        warnings.warn(
+            f"anchors above the water: {', '.join(high)}, limit {HIGHEST:g} m, as of a quay; z is 0 at the water and "
+            "negative below it",
+            stacklevel=2,
+        )
+    limit = max(OFF_BED[0], OFF_BED[1] * depth)
+    floating = [f"{name} ({z + depth:.4g} m)" for name, z in heights.items() if limit < z + depth and z < 0]
+    if floating:
+        warnings.warn(
+            f"anchors above the bed: {', '.join(floating)}, limit {limit:.3g} m; the bed is at z = {-depth:g} m; check "
+            "their z, or ignore this where they are on piles",
+            stacklevel=2,
+        )

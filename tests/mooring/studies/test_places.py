@@ -1,0 +1,65 @@
+"""Fairleads off the hull, lines through it and lines that cannot reach: refused or told with number and limit."""
+
+import numpy as np
+import pytest
+
+from mooring.lines.system.moored_body import Leg, moored_body
+from mooring.lines.system.parts import LineType, UniformLine
+from mooring.studies.conditions import ExposedBox
+from mooring.studies.places import check_places, place_findings
+
+HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
+CHAIN = LineType("chain", 3500.0, 1e9)
+
+
+def system(fairlead, anchor=(150.0, 25.0, -20.0), length=120.0):
+    return moored_body([Leg(UniformLine("one", CHAIN, length, "", ""), anchor, fairlead)], 20.0)
+
+
+def refused(*place, **more):
+    with pytest.raises(ValueError) as error:
+        check_places(system(*place, **more), HULL)
+    return str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("fairlead", "out"),
+    [((450.0, 25.0, 0.0), 400.0), ((50.0, -70.0, 0.0), 45.0), ((50.0, 25.0, 60.0), 50.0), ((50.0, 25.0, -25.0), 15.0)],
+)
+def test_a_fairlead_off_the_hull_is_refused_with_its_distance(fairlead, out):
+    assert f"{out:.4g} m off the hull of 100 by 50 m" in refused(fairlead)
+
+
+@pytest.mark.parametrize("fairlead", [(50.0, 25.0, 0.0), (-50.0, 25.0, 10.0), (0.0, 0.0, -10.0), (58.0, 0.0, 5.0)])
+def test_a_fairlead_on_the_hull_or_on_a_bracket_is_accepted(fairlead):
+    check_places(system(fairlead, length=250.0), HULL)
+
+
+def test_a_fairlead_on_a_bracket_is_told():
+    (said,) = place_findings(system((58.0, 0.0, 5.0)), HULL)
+    assert said == "fairleads beside the hull: one 8 m; limit 1 m; check where they are"
+
+
+def test_a_line_that_no_material_stretches_to_its_anchor_is_refused():
+    said = refused((50.0, 25.0, 0.0), (70.0, 25.0, -20.0), length=5.0)
+    away = np.hypot(20, 20)
+    assert f"one is 5 m long and its anchor {away:.4g} m from its fairlead" in said
+    assert f"stretched by {100 * (away / 5 - 1):.3g} %, limit 50 %" in said
+    check_places(system((50.0, 25.0, 0.0), (70.0, 25.0, -20.0), length=20.0), HULL)
+
+
+@pytest.mark.parametrize(
+    ("fairlead", "anchor", "inside"),
+    [
+        ((50.0, 25.0, 0.0), (150.0, 125.0, -20.0), 0.0),  # away from the corner
+        ((50.0, 0.0, 0.0), (-150.0, 0.0, -20.0), 100.0),  # back along the hull, out by the keel
+        ((0.0, 0.0, -10.0), (150.0, 0.0, -20.0), 0.0),  # from a turret under the keel
+        ((0.0, 25.0, 0.0), (0.0, -125.0, -20.0), 50.0),  # across it
+    ],
+)
+def test_a_line_through_the_hull_is_told_with_its_length_in_it(fairlead, anchor, inside):
+    said = [text for text in place_findings(system(fairlead, anchor), HULL) if "through the hull" in text]
+    assert len(said) == (inside > 0)
+    chord = np.linalg.norm(np.subtract(anchor, fairlead))
+    share = min(inside / np.abs(np.subtract(anchor, fairlead)[:2]).sum(), 0.5)  # halfway it leaves by the keel
+    assert all(f"one {share * chord:.3g} m" in text for text in said)
