@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
+
+from bem.database.schema import ESTIMATES, QUANTITIES
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 
@@ -19,6 +24,7 @@ FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
 WORTH_SHARING_AXISYMMETRIC = 150
 ADAPTIVE = 20  # frequencies that an adaptive band takes, about
 WORTH_TELLING = 3000
+COPIES = 3  # of a database while it is laid out: numbers, file, and the image of it that is written
 
 
 def shared_band(scene, mesh, lid=None):
@@ -53,6 +59,31 @@ def announced(problem, limits, console, processes=1):
         told = f"{panels.mesh.total} panels: about {memory / 1e9:.1f} GB"
         console.print(told + (_times(needed, limits) if needed else ""), highlight=False, soft_wrap=True)
     return needed
+
+
+def check_database(header, frequencies, headings, names):
+    """Raise SceneError for a database that does not fit into the memory, in which it is laid out.
+
+    header : `bem.database.file.Header`; frequencies, headings : how many; names : of the quantities
+    """
+    lengths = dict.fromkeys(("influenced_dof", "radiating_dof"), 6) | {"drift_dof": 3}
+    lengths |= {
+        "omega": frequencies,
+        "wave_direction": headings,
+        "theta": len(header.theta),
+        "panel": header.mesh.total,
+    }
+    cells = 0
+    for name in names:
+        axes, _, kind = QUANTITIES[name]
+        size = np.dtype(kind).itemsize * math.prod(lengths[axis] for axis in axes)
+        cells += size * (2 if name in ESTIMATES else 1)
+    check_memory(
+        f"{frequencies} frequencies and {headings} headings need",
+        COPIES * cells,
+        "give fewer of them, or fewer quantities (--only)",
+        SceneError,
+    )
 
 
 def _check_memory(total, memory, processes):

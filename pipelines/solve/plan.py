@@ -19,6 +19,7 @@ from ..scene.scene import Scene, SceneError
 from ..scene.text import to_toml
 from .header import body_properties, kochin_angles, make_header
 from .hull import make_hull, stored_hull
+from .large import check_database
 from .problem import problem_of
 from .remarks import remarks
 from .weight import check_weight
@@ -80,6 +81,7 @@ def resumed(scene, file):
 def _plan(scene, hull, header):
     check_weight(scene, hull.mesh, header.body)
     asked = scene.omegas(), scene.headings(), scene.names()
+    check_database(header, len(asked[0]), len(asked[1]), asked[2])
     return Plan(scene, *asked, header, problem_of(header, scene), remarks(scene, hull, header.body))
 
 

@@ -16,7 +16,7 @@ import tomli_w
 import pipelines
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
-BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --gyration 15.6,29.4,32.3 --omega 0.3:1.0:6 --heading 0,60,90"
+BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --gyration 15.6,29.4,32.3 --heading 0,45,90"
 SYSTEM = """[water]
 depth = 20.0
 
@@ -73,7 +73,7 @@ COMMANDS = {
     "line --weight 1000 --stiffness 1e6 --length 100 --depth 20 --span 90": (),
     "lines system.toml --output new.h5 --offset 1": ("system.toml",),
     "lines system.dat --depth 20": ("system.dat",),
-    "line-dynamics line.toml --duration 5 --output new.h5": ("line.toml",),
+    "line-dynamics line.toml --duration 20 --output new.h5": ("line.toml",),
     "sea --height 3 --mean-period 8 --record new.csv --duration 600": (),
     "sea waves.csv --output new.csv": ("waves.csv",),
     "sea --table spectrum.csv": ("spectrum.csv",),
@@ -117,7 +117,7 @@ def good_inputs(folder):
             shutil.copy(SCENES / f"{source}.toml", f"{name}.toml")
         shutil.copy(SCENES / "response_climate.csv", "response_climate.csv")
         scene = tomllib.loads(Path("scene.toml").read_text(encoding="utf-8"))
-        scene["waves"] = {"omegas": [0.3, 0.44, 0.58, 0.72, 0.86, 1.0], "headings_deg": [0, 60, 90]}
+        scene["waves"] = {"omegas": [0.3, 0.44, 0.58, 0.72, 0.86, 1.0], "headings_deg": [0, 45, 90]}
         Path("scene.toml").write_text(tomli_w.dumps(scene), encoding="utf-8")
         Path("system.toml").write_text(SYSTEM, encoding="utf-8")
         mesh = box(100, 50, 10, panels=60)

@@ -17,7 +17,7 @@ SPAN = "0:1:1000000000"
 MANY = ",".join(f"{x:.9f}" for x in np.linspace(0.1, 2.0, 9000))  # of a command line
 FLAGS = (  # command lines alone
     f"{BOX} --omega {SPAN}",
-    f"{BOX} --period 1:2:1000000000",
+    BOX.replace("--omega 0.5", "--period 1:2:1000000000"),
     f"{BOX} --heading {SPAN}",
     f"{BOX} --omega 0.1:1.0:10000 --heading -180:179:10000",
     f"{BOX} --omega {MANY}",
@@ -159,7 +159,7 @@ READERS = {  # what reads a file of this name
     "system.toml": "lines system.toml",
     "system.dat": "lines system.dat --depth 20",
     "system.yaml": "lines system.yaml --depth 20",
-    "line.toml": "line-dynamics line.toml --duration 5",
+    "line.toml": "line-dynamics line.toml --duration 20",
     "waves.csv": "sea waves.csv",
     "spectrum.csv": "sea --table spectrum.csv",
     "new.csv": "check new.csv",
@@ -359,10 +359,23 @@ def _repeated(key, count):
     return change
 
 
+def _once(words):
+    """The words of a command line in which the last of equal flags counts"""
+    kept = words[:1]
+    for i, word in enumerate(words[1:], 1):
+        if word.startswith("--") and word in words[i + 1 :]:
+            continue
+        if words[i - 1].startswith("--") and words[i - 1] in words[i:]:
+            continue
+        kept.append(word)
+    return kept
+
+
 def oversized():
     """(what, words, spoil) of every case"""
     for line in FLAGS:
-        yield line[:200], line.split(), lambda folder: None
+        words = _once(line.split())
+        yield " ".join(words)[:200], words, lambda folder: None
     for part in (_of_files, _of_meshes, _of_studies):
         for what, line, spoil in part():
             yield what, line.split(), spoil

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...common.bounds import told
 from ...common.outputs import check_folder, check_output
 from ...scene.scene import SceneError, numbers
 from .databases import is_scene, solved
@@ -9,6 +10,7 @@ from .models import Models
 from .series import DepthSeries, LengthSeries, Motions, Sections
 from .tables import is_table
 
+SECONDS = {"contour": 0.1, "panel": 1.0, "strip": 0.02, "inverse-strip": 0.02, "pressure": 1.0}  # of a frequency, about
 SETS = {one.name: one for one in (DepthSeries(), LengthSeries(), Sections(), Motions(), Models())}
 
 
@@ -22,6 +24,9 @@ def make(one, folder, console, xi=None, fresh=False):
         raise SceneError(f"output is {folder}, which is a file; allowed: a folder, or a new name")
     cases = one.cases(None if xi is None else numbers("--xi", xi))
     check_places(one, cases, folder)
+    told(
+        f"{len(cases)} databases of {sum(len(case.scene.omegas()) for case in cases)} frequencies take", _seconds(cases)
+    )
     found = solved(cases, folder / "databases", console, fresh)
     for line in found.failures:
         _say(console, f"failed: {line}")
@@ -33,6 +38,10 @@ def make(one, folder, console, xi=None, fresh=False):
     for path in one.write(found.results, folder):
         _say(console, path)
     return 0
+
+
+def _seconds(cases):
+    return sum(SECONDS.get(case.scene.method, SECONDS["contour"]) * len(case.scene.omegas()) for case in cases)
 
 
 def check_places(one, cases, folder):
