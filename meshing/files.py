@@ -109,8 +109,11 @@ def _read_with_meshio(path):
     except (Exception, SystemExit) as error:  # meshio ends the program where it cannot read
         cause = str(error) if str(error) not in ("", "1") else " ".join(said.getvalue().split())
         raise ValueError(f"{path}: cannot be read ({cause or type(error).__name__})") from error
-    quads = found.cells_dict.get("quad", np.zeros((0, 4), np.int64))
-    triangles = found.cells_dict.get("triangle", np.zeros((0, 3), np.int64))
+    try:
+        quads = np.asarray(found.cells_dict.get("quad", np.zeros((0, 4))), np.int64)
+        triangles = np.asarray(found.cells_dict.get("triangle", np.zeros((0, 3))), np.int64)
+    except (OverflowError, TypeError, ValueError):
+        raise ValueError(f"{path}: the points of its panels are no rows of whole numbers") from None
     if not len(quads) + len(triangles):
         kinds = ", ".join(sorted(found.cells_dict)) or "nothing"
         raise ValueError(f"{path}: it holds {kinds}; allowed: triangle, quad")

@@ -128,6 +128,8 @@ BAD = {
     "wall.gdf": ("h\n1 9.81\n-1 0\n0\n", "symmetry -1 0"),
     "patches.gdf": ("h\n1 9.81\n0 0\n4 1\n", "higher-order"),
     "empty.gdf": ("h\n1 9.81\n0 0\n0\n", "no panels"),
+    "far.obj": ("v 0 0 0\nf 1 2 1000000000000000000000\n", "no rows of whole numbers"),
+    "inf.nemoh": ("2 0\ninf 0 0 0\n0 0 0 0\n1 1 1 1\n0 0 0 0\n", "line 2: 'inf' is not a finite number"),
     "nan.gdf": ("h\n1 9.81\n0 0\n1\n" + "nan " * 12, "not a finite number"),
     "head.nemoh": ("1 2 3\n", "line 1"),
     "open.nemoh": ("2 0\n1 0 0 0\n", "after the points"),
