@@ -22,7 +22,7 @@ FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
 # on an axisymmetric body (`bem.panels.axisymmetric`): it takes as long as 115 of 1 000 or 4 000 panels, with two
 # threads 190 and 145
 WORTH_SHARING_AXISYMMETRIC = 150
-ADAPTIVE = 20  # frequencies that an adaptive band takes, about
+ADAPTIVE = 27  # frequencies that an adaptive band takes, about
 WORTH_TELLING = 3000
 COPIES = 3  # of a database while it is laid out: numbers, file, and the image of it that is written
 

@@ -1,6 +1,6 @@
 """Error against time of the contour method: cylinders against the exact one, boxes against a tolerance of 1e-7.
 
-    python tests/bench/contour.py [tolerance …]
+    python tests/bench/contour.py [--quick] [tolerance …]
 
 Errors are the largest over the frequencies of A + iB/ω (relative to √|ZᵢᵢZⱼⱼ|), excitation and fixed drift at three
 headings; `law` is the worst of reciprocity, Haskind and energy.  Times are processor times of one thread, the least
@@ -9,6 +9,7 @@ problem, which frequencies within a fifth share, is not counted.  `waves` is the
 of the sums over all other modes.
 """
 
+import argparse
 import sys
 import time
 from pathlib import Path
@@ -98,16 +99,27 @@ def finest(dimensions, omega):
     return solved.Z, solved.force, solved.drift
 
 
-def main(tolerances):
+def main(words=None):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("tolerances", type=float, nargs="*", default=[1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
+    parser.add_argument("--quick", action="store_true", help="a cylinder and a box at 1e-3, some seconds")
+    asked = parser.parse_args(words)
+    if asked.quick:
+        table([1e-3], CYLINDERS[2:3], BOXES[2:3])
+    else:
+        table(asked.tolerances, CYLINDERS, BOXES)
+
+
+def table(tolerances, cylinders, boxes):
     print("| body (m) | tolerance | error | estimate | law | prepare s | ms | longest ms | waves ms | modes ms |")
     print("|---|---|---|---|---|---|---|---|---|---|")
     with blas_threads(1):
         for tolerance in tolerances:
-            for dimensions in CYLINDERS:
+            for dimensions in cylinders:
                 row("cylinder", prepare_cylinder, exact, dimensions, tolerance)
-            for dimensions in BOXES:
+            for dimensions in boxes:
                 row("box", prepare_box, finest, dimensions, tolerance)
 
 
 if __name__ == "__main__":
-    main([float(t) for t in sys.argv[1:]] or [1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
+    main()

@@ -114,13 +114,13 @@ def report(title, bodies):
         )
 
 
-def main():
+def main(words=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a few bodies, less than a minute")
+    parser.add_argument("--quick", action="store_true", help="a body of each kind, some seconds")
     parser.add_argument("--bodies", type=int, default=60)
     parser.add_argument("--seed", type=int, default=2)
-    asked = parser.parse_args()
-    count = 4 if asked.quick else asked.bodies
+    asked = parser.parse_args(words)
+    count = 1 if asked.quick else asked.bodies
     for i, (title, (kind, waves)) in enumerate(KINDS.items()):
         report(title, [measured(np.random.default_rng([asked.seed, i, j]), kind, waves) for j in range(count)])
 

@@ -50,15 +50,15 @@ def drawn(rng, shape, slender, flat):
     return SimpleNamespace(shape="buoy", radius=BEAM / 2, draft=draft), (BEAM / 2, draft), depth
 
 
-def errors(shape, sizes, depth):
-    """(panels (n,), worst relative error (n,)) over the waves"""
+def errors(shape, sizes, depth, counts):
+    """(panels (n,), worst relative error (n,)) over the waves, with about `counts` (n,) panels"""
     longest = 2 * sizes[0] if shape == "buoy" else sizes[0]
     k = 2 * np.pi / (longest * np.array(WAVES))
     omegas = np.sqrt(GRAVITY * k * np.tanh(k * depth))
     exact = prepare(ShapeProblem(method="contour", shape=shape, sizes=sizes, depth=depth, tolerance=1e-5))
     true = [exact.run(w, [0.6], WANT, None, DOFS) for w in omegas]
     found = []
-    for count in PANELS:
+    for count in counts:
         mesh = (box if shape == "box" else buoy)(*sizes, panels=int(count))
         body, worst = prepare(PanelProblem(mesh, lid(mesh), depth=depth)), 0.0
         for t, w in zip(true, omegas, strict=True):
@@ -80,10 +80,10 @@ def needed(panels, error):
     return float(np.exp(x[last] + share * (x[last + 1] - x[last])))
 
 
-def report(title, bodies):
+def report(title, bodies, counts):
     rows, orders = [], []
     for body, sizes, depth in bodies:
-        panels, error = errors(body.shape, sizes, depth)
+        panels, error = errors(body.shape, sizes, depth, counts)
         orders.append(-np.polyfit(np.log(panels), np.log(error), 1)[0])
         rows.append((needed(panels, error), panels_for(body, TOLERANCE)))
     need, have = np.array(rows).T
@@ -95,18 +95,18 @@ def report(title, bodies):
     )
 
 
-def main():
+def main(words=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a few bodies, less than a minute")
+    parser.add_argument("--quick", action="store_true", help="a body of each kind up to 400 panels, some seconds")
     parser.add_argument("--bodies", type=int, default=30)
     parser.add_argument("--seed", type=int, default=3)
-    asked = parser.parse_args()
-    count = 3 if asked.quick else asked.bodies
+    asked = parser.parse_args(words)
+    count, panels = (1, PANELS[:3]) if asked.quick else (asked.bodies, PANELS)
     print(f"ERROR_ORDER in the code {ERROR_ORDER:g}")
     print("| bodies | n | order | needed, median | 90 % | the rule gives | 90 % need times as many | enough in |")
     print("|---|---|---|---|---|---|---|---|")
     for i, (title, ranges) in enumerate(KINDS.items()):
-        report(title, [drawn(np.random.default_rng([asked.seed, i, j]), *ranges) for j in range(count)])
+        report(title, [drawn(np.random.default_rng([asked.seed, i, j]), *ranges) for j in range(count)], panels)
 
 
 if __name__ == "__main__":

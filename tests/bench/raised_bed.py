@@ -1,12 +1,13 @@
 """The contour method over a raised bed beside beds four times as deep and the panel method in endless depth.
 
-    python tests/bench/raised_bed.py [panels]
+    python tests/bench/raised_bed.py [--panels 400] [--quick]
 
 Waves from the longest that `bem.contour.raised_bed` takes to ten times shorter; tolerance 1 %.  Columns: differences of
 A + iB/ω and of the excitation (`bem.checks`) from the deeper bed at a tenth of the tolerance, the stored estimate and
-the bed's part of it, the same differences from so many panels (0: none) and their estimate, seconds of the two.
+the bed's part of it, the same differences from so many panels (none without it) and their estimate, seconds of the two.
 """
 
+import argparse
 import sys
 import time
 from pathlib import Path
@@ -31,9 +32,6 @@ BODIES = [
 ]  # fmt: skip
 GRAVITY, TOLERANCE, MOST_WAVES = 9.80665, 0.01, 30
 WANT, HEADINGS = {"added_mass", "radiation_damping", "excitation_force"}, np.radians([0.0, 30.0, 77.0])
-
-
-bem.contour.solver.HIGHEST_GAP = np.inf  # for the deeper beds
 
 
 def contour(shape, sizes, bed, tolerance=TOLERANCE, depth=np.inf):
@@ -67,10 +65,23 @@ def longest_wave(shape, sizes):
     return k
 
 
-def main(count):
+def main(words=None):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--panels", type=int, default=0)
+    parser.add_argument("--quick", action="store_true", help="two bodies, some seconds")
+    asked = parser.parse_args(words)
+    highest = bem.contour.solver.HIGHEST_GAP
+    bem.contour.solver.HIGHEST_GAP = np.inf  # for the deeper beds
+    try:
+        table(BODIES[2:6:3] if asked.quick else BODIES, asked.panels)
+    finally:
+        bem.contour.solver.HIGHEST_GAP = highest
+
+
+def table(bodies, count):
     print("| body | waves | kd | A + iB/ω | excitation | estimate | bed | panels: A + iB/ω, X | estimate | s | s |")
     print("|---|---|---|---|---|---|---|---|---|---|---|")
-    for sizes in BODIES:
+    for sizes in bodies:
         shape = "box" if len(sizes) == 3 else "buoy"
         across, k0 = max(sizes[:-1]) * (1 if shape == "box" else 2), longest_wave(shape, sizes)
         for k in (k0, 3 * k0, 10 * k0):
@@ -93,4 +104,4 @@ def main(count):
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 0)
+    main()

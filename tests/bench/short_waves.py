@@ -1,14 +1,14 @@
 """Waves that are not resolved (`bem.contour.short_wave_frequency`) beside the same waves resolved, on random boxes.
 
-    python tests/bench/short_waves.py [boxes] [seed]
+    python tests/bench/short_waves.py [--boxes 60] [--seed 0] [--quick]
 
 30 to 90 waves along a box, nine and more along its shorter side, kd 0.9 … 9, gap 0.005 … 10 drafts, five headings, of
 which some go along a wall and some nearly so; tolerance 1 %.  Of every box the largest difference relative to the
-scales of `bem.checks` and the largest over what is said to be left out (`bem.contour.short_waves`) and the
-difference from a
-finer body, for A + iB/ω, for surge, sway and yaw, and for heave, roll and pitch; then quantiles of all headings.
+scales of `bem.checks` and the largest over what is said to be left out (`bem.contour.short_waves`) and the difference
+from a finer body, for A + iB/ω, for surge, sway and yaw, and for heave, roll and pitch; then quantiles of all headings.
 """
 
+import argparse
 import sys
 import time
 from pathlib import Path
@@ -30,9 +30,9 @@ def between(rng, low, high):
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
 
-def drawn(rng):
+def drawn(rng, most):
     """(length, beam, draft, depth) m, ω rad/s, headings rad"""
-    waves = between(rng, *WAVES)
+    waves = between(rng, WAVES[0], most)
     plan, k = [LENGTH, LENGTH / between(rng, 1, waves / SIDE)], 2 * np.pi * waves / LENGTH
     draft = between(rng, *PHASE) / k
     depth = draft * (1 + between(rng, *GAP))
@@ -72,12 +72,22 @@ def ratio(error, allowed):
     return np.divide(error, allowed, out=np.zeros_like(error), where=allowed > 0)
 
 
-def main(count, seed):
+def main(words=None):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--boxes", type=int, default=60)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--quick", action="store_true", help="one box of up to 32 waves, some seconds")
+    asked = parser.parse_args(words)
+    table(*((1, asked.seed, 32) if asked.quick else (asked.boxes, asked.seed, WAVES[1])))
+
+
+def table(count, seed, most):
+    """most : waves along a box"""
     print("| length × beam × draft, depth m | waves | kd | A + iB/ω | X | over estimate: A + iB/ω | X₁₂₆ | X₃₄₅ | s |")
     print("|---|---|---|---|---|---|---|---|---|")
     rng, rows_of_all = np.random.default_rng(seed), []
     for _ in range(count):
-        start, (sizes, omega, headings) = time.perf_counter(), drawn(rng)
+        start, (sizes, omega, headings) = time.perf_counter(), drawn(rng, most)
         (Z, X), (Z_allowed, X_allowed), exact = compared(sizes, omega, headings)
         Z_scale, X_scale = scales(exact, np.hypot(*sizes[:2]) / 2)
         relative, over = X / X_scale, ratio(X, X_allowed)
@@ -96,4 +106,4 @@ def main(count, seed):
 
 
 if __name__ == "__main__":
-    main(*(int(a) for a in (sys.argv[1:] + ["60", "0"][len(sys.argv) - 1 :])))
+    main()
