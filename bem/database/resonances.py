@@ -22,7 +22,8 @@ from .between_frequencies import FEWEST, BetweenError
 SHARP = 0.25  # damping ratio above which a peak is less than twice the static motion
 AROUND = 2.0 ** np.arange(-3, 8)  # in widths, on both sides of a peak
 WIDEST = 0.3  # of a frequency, on both sides of it
-CLOSE = 1e-9  # relative, of a natural frequency
+CLOSE = 1e-11  # relative, of a natural frequency: interpolated added mass has rounding errors of 1e-12
+MOST = 100
 STEPS = 4  # places between two stored frequencies
 QUIET = 1e-3  # of the largest motion of its kind: a peak below is none
 KINDS = slice(0, 3), slice(3, 6)
@@ -91,31 +92,40 @@ def by_motion(energies):
     return every[shares[every, np.arange(6)].sum(axis=1).argmax()]
 
 
+def zeros(functions, low, f, high, g):
+    """(m,) ω at which m functions, nearly straight, are zero between low (m,) and high (m,), where they are f and g.
+
+    functions : (m,) → (m,).  A secant within a bracket, whose end is taken at half its value when it stays for the
+    second time (Illinois; Dowell and Jarratt, BIT 11, 1971): three steps square the error.
+    """
+    last, x = np.zeros(len(low)), high
+    for _ in range(MOST):
+        x = (low * g - high * f) / np.where(f == g, 1.0, g - f)
+        y = functions(x)
+        if np.all(np.abs(y) <= CLOSE * np.abs(x)):
+            break
+        upper = np.sign(y) == np.sign(g)
+        low, f, high, g = (
+            np.where(upper, low, x),
+            np.where(upper, np.where(last > 0, 0.5, 1.0) * f, y),
+            np.where(upper, x, high),
+            np.where(upper, y, np.where(last < 0, 0.5, 1.0) * g),
+        )
+        last = np.where(upper, 1.0, -1.0)
+    return x
+
+
 def _roots(body):
     """(mode, ω) of every natural frequency within the stored ones"""
     knots = np.arange(len(body.omega))
     omega = np.interp(np.arange((len(knots) - 1) * STEPS + 1) / STEPS, knots, body.omega)
     excess = _excess(body, omega)
     for i, j in np.argwhere((excess[:-1] > 0) & (excess[1:] <= 0) | (excess[:-1] < 0) & (excess[1:] >= 0)):
-        w = _root(lambda x, j=j: float(_excess(body, np.array([x]))[0, j]), omega[i], omega[i + 1])
+        ends = omega[[i]], excess[[i], j], omega[[i + 1]], excess[[i + 1], j]
+        w = float(zeros(lambda x, j=j: _excess(body, x)[:, j], *ends)[0])
         _, vectors, M = _modes(body, np.array([w]))
         energies = np.abs(vectors[0].T * (M[0] @ vectors[0]).T)
         yield int(np.flatnonzero(by_motion(energies) == j)[0]), w, vectors[0][:, j]
-
-
-def _root(function, low, high):
-    """Where a function, nearly straight, is zero between places of different sign (Illinois)"""
-    f, g = function(low), function(high)
-    for _ in range(50):
-        x = (low * g - high * f) / (g - f)
-        y = function(x)
-        if abs(y) <= CLOSE * x:
-            break
-        if (y > 0) == (g > 0):
-            high, g, f = x, y, 0.5 * f
-        else:
-            low, f, g = x, y, 0.5 * g
-    return x
 
 
 def _excess(body, omega):

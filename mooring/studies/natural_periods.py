@@ -12,13 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.database.resonances import by_motion, natural_modes
+from bem.database.resonances import by_motion, natural_modes, zeros
 
 from ..lines.system.equilibrium import SystemEquilibrium
 from ..lines.system.studies import about_body_axes, body_number, mooring_stiffness
 
-CLOSE = 1e-13  # relative, of a natural frequency
-MOST = 100
 NAMES = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
 
 
@@ -79,10 +77,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
 
 
 def _own_frequencies(eigenvalues):
-    """(6,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode
-
-    √λⱼ − ω is nearly straight: a secant within a bracket, its idle end halved (Illinois), gains digits quickly.
-    """
+    """(6,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode"""
     own, start = np.arange(6), eigenvalues(np.zeros(1))[0]
 
     def excess(w):
@@ -97,14 +92,7 @@ def _own_frequencies(eigenvalues):
         short = (below >= 0) & (start > 0)
         low, above = np.where(short, high, low), np.where(short, below, above)
         high = np.where(short, 2 * high, high)
-    for _ in range(MOST):
-        w = np.where(above > below, (low * below - high * above) / np.where(above > below, below - above, 1.0), high)
-        found = excess(w)
-        if np.all((np.abs(found) <= CLOSE * w) | (start <= 0)):
-            break
-        upper = found < 0
-        low, above = np.where(upper, low, w), np.where(upper, 0.5 * above, found)
-        high, below = np.where(upper, w, high), np.where(upper, found, 0.5 * below)
+    w = zeros(excess, low, above, high, below)
     return np.where(start > 0, w, -np.sqrt(np.maximum(-start, 0)))
 
 
