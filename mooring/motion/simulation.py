@@ -303,19 +303,32 @@ def _run(moored, settings, expected, body, lines, wind, current, table, progress
         if state == integrator.DONE:
             return samples, clock
         if state != integrator.RUNNING:
-            raise SimulationError(_failure(state, clock, settings, lines, moored))
+            raise SimulationError(_failure(state, clock, settings, lines, kept, moored))
 
 
-def _failure(state, clock, settings, lines, moored):
+def _failure(state, clock, settings, lines, kept, moored):
     t, place = clock.now[0], clock.y[:6]
     where = f"at {t - settings.ramp:.4g} s after the ramp, the body {np.hypot(*place[:2]):.3g} m from its place"
+    name, tension = _tightest(lines, kept, moored)
     if state == integrator.NO_LINE:
         return (
             f"{where}: a line cannot reach its fairlead or its end is below the bed; lengthen it, or weaken the loads"
         )
     if state == integrator.TOO_SHORT:
-        return f"{where}: steps below {integrator.SHORTEST:g} s would be needed; raise the tolerance or soften a line"
+        rigid = name and not lines.lines[moored.system.line_names.index(name), 2] > 0
+        way = "give it an axial stiffness" if rigid else "raise the tolerance or soften it"
+        return (
+            f"{where}: steps below {integrator.SHORTEST:g} s would be needed, line {name} pulls {tension:.3g} N; {way}"
+        )
     return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
+
+
+def _tightest(lines, kept, moored):
+    """Name and pull of the line that pulls most; None without lines"""
+    if not len(lines.lost):
+        return None, 0.0
+    pull = np.nan_to_num(np.hypot(*kept.tension.T))
+    return moored.system.line_names[int(pull.argmax())], float(pull.max())
 
 
 def _realisation(moored, settings, seed, lines, wind, table, samples, clock, findings):
