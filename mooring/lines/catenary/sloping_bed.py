@@ -4,6 +4,10 @@ At lift-off the line has the slope of the bed, β (positive: rising towards the 
 with S the free length, unstretched.  On the bed dT/ds = w (sin β + μ cos β), T ≥ 0: where friction has used up
 the tension the rest of the line is at rest.  SR179 report (1982), section 3.1.1 and appendix 3.1.A, with
 elasticity added; only T is propagated along the bed, H = T cos β and V = T sin β follow from it.
+
+Friction holds a line without tension where tan |β| ≤ μ.  On a steeper bed it slides down: what is more than
+the tension at lift-off holds hangs in a bight below the anchor, with T = 0 at its lowest point, and pulls the anchor
+down the slope with w (sin β − μ cos β) times its leg there.
 For a given span ln H is found from the span along the bed, between proven bounds.
 """
 
@@ -24,21 +28,36 @@ def hanging_length(height, weight, flexibility):
 
 
 @kernel()
+def slides(slope, friction):
+    """Whether a line without tension slides down a bed that rises towards its fairlead."""
+    return math.tan(slope) > friction
+
+
+@kernel()
 def lying_end(H, lying, weight, slope, friction):
-    """Tension left at the anchor and the length of lying line under tension."""
+    """Tension at the anchor and the length of lying line above the place where it is used up.
+
+    Below 0 where the line slides: the anchor is pulled down the slope by the leg of a bight.
+    """
     rate = weight * (math.sin(slope) + friction * math.cos(slope))
     lift_off = H / math.cos(slope)
     if lift_off < rate * lying:
-        return 0.0, lift_off / rate
+        pulled, leg = lift_off / rate, 0.0
+        if slides(slope, friction):
+            leg = weight * (math.sin(slope) - friction * math.cos(slope)) * (lying - pulled)
+        return -leg, pulled
     return lift_off - rate * lying, lying
 
 
 @kernel()
 def lying_reach(H, lying, weight, flexibility, slope, friction):
-    """Stretched length of the part on the bed."""
-    _, pulled = lying_end(H, lying, weight, slope, friction)
+    """Stretched length of the part on the bed; of a bight, how far above the anchor its line lifts off."""
+    end, pulled = lying_end(H, lying, weight, slope, friction)
     rate = weight * (math.sin(slope) + friction * math.cos(slope))
-    return lying + flexibility * pulled * (H / math.cos(slope) - 0.5 * rate * pulled)
+    stretch = flexibility * pulled * (H / math.cos(slope) - 0.5 * rate * pulled)
+    if pulled < lying and slides(slope, friction):
+        return pulled + stretch - (lying - pulled) * (1 - 0.5 * flexibility * end)
+    return lying + stretch
 
 
 @kernel()
@@ -83,6 +102,9 @@ def grounded_jacobian(H, S, length, weight, flexibility, slope, friction):
     z_H = stretch * tan + flexibility * S * tan - 2 * half**2 / (weight * cos)
     x_S = -2 * math.sin(slope + 0.5 * delta) * half + flexibility * (H - end * cos)
     z_S = 2 * math.cos(slope + 0.5 * delta) * half + flexibility * (V - end * cos * tan)
+    if pulled < length - S and slides(slope, friction):  # what a bight loses moves its lift-off up by as much again
+        by_H = (2 - flexibility * end) / (weight * (math.sin(slope) + friction * cos))
+        x_H, x_S, z_H, z_S = x_H + by_H, x_S + 2 * cos, z_H + by_H * tan, z_S + 2 * math.sin(slope)
     return x_H, x_S, z_H, z_S
 
 
@@ -102,7 +124,7 @@ def solve_grounded(x, z, length, weight, flexibility, slope, friction):
         high = (gain + 2 * length + clearance) / (flexibility * length) + weight * length * (1 + friction)
     # √s asinh(1/s) < 1.1 bounds the gain of a given H; the factor leaves room for the slope
     least = min((gain / 2.2) ** 2 * weight / (length + clearance), high)
-    low = min(max(1e-6 * least, 1e-290), 0.5 * high)
+    low = 1e-290 if slides(slope, friction) else min(max(1e-6 * least, 1e-290), 0.5 * high)
     q = 0.5 * (math.log(max(low, least)) + math.log(min(high, rigid)))
     low, high = math.log(low), math.log(high)
     q = min(max(q, low), high)

@@ -19,6 +19,7 @@ from .sloping_bed import (
     hanging_length,
     lying_end,
     lying_reach,
+    slides,
     solve_grounded,
 )
 from .state import BEYOND_REACH, GROUNDED, SLACK, SUSPENDED
@@ -33,7 +34,8 @@ def solve_uniform(row, line, bed):
     """Fill a row of `COLUMNS` for a line (x, z, length, weight, 1/EA, friction, slope).
 
     A line whose free shape would leave its anchor below the bed's slope lies on the bed; if it is long enough to
-    reach the point below its fairlead lying and then hang plumb, it is slack.
+    reach the point below its fairlead lying and then hang plumb, it is slack.  On a bed that falls from the anchor more
+    steeply than friction holds, what is too much lies in a bight further down: seen from there the bed rises.
     """
     x, z, length, weight, flexibility, friction, slope = line
     tan = math.tan(slope)
@@ -42,7 +44,10 @@ def solve_uniform(row, line, bed):
         if length >= plumb:
             lying = length - plumb
             if lying_reach(0.0, lying, weight, flexibility, slope, friction) >= x / math.cos(slope):
-                put_slack(row, plumb, lying, weight, flexibility, slope, friction)
+                if slides(-slope, friction):
+                    put_mirrored(row, line)
+                else:
+                    put_slack(row, plumb, lying, weight, flexibility, slope, friction)
                 return
     t, sine, cosine = suspended_shape(x, z, length, weight, flexibility)
     if math.isinf(t):
@@ -56,11 +61,27 @@ def solve_uniform(row, line, bed):
         row[0], row[1], row[2], row[3], row[4] = H, V, H, V - weight * length, 0.0
         row[5], row[6], row[7], row[8], row[9] = xx, xz, xz, zz, SUSPENDED
         return
+    put_grounded(row, line)
+
+
+@kernel()
+def put_grounded(row, line):
+    """A line that lies on the bed from its anchor to where it lifts off, or hangs from it in a bight."""
+    x, z, length, weight, flexibility, friction, slope = line
+    tan = math.tan(slope)
     H, S = solve_grounded(x, z, length, weight, flexibility, slope, friction)
     end, _ = lying_end(H, length - S, weight, slope, friction)
     row[0], row[1], row[2], row[3] = H, H * tan + weight * S, end * math.cos(slope), end * math.sin(slope)
     row[4], row[9] = length - S, GROUNDED
     row[5], row[6], row[7], row[8] = grounded_stiffness(H, S, length, weight, flexibility, slope, friction)
+
+
+@kernel()
+def put_mirrored(row, line):
+    """A line whose bight lies beyond its fairlead: it pulls the fairlead away from the anchor."""
+    x, z, length, weight, flexibility, friction, slope = line
+    put_grounded(row, (-x, z, length, weight, flexibility, friction, -slope))
+    row[0], row[2], row[6], row[7] = -row[0], -row[2], -row[6], -row[7]
 
 
 @kernel()
@@ -76,11 +97,14 @@ def put_slack(row, plumb, lying, weight, flexibility, slope, friction):
 def distance_missed(row, line):
     """m between the fairlead and where the forces of a solved line put it; of a slack line only its height counts."""
     x, z, length, weight, flexibility, friction, slope = line
+    H = row[0]
+    if H < 0:
+        x, slope, H = -x, -slope, -H
     free = length - row[4]
-    dx, dz = free_piece(row[0], row[1] - weight * free, free, weight, flexibility)
+    dx, dz = free_piece(H, row[1] - weight * free, free, weight, flexibility)
     if row[9] == SLACK:
         return abs(dz - (z - x * math.tan(slope)))
-    along = lying_reach(row[0], row[4], weight, flexibility, slope, friction)
+    along = lying_reach(H, row[4], weight, flexibility, slope, friction)
     return math.hypot(dx + along * math.cos(slope) - x, dz + along * math.sin(slope) - z)
 
 
@@ -119,7 +143,9 @@ def spans_at_tension(lines, H):
 def points_along(row, line, s):
     """(m, 2) x and z from the anchor at unstretched lengths s (m,) of a solved line."""
     x, _, length, weight, flexibility, friction, slope = line
-    H, lying = row[0], row[4]
+    H, lying, side = row[0], row[4], 1.0
+    if H < 0:
+        H, slope, side = -H, -slope, -1.0
     low = row[1] - weight * (length - lying)
     whole = lying_reach(H, lying, weight, flexibility, slope, friction)
     points = np.empty((s.size, 2))
@@ -131,5 +157,5 @@ def points_along(row, line, s):
             # tension is used up from the lift-off point downwards, so measure from there
             distance = whole - lying_reach(H, lying - on_bed, weight, flexibility, slope, friction)
         dx, dz = free_piece(H, low, max(s[i] - lying, 0.0), weight, flexibility)
-        points[i, 0], points[i, 1] = distance * math.cos(slope) + dx, distance * math.sin(slope) + dz
+        points[i, 0], points[i, 1] = side * (distance * math.cos(slope) + dx), distance * math.sin(slope) + dz
     return points

@@ -16,13 +16,15 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .free_span import free_step, free_table_row
+from .free_span import free_step, free_table_row, level_in_sea, tangent_beyond
 from .friction import bend_at_vertex, leave_bed, place_on_vertex
 from .line_data import (
     DERIVATIVE_ROWS,
     EMERGED,
     END,
     FLOATING,
+    HEAP_AT_ANCHOR,
+    HEAP_AT_TOUCHDOWN,
     LENGTH,
     NOTHING,
     STATE_ROWS,
@@ -35,8 +37,17 @@ from .line_data import (
     next_stop,
     record,
 )
-from .on_bed import march_on_facet, pass_grounded_sinker, put_on_facet, touch_down
-from .touchdown import BEND, OFF_FACET, OFF_SINKER, OFF_VERTEX, TO_ANCHOR, TO_FACET, TO_SINKER, TO_VERTEX
+from .on_bed import leave_heap, march_on_facet, pass_grounded_sinker, put_on_facet, touch_down
+from .touchdown import (
+    BEND,
+    OFF_FACET,
+    OFF_SINKER,
+    OFF_VERTEX,
+    TO_ANCHOR,
+    TO_FACET,
+    TO_SINKER,
+    TO_VERTEX,
+)
 
 
 class Equations(NamedTuple):
@@ -85,7 +96,8 @@ def pass_load(line, e):
     """Pass a point load on a free span; a floating buoy adds its weight as an unknown and the equation z = surface."""
     load = e.at[1]
     if e.states[load] == FLOATING:
-        write_equation(e, e.q[Z] - line.surface, 1.0, Z, 0.0, Z)
+        above = level_in_sea(line, e.q[X], e.q[Z]) - line.surface
+        write_equation(e, above, 1.0, Z, -tangent_beyond(line, e.q[X]), X)
         e.q[V] -= e.u[e.done[2]]
         e.g[V, e.done[2]] -= 1.0
         e.done[2] += 1
@@ -141,8 +153,8 @@ def march_span(line, e, facet, load, target, unknown, rows):
 
 
 @kernel()
-def span_step(line, e, step, index, load, next_step, rows):
-    """A free span and the equations of its end."""
+def span_step(line, e, step, index, load, next_step, slack, rows):
+    """A free span and the equations of its end; of a slack line that ends there only the height counts, and H."""
     q, g = e.q, e.g
     target, unknown = math.nan, NOTHING
     if step == TO_VERTEX:
@@ -159,9 +171,14 @@ def span_step(line, e, step, index, load, next_step, rows):
         else:
             touch_down(line, q, g, e.at, index)
         return
-    write_equation(e, q[X] - line.bed[index, 0], 1.0, X, 0.0, X)
-    write_equation(e, q[Z] - line.bed[index, 1], 1.0, Z, 0.0, Z)
-    place_on_vertex(line, q, g, index)
+    if step == TO_ANCHOR and slack:
+        tan = 0.0 if line.no_bed else math.tan(line.bed[0, 2])
+        write_equation(e, q[Z] - line.bed[0, 1] - (q[X] - line.bed[0, 0]) * tan, 1.0, Z, -tan, X)
+        return
+    vertex = 0 if step == TO_ANCHOR else index
+    write_equation(e, q[X] - line.bed[vertex, 0], 1.0, X, 0.0, X)
+    write_equation(e, q[Z] - line.bed[vertex, 1], 1.0, Z, 0.0, Z)
+    place_on_vertex(line, q, g, vertex)
 
 
 @kernel()
@@ -182,8 +199,11 @@ def step_on_bed(line, e, step, index, load, rows):
     else:
         if step == TO_SINKER:
             last_load = load
+        # beyond the anchor's place, where a buoy has lifted something from the heap
+        if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0]):
+            amount = amount if step == OFF_FACET else q[S]
         march_on_facet(line, q, g, e.at, index, amount, unknown, last_load, rows)
-        if step != OFF_FACET and step != TO_SINKER:
+        if math.isinf(amount) and step != TO_SINKER:
             q[X], q[Z] = line.bed[index, 0], line.bed[index, 1]
             mix(g, X, 0.0, X, 0.0, X)
             mix(g, Z, 0.0, Z, 0.0, Z)
@@ -192,13 +212,13 @@ def step_on_bed(line, e, step, index, load, rows):
 
 
 @kernel()
-def start_equations(line, e, x, z):
+def start_equations(line, e, x, z, left):
     """Set the state to that at the fairlead."""
     q, g, n = e.q, e.g, e.u.size
     for i in range(g.shape[0]):
         mix(g, i, 0.0, i, 0.0, i)
-    q[H], q[V], q[X], q[Z], q[S] = e.u[0], e.u[1], x, z, line.length
-    g[H, 0], g[V, 1], g[X, n], g[Z, n + 1] = 1.0, 1.0, 1.0, 1.0
+    q[H], q[V], q[X], q[Z], q[S] = line.least if left == HEAP_AT_TOUCHDOWN else e.u[0], e.u[1], x, z, line.length
+    g[H, 0], g[V, 1], g[X, n], g[Z, n + 1] = 0.0 if left == HEAP_AT_TOUCHDOWN else 1.0, 1.0, 1.0, 1.0
     e.at[0], e.at[1], e.at[2] = line.segments.shape[0] - 1, line.loads.shape[0] - 1, 0
     e.done[0], e.done[1], e.done[2] = 0, 2, n
     for load in range(e.states.size):
@@ -207,24 +227,28 @@ def start_equations(line, e, x, z):
 
 
 @kernel()
-def equations(line, e, x, z, steps, slack, rows):
+def equations(line, e, x, z, steps, left, rows):
     """Residuals of the steps (k, 3) with the fairlead at (x, z), and their derivatives; state left at the anchor.
 
-    slack : whether H at its lower limit replaces the last equation; rows : pieces are stored there, see `record`
+    left : what is left over of the line: with a heap at the anchor H at its lower limit replaces the last equation;
+        with one where the line touches the bed its length is the first unknown, in place of H
+    rows : pieces are stored there, see `record`
     """
-    start_equations(line, e, x, z)
+    start_equations(line, e, x, z, left)
     last = steps.shape[0] - 1
     for i in range(last + 1):
         step, index, load = steps[i, 0], steps[i, 1], steps[i, 2]
         if step <= TO_ANCHOR:
-            span_step(line, e, step, index, load, steps[min(i + 1, last), 0], rows)
+            span_step(line, e, step, index, load, steps[min(i + 1, last), 0], left == HEAP_AT_ANCHOR, rows)
+            if i == 0 and left == HEAP_AT_TOUCHDOWN:
+                leave_heap(line, e.q, e.g, e.at, e.u[0], 0, rows)
         else:
             step_on_bed(line, e, step, index, load, rows)
     if steps[last, 0] > TO_ANCHOR:
         write_equation(e, e.q[S], 1.0, S, 0.0, S)
-        if slack:
-            row = e.u.size - 1
-            e.r[row] = 0.0
-            for k in range(e.J.shape[1]):
-                e.J[row, k] = 1.0 if k == 0 else 0.0
         leave_bed(line, e.q, e.g)
+    if left == HEAP_AT_ANCHOR:
+        row = e.u.size - 1
+        e.r[row] = 0.0
+        for k in range(e.J.shape[1]):
+            e.J[row, k] = 1.0 if k == 0 else 0.0

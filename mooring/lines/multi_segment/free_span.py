@@ -65,6 +65,22 @@ def free_table_row(line, q, segment):
 
 
 @kernel()
+def tangent_beyond(line, x):
+    """Slope of the bed at x m beyond the anchor's place, 0 above the bed itself.
+
+    What is left over of a slack line lies in a heap at its anchor.  It is laid out along the first facet, past the
+    anchor, and the sea surface over it goes with the facet: what a buoy lifts there stands as high as over the anchor.
+    """
+    return math.tan(line.bed[0, 2]) if x < line.bed[0, 0] and not line.no_bed else 0.0
+
+
+@kernel()
+def level_in_sea(line, x, z):
+    """Height z of a point, moved with the bed to the anchor where it lies beyond it."""
+    return z - (x - line.bed[0, 0]) * tangent_beyond(line, x)
+
+
+@kernel()
 def smoothed_weight(line, load, z):
     """Weight (N) and state of a point load at z; a buoy loses its lift linearly over the height `line.soft`."""
     wet, dry = line.loads[load, 1], line.loads[load, 2]

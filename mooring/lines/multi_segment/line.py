@@ -3,12 +3,15 @@
 Free spans are elastic catenaries in closed form (`free_span`), the line on a facet of the bed in closed form
 too (`friction`).  For a given horizontal tension one integration from the fairlead
 down to the anchor (`traverse`) finds the contacts with the bed; Newton's method on the equations of equilibrium with
-these contacts (`equations`, `newton`) gives positions and forces.
+these contacts (`equations`, `newton`) gives positions and forces; no answer leaves that its own pieces do not bear out
+(`verdict`).
 SR179 report (1982), section 3.1, with these differences: no nodes and no finite differences; on a slope only T is
 propagated; friction acts at bed vertices too, and only as far as equilibrium needs it.
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
-and down with V.  Bending, current on the line and the weight of the line above water are neglected.
+and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too; a
+buoy does not rise out of the sea but floats in its surface with a part of its lift.  Bending, current on the line and
+the weight of the line above water are neglected.
 """
 
 from __future__ import annotations
@@ -21,7 +24,7 @@ import numpy as np
 from ..catenary.state import BeyondReachError, LineError, State
 from .bed import Bed
 from .segments import PointLoad, Segment
-from .solution import LineState, StaticSolution
+from .solution import LineState, StaticSolution, heaped
 
 __all__ = ["Bed", "LineState", "PointLoad", "Segment", "StaticLine", "StaticSolution"]
 
@@ -29,6 +32,7 @@ FLAT = Bed.sloping()
 LEAST = 1e-11  # of the line's weight: horizontal tension below which a line is called slack
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
+SOFTER = (1e-5, 1e-3)  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
 
 
 @dataclass(frozen=True)
@@ -59,6 +63,8 @@ class StaticLine:
                 )
         if np.isnan(self.surface):
             raise ValueError("surface is nan; allowed: a height above the anchor, or inf")
+        if self.surface <= 0 and any(load.weight < 0 for load in self.loads):
+            raise ValueError(f"surface is {self.surface:g} m; allowed with buoys: above the anchor, above 0 m")
 
     def __repr__(self):
         return f"<StaticLine {len(self.segments)} segments, {self.length:.6g} m, {len(self.loads)} point loads>"
@@ -78,6 +84,14 @@ class StaticLine:
         """rad, of the bed at the anchor; −π/2 without a bed"""
         return -0.5 * np.pi if self.bed is None else float(np.arctan2(*self.bed.points[1, ::-1]))
 
+    @cached_property
+    def _steep(self):
+        """Whether some facet is too steep for a line without tension to lie on."""
+        return (
+            self.bed is not None
+            and float(np.abs(np.diff(self.bed.points[:, 1]) / np.diff(self.bed.points[:, 0])).max()) > self.bed.friction
+        )
+
     def solve(self, x, z, state=None):
         """Forces, stiffness and shape with the fairlead at (x, z).
 
@@ -89,12 +103,27 @@ class StaticLine:
         self._check(x, z)
         data = self._data if state is None else self._data._replace(kept=np.ascontiguousarray(state.pieces, float))
         close = np.maximum(x.ravel(), 1e-9 * self.length)
-        from .search import solve_positions
-
-        heights, capacity = np.ascontiguousarray(z.ravel()), self._capacity(data)
-        found, status, pieces, loads = solve_positions(data, close, heights, self.weight, capacity)
+        found, status, pieces, loads = self._solve(data, close, np.ascontiguousarray(z.ravel()))
         self._judge(x, z, found, status)
         return self._solution(x, z, found, status, loads, pieces)
+
+    def _solve(self, data, x, z):
+        """What `search.solve_positions` finds; what one way of traversal does not find is sought in another."""
+        from .search import LOST, solve_positions
+
+        found, status, pieces, loads = solve_positions(data, x, z, self.weight, self._capacity(data))
+        ways = [data._replace(to_place=not data.to_place)]
+        if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
+            softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
+            ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
+        for way in ways if np.any(status == LOST) else ():
+            for i in np.flatnonzero(status == LOST):
+                given = way, x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data)
+                once, state, its, words = solve_positions(*given)
+                if state[0] != LOST:
+                    found[i], status[i] = once[0], state[0]
+                    pieces, loads = (its, words) if i + 1 == len(x) else (pieces, loads)
+        return found, status, pieces, loads
 
     def path(self, x, z, state=None):
         """Solutions of positions (n,) visited one after another, each keeping the friction of the one before."""
@@ -111,6 +140,9 @@ class StaticLine:
         H, V, H_anchor, V_anchor = (column.reshape(x.shape)[()] for column in found[:, :4].T)
         words = ("submerged", "floating", "emerged")
         one = x.ndim == 0
+        if one and slack[0]:
+            tangent = 0.0 if self.bed is None else self.bed.points[1, 1] / self.bed.points[1, 0]
+            pieces = heaped(pieces, tangent)
         return StaticSolution(
             self,
             x[()],
@@ -144,6 +176,8 @@ class StaticLine:
             i = int(np.argmax(wrong))
             beyond = status[i] == State.BEYOND_REACH
             what = "cannot be reached" if beyond else "is in reach, but no equilibrium was found"
+            if not beyond and self._steep:
+                what += f" (a slack line may slide: part of the bed is steeper than its friction {self.bed.friction:g})"
             raise (BeyondReachError if beyond else LineError)(
                 f"{np.count_nonzero(wrong)} of {x.size} position(s): fairlead at x = {x.flat[i]:.6g} m, "
                 f"z = {z.flat[i]:.6g} m {what}: {self!r}"
@@ -178,5 +212,7 @@ class StaticLine:
             self.bed is None,
             0.0 if self.bed is None else float(self.bed.friction),
             LEAST * self.weight,
+            len(points) > 2,
+            0.0,
             np.empty((0, 4)),
         )

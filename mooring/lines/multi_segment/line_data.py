@@ -4,7 +4,8 @@ The line is traversed from the fairlead downwards.  The state q holds H, V (comp
 line above on the line below, towards the fairlead and up), x, z, s (unstretched length from the anchor), T and the
 angle φ, the last two where the line lies on the bed.  Row i of g holds the derivatives of q[i], a column for each
 unknown; four further rows hold those of a length (LENGTH), of its end (END), and of two limits of the tension (LOW,
-HIGH).  `at` holds the segment, the next point load below and the number of recorded pieces.
+HIGH).  `at` holds the segment, the next point load below and the number of recorded pieces.  A traversal works in the
+arrays of a Workspace, and records its steps and unknowns there.
 """
 
 from __future__ import annotations
@@ -20,6 +21,9 @@ H, V, X, Z, S, T, PHI, LENGTH, END, LOW, HIGH = np.arange(11)
 NOTHING = np.int64(-1)
 STATE_ROWS, DERIVATIVE_ROWS, PIECE_COLUMNS = 7, 11, 11
 SUBMERGED, FLOATING, EMERGED = 0, 1, 2
+# what is left over of a line: nothing; it lies in a heap at the anchor; where the line first touches the bed
+TAUT, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN = 0, 1, 2
+HEAP = 1e-300  # λ of a piece in a heap, which has no extent
 
 
 class LineData(NamedTuple):
@@ -33,6 +37,8 @@ class LineData(NamedTuple):
     bed : (k, 4) x and z of the left ends of the facets, the first is the anchor; angle, rad; the smallest tangent of
         a facet and those before it; no_bed : the line touches the anchor alone
     friction : μ; least : lower limit of the tension of a free span, N
+    to_place : whether a traversal ends at the anchor's place, with some length left over, else with the line, somewhere
+    heap : m that lie in a heap where the line first touches the bed
     kept : (j, 4) rows of s₀, s₁, T₀, T₁ on the bed at the position before, downwards: the tension that friction keeps
     """
 
@@ -48,6 +54,8 @@ class LineData(NamedTuple):
     no_bed: bool
     friction: float
     least: float
+    to_place: bool
+    heap: float
     kept: np.ndarray
 
 
@@ -96,3 +104,76 @@ def record(rows, at, q, ds, rate, weight, row, angle, on_bed, strain_table):
         piece[5], piece[6] = (q[T], rate) if on_bed else (q[H], q[V])
         piece[7], piece[8], piece[9], piece[10] = weight, strain_table[row, 1], strain_table[row, 2], angle
         at[2] += 1
+
+
+class Workspace(NamedTuple):
+    """Workspace and result of a traversal.
+
+    steps : (…, 3) step (see `touchdown`), facet or bed vertex, point load
+    unknowns : (…,) H, V at the fairlead, then starts of spans and s at bed vertices
+    guesses : (…,) of the unknowns, nan without; count : (2,) steps and unknowns found
+    states, load_weights : states and weights (N) of the point loads
+    q, at : state of the traversal, see `line_data`; trial_q, trial_at : state of a span that is tried
+    g, rows : empty, for kernels that can also propagate derivatives or store pieces
+    """
+
+    steps: np.ndarray
+    unknowns: np.ndarray
+    guesses: np.ndarray
+    count: np.ndarray
+    states: np.ndarray
+    load_weights: np.ndarray
+    q: np.ndarray
+    at: np.ndarray
+    trial_q: np.ndarray
+    trial_at: np.ndarray
+    g: np.ndarray
+    rows: np.ndarray
+
+
+def workspace_for(line):
+    """A Workspace large enough for every contact that a line can have."""
+    capacity = 8 * len(line.bed) + 5 * len(line.loads) + 16
+    return Workspace(
+        np.zeros((capacity, 3), np.int64),
+        np.zeros(capacity),
+        np.full(capacity, np.nan),
+        np.zeros(2, np.int64),
+        np.zeros(len(line.loads), np.int64),
+        np.zeros(len(line.loads)),
+        np.zeros(STATE_ROWS),
+        np.zeros(3, np.int64),
+        np.zeros(STATE_ROWS),
+        np.zeros(3, np.int64),
+        np.empty((DERIVATIVE_ROWS, 0)),
+        np.empty((0, PIECE_COLUMNS)),
+    )
+
+
+@kernel()
+def add_step(w, step, index, load):
+    row = w.steps[w.count[0]]
+    row[0], row[1], row[2] = step, index, load
+    w.count[0] += 1
+
+
+@kernel()
+def add_unknown(w, value):
+    w.unknowns[w.count[1]] = value
+    w.count[1] += 1
+
+
+@kernel()
+def start_traverse(line, w, horizontal, x, z):
+    """Set the state to that at the fairlead.  returns : the facet below it; the last one has no end"""
+    for i in range(w.q.size):
+        w.q[i] = 0.0
+    w.q[H], w.q[X], w.q[Z], w.q[S] = horizontal, x, z, line.length
+    w.at[0], w.at[1] = line.segments.shape[0] - 1, line.loads.shape[0] - 1
+    for load in range(w.states.size):
+        w.states[load] = SUBMERGED
+    w.count[0], w.count[1], w.unknowns[0] = 0, 1, horizontal
+    facet = line.bed.shape[0] - 1
+    while facet > 0 and line.bed[facet, 0] >= x:
+        facet -= 1
+    return facet

@@ -12,8 +12,8 @@ import numpy as np
 from bem.kernels.jit import kernel
 
 from .equations import empty_equations, equations
-from .line_data import FLOATING, H, S, V
-from .traverse import traverse
+from .line_data import FLOATING, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, TAUT, H, S, V
+from .verdict import stands
 
 
 @kernel()
@@ -65,14 +65,14 @@ def newton_step(e, A):
 
 
 @kernel()
-def damped_step(line, e, old, A, size, x, z, steps, slack, rows):
+def damped_step(line, e, old, A, size, x, z, steps, left, rows):
     """Take a Newton step, halved until the residual falls.  returns : residual; −1, u unchanged, if it never falls"""
     n = e.u.size
     share = min(1.0, 0.7 * old[0] / A[0, n]) if A[0, n] > 0 else 1.0
     for trial in range(13):
         for i in range(n):
             e.u[i] = old[i] - share * A[i, n]
-        equations(line, e, x, z, steps, slack, rows)
+        equations(line, e, x, z, steps, left, rows)
         new = largest(e.r)
         if trial == 12 or new < size or (new <= 1e-14 * line.length and share == 1.0):
             break
@@ -81,10 +81,10 @@ def damped_step(line, e, old, A, size, x, z, steps, slack, rows):
 
 
 @kernel()
-def newton(line, e, A, x, z, steps, slack, rows):
+def newton(line, e, A, x, z, steps, left, rows):
     """Newton's method from e.u, which is overwritten; A : see `newton_step`.  returns : residual over the length"""
     old = np.empty(e.u.size)
-    equations(line, e, x, z, steps, slack, rows)
+    equations(line, e, x, z, steps, left, rows)
     size, settled = largest(e.r), False
     for _ in range(40):
         if not newton_step(e, A):
@@ -93,60 +93,12 @@ def newton(line, e, A, x, z, steps, slack, rows):
             break
         for i in range(old.size):
             old[i] = e.u[i]
-        new = damped_step(line, e, old, A, size, x, z, steps, slack, rows)
+        new = damped_step(line, e, old, A, size, x, z, steps, left, rows)
         if new < 0:
             break
         settled = new == 0 or (size <= 1e-13 * line.length and new >= 0.5 * size)
         size = new
     return size / line.length
-
-
-@kernel()
-def same_contacts(w, e, steps):
-    """Whether a traversal finds the contacts `steps`, and spans that begin within 1e-4 of what the equations say."""
-    if w.count[0] != steps.shape[0]:
-        return False
-    for i in range(steps.shape[0]):
-        for k in range(3):
-            if w.steps[i, k] != steps[i, k]:
-                return False
-    apart = 0.0
-    for i in range(w.count[1]):
-        apart = max(apart, abs(w.unknowns[i] - e.u[i]) / (abs(e.u[i]) + 1e-4 * e.u[0]))
-    return apart <= 1e-4
-
-
-@kernel()
-def same_buoys(line, w, e):
-    """Whether a traversal finds the buoys in the same states, and floating ones within their range of buoyancy."""
-    floating = e.u.size
-    for load in range(e.states.size):
-        if w.states[load] != e.states[load]:
-            return False
-        floating -= 1 if e.states[load] == FLOATING else 0
-    for load in range(e.states.size - 1, -1, -1):
-        if e.states[load] == FLOATING:
-            if not line.loads[load, 1] <= e.u[floating] <= line.loads[load, 2]:
-                return False
-            floating += 1
-    return True
-
-
-@kernel()
-def confirmed(line, w, e, x, z, steps, slack):
-    """Whether a traversal with the horizontal tension found ends at the anchor and begins with the same V.
-
-    The length left over may be off by the height `line.soft`, over which a buoy emerges there: then contacts decide.
-    """
-    for i in range(w.guesses.size):
-        w.guesses[i] = e.u[i] if i < e.u.size else math.nan
-    left_over = traverse(line, w, e.u[0], x, z)
-    if not abs(w.unknowns[1] - e.u[1]) <= 1e-5 * (abs(e.u[1]) + e.u[0]):
-        return False
-    buoys = same_buoys(line, w, e)
-    if slack or abs(left_over) <= 1e-7 * line.length + line.soft:
-        return buoys or abs(left_over) <= line.soft
-    return buoys and same_contacts(w, e, steps)
 
 
 @kernel()
@@ -179,24 +131,27 @@ def store(e, A, residual, result):
 
 
 @kernel()
-def continuation(line, w, x, z, first, slack, rows, result):
+def continuation(line, w, x, z, first, left, rows, result):
     """Solve positions from number `first` on, for as long as the contacts with the bed stay those recorded in w.
 
-    Each begins from the one before, extrapolated by its derivatives, and is confirmed by a traversal with its H.
+    Each begins from the one before, extrapolated by its derivatives, and is judged by its pieces (`verdict`).
     rows : pieces of the last position solved; result : (n, 11) see `store`; w.states : left as they were
     returns : number of the first position that was not solved
     """
     e = equations_for(w)
     n = e.u.size
+    if left == HEAP_AT_TOUCHDOWN:
+        e.u[0] = line.heap
     A, steps = np.empty((n, n + 3)), w.steps[: w.count[0]].copy()
     i = first
     while i < x.size:
-        residual = newton(line, e, A, x[i], z[i], steps, slack, rows)
-        if not (residual <= 1e-10 and e.u[0] > 0 and confirmed(line, w, e, x[i], z[i], steps, slack)):
+        residual = newton(line, e, A, x[i], z[i], steps, left, rows)
+        good = residual <= 1e-10 and e.u[0] > 0 and e.at[2] < rows.shape[0]
+        if not (good and stands(line, rows, e.at[2], e.states, left == HEAP_AT_ANCHOR, w.trial_q, w.q, w.g)):
             break
         store(e, A, residual, result[i])
         i += 1
-        if slack:
+        if left != TAUT:
             break
         if i < x.size:
             for k in range(n):

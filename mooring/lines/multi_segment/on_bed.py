@@ -7,11 +7,11 @@ import math
 from bem.kernels.jit import kernel
 
 from .friction import bed_step, friction_rate, kept_tension, pass_weight_on_bed
-from .line_data import END, LENGTH, PHI, H, S, T, V, X, Z, mix, next_stop, record, strain_row
+from .line_data import END, HEAP, LENGTH, PHI, H, S, T, V, X, Z, mix, next_stop, record, strain_row
 
 # what ends a piece on the bed: a row of the tension table, the tension kept from an earlier position, tension 0, a
-# joint or point load, the length asked for
-TABLE_ROW, KEPT_TENSION, NO_TENSION, STOP, DONE = 0, 1, 2, 3, 4
+# joint or point load, the length asked for, the anchor's place
+TABLE_ROW, KEPT_TENSION, NO_TENSION, STOP, DONE, ORIGIN = 0, 1, 2, 3, 4, 5
 
 
 @kernel()
@@ -23,10 +23,18 @@ def length_for(distance, t, rate, factor, flexibility):
 
 
 @kernel()
+def length_on(line, q, facet):
+    """Length to march on a facet: to its lower end, for which inf stands, and on the first one all that is left."""
+    return math.inf if facet > 0 or line.to_place else q[S]
+
+
+@kernel()
 def bed_piece(line, q, g, at, angle):
     """dT/ds and row of the tension table here; length for which they hold; what ends it; kept tension reached."""
     segment = at[0]
     rate, ds, kept = friction_rate(line, q, line.segments[segment, 1], angle)
+    if rate < 0 and q[X] <= line.bed[0, 0]:  # what lies in a heap at the anchor does not pull there
+        rate = 0.0
     if q[T] <= 0 and rate > 0:
         q[T], rate = 0.0, 0.0
         mix(g, T, 0.0, T, 0.0, T)
@@ -65,11 +73,15 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
         end = q[S] - target
         if math.isinf(amount):
             end = length_for((q[X] - line.bed[facet, 0]) / cos, q[T], rate, factor, flexibility)
+        elif q[X] > line.bed[0, 0]:
+            to_origin = length_for((q[X] - line.bed[0, 0]) / cos, q[T], rate, factor, flexibility)
+            if facet == 0 and to_origin < ds:
+                ds, why = to_origin, ORIGIN
         if end <= ds and not (end == ds and why == STOP and is_load and at[1] == last_load):
             ds, why = end, DONE
         if why == STOP:
             mix(g, LENGTH, 1.0, S, 0.0, S)
-        elif why == DONE and math.isinf(amount):
+        elif why == ORIGIN or (why == DONE and math.isinf(amount)):
             low_stretch = factor + flexibility * (q[T] - rate * ds)
             mix(g, LENGTH, 1 / cos / low_stretch, X, -flexibility * ds / low_stretch, T)
         elif why == DONE:
@@ -84,6 +96,11 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
         elif why == NO_TENSION:
             q[T] = 0.0
             mix(g, T, 0.0, T, 0.0, T)
+        elif why == ORIGIN:
+            q[X], q[Z] = line.bed[0, 0], line.bed[0, 1]
+            if rate < 0:
+                q[T] = 0.0
+                mix(g, T, 0.0, T, 0.0, T)
         elif why == STOP:
             q[S] = stop
             if is_load and (line.loads[at[1], 1] < 0 or at[1] == last_load):
@@ -102,6 +119,33 @@ def pass_on_bed(line, q, g, at, angle, is_load):
     at[1] -= 1
     mix(g, LENGTH, 0.0, T, 0.0, T)
     pass_weight_on_bed(line, q, g, angle, line.loads[at[1] + 1, 1])
+
+
+@kernel()
+def leave_heap(line, q, g, at, amount, unknown, rows):
+    """Leave an unstretched length of line, the unknown of the given index, in a heap here, with all sinkers on it.
+
+    returns : False where a buoy would lift the heap
+    """
+    end = q[S] - amount
+    for _ in range(10_000):
+        stop, is_load = next_stop(line, at)
+        down = q[S] - max(stop, end)
+        record(rows, at, q, down, 0.0, line.segments[at[0], 1], line.first_row[at[0]], 0.0, True, line.strain_table)
+        if 0 < at[2] <= rows.shape[0]:
+            rows[at[2] - 1, 5], rows[at[2] - 1, 8], rows[at[2] - 1, 9] = 0.0, HEAP, 0.0
+        q[S] = max(stop, end)
+        if stop <= end:
+            break
+        if not is_load:
+            at[0] -= 1
+        elif line.loads[at[1], 1] < 0:
+            return False
+        else:
+            at[1] -= 1
+    if unknown >= 0:
+        g[S, unknown] -= 1.0
+    return True
 
 
 @kernel()

@@ -14,11 +14,10 @@ import numpy as np
 from bem.kernels.jit import kernel
 
 from ..catenary.state import BEYOND_REACH, SLACK
-from .line_data import PIECE_COLUMNS
+from .line_data import HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, PIECE_COLUMNS, TAUT, workspace_for
 from .newton import continuation
 from .touchdown import GROUNDED_ANCHOR
 from .traverse import traverse
-from .workspace import workspace_for
 
 SOLVED, LOST = (
     -1,
@@ -94,8 +93,30 @@ def _solve_some(line, w, x, z, first, guess, pieces, found):
         guess, state = horizontal_tension(line, w, x[first], z[first], guess, tolerance)
         if state in (BEYOND_REACH, LOST) or w.count[0] == 0:
             return first, BEYOND_REACH if state == BEYOND_REACH else LOST
-        slack = state == SLACK and w.steps[w.count[0] - 1, 0] == GROUNDED_ANCHOR
-        after = continuation(line, w, x, z, first, slack, pieces, found)
+        # a span that gets to the anchor's place with some length left over is not slack in that measure
+        slack = state == SLACK and (not line.to_place or w.steps[w.count[0] - 1, 0] == GROUNDED_ANCHOR)
+        left = HEAP_AT_ANCHOR if slack else TAUT
+        after = continuation(line, w, x, z, first, left, pieces, found)
+        if after == first and slack:
+            after = _with_heap(line, w, x, z, first, pieces, found)
         if after > first:
             return after, SLACK if slack else SOLVED
     return first, LOST
+
+
+def _with_heap(line, w, x, z, first, pieces, found):
+    """Solve a slack line that slides away from its anchor: what is left over lies where it first touches the bed."""
+    low, high = 0.0, line.length
+    for _ in range(100):
+        heap = 0.5 * (low + high)
+        w.guesses[:] = math.nan
+        value = traverse(line._replace(heap=heap), w, line.least, x[first], z[first])
+        # nan: too much, all the line is in the heap
+        low, high = (heap, high) if value > 0 else (low, heap)
+        if high - low <= 1e-15 * line.length:
+            break
+    w.guesses[:] = math.nan
+    traverse(line._replace(heap=low), w, line.least, x[first], z[first])
+    if w.count[0] == 0:
+        return first
+    return continuation(line._replace(heap=low), w, x, z, first, HEAP_AT_TOUCHDOWN, pieces, found)

@@ -98,6 +98,19 @@ class StaticSolution:
         """m, unstretched length on the bed"""
         return float(np.sum(np.diff(self.grounded, axis=1)))
 
+    @property
+    def slides(self):
+        """Whether a part without tension lies on a bed steeper than friction holds.
+
+        It is taken to lie where it is laid; in truth it would slide to the nearest hollow, and pull there.
+        """
+        if self.line.bed is None:
+            return False
+        p = self._one[self._one[:, 0] == 1]
+        idle = np.maximum(p[:, 5], p[:, 5] - p[:, 6] * p[:, 2]) <= 1e-9 * self.line.weight
+        steep = np.abs(np.tan(p[:, 10])) > self.line.bed.friction + 1e-12
+        return bool(np.any(idle & steep & (p[:, 2] > 1e-9 * self.line.length)))
+
     def profile(self, points=101):
         """Points along the line: (points, 4) of s from the anchor, x, z (m) and tension (N), evenly spaced in s.
 
@@ -124,6 +137,22 @@ class StaticSolution:
         largest = np.zeros(len(self.line.segments))
         np.maximum.at(largest, np.searchsorted(joints, top - 0.5 * length), np.maximum(upper, lower))
         return largest
+
+
+def heaped(pieces, tangent):
+    """Pieces of a slack line, laid out along its first facet, with what lies beyond the anchor in a heap there.
+
+    tangent : slope of that facet.  Spans that buoys lift from the heap stand over the anchor, as high as they were.
+    """
+    from .line_data import HEAP
+
+    out = pieces.copy()
+    beyond = pieces[:, 3] <= 0
+    lies = beyond & (pieces[:, 0] == 1)
+    out[beyond, 4] -= tangent * pieces[beyond, 3]
+    out[beyond, 3] = 0.0
+    out[lies, 4], out[lies, 8], out[lies, 9] = 0.0, HEAP, 0.0
+    return out
 
 
 def _joined(pieces):

@@ -12,7 +12,7 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .free_span import free_step, free_table_row, length_to, smoothed_weight
+from .free_span import free_step, free_table_row, length_to, level_in_sea, smoothed_weight
 from .friction import bend_at_vertex, leave_bed
 from .line_data import NOTHING, H, S, V, X, Z, copy_state, next_stop
 from .on_bed import march_on_facet, pass_grounded_sinker
@@ -20,10 +20,12 @@ from .on_bed import march_on_facet, pass_grounded_sinker
 # steps of a traversal
 # TO_FACET, TO_VERTEX, TO_ANCHOR: a free span that ends there; ALONG: on a facet to its lower end; BEND: from a facet
 # over its lower vertex onto the next; OFF_FACET, OFF_VERTEX, OFF_SINKER: a free span begins inside a facet, at a
-# vertex, below a sinker on the bed; TO_SINKER: on a facet to a sinker; GROUNDED_ANCHOR: on the bed to the anchor
+# vertex, below a sinker on the bed; TO_SINKER: on a facet to a sinker; GROUNDED_ANCHOR: on the bed to the anchor;
+# NONE: the line stays on the bed; MISSED: a free span from which no start touches the bed
 NONE, TO_FACET, TO_VERTEX, TO_ANCHOR, ALONG, OFF_FACET = np.arange(6)
-BEND, OFF_VERTEX, GROUNDED_ANCHOR, OFF_SINKER, TO_SINKER = np.arange(6, 11)
+BEND, OFF_VERTEX, GROUNDED_ANCHOR, OFF_SINKER, TO_SINKER, MISSED = np.arange(6, 12)
 FROM_FAIRLEAD, FROM_FACET, FROM_VERTEX, FROM_SINKER = np.arange(4)
+WALK = 10_000  # pieces of one span, far above what a line can have: no walk goes on for ever
 
 
 @kernel()
@@ -33,7 +35,7 @@ def clears(line, q, at, facet):
         return False
     if line.no_bed:
         return q[V] <= 0 and q[Z] >= line.bed[0, 1]
-    return q[V] <= q[H] * line.bed[facet, 3]
+    return q[V] <= q[H] * line.bed[facet, 3] and (line.to_place or q[Z] >= line.bed[0, 1])
 
 
 @kernel()
@@ -44,8 +46,15 @@ def height_over(line, q, facet):
 
 
 @kernel()
+def height_at_end(line, q, facet):
+    """Height of the line's end over the bed; before the anchor's place it need not go down into a hollow."""
+    value = height_over(line, q, facet)
+    return min(value, q[Z] - line.bed[0, 1]) if facet > 0 else value
+
+
+@kernel()
 def span_to_vertex(q, g, weight, factor, flexibility, x, z):
-    """Integrate down a free span to the x of a bed vertex or the anchor.  returns : distance normal to the line, m"""
+    """Integrate down a free span to the x of a bed vertex.  returns : distance normal to the line, m"""
     ds = length_to(q, x, weight, factor, flexibility)
     free_step(q, g, ds, weight, factor, flexibility)
     q[X] = x
@@ -54,13 +63,14 @@ def span_to_vertex(q, g, weight, factor, flexibility, x, z):
 
 @kernel()
 def first_contact(line, q, g, at, facet, states, load_weights):
-    """Integrate down a free span to the first facet, vertex or anchor that it would penetrate; g has no columns.
+    """Integrate down a free span to the first facet or vertex that it would penetrate, or to its end or the anchor.
 
+    g : no columns; the first facet goes on beyond the anchor's place, so that the line ends on it somewhere
     states, load_weights : set to states and weights (N) of the point loads on the way
     returns : gap (m, normal; negative where it penetrates), step, index; q and at are left there
     """
     value = 1.0
-    for _ in range(10_000):
+    for _ in range(WALK):
         if clears(line, q, at, facet):
             break
         weight = line.segments[at[0], 1]
@@ -71,11 +81,11 @@ def first_contact(line, q, g, at, facet, states, load_weights):
         steeper = q[V] - q[H] * tan
         # a span that has just left a facet is parallel to it but for rounding
         touch = steeper / weight if 1e-13 * math.hypot(q[H], q[V]) < steeper < math.inf else math.inf
-        ds = min(q[S] - stop, min(touch, row_length))
+        ds = min(min(q[S] - stop, math.inf if line.to_place else q[S]), min(touch, row_length))
         x, z, v, s = q[X], q[Z], q[V], q[S]
         if math.isfinite(ds):
             free_step(q, g, ds, weight, factor, flexibility)
-        if not math.isfinite(ds) or q[X] <= line.bed[facet, 0]:
+        if math.isinf(ds) or ((facet > 0 or line.to_place) and q[X] <= line.bed[facet, 0]):
             q[X], q[Z], q[V], q[S] = x, z, v, s
             value = span_to_vertex(q, g, weight, factor, flexibility, line.bed[facet, 0], line.bed[facet, 1])
             if facet == 0:
@@ -88,12 +98,15 @@ def first_contact(line, q, g, at, facet, states, load_weights):
             value = height_over(line, q, facet)
             if value < 0:
                 return value, TO_FACET, facet
+        elif ds == s and not line.to_place:
+            q[S] = 0.0
+            return height_at_end(line, q, facet), TO_ANCHOR, facet
         elif ds == s - stop or s - ds <= stop:
             q[S] = stop
             if not is_load:
                 at[0] -= 1
                 continue
-            force, states[at[1]] = smoothed_weight(line, at[1], q[Z])
+            force, states[at[1]] = smoothed_weight(line, at[1], level_in_sea(line, q[X], q[Z]))
             load_weights[at[1]] = force
             if not line.no_bed and q[V] > q[H] * tan >= q[V] - force:
                 value = height_over(line, q, facet)
@@ -138,10 +151,10 @@ def touching_start(line, origin, q, g, at, facet, low, high, guess, states, load
     """Start of the span that just touches the bed; from `low` it stays clear, from `high` it penetrates.
 
     guess : tried first, a small step to either side; nan for none
-    q, at : left where it touches.  returns : start, step, index
+    q, at : left where it touches.  returns : start, step, index; the step is MISSED where none penetrated
     """
     q0, at0 = q.copy(), at.copy()
-    f_low, f_high, step, index, side = math.nan, math.nan, NONE, NONE, 0
+    f_low, f_high, step, index, side = math.nan, math.nan, MISSED, facet, 0
     width = 1e-9 * abs(guess) + 1e-13 * (high - low)
     for trial in range(200):
         least = 4e-16 * (abs(high) + abs(low))
@@ -170,7 +183,7 @@ def touching_start(line, origin, q, g, at, facet, low, high, guess, states, load
             # a span that starts free may touch its own start by rounding
             low, f_low = amount, max(value, 0.0)
         elif value < 0 or trial == 3:
-            high, f_high, step, index = amount, value, found, where
+            high, f_high, step, index = amount, value, MISSED if found == NONE else found, where
             f_low = 0.5 * f_low if side == 1 else f_low
             side = 1
         else:

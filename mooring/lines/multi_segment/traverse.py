@@ -5,6 +5,11 @@ lies on the bed to the last place from which a free span just clears the bed fur
 or at a vertex at an angle between those of its facets.  The length left over when the anchor is reached grows with the
 tension, so that it has one root too.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
 
+Where that search ends is a choice (`LineData.to_place`).  It ends at the anchor's place, with a length left over; or it
+ends with the line, somewhere on the first facet or its continuation: how far beyond the anchor's place grows with the
+tension too, on a plane bed for any segments and loads, and what is left over of a slack line is laid out there.  Over
+hills the first is the better one, with buoys on slack lines the second.
+
 The contacts are recorded as steps; `newton` solves the equations of all of them together.
 """
 
@@ -15,8 +20,8 @@ import math
 from bem.kernels.jit import kernel
 
 from .friction import bend_at_vertex, leave_bed, place_on_vertex
-from .line_data import NOTHING, PHI, H, S, X, Z, copy_state
-from .on_bed import is_at_sinker, march_on_facet, normal_force_on, touch_down
+from .line_data import NOTHING, PHI, H, S, X, Z, add_step, add_unknown, copy_state, start_traverse
+from .on_bed import is_at_sinker, leave_heap, length_on, march_on_facet, normal_force_on, touch_down
 from .touchdown import (
     ALONG,
     BEND,
@@ -25,6 +30,7 @@ from .touchdown import (
     FROM_SINKER,
     FROM_VERTEX,
     GROUNDED_ANCHOR,
+    MISSED,
     NONE,
     OFF_FACET,
     OFF_SINKER,
@@ -36,7 +42,8 @@ from .touchdown import (
     touching_start,
     try_span,
 )
-from .workspace import add_step, add_unknown, start_traverse
+
+ROUNDING = 1e-12  # of the length: penetration by which a span below a heavy sinker may seem to begin
 
 
 @kernel()
@@ -73,6 +80,11 @@ def first_span(line, w, facet):
     low = q[H] * slope - lift
     high = low + lift + q[H] + heaviest * (abs(q[Z] - line.bed[0, 1]) + 1e-3 * line.length)
     low -= 1e-9 * abs(low)
+    wide = high - low
+    for _ in range(200):
+        if low < w.guesses[1] < high or gap_of(line, w, FROM_FAIRLEAD, facet, low) >= 0:
+            break
+        low, wide = low - wide, 2 * wide
     for _ in range(200):
         if low < w.guesses[1] < high or gap_of(line, w, FROM_FAIRLEAD, facet, high) < 0:
             break
@@ -85,7 +97,7 @@ def after_touchdown(line, w, facet):
     """Touchdown on a facet.  returns : step, index of a span that begins at a sinker there, else NONE, facet"""
     if is_at_sinker(line, w.q, w.at):
         normal_force = normal_force_on(line, w.q, w.at, facet)
-        if gap_of(line, w, FROM_SINKER, facet, normal_force) < 0:
+        if gap_of(line, w, FROM_SINKER, facet, normal_force) < -ROUNDING * line.length:
             add_step(w, OFF_SINKER, facet, NOTHING)
             return touching_span(line, w, FROM_SINKER, facet, 0.0, normal_force)
     touch_down(line, w.q, w.g, w.at, facet)
@@ -104,10 +116,10 @@ def lift_off(line, w, facet, reached):
         if line.loads[load, 1] < 0 or begin - line.loads[load, 0] >= reached:
             break
         q0, at0 = w.q.copy(), w.at.copy()
-        march_on_facet(line, w.q, w.g, w.at, facet, math.inf, NOTHING, load, w.rows)
+        march_on_facet(line, w.q, w.g, w.at, facet, length_on(line, w.q, facet), NOTHING, load, w.rows)
         leave_bed(line, w.q, w.g)
         normal_force = line.loads[load, 1] * math.cos(angle)
-        if gap_of(line, w, FROM_SINKER, facet, normal_force) < 0:
+        if gap_of(line, w, FROM_SINKER, facet, normal_force) < -ROUNDING * line.length:
             if gap_of(line, w, FROM_SINKER, facet, 0.0) >= 0:
                 add_step(w, TO_SINKER, facet, load)
                 add_step(w, OFF_SINKER, facet, NOTHING)
@@ -126,7 +138,7 @@ def lift_off(line, w, facet, reached):
 def penetrating_length(line, w, facet, reached):
     """A length along the facet from which a span that leaves it would penetrate the bed, 0 where none of 32 does.
 
-    A line that could lie on the bed as far as the anchor has to leave it where a buoy further down lifts it.
+    A line that could lie on the bed as far as the anchor's place has to leave it where a buoy further down lifts it.
     """
     for i in range(1, 33):
         if gap_of(line, w, FROM_FACET, facet, reached * i / 32) < 0:
@@ -142,20 +154,20 @@ def along_facet(line, w, facet):
     """
     q, at = w.q, w.at
     q0, at0 = q.copy(), at.copy()
-    march_on_facet(line, q, w.g, at, facet, math.inf, NOTHING, NOTHING, w.rows)
+    march_on_facet(line, q, w.g, at, facet, length_on(line, q, facet), NOTHING, NOTHING, w.rows)
     reached = q0[S] - q[S]
     at_buoy = at[1] >= 0 and line.loads[at[1], 1] < 0 and q[S] == line.loads[at[1], 0]
     if not at_buoy:
-        q[X], q[Z] = line.bed[facet, 0], line.bed[facet, 1]
         if facet == 0:
-            copy_state(w.trial_q, w.trial_at, q, at)
-            copy_state(q, at, q0, at0)
-            through = penetrating_length(line, w, facet, reached) if w.trial_at[1] >= line.lowest_buoy else 0.0
-            if through > 0:
-                return lift_off(line, w, facet, through)
-            march_on_facet(line, q, w.g, at, facet, math.inf, NOTHING, NOTHING, w.rows)
+            if at[1] >= line.lowest_buoy:
+                copy_state(q, at, q0, at0)
+                through = penetrating_length(line, w, facet, reached)
+                if through > 0:
+                    return lift_off(line, w, facet, through)
+                march_on_facet(line, q, w.g, at, facet, math.inf, NOTHING, NOTHING, w.rows)
             add_step(w, GROUNDED_ANCHOR, facet, NOTHING)
             return GROUNDED_ANCHOR, facet
+        q[X], q[Z] = line.bed[facet, 0], line.bed[facet, 1]
         copy_state(w.trial_q, w.trial_at, q, at)
         leave_bed(line, w.trial_q, w.g)
         if first_contact(line, w.trial_q, w.g, w.trial_at, facet - 1, w.states, w.load_weights)[0] >= 0:
@@ -179,16 +191,18 @@ def over_vertex(line, w, facet):
 
 @kernel()
 def traverse(line, w, horizontal, x, z):
-    """Traverse a line from its fairlead (x, z) to its anchor with the horizontal tension `horizontal`, N.
+    """Traverse a line from its fairlead (x, z) to its end with the horizontal tension `horizontal`, N.
 
-    returns : length left over there (m; negative: length missing); nan and no steps where the bed is not reached
+    returns : length left over at the anchor's place, or how far beyond it the line ends (`LineData.to_place`; m,
+        negative where it is too short); nan and no steps where no span that is needed touches the bed
     """
     facet = start_traverse(line, w, horizontal, x, z)
     step, index = first_span(line, w, facet)
-    while step != NONE and w.count[0] + 4 < w.steps.shape[0]:
+    first = True
+    while step != MISSED and w.count[0] + 4 < w.steps.shape[0]:
         add_step(w, step, index, w.at[1])
         if step == TO_ANCHOR:
-            return w.q[S]
+            return w.q[S] if line.to_place else line.bed[0, 0] - w.q[X]
         facet, on_facet = index, step == TO_FACET
         if on_facet:
             step, index = after_touchdown(line, w, facet)
@@ -196,6 +210,10 @@ def traverse(line, w, horizontal, x, z):
             add_unknown(w, w.q[S])
             place_on_vertex(line, w.q, w.g, facet)
             step = NONE
+        heap = line.heap if first else 0.0
+        if heap > 0 and (step != NONE or not leave_heap(line, w.q, w.g, w.at, heap, NOTHING, w.rows)):
+            break
+        first = False
         while step == NONE and w.count[0] + 4 < w.steps.shape[0]:
             if on_facet:
                 step, index = along_facet(line, w, facet)
@@ -204,6 +222,6 @@ def traverse(line, w, horizontal, x, z):
                 facet -= 1
             on_facet = not on_facet
         if step == GROUNDED_ANCHOR:
-            return w.q[S]
+            return w.q[S] if line.to_place else line.bed[0, 0] - w.q[X]
     w.count[0] = 0
     return math.nan

@@ -292,3 +292,50 @@ def test_asinh_excess_follows_its_series_on_both_sides_of_the_switch():
     assert np.allclose([asinh_excess(v) for v in s[:4]], [series(v) for v in s[:4]], rtol=1e-12, atol=0)
     assert np.isclose(asinh_excess(s[4]), np.arcsinh(3.0) - 3 / np.sqrt(10), rtol=1e-15)
     assert np.isclose(asinh_excess(s[5]), np.log(2e9) - 1, rtol=1e-12)
+
+
+def slopes_that_do_not_hold(count, seed):
+    """Lines (x, z, length, weight, EA, friction, slope) on beds that rise or fall more steeply than friction holds."""
+    rng = np.random.default_rng(seed)
+    slope = rng.uniform(0.05, 0.5, count) * rng.choice([-1, 1], count)
+    length, weight = 10 ** rng.uniform(0, 3, count), 10 ** rng.uniform(0, 4, count)
+    friction = rng.choice([0.0, 0.5, 0.9], count) * np.tan(np.abs(slope))
+    x = length * rng.uniform(0.1, 0.9, count)
+    z = x * np.tan(slope) + length * rng.uniform(0.01, 0.4, count)
+    return np.column_stack([x, z, length, weight, weight * length * 10 ** rng.uniform(0, 4, count), friction, slope])
+
+
+def test_on_a_slope_without_friction_tensions_differ_by_weight_times_height():
+    """A line that slides is held by its anchor: nothing on the way takes up what it weighs."""
+    lines = slopes_that_do_not_hold(400, 3)
+    lines[:, 4], lines[:, 5] = np.inf, 0.0
+    lines = lines[np.hypot(lines[:, 0], lines[:, 1]) < 0.98 * lines[:, 2]]
+    found = solve_lines(*lines.T)
+    assert np.any(found.horizontal_fairlead < 0)
+    assert np.any(found.horizontal_anchor < 0)
+    expected = lines[:, 3] * lines[:, 1]
+    wrong = np.abs(found.tension_fairlead - found.tension_anchor - expected)
+    assert np.max(wrong / (lines[:, 3] * lines[:, 2])) < 1e-9
+    one = solve_lines(100, 40, 118, 1000, np.inf, 0, np.radians(10))
+    assert np.isclose(one.tension_fairlead - one.tension_anchor, 40e3, rtol=1e-12)
+
+
+def test_stiffness_of_a_line_that_slides_is_the_derivative_of_its_forces():
+    for x, z, length, *rest in slopes_that_do_not_hold(60, 4):
+        step = 1e-4 * length
+        ends = np.array([[x + step, z], [x - step, z], [x, z + step], [x, z - step], [x, z]]).T
+        found = solve_lines(*ends, length, *rest)
+        if np.ptp(np.sign(found.horizontal_anchor)) > 0 or np.ptp(np.sign(found.horizontal_fairlead)) > 0:
+            continue  # between two of the states the stiffness jumps
+        F = np.stack([found.horizontal_fairlead, found.vertical_fairlead])
+        differences = np.column_stack([F[:, 0] - F[:, 1], F[:, 2] - F[:, 3]]) / (2 * step)
+        assert np.abs(differences - found.stiffness[4]).max() < 1e-3 * np.abs(found.stiffness[4]).max()
+
+
+def test_a_line_that_slides_joins_its_ends_on_or_above_the_bed():
+    for given in slopes_that_do_not_hold(40, 5):
+        x, z, length, slope = given[0], given[1], given[2], given[6]
+        points = profile(*given, points=4001)
+        assert np.abs(points[[0, -1]] - [[0, 0], [x, z]]).max() < 1e-9 * length
+        assert np.min(points[:, 1] - points[:, 0] * np.tan(slope)) > -1e-9 * length
+        assert np.hypot(*np.diff(points, axis=0).T).sum() > (1 - 1e-3) * length

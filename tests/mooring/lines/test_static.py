@@ -56,6 +56,8 @@ def test_one_segment_on_a_plane_is_the_uniform_line():
         z = max(0.0, x * np.tan(slope)) + length * rng.uniform(0.05, 0.3)
         uniform = solve_lines(x, z, length, weight, stiffness, friction, slope)
         line = StaticLine([Segment(length, weight, stiffness)], bed=Bed.sloping(slope, friction)).solve(x, z)
+        if line.slides or uniform.horizontal_fairlead < 0:
+            continue
         T = uniform.tension_fairlead
         assert abs(line.horizontal_fairlead - uniform.horizontal_fairlead) < 1e-9 * T
         assert abs(line.vertical_fairlead - uniform.vertical_fairlead) < 1e-9 * T

@@ -1,0 +1,156 @@
+"""Kernels that judge a solved line by its pieces alone, whichever way its contacts were found.
+
+No piece has a negative length or lies below the bed, what lies has tension T ≥ 0 and a friction that the bed can give,
+and where two pieces meet the forces balance:
+
+    R = (H₋ − H₊, V₋ − V₊ + f),   + above the place, − below it, f the weight of the point load there,
+
+is nothing off the bed; on it R points out of the bed.  A buoy is under water, or out of it, or in the surface with
+a weight between both.
+"""
+
+from __future__ import annotations
+
+import math
+
+from bem.kernels.jit import kernel
+
+from .free_span import free_step, length_to, level_in_sea
+from .line_data import EMERGED, FLOATING, H, S, V, X, Z
+
+FAR = 1e-8  # of the line's length: largest penetration, and distance of a buoy from where its state has it
+STRAY = 1e-7  # of the largest tension: largest imbalance
+
+
+@kernel()
+def height_over_bed(line, x, z):
+    """Height of a point over the bed, m; the first and the last facet go on."""
+    facet = line.bed.shape[0] - 1
+    while facet > 0 and line.bed[facet, 0] > x:
+        facet -= 1
+    return z - line.bed[facet, 1] - (x - line.bed[facet, 0]) * math.tan(line.bed[facet, 2])
+
+
+@kernel()
+def put_top(piece, q):
+    """State at the upper end of a piece."""
+    q[S], q[X], q[Z] = piece[1], piece[3], piece[4]
+    if piece[0] == 1:
+        q[H], q[V] = piece[5] * math.cos(piece[10]), piece[5] * math.sin(piece[10])
+    else:
+        q[H], q[V] = piece[5], piece[6]
+
+
+@kernel()
+def clears_bed(line, piece, q, g, far):
+    """Whether a free piece is nowhere more than `far` below the bed: at its end, parallel to a facet, at vertices."""
+    put_top(piece, q)
+    top, h, v = q[X], q[H], q[V]
+    free_step(q, g, piece[2], piece[7], piece[8], piece[9])
+    bottom = q[X]
+    if bottom > line.bed[0, 0] and height_over_bed(line, bottom, q[Z]) < -far:
+        return False
+    for facet in range(line.bed.shape[0]):
+        right = line.bed[facet + 1, 0] if facet + 1 < line.bed.shape[0] else math.inf
+        left = line.bed[facet, 0] if facet > 0 else -math.inf
+        down = (v - h * math.tan(line.bed[facet, 2])) / piece[7]
+        if 0 < down < piece[2]:
+            put_top(piece, q)
+            free_step(q, g, down, piece[7], piece[8], piece[9])
+            if left <= q[X] <= right and height_over_bed(line, q[X], q[Z]) < -far:
+                return False
+        if facet > 0 and bottom < left < top:
+            put_top(piece, q)
+            free_step(q, g, length_to(q, left, piece[7], piece[8], piece[9]), piece[7], piece[8], piece[9])
+            if q[Z] - line.bed[facet, 1] < -far:
+                return False
+    return True
+
+
+@kernel()
+def lies_well(line, piece, far, stray):
+    """Whether a piece on the bed has a tension that is never negative, and a friction that the bed can give."""
+    if line.no_bed:
+        return False
+    end = piece[5] - piece[6] * piece[2]
+    if not (piece[5] >= -stray and end >= -stray and abs(height_over_bed(line, piece[3], piece[4])) <= far):
+        return False
+    if piece[3] <= line.bed[0, 0]:
+        return True
+    grip = abs(piece[6] - piece[7] * math.sin(piece[10])) * piece[2]
+    most = piece[7] * line.friction * math.cos(piece[10]) * piece[2]
+    return grip <= most + stray or max(piece[5], end) <= stray
+
+
+@kernel()
+def balanced(line, q, below, load, states, far, stray):
+    """Whether forces balance where the pieces above and below meet: q below the one, `below` above the other."""
+    weight = 0.0
+    if load >= 0:
+        level = level_in_sea(line, q[X], q[Z]) - line.surface
+        weight = line.loads[load, 2 if states[load] == EMERGED else 1]
+        if states[load] == FLOATING:
+            weight = min(max(q[V] - below[V], line.loads[load, 1]), line.loads[load, 2])
+            if abs(level) > far:
+                return False
+        elif line.loads[load, 1] < 0 and (level < -far if states[load] == EMERGED else level > far):
+            return False
+    across, up = below[H] - q[H], below[V] - q[V] + weight
+    if math.hypot(across, up) <= stray:
+        return True
+    if line.no_bed or abs(height_over_bed(line, q[X], q[Z])) > far:
+        return False
+    # against the normal of the facets on both sides, of which one is enough at a vertex
+    for facet in range(line.bed.shape[0]):
+        right = line.bed[facet + 1, 0] if facet + 1 < line.bed.shape[0] else math.inf
+        left = line.bed[facet, 0] if facet > 0 else -math.inf
+        if left - far <= q[X] <= right + far:
+            beta = line.bed[facet, 2]
+            if up * math.cos(beta) - across * math.sin(beta) >= -stray:
+                return True
+    return False
+
+
+@kernel()
+def heaps(line, rows, count, far, stray):
+    """Whether a slack line has more than it needs to its anchor, and what is left over there is not pulled."""
+    for i in range(count):
+        piece = rows[i]
+        bottom = rows[i + 1, 3] if i + 1 < count else piece[3]
+        if piece[0] == 0 and bottom < line.bed[0, 0] - far and (piece[3] > line.bed[0, 0] or piece[5] > stray):
+            return False
+        if piece[0] == 1 and piece[3] <= line.bed[0, 0] and piece[5] > stray:
+            return False
+    return rows[count - 1, 3] <= line.bed[0, 0] + far or rows[count - 1, 0] == 1
+
+
+@kernel()
+def stands(line, rows, count, states, slack, q, below, g):
+    """Whether the pieces of a line are in equilibrium; q, below : room for two states, g : no columns."""
+    far, stray = FAR * line.length, 100 * line.least
+    for i in range(count):
+        stray = max(stray, STRAY * (abs(rows[i, 5]) + (abs(rows[i, 6]) if rows[i, 0] == 0 else 0.0)))
+    load = line.loads.shape[0] - 1
+    for i in range(count):
+        piece = rows[i]
+        if not piece[2] >= -far:
+            return False
+        if piece[0] == 1:
+            if not lies_well(line, piece, far, stray):
+                return False
+        elif not (line.no_bed or clears_bed(line, piece, q, g, far)):
+            return False
+        put_top(piece, q)
+        if piece[0] == 1:
+            end = piece[5] - piece[6] * piece[2]
+            q[H], q[V] = end * math.cos(piece[10]), end * math.sin(piece[10])
+        else:
+            free_step(q, g, piece[2], piece[7], piece[8], piece[9])
+        if i + 1 < count:
+            put_top(rows[i + 1], below)
+            q[X], q[Z] = below[X], below[Z]
+            at_load = load >= 0 and abs(line.loads[load, 0] - below[S]) <= 1e-14 * line.length
+            if not balanced(line, q, below, load if at_load else -1, states, far, stray):
+                return False
+            load -= 1 if at_load else 0
+    return not slack or heaps(line, rows, count, far, stray)

@@ -1,0 +1,167 @@
+"""Static lines that nobody would hang, judged by a residual of their own: none may be wrong or run for ever.
+
+    python tests/bench/adversarial_lines.py [--lines 10000] [--seed 1] [--first 0] [--boundscheck]
+
+Segments, sinkers, buoys, flat, sloping and broken beds or none, slack and taut, plumb, below a sea surface or not.
+The process that solves is watched: no answer within `--patience` seconds is a line that runs for ever.  Answers are
+judged by `exact.static_line`.  Counted apart are lines too short for their ends, and those of which a part without
+tension lies on a slope steeper than friction holds, where it would slide.
+With `--boundscheck` numba checks every index; the kernels are then compiled anew, into build/bounds.
+"""
+
+import argparse
+import collections
+import multiprocessing
+import os
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+
+from mooring.lines.catenary.state import BeyondReachError, LineError
+from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+
+
+def random_segments(rng):
+    count = rng.integers(1, 5)
+    length, weight = 10 ** rng.uniform(0.5, 3.0), 10 ** rng.uniform(0, 3.5)
+    segments = []
+    for part in np.maximum(rng.dirichlet(np.full(count, 2.0)), 1e-3) * length:
+        own = weight * 10 ** rng.uniform(-1, 1) if count > 1 else weight
+        stiffness = np.inf if rng.random() < 0.2 else weight * length * 10 ** rng.uniform(0, 4)
+        segments.append(Segment(float(part), float(own), float(stiffness)))
+    return segments
+
+
+def random_loads(rng, length, weight):
+    loads = []
+    for _ in range(rng.choice([0, 0, 1, 1, 2, 3])):
+        force = weight * 10 ** rng.uniform(-2, 0.3)
+        loads.append(PointLoad(float(length * rng.uniform(0.02, 0.98)), float(rng.choice([-1, 1]) * force)))
+    return loads
+
+
+def random_bed(rng, length):
+    kind = rng.integers(0, 4)
+    if kind == 0:
+        return Bed.sloping(0.0, float(rng.choice([0.0, 0.5, 1.0])))
+    if kind == 1:
+        return Bed.sloping(float(rng.uniform(-0.4, 0.4)), float(rng.choice([0.0, 0.3, 1.0])))
+    if kind == 2:
+        count = rng.integers(2, 7)
+        x = np.concatenate([[0], np.cumsum(rng.uniform(0.05, 0.5, count))]) / (0.35 * count)
+        z = np.concatenate([[0], np.cumsum(rng.normal(0, 0.08, count))])
+        return Bed(np.column_stack([x, z]) * length, float(rng.choice([0.0, 0.4, 1.0])))
+    return None if rng.random() < 0.3 else Bed.sloping()
+
+
+def random_end(rng, bed, length):
+    """Fairlead (x, z), m, above the bed."""
+    ranges = ((0.0, 0.5), (0.5, 1.0), (0.9, 1.02), (0.0, 0.0))
+    reach = length * rng.uniform(*ranges[rng.choice(4, p=[0.35, 0.4, 0.2, 0.05])])
+    angle = rng.uniform(0.02, 0.9) if rng.random() < 0.7 else rng.uniform(0.9, 1.57)
+    x, z = reach * np.cos(angle), max(reach * np.sin(angle), 1e-3 * length)
+    if bed is None:
+        return float(x), float(z)
+    floor = -float(bed.depth_below(x, 0.0))
+    z = z + floor if floor > 0 or rng.random() < 0.5 else max(z, floor + 1e-3 * length)
+    return float(x), float(z if z > floor else floor + 1e-3 * length)
+
+
+def random_line(rng):
+    """A StaticLine and its fairlead (x, z), m."""
+    segments = random_segments(rng)
+    length = sum(segment.length for segment in segments)
+    loads = random_loads(rng, length, sum(segment.length * segment.weight for segment in segments))
+    bed = random_bed(rng, length)
+    x, z = random_end(rng, bed, length)
+    surface = np.inf if rng.random() < 0.5 else z + length * rng.choice([0, 0.02, 0.2])
+    return StaticLine(segments, loads, bed, float(surface) if surface > 0 else np.inf), x, z
+
+
+def verdict(seed, number):
+    """(word, faults, seconds) of one line: answered, short, refused, wrong, or slides"""
+    from exact.static_line import faults
+
+    line, x, z = random_line(np.random.default_rng([seed, number]))
+    start = time.perf_counter()
+    try:
+        found = line.solve(x, z)
+    except BeyondReachError:
+        return "short", {}, time.perf_counter() - start
+    except LineError as error:
+        word = "refused, may slide" if "may slide" in str(error) else "refused"
+        return word, {str(error): 1.0}, time.perf_counter() - start
+    spent = time.perf_counter() - start
+    wrong = faults(found, sliding=False)
+    if wrong:
+        return "wrong", wrong, spent
+    return "slides" if found.slides else "answered", {}, spent
+
+
+def work(pipe, seed, first, last):
+    verdict(seed, first)  # compiles
+    for number in range(first, last):
+        pipe.send(number)
+        pipe.send(verdict(seed, number))
+    pipe.send(None)
+
+
+def watched(seed, first, last, patience):
+    """Yield (number, verdict) of each line; a process that does not answer is ended and another goes on after it."""
+    context = multiprocessing.get_context("spawn")
+    while first < last:
+        here, there = context.Pipe(duplex=False)
+        process = context.Process(target=work, args=(there, seed, first, last), daemon=True)
+        process.start()
+        there.close()
+        limit = 600.0  # the first answer waits for the compiler
+        try:
+            while (number := (here.recv() if here.poll(limit) else -1)) is not None:
+                if number < 0 or not here.poll(patience):
+                    break
+                yield number, here.recv()
+                first, limit = number + 1, patience
+            else:
+                return
+        except EOFError:
+            pass
+        process.kill()
+        process.join()
+        yield first, ("hung or crashed", {}, patience)
+        first += 1
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--lines", type=int, default=10_000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--patience", type=float, default=20.0, help="s")
+    parser.add_argument("--boundscheck", action="store_true")
+    options = parser.parse_args()
+    if options.boundscheck:
+        os.environ["NUMBA_BOUNDSCHECK"] = "1"
+        os.environ["HAKOBUNE_CACHE"] = str(ROOT / "build" / "bounds")
+    counts, spent = collections.Counter(), []
+    for number, (word, what, seconds) in watched(
+        options.seed, options.first, options.first + options.lines, options.patience
+    ):
+        counts[word] += 1
+        spent.append(seconds)
+        if word not in ("answered", "short", "slides"):
+            print(f"line {number}: {word} {what}", flush=True)
+    print(", ".join(f"{count} {word}" for word, count in counts.most_common()))
+    print(
+        "ms a line, 50th, 99th, 99.9th percentile and longest:",
+        np.round(1e3 * np.percentile(spent, (50, 99, 99.9, 100)), 2),
+    )
+    return 1 if counts["wrong"] + counts["hung or crashed"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

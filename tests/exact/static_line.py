@@ -1,0 +1,184 @@
+"""Whether a solved static line is in equilibrium, found out by quadrature and balances of forces alone.
+
+A line hangs in equilibrium if every part of it does.  Along a free part H is constant, dV/ds = w and
+
+    dx/ds = (1 + ε) H/T,    dz/ds = (1 + ε) V/T,    T = √(H² + V²),    ε = ε(T) of the material,
+
+which Gauss's rule integrates here on intervals that shrink towards V = 0.  Along a part on the bed of slope β, dT/ds
+lies between w (sin β − μ cos β) and w (sin β + μ cos β), and T ≥ 0.  Where parts meet, the pulls, the load and the
+reaction of the bed add up to nothing; the reaction points out of the bed, and there is none off it.  Nothing is below
+the bed; a buoy is under water, in the surface with a part of its lift, or out of the water without it.
+
+Nothing of the solver is used here but the state at the upper end of each part, which is what it claims.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
+# of the line's length, and of the largest tension or a thousandth of the weight: what counts as a fault
+LENGTH, FORCE = 1e-7, 1e-6
+
+
+def strain(segment, tension):
+    """ε at tensions, N, of a `Segment`"""
+    if np.ndim(segment.axial_stiffness) == 0:
+        return tension / segment.axial_stiffness
+    e, T = np.asarray(segment.axial_stiffness, float).T
+    last = (e[-1] - e[-2]) / (T[-1] - T[-2])
+    return np.where(tension > T[-1], e[-1] + last * (tension - T[-1]), np.interp(tension, T, e))
+
+
+def intervals(H, V, down, weight):
+    """Ends of intervals in [0, down], from the upper end, that shrink towards the place where V = 0."""
+    middle = V / weight
+    steps = np.geomspace(max(H / weight, 1e-16 * (down + abs(middle))), down + abs(middle) + H / weight, 48)
+    ends = np.concatenate([[0.0, down, middle], middle - steps, middle + steps])
+    return np.unique(np.clip(ends, 0.0, down))
+
+
+def hung(H, V, down, weight, segment):
+    """How far a free part reaches, (x, z) m, from its upper end to `down` m of unstretched length below it."""
+    ends = intervals(H, V, down, weight)
+    half = 0.5 * np.diff(ends)[:, None]
+    s = 0.5 * (ends[1:] + ends[:-1])[:, None] + half * NODES
+    v = V - weight * s
+    T = np.maximum(np.hypot(H, v), 1e-300)
+    factor = half * WEIGHTS * (1 + strain(segment, T)) / T
+    return np.sum(factor * H), np.sum(factor * v)
+
+
+def segment_at(line, s):
+    ends = np.cumsum([segment.length for segment in line.segments])
+    return line.segments[min(int(np.searchsorted(ends, s)), len(line.segments) - 1)]
+
+
+def bed_height(line, x):
+    px, pz = line.bed.points.T
+    last = (pz[-1] - pz[-2]) / (px[-1] - px[-2])
+    return np.where(x > px[-1], pz[-1] + last * (x - px[-1]), np.interp(x, px, pz))
+
+
+def slopes_at(line, x, far):
+    """Slopes, rad, of the facets that a place belongs to: two at a vertex."""
+    px, pz = line.bed.points.T
+    left, right = np.append(-np.inf, px[1:-1]), np.append(px[1:-1], np.inf)
+    inside = (left - far <= x) & (x <= right + far)
+    return np.arctan(np.diff(pz) / np.diff(px))[inside]
+
+
+def pull(piece, down):
+    """(H, V), N, at a place of a part."""
+    if piece[0] == 1:
+        T = piece[5] - piece[6] * down
+        return np.array([T * np.cos(piece[10]), T * np.sin(piece[10])])
+    return np.array([piece[5], piece[6] - piece[7] * down])
+
+
+class Faults(dict):
+    """What is wrong with a line: the size of each fault over its limit, where it is above 1."""
+
+    def note(self, name, size):
+        if not size <= 1.0:
+            self[name] = max(self.get(name, 0.0), float(size))
+
+
+def faults(found, sliding=True):
+    """Faults of a `StaticSolution` of one position.  sliding : whether a line without tension may not lie on a slope
+    steeper than friction holds."""
+    line, pieces, out = found.line, found.pieces[found.pieces[:, 2] > 0], Faults()
+    far = LENGTH * line.length
+    ends = np.concatenate([[pull(p, 0.0), pull(p, p[2])] for p in pieces])
+    force = FORCE * max(np.hypot(*ends.T).max(), 1e-3 * line.weight)
+    fairlead = np.array([found.horizontal_fairlead, found.vertical_fairlead])
+    out.note("pull at the fairlead", np.hypot(*(pull(pieces[0], 0.0) - fairlead)) / force)
+    out.note("place of the fairlead", np.hypot(pieces[0, 3] - found.x, pieces[0, 4] - found.z) / far)
+    out.note("length", abs(pieces[0, 1] - line.length) / far)
+    heap = pieces[:, 8] < 1e-200
+    for i, p in enumerate(pieces):
+        segment, down = segment_at(line, p[1] - 0.5 * p[2]), p[2]
+        out.note("weight", abs(p[7] - segment.weight) * down / force)
+        if p[0] == 1:
+            place = on_bed(line, p, segment, heap[i], sliding, far, force, out)
+        else:
+            place = in_water(line, p, segment, far, out)
+        if i + 1 < len(pieces):
+            below = pieces[i + 1]
+            out.note("length", abs(p[1] - down - below[1]) / far)
+            aside = 0.0 if heap[i + 1] or heap[i] else abs(place[0] - below[3])
+            out.note("broken", max(aside, abs(place[1] - below[4])) / far)
+            meet(line, found, p, below, far, force, out)
+    end = pieces[-1]
+    out.note("length", abs(end[1] - end[2]) / far if not found.slack else 0.0)
+    held = np.array([found.horizontal_anchor, found.vertical_anchor])
+    out.note("pull at the anchor", np.hypot(*(pull(end, end[2]) - held)) / force)
+    if not (found.slack and end[0] == 1):
+        out.note("place of the anchor", np.hypot(0.0 if found.slack else place[0], place[1]) / far)
+    return out
+
+
+def on_bed(line, p, segment, heap, sliding, far, force, out):
+    """Checks a part on the bed; returns where it ends"""
+    _, _, down, x, z, T, rate, weight, _, _, beta = p
+    if line.bed is None:
+        out.note("on a bed that is not there", np.inf)
+        return x, z
+    if heap:
+        return x, z
+    out.note("compressed", -min(T, T - rate * down) / force)
+    out.note("bed", abs(z - bed_height(line, x)) / far)
+    if sliding or max(T, T - rate * down) > force:
+        grip = abs(rate - weight * np.sin(beta)) - weight * line.bed.friction * np.cos(beta)
+        out.note("friction", grip * down / force)
+    half = 0.5 * down
+    moved = half * WEIGHTS @ (1 + strain(segment, np.maximum(T - rate * half * (1 + NODES), 0.0)))
+    place = x - moved * np.cos(beta), z - moved * np.sin(beta)
+    middle = 0.5 * (x + place[0])
+    out.note("bed", np.abs(slopes_at(line, middle, 0.0) - beta).min() * moved / far)
+    if place[0] > -far:
+        out.note("bed", abs(place[1] - bed_height(line, max(place[0], 0.0))) / far)
+    return place
+
+
+def in_water(line, p, segment, far, out):
+    """Checks a free part; returns where it ends"""
+    _, _, down, x, z, H, V, weight, *_ = p
+    dx, dz = hung(H, V, down, weight, segment)
+    if line.bed is not None:
+        facets = [
+            (V - H * np.tan(beta)) / weight
+            for beta in np.arctan(np.diff(line.bed.points[:, 1]) / np.diff(line.bed.points[:, 0]))
+        ]
+        places = np.unique(np.clip([*facets, *np.linspace(0.0, down, 12)], 0.0, down))
+        for s in places:
+            sx, sz = hung(H, V, s, weight, segment)
+            out.note("below the bed", (bed_height(line, x - sx) - (z - sz)) / far if x - sx > -far else 0.0)
+    return x - dx, z - dz
+
+
+def meet(line, found, above, below, far, force, out):
+    """Balance where two parts meet."""
+    s, x, z = below[1], below[3], below[4]
+    upper, lower = pull(above, above[2]), pull(below, 0.0)
+    loads = [i for i, load in enumerate(line.loads) if abs(load.position - s) <= far]
+    weight = 0.0
+    for i in loads:
+        load, state = line.loads[i], found.loads[i]
+        if load.weight < 0:
+            above_sea = z - line.surface if np.isfinite(line.surface) else -np.inf
+            high = {"submerged": above_sea, "floating": abs(above_sea), "emerged": -above_sea}[state]
+            out.note("buoy", high / far)
+        part = {"submerged": load.weight, "emerged": load.weight_in_air, "floating": upper[1] - lower[1]}[state]
+        out.note("buoy", (load.weight - part) / force)
+        out.note("buoy", (part - max(load.weight, load.weight_in_air)) / force)
+        weight += part
+    reaction = lower - upper + np.array([0.0, weight])
+    size = np.hypot(*reaction)
+    if size <= force:
+        return
+    if line.bed is None or abs(z - bed_height(line, x)) > far:
+        out.note("balance", size / force)
+        return
+    presses = [reaction @ [-np.sin(beta), np.cos(beta)] for beta in slopes_at(line, x, far)]
+    out.note("sucked to the bed", -max(presses) / force)

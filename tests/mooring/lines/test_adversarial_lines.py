@@ -1,0 +1,53 @@
+"""Lines that nobody would hang, judged by quadrature and balances of forces: what is answered is an equilibrium."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+from bench.adversarial_lines import verdict
+from exact.static_line import faults
+
+from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
+
+
+def test_no_adversarial_line_is_wrong_and_none_is_refused_that_its_bed_holds():
+    words = Counter(verdict(11, number)[0] for number in range(300))
+    assert words["wrong"] == words["refused"] == 0, words
+    assert words["answered"] > 200, words
+
+
+def test_the_residual_sees_a_wrong_tension_a_broken_line_and_a_buoy_above_the_sea():
+    line = StaticLine([Segment(120.0, 10.0, 1e6)], [PointLoad(85.0, -900.0)], surface=30.0)
+    found = line.solve(104.0, 29.0)
+    assert not faults(found)
+    for column, word in ((5, "broken"), (4, "place of the fairlead"), (2, "length")):
+        pieces = found.pieces.copy()
+        pieces[0, column] *= 1.001
+        object.__setattr__(found, "pieces", pieces)
+        assert word in faults(found), (word, faults(found))
+    free = StaticLine(line.segments, line.loads, surface=40.0).solve(104.0, 29.0)
+    object.__setattr__(free, "line", line)
+    assert "buoy" in faults(free)
+
+
+@pytest.mark.parametrize(
+    ("line", "x", "z"),
+    [
+        # what a buoy lifts stands over the heap at the anchor
+        (StaticLine([Segment(100.0, 10.0, 1e6)], [PointLoad(20.0, -200.0)]), 30.0, 20.0),
+        (StaticLine([Segment(100.0, 10.0)], [PointLoad(20.0, -5000.0)], surface=25.0), 30.0, 20.0),
+        (StaticLine([Segment(50.0, 10.0, 1e5), Segment(50.0, 30.0)], bed=None), 0.0, 60.0),
+        (StaticLine([Segment(50.0, 10.0, 1e5), Segment(50.0, 90.0)], [PointLoad(60.0, 400.0)], None), 40.0, 30.0),
+        (
+            StaticLine([Segment(50.0, 10.0), Segment(50.0, 30.0)], [PointLoad(60.0, -90.0)], Bed.sloping(0, 0.5)),
+            0.0,
+            9.0,
+        ),
+    ],
+)
+def test_slack_plumb_and_hanging_lines_of_parts_are_in_equilibrium(line, x, z):
+    found = line.solve(x, z)
+    assert not faults(found)
+    total = line.weight + sum(load.weight for load in line.loads)
+    if line.bed is None:
+        assert np.isclose(found.vertical_fairlead - found.vertical_anchor, total, rtol=1e-9)
