@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..environment.sea import Sea
 from ..loads.box_drag import DragTable
 from ..loads.box_wind import AIR_DENSITY, BOX
 
@@ -60,8 +61,16 @@ class Waves:
 
 @dataclass(frozen=True)
 class Conditions:
-    """Wind, current and waves of a study; None leaves the load out."""
+    """Wind, current and waves of a study; None leaves the load out.
+
+    method : of `wave_effects.METHODS`, "irregular" or "regular_wave"
+    sea : `environment.sea.Sea` of the waves; None for the ISSC spectrum of their height and period with long crests
+    duration : s, in which the largest motions in irregular waves are expected
+    """
 
     wind: Wind | None = None
     current: Current | None = None
     waves: Waves | None = None
+    method: str = "irregular"
+    sea: Sea | None = None
+    duration: float = 10800.0

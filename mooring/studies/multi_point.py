@@ -2,10 +2,10 @@
 
 Natural periods come first: the method is not on the safe side where one of them lies near the wave period.
 Then steady forces of wind, current and wave drift, the position in which the lines balance them, and there the
-motion of the freely floating body in a regular wave of the significant height and mean period.  All modes are
-taken in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension.
-The body is small-angled throughout: loads and motions are those of its heading at rest.  Slow drift of irregular
-waves is not in the method.
+largest motions of the freely floating body: in irregular waves, or by the report's regular wave of significant height
+(`wave_effects`).  All modes are taken in phase, with the signs, per line, that pull the fairlead outward and up;
+statics give the tension.  The body is small-angled throughout: loads and motions are those of its heading at rest.
+Motions of slow drift are not in the method.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from .multi_point_findings import HORIZONTAL, findings
 from .natural_periods import NaturalPeriods, natural_periods
 from .places import check_places, place_findings
 from .steady_loads import steady_loads, with_coefficients
+from .wave_effects import WaveEffects, wave_effects
 
 PLANE = [0, 1, 5]
 
@@ -34,6 +35,7 @@ class MultiPoint:
     at_rest, at_equilibrium : natural periods without and with the steady forces
     loads : {"wind", "current", "drift": (3,)} N, N, N m about the rotation centre
     rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : lines at their largest
+    waves : {method: `WaveEffects`}, that of the conditions and the other where it is possible; empty without waves
     amplitudes : (6,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead
     """
 
@@ -43,6 +45,7 @@ class MultiPoint:
     at_rest: NaturalPeriods
     at_equilibrium: NaturalPeriods
     loads: dict
+    waves: dict
     rest: SystemEquilibrium
     equilibrium: SystemEquilibrium
     amplitudes: np.ndarray
@@ -91,14 +94,12 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
     body = system.bodies[0].name
     at_rest = rest(held_at(system, {body: system.bodies[0].position}))
     periods_at_rest = natural_periods(db.reader.restrained(stiffness=at_rest.stiffness))
-    loads = steady_loads(db, hull, conditions, system.depth)
+    waves = wave_effects(db, conditions) if conditions.waves else {}
+    effects = waves.get(conditions.method, WaveEffects(None, np.zeros(6)))
+    loads = steady_loads(db, hull, conditions, system.depth, effects.drift)
     x, y, turn = sum(loads.values(), np.zeros(3))
     equilibrium = rest(system.with_loads({body: (x, y, 0.0, 0.0, 0.0, turn)}))
-    amplitudes = np.zeros(6)
-    if conditions.waves:
-        w = conditions.waves
-        amplitudes = np.abs(db.reader.motions([w.omega], [w.direction])[0, 0]) * 0.5 * w.height
-    outward, upward = fairlead_displacements(equilibrium, amplitudes)
+    outward, upward = fairlead_displacements(equilibrium, effects.amplitudes)
     anchors, fairleads = line_ends(equilibrium)
     moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
     result = MultiPoint(
@@ -108,9 +109,10 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
         periods_at_rest,
         natural_periods(db.reader.restrained(stiffness=equilibrium.stiffness)),
         loads,
+        waves,
         at_rest,
         equilibrium,
-        amplitudes,
+        effects.amplitudes,
         outward,
         upward,
         system.forces_between(anchors, moved),

@@ -27,9 +27,12 @@ def findings(result, db):
     if current:
         yield from current.table.notes
     if waves:
-        yield from _uncertain(db.reader, waves)
+        irregular = result.conditions.method == "irregular"
+        yield from _of_the_sea(result) if irregular else _uncertain(db.reader, waves)
         yield from resonances(result, waves.period)
-        if db.has_viscous_motions:
+        if db.has_viscous_motions and irregular:
+            yield "motions and drift hold the viscous damping of the database's scene, linearised in this sea"
+        elif db.has_viscous_motions:
             yield "motions and drift hold the viscous damping of the wave height in the database's scene"
         else:
             yield from _undamped(result, db, waves)
@@ -53,6 +56,16 @@ def _uncertain(body, waves):
             f"waves of {waves.period:g} s towards {np.rad2deg(waves.direction) % 360:.4g}° lie between stored ones, "
             f"estimated errors: {', '.join(named)}; limit {100 * UNSURE:g} %; add period and heading to the scene"
         )
+
+
+def _of_the_sea(result):
+    effects = result.waves["irregular"]
+    yield from effects.warnings
+    x, y, turn = effects.slow
+    yield (
+        f"slow drift about the mean, standard deviations Fx {x / 1e3:.3g}, Fy {y / 1e3:.3g} kN, Mz {turn / 1e3:.3g} "
+        "kN m, moves the body at its natural periods; this is not in the tensions: simulate in time"
+    )
 
 
 def resonances(result, wave_period):
@@ -116,7 +129,7 @@ def _outside_the_method(result, depth):
             f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: they and the motions are those "
             "of its heading at rest"
         )
-    if result.conditions.waves and depth <= SHALLOW:
+    if result.conditions.waves and result.conditions.method == "regular_wave" and depth <= SHALLOW:
         yield (
             f"water depth {depth:g} m is not above {SHALLOW:g} m: there simulations in heavy seas exceed this "
             "method (SR179 report, section 5.5.3); simulate in time"

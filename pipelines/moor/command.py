@@ -18,6 +18,7 @@ from ..common.units import TONF
 from .study import read_study
 
 SCHEMA = "hakobune mooring study 1"
+SAME = 0.01  # of forces and motions, within which two methods are said to agree
 LINE_QUANTITIES = {
     "pretension": ("N", lambda r: r.rest.lines.tension_b),
     "horizontal_pretension": ("N", lambda r: r.rest.lines.horizontal_b),
@@ -84,6 +85,11 @@ def _write(output, result, text, database):
         _put(file, "motion_amplitude", result.amplitudes, "m, m, m, rad, rad, rad")
         for name, load in result.loads.items():
             _put(file, f"loads/{name}", load, "N, N, N m")
+        for method, effects in result.waves.items():
+            _put(file, f"waves/{method}/drift", effects.drift, "N, N, N m")
+            _put(file, f"waves/{method}/motion_amplitude", effects.amplitudes, "m, m, m, rad, rad, rad")
+        if result.waves:
+            file["waves"].attrs["method"] = result.conditions.method
         for state in ("at_rest", "at_equilibrium"):
             periods = getattr(result, state)
             _put(file, f"natural_periods/{state}/period", periods.period, "s")
@@ -108,10 +114,8 @@ def _show(result, resonant, output):
     console.print(_lines_table(result))
     x, y, turn = result.displacement
     console.print(f"equilibrium: x {x:.3f} m, y {y:.3f} m, yaw {np.degrees(turn):.3f}°", highlight=False)
-    if result.conditions.waves:
-        console.print(_motions(result.amplitudes), highlight=False, soft_wrap=True)
-    for line in resonant:
-        console.print(f"free motions: {line}", highlight=False, soft_wrap=True)
+    for line in _waves(result):
+        console.print(line, highlight=False, soft_wrap=True)
     worst = int(np.argmax(result.tension))
     console.print(
         f"largest tension: {result.tension[worst] / TONF:.0f} tonf in {result.system.line_names[worst]}, "
@@ -131,11 +135,34 @@ def _used(result, line):
     return f"{100 * result.utilisation[line]:.0f} % of its breaking load (allowable {100 * result.allowable:.0f} %)"
 
 
+def _waves(result):
+    """Drift and motions by the method of the study, then by the other one where they differ"""
+    if not result.waves:
+        return
+    w, chosen = result.conditions, result.waves[result.conditions.method]
+    largest = f"largest expected in {w.duration / 3600:.3g} h of irregular waves"
+    words = {"irregular": largest, "regular_wave": "of a regular wave of significant height"}
+    yield f"free motions, {words[w.method]}: {_motions(chosen.amplitudes)}"
+    for method, other in result.waves.items():
+        if method != w.method and not _alike(chosen, other):
+            x, y, turn = other.drift / TONF
+            yield (
+                f'not used (method = "{method}"), {words[method]}: drift Fx {x:.1f}, Fy {y:.1f} tonf, '
+                f"Mz {turn:.1f} tonf m; {_motions(other.amplitudes)}"
+            )
+
+
+def _alike(one, other):
+    """Whether two WaveEffects differ by less than a hundredth of their largest force and motion"""
+    pairs = [(one.drift, other.drift), (one.amplitudes[:3], other.amplitudes[:3])]
+    return all(np.abs(a - b).max() <= SAME * max(np.abs(a).max(), 1e-300) for a, b in pairs)
+
+
 def _motions(amplitudes):
     shift, turn = amplitudes[:3], np.degrees(amplitudes[3:])
     words = [f"{name} {value:.3g} m" for name, value in zip(DOFS[:3], shift, strict=True)]
     words += [f"{name} {value:.3g}°" for name, value in zip(DOFS[3:], turn, strict=True)]
-    return f"amplitudes of the free motions: {', '.join(words).lower()}"
+    return ", ".join(words).lower()
 
 
 def _table(title, *columns):

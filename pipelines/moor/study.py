@@ -13,12 +13,15 @@ from dataclasses import replace
 import msgspec
 import numpy as np
 
+from mooring.environment.sea import Sea
 from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
 from mooring.loads.box_drag import drag_table
 from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
+from mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import LineTable, TypeTable, line_of
 from ..common.quantities import StudyError, Table, direction, force, positive, speed, water_depth
+from ..common.seas import family_of, shape_of, spreading_of
 from ..common.typed import read_toml, typed
 
 
@@ -57,12 +60,21 @@ class StreamTable(Table):
 
 
 class WavesTable(Table):
-    """height : m, significant; period : s, mean; direction_deg travelled to, or incidence_deg"""
+    """height : m, significant; period : s, mean; direction_deg travelled to, or incidence_deg
+
+    method : "irregular", waves of a spectrum, or "regular_wave" of this height and period as in the SR179 report
+    spectrum, gamma, spreading : of irregular waves as in a response study; duration_hours : of the largest motions
+    """
 
     height: float
     period: float
     direction_deg: float | None = None
     incidence_deg: float | None = None
+    method: str = "irregular"
+    spectrum: str = "issc"
+    gamma: float | None = None
+    spreading: str | None = None
+    duration_hours: float = 3.0
 
 
 class Spread(LineTable, kw_only=True):
@@ -107,13 +119,15 @@ class Study(Table):
         if current:
             table = None if current.coefficients is None else _coefficients("current", current)
             current = Current(speed("current", current), direction("current", current), table)
-        if waves:
-            waves = Waves(
-                positive("waves.height", waves.height),
-                positive("waves.period", waves.period),
-                direction("waves", waves),
-            )
-        return Conditions(wind, current, waves)
+        if waves is None:
+            return Conditions(wind, current)
+        regular = Waves(
+            positive("waves.height", waves.height), positive("waves.period", waves.period), direction("waves", waves)
+        )
+        if waves.method not in METHODS:
+            raise StudyError(f"waves.method is {waves.method!r}; allowed: {', '.join(METHODS)}")
+        duration = 3600 * positive("waves.duration_hours", waves.duration_hours)
+        return Conditions(wind, current, regular, waves.method, _sea(waves, regular.direction), duration)
 
     def hull_of(self, dimensions):
         """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error."""
@@ -153,6 +167,12 @@ class Study(Table):
         if given.anchor is None and given.heading_deg is not None and pretension is not None:
             return leg_at_tension(line, given.fairlead, math.radians(given.heading_deg), depth, pretension)
         raise StudyError(f"{where} ({given.name}): allowed: either anchor, or heading_deg with a pretension")
+
+
+def _sea(waves, towards):
+    """The Sea of a WavesTable"""
+    spectrum = family_of("waves", waves)(waves.height, mean_period=waves.period, **shape_of(waves))
+    return Sea(spectrum, towards, spreading_of("waves", waves, spectrum))
 
 
 def read_study(path):

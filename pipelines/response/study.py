@@ -32,6 +32,7 @@ from bem import DOFS
 from bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive
+from ..common.seas import family_of, shape_of, spreading_of
 from ..common.typed import read_toml, typed
 
 
@@ -144,8 +145,8 @@ def sea_of(table):
     from mooring.environment.sea import Sea
 
     periods = {kind: getattr(table, kind) for kind in KINDS if getattr(table, kind) is not None}
-    spectrum = family_of("sea", table)(positive("sea.height", table.height), **_shape(table), **periods)
-    return Sea(spectrum, direction("sea", table), _spreading("sea", table, spectrum))
+    spectrum = family_of("sea", table)(positive("sea.height", table.height), **shape_of(table), **periods)
+    return Sea(spectrum, direction("sea", table), spreading_of("sea", table, spectrum))
 
 
 def climate_of(table, beside):
@@ -154,38 +155,14 @@ def climate_of(table, beside):
 
     positive("climate.years", table.years)
     named = [(f"climate.directions[{i}]", entry) for i, entry in enumerate(table.directions)]
-    spreading = None if table.spreading is None else lambda spectrum: _spreading("climate", table, spectrum)
+    spreading = None if table.spreading is None else lambda spectrum: spreading_of("climate", table, spectrum)
     return dict(
         scatter=read_scatter(Path(beside).parent / table.scatter),
         family=family_of("climate", table),
         directions_and_shares=[(direction(where, entry), entry.share) for where, entry in named],
         spreading=spreading,
-        **_shape(table),
+        **shape_of(table),
     )
-
-
-def family_of(where, table):
-    """Function of `environment.spectra` that the table names"""
-    from mooring.environment.spectra import FAMILIES
-
-    if table.spectrum not in FAMILIES:
-        raise StudyError(f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(FAMILIES)}")
-    if table.gamma is not None and table.spectrum != "jonswap":
-        raise StudyError(f"{where}.gamma is given for {table.spectrum}; allowed: with jonswap")
-    return FAMILIES[table.spectrum]
-
-
-def _shape(table):
-    return {} if table.gamma is None else {"gamma": table.gamma}
-
-
-def _spreading(where, table, spectrum):
-    from ..sea.command import _spreading
-
-    try:
-        return _spreading(table.spreading, spectrum)
-    except ValueError as error:
-        raise StudyError(str(error).replace("--spreading", f"{where}.spreading")) from None
 
 
 def _matrix(name, rows):

@@ -13,7 +13,7 @@ from cyclopts import Parameter
 from meshing.text_files import LARGEST
 
 from ..common.bounds import check_memory, check_seconds, told, whole_number
-from .flags import SPREADINGS, ReadingFlags, RecordFlags, SpectrumFlags
+from .flags import ReadingFlags, RecordFlags, SpectrumFlags
 
 LONGEST = 10_000_000  # values of a record
 # measured: bytes for a component times √values, for a value, for a component; s for each, and for a component's wave
@@ -172,12 +172,14 @@ def _record(spectrum, flags):
     from mooring.environment.sea import Sea
     from mooring.environment.wave_records import Record, elevation
 
+    from ..common.seas import spreading
+
     step, duration = _positive("step", flags.step, 0.5), _positive("duration", flags.duration, 3600.0)
     count = round(duration / step)
     if not 16 <= count <= LONGEST:
         raise ValueError(f"--duration {duration:g} s is {count} steps of {step:g} s; allowed: 16 to {LONGEST}")
     _warn_of_long_steps(spectrum, step)
-    state = Sea(spectrum, math.radians(flags.direction or 0.0), _spreading(flags.spreading, spectrum))
+    state = Sea(spectrum, math.radians(flags.direction or 0.0), spreading(flags.spreading, spectrum))
     words = {"frequencies": flags.frequencies, "amplitudes": flags.amplitudes}
     seed = whole_number("seed", flags.seed, 0, 1)
     number = whole_number("components", flags.components, 1, _number_of_components(spectrum, flags, duration))
@@ -232,27 +234,6 @@ def _point(text):
     except ValueError:
         raise ValueError(f"--point is {text!r}; allowed: two numbers x,y") from None
     return x, y
-
-
-def _spreading(text, spectrum):
-    import math
-
-    from mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
-
-    if text is None:
-        return None
-    makers = {
-        "cosine": CosinePower,
-        "half_cosine": HalfCosinePower,
-        "mitsuyasu": lambda s: Mitsuyasu(s, spectrum.peak_omega),
-        "wrapped_normal": lambda degrees: WrappedNormal(math.radians(degrees)),
-    }
-    kind, _, number = text.partition(":")
-    try:
-        maker, value = makers[kind], float(number)
-    except (KeyError, ValueError):
-        raise ValueError(f"--spreading is {text!r}; allowed: {SPREADINGS}") from None
-    return maker(value)
 
 
 def _write(found, flags):

@@ -8,9 +8,8 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+from ..common.seas import SPREADINGS
 from ..scene.flags import _flag
-
-SPREADINGS = "cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES"
 
 
 @Parameter(name="*")

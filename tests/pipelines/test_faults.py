@@ -142,7 +142,7 @@ STUDIES = {  # what is replaced in the study, by what
     ("length = 100.0", "length = 110.0"): ("hull.length is 110 m", "100 m"),
     ("incidence_deg = 60.0", "incidence_deg = 6000.0"): ("incidence_deg is 6000", "360"),
     ("period = 10.0\nincidence_deg = 60.0", "period = 10.0\nincidence_deg = 270.0"): ("wave direction 90°", "heading"),
-    ("period = 10.0", "period = 60.0"): ("period 60 s", "6.981 to 20.94 s"),
+    ("period = 10.0", "period = 60.0"): ("mean period 60.12 s", "6.981 to 20.94 s"),
     ("height = 4.5", "height = -4.5"): ("waves.height is -4.5", "above 0"),
     ("speed = 50.0", "speed = inf"): ("wind.speed is inf", "finite"),
     ("length = 260.0", "length = nan"): ("spreads[0].length is nan", "above 0"),

@@ -102,6 +102,13 @@ def test_waves_beyond_the_database_are_named_with_their_share(box_body):
     assert "bow relative elevation" in said and "% of the mean drift force is from waves beyond" in said
 
 
+def test_a_sea_mostly_outside_the_database_is_refused(box_body):
+    with pytest.raises(
+        BetweenError, match=r"of mean period 60.* is outside the stored 5.984 to 25.13 s; allowed: 50 %"
+    ):
+        sea_state(box_body, Sea(issc(2.0, mean_period=60.0), 0.0), HOUR)
+
+
 def test_waves_longer_than_the_database_are_named_too(box_body):
     result = sea_state(box_body, Sea(issc(2.0, mean_period=20.0), 0.0), HOUR)
     assert any("waves longer than the stored 25.1 s" in w for w in result.warnings)

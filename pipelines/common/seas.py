@@ -1,0 +1,53 @@
+"""Seas in words of studies and flags: families of spectra, their shape, spreading over directions."""
+
+from __future__ import annotations
+
+import math
+
+from .quantities import StudyError
+
+SPREADINGS = "cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES"
+
+
+def family_of(where, table):
+    """Function of `environment.spectra` that the table names.  Raises StudyError."""
+    from mooring.environment.spectra import FAMILIES
+
+    if table.spectrum not in FAMILIES:
+        raise StudyError(f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(FAMILIES)}")
+    if table.gamma is not None and table.spectrum != "jonswap":
+        raise StudyError(f"{where}.gamma is given for {table.spectrum}; allowed: with jonswap")
+    return FAMILIES[table.spectrum]
+
+
+def shape_of(table):
+    """Arguments of the shape of a spectrum"""
+    return {} if table.gamma is None else {"gamma": table.gamma}
+
+
+def spreading_of(where, table, spectrum):
+    """The Spreading of a table, or None for long crests.  Raises StudyError."""
+    try:
+        return spreading(table.spreading, spectrum)
+    except ValueError as error:
+        raise StudyError(str(error).replace("--spreading", f"{where}.spreading")) from None
+
+
+def spreading(text, spectrum):
+    """The Spreading in words as `SPREADINGS`, None for None.  Raises ValueError."""
+    from mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
+
+    if text is None:
+        return None
+    makers = {
+        "cosine": CosinePower,
+        "half_cosine": HalfCosinePower,
+        "mitsuyasu": lambda s: Mitsuyasu(s, spectrum.peak_omega),
+        "wrapped_normal": lambda degrees: WrappedNormal(math.radians(degrees)),
+    }
+    kind, _, number = text.partition(":")
+    try:
+        maker, value = makers[kind], float(number)
+    except (KeyError, ValueError):
+        raise ValueError(f"--spreading is {text!r}; allowed: {SPREADINGS}") from None
+    return maker(value)
