@@ -28,7 +28,7 @@ MEMORY_TOLERANCES = (1e-3, 3e-3, 1e-2, 3e-2)
 FASTEST = 8.0  # rad/s, of states of the memory: explicit steps of 0.4 s are stable
 FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
 FINER, CHAOTIC = 0.1, 0.1  # tolerance of the run that estimates the error; error over σ of a path that is chance
-FEWEST, MOST = 200, 2000  # wave components of a sea
+FEWEST, MOST = 200, 600  # wave components of a sea; at 600 their beats are closer than a slow resonance is wide
 
 
 class SimulationError(ValueError):
