@@ -243,7 +243,10 @@ def _fitted(omega, wanted, size, group, tolerance):
         whole = balanced(fitted(s, wanted, poles))
         states = max(4, len(group) + 1, int(np.sum(whole.values > 2 * tolerance)))
         while states <= len(whole.values):
-            made = passive_fit(*whole.reduced(states)[:2], s, wanted)
+            made = passive_fit(*whole.reduced(states)[:2], s, wanted, 0.99 * tolerance)
+            if made is None:
+                states += 2
+                continue
             error = np.abs(_transfer(made.decay, made.turn, made.input.T, made.output, omega) - wanted).max()
             best = min(best, error)
             if error <= tolerance:

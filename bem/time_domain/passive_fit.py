@@ -18,8 +18,9 @@ from typing import NamedTuple
 import numpy as np
 
 ROUNDS = 80
-STEADY = 100.0  # weight of H(0) = 0, whose part that does no work is not zero by itself
+STEADY = 300.0  # weight of H(0) = 0, whose part that does no work is not zero by itself
 ENOUGH = 1e-3  # relative gain in squares of a round after which no more is tried
+HOPELESS = 1.2  # times the tolerance: more than least squares of all entries leave to their largest
 REAL = 1e-10  # imaginary part, relative, of what is a real mode
 
 
@@ -47,11 +48,18 @@ class _Modes(NamedTuple):
     pairs: int
 
 
-def passive_fit(A, B, s, H):
-    """`Passive` near H (q, m, m) at s (q,) = iω, with the modes of a stable A (n, n), B (n, m), n > m"""
+def passive_fit(A, B, s, H, tolerance=0.0):
+    """`Passive` near H (q, m, m) at s (q,) = iω, with the modes of a stable A (n, n), B (n, m), n > m
+
+    tolerance : of H, at which no more is tried; None is returned where already an output that is free of the condition
+    P ≥ 0 misses H by clearly more.  0 : as near as it goes
+    """
     modes = _modes(A, B)
     problem = _Problem(modes, s, H)
-    loss = modes.basis @ problem.free @ _least_squares(problem, problem.start())
+    start, miss = problem.start()
+    if tolerance > 0 and miss > HOPELESS * tolerance:
+        return None
+    loss = modes.basis @ problem.free @ _least_squares(problem, start, tolerance)
     P = (loss @ loss.conj().T) * problem.sums
     C = modes.input.conj().T @ P
     back = modes.basis.conj().T
@@ -127,20 +135,27 @@ class _Problem:
         return np.stack(out, axis=1).reshape(a * m, -1)
 
     def start(self):
-        """Z whose L is the C of least squares with the same modes: V has then the peaks of H"""
+        """Z whose L is the C of least squares with the same modes, and by how much that misses H
+
+        V has then the peaks of H.
+        """
         m = self.wanted.shape[1]
         real = (self.modes.basis.conj().T @ self.response).reshape(len(self.modes.rate), -1).T
         right = self.wanted.transpose(0, 2, 1).reshape(-1, m)
         left, right = (np.concatenate([part.real, part.imag]) for part in (real, right))
-        Z = self.free.T @ np.linalg.lstsq(left, right, rcond=None)[0]
+        C = np.linalg.lstsq(left, right, rcond=None)[0]
+        miss = np.abs(left @ C - right).max()
+        Z = self.free.T @ C
         made = self.transfer(Z)
-        return Z * np.sqrt(max(np.vdot(made, self.wanted).real / np.vdot(made, made).real, 1e-3))
+        return Z * np.sqrt(max(np.vdot(made, self.wanted).real / np.vdot(made, made).real, 1e-3)), miss
 
 
-def _least_squares(problem, Z):
+def _least_squares(problem, Z, tolerance):
     off = problem.misses(Z)
     square, damping = off @ off, 1e-3
     for _ in range(ROUNDS):
+        if np.hypot(*np.split(off, 2)).max() <= tolerance:
+            break
         slopes = problem.slopes(Z)
         normal, gradient = slopes @ slopes.T, slopes @ off
         own = np.diag(normal) + 1e-12 * np.diag(normal).max()
