@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import io
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -36,6 +37,11 @@ READABLE = (*TEXT_READERS, *MESHIO)
 WRITABLE = (*TEXT_WRITERS, ".msh", ".vtu")
 
 LARGEST = 32  # MB; a hundred thousand panels with all their digits, more than any method here solves
+COUNTS = re.compile(  # what readers take for the size of their arrays, whatever the file holds
+    rb"element[ \t]+\w+[ \t]+(\d+)|POINTS[ \t]+(\d+)|(?:CELLS|POLYGONS)[ \t]+(\d+)[ \t]+(\d+)|"
+    rb"NumberOf(?:Points|Cells)=\"(\d+)\"|\$(?:Nodes|Elements)\s+(\d+)[ \t]*(\d*)|^OFF\s+(\d+)[ \t]+(\d+)"
+)
+PACKED = 1000.0  # values for a byte, at most, of a compressed file
 SAME_POINT = 1e-6  # of the size of the mesh
 AT_SURFACE = 1e-6
 
@@ -54,6 +60,8 @@ def read_mesh(path):
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
     check_size(path, largest=LARGEST)
+    if suffix in MESHIO:
+        _check_counts(path)
     read = TEXT_READERS.get(suffix, _read_with_meshio)
     mesh = read(path)
     if not len(mesh):
@@ -96,6 +104,19 @@ def _wetted(mesh):
     dry = flat & (mesh.area_vectors[:, 2] > 0)
     used, corners = np.unique(mesh.corners[~dry], return_inverse=True)
     return replace(mesh, points=mesh.points[used], corners=corners.reshape(-1, 4))
+
+
+def _check_counts(path):
+    """Raise ValueError for a file that says it has more points or panels than bytes."""
+    content = path.read_bytes()
+    most = len(content) * (PACKED if path.suffix.lower() == ".vtu" else 1.0)
+    for found in COUNTS.finditer(content):
+        for count in filter(None, found.groups()):
+            if float(count) > most:
+                raise ValueError(
+                    f"{path}: it says it has {float(count):.6g} points or panels, in {len(content)} bytes; allowed: as "
+                    "many as it holds; write or copy it again"
+                )
 
 
 def _read_with_meshio(path):

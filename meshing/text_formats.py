@@ -65,7 +65,7 @@ def read_nemoh(path):
             break
         if len(row) < 4:
             raise ValueError(f"{path}, line {k}: {len(row)} numbers; a point has a number and x y z")
-        numbers[int(row[0])] = len(points)
+        numbers[row[0]] = len(points)
         points.append(row[1:4])
     else:
         raise ValueError(f"{path}: no line '0 0. 0. 0.' after the points")
@@ -109,7 +109,7 @@ def read_pnl(path):
     for k, row in rows[1 : 1 + n_points]:
         if len(row) < 4:
             raise ValueError(f"{path}, line {k}: {len(row)} numbers; a node has a number and x y z")
-        numbers[int(row[0])] = len(points)
+        numbers[row[0]] = len(points)
         points.append(row[1:4])
     panels = []
     for k, row in rows[1 + n_points :]:
@@ -165,9 +165,11 @@ def _panel(path, k, row, numbers):
     if len(row) < 3:
         raise ValueError(f"{path}, line {k}: {len(row)} nodes; a panel has 3 or 4")
     try:
-        corners = [numbers[int(value)] for value in row[:4]]
+        corners = [numbers[value] for value in row[:4]]
     except KeyError as error:
-        raise ValueError(f"{path}, line {k}: there is no point {error}; the file has {len(numbers)}") from None
+        raise ValueError(
+            f"{path}, line {k}: there is no point {error.args[0]:g}; the file has {len(numbers)}"
+        ) from None
     return corners if len(corners) == 4 else [*corners, corners[-1]]
 
 

@@ -18,7 +18,7 @@ from meshing.panels import PanelMesh
 from meshing.whole_files import NotWritten, write_whole
 
 from ..waves import wavenumber
-from .integrity import CHECKSUM, MARK, ROWS, DatabaseError, check_schema, fixed_checksum
+from .integrity import CHECKSUM, MARK, ROWS, DamagedError, DatabaseError, check_schema, fixed_checksum
 from .results import OURS, check_seal, named, seal_of
 from .schema import (
     BODY,
@@ -134,7 +134,8 @@ def opened(path, mode="r", checked=False):
         foreign = not h5py.is_hdf5(path)
         file = None if foreign else h5py.File(path, mode)
     except OSError as error:
-        raise DatabaseError(f"{path} cannot be opened: {_reason(error)}") from None
+        kind = DatabaseError if error.errno or "unable to lock" in str(error) else DamagedError  # HDF5 has no number
+        raise kind(f"{path} cannot be opened: {_reason(error)}") from None
     if foreign:
         raise DatabaseError(f"{path} is not an HDF5 file; a database made by 'hakobune solve' is needed")
     with file:
@@ -165,7 +166,7 @@ def damage_named(path):
         if "write" in said:
             cause = os.strerror(error.errno) if getattr(error, "errno", None) else said
             raise NotWritten(f"{path} cannot be written: {cause}; what was stored before is kept") from None
-        raise DatabaseError(
+        raise DamagedError(
             f"{path} is damaged: {said.splitlines()[0]}; copy it again, or solve it anew with --fresh"
         ) from None
 
@@ -269,7 +270,7 @@ def read_header(file, attributes=None):
     try:
         return _header(file, dict(file.attrs) if attributes is None else attributes)
     except KeyError as error:
-        raise DatabaseError(f"{file.filename} is damaged: {error.args[0]}") from None
+        raise DamagedError(f"{file.filename} is damaged: {error.args[0]}") from None
 
 
 def _header(file, attributes):

@@ -8,6 +8,7 @@ checksums have marks of one byte, and are held to the schema alone.
 
 from __future__ import annotations
 
+import tomllib
 import zlib
 
 import h5py
@@ -24,6 +25,10 @@ REMEDY = "'hakobune check FILE --repair' marks it as unsolved, and the command t
 
 class DatabaseError(ValueError):
     """The file cannot be used as asked; one line says why and what helps."""
+
+
+class DamagedError(DatabaseError):
+    """The file is a database, but no longer what was written."""
 
 
 def crc(*parts):
@@ -70,7 +75,7 @@ def _text(*values):
 def check_schema(file):
     """Raise DatabaseError unless a file has the datasets, axes, types and finite coordinates that it must have."""
     for problem in _schema_problems(file):
-        raise DatabaseError(f"{file.filename} is damaged: {problem}; copy it again, or solve it anew with --fresh")
+        raise DamagedError(f"{file.filename} is damaged: {problem}; copy it again, or solve it anew with --fresh")
 
 
 def _schema_problems(file):
@@ -88,6 +93,8 @@ def _schema_problems(file):
         yield "a coordinate is no row of values"
         return
     yield from _wrong_coordinates(file, coordinates)
+    if not has_checksums(file):
+        yield from _wrong_scene(file)
     there, errors = set(file), set(file.get("estimated_error", ()))
     stored = set(file["stored"])
     names = [name for name in QUANTITIES if name in there or name in stored]
@@ -101,6 +108,14 @@ def _schema_problems(file):
         yield from _wrong_dataset(file, f"checks/{name}", [lengths["omega"]], "f")
     yield from _wrong_dataset(file, "solved", [lengths["omega"]], "u")
     yield from _wrong_dataset(file, "wall_time", [lengths["omega"]], "S")
+
+
+def _wrong_scene(file):
+    """Of a file without checksums, whose text would be believed as it is"""
+    try:
+        tomllib.loads(str(file.attrs.get("scene", "")))
+    except tomllib.TOMLDecodeError as error:
+        yield f"the text of its scene cannot be read: {error}"
 
 
 def _wrong_dataset(file, name, shape, kind):
@@ -167,7 +182,7 @@ def check_rows(file, rows):
     """Raise DatabaseError if checks or wall times of the frequencies `rows` (n,) bool are damaged."""
     damaged = damaged_rows(file) & rows
     if damaged.any():
-        raise DatabaseError(f"{file.filename} is damaged: the checks{_where(file, damaged)}; {REMEDY}")
+        raise DamagedError(f"{file.filename} is damaged: the checks{_where(file, damaged)}; {REMEDY}")
 
 
 def remark(file, name):
@@ -197,7 +212,7 @@ def check_cells(file, name, values=None, rows=None):
     if damaged.ndim and rows is not None:
         damaged = damaged & rows.reshape(-1, *[1] * (damaged.ndim - 1))
     if damaged.any():
-        raise DatabaseError(f"{file.filename} is damaged: {name}{_where(file, damaged)}; {REMEDY}")
+        raise DamagedError(f"{file.filename} is damaged: {name}{_where(file, damaged)}; {REMEDY}")
 
 
 def _where(file, damaged):

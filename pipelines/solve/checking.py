@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import tomllib
 from functools import partial
 
 import numpy as np
 
-from bem.database import DatabaseError, open_database
+from bem.database import open_database
 from bem.database.file import opened
-from bem.database.integrity import repair
+from bem.database.integrity import DamagedError, repair
 from bem.database.schema import LIMITS
 from bem.stored_laws import broken_laws
 from meshing.quality import Finding, findings
 from meshing.whole_files import keep_room
 
+from ..common.typed import typed
 from ..scene.methods import METHODS
+from ..scene.scene import Scene, SceneError
 from .report import checked, checks_table, resonances_of
 from .result_files import check_result, is_result
 
@@ -23,17 +26,19 @@ def check(path, console, repair=False):
     """Print checks and findings of a database, or whether a result is whole; 0 if all is there and holds, else 1.
 
     repair : what is damaged of a database is marked as unsolved before
-    raises : ValueError for a file that is neither
+    raises : ValueError for a file that is neither; damage, also of what a database is known by, is an answer and no
+        wrong question
     """
     say = partial(console.print, highlight=False, markup=False, soft_wrap=True)
     if is_result(path):
         return check_result(path, say, repair)
-    if repair:
-        say(_repaired(path))
-    db = open_database(path)
     try:
-        found, checks, broken = _findings(db), checked(db) if len(db.omega) else [], _broken(db)
-    except DatabaseError as damage:
+        if repair:
+            say(_repaired(path))
+        db = open_database(path)
+        found, checks = [*_findings(db), *_scene_findings(db)], checked(db) if len(db.omega) else []
+        broken = _broken(db)
+    except DamagedError as damage:
         say(str(damage))
         return 1
     if checks:
@@ -86,6 +91,25 @@ def _findings(db):
         return findings(db.mesh, db.water_depth, lid=db.lid)
     wave = 2 * np.pi / float(db["wavenumber"].max())
     return findings(db.mesh, db.water_depth, wave, db.lid)
+
+
+def _scene_findings(db):
+    """Whether the scene in a database is that of its water: of a file without checksums nothing else says so"""
+    if not db.header.scene:
+        return
+    try:
+        scene = typed(tomllib.loads(db.header.scene), Scene, SceneError)
+    except ValueError as error:
+        yield Finding("error", f"the text of its scene cannot be read: {error}; solve it anew with --fresh")
+        return
+    said = {"depth": db.water_depth, "density": db.density, "gravity": db.gravity}
+    for name, stored in said.items():
+        if getattr(scene.water, name) != stored:
+            yield Finding(
+                "error",
+                f"its scene has water.{name} {getattr(scene.water, name):g}, its numbers are for {stored:g}; "
+                "solve it anew with --fresh",
+            )
 
 
 def _on_panels(db):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from meshing.panels import PanelMesh
+from meshing.quality import findings
 
 from ..common.picture import VIEWS, check_display, check_picture
 from ..scene.scene import Scene, SceneError, make_scene, read_scene
@@ -43,6 +44,8 @@ def look(path, screenshot=None, field=None, omega=None, heading=None):
     if field != "pressure" and (omega, heading) != (None, None):
         raise SceneError("--omega and --heading belong to --field pressure; leave them out or ask for it")
     source = _opened(path)
+    for finding in findings(source) if isinstance(source, PanelMesh) else ():
+        print(f"{path}: {finding}")
     if screenshot is None:
         check_display()
     else:

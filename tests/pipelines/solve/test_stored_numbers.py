@@ -65,6 +65,42 @@ def test_a_file_without_checksums_is_held_to_the_laws_it_was_made_by(path, capsy
     assert (f"stored numbers: {law} is broken" in said) if law else ("stored numbers" not in said)
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("garbage = = 1", "is damaged: the text of its scene cannot be read"),
+        ("[water]\ndepth = 'deep'", "error: the text of its scene cannot be read"),
+        ("", ""),
+    ],
+)
+def test_the_scene_of_a_file_without_checksums_is_read_by_check(path, capsys, text, words):
+    without_checksums(path)
+    with h5py.File(path, "r+") as file:
+        file.attrs["scene"] = text
+    main(["check", str(path)])
+    assert words in capsys.readouterr().out
+
+
+def test_a_scene_of_other_water_than_the_numbers_is_an_error(path, capsys):
+    without_checksums(path)
+    with h5py.File(path, "r+") as file:
+        file.attrs["density"] = 1000.0
+    assert main(["check", str(path)]) == 1
+    assert "its scene has water.density 1025, its numbers are for 1000" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("damage", ["omega", "mesh", "short"])
+def test_structural_damage_is_an_answer_of_check_and_no_wrong_question(path, capsys, damage):
+    if damage == "short":
+        path.write_bytes(path.read_bytes()[:-5000])
+    else:
+        with h5py.File(path, "r+") as file:
+            del file[damage]
+    assert main(["check", str(path)]) == 1
+    shown = capsys.readouterr()
+    assert ("damaged" in shown.out or "truncated" in shown.out) and shown.err == ""
+
+
 def test_damage_is_named_marked_as_unsolved_and_solved_again(path, solved, capsys):
     with h5py.File(path, "r+") as file:
         file["rao"][1, 0, 2] *= 1.5

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from meshing.files import write_mesh
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 from pipelines.cli import main
@@ -92,6 +93,13 @@ def test_the_picture_holds_the_whole_body_and_the_whole_bed(mesh, depth, field):
     border = (image[:2] - background[:2], image[-2:] - background[-2:], image[:, -2:] - background)
     assert max(np.abs(part).max() for part in border) <= 1
     assert np.abs(image - background)[300:600].max() > 50  # something is there
+
+
+def test_a_mesh_turned_inside_out_is_said(tmp_path, capsys):
+    path = tmp_path / "inward.gdf"
+    write_mesh(box(40, 10, 5, panels=40).flipped(), path)
+    assert main(["look", str(path), "--screenshot", str(tmp_path / "inward.png")]) == 0
+    assert "point into the body (volume" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("title", [*(name for name, _ in FIELDS.values()), "Pa/m"])
