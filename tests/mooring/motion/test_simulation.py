@@ -13,6 +13,8 @@ from mooring.environment.spectra import issc, jonswap
 from mooring.lines.system.equilibrium import rest
 from mooring.motion.simulation import FASTEST, SimulationError, simulate, wave_components
 from mooring.motion.weather import Settings, Weather
+from mooring.response.drift import mean_in_sea
+from mooring.response.slow_drift import force_spectrum
 from mooring.studies.conditions import Current, Waves, Wind
 
 LINEAR = Settings(duration=300.0, ramp=500.0, slow_drift="none", tolerance=1e-5, step=0.2)
@@ -181,3 +183,30 @@ def test_the_estimated_error_is_that_of_the_run(on_chains):
     error = np.sqrt(np.mean((run.motion - exact.motion)[late] ** 2, axis=0))
     assert np.all((run.estimated_error <= 3 * error) & (error <= 3 * run.estimated_error))
     assert np.all(error <= settings.tolerance * run.motion[late].std(axis=0))
+
+
+def test_slow_surge_on_a_spring_has_the_spectrum_of_newmans_drift(on_springs):
+    damped = replace(on_springs, damping=np.diag([4e6, 1e7, 0, 0, 0, 1e11]))
+    sea = Sea(issc(0.5, mean_period=8.0), 0.0)
+    settings = Settings(1200.0, 300.0, tolerance=1e-2, components=150, wave_drift_damping=False, step=2.0)
+    slow = []
+    for seed in range(10):
+        run, linear = (
+            simulate(damped, Weather(seas=(sea,)), replace(settings, slow_drift=kind), seed)
+            for kind in ("newman", "none")
+        )
+        slow.append((run.motion - linear.motion)[run.time >= 0, 0])
+    reader = damped.reader
+    omega = np.linspace(reader.omega[0], reader.omega[-1], 600)
+    drift = reader.drift(omega, [0.0])[:, 0]
+    difference = np.linspace(0.005, 0.8, 160)
+    force = force_spectrum(sea.spectrum, omega, drift, difference)[:, 0]
+    H = damped.memory.transform(difference)[:, 0, 0]
+    mass = reader.inertia[0, 0] + damped.memory.added_mass_infinity[0, 0]
+    Z = damped.spring[0, 0] - difference**2 * mass - 1j * difference * (H + damped.damping[0, 0])
+    wanted = np.trapezoid(force / np.abs(Z) ** 2, difference)
+    power = np.array([np.var(part) for part in slow])
+    assert abs(power.mean() - wanted) <= 2.5 * power.std(ddof=1) / np.sqrt(len(power))
+    mean = mean_in_sea(omega, drift[:, None], sea.spectrum.density(omega))[0] / damped.spring[0, 0]
+    found = np.array([part.mean() for part in slow])
+    assert abs(found.mean() - mean) <= 2.5 * found.std(ddof=1) / np.sqrt(len(found)) + 0.02 * abs(mean)
