@@ -21,6 +21,7 @@ from .reports.sections_command import sections
 from .response.command import response
 from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
+from .simulate.flags import simulate
 from .stress.command import stress
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
@@ -143,6 +144,7 @@ app.command(stress)
 app.command(line)
 app.command(lines)
 app.command(line_dynamics)
+app.command(simulate)
 
 
 def main(arguments=None):

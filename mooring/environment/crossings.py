@@ -94,8 +94,8 @@ def zero_crossings(record, step, direction="up"):
     if len(at) < FEWEST + 1:
         raise ValueError(f"record has {max(0, len(at) - 1)} whole waves; allowed: at least {FEWEST}; give a longer one")
     times = step * (at + up[at] / (up[at] - up[at + 1]))
-    high, highs = _refined(eta)
-    low, _ = _refined(-eta)
+    high, highs = local_maxima(eta)
+    low, _ = local_maxima(-eta)
     crests = np.maximum.reduceat(high, at + 1)[:-1]
     troughs = -np.maximum.reduceat(low, at + 1)[:-1]
     maxima = np.count_nonzero((highs > at[0]) & (highs <= at[-1])) / (len(at) - 1)
@@ -118,7 +118,7 @@ def expected_maximum_height(m0, waves):
     return 2 * math.sqrt(m0) * (root + EULER / root)
 
 
-def _refined(eta):
+def local_maxima(eta):
     """A copy with every local maximum raised to the top of its parabola, and the places of the maxima"""
     top = eta.copy()
     at = 1 + np.flatnonzero((eta[1:-1] > eta[:-2]) & (eta[1:-1] >= eta[2:]))

@@ -1,5 +1,7 @@
 """A mooring study: water, hull, lines and the weather they have to stand, as typed TOML.
 
+`[simulation]`, gusts and the spectrum of the waves are for `simulate` alone (`pipelines.simulate.study`).
+
 Quantities carry their unit in the key where it is not SI: `speed_knots`, `pretension_tonf`.  Wind, current and
 waves have either `direction_deg`, travelled to, 0 → +x, or `incidence_deg`, the angle χ of the reports, 0 from
 ahead: direction = incidence + 180°.  Every fault is one line that names key, value and what is allowed.
@@ -59,6 +61,16 @@ class StreamTable(Table):
     coefficients: Coefficients | None = None
 
 
+class WindTable(StreamTable):
+    """gusts : name of their spectrum; surface_drag K, height m, exponent of the profile, intensity where it has them"""
+
+    gusts: str | None = None
+    surface_drag: float | None = None
+    gust_height: float | None = None
+    gust_exponent: float | None = None
+    gust_intensity: float | None = None
+
+
 class WavesTable(Table):
     """height : m, significant; period : s, mean; direction_deg travelled to, or incidence_deg
 
@@ -97,6 +109,36 @@ class OneLine(LineTable, kw_only=True):
     pretension_kN: float | None = None
 
 
+class LostTable(Table):
+    """A line that breaks; time : s from the end of the ramp"""
+
+    line: str
+    time: float
+
+
+class SimulationTable(Table):
+    """duration : s that statistics are taken of, or duration_hours; ramp : s before it; step : s between samples
+
+    seeds : how many, from 1 on, or which; keep_series : of how many seeds the records are stored
+    damping_ratio : of critical, by motion, beyond waves, as in a response study; the rest as `weather.Settings`
+    """
+
+    duration: float | None = None
+    duration_hours: float | None = None
+    ramp: float = 200.0
+    step: float = 0.5
+    tolerance: float = 1e-3
+    seeds: int | list[int] = 1
+    keep_series: int = 20
+    components: int | None = None
+    slow_drift: str = "newman"
+    wave_drift_damping: bool = True
+    memory: str = "states"
+    estimate_error: bool = False
+    damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
+    lines_lost: list[LostTable] = msgspec.field(default_factory=list)
+
+
 class Study(Table):
     """allowable : fraction of the breaking load a line may carry"""
 
@@ -105,9 +147,10 @@ class Study(Table):
     types: dict[str, TypeTable]
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
-    wind: StreamTable | None = None
+    wind: WindTable | None = None
     current: StreamTable | None = None
     waves: WavesTable | None = None
+    simulation: SimulationTable | None = None
     allowable: float = 0.4
 
     def conditions(self):

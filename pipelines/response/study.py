@@ -103,16 +103,7 @@ class ResponseStudy(Table):
     def restrained(self, body):
         """A Body with the damping and stiffness of the study"""
         body = body.restrained(_matrix("damping", self.body.damping), _matrix("stiffness", self.body.stiffness))
-        extra = np.zeros((6, 6))
-        for name, ratio in self.body.damping_ratio.items():
-            names = [dof.lower() for dof in DOFS]
-            if name not in names:
-                raise StudyError(f"body.damping_ratio.{name} is unknown; allowed: {', '.join(names)}")
-            if not 0 <= ratio < 1:
-                raise StudyError(f"body.damping_ratio.{name} is {ratio:g}; allowed: 0 to 1")
-            mode = names.index(name)
-            extra[mode, mode] = ratio * body.critical_damping(mode)
-        return body.restrained(damping=extra)
+        return body.restrained(damping=damping_of("body", self.body.damping_ratio, body))
 
     def places(self):
         """Points of the study"""
@@ -147,6 +138,19 @@ def sea_of(table):
     periods = {kind: getattr(table, kind) for kind in KINDS if getattr(table, kind) is not None}
     spectrum = family_of("sea", table)(positive("sea.height", table.height), **shape_of(table), **periods)
     return Sea(spectrum, direction("sea", table), spreading_of("sea", table, spectrum))
+
+
+def damping_of(where, ratios, body):
+    """(6, 6) SI of ratios {motion: of critical} of a Body.  Raises StudyError."""
+    extra, names = np.zeros((6, 6)), [dof.lower() for dof in DOFS]
+    for name, ratio in ratios.items():
+        if name not in names:
+            raise StudyError(f"{where}.damping_ratio.{name} is unknown; allowed: {', '.join(names)}")
+        if not 0 <= ratio < 1:
+            raise StudyError(f"{where}.damping_ratio.{name} is {ratio:g}; allowed: 0 to 1")
+        mode = names.index(name)
+        extra[mode, mode] = ratio * body.critical_damping(mode)
+    return extra
 
 
 def climate_of(table, beside):

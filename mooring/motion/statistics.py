@@ -1,0 +1,127 @@
+"""Statistics of records of a moored body, in the definitions of the SR179 report (1982), section 3.5.1.2.
+
+    m₀ = σ²,  m₂ = mean ẋ²,  m₄ = mean ẍ²;  T_zero = 2π√(m₀/m₂),  T_peak = 2π√(m₂/m₄),  ε = √(1 − m₂²/(m₀m₄))
+
+σ² is the sum of a slow part, from frequencies below a split, and a wave part, from those above it.  Means of the
+highest third and tenth are of all maxima of the record, measured from its mean: amplitudes, not heights.  The expected
+extreme of a duration D is the mean plus
+
+    X = σ {s + γ/s},   s = √(2 ln(n√(1−ε²))),   n = D/T_peak,   γ = 0.5772                      (3.5.1.5, 3.5.1.6)
+
+with D of 1000 mean wave periods in the report.  Runs with several seeds need no formula: Gumbel's distribution is
+fitted to the largest values of the runs, and its mean has an interval of confidence.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..environment.crossings import local_maxima
+from ..response.extremes import EULER, expected_maximum
+from ..response.return_period import FEWEST, fit_gumbel
+
+RUNS_OF_MEAN = 1 / (1 - np.exp(-np.exp(-EULER)))  # return period, in runs, of the mean of Gumbel's distribution
+CONFIDENCE = 0.9
+FEWEST_WAVES = 3  # zero crossings below which a record has no extreme
+STEADY = 1e-9  # σ over the largest value of a record that does not vary
+
+
+class RecordStatistics(NamedTuple):
+    """Of one record, in its unit; periods in s.
+
+    slow, wave : standard deviations of its two parts; mean_third, mean_tenth : of the highest maxima, from the mean
+    largest, smallest : values; extreme : amplitude expected to be the largest, of the formula
+    """
+
+    mean: float
+    sigma: float
+    slow: float
+    wave: float
+    T_zero: float
+    T_peak: float
+    epsilon: float
+    mean_third: float
+    mean_tenth: float
+    largest: float
+    smallest: float
+    extreme: float
+
+
+class Extreme(NamedTuple):
+    """Expected largest (or smallest) value of one run, its interval of CONFIDENCE, and how many runs it stands on.
+
+    runs : 0 where it is the formula for one run, which has no interval (nan)
+    """
+
+    value: float
+    low: float
+    high: float
+    runs: int
+
+
+def record_statistics(record, step, split, duration=None):
+    """RecordStatistics of equally spaced values.
+
+    record : (n,); step : s; split : rad/s between slow and wave part; duration : s of the extreme, by default all
+    A record that does not vary has nan for all that needs maxima.  Raises ValueError for one that is not finite.
+    """
+    x = np.asarray(record, float)
+    if x.ndim != 1 or len(x) < 8 or not np.all(np.isfinite(x)):
+        raise ValueError("a record is one row of at least 8 finite numbers")
+    mean, y = float(x.mean()), x - x.mean()
+    sigma = float(np.sqrt(np.mean(y**2)))
+    ends = float(x.max()), float(x.min())
+    if sigma <= STEADY * max(abs(mean), np.abs(ends).max(), 1e-300):
+        return RecordStatistics(mean, sigma, *[0.0] * 2, *[np.nan] * 5, *ends, np.nan)
+    slow, wave = parts(y, step, split)
+    zero, peak, epsilon = periods(y, step)
+    tops, places = local_maxima(y)
+    tops = np.sort(tops[places])[::-1]
+    duration = len(x) * step if duration is None else duration
+    extreme = float(expected_maximum(sigma, duration, zero)) if duration > FEWEST_WAVES * zero else np.nan
+    highest = (highest_mean(tops, 1 / 3), highest_mean(tops, 1 / 10))
+    return RecordStatistics(mean, sigma, slow, wave, zero, peak, epsilon, *highest, *ends, extreme)
+
+
+def parts(record, step, split):
+    """Standard deviations of what lies below and above `split` rad/s of a record (n,) without mean: σ² is their sum."""
+    power = np.abs(np.fft.rfft(record)) ** 2
+    power[1 : (len(record) + 1) // 2] *= 2
+    power[0] = 0.0
+    slow = 2 * np.pi * np.fft.rfftfreq(len(record), step) < split
+    return tuple(float(np.sqrt(power[part].sum())) / len(record) for part in (slow, ~slow))
+
+
+def periods(record, step):
+    """T_zero and T_peak (s) and ε of a record (n,) without mean, by differences exact to fourth order in the step."""
+    x = record
+    slope = (27 * (x[2:-1] - x[1:-2]) - (x[3:] - x[:-3])) / (24 * step)
+    bend = (16 * (x[3:-1] + x[1:-3]) - 30 * x[2:-2] - x[4:] - x[:-4]) / (12 * step**2)
+    m0, m2, m4 = (float(np.mean(part**2)) for part in (x, slope, bend))
+    return 2 * np.pi * np.sqrt(m0 / m2), 2 * np.pi * np.sqrt(m2 / m4), float(np.sqrt(max(0.0, 1 - m2**2 / (m0 * m4))))
+
+
+def highest_mean(falling, share):
+    """Mean of the highest `share` of values (n,) in falling order, at least one of them; nan of none"""
+    return float(falling[: max(1, round(share * len(falling)))].mean()) if len(falling) else np.nan
+
+
+def over_runs(values):
+    """Root mean square, over the runs, of standard deviations (runs, …), as of one record as long as all of them"""
+    return np.sqrt(np.mean(np.square(values), axis=0))
+
+
+def expected_extreme(largest, means, amplitudes):
+    """`Extreme` of the largest values of runs (n,), which differ in their seed alone.
+
+    means, amplitudes : (n,) mean and `extreme` of each run, for fewer runs than a distribution needs (5)
+    For the smallest values give all three with the other sign, and turn the result.
+    """
+    largest = np.asarray(largest, float)
+    if len(largest) < FEWEST or np.ptp(largest) <= STEADY * np.abs(largest).max():
+        return Extreme(float(np.mean(means) + np.mean(amplitudes)), np.nan, np.nan, 0)
+    gumbel = fit_gumbel(largest)
+    low, high = gumbel.interval(RUNS_OF_MEAN, CONFIDENCE)
+    return Extreme(float(gumbel.value(RUNS_OF_MEAN)), float(low), float(high), len(largest))

@@ -1,0 +1,67 @@
+"""`hakobune simulate`: runs into the file, tables on the terminal, pictures beside the file."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..common.quantities import StudyError
+from ..solve.work import executor_of
+from . import report
+from .file import opened, whole_rows
+from .run import simulate as fill
+
+
+def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local"):
+    """Exit status of the command: 0, 1 with a seed that failed, 130 interrupted.  Raises ValueError before anything."""
+    from rich.console import Console
+
+    console, workers = Console(), executor_of(executor)
+    if seeds is not None and seeds < 1:
+        raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
+    try:
+        outcome = fill(study, database, output, console, workers, seeds, duration, fresh)
+    finally:
+        workers.shutdown(wait=False, cancel_futures=True)
+    if outcome.interrupted:
+        raise KeyboardInterrupt
+    if not outcome.made and not outcome.failures:
+        console.print("nothing was left to do", highlight=False)
+    with opened(output) as file:
+        if whole_rows(file).any():
+            _show(console, file, study, database, outcome.findings)
+            written = _draw(file, output)
+            words = ", ".join([str(output), *written])
+            console.print(f"written: {words}", highlight=False, soft_wrap=True, markup=False)
+    for seed, reason in outcome.failures:
+        console.print(f"seed {seed} failed: {reason}", highlight=False, soft_wrap=True, markup=False, style="red")
+    return 1 if outcome.failures else 0
+
+
+def _show(console, file, study, database, findings):
+    beside, more = beside_of(study, database)
+    periods, wave_period = {}, float(file.attrs["mean_period"])
+    if beside is not None:
+        state = beside.at_equilibrium
+        periods = {n: v for n, v in zip(state.names, state.period, strict=True) if n in ("Surge", "Sway", "Yaw")}
+    whole = report.findings(file, periods, wave_period if np.isfinite(wave_period) else None)
+    report.show(console, file, beside, [*findings, *more, *whole])
+
+
+def beside_of(study, database):
+    """MultiPoint of the same study by the simplified method, or None and the reason."""
+    from bem.database import open_database
+    from mooring.studies.multi_point import multi_point
+
+    from ..moor.study import read_study
+
+    db, read = open_database(database), read_study(study)[0]
+    hull = read.hull_of(db.dimensions)
+    system = read.system(hull, db.rotation_center, db.density, db.gravity)
+    try:
+        return multi_point(db, system, hull, read.conditions(), read.allowable), ()
+    except ValueError as error:
+        return None, (f"the simplified method has no answer here: {' '.join(str(error).split())}",)
+
+
+def _draw(file, output):
+    return []

@@ -1,0 +1,185 @@
+"""The file of a simulation: one row for each seed, marked by its checksum once it is whole.
+
+Data first, then the mark, as in a database (`bem.database.integrity`): killed at any instant the file opens, and the
+same command makes the seeds that have no mark.  More seeds make a wider file, which takes over the rows of the old one.
+Records are kept of the first seeds only, statistics of all.
+"""
+
+from __future__ import annotations
+
+import json
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import bem
+from bem import DOFS
+from bem.database.file import beside, software_version
+from bem.database.integrity import DatabaseError, crc
+from meshing.whole_files import keep_room
+from mooring.motion.statistics import Extreme, RecordStatistics
+
+SCHEMA = "hakobune simulation 1"
+STATISTICS = RecordStatistics._fields
+SUMMARY = (*STATISTICS, *(f"{end}_{part}" for end in ("upper", "lower") for part in Extreme._fields))
+SLOW = ("Surge", "Sway", "Yaw")
+LONGEST = 1000  # bytes of the findings of a seed
+SERIES = {  # name: (axes, unit, long name)
+    "motion": (("kept_seed", "time", "dof"), "m, m, m, rad, rad, rad", "displacement of the rotation centre from rest"),
+    "slow": (("kept_seed", "time", "slow_dof"), "m, m, rad", "slow part of surge, sway and yaw"),
+    "wave": (("kept_seed", "time"), "m", "elevation of the undisturbed wave at the origin"),
+    "wind_speed": (("kept_seed", "time"), "m/s", "wind speed with its gusts"),
+    "tension": (("kept_seed", "time", "line"), "N", "line tension at the body"),
+}
+ROWS = {
+    "statistics": (("seed", "quantity", "statistic"), "unit of the quantity; T in s", "statistics of one run"),
+    "estimated_error": (("seed", "dof"), "m, m, m, rad, rad, rad", "root mean square error of the motions"),
+    "steps": (("seed",), "1", "steps of the integrator"),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Header:
+    """What is known before the first run.
+
+    identity : hash of all that results depend on but the seeds; study : its text; attributes : further ones, numbers
+    time : (n,) s of the samples that are kept; quantities : names, units : of each
+    """
+
+    identity: str
+    study: str
+    lines: tuple[str, ...]
+    breaking_load: np.ndarray
+    time: np.ndarray
+    quantities: tuple[str, ...]
+    units: tuple[str, ...]
+    attributes: dict = field(default_factory=dict)
+
+
+def create(path, header, seeds, kept, old=None):
+    """A new file for seeds, with records of the first `kept`; rows of `old`, an open file, are taken over."""
+    with beside(path, grows=True) as file:
+        _lay_out(file, header, np.array(seeds), min(kept, len(seeds)))
+        for row in () if old is None else np.flatnonzero(whole_rows(old)):
+            _take_over(old, file, int(row))
+
+
+def _take_over(old, new, row):
+    """Copy a row, unless the new file keeps a record of it that the old one has not."""
+    seed = int(old["seed"][row])
+    place = np.flatnonzero(new["seed"][()] == seed)
+    if not len(place):
+        return
+    values, place = row_values(old, row), int(place[0])
+    if place < len(new["kept_seed"]) and "motion" not in values:
+        return
+    put(new, place, values)
+
+
+def _lay_out(file, header, seeds, kept):
+    file.attrs.update(
+        schema=SCHEMA, software_version=software_version(), convention=bem.__doc__, identity=header.identity,
+        study=header.study, breaking_load=header.breaking_load, **header.attributes
+    )  # fmt: skip
+    axes = {
+        "seed": seeds, "kept_seed": seeds[:kept], "time": header.time, "dof": DOFS, "slow_dof": SLOW,
+        "line": header.lines, "quantity": header.quantities, "statistic": STATISTICS, "summary_statistic": SUMMARY,
+    }  # fmt: skip
+    for name, values in axes.items():
+        text = len(values) == 0 or isinstance(values[0], str)
+        file.create_dataset(name, data=np.array(values, dtype=h5py.string_dtype() if text else None)).make_scale(name)
+    file["time"].attrs["units"] = "s"
+    file["quantity"].attrs["quantity_units"] = json.dumps(header.units)
+    for name, (dims, unit, words) in {**SERIES, **ROWS}.items():
+        kind = np.float32 if name in SERIES else float
+        data = np.full([len(file[axis]) for axis in dims], np.nan, kind)
+        _dataset(file, name, dims, data, unit, words)
+    _dataset(file, "findings", ("seed",), np.zeros(len(seeds), f"S{LONGEST}"), "", "what a reader has to know")
+    _dataset(file, "stored", ("seed",), np.zeros(len(seeds), np.uint32), "", "CRC-32 of a row, 0 where there is none")
+    _dataset(
+        file, "summary", ("quantity", "summary_statistic"), np.full((len(header.quantities), len(SUMMARY)), np.nan),
+        "unit of the quantity; T in s", "statistics over all runs",
+    )  # fmt: skip
+    file.attrs["checksum"] = _header_crc(file)
+
+
+def _dataset(file, name, dims, data, unit, words):
+    dataset = file.create_dataset(name, data=data)
+    for place, axis in enumerate(dims):
+        dataset.dims[place].attach_scale(file[axis])
+    dataset.attrs["long_name"] = words
+    if unit:
+        dataset.attrs["units"] = unit
+
+
+def _header_crc(file):
+    """CRC-32 of attributes and coordinates"""
+    parts = [f"{key}={np.asarray(file.attrs[key]).tolist()!r}" for key in sorted(file.attrs) if key != "checksum"]
+    names = ("seed", "kept_seed", "time", "line", "quantity")
+    parts += [f"{name}={file[name][()].tolist()!r}" for name in names]
+    return np.uint32(crc(np.frombuffer("\0".join(parts).encode(), np.uint8)))
+
+
+@contextmanager
+def opened(path, mode="r"):
+    """The open file of a simulation.  Raises DatabaseError for another file, or one whose head is damaged."""
+    path = Path(path)
+    if not path.exists():
+        raise DatabaseError(f"{path} does not exist")
+    if mode != "r":
+        keep_room(path)
+    try:
+        file = h5py.File(path, mode)
+    except OSError:
+        raise DatabaseError(f"{path} is no file of a simulation") from None
+    with file:
+        if file.attrs.get("schema") != SCHEMA:
+            raise DatabaseError(f"{path} is no file of a simulation")
+        if file.attrs.get("checksum") != _header_crc(file):
+            raise DatabaseError(f"{path} is damaged: its attributes or axes; simulate again with --fresh")
+        yield file
+
+
+def is_run(path):
+    """Whether a file is that of a simulation, damaged or not"""
+    try:
+        with h5py.File(path) as file:
+            return file.attrs.get("schema") == SCHEMA
+    except OSError:
+        return False
+
+
+def row_values(file, row):
+    """{name: what is stored} of a row"""
+    names = [*ROWS, "findings", *(SERIES if row < len(file["kept_seed"]) else ())]
+    return {name: file[name][row] for name in names}
+
+
+def put(file, row, values):
+    """Store a row: data, flush, mark."""
+    file["stored"][row] = 0
+    kept = [*ROWS, "findings", *(SERIES if row < len(file["kept_seed"]) else ())]
+    for name in kept:
+        file[name][row] = np.asarray(values[name], file[name].dtype)
+    file.flush()
+    file["stored"][row] = _row_crc(file, row)
+    file.flush()
+
+
+def _row_crc(file, row):
+    return crc(*(np.asarray(value) for value in row_values(file, row).values()))
+
+
+def whole_rows(file):
+    """(seeds,) whether a row is there and is what was stored"""
+    marks = file["stored"][()]
+    return np.array([bool(mark) and mark == _row_crc(file, row) for row, mark in enumerate(marks)], bool)
+
+
+def put_summary(file, summary):
+    """Store the statistics over all runs, (quantities, len(SUMMARY))."""
+    file["summary"][...] = summary
+    file.flush()

@@ -1,0 +1,28 @@
+"""The flags of `hakobune simulate` and `animate`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def simulate(
+    study: Path,
+    /,
+    *,
+    database: Path,
+    output: Annotated[Path, Parameter(help="the file of all runs, .h5, with pictures beside it")],
+    seeds: Annotated[int | None, Parameter(help="how many runs, from seed 1 on, in place of the study's")] = None,
+    duration: Annotated[float | None, Parameter(help="s of a run, in place of the study's")] = None,
+    fresh: Annotated[bool, Parameter(help="replace a file that is there", negative="")] = False,
+    executor: Annotated[str, Parameter(help="local or processes:N")] = "local",
+):
+    """A mooring study in time: motions and tensions over seeds, beside the simplified method of `moor`.
+
+    A second call with the same output takes up where the first stopped, or adds more seeds.
+    """
+    from .command import simulate
+
+    return simulate(study, database, output, seeds, duration, fresh, executor)

@@ -1,0 +1,215 @@
+"""A simulation into its file: what is missing is made, seed by seed, and stored as it comes."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from bem.database.integrity import DatabaseError
+from mooring.motion.statistics import expected_extreme, over_runs
+
+from ..common.interrupt import ctrl_c
+from ..common.outputs import DATABASE, check_output
+from ..common.progress import duration as words_of
+from ..moor.study import read_study
+from ..solve.work import Here
+from .file import STATISTICS, SUMMARY, Header, create, is_run, opened, put, put_summary, row_values, whole_rows
+from .study import plan_of
+from .work import Task, prepared, quantities_of, sample_times, simulate_seed
+
+SPREADS = ("sigma", "slow", "wave")
+AFTER = 10.0  # s between lines of a long run
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """made : seeds of this run; there : whole rows; total : seeds asked for; failures : (seed, reason)"""
+
+    made: int
+    there: int
+    total: int
+    failures: tuple
+    interrupted: bool
+    findings: tuple[str, ...]
+
+
+def simulate(study_path, database_path, output, console, executor, seeds=None, duration=None, fresh=False):
+    """Complete the file of a simulation; returns its Outcome.
+
+    seeds : how many, in place of the study's; duration : s, likewise; fresh : leave what is there
+    raises : ValueError, one line, before anything is written
+    """
+    from bem.database import open_database
+
+    output = Path(output)
+    check_output(output, "a simulation", is_run, DATABASE, (study_path, database_path))
+    study, text = read_study(study_path)
+    db = open_database(database_path)
+    plan = plan_of(study, db.reader.omega, seeds, duration)
+    identity = _identity(study, database_path, plan.settings.duration)
+    task = Task(text, str(database_path), plan.settings.duration, None)
+    todo = _missing(output, identity, plan, fresh)
+    findings = plan.findings
+    if todo:
+        task, more = _with_memory(task)
+        findings += more
+        header = _header(task, db, study, plan, identity)
+        _make_room(output, header, plan, fresh)
+    with opened(output, "r+") as file:
+        outcome = _fill(file, task, plan, console, executor, findings)
+        if outcome.made:
+            put_summary(file, summary(file))
+    return outcome
+
+
+def summary(file):
+    """(quantities, len(SUMMARY)) statistics over the whole rows of a file"""
+    rows = file["statistics"][()][whole_rows(file)]
+    out = np.full((rows.shape[1], len(SUMMARY)), np.nan)
+    if not len(rows):
+        return out
+    at = {name: i for i, name in enumerate(STATISTICS)}
+    out[:, : len(STATISTICS)] = rows.mean(axis=0)
+    for name in SPREADS:
+        out[:, at[name]] = over_runs(rows[:, :, at[name]])
+    out[:, at["largest"]], out[:, at["smallest"]] = rows[:, :, at["largest"]].max(0), rows[:, :, at["smallest"]].min(0)
+    for q, row in enumerate(rows.transpose(1, 2, 0)):
+        mean, amplitude = row[at["mean"]], np.nan_to_num(row[at["extreme"]])
+        upper = expected_extreme(row[at["largest"]], mean, amplitude)
+        lower = expected_extreme(-row[at["smallest"]], -mean, amplitude)
+        lower = lower._replace(value=-lower.value, low=-lower.high, high=-lower.low)
+        out[q, len(STATISTICS) :] = [*upper, *lower]
+    return out
+
+
+def _identity(study, database, duration):
+    """Hash of what results depend on beside the seeds"""
+    words = msgspec.to_builtins(study)
+    for name in ("seeds", "keep_series", "duration", "duration_hours"):
+        (words.get("simulation") or {}).pop(name, None)
+    digest = hashlib.sha256(json.dumps([words, duration], sort_keys=True).encode())
+    digest.update(hashlib.sha256(Path(database).read_bytes()).digest())
+    return digest.hexdigest()
+
+
+def _missing(output, identity, plan, fresh):
+    """Seeds asked for that have no whole row.  Raises DatabaseError for the file of another study."""
+    if fresh or not output.exists():
+        return list(plan.seeds)
+    with opened(output) as file:
+        if file.attrs["identity"] != identity:
+            raise DatabaseError(
+                f"{output} is of another study, database or duration; give another name, or --fresh to replace it"
+            )
+        there = set(file["seed"][()][whole_rows(file)].tolist())
+    return [seed for seed in plan.seeds if seed not in there]
+
+
+def _with_memory(task):
+    """The Task with its memory, for all processes, and the findings of its preparation"""
+    body, _, _, warned = prepared(task)
+    return Task(task.study, task.database, task.duration, body.memory), (*warned, *body.findings)
+
+
+def _header(task, db, study, plan, identity):
+    body = prepared(task)[0]
+    names = tuple(body.system.line_names)
+    hull = body.hull
+    attributes = {
+        "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
+        "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": study.allowable,
+        "rotation_center": np.asarray(db.rotation_center, float), "density": db.density, "gravity": db.gravity,
+        "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
+        "memory_states": len(body.memory.decay), "place_at_rest": body.start,
+    }  # fmt: skip
+    load = np.asarray(body.system.breaking_load, float)
+    return Header(identity, task.study, names, load, sample_times(plan.settings), *quantities_of(names), attributes)
+
+
+def _make_room(output, header, plan, fresh):
+    """A new file, or a wider one where it lacks a seed"""
+    if fresh or not output.exists():
+        create(output, header, plan.seeds, plan.keep_series)
+        return
+    with opened(output) as old:
+        there = old["seed"][()].tolist()
+        more = [seed for seed in plan.seeds if seed not in there]
+        if more:
+            create(output, header, [*there, *more], max(plan.keep_series, len(old["kept_seed"])), old)
+
+
+def _fill(file, task, plan, console, executor, findings):
+    whole = whole_rows(file)
+    asked = np.isin(file["seed"][()], plan.seeds)
+    rows = [int(row) for row in np.flatnonzero(asked & ~whole)]
+    failures, made, interrupted = [], 0, False
+    progress = _Progress(console, len(rows), plan)
+    with ctrl_c(lambda text: console and console.print(text.replace("frequency", "seed"), highlight=False)) as stop:
+        try:
+            for row, result in _results(executor, task, file, rows, progress):
+                seed = int(file["seed"][row])
+                if isinstance(result, Exception):
+                    failures.append((seed, " ".join(str(result).split())[:300]))
+                else:
+                    put(file, row, result)
+                    made += 1
+                progress.step(seed, result)
+                if stop.asked and row != rows[-1]:
+                    raise KeyboardInterrupt
+        except KeyboardInterrupt:
+            interrupted = True
+            executor.shutdown(wait=False, cancel_futures=True)
+    there = int((whole_rows(file) & asked).sum())
+    told = {line for row in np.flatnonzero(asked) for line in _findings(file, row)}
+    return Outcome(made, there, int(asked.sum()), tuple(failures), interrupted, (*findings, *sorted(told)))
+
+
+def _findings(file, row):
+    return [line for line in bytes(row_values(file, int(row))["findings"]).decode().split("\n") if line]
+
+
+def _results(executor, task, file, rows, progress):
+    """(row, result or exception) in order; an executor with processes works ahead."""
+    kept, seeds = len(file["kept_seed"]), file["seed"][()]
+    inside = (progress.inside,) if isinstance(executor, Here) else ()
+    jobs = ((simulate_seed, task, int(seeds[row]), row < kept, *inside) for row in rows)
+    futures = (executor.submit(*job) for job in jobs)
+    if not isinstance(executor, Here):
+        futures = list(futures)
+    for row, future in zip(rows, futures, strict=True):
+        try:
+            yield row, future.result()
+        except Exception as error:
+            yield row, error
+
+
+class _Progress:
+    """One line per seed, and now and then within one: simulated seconds a second, time left"""
+
+    def __init__(self, console, total, plan):
+        self.console, self.total, self.done = console, total, 0
+        self.length = plan.settings.duration + plan.settings.ramp
+        self.started = self.told = time.perf_counter()
+
+    def inside(self, share):
+        """Called within a run with the share of it that is done"""
+        if time.perf_counter() - self.told > AFTER and 0 < share < 1:
+            self._say(f"{100 * share:3.0f} % of a seed", self.done + share)
+
+    def step(self, seed, result):
+        self.done += 1
+        self._say(f"seed {seed}" + (" failed" if isinstance(result, Exception) else ""), self.done)
+
+    def _say(self, what, done):
+        self.told = time.perf_counter()
+        passed = max(self.told - self.started, 1e-9)
+        left = words_of(passed / done * (self.total - done))
+        line = f"{self.done:{len(str(self.total))}}/{self.total}  {what:18}  {done * self.length / passed:9.0f} s/s"
+        if self.console:
+            self.console.print(f"{line}  {left:>10} left", highlight=False, markup=False, soft_wrap=True)

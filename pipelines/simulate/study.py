@@ -1,0 +1,157 @@
+"""What `[simulation]`, gusts and a spectrum of waves make of a mooring study: weather, settings, seeds.
+
+[simulation]                     [waves]                              [wind]
+duration_hours = 3.0             height = 4.5                         speed = 30.0
+seeds = 20                       period = 10.0       # mean           direction_deg = 240.0
+                                 incidence_deg = 60.0                 gusts = "davenport"
+                                 spectrum = "issc"   # or regular
+                                 spreading = "cosine:4"
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from mooring.environment import gusts
+from mooring.motion.weather import Settings, Weather
+
+from ..common.quantities import StudyError, positive, speed
+from ..moor.study import SimulationTable
+from ..response.study import damping_of
+
+LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave part
+MOST_SEEDS, MOST_SAMPLES = 10_000, 2_000_000
+MISSED = 0.01  # share of the energy outside the stored frequencies that is not named; above MOST_MISSED refused
+MOST_MISSED = 0.25
+GUSTS = {"davenport": ("surface_drag",), "hino": ("surface_drag", "gust_height", "gust_exponent"),
+         "npd": ("gust_height",), "kaimal": ("gust_height", "gust_intensity")}  # fmt: skip
+GUST_DEFAULTS = {"surface_drag": 0.003, "gust_height": 10.0, "gust_exponent": 1 / 7, "gust_intensity": 0.12}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """weather, settings : of `mooring.motion.weather`; seeds : of all runs; split : rad/s, of slow and wave part
+
+    mean_period : s, of the waves, None without; findings : one line each
+    """
+
+    weather: Weather
+    settings: Settings
+    seeds: tuple[int, ...]
+    keep_series: int
+    split: float
+    mean_period: float | None
+    findings: tuple[str, ...]
+
+
+def plan_of(study, omega, seeds=None, duration=None):
+    """The Plan of a `Study` on a database with frequencies omega (n,) rad/s.
+
+    seeds : how many, in place of those of the study; duration : s, in place of that of the study
+    raises : StudyError for what cannot be simulated
+    """
+    table = study.simulation
+    if table is None and duration is None:
+        raise StudyError("the study has no [simulation]; give it one with duration (s), or --duration")
+    table = SimulationTable() if table is None else table
+    settings = _settings(table, _duration(table, duration))
+    conditions = study.conditions()
+    sea, waves, findings = conditions.sea, conditions.waves, ()
+    if conditions.method == "regular_wave":
+        sea = None
+    if sea is not None:
+        waves, findings = None, _outside(sea.spectrum, omega)
+    elif waves is not None and not omega[0] <= waves.omega <= omega[-1]:
+        raise StudyError(
+            f"waves of {study.waves.period:g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
+            f"{2 * np.pi / omega[0]:.4g} s; solve them too"
+        )
+    weather = Weather((sea,) if sea else (), waves, conditions.wind, _gusts(study.wind), conditions.current)
+    split = float(sea.spectrum.quantile(LOWEST)) if sea else (0.5 * waves.omega if waves else float(omega[0]))
+    mean = None if study.waves is None else study.waves.period
+    return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings)
+
+
+def damping(study, body):
+    """(6, 6) SI of the damping ratios of a study, for a Body"""
+    return damping_of("simulation", study.simulation.damping_ratio if study.simulation else {}, body)
+
+
+def _duration(table, duration):
+    if duration is not None:
+        return positive("--duration", duration)
+    if (table.duration is None) == (table.duration_hours is None):
+        state = "neither is given" if table.duration is None else "both are given"
+        raise StudyError(f"simulation: {state}; allowed: one of duration (s), duration_hours")
+    if table.duration is None:
+        return 3600 * positive("simulation.duration_hours", table.duration_hours)
+    return positive("simulation.duration", table.duration)
+
+
+def _settings(table, duration):
+    names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory", "estimate_error")
+    lost = tuple((one.line, one.time) for one in table.lines_lost)
+    wrong = [one for one in table.lines_lost if not 0 <= one.time < math.inf]
+    if wrong:
+        raise StudyError(f"simulation.lines_lost: {wrong[0].line} breaks at {wrong[0].time:g} s; allowed: from 0 s on")
+    try:
+        settings = Settings(duration, lines_lost=lost, **{name: getattr(table, name) for name in names})
+    except ValueError as error:
+        raise StudyError(f"simulation: {error}") from None
+    samples = (duration + settings.ramp) / settings.step
+    if samples > MOST_SAMPLES:
+        raise StudyError(f"simulation has {samples:.3g} samples; allowed: {MOST_SAMPLES}; give a longer step")
+    return settings
+
+
+def _seeds(table, count):
+    given = table.seeds if count is None else count
+    seeds = tuple(range(1, given + 1)) if isinstance(given, int) else tuple(given)
+    if not 1 <= len(seeds) <= MOST_SEEDS:
+        raise StudyError(f"there are {len(seeds)} seeds; allowed: 1 to {MOST_SEEDS}")
+    if min(seeds) < 0 or len(set(seeds)) < len(seeds):
+        raise StudyError("seeds are whole numbers from 0, each once")
+    return seeds
+
+
+def _kept(table):
+    if table.keep_series < 0:
+        raise StudyError(f"simulation.keep_series is {table.keep_series}; allowed: a whole number from 0")
+    return table.keep_series
+
+
+def _outside(spectrum, omega):
+    """Finding on the energy outside the stored frequencies.  Raises StudyError where it is too much."""
+    whole = spectrum.moment(0)
+    below = float(spectrum.moment(0, 0.0, omega[0]) / whole)
+    above = max(0.0, 1 - below - float(spectrum.moment(0, omega[0], omega[-1]) / whole))
+    if below + above <= MISSED:
+        return ()
+    ends = spectrum.quantile((1e-3, 1 - 1e-3))
+    text = (
+        f"{100 * (below + above):.1f} % of the waves' energy lies outside the stored frequencies "
+        f"({100 * below:.1f} % below {omega[0]:.4g}, {100 * above:.1f} % above {omega[-1]:.4g} rad/s)"
+    )
+    way_out = f"solve {min(ends[0], omega[0]):.3g} to {max(ends[1], omega[-1]):.3g} rad/s too"
+    if below + above > MOST_MISSED:
+        raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %; {way_out}")
+    return (f"{text} and is left out; {way_out}",)
+
+
+def _gusts(table):
+    if table is None or table.gusts is None:
+        return None
+    if table.gusts not in GUSTS:
+        raise StudyError(f"wind.gusts is {table.gusts!r}; allowed: {', '.join(GUSTS)}")
+    for name in GUST_DEFAULTS:
+        if getattr(table, name) is not None and name not in GUSTS[table.gusts]:
+            raise StudyError(f"wind.{name} is given for {table.gusts}; allowed: {', '.join(GUSTS[table.gusts])}")
+    given = [getattr(table, name) for name in GUSTS[table.gusts]]
+    values = [GUST_DEFAULTS[n] if v is None else v for n, v in zip(GUSTS[table.gusts], given, strict=True)]
+    try:
+        return getattr(gusts, table.gusts)(speed("wind", table), *values)
+    except ValueError as error:
+        raise StudyError(f"wind.gusts: {error}") from None

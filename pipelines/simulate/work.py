@@ -1,0 +1,92 @@
+"""One seed of a simulation, as an executor does it: the run, its statistics, its row of the file."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+import warnings
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from bem import DOFS
+from mooring.motion.statistics import record_statistics
+
+from ..moor.study import make_study
+from .file import LONGEST
+from .study import damping, plan_of
+
+QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "rad"), strict=True)) | {
+    "wave": "m",
+    "wind speed": "m/s",
+}
+_prepared = {}
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """study : text; database : path; duration : s, or None for that of the study; memory : of the water, fitted"""
+
+    study: str
+    database: str
+    duration: float | None
+    memory: object
+
+
+def prepared(task):
+    """`Moored` body, Plan and the Study of a Task; kept for the next seed of the same"""
+    key = task.study, task.database, task.duration
+    if key not in _prepared:
+        from bem.database import open_database
+        from mooring.motion.simulation import moored
+
+        study, db = make_study(tomllib.loads(task.study)), open_database(task.database)
+        plan = plan_of(study, db.reader.omega, None, task.duration)
+        hull = study.hull_of(db.dimensions)
+        system = study.system(hull, db.rotation_center, db.density, db.gravity)
+        extra = damping(study, db.reader.floating())
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            body = moored(db, system, hull, memory=task.memory, damping=extra)
+        _prepared.clear()
+        _prepared[key] = body, plan, study, tuple(str(w.message) for w in caught)
+    return _prepared[key]
+
+
+def simulate_seed(task, seed, kept, progress=None):
+    """Row of a seed, {name: value}, with its records if they are `kept`.  Raises ValueError."""
+    from mooring.motion.simulation import simulate
+
+    body, plan, _, _ = prepared(task)
+    with warnings.catch_warnings(record=True):
+        warnings.simplefilter("always")  # the energy outside the stored frequencies is told once, by the plan
+        run = simulate(body, plan.weather, plan.settings, seed, progress)
+    late = run.time >= -1e-9
+    extreme = 1000 * plan.mean_period if plan.mean_period else None
+    statistics = partial(record_statistics, step=plan.settings.step, split=plan.split, duration=extreme)
+    columns = np.column_stack([run.motion, run.wave, run.wind_speed, run.tension])[late]
+    if not np.all(np.isfinite(columns)):
+        raise ValueError("the run has numbers that are not finite")
+    row = {
+        "statistics": np.array([statistics(column) for column in columns.T]),
+        "estimated_error": run.estimated_error,
+        "steps": float(run.steps),
+        "findings": np.bytes_("\n".join(run.findings).encode()[:LONGEST].decode(errors="ignore").encode()),
+    }
+    if kept:
+        row |= {name: getattr(run, name)[late] for name in ("motion", "slow", "wave", "wind_speed", "tension")}
+    return row
+
+
+def sample_times(settings):
+    """(n,) s of the samples that are kept, after the ramp"""
+    whole = math.floor((settings.ramp + settings.duration) / settings.step + 1e-9) + 1
+    time = settings.step * np.arange(whole) - settings.ramp
+    return time[time >= -1e-9]
+
+
+def quantities_of(lines):
+    """Names and units of the columns of statistics"""
+    names = [*QUANTITY_UNITS, *(f"tension {line}" for line in lines)]
+    return tuple(names), tuple([*QUANTITY_UNITS.values()] + ["N"] * len(lines))

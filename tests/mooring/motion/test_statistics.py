@@ -1,0 +1,94 @@
+"""Statistics of records against closed forms, and against the rows of the report's table of simulations."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mooring.motion.statistics import CONFIDENCE, expected_extreme, over_runs, record_statistics
+from mooring.response.extremes import EULER, expected_maximum, mean_of_highest
+
+STEP = 0.5
+SINE = 2 * np.pi / 12.0
+TABLE = Path(__file__).parents[2] / "published" / "simulation_statistics.csv"
+
+
+def gaussian(low, high, seed, hours=24):
+    """A Gaussian record of flat spectrum from `low` to `high` rad/s and σ = 1, by random Fourier coefficients"""
+    n = int(hours * 3600 / STEP)
+    omega = 2 * np.pi * np.fft.rfftfreq(n, STEP)
+    inside = (omega > low) & (omega < high)
+    rng = np.random.default_rng(seed)
+    record = np.fft.irfft(np.where(inside, rng.normal(size=len(omega)) + 1j * rng.normal(size=len(omega)), 0.0), n)
+    return record / record.std()
+
+
+def test_a_sine_has_its_closed_forms():
+    t = STEP * np.arange(14400)
+    found = record_statistics(3.0 + 2.0 * np.cos(SINE * t + 0.3), STEP, 0.3)
+    assert np.isclose(found.mean, 3.0, atol=1e-3) and np.isclose(found.sigma, np.sqrt(2), rtol=1e-3)
+    assert np.allclose([found.T_zero, found.T_peak], 12.0, rtol=1e-3) and found.epsilon < 0.05
+    assert np.allclose([found.mean_third, found.mean_tenth], 2.0, rtol=1e-3)
+    assert np.allclose([found.largest, found.smallest], [5.0, 1.0], atol=5e-3)
+
+
+def test_slow_and_wave_part_are_told_apart_by_frequency_and_their_squares_add_up():
+    t = STEP * np.arange(14400)
+    found = record_statistics(3.0 * np.sin(0.05 * t) + np.sin(0.6 * t), STEP, 0.3)
+    assert np.isclose(found.slow, 3 / np.sqrt(2), rtol=5e-3) and np.isclose(found.wave, 1 / np.sqrt(2), rtol=5e-3)
+    assert np.isclose(found.slow**2 + found.wave**2, found.sigma**2, rtol=1e-12)
+
+
+@pytest.mark.parametrize("low, high", [(0.55, 0.65), (0.2, 1.0)])
+def test_a_gaussian_record_has_the_periods_bandwidth_and_maxima_of_its_spectrum(low, high):
+    m0, m2, m4 = ((high ** (n + 1) - low ** (n + 1)) / (n + 1) / (high - low) for n in (0, 2, 4))
+    found = record_statistics(gaussian(low, high, 3), STEP, 0.1)
+    assert np.isclose(found.T_zero, 2 * np.pi * np.sqrt(m0 / m2), rtol=0.01)
+    assert np.isclose(found.T_peak, 2 * np.pi * np.sqrt(m2 / m4), rtol=0.01)
+    epsilon = np.sqrt(1 - m2**2 / (m0 * m4))
+    assert np.isclose(found.epsilon, epsilon, atol=0.01)
+    for value, share in ((found.mean_third, 1 / 3), (found.mean_tenth, 1 / 10)):
+        assert np.isclose(value, mean_of_highest(share, epsilon), rtol=0.02)
+
+
+def test_the_largest_of_many_gaussian_runs_is_that_of_the_formula_within_its_confidence():
+    runs = [record_statistics(gaussian(0.4, 0.8, seed, hours=3), STEP, 0.1) for seed in range(60)]
+    found = expected_extreme(*(np.array([getattr(r, name) for r in runs]) for name in ("largest", "mean", "extreme")))
+    assert found.runs == 60 and found.low < found.value < found.high
+    zero = over_runs([r.T_zero for r in runs])
+    assert np.isclose(found.value, expected_maximum(1.0, 3 * 3600, zero), rtol=0.03)
+
+
+def test_the_interval_of_the_expected_extreme_holds_the_truth_as_often_as_it_says():
+    rng = np.random.default_rng(5)
+    held = 0
+    for _ in range(400):
+        found = expected_extreme(rng.gumbel(10.0, 1.5, 20), np.zeros(20), np.zeros(20))
+        held += found.low < 10.0 + 1.5 * EULER < found.high
+    assert abs(held / 400 - CONFIDENCE) < 0.05
+
+
+def test_a_single_run_has_the_extreme_of_the_formula_and_no_interval():
+    found = expected_extreme([5.0], [1.0], [3.5])
+    assert found.value == 4.5 and np.isnan(found.low) and found.runs == 0
+
+
+def test_what_does_not_vary_has_a_mean_and_no_maxima():
+    found = record_statistics(np.full(100, 7.0), STEP, 0.3)
+    assert found.mean == found.largest == 7.0 and found.sigma == 0.0 and np.isnan(found.mean_third)
+
+
+def test_a_record_that_is_not_finite_is_refused():
+    with pytest.raises(ValueError, match="finite"):
+        record_statistics(np.r_[np.zeros(20), np.nan], STEP, 0.3)
+
+
+def test_printed_rows_keep_the_relations_between_their_own_columns():
+    """X_1000 and 3.5.1.4 of printed σ, T_zero and ε; the table is rounded to two or three digits"""
+    rows = list(csv.DictReader(line for line in TABLE.read_text(encoding="utf-8").splitlines() if line[0] != "#"))
+    assert len(rows) == 21
+    for row in (row for row in rows if row["X_1000"]):
+        sigma, zero, epsilon = (float(row[key]) for key in ("sigma", "T_zero_s", "eps"))
+        assert np.isclose(expected_maximum(sigma, 1000 * 10.0, zero), float(row["X_1000"]), rtol=0.02)
+        assert np.isclose(mean_of_highest(1 / 3, epsilon) * sigma, float(row["significant_amp"]), rtol=0.04)

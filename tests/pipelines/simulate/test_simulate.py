@@ -1,0 +1,172 @@
+"""`hakobune simulate` from study to file, its engine and the preparation of the body replaced by an oscillator."""
+
+import shutil
+from pathlib import Path
+from types import SimpleNamespace
+
+import h5py
+import numpy as np
+import pytest
+
+import mooring.motion.simulation as engine
+import pipelines
+from bem.database.integrity import DatabaseError
+from mooring.motion.simulation import Realisation
+from pipelines.cli import main
+from pipelines.common.quantities import StudyError
+from pipelines.moor.study import make_study, read_study
+from pipelines.simulate import run as runs
+from pipelines.simulate import work
+from pipelines.simulate.file import opened, whole_rows
+from pipelines.simulate.study import plan_of
+from pipelines.solve.work import Here
+
+MOOR = Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml"
+TABLE = "\n[simulation]\nduration = 600.0\nramp = 50.0\nseeds = 3\nkeep_series = 2\n"
+WIDE = np.linspace(0.1, 4.0, 30)
+LINES = ("fore", "aft")
+
+
+def oscillator(body, plan, settings, seed=0, progress=None):
+    """Realisation of a sine whose amplitude follows the seed"""
+    t = np.arange(-settings.ramp, settings.duration + settings.step / 2, settings.step)
+    wave = (1 + 0.1 * np.random.default_rng(seed).random()) * np.sin(0.6 * t)
+    motion = wave[:, None] * np.arange(1.0, 7.0)
+    tension = 1e6 + 1e5 * np.column_stack([wave, -wave])
+    zero = np.zeros(6)
+    return Realisation(t, motion, motion, motion[:, [0, 1, 5]], wave, 0 * t, tension, seed, zero, 9, {}, ("a finding",))
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A study and a stand-in for a database, in the folder one is in"""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "study.toml").write_text(MOOR.read_text() + TABLE)
+    (tmp_path / "box.h5").write_bytes(b"a database")
+    reader = SimpleNamespace(omega=WIDE)
+    db = SimpleNamespace(reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0)
+    hull = SimpleNamespace(length=100.0, beam=50.0, draft=10.0, freeboard=10.0)
+    system = SimpleNamespace(line_names=LINES, breaking_load=np.array([1e7, np.inf]))
+    memory = SimpleNamespace(decay=np.zeros(4))
+    body = SimpleNamespace(system=system, hull=hull, memory=memory, start=np.zeros(6), findings=("prepared",))
+
+    def prepared(task):
+        study = read_study("study.toml")[0]
+        return body, plan_of(study, WIDE, None, task.duration), study, ()
+
+    monkeypatch.setattr("bem.database.open_database", lambda path: db)
+    monkeypatch.setattr(engine, "simulate", oscillator)
+    for module in (work, runs):
+        monkeypatch.setattr(module, "prepared", prepared)
+    return tmp_path
+
+
+def simulate(seeds=None, **more):
+    return runs.simulate("study.toml", "box.h5", "run.h5", None, Here(), seeds, **more)
+
+
+def test_runs_are_stored_seed_by_seed_and_the_second_call_makes_none(folder):
+    first, second = simulate(), simulate()
+    assert (first.made, first.there, second.made, second.there) == (3, 3, 0, 3)
+    assert "a finding" in first.findings and "prepared" in first.findings
+    with opened("run.h5") as file:
+        assert whole_rows(file).all() and file["motion"].shape == (2, 1201, 6) and file["time"][0] == 0.0
+        value = dict(zip(file["quantity"].asstr()[()], file["statistics"][0], strict=True))
+        assert np.isclose(value["heave"][1] / value["surge"][1], 3.0, rtol=1e-12)
+
+
+def test_a_stopped_run_is_completed_to_the_same_bits(folder):
+    simulate()
+    shutil.copy("run.h5", "whole.h5")
+    with h5py.File("run.h5", "r+") as file:
+        file["stored"][1] = 0
+        file["motion"][1] = 7.0
+        file["statistics"][1, 0] = np.nan
+    assert simulate().made == 1
+    assert Path("run.h5").read_bytes() == Path("whole.h5").read_bytes()
+
+
+def test_a_row_that_was_damaged_is_made_again(folder):
+    simulate()
+    with h5py.File("run.h5", "r+") as file:
+        file["tension"][0, 5] += 1.0
+    assert simulate().made == 1
+
+
+def test_more_seeds_keep_those_that_are_there(folder):
+    simulate(2)
+    assert simulate(6).made == 4
+    with opened("run.h5") as file:
+        assert file["seed"][()].tolist() == [1, 2, 3, 4, 5, 6]
+        assert np.all(file["summary"][:8, -1] >= 0) and np.isfinite(file["summary"][0, 12])
+
+
+def test_a_run_cut_short_leaves_what_was_whole(folder, monkeypatch):
+    def broken(body, plan, settings, seed=0, progress=None):
+        if seed == 2:
+            raise ValueError("a line cannot reach its fairlead")
+        return oscillator(body, plan, settings, seed)
+
+    monkeypatch.setattr(engine, "simulate", broken)
+    outcome = simulate()
+    assert outcome.failures == ((2, "a line cannot reach its fairlead"),) and outcome.there == 2
+
+
+def test_another_study_is_refused_with_the_way_out(folder):
+    simulate()
+    with pytest.raises(DatabaseError, match="--fresh"):
+        simulate(duration=300.0)
+    assert simulate(duration=300.0, fresh=True).made == 3
+
+
+def test_the_file_is_labelled_for_xarray(folder):
+    xarray = pytest.importorskip("xarray")
+    simulate()
+    with xarray.open_dataset("run.h5", engine="h5netcdf") as data:
+        assert data["tension"].sel(kept_seed=1, line="aft").dims == ("time",)
+        assert data["statistics"].sel(seed=3, quantity="heave", statistic="sigma") > 0
+        assert data["motion"].attrs["units"].startswith("m")
+
+
+def plan(text, omega=WIDE, **more):
+    import tomllib
+
+    return plan_of(make_study(tomllib.loads(MOOR.read_text() + text)), omega, **more)
+
+
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ("", "no \\[simulation\\]"),
+        ("[simulation]\nramp = 10.0", "one of duration"),
+        ("[simulation]\nduration = 10.0\ntolerance = 2.0", "tolerance is 2"),
+        ("[simulation]\nduration = 1e9", "samples"),
+        ("[simulation]\nduration = 10.0\nseeds = [1, 1]", "each once"),
+        ("[simulation]\nduration = 10.0\nlines_lost = [{ line = 'a', time = -1.0 }]", "from 0 s on"),
+    ],
+)
+def test_what_cannot_be_simulated_is_one_line(text, words):
+    with pytest.raises(StudyError, match=words):
+        plan(text)
+
+
+def test_a_sea_outside_the_stored_frequencies_says_how_much_and_how_to_extend():
+    some = plan(TABLE, np.linspace(0.1, 1.05, 20)).findings
+    assert len(some) == 1 and "% of the waves' energy" in some[0] and "solve" in some[0]
+    with pytest.raises(StudyError, match="allowed: 25 %"):
+        plan(TABLE, np.linspace(0.7, 1.0, 20))
+
+
+def test_a_whole_sea_within_the_stored_frequencies_has_no_finding():
+    assert plan(TABLE, np.linspace(0.05, 4.0, 20)).findings == ()
+
+
+def test_moor_reads_the_same_study(folder):
+    study = read_study("study.toml")[0]
+    assert study.conditions().waves.period == 10.0
+
+
+def test_a_file_of_something_else_is_not_replaced(folder, capsys):
+    Path("run.h5").write_bytes(b"something")
+    assert main(["simulate", "study.toml", "--database", "box.h5", "--output", "run.h5"]) == 2
+    assert "not a simulation" in capsys.readouterr().err
