@@ -4,16 +4,16 @@ Each function takes the quantities of one frequency (`bem.frequency.FrequencyRun
 relative violation.  Radiation is measured by √|Zᵢᵢ Zⱼⱼ| with Z = A + iB/ω, forces by the larger of excitation and
 diffraction force over the headings.
 
-At resonance damping alone decides: its error is measured by √(Bᵢᵢ Bⱼⱼ) too (`damping_error`), about the rotation
-centre, unless all of it is negligible in the motions (`damping_scale`); the contour method keeps the tolerance by
-this measure as well.  In X = F / (C − ω²(M + A) − iωB) damping is negligible where
+At resonance damping alone decides: its error is measured by √(bᵢ bⱼ) too (`damping_error`), about the rotation centre,
+with
 
-    ωB ≤ ε |C − ω²(M + A)|    damping left out altogether moves X by less than the tolerance ε, or
-    ωB ≤ ω²(M + A) / πN       oscillations die like exp(−Bt / 2(M + A)), in more than N periods: the resonance does
-                              not build up within a sea state, and its height is that of the waves' duration
+    b = max(B, ωA / πN)       damping of its own size, or of that by which oscillations exp(−Bt / 2(M + A)) of any
+                              mass M take N periods and more to die
 
-with N = 1000, three hours of waves of 11 s.  Of a body of unknown inertia, which may resonate anywhere, the second
-alone is asked, with M = 0.
+whatever the inertia and the restoring forces, which moorings change.  Resonance of so little damping does not build up
+within N periods: its height is that of the waves' duration.  N = 1000 is three hours of waves of 11 s.  In waves from
+rest, N periods long, the variance of the resonant motion is ∝ (1 − (1 − e⁻ˣ)/x)/x in the mean, x = 2B/b₀ ≤ 2 for
+B ≤ b₀ = ωA / πN: an error of b₀ε changes its standard deviation by ε/3 at most (tests/bench/damping_floor.py).
 """
 
 from __future__ import annotations
@@ -114,8 +114,9 @@ def damping_error(run, radiation):
     """The largest error of damping by its own size, `damping_scale`, from errors of radiation (6, 6); 0 without any"""
     if not run.radiates:
         return 0.0
-    T, asked = run.problem.transform, np.ix_(run.asked, run.asked)
-    return float((np.abs((T @ radiation @ T.T).imag[asked]) / damping_scale(run)).max())
+    T = run.problem.transform[run.asked]
+    size = damping_scale(T @ run.radiation @ T.T, run.prepared.displacing[run.asked])
+    return float((np.abs((T @ radiation @ T.T).imag) / size).max())
 
 
 def _wanted(run):
@@ -129,20 +130,12 @@ def radiation_scale(run):
     return np.outer(size, size)
 
 
-def damping_scale(run):
-    """√(Bᵢᵢ Bⱼⱼ)/ω of the degrees of freedom asked for, about the rotation centre; infinite where it is negligible"""
-    problem, T, square = run.problem, run.problem.transform, run.omega**2
-    Z = np.diag(T @ run.radiation @ T.T)
-    inertia, stiffness = (
-        None if part is None else np.diag(part) for part in (problem.inertia_matrix, problem.hydrostatic_stiffness)
-    )
-    mass = np.abs(Z.real if inertia is None else Z.real + inertia)
-    least = mass / (np.pi * PERIODS)
-    if inertia is not None and stiffness is not None:
-        least = np.maximum(least, problem.tolerance * np.abs(stiffness / square - mass))
-    size, least = (np.sqrt(np.outer(part, part)) for part in (np.abs(Z.imag), least))
-    counts = (size > least) & np.outer(run.prepared.displacing, run.prepared.displacing)
-    return np.where(counts, size, np.inf)[np.ix_(run.asked, run.asked)]
+def damping_scale(radiation, displacing):
+    """√(bᵢ bⱼ)/ω of A + iB/ω (…, d, d) about the rotation centre; infinite for modes that are not `displacing` (d,)"""
+    Z = np.einsum("...ii->...i", radiation)
+    b = np.maximum(np.abs(Z.imag), np.abs(Z.real) / (np.pi * PERIODS))
+    b = np.where(displacing & (b > 0), b, np.inf)
+    return np.sqrt(b[..., :, None] * b[..., None, :])
 
 
 def excitation_scale(run):

@@ -11,11 +11,44 @@ unit velocity; it has source strengths where a direct solution has φ and ∂φ/
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from .kernels.jit import kernel
 from .kernels.threads import parallel_rows
+
+BLOCK = 32  # directions at a time: four complex numbers each for every point
+
+
+class Folded(NamedTuple):
+    """Directions that have all others among their mirror images.
+
+    angles : (u,) rad; place, image : (t,) of each direction its place there and number among `images` (i, 2), ±1
+    """
+
+    angles: np.ndarray
+    place: np.ndarray
+    image: np.ndarray
+    images: np.ndarray
+
+    def unfolded(self, value, slope, signs):
+        """H and H′ (…, t) of a symmetry class from those at `angles` (…, u); signs : (i,) ±1 of the class there
+
+        An image has the sign of the class, and its derivative that of the turn too.
+        """
+        turned = signs * self.images.prod(axis=1)
+        return value[..., self.place] * signs[self.image], slope[..., self.place] * turned[self.image]
+
+
+def folded(theta, images):
+    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body: with four a quarter of a circle"""
+    x, y = images[:, :1] * np.cos(theta), images[:, 1:] * np.sin(theta)
+    image = np.argmax((x > -1e-9) + 1 * (y > -1e-9), axis=0)
+    chosen = image, np.arange(len(theta))
+    angle = np.arctan2(y[chosen], x[chosen])
+    _, first, place = np.unique(np.round(angle, 12), return_index=True, return_inverse=True)
+    return Folded(angle[first], place, image, images)
 
 
 def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, phi, velocity):
@@ -26,38 +59,49 @@ def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, ph
     phi, velocity : (r, q) complex, m²/s and m/s, or the same per unit of anything
     returns : two (r, t) complex arrays, m³/s and m³/s per rad
     """
+    directions = folded(theta, images)
+    theta = directions.angles
     value, slope = np.zeros((2, len(phi), len(theta)), complex)
-    arguments = theta, k, points, weights, normals, Z, images, signs, phi, velocity
+    arguments = k, points, weights, normals, Z, images, signs.astype(float)
+    flow = np.ascontiguousarray(velocity * Z[:, 0])
 
     def work(low, high):
-        _integrals(low, high, *arguments, value, slope)
+        for start in range(low, high, BLOCK):
+            block = slice(start, min(start + BLOCK, high))
+            even, flux, deven, dflux = _waves(theta[block], *arguments)
+            value[:, block] = (flux @ phi.T - even @ flow.T).T
+            slope[:, block] = (dflux @ phi.T - deven @ flow.T).T
 
     parallel_rows(work, len(theta), len(theta) * len(points) * len(images))
-    return value, slope
+    return directions.unfolded(value, slope, signs)
 
 
 @kernel()
-def _integrals(low, high, theta, k, points, weights, normals, Z, images, signs, phi, velocity, value, slope):
-    """`far_field_integrals` in the directions `low` to `high`, added to value and slope (r, t)"""
-    for a in range(low, high):
+def _waves(theta, k, points, weights, normals, Z, images, signs):
+    """Sums over the images of ψ/Z(z) and ∂ψ/∂n, times areas, and of their θ-derivatives, (4, t, q)"""
+    out = np.zeros((4, len(theta), len(points)), np.complex128)
+    for a in range(len(theta)):
         c, s = math.cos(theta[a]), math.sin(theta[a])
         for q in range(len(points)):
-            even, flux = 0j, 0j
-            deven, dflux = 0j, 0j
+            along_x, along_y = k * points[q, 0] * c, k * points[q, 1] * s
+            cos_x, sin_x = math.cos(along_x), math.sin(along_x)
+            cos_y, sin_y = math.cos(along_y), math.sin(along_y)
             for m in range(len(images)):
-                x, y = images[m, 0] * points[q, 0], images[m, 1] * points[q, 1]
-                nx, ny = images[m, 0] * normals[q, 0], images[m, 1] * normals[q, 1]
-                phase, turn = k * (x * c + y * s), k * (y * c - x * s)
-                wave = signs[m] * weights[q] * complex(math.cos(phase), -math.sin(phase))
-                dwave = -1j * turn * wave
-                along, across = -1j * k * (nx * c + ny * s), -1j * k * (ny * c - nx * s)
-                even += wave
-                deven += dwave
-                flux += wave * (along * Z[q, 0] + normals[q, 2] * Z[q, 1])
-                dflux += dwave * (along * Z[q, 0] + normals[q, 2] * Z[q, 1]) + wave * across * Z[q, 0]
-            for p in range(len(phi)):
-                value[p, a] += phi[p, q] * flux - velocity[p, q] * even * Z[q, 0]
-                slope[p, a] += phi[p, q] * dflux - velocity[p, q] * deven * Z[q, 0]
+                sx, sy = images[m, 0], images[m, 1]
+                x, y = sx * points[q, 0], sy * points[q, 1]
+                nx, ny = sx * normals[q, 0], sy * normals[q, 1]
+                area, turn = signs[m] * weights[q], k * (y * c - x * s)
+                wave = area * complex(
+                    cos_x * cos_y - sx * sy * sin_x * sin_y, -(sx * sin_x * cos_y + sy * cos_x * sin_y)
+                )
+                dwave = complex(turn * wave.imag, -turn * wave.real)
+                along, across = -k * (nx * c + ny * s) * Z[q, 0], -k * (ny * c - nx * s) * Z[q, 0]
+                normal = complex(normals[q, 2] * Z[q, 1], along)
+                out[0, a, q] += wave
+                out[1, a, q] += wave * normal
+                out[2, a, q] += dwave
+                out[3, a, q] += dwave * normal + complex(-across * wave.imag, across * wave.real)
+    return out
 
 
 def angles(k, radius):

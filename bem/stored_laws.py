@@ -15,7 +15,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .checks import damping_scale
 from .drift import about, energy_defect, mean_drift
+from .modes import displacing
 from .waves import group_factor
 
 ROUNDING = 1e-6  # of laws that the same numbers were made by
@@ -45,6 +47,18 @@ def broken_laws(db, tolerance):
             i = int(np.argmax(over))
             found.append(Broken(law, float(values[i]), float(db.omega[i]), float(limit[i])))
     return found
+
+
+def damping_errors(db):
+    """(n,) largest estimated error of stored damping by its own size, `bem.checks.damping_scale`; NaN without any"""
+    error = db.estimated_errors().get("radiation_damping")
+    if error is None:
+        return np.full(len(db.omega), np.nan)
+    omega = db.omega[:, None, None]
+    A = np.nan_to_num(db["added_mass"]) if "added_mass" in db.names else 0.0
+    Z = A + 1j * np.nan_to_num(db["radiation_damping"]) / omega
+    relative = (error / omega / damping_scale(Z, displacing(db.mesh))).reshape(len(omega), -1)
+    return np.where(np.isnan(relative).all(axis=1), np.nan, np.nan_to_num(relative).max(axis=1, initial=0.0))
 
 
 def _laws(db):

@@ -6,18 +6,20 @@ with b the radius or half the smaller width, d the draft.  Waves of kh ≥ 14 ha
 infinite depth to 1e-10.  The non-radiating flow of a body is at the bed that of a dipole and its image in the free
 surface, which decays like distance^(−2) for a slender body and faster for a short one; the bed adds
 
-    0.7 (c/s)²    at most, half the tolerance, of √|Zᵢᵢ Zⱼⱼ| and of the excitation.
+    0.7 (c/s)²    at most, half the tolerance, of √|Zᵢᵢ Zⱼⱼ|, of damping by its own size (`bem.checks.damping_scale`)
+                  and of the excitation.
 
 Against beds four times as deep it was 0.6 (c/s)² in heave of a box of L/B = 20 and b = d, 0.3 and less for flatter
-and deeper ones, and 0.4 (c/s)² in the excitation (tests/bench/raised_bed.py).  The deeper the bed, the more digits
-the contour method loses: F² max(b, d) / min(b, d) is at most 1.4e4, and a third of the tolerance is asked for.
+and deeper ones, 0.6 (c/s)² in damping and 0.4 (c/s)² in the excitation (tests/bench/raised_bed.py).  The deeper the
+bed, the more digits the contour method loses: F² max(b, d) / min(b, d) is at most 1.4e4, and a third of the tolerance
+is asked for.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from ..checks import excitation_scale, longer, radiation_scale
+from ..checks import damping_scale, excitation_scale, longer, radiation_scale
 
 EFFECT = 0.7
 LEAST_GAP = 10.0  # F
@@ -63,7 +65,9 @@ def with_bed(run, radiation, excitation):
     radiation, excitation = radiation + 0, excitation + 0
     if run.radiates:
         block = np.ix_(run.dofs, run.dofs)
-        radiation[block] = longer(radiation[block], share * _finite(radiation_scale(run)))
+        own = damping_scale(run.radiation[block], run.prepared.displacing[run.dofs])
+        A = longer(radiation[block].real, share * _finite(radiation_scale(run)))
+        radiation[block] = A + 1j * longer(radiation[block].imag, share * _finite(own))
     if run.diffracts:
         excitation[:, run.dofs] = longer(excitation[:, run.dofs], share * _finite(excitation_scale(run)))
     return radiation, excitation

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ..kernels.threads import blas_threads
-from ..modes import normal_velocities
+from ..modes import displacing
 from ..panels.axisymmetric_frequency import AxisymmetricRun
 from ..panels.band.one_frequency import BandRun
 from ..panels.frequency_limits import added_mass_limit
@@ -24,6 +24,8 @@ class PanelProblem(Problem):
 
     mesh : hull panels; lid : interior free-surface panels or None
     coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
+    finer : function of a mesh that gives (mesh, lid) of the same body with about twice as many panels, for frequencies
+        whose estimated error exceeds the tolerance, or None at the last; None does without
     nodes_per_panel : 4 (bilinear) or 1 (constant)
     wall : y in m of a vertical wall along x that reflects all waves; None for open water
     zero_draft : the flat bottom of the hull laid into the water surface, `bem.panels.zero_draft`
@@ -34,6 +36,7 @@ class PanelProblem(Problem):
     mesh: object
     lid: object = None
     coarse: tuple | None = None
+    finer: object = None
     nodes_per_panel: int = 4
     wall: float | None = None
     zero_draft: bool = False
@@ -41,9 +44,21 @@ class PanelProblem(Problem):
 
     def prepared(self):
         """`PreparedPanelProblem`: with elements, images and what else depends on the geometry only"""
-        coarse = self.coarse and replace(self, mesh=self.coarse[0], lid=self.coarse[1], coarse=None).prepared()
+        coarse = self.coarse and self._on(*self.coarse, finer=None).prepared()
+        return self.prepared_beside(coarse)
+
+    def prepared_beside(self, coarse):
+        """`PreparedPanelProblem` with the one of a coarser mesh, or None"""
         mesh, lid = (flattened(self.mesh), None) if self.zero_draft else (self.mesh, self.lid)
         return PreparedPanelProblem(self, Geometry(mesh, lid, self.depth, self.nodes_per_panel, self.wall), coarse)
+
+    def _on(self, mesh, lid, **changes):
+        return replace(self, mesh=mesh, lid=lid, coarse=None, **changes)
+
+    def refined(self):
+        """The same on more panels, or None; without a lid if it has none"""
+        found = None if self.finer is None else self.finer(self.mesh)
+        return None if found is None else self._on(found[0], None if self.lid is None else found[1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,21 +76,8 @@ class PreparedPanelProblem:
 
     @cached_property
     def displacing(self):
-        """(6,) whether a mode moves water at all.
-
-        Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: a
-        relative error of what they give says nothing.  A rotation counts if the mean square of its normal velocity
-        is two per cent of that of its arms, both about the vertical axis through the middle of the hull's surface,
-        so that it does not matter where the mesh lies.
-        """
-        g, n = self.geometry, self.geometry.hull
-        w, nodes = g.elements.weights[:n], g.elements.nodes[:n]
-        alone = np.mean(g.classes, axis=0)  # 0 along axes with a mirror image, where the middle lies on the plane
-        middle = g.origin + np.append(alone * (w @ (nodes - g.origin)[:, :2]) / w.sum(), 0.0)
-        modes, (x, y, z) = normal_velocities(nodes - middle, g.elements.normals[:n]), (nodes - middle).T
-        arms = np.stack([np.ones(n)] * 3 + [y * y + z * z, z * z + x * x, x * x + y * y], axis=1)
-        share = (w @ modes**2) / (w @ arms)
-        return share > np.array([1e-6] * 3 + [0.02] * 3)
+        """(6,) whether a mode moves water at all, `bem.modes.displacing`"""
+        return displacing(self.geometry.mesh)
 
     @cached_property
     def axisymmetric_geometry(self):
@@ -105,6 +107,12 @@ class PreparedPanelProblem:
         """How many panels the mesh has for one of the coarse mesh."""
         return self.problem.mesh.total / self.coarse.problem.mesh.total
 
+    @cached_property
+    def finer(self):
+        """The same on more panels, which has this one for its coarser one; None where there is none"""
+        problem = self.problem.refined()
+        return None if problem is None else problem.prepared_beside(self)
+
     @property
     def radius(self):
         """m, largest distance of the hull from the vertical axis through the origin"""
@@ -115,14 +123,17 @@ class PreparedPanelProblem:
         """m, of the hull"""
         return self.geometry.draft
 
-    def run(self, *arguments):
-        """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
+    def run(self, omega, *arguments, **more):
+        """The quantities of one frequency; arguments as in `bem.panels.one_frequency.PanelRun`"""
+        return self._kind(omega)(self, omega, *arguments, **more)
+
+    def _kind(self, omega):
         if self.problem.zero_draft:
-            return ZeroDraftRun(self, *arguments)
-        if self.in_band(arguments[0]):
-            return BandRun(self, *arguments)
-        axisymmetric = self.axisymmetric_geometry.at(arguments[0] ** 2 / self.problem.gravity).sectors
-        return (AxisymmetricRun if axisymmetric else PanelRun)(self, *arguments)
+            return ZeroDraftRun
+        if self.in_band(omega):
+            return BandRun
+        axisymmetric = self.axisymmetric_geometry.at(omega**2 / self.problem.gravity).sectors
+        return AxisymmetricRun if axisymmetric else PanelRun
 
     def in_band(self, omega):
         """Whether a frequency lies in the problem's band, to rounding"""

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
 from .. import DOFS
-from ..checks import at_least_haskind, damping_error, largest_error, longer
+from ..checks import longer
 from ..contour.raised_bed import SHARE, bed_share, with_bed
 from ..frequency import DRIFT, FrequencyRun
 from ..panels.frequency_limits import with_net_flux
 from ..problem import Problem
-
-MOST_DIGITS = 2  # more than the tolerance asks for
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -101,26 +100,23 @@ class PreparedShapeProblem:
 
 
 class ShapeRun(FrequencyRun):
-    """One frequency of a method without panels, by the prepared solver or a sharper one."""
+    """One frequency of a method without panels, by the prepared solver or a sharper one.
+
+    Few problems need one: heights of a gap and drafts at which what keel and sides radiate nearly cancels.
+    """
+
+    most_sharper = 2  # digits more than the tolerance asks for
 
     def __init__(self, prepared, omega, headings, want, theta, dofs, solver=None):
         super().__init__(prepared, omega, headings, want, theta, dofs)
         self.solver = prepared.solver if solver is None else solver
 
-    def within_tolerance(self):
-        """By up to `MOST_DIGITS` digits more, as errors ask for to be within the tolerance, damping by its own size.
-
-        Few problems need one: heights of a gap and drafts at which what keel and sides radiate nearly cancels.
-        """
-        run = self
-        for _ in range(MOST_DIGITS if self.problem.method == "contour" and self.solves else 0):
-            error = max(largest_error(run, *run.differences), damping_error(run, run.differences[0]))
-            known = run.first_order.neglected is None
-            if not known or error <= self.problem.tolerance or run.solver.sharper is None:
-                break
-            question = self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked]
-            run = ShapeRun(self.prepared, *question, run.solver.sharper)
-        return run
+    @property
+    def sharper(self):
+        """By a digit more; None at the last, and where what is left out of short waves is the error"""
+        if self.problem.method != "contour" or self.first_order.neglected is not None or self.solver.sharper is None:
+            return None
+        return partial(ShapeRun, self.prepared, *self.question, self.solver.sharper)
 
     @property
     def solves(self):
@@ -130,7 +126,10 @@ class ShapeRun(FrequencyRun):
     @cached_property
     def first_order(self):
         """`bem.first_order.FirstOrder` at the angles `theta` followed by the headings"""
-        return self._first_order(self.solver, self.far_field)
+        start = time.perf_counter()
+        found = self._first_order(self.solver, self.far_field)
+        self._timed("solve", start)
+        return found
 
     @cached_property
     def finer(self):
@@ -146,24 +145,22 @@ class ShapeRun(FrequencyRun):
         """(m,) headings; empty where no diffraction is wanted"""
         return self.headings if self.diffracts else np.empty(0)
 
-    @cached_property
-    def errors(self):
-        """Of the contour method, by a finer body and Haskind; None for strips, whose error is that of strip theory"""
-        if self.problem.method != "contour":
-            return None
-        (radiation, excitation), ours = self.differences, self.first_order
-        if ours.neglected is not None:
-            A, B = (longer(part, ours.neglected[0]) for part in (radiation.real, radiation.imag))
-            radiation, excitation = A + 1j * B, longer(excitation, ours.neglected[1])
+    def enlarged(self, radiation, excitation):
+        """Errors with what is left out of short waves and what a raised bed adds"""
+        neglected = self.first_order.neglected
+        if neglected is not None:
+            A, B = (longer(part, neglected[0]) for part in (radiation.real, radiation.imag))
+            radiation, excitation = A + 1j * B, longer(excitation, neglected[1])
         return with_bed(self, radiation, excitation)
 
     @cached_property
     def differences(self):
-        """From the finer body and Haskind: errors without what is left out of short waves and what a raised bed adds"""
+        """Of the contour method, from the finer body; None for strips, whose error is that of strip theory"""
+        if self.problem.method != "contour":
+            return None
         ours, fine = self.first_order, self.finer
         force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
-        excitation = at_least_haskind(force - better, force, ours.haskind, self.dofs)
-        return ours.radiation - fine.radiation, excitation
+        return ours.radiation - fine.radiation, force - better
 
     @property
     def kochin_errors(self):

@@ -15,8 +15,8 @@ from .one_frequency import PanelRun
 class AxisymmetricRun(PanelRun):
     """As `PanelRun`, from the rows of the influence matrices that belong to one sector."""
 
-    def __init__(self, prepared, omega, *arguments):
-        super().__init__(prepared, omega, *arguments)
+    def __init__(self, prepared, omega, *arguments, **more):
+        super().__init__(prepared, omega, *arguments, **more)
         self.geometry = prepared.axisymmetric_geometry.at(self.omega**2 / prepared.problem.gravity)
 
     @cached_property

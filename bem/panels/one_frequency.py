@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import time
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
-from .. import DOFS
-from ..checks import at_least_haskind, estimate, share_left
+from ..checks import estimate, share_left
 from ..frequency import FrequencyRun
 from ..green.tables import wave_table
 from ..kernels.threads import blas_threads
@@ -22,10 +21,14 @@ class PanelRun(FrequencyRun):
     """Potentials and forces of one frequency, by direct boundary elements (`bem.panels.influence`).
 
     Only symmetry classes with a wanted degree of freedom or an incident wave are assembled and solved.
+    refined : the same on fewer panels, of which this is the `sharper` run; None without one
     """
 
-    def __init__(self, prepared, omega, headings, want, theta, dofs):
+    most_sharper = 3
+
+    def __init__(self, prepared, omega, headings, want, theta, dofs, refined=None):
         super().__init__(prepared, omega, headings, want, theta, dofs)
+        self.refined = refined
         if self.far_field and prepared.problem.wall is not None:
             raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
         self.geometry = prepared.geometry.at(self.omega**2 / prepared.problem.gravity)
@@ -47,20 +50,20 @@ class PanelRun(FrequencyRun):
         return self._residual
 
     @cached_property
-    def errors(self):
-        """`bem.checks.estimate` against the coarser mesh, and Haskind of what radiates; None without one"""
-        if self.coarse is None:
-            return None
-        radiation, excitation = estimate(self, self.coarse, self.prepared.refinement)
-        if self.radiates and self.diffracts:
-            excitation = at_least_haskind(excitation, self.excitation, self.haskind, self.dofs)
-        return radiation, excitation
+    def differences(self):
+        """`bem.checks.estimate` against the coarser mesh; None without one"""
+        return None if self.coarse is None else estimate(self, self.coarse, self.prepared.refinement)
 
     @cached_property
     def coarse(self):
         """The same frequency on the coarser mesh, or None"""
-        coarse = self.prepared.coarse
-        return coarse and coarse.run(self.omega, self.headings, self.want, self.theta, [DOFS[d] for d in self.asked])
+        return self.refined or (self.prepared.coarse and self.prepared.coarse.run(*self.question))
+
+    @property
+    def sharper(self):
+        """On the next finer mesh of the problem; None where it has none, or no estimate asks for it"""
+        finer = None if self.coarse is None else self.prepared.finer
+        return None if finer is None else partial(finer.run, *self.question, refined=self)
 
     @property
     def kochin_errors(self):
@@ -212,7 +215,12 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def haskind(self):
-        """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)"""
+        """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)
+
+        None where these or the diffraction are not solved for.
+        """
+        if not (self.radiates and self.diffracts):
+            return None
         force = self.incident[1]
         out = np.zeros(force.shape, complex)
         for cls, (moving, _) in self.columns.items():
@@ -261,8 +269,11 @@ class PanelRun(FrequencyRun):
     def pressure(self):
         """(m, panels of the whole hull) mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude
 
-        Of the freely floating body where its inertia is known, else of the fixed one; panels as in `mesh.whole()`.
+        Of the freely floating body where its inertia is known, else of the fixed one; panels as in `mesh.whole()`, the
+        mesh being that of the run that was refined, if this one is finer.
         """
+        if self.refined is not None:
+            return self.refined.pressure()
         g, (_, weights, _) = self.geometry, self.hull
         shares = weights.reshape(len(g.mesh), -1)
         shares = shares / shares.sum(axis=1, keepdims=True)

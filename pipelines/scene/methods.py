@@ -26,11 +26,9 @@ class Method(NamedTuple):
     without_in_deep_water: tuple = ()
 
 
-DEEPEST_GAP = 20.0  # under which contour keeps 1e-3 at the tolerance 1e-3 with a margin of three
-
 METHODS = {
     "panel": Method(("box", "buoy", "mesh"), wall=True, panels=True),
-    "contour": Method(("box", "buoy"), highest_gap=100.0),
+    "contour": Method(("box", "buoy"), highest_gap=100.0),  # it keeps tolerances up to there, tests/bench/tolerance.py
     "pressure": Method(("box", "buoy", "mesh"), wall=True, panels=True, without=("added_mass_infinity",)),
     "strip": Method(("box",), without=(*FAR_FIELD, "pressure"), without_in_deep_water=LIMITS),
     "inverse-strip": Method(("box",), without=(*FAR_FIELD, "pressure"), without_in_deep_water=LIMITS),
@@ -63,15 +61,13 @@ def approach(scene):
 
 
 def _chosen(scene, bed):
-    if scene.panels is not None or _obstacles(scene, METHODS["contour"], bed):
-        return "panel"
-    return "contour" if _relative_gap(scene) <= DEEPEST_GAP or bed is not None else "panel"
+    return "panel" if scene.panels is not None or _obstacles(scene, METHODS["contour"], bed) else "contour"
 
 
 def _raised_bed(scene):
     """m, the bed over which contour answers a scene of short waves alone in deep water, or None"""
     body, water = scene.body, scene.water
-    if body.shape == "mesh" or _relative_gap(scene) <= DEEPEST_GAP:
+    if body.shape == "mesh" or _relative_gap(scene) <= METHODS["contour"].highest_gap:
         return None
     longest = wavenumber(scene.omegas()[0], water.depth, water.gravity)
     bed = raised_bed(body.shape, tuple(scene.dimensions.values()), scene.accuracy, float(longest))

@@ -15,12 +15,13 @@ from meshing.quality import findings, lid_findings
 from meshing.shapes import box, buoy
 
 from ..scene.methods import METHODS
-from ..scene.scene import SceneError
-from .panel_counts import coarse_counts, fine_counts, meshed, sizes
+from ..scene.scene import Scene, SceneError
+from .panel_counts import coarse_counts, fine_counts, finer_counts, meshed, sizes
 
 MOST_PANELS = 20_000
 MOST_GIVEN = 100_000  # of a mesh file, or by --panels
 FOR_SHOW = 500  # panels of a mesh that is only drawn
+MOST_REFINED = 5000  # panels of a mesh for single frequencies, whose full equations take up to 2 GB
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,6 +116,25 @@ def coarse_hull(scene, mesh):
         return None
     coarse = meshed(scene.body, counts)
     return coarse, make_lid(scene, coarse)
+
+
+@dataclass(frozen=True)
+class FinerHull:
+    """Meshes for the frequencies of a scene whose estimated error exceeds the tolerance.
+
+    Called with a mesh it gives (mesh, lid) of about twice as many panels, or None above `MOST_REFINED`.
+    """
+
+    scene: Scene
+
+    def __call__(self, mesh):
+        finer = meshed(self.scene.body, finer_counts(self.scene.body, mesh))
+        return None if finer.total > MOST_REFINED else (finer, make_lid(self.scene, finer))
+
+
+def finer_hull(scene):
+    """`FinerHull`; None for mesh files and a number of panels that was asked for, which promise no tolerance"""
+    return FinerHull(scene) if scene.body.shape != "mesh" and scene.panels is None else None
 
 
 def _meshed(body, panels):

@@ -1,4 +1,4 @@
-"""How many panels a box or buoy takes for a tolerance, and the coarser mesh beside it that shows its error.
+"""How many panels a box or buoy takes for a tolerance, the coarser mesh beside it that shows its error, and finer ones.
 
 The error of all coefficients falls like the power −1.16 of the number of panels as long as no direction is left with
 a panel or two; the counts of `meshing.shapes` are over half the length, half the beam and the draft of a box, and
@@ -18,6 +18,7 @@ LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3)}  # a buoy of twelve sides has a ya
 LONGEST = 7  # breadths, up to which panels across were counted
 COARSE = 0.71  # of the counts: about half as many panels
 FEWEST = 2  # in a direction of the coarse mesh
+FINER = 2**0.5  # times the counts: about twice as many panels
 TOO_CLOSE = 0.8  # of the panels: a coarse mesh that is hardly coarser gives no estimate of the error
 
 
@@ -52,6 +53,11 @@ def coarse_counts(body, mesh):
     coarse = tuple(max(FEWEST, round(COARSE * n)) for n in fine)
     coarser = all(c <= n for c, n in zip(coarse, fine, strict=True))
     return coarse if coarser and _total(body, coarse) <= TOO_CLOSE * _total(body, fine) else None
+
+
+def finer_counts(body, mesh):
+    """Counts of about twice as many panels as a mesh of the body has, in the same proportion"""
+    return tuple(math.ceil(FINER * n - 0.25) for n in counts_of(body, mesh))
 
 
 def counts_of(body, mesh):

@@ -10,7 +10,7 @@ from bem.panels.irregular_frequencies import lid_needed_from
 
 from ..scene.methods import METHODS
 from ..scene.viscous_table import viscous_of
-from .hull import coarse_hull, make_lid
+from .hull import coarse_hull, finer_hull, make_lid
 from .large import shared_band
 from .panel_counts import fine_counts, meshed
 
@@ -48,4 +48,5 @@ def _panel_problem(header, scene, body):
     if scene.omegas()[-1] ** 2 / scene.water.gravity <= lid_needed_from(header.mesh):
         lid, coarse = None, coarse and (coarse[0], None)
     band = None if draftless else shared_band(scene, header.mesh, lid)
-    return PanelProblem(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, band=band, **body)
+    finer = finer_hull(scene)
+    return PanelProblem(header.mesh, lid, coarse, finer, wall=scene.wall, zero_draft=draftless, band=band, **body)

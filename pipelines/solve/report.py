@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bem.database.resonances import resonances
+from bem.stored_laws import damping_errors
 
 from ..common.resonances import resonance_lines
 
@@ -16,7 +17,9 @@ CHECKED = {
     "energy": "waves carried away",
     "residual": "linear system",
     "estimated_error": "two resolutions",
+    "damping": "by its own size",
 }
+ESTIMATED = ("estimated_error", "damping")  # of what is checked: errors, not laws
 MEANINGLESS = 0.5  # a law violated by half of its terms: the numbers are unusable at any accuracy
 RESIDUAL = 1e-6  # of a linear system; four digits below the finest tolerance that makes sense
 
@@ -38,11 +41,11 @@ class Check:
 
 
 def checked(db):
-    """[Check] of a database against its own tolerance."""
+    """[Check] of a database against its own tolerance: what is stored, and damping by its own size"""
     tolerance = float(db.attributes.get("tolerance", 0.01))
     return [
         _check(name, values, db.omega, RESIDUAL if name == "residual" else tolerance)
-        for name, values in db.checks().items()
+        for name, values in {**db.checks(), "damping": damping_errors(db)}.items()
     ]
 
 
@@ -51,7 +54,7 @@ def failed_laws(db, own_panels):
 
     own_panels : panels were given, as a number or a mesh file, and no tolerance promised
     """
-    laws = [check for check in checked(db) if check.name != "estimated_error"]
+    laws = [check for check in checked(db) if check.name not in ESTIMATED]
     failed = [check for check in laws if check.largest > max(check.limit, own_panels * MEANINGLESS)]
     said = ", ".join(
         f"{check.name} is broken by {check.largest:.2g} at ω = {check.omega:.4g} rad/s" for check in failed

@@ -11,7 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...kochin import folded
 from ...waves import exponential_part
+
+IMAGES = np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])  # of a plan with two planes of symmetry
 
 
 class PlaneWaves(NamedTuple):
@@ -53,10 +56,9 @@ def far_field(cls, contour, k, theta, potential, velocity):
 
     potential, velocity : (m, columns) of the propagating mode at the nodes of the contour
     """
-    waves = PlaneWaves(*(4 * contour.weights[:, None] * part.conj() for part in plane_waves(cls, contour, k, theta)))
-    return np.array(
-        [
-            potential.T @ waves.flux - velocity.T @ waves.value,
-            potential.T @ waves.turn_flux - velocity.T @ waves.turn_value,
-        ]
-    )
+    directions = folded(theta, IMAGES)
+    parts = plane_waves(cls, contour, k, directions.angles)
+    waves = PlaneWaves(*(4 * contour.weights[:, None] * part.conj() for part in parts))
+    value = potential.T @ waves.flux - velocity.T @ waves.value
+    slope = potential.T @ waves.turn_flux - velocity.T @ waves.turn_value
+    return np.array(directions.unfolded(value, slope, np.where(IMAGES < 0, cls, 1).prod(axis=1)))

@@ -1,18 +1,22 @@
 """Estimated errors on twenty random scenes of a fixed seed, counted, and what an estimate is made of."""
 
+import itertools
+
 import numpy as np
 import pytest
 from bench.tolerance import NEGLIGIBLE, RANGES, Ranges, campaign, right
 
 from bem import DOFS
-from bem.checks import at_least_haskind, largest_error
+from bem.checks import at_least_haskind, damping_error, damping_scale, largest_error
 from bem.contour.accuracy import accuracy, finer
 from bem.frequency import solve_frequency
-from bem.methods.panel_problem import PanelProblem
+from bem.methods.panel_problem import PanelProblem, prepare
 from bem.methods.shape_problem import ShapeProblem
 from meshing.hydrostatics import hydrostatics, inertia_matrix
 from meshing.lid import lid
 from meshing.shapes import box, buoy
+from pipelines.scene.scene import make_scene
+from pipelines.solve.plan import planned
 
 EVERYTHING = {"added_mass", "radiation_damping", "excitation_force"}
 SCENES, SEED = 20, 7
@@ -28,15 +32,15 @@ def outcomes(request):
     return campaign(SCENES, SEED, request.param, CAMPAIGNS[request.param])
 
 
-def test_nineteen_of_twenty_scenes_meet_their_tolerance(outcomes):
+def test_twenty_of_twenty_scenes_meet_their_tolerance(outcomes):
     missed = [o for o in outcomes if not o.error <= o.scene.tolerance]
-    assert len(outcomes) == 20 and len(missed) <= 1, "\n".join(map(str, missed))
+    assert len(outcomes) == SCENES == 20 and not missed, "\n".join(map(str, missed))
 
 
-def test_nineteen_of_twenty_dampings_that_count_meet_the_tolerance_of_their_own_size(outcomes):
-    own = np.concatenate([o.damping / o.scene.tolerance for o in outcomes])
-    assert len(own) > 5 * SCENES
-    assert np.mean(own <= 1) >= 0.95
+def test_every_damping_meets_the_tolerance_of_its_own_size(outcomes):
+    missed = [o for o in outcomes if not np.all(o.damping <= o.scene.tolerance)]
+    assert sum(len(o.damping) for o in outcomes) > 8 * SCENES
+    assert not missed, "\n".join(map(str, missed))
 
 
 def test_nine_of_ten_estimates_of_damping_motions_and_drift_together_are_within_a_factor_of_three(outcomes):
@@ -53,6 +57,45 @@ def test_pitch_of_a_buoy_whose_keel_and_side_radiate_against_each_other_is_dampe
     true = abs(found["radiation_damping"] - exact["radiation_damping"])[4, 4]
     assert true < 0.01 * exact["radiation_damping"][4, 4]
     assert right(found["estimated_error"]["radiation_damping"][4, 4] / true)
+
+
+def test_damping_counts_by_its_own_size_or_that_of_a_thousand_periods():
+    """Oscillations exp(−Bt / 2A) take as long as that from B = ωA / 1000π on"""
+    A, floor = np.array([5.0, 8.0]), np.array([5.0, 8.0]) / (1000 * np.pi)
+    all_moving = np.array([True, True])
+    for times in ((3.0, 7.0), (0.1, -0.2), (3.0, 0.0)):
+        b = np.maximum(np.abs(times), 1.0) * floor
+        size = damping_scale(np.diag(A + 1j * np.array(times) * floor), all_moving)
+        np.testing.assert_allclose(size, np.sqrt(np.outer(b, b)))
+    assert np.isinf(damping_scale(np.diag(A + 0j), np.array([True, False]))[1]).all()
+
+
+BUOY = {"shape": "buoy", "radius": 20.0, "draft": 10.0}
+
+
+def buoy_by_panels(**more):
+    raw = {"water": {"depth": 400.0}, "bodies": [BUOY], "waves": {"omegas": [0.6, 0.7]}, "method": "panel", **more}
+    return prepare(planned(make_scene(raw)).problem)
+
+
+def test_panels_are_doubled_until_the_estimate_of_damping_keeps_the_tolerance():
+    """Pitch at 0.7 rad/s, 3.8 % off on the panels that suffice for added mass"""
+    first = buoy_by_panels().run(0.7, [0.0], EVERYTHING | {"pressure"}, None, DOFS)
+    run, meshes = first.within_tolerance(), []
+    exact = body(shape="buoy", sizes=(20.0, 10.0), depth=400.0, tolerance=1e-5).run(0.7, [0.0], EVERYTHING, None, DOFS)
+    error = np.array([abs(r.radiation[4, 4].imag / exact.radiation[4, 4].imag - 1) for r in (first, run)])
+    assert error[0] > 0.03 and error[1] < 0.01 and damping_error(run, run.errors[0]) < 0.01
+    np.testing.assert_array_equal(run.pressure(), first.pressure())  # of the stored mesh
+    while run is not None:
+        meshes, run = [run.problem.mesh.total, *meshes], run.refined
+    assert meshes[0] == first.problem.mesh.total and len(meshes) > 2
+    assert all(1.7 < more / few < 2.4 for few, more in itertools.pairwise(meshes))
+
+
+def test_panels_that_were_asked_for_are_not_doubled():
+    prepared = buoy_by_panels(panels=240)
+    run = prepared.run(0.7, [0.0], EVERYTHING, None, DOFS)
+    assert prepared.finer is None and run.within_tolerance() is run and damping_error(run, run.errors[0]) > 0.01
 
 
 def test_estimated_errors_of_radiation_by_panels_have_their_sign():

@@ -49,9 +49,20 @@ def test_the_bed_depends_on_body_and_tolerance_alone_and_is_never_below_the_real
     beds = {problem(scene(omegas)).bed for omegas in (SHORT, [1.2], [2.5])}
     assert len(beds) == 1
     (bed,) = beds
-    assert problem(scene(depth=0.9 * bed)).bed == 0.9 * bed and problem(scene(depth=2 * bed)).bed == bed
+    assert problem(scene(depth=2 * bed)).bed == bed
     assert problem(scene(tolerance=0.005)).bed > bed
-    assert problem(scene(depth=100.0)).bed is None  # 16 drafts of water under the keel
+    flat = {**BUOY, "draft": 3.0}
+    bed = 0.9 * problem(scene(body=flat)).bed
+    assert problem(scene(depth=bed, body=flat)).bed == bed
+
+
+def test_up_to_a_hundred_drafts_of_water_under_the_keel_the_contour_method_takes_the_bed_there_is():
+    draft = BUOY["draft"]
+    for omegas in (SHORT, [0.5, *SHORT]):
+        made = scene(omegas, depth=100.9 * draft)
+        assert made.approach.method == "contour" and made.approach.bed is None
+    assert scene([0.5, *SHORT], depth=101.1 * draft).approach.method == "panel"
+    assert scene(SHORT, depth=101.1 * draft).approach.bed is not None
 
 
 def test_a_problem_keeps_the_depth_of_the_scene_and_has_panels_for_the_limits():

@@ -9,8 +9,8 @@ from bem.methods.panel_problem import prepare
 from bem.methods.shape_problem import ShapeProblem
 from meshing.shapes import box
 from pipelines.scene.scene import make_scene
-from pipelines.solve.hull import coarse_hull, make_hull
-from pipelines.solve.panel_counts import coarse_counts, counts_of, fine_counts, meshed, panels_for
+from pipelines.solve.hull import MOST_REFINED, coarse_hull, finer_hull, make_hull
+from pipelines.solve.panel_counts import coarse_counts, counts_of, fine_counts, finer_counts, meshed, panels_for
 from pipelines.solve.plan import planned
 
 BODIES = {
@@ -79,6 +79,24 @@ def test_the_coarse_mesh_has_about_half_the_panels_in_the_same_proportion(body, 
     coarse = coarse_counts(body, mesh)
     assert 0.35 <= meshed(body, coarse).total / mesh.total <= 0.7
     assert all(2 <= c < n for c, n in zip(coarse, fine, strict=True))
+
+
+def test_the_finer_mesh_has_about_twice_the_panels_in_the_same_proportion(body):
+    fine = fine_counts(body, 0.01, np.inf)
+    mesh = meshed(body, fine)
+    finer = finer_counts(body, mesh)
+    assert 1.7 <= meshed(body, finer).total / mesh.total <= 2.4
+    assert all(c > n for c, n in zip(finer, fine, strict=True))
+
+
+def test_finer_meshes_end_where_full_equations_get_large():
+    scene = scene_of(BODIES["series box"])
+    finer, mesh, totals = finer_hull(scene), make_hull(scene).mesh, []
+    while (found := finer(mesh)) is not None:
+        mesh, lid = found
+        assert lid is not None
+        totals.append(mesh.total)
+    assert len(totals) == 3 and MOST_REFINED / 2.4 < totals[-1] <= MOST_REFINED
 
 
 def test_a_mesh_too_coarse_to_be_halved_has_no_estimate():
