@@ -118,9 +118,8 @@ class ContourFrequency:
         """
         if not len(self.theta):
             return np.zeros((2, velocity.shape[1], 0))
-        basis = self.body.plan.basis(cls, self.degree, self.contour)
         potential = wave.potential @ velocity
         potential[:, moving:] += self.amplitude * wave.wall
         n = group_factor(self.k, self.body.depth)
         factor = -(self.k**2) / (4 * n * self.omega) * self.modes.wave_norm
-        return factor * far_field(cls, self.contour, self.k, self.theta, potential, basis @ velocity)
+        return factor * far_field(cls, self.contour, self.k, self.theta, potential, wave.basis @ velocity)

@@ -4,8 +4,8 @@
 
 Waves from the longest that `bem.contour.raised_bed` takes to ten times shorter; tolerance 1 %.  Columns: differences of
 A + iB/ω, of damping by its own size and of the excitation (`bem.checks`) from the deeper bed at a tenth of the
-tolerance, the stored estimate and the bed's part of it, the first and last of these from so many panels (none without it)
-and their estimate, seconds of the two.
+tolerance, the stored estimate and the bed's part of it, the first and last of these from so many panels (or none) and
+their estimate, seconds of the two.
 """
 
 import argparse

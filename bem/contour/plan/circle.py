@@ -126,7 +126,7 @@ class Circle:
             total = part(np.multiply.outer(theta, all_mine)) @ (wall[all_mine, None] * part(np.outer(all_mine, beta)))
             basis = self.basis(cls, degree, contour)
             projected = 4 * (basis * contour.weights[:, None]).T @ total
-            out[cls] = WaveMap(np.diag(ratio), basis * ratio, total, projected)
+            out[cls] = WaveMap(np.diag(ratio), basis * ratio, total, projected, basis)
         return out
 
     def asymptotic_degree(self, tolerance):

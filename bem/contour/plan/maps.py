@@ -26,12 +26,13 @@ class WaveMap(NamedTuple):
     potential: np.ndarray  # (m, n) complex, m: N ψⱼ at the nodes
     wall: np.ndarray  # (m, b) complex: the waves exp(ik(x cosβ + y sinβ)) in front of a rigid wall, at the nodes
     projected: np.ndarray  # (n, b) complex, √m: ∮ ψᵢ wall ds
+    basis: np.ndarray  # (m, n) ψⱼ at the nodes
 
     @classmethod
     def solved(cls, contour, basis, potential, wall):
         """Of potentials at the nodes (m,) of a contour, with `basis` (m, n) ψ there"""
         weak = 4 * (basis * contour.weights[:, None]).T
-        return cls(weak @ potential, potential, wall, weak @ wall)
+        return cls(weak @ potential, potential, wall, weak @ wall, basis)
 
 
 # phase, rad, from the axis to the farther side: waves longer than 0.4 of the length, most scenes, share one table;
