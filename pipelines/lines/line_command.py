@@ -13,6 +13,7 @@ from .overloads import LONGEST_STRAIN
 
 KN = 1e3
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
+FLOATING_STATES = ("slack, the rest floats", "partly in the sea surface", "under water", "beyond reach")
 STEEPEST = np.degrees(1.5)  # of a bed that `mooring.catenary` knows
 FLAGS = {  # unit, whether a value is good, what is allowed
     "weight": (" N/m", lambda value: 0 < value <= HEAVIEST, f"above 0, at most {HEAVIEST:g}"),
@@ -29,17 +30,51 @@ FLAGS = {  # unit, whether a value is good, what is allowed
 
 @dataclass(frozen=True)
 class OneLine:
-    """A line and where it hangs, SI; type : LineType; height : m, fairlead above anchor"""
+    """A line and where it hangs, SI; type : LineType; height, depth : m, fairlead and sea surface above anchor"""
 
     type: object
     length: float
     height: float
+    depth: float
     friction: float
     slope: float
 
     @property
+    def floats(self):
+        """Whether it is lighter than water: its bed is the sea surface"""
+        return self.type.weight < 0
+
+    @property
     def properties(self):
-        return self.length, self.type.weight, self.type.axial_stiffness, self.friction, self.slope
+        last = (self.depth,) if self.floats else (self.friction, self.slope)
+        return self.length, self.type.weight, self.type.axial_stiffness, *last
+
+    def solve(self, span):
+        """LineSolution at spans, m"""
+        from mooring.lines.catenary.buoyant import solve_buoyant_lines
+        from mooring.lines.catenary.solve import solve_lines
+
+        return (solve_buoyant_lines if self.floats else solve_lines)(span, self.height, *self.properties)
+
+    def span_at(self, H):
+        """m, where the line carries a horizontal tension, N"""
+        from mooring.lines.catenary.solve import span_at_tension
+        from mooring.lines.multi_segment.span import span_of
+
+        if self.floats:
+            return span_of(self.solve, H, self.length, self.height)
+        return float(span_at_tension(H, self.height, *self.properties)[0])
+
+    def shape(self, span, points):
+        """(points, 2) m from the anchor"""
+        from mooring.lines.catenary.buoyant import buoyant_profile
+        from mooring.lines.catenary.solve import profile
+
+        return (buoyant_profile if self.floats else profile)(span, self.height, *self.properties, points=points)
+
+    def state(self, found):
+        """What the line does, in words"""
+        return (FLOATING_STATES if self.floats else STATES)[int(found.status)]
 
 
 def line(type, weight, stiffness, length, depth, fairlead_z, span, tension, friction, slope_deg, output):
@@ -47,22 +82,21 @@ def line(type, weight, stiffness, length, depth, fairlead_z, span, tension, fric
 
     weight : N/m; stiffness : kN; length, depth, fairlead_z, span : m; tension : kN; raises : ValueError, one line
     """
-    from mooring.lines.catenary.solve import solve_lines, span_at_tension
-
     if output is not None:
         check_picture(output, PLOTS)
     _check_flags(weight=weight, stiffness=stiffness, length=length, depth=depth, fairlead_z=fairlead_z)
     _check_flags(span=span, tension=tension, friction=friction, slope_deg=slope_deg)
-    one = OneLine(_kind(type, weight, stiffness), length, fairlead_z + depth, friction, np.radians(slope_deg))
+    one = OneLine(_kind(type, weight, stiffness), length, fairlead_z + depth, depth, friction, np.radians(slope_deg))
+    _check_floating(one, fairlead_z, friction, slope_deg)
     if (span is None) == (tension is None):
         state = "neither is given" if span is None else "both are given"
         raise StudyError(f"--span and --tension: {state}; allowed: one of them")
     if span is None:
         if one.slope >= 0:  # the bed is nowhere lower than at the anchor
             _check_above_bed(one, 0.0, depth)
-        span = float(span_at_tension(KN * tension, one.height, *one.properties)[0])
+        span = one.span_at(KN * tension)
     _check_above_bed(one, span, depth)
-    found = solve_lines(span, one.height, *one.properties)
+    found = one.solve(span)
     _show(one, span, found)
     if output is not None:
         _draw(one, span, found, output)
@@ -76,6 +110,15 @@ def _check_flags(**given):
         unit, good, allowed = FLAGS[name]
         if value is not None and not good(value):
             raise StudyError(f"--{name.replace('_', '-')} is {value:g}{unit}; allowed: {allowed}")
+
+
+def _check_floating(one, fairlead_z, friction, slope_deg):
+    """Raise StudyError for what a line lighter than water cannot have."""
+    given = (("--fairlead-z", fairlead_z, " m", fairlead_z <= 0), ("--friction", friction, "", friction == 0))
+    for flag, value, unit, good in (*given, ("--slope-deg", slope_deg, "°", slope_deg == 0)):
+        if one.floats and not good:
+            allowed = "at most 0, the sea surface" if unit == " m" else "0, it does not lie on the bed"
+            raise StudyError(f"{flag} is {value:g}{unit}; allowed with {one.type.name}, lighter than water: {allowed}")
 
 
 def _check_above_bed(one, span, depth):
@@ -102,11 +145,15 @@ def _kind(name, weight, stiffness):
 
 def _show(one, span, found):
     rows = [
-        ("span", f"{span:.3f} m", STATES[int(found.status)]),
+        ("span", f"{span:.3f} m", one.state(found)),
         ("at the fairlead", _force(found.horizontal_fairlead, found.vertical_fairlead), "horizontal, down"),
         ("at the anchor", _force(found.horizontal_anchor, found.vertical_anchor), "horizontal, up"),
         ("tension at the fairlead", f"{_kN(found.tension_fairlead)} = {found.tension_fairlead / TONF:.2f} tonf", ""),
-        ("length on the bed", f"{float(found.grounded_length):.3f} m", f"of {one.length:g} m"),
+        (
+            "length that floats" if one.floats else "length on the bed",
+            f"{float(found.grounded_length):.3f} m",
+            f"of {one.length:g} m",
+        ),
         ("stiffness", f"{found.stiffness[0, 0] / KN:.4g} kN/m", "horizontal"),
     ]
     if np.isfinite(one.type.breaking_load):
@@ -138,11 +185,10 @@ def _force(horizontal, vertical):
 
 def tension_curve(one, points=120):
     """Spans from slack to the breaking load (or a taut line) and the forces there: (m,) m, LineSolution"""
-    from mooring.lines.catenary.solve import solve_lines, span_at_tension
-
-    top = 0.8 * one.type.breaking_load if np.isfinite(one.type.breaking_load) else 20 * one.type.weight * one.length
-    least = 1e-3 * one.type.weight * max(one.height, 0.01 * one.length)
-    ends = [float(span_at_tension(H, one.height, *one.properties)[0]) for H in (least, top)]
+    weight = abs(one.type.weight)
+    top = 0.8 * one.type.breaking_load if np.isfinite(one.type.breaking_load) else 20 * weight * one.length
+    least = 1e-3 * weight * max(abs(one.height), 0.01 * one.length)
+    ends = [one.span_at(H) for H in (least, top)]
     reach = np.sqrt(max(one.length**2 - one.height**2, 0.0))
     # tension climbs steeply at the end: half of the points lie in the last tenth
     share = np.concatenate(
@@ -151,24 +197,24 @@ def tension_curve(one, points=120):
     spans = ends[0] + share * (ends[1] - ends[0])
     if np.isinf(one.type.axial_stiffness):
         spans = spans[spans < reach * (1 - 1e-9)] if one.slope == 0 else spans
-    return spans, solve_lines(spans, one.height, *one.properties)
+    return spans, one.solve(spans)
 
 
 def _draw(one, span, found, output):
     from matplotlib.figure import Figure
 
-    from mooring.lines.catenary.solve import profile
-
     figure = Figure(figsize=(12, 4.6), layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(3, 2))
-    shape = profile(span, one.height, *one.properties, points=400)
+    shape = one.shape(span, 400)
     left.plot(*shape.T, color="C0", lw=2)
-    reach = np.array([0.0, max(1.02 * span, shape[:, 0].max())])
+    reach = np.array([min(0.0, shape[:, 0].min()), max(1.02 * span, shape[:, 0].max())])
     left.plot(reach, reach * np.tan(one.slope), color="0.5", lw=4, zorder=0)
+    if one.floats:
+        left.plot(reach, [one.depth, one.depth], color="C0", lw=0.8)
     left.plot([0], [0], "k^")
     left.plot([span], [one.height], "ko")
     left.set(xlabel="x from the anchor, m", ylabel="height, m", aspect="equal" if one.height > 0.1 * span else "auto")
-    left.set_title(f"{one.type.name}: {STATES[int(found.status)]}")
+    left.set_title(f"{one.type.name}: {one.state(found)}")
     spans, curve = tension_curve(one)
     right.plot(spans, curve.horizontal_fairlead / KN, label="horizontal at the fairlead")
     right.plot(spans, curve.tension_fairlead / KN, label="tension at the fairlead")

@@ -83,6 +83,7 @@ to = "starboard"
 """
 
 
+FLOATING = ["--type", "HMPE 160 mm", "--length", "300", "--depth", "60", "--tension", "9"]
 HANGING = ["--weight", "1000", "--length", "300", "--depth", "60"]
 
 
@@ -108,6 +109,21 @@ def test_line_prints_the_forces_of_the_line_and_draws_it(tmp_path, capsys):
 def test_line_finds_the_span_of_a_tension(capsys):
     assert main(["line", "--type", "R4 studlink 84 mm", "--length", "400", "--depth", "80", "--tension", "500"]) == 0
     assert "500.000," in capsys.readouterr().out
+
+
+def test_line_of_a_rope_that_floats_hangs_upside_down_and_stays_in_the_sea(tmp_path, capsys):
+    picture, rope = tmp_path / "rope.png", ["line", "--type", "HMPE 160 mm", "--length", "350", "--depth", "100"]
+    assert main([*rope, "--span", "300", "--output", str(picture)]) == 0
+    shown = capsys.readouterr().out
+    assert "partly in the sea surface" in shown
+    floats, up = (
+        float(re.search(word, shown)[1]) for word in (r"floats\s+([\d.]+) m", r"anchor\s+[\d.]+, ([\d.]+) kN")
+    )
+    # the anchor holds what lifts the part under water
+    assert up == pytest.approx(6.3929e-3 * (350 - floats), abs=1e-3)
+    assert picture.stat().st_size > 10_000
+    assert main([*rope, "--tension", "50"]) == 0
+    assert "50.000," in capsys.readouterr().out
 
 
 def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
@@ -137,6 +153,14 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
         ([*HANGING, "--span", "-5"], "--span is -5 m; allowed: at least 0, finite"),
         ([*HANGING, "--tension", "0"], "--tension is 0 kN; allowed: above 0, finite"),
         ([*HANGING, "--tension", "9", "--friction", "-1"], "--friction is -1; allowed: 0 to 5"),
+        (
+            [*FLOATING, "--fairlead-z", "3"],
+            "--fairlead-z is 3 m; allowed with HMPE 160 mm, lighter than water: at most 0",
+        ),
+        (
+            [*FLOATING, "--friction", "1"],
+            "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, it does not",
+        ),
         ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
     ],
 )
