@@ -94,7 +94,7 @@ def at_least_haskind(error, excitation, haskind, dofs):
     return out
 
 
-def longer(error, by):
+def enlarged(error, by):
     """Complex errors whose size is `by` more; those that are zero, by symmetry, stay so"""
     size = np.abs(error)
     return np.where(size > 0, error / np.where(size > 0, size, 1.0), 0.0) * (size + by)

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..checks import damping_scale, excitation_scale, longer, radiation_scale
+from ..checks import damping_scale, enlarged, excitation_scale, radiation_scale
 
 EFFECT = 0.7
 LEAST_GAP = 10.0  # F
@@ -66,10 +66,10 @@ def with_bed(run, radiation, excitation):
     if run.radiates:
         block = np.ix_(run.dofs, run.dofs)
         own = damping_scale(run.radiation[block], run.prepared.displacing[run.dofs])
-        A = longer(radiation[block].real, share * _finite(radiation_scale(run)))
-        radiation[block] = A + 1j * longer(radiation[block].imag, share * _finite(own))
+        A = enlarged(radiation[block].real, share * _finite(radiation_scale(run)))
+        radiation[block] = A + 1j * enlarged(radiation[block].imag, share * _finite(own))
     if run.diffracts:
-        excitation[:, run.dofs] = longer(excitation[:, run.dofs], share * _finite(excitation_scale(run)))
+        excitation[:, run.dofs] = enlarged(excitation[:, run.dofs], share * _finite(excitation_scale(run)))
     return radiation, excitation
 
 

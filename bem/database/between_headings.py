@@ -68,7 +68,7 @@ class Ring:
 
     def stored(self, wanted):
         """(p,) number of the heading of the ring that each of `wanted` is, −1 for none"""
-        apart = np.abs(_turn(self.headings[:, None] - wanted))
+        apart = np.abs(_wrapped(self.headings[:, None] - wanted))
         near = apart.argmin(axis=0)
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
@@ -93,10 +93,10 @@ class Ring:
 
 
 @dataclass(frozen=True, eq=False)
-class Turned:
-    """A ring taken to `wanted` (p,) rad in waves of `k` (q,) rad/m, over a plan of half sides `half` about `middle`, m.
+class AtHeadings:
+    """Quantities of a ring at headings `wanted` (p,) rad in waves of `k` (q,) rad/m.
 
-    quadratic : for what is of second order in the wave
+    The plan of the hull has half sides `half` about `middle`, m; quadratic : for what is of second order in the wave
     """
 
     ring: Ring
@@ -114,11 +114,11 @@ class Turned:
     def unfolded(self, values, kind):
         """values (q, p, …) at the `folded` headings, mirrored in place to those wanted"""
         for plane, image in self.ring.images.items():
-            turned = self._folds[plane]
+            mirrored = self._folds[plane]
             if kind == "kochin":
-                values[:, turned] = values[:, turned][..., image]
+                values[:, mirrored] = values[:, mirrored][..., image]
             else:
-                values[:, turned] *= MIRRORS[plane][1 if kind == "force" else 2]
+                values[:, mirrored] *= MIRRORS[plane][1 if kind == "force" else 2]
         return values
 
     def deviation(self, values, independent):
@@ -137,8 +137,8 @@ class Turned:
     def folded(self):
         """(p,) rad, the headings wanted or their mirror images on one side of every plane of symmetry"""
         folded = self.wanted
-        for plane, turned in self._folds.items():
-            folded = np.where(turned, MIRRORS[plane][0](folded), folded)
+        for plane, mirrored in self._folds.items():
+            folded = np.where(mirrored, MIRRORS[plane][0](folded), folded)
         return folded
 
     @cached_property
@@ -190,9 +190,9 @@ def ring(headings, theta, symmetry):
     force, drift, t = np.ones((len(found), 6)), np.ones((len(found), 3)), len(theta)
     angles, images = np.broadcast_to(np.arange(t), (len(found), t)), {}
     for plane in symmetry:
-        turn, of_force, of_drift = MIRRORS[plane]
-        image = np.rint(np.mod(turn(np.asarray(theta)), 2 * np.pi) / (2 * np.pi) * t).astype(int) % max(t, 1)
-        found, source = np.concatenate([found, turn(found)]), np.concatenate([source, source])
+        mirror, of_force, of_drift = MIRRORS[plane]
+        image = np.rint(np.mod(mirror(np.asarray(theta)), 2 * np.pi) / (2 * np.pi) * t).astype(int) % max(t, 1)
+        found, source = np.concatenate([found, mirror(found)]), np.concatenate([source, source])
         force, drift = np.concatenate([force, force * of_force]), np.concatenate([drift, drift * of_drift])
         angles, images[plane] = np.concatenate([angles, angles[:, image]]), image
     found = np.mod(found, 2 * np.pi)
@@ -202,13 +202,13 @@ def ring(headings, theta, symmetry):
     return Ring(found[kept], source[kept], force[kept], drift[kept], angles[kept], images)
 
 
-def turned(ring, wanted, omega, between, quadratic=False):
-    """`Turned` to headings `wanted` (p,) rad at omega (q,) rad/s for the hull of a `between_frequencies.Between`."""
+def at_headings(ring, wanted, omega, between, quadratic=False):
+    """`AtHeadings` (p,) rad at omega (q,) rad/s for the hull of a `between_frequencies.Between`."""
     k = np.atleast_1d(wavenumber(omega, between.depth, between.gravity))
     low, high = between.outline.min(axis=0), between.outline.max(axis=0)
     half, middle = 0.5 * (high - low), 0.5 * (high + low)
     middle = np.where(np.abs(middle) <= SAME * half.max(), 0.0, middle)
-    return Turned(ring, ring.inside(wanted), k, half, middle, quadratic)
+    return AtHeadings(ring, ring.inside(wanted), k, half, middle, quadratic)
 
 
 def whole_mirrors(symmetry, matrices, center):
@@ -227,7 +227,7 @@ def _joined(weights, values):
     return (weights @ flat).reshape(*weights.shape[:2], *values.shape[2:])
 
 
-def _turn(angle):
+def _wrapped(angle):
     """Between −π and π"""
     return np.mod(angle + np.pi, 2 * np.pi) - np.pi
 

@@ -54,7 +54,7 @@ def interpolated(reader, omega, headings, name):
     values, ring = reader.between.value(omega, name), reader.ring_of(name)
     mirrored = ring.of_drift if name in DRIFT else ring.of_kochin if name == "kochin_diffraction" else ring.of_forces
     values, error = mirrored(values), np.abs(mirrored(error))
-    over = reader.turned(omega, headings, name)
+    over = reader.to_headings(omega, headings, name)
     independent = len(ring.headings)
     if name != "kochin_diffraction":  # what symmetry makes zero says nothing
         size = np.abs(values).max(axis=0)

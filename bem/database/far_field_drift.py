@@ -24,7 +24,7 @@ def drift(reader, omega, headings, fixed):
     """(q, p, 3) N/m² and N m/m² where no stored number serves.  Raises BetweenError where nothing does."""
     name = DRIFT[0] if fixed else DRIFT[1]
     if reader.rebuilds_drift:
-        over = None if headings is None else reader.turned(omega, headings, name)
+        over = None if headings is None else reader.to_headings(omega, headings, name)
         folded = None if headings is None else over.folded
         radiated, H = reader.far_field(omega, folded)
         X = None if fixed else reader.motions(omega, folded)
@@ -43,7 +43,7 @@ def drift(reader, omega, headings, fixed):
     if headings is None:
         return values
     ring = reader.ring_of(name)
-    return reader.turned(omega, headings, name).value(ring.of_drift(values), "drift")
+    return reader.to_headings(omega, headings, name).value(ring.of_drift(values), "drift")
 
 
 def of_far_field(reader, omega, headings, radiated, H, X):
@@ -90,7 +90,7 @@ def _amiss(reader, omega, headings):
     if headings is None:
         return missed
     ring = reader.ring_of(DRIFT[0])
-    return reader.turned(omega, headings, DRIFT[0]).value(ring.of_drift(missed), "drift")
+    return reader.to_headings(omega, headings, DRIFT[0]).value(ring.of_drift(missed), "drift")
 
 
 def missed(reader):

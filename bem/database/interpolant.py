@@ -58,9 +58,9 @@ class Member(NamedTuple):
 
     def kernel(self, x, y):
         """κ(x, y) (n, m) complex"""
-        turn = np.exp(1j * np.multiply.outer(x.phase, self.delays))
+        phase = np.exp(1j * np.multiply.outer(x.phase, self.delays))
         back = np.exp(-1j * np.multiply.outer(y.phase, self.delays))
-        return np.exp(-0.5 * ((x.smooth[:, None] - y.smooth) / self.reach) ** 2) * ((turn * self.weights) @ back.T)
+        return np.exp(-0.5 * ((x.smooth[:, None] - y.smooth) / self.reach) ** 2) * ((phase * self.weights) @ back.T)
 
 
 def _echoes(step, ratio, last):
@@ -166,17 +166,17 @@ class Interpolant:
         value, rows = 0.0, self.nodes.rows(y)
         for lead, chosen in _by_lead():
             mixed = np.tensordot(self._weights[chosen].T, rows.cardinal[chosen], axes=1)
-            part = np.matmul(mixed, (self.values * self._turn(lead, self.nodes.x, self.lead)).swapaxes(0, 1))
-            value = value + part.swapaxes(0, 1) * self._turn(lead, y, self.lead).conj()
+            part = np.matmul(mixed, (self.values * self._phase(lead, self.nodes.x, self.lead)).swapaxes(0, 1))
+            value = value + part.swapaxes(0, 1) * self._phase(lead, y, self.lead).conj()
         return value if np.iscomplexobj(self.values) else value.real
 
     def _deviation(self, y):
         rows, mean, square, left = self.nodes.rows(y), 0.0, 0.0, 0.0
         values, leads = self._sample
         for lead, chosen in _by_lead():
-            turned = (values * self._turn(lead, self.nodes.x, leads)).reshape(len(values), -1)
-            guess = (rows.cardinal[chosen] @ turned).reshape(len(chosen), -1, *leads.shape)
-            guess = guess * self._turn(lead, y, leads).conj()
+            shifted = (values * self._phase(lead, self.nodes.x, leads)).reshape(len(values), -1)
+            guess = (rows.cardinal[chosen] @ shifted).reshape(len(chosen), -1, *leads.shape)
+            guess = guess * self._phase(lead, y, leads).conj()
             weight = self._weights[chosen][:, None, :, None]
             mean = mean + np.sum(weight * guess, axis=0)
             square = square + np.sum(weight * np.abs(guess) ** 2, axis=0)
@@ -191,7 +191,7 @@ class Interpolant:
         some = slice(None, None, max(1, self.lead.shape[1] // SAMPLE))
         return self.values[:, :, some], self.lead[:, some]
 
-    def _turn(self, lead, x, leads):
+    def _phase(self, lead, x, leads):
         return np.exp(1j * lead * np.multiply.outer(x.phase, leads))
 
     @cached_property
@@ -199,9 +199,9 @@ class Interpolant:
         """Weights (members, g) and σ² (members, g)"""
         errors, scales = [], []
         values, leads = self._sample
-        turned = {lead: (values * self._turn(lead, self.nodes.x, leads)).reshape(len(values), -1) for lead in LEADS}
+        shifted = {lead: (values * self._phase(lead, self.nodes.x, leads)).reshape(len(values), -1) for lead in LEADS}
         for member, root in zip(FAMILY, self.nodes.roots, strict=True):
-            whitened = root @ turned[member.lead]
+            whitened = root @ shifted[member.lead]
             left_out = np.abs(root.conj().T @ whitened) / np.sum(np.abs(root) ** 2, axis=0)[:, None]
             errors.append(np.sum(left_out**2, axis=0).reshape(leads.shape).sum(axis=-1))
             scales.append(np.mean(np.abs(whitened) ** 2, axis=0).reshape(leads.shape).mean(axis=-1))

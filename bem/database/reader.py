@@ -28,7 +28,7 @@ from ..waves import group_factor, wavenumber
 from . import far_field_drift
 from .between_frequencies import DRIFT, FORCES, KOCHIN, RADIATION, Between, BetweenError
 from .between_frequencies import between as of_database
-from .between_headings import ring, turned, whole_mirrors
+from .between_headings import at_headings, ring, whole_mirrors
 from .deviations import carried, interpolated
 
 NEEDED = {"rao": (*RADIATION, "excitation_force"), "drift_force_fixed": KOCHIN}
@@ -166,7 +166,7 @@ class Reader:
         stored = self.between.value(self.inside(omega), name)
         if headings is None:
             return stored
-        on_ring, over = self._ring.of_forces(stored), self.turned(omega, headings)
+        on_ring, over = self._ring.of_forces(stored), self.to_headings(omega, headings)
         if name == "diffraction_force" and set(FORCES) <= set(self.between.quantities):
             return self.forces(omega, headings) - self.forces(omega, headings, "Froude_Krylov_force")
         if name != "excitation_force" or "kochin_radiation" not in self.between.quantities:
@@ -183,7 +183,7 @@ class Reader:
         radiated, diffracted = (_known(name, self.between.value(omega, name)) for name in KOCHIN)
         if headings is None:
             return radiated, diffracted
-        return radiated, self.turned(omega, headings).value(self._ring.of_kochin(diffracted), "kochin")
+        return radiated, self.to_headings(omega, headings).value(self._ring.of_kochin(diffracted), "kochin")
 
     def motions(self, omega, headings=None):
         """(q, p, 6) complex motion about rotation_center per unit wave amplitude, m/m and rad/m.
@@ -237,9 +237,9 @@ class Reader:
         """`Ring` of stored waves and mirror images; what depends on the motions has the mirrors of the moving body"""
         return self._moving_ring if name in ("rao", DRIFT[1]) else self._ring
 
-    def turned(self, omega, headings, name=""):
-        """`Turned` that takes a quantity from its ring to headings (p,) rad at omega (q,) rad/s"""
-        return turned(self.ring_of(name), headings, omega, self.between, name in DRIFT)
+    def to_headings(self, omega, headings, name=""):
+        """`AtHeadings` that takes a quantity from its ring to headings (p,) rad at omega (q,) rad/s"""
+        return at_headings(self.ring_of(name), headings, omega, self.between, name in DRIFT)
 
     def of_haskind(self, omega, headings):
         """(q, p, 6) excitation from the Kochin functions of the radiation"""

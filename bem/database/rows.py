@@ -244,10 +244,14 @@ class Database:
         if unsolved:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
 
-    @property
+    @cached_property
     def has_viscous_motions(self):
         """Whether stored motions and drift of the free body hold viscous damping, which belongs to one wave height"""
-        return "[viscous]" in self.header.scene
+        import tomllib
+
+        with contextlib.suppress(tomllib.TOMLDecodeError):  # a scene of another program's words has no such table
+            return "viscous" in tomllib.loads(self.header.scene)
+        return False
 
     @cached_property
     def reader(self):

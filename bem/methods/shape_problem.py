@@ -9,7 +9,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from .. import DOFS
-from ..checks import longer
+from ..checks import enlarged
 from ..contour.raised_bed import SHARE, bed_share, with_bed
 from ..frequency import DRIFT, FrequencyRun
 from ..panels.frequency_limits import with_net_flux
@@ -149,8 +149,8 @@ class ShapeRun(FrequencyRun):
         """Errors with what is left out of short waves and what a raised bed adds"""
         neglected = self.first_order.neglected
         if neglected is not None:
-            A, B = (longer(part, neglected[0]) for part in (radiation.real, radiation.imag))
-            radiation, excitation = A + 1j * B, longer(excitation, neglected[1])
+            A, B = (enlarged(part, neglected[0]) for part in (radiation.real, radiation.imag))
+            radiation, excitation = A + 1j * B, enlarged(excitation, neglected[1])
         return with_bed(self, radiation, excitation)
 
     @cached_property

@@ -9,13 +9,13 @@ is too bold, and in how many it holds.  The rules were fitted to boxes in waves 
 boxes of another seed, cylinders, and boxes in waves of a twentieth of their length.
 """
 
-import argparse
 import sys
 from pathlib import Path
 
-sys.path[:0] = [str(Path(__file__).parents[2])]
+sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
 import numpy as np
+from bench.random_bodies import asked, between
 
 from bem.contour.accuracy import KAPPA, PLAN, accuracy, height
 from bem.contour.plan.circle import Circle
@@ -35,14 +35,11 @@ KINDS = {
 def drawn(rng, kind, waves):
     """(plan, draft, depth, omega) of a random body"""
 
-    def between(low, high):
-        return float(np.exp(rng.uniform(np.log(low), np.log(high))))
-
     while True:
-        length = BEAM * (between(1, 20) if kind == "box" else 1.0)
-        draft = BEAM / between(0.2, 100)
-        depth = draft + between(0.02 * draft, 20 * min(draft, BEAM / 2))
-        k = 2 * np.pi / (length * between(*waves))
+        length = BEAM * (between(rng, 1, 20) if kind == "box" else 1.0)
+        draft = BEAM / between(rng, 0.2, 100)
+        depth = draft + between(rng, 0.02 * draft, 20 * min(draft, BEAM / 2))
+        k = 2 * np.pi / (length * between(rng, *waves))
         if 0.02 <= k * depth <= 50:
             plan = Rectangle.to_digits(length, BEAM, 3) if kind == "box" else Circle(BEAM / 2)
             return plan, draft, depth, float(np.sqrt(GRAVITY * k * np.tanh(k * depth)))
@@ -115,14 +112,10 @@ def report(title, bodies):
 
 
 def main(words=None):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a body of each kind, some seconds")
-    parser.add_argument("--bodies", type=int, default=60)
-    parser.add_argument("--seed", type=int, default=2)
-    asked = parser.parse_args(words)
-    count = 1 if asked.quick else asked.bodies
+    given = asked(words, __doc__, "a body of each kind, some seconds", 60, 2)
+    count = 1 if given.quick else given.bodies
     for i, (title, (kind, waves)) in enumerate(KINDS.items()):
-        report(title, [measured(np.random.default_rng([asked.seed, i, j]), kind, waves) for j in range(count)])
+        report(title, [measured(np.random.default_rng([given.seed, i, j]), kind, waves) for j in range(count)])
 
 
 if __name__ == "__main__":

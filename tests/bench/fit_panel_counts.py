@@ -9,14 +9,14 @@ rule gives, and how many of the bodies have enough.  The rule was fitted to boxe
 to 20 drafts wide; held out are other boxes of these, cylinders, and longer boxes.
 """
 
-import argparse
 import sys
 from pathlib import Path
 from types import SimpleNamespace
 
-sys.path[:0] = [str(Path(__file__).parents[2])]
+sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
 import numpy as np
+from bench.random_bodies import asked, between
 
 from bem import DOFS
 from bem.checks import ERROR_ORDER, largest_error
@@ -40,11 +40,8 @@ KINDS = {
 def drawn(rng, shape, slender, flat):
     """(body, sizes, depth) of a random body"""
 
-    def between(low, high):
-        return float(np.exp(rng.uniform(np.log(low), np.log(high))))
-
-    length, draft = BEAM * between(*slender), BEAM / between(*flat)
-    depth = draft + between(0.2 * draft, 10 * min(draft, BEAM / 2))
+    length, draft = BEAM * between(rng, *slender), BEAM / between(rng, *flat)
+    depth = draft + between(rng, 0.2 * draft, 10 * min(draft, BEAM / 2))
     if shape == "box":
         return SimpleNamespace(shape="box", length=length, beam=BEAM, draft=draft), (length, BEAM, draft), depth
     return SimpleNamespace(shape="buoy", radius=BEAM / 2, draft=draft), (BEAM / 2, draft), depth
@@ -96,17 +93,13 @@ def report(title, bodies, counts):
 
 
 def main(words=None):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a body of each kind up to 400 panels, some seconds")
-    parser.add_argument("--bodies", type=int, default=30)
-    parser.add_argument("--seed", type=int, default=3)
-    asked = parser.parse_args(words)
-    count, panels = (1, PANELS[:3]) if asked.quick else (asked.bodies, PANELS)
+    given = asked(words, __doc__, "a body of each kind up to 400 panels, some seconds", 30, 3)
+    count, panels = (1, PANELS[:3]) if given.quick else (given.bodies, PANELS)
     print(f"ERROR_ORDER in the code {ERROR_ORDER:g}")
     print("| bodies | n | order | needed, median | 90 % | the rule gives | 90 % need times as many | enough in |")
     print("|---|---|---|---|---|---|---|---|")
     for i, (title, ranges) in enumerate(KINDS.items()):
-        report(title, [drawn(np.random.default_rng([asked.seed, i, j]), *ranges) for j in range(count)], panels)
+        report(title, [drawn(np.random.default_rng([given.seed, i, j]), *ranges) for j in range(count)], panels)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Waves that are not resolved (`bem.contour.short_wave_frequency`) beside the same waves resolved, on random boxes.
 
-    python tests/bench/short_waves.py [--boxes 60] [--seed 0] [--quick]
+    python tests/bench/short_waves.py [--quick] [--bodies 60] [--seed 0]
 
 30 to 90 waves along a box, nine and more along its shorter side, kd 0.9 … 9, gap 0.005 … 10 drafts, five headings, of
 which some go along a wall and some nearly so; tolerance 1 %.  Of every box the largest difference relative to the
@@ -8,14 +8,14 @@ scales of `bem.checks` and the largest over what is said to be left out (`bem.co
 from a finer body, for A + iB/ω, for surge, sway and yaw, and for heave, roll and pitch; then quantiles of all headings.
 """
 
-import argparse
 import sys
 import time
 from pathlib import Path
 
-sys.path[:0] = [str(Path(__file__).parents[2])]
+sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
 import numpy as np
+from bench.random_bodies import asked, between
 
 from bem.contour.one_frequency import ContourFrequency
 from bem.contour.short_wave_frequency import ShortWaveFrequency
@@ -24,10 +24,6 @@ from bem.contour.solver import prepare_box
 GRAVITY, DENSITY, TOLERANCE = 9.80665, 1025.0, 0.01
 LENGTH, WAVES, SIDE, PHASE, GAP = 100.0, (30, 90), 9, (0.9, 9), (0.005, 10)
 QUANTILES = (0.5, 0.75, 0.9, 0.97, 1)
-
-
-def between(rng, low, high):
-    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
 
 def drawn(rng, most):
@@ -73,12 +69,8 @@ def ratio(error, allowed):
 
 
 def main(words=None):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--boxes", type=int, default=60)
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--quick", action="store_true", help="one box of up to 32 waves, some seconds")
-    asked = parser.parse_args(words)
-    table(*((1, asked.seed, 32) if asked.quick else (asked.boxes, asked.seed, WAVES[1])))
+    given = asked(words, __doc__, "one box of up to 32 waves, some seconds", 60, 0)
+    table(*((1, given.seed, 32) if given.quick else (given.bodies, given.seed, WAVES[1])))
 
 
 def table(count, seed, most):

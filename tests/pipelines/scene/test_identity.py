@@ -4,6 +4,7 @@ import tomllib
 
 import numpy as np
 import pytest
+from box_scene import SCENE
 
 from bem.database.file import Header
 from meshing.files import read_mesh, write_mesh
@@ -13,23 +14,6 @@ from pipelines.scene.identity import MESH_FILE, check_same, content, difference,
 from pipelines.scene.scene import Scene, SceneError, make_scene
 from pipelines.scene.text import to_toml
 
-SCENE = """
-tolerance = 0.01
-
-[water]
-depth = 20.0
-
-[[bodies]]
-shape = "box"
-length = 100.0
-beam = 50.0
-draft = 10.0
-gyration = [15.0, 29.0, 32.0]
-
-[waves]
-omegas = [0.4, 0.8]
-headings_deg = [0, 45]
-"""
 BEFORE = """\
 tolerance = 0.01
 rotation_center = [0.0, 0.0, 0.0]

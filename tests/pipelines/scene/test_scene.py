@@ -7,29 +7,12 @@ import tomllib
 
 import numpy as np
 import pytest
+from box_scene import SCENE
 
 from pipelines.cli import main
 from pipelines.scene.products import GROUPS, expand
 from pipelines.scene.scene import SceneError, make_scene, numbers, read_scene
 from pipelines.scene.text import to_toml
-
-SCENE = """
-tolerance = 0.01
-
-[water]
-depth = 20.0
-
-[[bodies]]
-shape = "box"
-length = 100.0
-beam = 50.0
-draft = 10.0
-gyration = [15.0, 29.0, 32.0]
-
-[waves]
-omegas = [0.4, 0.8]
-headings_deg = [0, 45]
-"""
 
 # what is replaced by what, and words the one line must have
 FAULTS = {
