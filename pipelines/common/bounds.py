@@ -67,15 +67,17 @@ class Pace:
     def __init__(self, what, total, way_out, say=None):
         """what : of all pieces, with its verb, as "5000 sections take"; way_out : as of `check_seconds`"""
         self.what, self.total, self.way_out, self.say = what, total, way_out, say or _to_stderr
-        self.done, self.begin, self.spoken = 0, time.perf_counter(), None
+        self.done, self.begin, self.spoken = 0, 0.0, None
 
     def step(self):
         """One more piece is done.  Raises TooMuchError."""
         self.done += 1
         now = time.perf_counter()
+        if self.done == 1:  # which loads and compiles
+            self.begin = now
         if now - self.begin < self.FIRST or (self.spoken and now - self.spoken < self.EVERY):
             return
-        seconds = (now - self.begin) / self.done * self.total
+        seconds = (now - self.begin) / (self.done - 1) * self.total
         if self.spoken is None:
             check_seconds(self.what, seconds, self.way_out)
             told(self.what, seconds, self.say)

@@ -20,7 +20,7 @@ LONGEST = 10_000_000  # values of a record
 # of Mitsuyasu's directions; s for a component at a value
 BYTES = 64, 180, 700
 OF_BYTE = 1.5e-7  # s, of a record that is read
-SECONDS, OF_DIRECTIONS, OF_PHASES = (1e-6, 1e-6), 6e-5, 0.5e-9
+SECONDS, OF_DIRECTIONS, OF_PHASES = (1e-6, 3e-6), 6e-5, 0.5e-9
 
 
 @dataclass(frozen=True)
