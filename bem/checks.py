@@ -130,10 +130,10 @@ def radiation_scale(run):
     return np.outer(size, size)
 
 
-def damping_scale(radiation, displacing):
+def damping_scale(radiation, displacing, periods=PERIODS):
     """√(bᵢ bⱼ)/ω of A + iB/ω (…, d, d) about the rotation centre; infinite for modes that are not `displacing` (d,)"""
     Z = np.einsum("...ii->...i", radiation)
-    b = np.maximum(np.abs(Z.imag), np.abs(Z.real) / (np.pi * PERIODS))
+    b = np.maximum(np.abs(Z.imag), np.abs(Z.real) / (np.pi * periods))
     b = np.where(displacing & (b > 0), b, np.inf)
     return np.sqrt(b[..., :, None] * b[..., None, :])
 

@@ -13,6 +13,7 @@ SCRIPTS = {
     "contour": "| box 100 × 50 × 10 × 20 | 1e-03 |",
     "raised_bed": "| 10 × 50 |",
     "short_waves": "X₃₄₅ over estimate: 0.5:",
+    "damping_floor": "| 1000 | ",
 }
 
 
