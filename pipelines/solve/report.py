@@ -20,7 +20,10 @@ CHECKED = {
     "damping": "by its own size",
 }
 ESTIMATED = ("estimated_error", "damping")  # of what is checked: errors, not laws
-MEANINGLESS = 0.5  # a law violated by half of its terms: the numbers are unusable at any accuracy
+# Where panels are given no tolerance is promised.  Of 900 frequencies of random boxes and buoys on 24 to 80 panels, in
+# waves longer than two of them, with half a draft and more under the keel, the worst breaks a law by 0.16; with a tenth
+# of a draft under it, of which the mesh findings warn, by 0.39: there the numbers are unusable.
+BROKEN = 0.25
 RESIDUAL = 1e-6  # of a linear system; four digits below the finest tolerance that makes sense
 
 
@@ -55,7 +58,7 @@ def failed_laws(db, own_panels):
     own_panels : panels were given, as a number or a mesh file, and no tolerance promised
     """
     laws = [check for check in checked(db) if check.name not in ESTIMATED]
-    failed = [check for check in laws if check.largest > max(check.limit, own_panels * MEANINGLESS)]
+    failed = [check for check in laws if check.largest > max(check.limit, own_panels * BROKEN)]
     said = ", ".join(
         f"{check.name} is broken by {check.largest:.2g} at ω = {check.omega:.4g} rad/s" for check in failed
     )
