@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from ..common.quantities import StudyError
 from ..solve.work import executor_of
 from . import report
 from .file import opened, whole_rows
+from .pictures import draw
 from .run import simulate as fill
 
 
@@ -29,8 +32,7 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
     with opened(output) as file:
         if whole_rows(file).any():
             _show(console, file, study, database, outcome.findings)
-            written = _draw(file, output)
-            words = ", ".join([str(output), *written])
+            words = ", ".join([str(output), *draw(file, Path(output))])
             console.print(f"written: {words}", highlight=False, soft_wrap=True, markup=False)
     for seed, reason in outcome.failures:
         console.print(f"seed {seed} failed: {reason}", highlight=False, soft_wrap=True, markup=False, style="red")
@@ -61,7 +63,3 @@ def beside_of(study, database):
         return multi_point(db, system, hull, read.conditions(), read.allowable), ()
     except ValueError as error:
         return None, (f"the simplified method has no answer here: {' '.join(str(error).split())}",)
-
-
-def _draw(file, output):
-    return []

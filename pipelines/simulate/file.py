@@ -46,6 +46,7 @@ class Header:
     """What is known before the first run.
 
     identity : hash of all that results depend on but the seeds; study : its text; attributes : further ones, numbers
+    anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     """
 
@@ -53,6 +54,8 @@ class Header:
     study: str
     lines: tuple[str, ...]
     breaking_load: np.ndarray
+    anchor: np.ndarray
+    fairlead: np.ndarray
     time: np.ndarray
     quantities: tuple[str, ...]
     units: tuple[str, ...]
@@ -87,6 +90,7 @@ def _lay_out(file, header, seeds, kept):
     axes = {
         "seed": seeds, "kept_seed": seeds[:kept], "time": header.time, "dof": DOFS, "slow_dof": SLOW,
         "line": header.lines, "quantity": header.quantities, "statistic": STATISTICS, "summary_statistic": SUMMARY,
+        "xyz": ("x", "y", "z"),
     }  # fmt: skip
     for name, values in axes.items():
         text = len(values) == 0 or isinstance(values[0], str)
@@ -97,6 +101,8 @@ def _lay_out(file, header, seeds, kept):
         kind = np.float32 if name in SERIES else float
         data = np.full([len(file[axis]) for axis in dims], np.nan, kind)
         _dataset(file, name, dims, data, unit, words)
+    for name, data in (("anchor", header.anchor), ("fairlead", header.fairlead)):
+        _dataset(file, name, ("line", "xyz"), np.asarray(data, float), "m", f"{name} with the body at rest")
     _dataset(file, "findings", ("seed",), np.zeros(len(seeds), f"S{LONGEST}"), "", "what a reader has to know")
     _dataset(file, "stored", ("seed",), np.zeros(len(seeds), np.uint32), "", "CRC-32 of a row, 0 where there is none")
     _dataset(
@@ -118,7 +124,7 @@ def _dataset(file, name, dims, data, unit, words):
 def _header_crc(file):
     """CRC-32 of attributes and coordinates"""
     parts = [f"{key}={np.asarray(file.attrs[key]).tolist()!r}" for key in sorted(file.attrs) if key != "checksum"]
-    names = ("seed", "kept_seed", "time", "line", "quantity")
+    names = ("seed", "kept_seed", "time", "line", "quantity", "anchor", "fairlead")
     parts += [f"{name}={file[name][()].tolist()!r}" for name in names]
     return np.uint32(crc(np.frombuffer("\0".join(parts).encode(), np.uint8)))
 

@@ -118,6 +118,8 @@ def _with_memory(task):
 
 
 def _header(task, db, study, plan, identity):
+    from mooring.motion.line_loads import body_lines
+
     body = prepared(task)[0]
     names = tuple(body.system.line_names)
     hull = body.hull
@@ -128,8 +130,11 @@ def _header(task, db, study, plan, identity):
         "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
         "memory_states": len(body.memory.decay), "place_at_rest": body.start,
     }  # fmt: skip
-    load = np.asarray(body.system.breaking_load, float)
-    return Header(identity, task.study, names, load, sample_times(plan.settings), *quantities_of(names), attributes)
+    load, lines = np.asarray(body.system.breaking_load, float), body_lines(body.system)
+    ends = lines.anchor, lines.fairlead + lines.place
+    return Header(
+        identity, task.study, names, load, *ends, sample_times(plan.settings), *quantities_of(names), attributes
+    )
 
 
 def _make_room(output, header, plan, fresh):

@@ -18,13 +18,13 @@ from pipelines.moor.study import make_study, read_study
 from pipelines.simulate import run as runs
 from pipelines.simulate import work
 from pipelines.simulate.file import opened, whole_rows
+from pipelines.simulate.pictures import draw, spectrum
 from pipelines.simulate.study import plan_of
 from pipelines.solve.work import Here
 
 MOOR = Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml"
 TABLE = "\n[simulation]\nduration = 600.0\nramp = 50.0\nseeds = 3\nkeep_series = 2\n"
 WIDE = np.linspace(0.1, 4.0, 30)
-LINES = ("fore", "aft")
 
 
 def oscillator(body, plan, settings, seed=0, progress=None):
@@ -32,7 +32,7 @@ def oscillator(body, plan, settings, seed=0, progress=None):
     t = np.arange(-settings.ramp, settings.duration + settings.step / 2, settings.step)
     wave = (1 + 0.1 * np.random.default_rng(seed).random()) * np.sin(0.6 * t)
     motion = wave[:, None] * np.arange(1.0, 7.0)
-    tension = 1e6 + 1e5 * np.column_stack([wave, -wave])
+    tension = 1e6 + 1e5 * wave[:, None] * np.linspace(-1, 1, 12)
     zero = np.zeros(6)
     return Realisation(t, motion, motion, motion[:, [0, 1, 5]], wave, 0 * t, tension, seed, zero, 9, {}, ("a finding",))
 
@@ -45,13 +45,13 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "box.h5").write_bytes(b"a database")
     reader = SimpleNamespace(omega=WIDE)
     db = SimpleNamespace(reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0)
-    hull = SimpleNamespace(length=100.0, beam=50.0, draft=10.0, freeboard=10.0)
-    system = SimpleNamespace(line_names=LINES, breaking_load=np.array([1e7, np.inf]))
+    study = read_study("study.toml")[0]
+    hull = study.hull_of({})
+    system = study.system(hull, np.zeros(3))
     memory = SimpleNamespace(decay=np.zeros(4))
     body = SimpleNamespace(system=system, hull=hull, memory=memory, start=np.zeros(6), findings=("prepared",))
 
     def prepared(task):
-        study = read_study("study.toml")[0]
         return body, plan_of(study, WIDE, None, task.duration), study, ()
 
     monkeypatch.setattr("bem.database.open_database", lambda path: db)
@@ -123,7 +123,7 @@ def test_the_file_is_labelled_for_xarray(folder):
     xarray = pytest.importorskip("xarray")
     simulate()
     with xarray.open_dataset("run.h5", engine="h5netcdf") as data:
-        assert data["tension"].sel(kept_seed=1, line="aft").dims == ("time",)
+        assert data["tension"].sel(kept_seed=1, line="aft port 1").dims == ("time",)
         assert data["statistics"].sel(seed=3, quantity="heave", statistic="sigma") > 0
         assert data["motion"].attrs["units"].startswith("m")
 
@@ -159,6 +159,19 @@ def test_a_sea_outside_the_stored_frequencies_says_how_much_and_how_to_extend():
 
 def test_a_whole_sea_within_the_stored_frequencies_has_no_finding():
     assert plan(TABLE, np.linspace(0.05, 4.0, 20)).findings == ()
+
+
+def test_pictures_lie_beside_the_file(folder):
+    simulate()
+    with opened("run.h5") as file:
+        names = draw(file, Path("run.h5"))
+    assert [Path(name).stat().st_size > 20_000 for name in names] == [True] * 4
+
+
+def test_a_spectrum_of_records_holds_their_variance():
+    records = np.random.default_rng(1).normal(size=(3, 4096))
+    omega, density = spectrum(records, 0.5)
+    assert np.isclose(np.trapezoid(density, omega), records.var(axis=1).mean(), rtol=0.02)
 
 
 def test_moor_reads_the_same_study(folder):

@@ -1,0 +1,175 @@
+"""Pictures of a simulation: records, spectra, watch circle, tension against offset, exceedance."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..common.picture import save
+from ..common.units import TONF
+from .file import STATISTICS, whole_rows
+
+SHOWN = 600.0  # s of a record
+MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
+           ("pitch", 180 / np.pi, "°"), ("yaw", 180 / np.pi, "°"))  # fmt: skip
+SMOOTH = 20  # neighbouring frequencies in one value of a spectrum
+MOST_POINTS = 20_000
+
+
+def draw(file, output):
+    """Write the pictures beside the file of a run; returns their names.  None where no record is whole."""
+    kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
+    if not len(kept):
+        return []
+    made = []
+    for name, picture in (("records", _records), ("spectra", _spectra), ("offsets", _offsets), ("extremes", _extremes)):
+        path = output.with_name(f"{output.stem}_{name}.png")
+        picture(file, kept, path)
+        made.append(path.name)
+    return made
+
+
+def _figure(rows, columns, size, **more):
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure, figure.subplots(rows, columns, squeeze=False, **more)
+
+
+def _worst(file):
+    """Place of the line with the largest tension of all runs"""
+    lines = [name.startswith("tension") for name in file["quantity"].asstr()[()]]
+    largest = file["statistics"][()][whole_rows(file)][:, lines, STATISTICS.index("largest")]
+    return int(np.argmax(largest.max(axis=0)))
+
+
+def _records(file, kept, path):
+    """The minutes around the largest tension, of the run that has it"""
+    worst, time = _worst(file), file["time"][()]
+    row = max(kept, key=lambda i: file["tension"][i, :, worst].max())
+    at = time[int(np.argmax(file["tension"][row, :, worst]))]
+    begin = min(max(at - SHOWN / 2, time[0]), max(time[-1] - SHOWN, time[0]))
+    part = (time >= begin) & (time <= begin + SHOWN)
+    figure, axes = _figure(8, 1, (11, 13), sharex=True)
+    axes = axes[:, 0]
+    axes[0].plot(time[part], file["wave"][row][part], color="C0", lw=0.9)
+    axes[0].set_ylabel("wave, m")
+    slow = dict(zip((0, 1, 5), file["slow"][row].T, strict=True))
+    for j, (name, factor, unit) in enumerate(MOTIONS):
+        axes[j + 1].plot(time[part], factor * file["motion"][row, :, j][part], color="0.25", lw=0.9)
+        if j in slow:
+            axes[j + 1].plot(time[part], factor * slow[j][part], color="C3", lw=1.4, label="slow part")
+        axes[j + 1].set_ylabel(f"{name}, {unit}")
+    axes[1].legend(frameon=False, fontsize=8, loc="upper right")
+    name = file["line"].asstr()[worst]
+    axes[7].plot(time[part], file["tension"][row, :, worst][part] / TONF, color="C1", lw=0.9)
+    _breaking(axes[7], file, worst, file["tension"][row, :, worst].max())
+    axes[7].set(ylabel=f"tension, tonf\n{name}", xlabel="s after the ramp", xlim=(begin, begin + SHOWN))
+    axes[0].set_title(f"seed {file['seed'][row]}, around the largest tension, in {name}", loc="left")
+    for one in axes:
+        one.grid(alpha=0.3)
+    save(figure, path, 110)
+
+
+def _breaking(axes, file, line, top):
+    load = file.attrs["breaking_load"][line]
+    if load < 2 * top:
+        axes.axhline(load / TONF, color="C3", lw=1, ls="--")
+        axes.annotate("breaking load", (0.01, load / TONF), xycoords=("axes fraction", "data"), va="bottom", fontsize=8)
+
+
+def spectrum(records, step):
+    """ω (rad/s) and density of records (runs, n), the mean over runs and over neighbouring frequencies"""
+    y = records - records.mean(axis=1, keepdims=True)
+    density = 2 * np.mean(np.abs(np.fft.rfft(y, axis=1)) ** 2, axis=0) * step / (2 * np.pi * y.shape[1])
+    omega = 2 * np.pi * np.fft.rfftfreq(y.shape[1], step)
+    count = max(1, SMOOTH // len(records))
+    whole = (len(omega) - 1) // count * count
+    return (part[1 : whole + 1].reshape(-1, count).mean(axis=1) for part in (omega, density))
+
+
+def _spectra(file, kept, path):
+    step, worst = float(np.diff(file["time"][:2])[0]), _worst(file)
+    figure, axes = _figure(2, 4, (15, 7))
+    columns = [("wave", 1.0, "m", file["wave"][kept])]
+    columns += [(name, f, unit, file["motion"][kept, :, j]) for j, (name, f, unit) in enumerate(MOTIONS)]
+    columns.append((f"tension {file['line'].asstr()[worst]}", 1 / TONF, "tonf", file["tension"][kept, :, worst]))
+    for one, (name, factor, unit, records) in zip(axes.flat, columns, strict=True):
+        omega, density = spectrum(factor * records.astype(float), step)
+        shown = omega < 2.0
+        one.plot(omega[shown], density[shown], lw=1.1)
+        one.axvline(file.attrs["split_frequency"], color="0.6", lw=0.8, ls=":")
+        one.set(title=name, xlabel="rad/s", ylabel=f"{unit}² s/rad", xlim=(0, 2), ylim=(0, None))
+        one.grid(alpha=0.3)
+    figure.suptitle(f"spectra, mean of {len(kept)} runs; dotted: split of slow and wave part", fontsize=10)
+    save(figure, path, 110)
+
+
+def _offsets(file, kept, path):
+    """Watch circle, and the tension of the worst line against the offset along its pull"""
+    worst = _worst(file)
+    motion, tension = (file[name][kept] for name in ("motion", "tension"))
+    x, y = motion[..., 0].ravel(), motion[..., 1].ravel()
+    step = max(1, len(x) // MOST_POINTS)
+    figure, ((plan, curve),) = _figure(1, 2, (13, 6.2))
+    plan.plot(x[::step], y[::step], ".", ms=1.5, color="C0", alpha=0.35)
+    centre, radius = (x.mean(), y.mean()), np.hypot(x - x.mean(), y - y.mean()).max()
+    angle = np.linspace(0, 2 * np.pi, 200)
+    plan.plot(centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle), color="C3", lw=1)
+    plan.plot(0, 0, "k+", ms=10, label="at rest")
+    plan.plot(*centre, "o", color="C3", ms=5, label="mean")
+    plan.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"watch circle, radius {radius:.3g} m about the mean")
+    plan.legend(frameon=False, fontsize=8)
+    away = file["fairlead"][worst, :2] - file["anchor"][worst, :2]
+    away = away / np.hypot(*away)
+    arm = file["fairlead"][worst, :2] - file.attrs["rotation_center"][:2]
+    yaw = motion[..., 5].ravel()
+    turned = np.stack([np.cos(yaw) * arm[0] - np.sin(yaw) * arm[1], np.sin(yaw) * arm[0] + np.cos(yaw) * arm[1]])
+    offset = (np.stack([x, y]) + turned - arm[:, None]).T @ away
+    pull = tension[..., worst].ravel()
+    curve.plot(offset[::step], pull[::step] / TONF, ".", ms=1.5, color="C1", alpha=0.35)
+    _breaking(curve, file, worst, pull.max())
+    curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, tonf", ylim=(0, None))
+    curve.set_title(f"{file['line'].asstr()[worst]}, {len(kept)} runs")
+    for one in (plan, curve):
+        one.grid(alpha=0.3)
+    save(figure, path, 120)
+
+
+def _extremes(file, kept, path):
+    """Share of maxima above a level, of motions in standard deviations and of tensions"""
+    from mooring.environment.crossings import local_maxima
+
+    figure, ((left, right),) = _figure(1, 2, (13, 6))
+    least = 1.0
+    for j, (name, _, _) in enumerate(MOTIONS):
+        records = file["motion"][kept, :, j].astype(float)
+        if records.std() > 0:
+            tops = _maxima(records, local_maxima) / records.std(axis=1).mean()
+            least = min(least, 0.3 / len(tops))
+            left.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), lw=1.2, label=name)
+    level = np.linspace(0, 5, 200)
+    left.semilogy(level, np.exp(-0.5 * level**2), "k--", lw=1, label="Rayleigh")
+    left.set(xlabel="maximum from the mean, standard deviations", ylabel="share of maxima above", ylim=(least, 1))
+    left.set_xlim(0, 6)
+    for i, name in enumerate(file["line"].asstr()[()]):
+        records = file["tension"][kept, :, i].astype(float)
+        tops = (_maxima(records, local_maxima, records.mean(axis=1, keepdims=True))) / TONF
+        style = ("-", "--", ":")[i // 10 % 3]  # there are ten colours
+        right.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), style, lw=1.2, label=name)
+    right.set(xlabel="maximum of the tension, tonf", ylim=(least, 1), xlim=(0, None))
+    for one in (left, right):
+        one.grid(alpha=0.3, which="both")
+        one.legend(frameon=False, fontsize=8)
+    save(figure, path, 120)
+
+
+def _maxima(records, local_maxima, level=0.0):
+    """All maxima of records (runs, n) in falling order, measured from the mean, plus `level` (runs, 1)"""
+    found = []
+    for y, add in zip(records - records.mean(axis=1, keepdims=True), np.broadcast_to(level, (len(records), 1)),
+                      strict=True):  # fmt: skip
+        tops, places = local_maxima(y)
+        found.append(tops[places] + add)
+    return np.sort(np.concatenate(found))[::-1]
