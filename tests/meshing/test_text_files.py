@@ -4,7 +4,6 @@ import os
 
 import pytest
 
-from meshing import text_files
 from meshing.text_files import read_text
 
 
@@ -14,18 +13,17 @@ def test_a_byte_order_mark_and_windows_line_ends_are_not_text(tmp_path):
     assert read_text(path) == 'a = 1\nb = "é"\n'
 
 
-def test_what_is_no_text_file_is_refused_by_name(tmp_path, monkeypatch):
+def test_what_is_no_text_file_is_refused_by_name(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "binary").write_bytes(b"\xff\xfe\x00")
     (tmp_path / "large").write_bytes(b"x" * 2_000_000)
-    monkeypatch.setattr(text_files, "LARGEST", 1)
     for path, what in [
         (tmp_path / "pipe", "a device or a pipe"),
         ("/dev/zero", "a device or a pipe"),
         (tmp_path / "binary", "not text"),
-        (tmp_path / "large", "has 2 MB; allowed: 1 MB"),
+        (tmp_path / "large", "has 2 MB; allowed: up to 1 MB"),
         (tmp_path / "none", "does not exist"),
         (tmp_path, "Is a directory"),
     ]:
         with pytest.raises(KeyError, match=what):
-            read_text(path, KeyError)
+            read_text(path, KeyError, largest=1)
