@@ -13,7 +13,7 @@ PEERS := .venv-peers
 SCENES := pipelines/scenes
 # what is quick enough as plain Python, and what indexes most
 NOJIT := tests/bem/kernels/test_interpolative_decomposition.py tests/bem/kernels/test_jit.py tests/mooring/lines/test_static.py
-BOUNDS := tests/bem/green tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines tests/mooring/test_catenary.py
+BOUNDS := tests/bem/green tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 
 .PHONY: demo test test-nojit test-bounds bench lint venv format clean

@@ -96,6 +96,8 @@ def verdict(seed, number):
     except LineError as error:
         word = "refused, may slide" if "may slide" in str(error) else "refused"
         return word, {str(error): 1.0}, time.perf_counter() - start
+    except IndexError as error:  # only with bounds check
+        return "beyond its arrays", {str(error): 1.0}, time.perf_counter() - start
     spent = time.perf_counter() - start
     wrong = faults(found, sliding=False)
     if wrong:
@@ -160,7 +162,7 @@ def main():
         "ms a line, 50th, 99th, 99.9th percentile and longest:",
         np.round(1e3 * np.percentile(spent, (50, 99, 99.9, 100)), 2),
     )
-    return 1 if counts["wrong"] + counts["hung or crashed"] else 0
+    return 1 if counts["wrong"] + counts["beyond its arrays"] + counts["hung or crashed"] else 0
 
 
 if __name__ == "__main__":

@@ -76,19 +76,21 @@ def empty_equations(n, states):
 
 @kernel()
 def write_equation(e, value, a, i, b, j):
-    """Append the equation value = 0 with the derivatives a g[i] + b g[j]."""
+    """Append the equation value = 0 with the derivatives a g[i] + b g[j]; what is more than the unknowns is counted."""
     row = e.done[0]
+    e.done[0] += 1
+    if row >= e.r.size:
+        return
     e.r[row] = value
     for k in range(e.g.shape[1]):
         e.J[row, k] = a * e.g[i, k] + b * e.g[j, k]
-    e.done[0] += 1
 
 
 @kernel()
 def next_unknown(e):
-    """Index of the next unknown of a step."""
+    """Index of the next unknown of a step; the last one again where a trial has more steps than unknowns."""
     e.done[1] += 1
-    return e.done[1] - 1
+    return min(e.done[1], e.u.size) - 1
 
 
 @kernel()
@@ -98,8 +100,9 @@ def pass_load(line, e):
     if e.states[load] == FLOATING:
         above = level_in_sea(line, e.q[X], e.q[Z]) - line.surface
         write_equation(e, above, 1.0, Z, -tangent_beyond(line, e.q[X]), X)
-        e.q[V] -= e.u[e.done[2]]
-        e.g[V, e.done[2]] -= 1.0
+        unknown = min(e.done[2], e.u.size - 1)
+        e.q[V] -= e.u[unknown]
+        e.g[V, unknown] -= 1.0
         e.done[2] += 1
     else:
         e.q[V] -= line.loads[load, 2 if e.states[load] == EMERGED else 1]
@@ -190,6 +193,9 @@ def step_on_bed(line, e, step, index, load, rows):
         unknown = next_unknown(e)
         amount = e.u[unknown]
     if step == OFF_SINKER:
+        if e.at[1] < 0:  # a trial in which the heap has taken the sinker: no solution
+            e.done[0] += e.u.size + 1
+            return
         pass_grounded_sinker(line, q, g, e.at, index, amount, unknown)
         return
     if step == BEND or step == OFF_VERTEX:  # noqa: SIM109
@@ -249,6 +255,9 @@ def equations(line, e, x, z, steps, left, rows):
         leave_bed(line, e.q, e.g)
     if left == HEAP_AT_ANCHOR:
         row = e.u.size - 1
+        e.done[0] += 1 if steps[last, 0] <= TO_ANCHOR else 0
         e.r[row] = 0.0
         for k in range(e.J.shape[1]):
             e.J[row, k] = 1.0 if k == 0 else 0.0
+    if e.done[0] != e.u.size:
+        e.r[0] = math.inf
