@@ -143,3 +143,11 @@ def test_a_mark_that_is_lost_costs_work_and_nothing_else(path):
     assert len(pending(path).rows) == 1 and len(open_database(path).omega) == 2
     fill(path)
     assert open_database(path).complete
+
+
+def test_a_coordinate_larger_than_its_file_is_refused_before_it_is_read(path):
+    with h5py.File(path, "r+") as file:
+        del file["theta"]
+        file.create_dataset("theta", shape=(10**12,), dtype=float)
+    with pytest.raises(DatabaseError, match="theta is larger than the file; copy it again"):
+        open_database(path)
