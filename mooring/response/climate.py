@@ -17,7 +17,7 @@ from .linear import frequencies
 from .long_term import LongTerm, long_term
 from .points import transfer_functions
 from .sea_state import TINY, linear_response, mean_drift
-from .seas import directions, energy_outside
+from .seas import directions, energy_outside, heading_step
 
 UNIT = 0.01  # m, height of the sea of each column: so low that no sea is too steep
 
@@ -112,6 +112,18 @@ class _Known:
         self.body, self.omega, self.points, self.by_headings = body, omega, points, {}
         self.names = self.units = ()
 
+    @property
+    def knows_drift(self):
+        return self.body.knows_drift
+
+    def motions(self, omega, heading):
+        """(q, p, 6) as `Reader.motions`"""
+        return self.at(omega, heading)[0].value[..., :6]
+
+    def drift(self, omega, heading):
+        """(q, p, 3) as `Reader.drift`"""
+        return self.at(omega, heading)[1]
+
     def at(self, omega, heading):
         """Transfer and drift, zero where it is not known, at frequencies omega among all"""
         key = np.asarray(heading).tobytes()
@@ -128,7 +140,7 @@ class _Known:
 
 def _column(known, sea, omega):
     """What `sea_state.sea_state` gives for the same sea"""
-    heading, weights = directions(sea, omega)
+    heading, weights = directions(sea, omega, heading_step(known, sea, omega))
     transfer, drift = known.at(omega, heading)
     _, found = linear_response(sea, transfer, weights)
     inside, beyond = mean_drift(known.body, sea, omega, drift, weights)

@@ -11,6 +11,7 @@ from .seas import directions, energy_outside
 
 MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
 UNSURE = 0.05  # estimated error of a result between stored waves that is named
+LEVER = 0.05  # of the radius of the hull: a moment of the drift force on a shorter arm is none
 PLACES = 48  # frequencies at which it is estimated
 
 
@@ -51,8 +52,12 @@ def between_waves(body, sea, omega, m0, drift):
     named = [f"{words[i]} {100 * share[i]:.0f} %" for i in np.argsort(-share) if share[i] > UNSURE]
     if drift is not None:
         wrong = over_headings(body.at(places, "drift_force", heading)[1], weights)
-        wrong = 2 * np.trapezoid(wrong * density, places, axis=0)[:2].max() / max(np.abs(drift[:2]).max(), 1e-300)
-        named += [f"mean drift {100 * wrong:.0f} %"] if wrong > UNSURE else []
+        wrong, force = 2 * np.trapezoid(wrong * density, places, axis=0), max(np.abs(drift[:2]).max(), 1e-300)
+        for word, error, scale in (
+            ("mean drift", wrong[:2].max(), force),
+            ("moment of drift", wrong[2], max(abs(drift[2]), LEVER * body.radius * force)),
+        ):
+            named += [f"{word} {100 * error / scale:.0f} %"] if error > UNSURE * scale else []
     if named:
         advice = "" if drift is None or body.rebuilds_drift else " or Kochin functions (--only kochin,drift)"
         yield (

@@ -17,7 +17,7 @@ from . import findings
 from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor
 from .linear import Moments, frequencies, moments, response_spectrum
 from .points import Point, relative_name, transfer_functions
-from .seas import check_coverage, directions
+from .seas import check_coverage, directions, heading_step
 from .slow_drift import force_spectrum, held_beyond, signed_means
 from .wave_drift_damping import damping_coefficients, mean_damping
 
@@ -133,7 +133,8 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
         raise ValueError(f"duration is {duration:g} s; allowed: above 0, finite")
     check_coverage(body, sea.spectrum)
     omega = frequencies(body, sea.spectrum.density)
-    heading, weights = directions(sea, omega)
+    step = heading_step(body, sea, omega)
+    heading, weights = directions(sea, omega, step)
     transfer = transfer_functions(body, omega, heading, points)
     spectrum, found = linear_response(sea, transfer, weights)
     found = _without_rounding(found, transfer.units)

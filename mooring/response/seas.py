@@ -1,23 +1,106 @@
-"""Headings of a sea with their shares of its energy, and the energy outside the stored frequencies."""
+"""Headings of a sea with their shares of its energy, and the energy outside the stored frequencies.
+
+    ∫ D(θ) f(θ) dθ ≈ Σ_i w_i f(β_i),    w_i ∝ D(β_i − β₀),    β_i = i Δβ
+
+On equal steps the rule errs by the harmonics of D f beyond 2π/Δβ alone: D f is periodic and |X|² has few harmonics more
+than 2kR.  The steps are those of the circle, not of the sea, so that seas of several directions share headings, and a
+force that symmetry makes zero at 0° or 90° has its change of sign at a heading.
+"""
 
 from __future__ import annotations
+
+import warnings
 
 import numpy as np
 
 from bem.database.between_frequencies import BetweenError
 
+from .slow_drift import signed_means
+
 MOST_OUTSIDE = 0.5  # share of the energy beyond the stored frequencies, above which a response says nothing of the sea
-STEP = np.deg2rad(10.0)  # between directions of a short-crested sea
+STEP = 10.0  # degrees between directions of a short-crested sea, halved until results stay
+FINEST = STEP / 32
+CLOSE = 1e-3  # of every result
+SMALL = 1e-4  # of the energy of the largest motion of its kind, below which a motion is not looked at
+PLACES = 64  # frequencies at which steps are compared
 
 
-def directions(sea, omega):
-    """Headings (p,) rad and shares of the energy (p,) or (q, p) at omega (q,); 10° apart in a short-crested sea."""
+def directions(sea, omega, step=STEP):
+    """Headings (p,) rad, `step` degrees apart if short-crested, and shares of the energy (p,) or (q, p) at omega."""
     if sea.spreading is None:
         return np.array([sea.direction]), np.ones(1)
-    heading = sea.direction + STEP * np.arange(-18, 18)
-    weights = sea.directional(heading, omega)
-    kept = weights.max(axis=0) > 1e-6
-    return heading[kept], weights[:, kept] / weights[:, kept].sum(axis=1, keepdims=True)
+    heading = np.deg2rad(np.arange(0.0, 360.0, step))
+    away = np.mod(heading - sea.direction + np.pi, 2 * np.pi) - np.pi
+    column = np.asarray(omega)[:, None] if sea.spreading.depends_on_frequency else None
+    weights = np.atleast_2d(sea.spreading.density(away, column))
+    kept = weights.max(axis=0) > 1e-9 * weights.max()
+    weights = weights[:, kept] / np.maximum(weights[:, kept].sum(axis=1, keepdims=True), 1e-300)
+    return heading[kept], weights if sea.spreading.depends_on_frequency else weights[0]
+
+
+def heading_step(body, sea, omega):
+    """Degrees between directions with which motions, mean drift and its positive and negative parts are known to 1e-3.
+
+    body : `bem.database.reader.Reader`, or what has its motions and drift ready
+    Steps are halved until all of them, integrated over the spectrum, change by less.  Warns where 0.3° are not enough.
+    """
+    if sea.spreading is None:
+        return STEP
+    places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
+    step, before = 2 * STEP, None
+    while step > FINEST:
+        step = 0.5 * step
+        found = _integrals(body, sea, places, step)
+        change = np.inf if before is None else _change(found, before) / 3  # a quarter, of the error before, is left
+        change = max(change, _lost(sea, places, step))
+        if change <= CLOSE:
+            return step
+        before = found
+    warnings.warn(
+        f"results change by {100 * change:.2g} % from {2 * step:.2g}° to {step:.2g}° between directions; limit "
+        f"{100 * CLOSE:g} %; the spreading is too narrow for them, a long-crested sea is near",
+        stacklevel=2,
+    )
+    return step
+
+
+def _lost(sea, omega, step):
+    """How far the sum over directions is from all of the energy: a spreading between two headings is not seen"""
+    away = np.deg2rad(np.arange(0.0, 360.0, step)) - sea.direction
+    column = omega[:, None] if sea.spreading.depends_on_frequency else None
+    away = np.mod(away + np.pi, 2 * np.pi) - np.pi
+    total = np.atleast_2d(sea.spreading.density(away, column)).sum(axis=1) * np.deg2rad(step)
+    density = sea.spectrum.density(omega) if len(total) > 1 else np.ones(1)
+    return float(np.abs(total - 1) @ density / max(density.sum(), 1e-300)) if density.any() else 0.0
+
+
+def _integrals(body, sea, omega, step):
+    """(6,) ∫⟨|X|²⟩S dω and (2, 3) ∫⟨D±⟩S dω"""
+    heading, weights = directions(sea, omega, step)
+    density = sea.spectrum.density(omega)
+    power = np.abs(body.motions(omega, heading)) ** 2
+    rows = [np.trapezoid(np.einsum("qpc,qp->qc", power, _rows(weights, omega)) * density[:, None], omega, axis=0)]
+    parts = np.zeros((len(omega), 2, 3))
+    if body.knows_drift:
+        parts = signed_means(body.drift(omega, heading), weights)
+    return (*rows, np.trapezoid(parts * density[:, None, None], omega, axis=0))
+
+
+def _change(found, before):
+    """Largest relative change of what counts; drift beside both parts together"""
+    (motion, drift), (motion_before, drift_before) = found, before
+    kind = np.repeat([motion[:3].max(), motion[3:].max()], 3)
+    seen = motion > SMALL * kind
+    change = np.abs(motion - motion_before)[seen] / motion[seen]
+    total = drift.sum(axis=0)
+    seen = total > SMALL * np.array([*2 * [total[:2].max()], total[2]])
+    changes = np.abs(drift - drift_before)[:, seen] / total[seen]
+    # σ is the root of what is compared of the motions
+    return max(0.5 * change.max(initial=0.0), changes.max(initial=0.0))
+
+
+def _rows(weights, omega):
+    return np.broadcast_to(weights, (len(omega), np.shape(weights)[-1]))
 
 
 def energy_outside(body, spectrum):
