@@ -21,7 +21,7 @@ from .reports.sections_command import sections
 from .response.command import response
 from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
-from .simulate.flags import simulate
+from .simulate.flags import animate, simulate
 from .stress.command import stress
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
@@ -145,6 +145,7 @@ app.command(line)
 app.command(lines)
 app.command(line_dynamics)
 app.command(simulate)
+app.command(animate)
 
 
 def main(arguments=None):

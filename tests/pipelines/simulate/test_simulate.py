@@ -11,6 +11,11 @@ import pytest
 import mooring.motion.simulation as engine
 import pipelines
 from bem.database.integrity import DatabaseError
+from bem.waves import wavenumber
+from mooring.environment.sea import Sea
+from mooring.environment.spectra import issc
+from mooring.environment.spreading import CosinePower
+from mooring.environment.wave_records import elevation
 from mooring.motion.simulation import Realisation
 from pipelines.cli import main
 from pipelines.common.quantities import StudyError
@@ -18,6 +23,7 @@ from pipelines.moor.study import make_study, read_study
 from pipelines.simulate import run as runs
 from pipelines.simulate import work
 from pipelines.simulate.file import opened, whole_rows
+from pipelines.simulate.film import animate, surface
 from pipelines.simulate.pictures import draw, spectrum
 from pipelines.simulate.study import plan_of
 from pipelines.solve.work import Here
@@ -31,7 +37,7 @@ def oscillator(body, plan, settings, seed=0, progress=None):
     """Realisation of a sine whose amplitude follows the seed"""
     t = np.arange(-settings.ramp, settings.duration + settings.step / 2, settings.step)
     wave = (1 + 0.1 * np.random.default_rng(seed).random()) * np.sin(0.6 * t)
-    motion = wave[:, None] * np.arange(1.0, 7.0)
+    motion = 0.01 * wave[:, None] * np.arange(1.0, 7.0)
     tension = 1e6 + 1e5 * wave[:, None] * np.linspace(-1, 1, 12)
     zero = np.zeros(6)
     return Realisation(t, motion, motion, motion[:, [0, 1, 5]], wave, 0 * t, tension, seed, zero, 9, {}, ("a finding",))
@@ -172,6 +178,24 @@ def test_a_spectrum_of_records_holds_their_variance():
     records = np.random.default_rng(1).normal(size=(3, 4096))
     omega, density = spectrum(records, 0.5)
     assert np.isclose(np.trapezoid(density, omega), records.var(axis=1).mean(), rtol=0.02)
+
+
+def test_the_surface_of_a_film_is_the_wave_of_the_record_at_the_origin():
+    parts = Sea(issc(3.0, mean_period=9.0), 0.4, CosinePower(4)).components(50, 3)
+    t = np.arange(5) * 1.7
+    heights = surface((parts, wavenumber(parts.omega, 20.0, 9.81), 40.0), np.array([0.0, 30.0]), np.array([0.0, -7.0]))
+    for i, place in enumerate(((0.0, 0.0), (30.0, -7.0))):
+        assert np.allclose([heights(one)[i] for one in t], elevation(parts, t + 40.0, *place, 20.0, 9.81), atol=1e-12)
+
+
+def test_a_film_follows_the_record_and_is_not_written_over_something_else(folder):
+    simulate()
+    assert animate("run.h5", Path("film.gif"), seed=2, length=2.0) == 3
+    assert Path("film.gif").read_bytes()[:6] == b"GIF89a"
+    with pytest.raises(ValueError, match="no record of seed 3"):
+        animate("run.h5", Path("film.gif"), seed=3)
+    with pytest.raises(ValueError, match="frames"):
+        animate("run.h5", Path("film.gif"), length=0.0)
 
 
 def test_moor_reads_the_same_study(folder):

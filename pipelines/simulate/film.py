@@ -1,0 +1,175 @@
+"""`hakobune animate`: a minute of a simulation as a film of body, lines and waves.
+
+The body follows its stored motion, lines hang in their static shape at every frame, the surface is that of the
+undisturbed waves of the seed.
+"""
+
+from __future__ import annotations
+
+import tomllib
+import warnings
+from types import SimpleNamespace
+
+import numpy as np
+
+from ..common.outputs import check_output
+from ..moor.study import make_study
+from .file import opened, whole_rows
+from .study import plan_of
+
+ENDINGS = (".gif",)
+FRAMES_A_SECOND = 10
+SIZE = 800, 500
+GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
+POINTS = 40  # of a line
+MOST = 2000  # frames
+
+
+def animate(path, output, seed=None, start=None, length=60.0, step=1.0):
+    """Write a film of `length` s from `start` s on, one frame every `step` s; returns the number of frames.
+
+    seed : whose record is stored, by default the first; start : by default half a length before the largest tension
+    raises : ValueError, one line
+    """
+    check_output(output, "a film", _is_film, ENDINGS, (path,))
+    with opened(path) as file:
+        row = _row(file, seed)
+        time, tension = file["time"][()], file["tension"][row]
+        if start is None:
+            start = time[int(np.argmax(tension.max(axis=1)))] - 0.5 * length
+        start = min(max(start, time[0]), max(time[-1] - length, time[0]))
+        at = np.arange(start, min(start + length, time[-1]) + 1e-9, step)
+        if not (step > 0 and 2 <= len(at) <= MOST):
+            raise ValueError(f"the film has {len(at)} frames; allowed: 2 to {MOST}; give another length or step")
+        motion = np.column_stack([np.interp(at, time, column) for column in file["motion"][row].T])
+        scene = _scene(file)
+        waves = _waves(file, int(file["seed"][row]))
+    _write(output, _frames(scene, at, motion, waves))
+    return len(at)
+
+
+def _is_film(path):
+    return path.read_bytes()[:6] in (b"GIF89a", b"GIF87a")
+
+
+def _row(file, seed):
+    kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
+    seeds = file["seed"][()][kept].tolist()
+    if not seeds:
+        raise ValueError(f"{file.filename} has no record of a run; simulate with keep_series above 0")
+    if seed is not None and seed not in seeds:
+        shown = ", ".join(map(str, seeds[:10])) + (" …" if len(seeds) > 10 else "")
+        raise ValueError(f"there is no record of seed {seed}; allowed: {shown}")
+    return int(kept[0 if seed is None else seeds.index(seed)])
+
+
+def _scene(file):
+    """System, sizes of the hull and rotation centre"""
+    study = make_study(tomllib.loads(file.attrs["study"]))
+    length, beam, draft, freeboard = file.attrs["hull"]
+    hull = study.hull_of({"length": length, "beam": beam, "draft": draft})
+    center = file.attrs["rotation_center"]
+    system = study.system(hull, center, file.attrs["density"], file.attrs["gravity"])
+    box = (-length / 2, length / 2, -beam / 2, beam / 2, -draft, freeboard)
+    return SimpleNamespace(system=system, box=box, center=center, span=np.ptp(file["anchor"][:, :2], axis=0).max())
+
+
+def _waves(file, seed):
+    """Components of the undisturbed waves of a seed, wavenumbers and the s that their time runs ahead
+
+    None where the database is no longer there, or there are no waves
+    """
+    from bem.database import open_database
+    from bem.waves import wavenumber
+    from mooring.motion.simulation import wave_components
+
+    try:
+        reader = open_database(file.attrs["database"]).reader
+    except ValueError:
+        return None
+    plan = plan_of(make_study(tomllib.loads(file.attrs["study"])), reader.omega, None, float(file.attrs["duration"]))
+    with warnings.catch_warnings(record=True):
+        warnings.simplefilter("always")  # told when the run was made
+        parts = wave_components(SimpleNamespace(reader=reader), plan.weather, plan.settings, seed)
+    if parts is None:
+        return None
+    k = wavenumber(parts.omega, float(file.attrs["water_depth"]), float(file.attrs["gravity"]))
+    return parts, k, plan.settings.ramp
+
+
+def surface(waves, x, y):
+    """Function of t (s) → elevation (n,) m at x, y (n,) m:  Re Σ a exp{i(k·x + ε − ωt)}
+
+    waves : of `_waves`.  What does not change in time is made once, a hundred times cheaper than records of points.
+    """
+    parts, k, ahead = waves
+    along = np.multiply.outer(x, np.cos(parts.direction)) + np.multiply.outer(y, np.sin(parts.direction))
+    still = parts.amplitude * np.exp(1j * (k * along + parts.phase))
+    return lambda t: (still @ np.exp(-1j * parts.omega * (t + ahead))).real
+
+
+def _shapes(scene, motion):
+    """(lines × POINTS, 3) m of the lines with the body displaced by `motion` (6,)"""
+    from mooring.lines.system.equilibrium import held_at, rest
+    from mooring.lines.system.shapes import line_shapes
+
+    body = scene.system.bodies[0]
+    pose = tuple(float(a + b) for a, b in zip(body.position, motion, strict=True))
+    return np.concatenate(line_shapes(rest(held_at(scene.system, {body.name: pose})), POINTS))
+
+
+def _turn(roll, pitch, yaw):
+    """Rz Ry Rx"""
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_euler("ZYX", [yaw, pitch, roll]).as_matrix()
+
+
+def _frames(scene, at, motion, waves):
+    """Pictures, (height, width, 3) each"""
+    import pyvista
+    from vtkmodules.vtkCommonCore import vtkLogger
+
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # a machine without display is no fault here
+    plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
+    plotter.set_background("white")
+    hull = pyvista.Box(scene.box).triangulate()
+    still = hull.points - scene.center
+    count = len(scene.system.lines)
+    cells = np.column_stack([np.full(count, POINTS), np.arange(count * POINTS).reshape(count, POINTS)]).ravel()
+    lines = pyvista.PolyData(_shapes(scene, motion[0]), lines=cells)
+    side = np.linspace(-0.5, 0.5, GRID) * WIDTH * scene.span
+    x, y = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
+    sea = pyvista.StructuredGrid(*(grid.reshape(GRID, GRID, 1) for grid in (x, y, np.zeros_like(x))))
+    bed = pyvista.Plane(center=(0, 0, -scene.system.depth), i_size=WIDTH * scene.span, j_size=WIDTH * scene.span)
+    plotter.add_mesh(bed, color="#d8c9a0")
+    plotter.add_mesh(sea, color="#4f8fc0", opacity=0.45)
+    plotter.add_mesh(hull, color="#b04030")
+    plotter.add_mesh(lines, color="#202020", line_width=2)
+    plotter.camera_position = [(0.25 * scene.span, -1.0 * scene.span, 0.4 * scene.span), (0, 0, 0), (0, 0, 1)]
+    heights = None if waves is None else surface(waves, *sea.points[:, :2].T)
+    label = plotter.add_text("", font_size=9, color="black")
+    try:
+        for t, moved in zip(at, motion, strict=True):
+            hull.points = scene.center + moved[:3] + still @ _turn(*moved[3:]).T
+            lines.points = _shapes(scene, moved)
+            if heights is not None:
+                sea.points = np.column_stack([*sea.points[:, :2].T, heights(t)])
+            label.set_text("upper_left", f"{t:.1f} s")
+            plotter.render()
+            yield plotter.screenshot(return_img=True)
+    finally:
+        plotter.close()
+
+
+def _write(output, frames):
+    import io
+
+    from PIL import Image
+
+    from meshing.whole_files import write_whole
+
+    first, *others = [Image.fromarray(frame).convert("P", palette=Image.Palette.ADAPTIVE) for frame in frames]
+    drawn = io.BytesIO()
+    first.save(drawn, "GIF", save_all=True, append_images=others, duration=1000 // FRAMES_A_SECOND, loop=0)
+    write_whole(output, drawn.getvalue())
