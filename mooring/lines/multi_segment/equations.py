@@ -147,6 +147,8 @@ def march_span(line, e, facet, load, target, unknown, rows):
             return
         if to_stop:
             q[S] = stop
+            if not is_load and at[0] == 0:  # a trial without numbers
+                return
             if not is_load:
                 at[0] -= 1
             elif to_facet and at[1] == load and line.loads[load, 1] > 0:

@@ -114,7 +114,7 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
 def pass_on_bed(line, q, g, at, angle, is_load):
     """Pass a joint, or a sinker that lies on the bed."""
     if not is_load:
-        at[0] -= 1
+        at[0] = max(at[0] - 1, 0)
         return
     at[1] -= 1
     mix(g, LENGTH, 0.0, T, 0.0, T)
@@ -137,6 +137,8 @@ def leave_heap(line, q, g, at, amount, unknown, rows):
         q[S] = max(stop, end)
         if stop <= end:
             break
+        if not is_load and at[0] == 0:  # a trial without numbers
+            return False
         if not is_load:
             at[0] -= 1
         elif line.loads[at[1], 1] < 0:
