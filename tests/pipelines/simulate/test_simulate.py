@@ -16,9 +16,11 @@ from mooring.environment.sea import Sea
 from mooring.environment.spectra import issc
 from mooring.environment.spreading import CosinePower
 from mooring.environment.wave_records import elevation
+from mooring.lines.system.equilibrium import rest
 from mooring.motion.simulation import Realisation
 from pipelines.cli import main
 from pipelines.common.quantities import StudyError
+from pipelines.common.units import KGF
 from pipelines.moor.study import make_study, read_study
 from pipelines.simulate import run as runs
 from pipelines.simulate import work
@@ -196,6 +198,20 @@ def test_a_film_follows_the_record_and_is_not_written_over_something_else(folder
         animate("run.h5", Path("film.gif"), seed=3)
     with pytest.raises(ValueError, match="frames"):
         animate("run.h5", Path("film.gif"), length=0.0)
+
+
+@pytest.mark.parametrize("name", ["simulate_chain_12", "simulate_model_M3B"])
+def test_every_study_that_is_shipped_can_be_planned(name):
+    study = read_study(MOOR.with_name(f"{name}.toml"))[0]
+    made = plan_of(study, np.linspace(0.05, 8.0, 20))
+    assert made.seeds == (1, 2, 3, 4, 5) and made.weather.seas
+
+
+def test_chains_of_the_model_have_the_pretension_of_the_report():
+    """Appendix 1, Table 1.3: 2.55 kgf at the top, by the catenary"""
+    study = read_study(MOOR.with_name("simulate_model_M3B.toml"))[0]
+    tension = rest(study.system(study.hull_of({}), np.zeros(3), 1000.0)).lines.tension_b / KGF
+    assert np.allclose(tension, 2.55, rtol=0.01)
 
 
 def test_moor_reads_the_same_study(folder):
