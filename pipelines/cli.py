@@ -121,8 +121,13 @@ def check(file: Path, /, *, repair: Annotated[bool, Parameter(negative=(), help=
 
     Status 1 if one fails.
     """
+    from .simulate.file import is_run
     from .solve.checking import check
 
+    if is_run(file) and not repair:
+        from .simulate.checking import check_run
+
+        return check_run(file, print)
     return check(file, _console(), repair)
 
 

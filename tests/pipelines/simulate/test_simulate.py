@@ -94,11 +94,13 @@ def test_a_stopped_run_is_completed_to_the_same_bits(folder):
     assert Path("run.h5").read_bytes() == Path("whole.h5").read_bytes()
 
 
-def test_a_row_that_was_damaged_is_made_again(folder):
+def test_a_row_that_was_damaged_is_named_and_made_again(folder, capsys):
     simulate()
     with h5py.File("run.h5", "r+") as file:
         file["tension"][0, 5] += 1.0
+    assert main(["check", "run.h5"]) == 1 and "damaged: seeds 1;" in capsys.readouterr().out
     assert simulate().made == 1
+    assert main(["check", "run.h5"]) == 0
 
 
 def test_more_seeds_keep_those_that_are_there(folder):

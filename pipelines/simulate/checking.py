@@ -1,0 +1,25 @@
+"""Whether the file of a simulation is what was written, row by row."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.database.integrity import DatabaseError
+
+from .file import opened, whole_rows
+
+
+def check_run(path, say):
+    """Tell which seeds are there, missing and damaged; returns 0 if all are whole, else 1."""
+    try:
+        with opened(path) as file:
+            whole, marked, seeds = whole_rows(file), file["stored"][()] != 0, file["seed"][()]
+    except DatabaseError as error:
+        say(str(error))
+        return 1
+    say(f"{path}: {whole.sum()} of {len(seeds)} seeds are stored and are what was written, by their checksums")
+    for chosen, text in ((marked & ~whole, "damaged"), (~marked, "missing")):
+        if chosen.any():
+            named = ", ".join(map(str, seeds[chosen][:10])) + (" …" if np.count_nonzero(chosen) > 10 else "")
+            say(f"{text}: seeds {named}; the command that made the file makes them again")
+    return 0 if whole.all() else 1
