@@ -20,6 +20,7 @@ COLUMNS = {
 }  # fmt: skip
 SCALED = {"mean", "sigma", "slow", "wave", "mean_third", "mean_tenth", "smallest", "largest"}
 UNLIKELY = 1.3  # largest simulated over the expected; the largest of a Gaussian record scatters by a tenth
+SMALL = 50.0  # m, length of a hull that is none of the report's floaters
 LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 report (1982), section 5.5.3
 
 
@@ -116,13 +117,14 @@ def findings(file, moored_periods, wave_period):
     """What holds of all runs: their length, and which method applies.  moored_periods : {mode: s}; wave_period : s"""
     slow = max((value for value in moored_periods.values() if np.isfinite(value)), default=0.0)
     duration, table = float(file.attrs["duration"]), file["summary"][()]
-    beyond = table[:, SUMMARY.index("largest")] / table[:, SUMMARY.index("upper_value")]
     tensions = [name.startswith("tension") for name in file["quantity"].asstr()[()]]
-    formula = ~(table[:, SUMMARY.index("upper_runs")] > 0) & np.array(tensions, bool)
-    if np.any(beyond[formula] > UNLIKELY):
+    formula = table[~(table[:, SUMMARY.index("upper_runs")] > 0) & np.array(tensions, bool)]
+    upper = formula[:, SUMMARY.index("upper_value")]
+    beyond = np.max(formula[upper > 0, SUMMARY.index("largest")] / upper[upper > 0], initial=0.0)
+    if beyond > UNLIKELY:
         yield (
-            f"tensions up to {beyond[formula].max():.2g} times the extreme of the formula were simulated: they are not "
-            f"Gaussian; give 5 seeds or more"
+            f"tensions up to {beyond:.2g} times the extreme of the formula were simulated: they are not Gaussian; "
+            "give 5 seeds or more"
         )
     if duration < LONG * slow:
         share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
@@ -134,7 +136,9 @@ def findings(file, moored_periods, wave_period):
     if wave_period:
         near = [f"{n.lower()} {v / wave_period:.2g}" for n, v in moored_periods.items() if n in DOFS and np.isfinite(v)]
         named = f"depth over draft {depth / draft:.3g}; natural over wave period: {', '.join(near)}"
-        if depth <= SHALLOW:
+        if float(file.attrs["hull"][0]) < SMALL:
+            yield f"{named}; the report's limits in metres of water are for floaters of 100 to 200 m, not for this one"
+        elif depth <= SHALLOW:
             yield f"{named}; in up to {SHALLOW:g} m of water take the simulation (SR179 report, section 5.5.3)"
         elif depth >= DEEP:
             yield f"{named}; from {DEEP:g} m of water on the simplified method is on the safe side there as well"
