@@ -37,7 +37,7 @@ SIZES = {
     "box --length inf --beam 50 --draft 5 --depth 20 --omega 1": ("length is inf", "finite"),
     "box --length 1e300 --beam 50 --draft 5 --depth 20 --omega 1": ("length is 1e+300", "0.001 to 1e+06"),
     "box --length 1e-300 --beam 50 --draft 5 --depth 20 --omega 1": ("length is 1e-300", "0.001 to 1e+06"),
-    "box --length 1e5 --beam 1 --draft 1 --depth 20 --omega 1": ("panels; allowed: 20000", "--panels"),
+    "box --length 1e5 --beam 1 --draft 1 --depth 20 --omega 1": ("shortest wave is 59.8 m", "at least 500 m"),
     "box --beam 50 --draft 5 --depth 20 --omega 1": ("length is missing", "length, beam, draft"),
     "box": ("depth is missing",),
     "buoy --radius -3 --draft 5 --depth 20 --omega 1": ("radius is -3.0", "above 0"),

@@ -39,6 +39,11 @@ class Energies(NamedTuple):
     bed_elastic: np.ndarray
 
     @property
+    def lost(self):
+        """(n,) J"""
+        return self.drag + self.water_inertia + self.structural + self.bed + self.friction
+
+    @property
     def stored(self):
         """(n,) J, less than at the start where negative"""
         total = self.kinetic + self.elastic + self.potential + self.bed_elastic

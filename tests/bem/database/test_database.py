@@ -301,7 +301,7 @@ def other_version(path):
         (lambda path: path.write_text("length,beam\n"), "is not an HDF5 file"),
         (lambda path: path.write_bytes(b""), "is not an HDF5 file"),
         (foreign_netcdf, "HDF5 file of another program"),
-        (study, "is a hakobune mooring study, not a hakobune database"),
+        (study, "is a file of mooring study, not a hakobune database"),
         (other_version, "schema version 99"),
         (lambda path: path.mkdir(), "is not a file"),
         (lambda path: None, "does not exist"),

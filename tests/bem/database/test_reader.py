@@ -80,9 +80,9 @@ def test_added_mass_tends_to_its_limits_beyond_the_band(coarse):
 def test_studies_read_the_same_numbers(coarse):
     """Multi-point mooring and irregular response, on and between stored waves, and periods with and without lines"""
     from mooring.response.points import transfer_functions
-    from mooring.studies.conditions import Waves
+    from mooring.studies.conditions import Conditions, Waves
     from mooring.studies.natural_periods import natural_periods
-    from mooring.studies.steady_loads import mean_drift
+    from mooring.studies.wave_effects import wave_effects
 
     body = coarse.reader.floating()
     for omega, degrees in ((coarse.omega[3], 30.0), (0.61, 30.0), (0.61, 212.0)):
@@ -91,7 +91,7 @@ def test_studies_read_the_same_numbers(coarse):
         motion = transfer_functions(body, [waves.omega], [beta]).value[0, 0]
         assert np.allclose(motion, coarse.reader.motions([waves.omega], [beta])[0, 0], rtol=1e-12)
         assert np.allclose(motion, coarse.at(waves.omega, "rao", [beta])[0][0, 0], rtol=1e-12)
-        drift = mean_drift(coarse.reader, waves)
+        drift = wave_effects(coarse, Conditions(waves=waves, method="regular_wave"))["regular_wave"].drift
         assert np.allclose(drift, body.drift([waves.omega], [beta])[0, 0], rtol=1e-12)
     K = np.diag([1e6, 1e6, 0, 0, 0, 1e9])
     with_lines = natural_periods(coarse.reader.restrained(stiffness=K))

@@ -14,7 +14,7 @@ from meshing.whole_files import NotWritten, keep_room
 resource = pytest.importorskip("resource")
 
 SCENES = Path(__file__).parents[3] / "pipelines" / "scenes"
-BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 24 --gyration 15.6,29.4,32.3 --heading 0,210,240"
+BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 60 --gyration 15.6,29.4,32.3 --heading 0,210,240"
 SEA = "sea --height 3 --mean-period 8 --duration 600"
 SECTIONS = "sections --beam-draft 5 --depth-draft 2 --xi 1 --tolerance 1e-3"
 LIMITED = (
