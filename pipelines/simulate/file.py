@@ -150,7 +150,9 @@ def opened(path, mode="r"):
 
 
 def is_run(path):
-    """Whether a file is that of a simulation, damaged or not"""
+    """Whether a file is that of a simulation, damaged or not; devices and pipes are not opened"""
+    if not Path(path).is_file():
+        return False
     try:
         with h5py.File(path) as file:
             return file.attrs.get("schema") == SCHEMA
