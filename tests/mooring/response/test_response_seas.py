@@ -144,10 +144,12 @@ def test_a_database_without_drift_gives_the_linear_part():
 @pytest.mark.parametrize("spread", [None, CosinePower(4.0)])
 def test_every_cell_of_a_climate_is_its_sea_state(box_body, spread):
     scatter = Scatter([1.0, 3.0], [8.0, 11.0], [[3.0, 2.0], [0.0, 1.0]], "mean_period")
+    if spread:  # short crests take ten times as long
+        scatter = Scatter([3.0], [11.0], [[1.0]], "mean_period")
     towards = [(0.0, 0.75), (np.pi / 2, 0.25)]
     found = climate(box_body, scatter, issc, towards, spread and (lambda spectrum: spread))
-    assert len(found.height) == 6 and np.isclose(found.probability.sum(), 1.0)
-    for i in range(6):
+    assert len(found.height) == (2 if spread else 6) and np.isclose(found.probability.sum(), 1.0)
+    for i in range(len(found.height)):
         alone = sea_state(
             box_body, Sea(issc(found.height[i], mean_period=found.period[i]), found.direction[i], spread), HOUR
         )
