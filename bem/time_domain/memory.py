@@ -28,7 +28,7 @@ from .. import DOFS
 from ..database.reader import Reader, reader
 from .passive_fit import passive_fit
 from .rational import balanced, fitted
-from .whole_axis import ends_of, whole_axis, without_negative
+from .whole_axis import Causal, ends_of, whole_axis, without_negative
 
 FEWEST = 8  # frequencies
 POINTS = 800  # of the band, straight between
@@ -39,7 +39,7 @@ CLOSE = (0.03, 0.1)  # deviation of what is fitted from the database: remarked, 
 
 
 class MemoryArrays(NamedTuple):
-    """What kernels take: decay (n,), turn (p,), input (6, n), output (6, n), all contiguous"""
+    """What kernels take: decay (n,) 1/s, turn (p,) rad/s, input (6, n), output (6, n) of the module, all contiguous"""
 
     decay: np.ndarray
     turn: np.ndarray
@@ -48,9 +48,10 @@ class MemoryArrays(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Memory:
-    """decay (n,) 1/s, turn (p,) rad/s, input and output (6, n) of the module's equations.
+class Memory(Causal):
+    """The system of the module's equations, what it stores and loses, and how near it is to its database.
 
+    arrays : `MemoryArrays`
     storage : (n, n) P, J a unit of states squared; loss : (n, q) with power ½ |lossᵀx|² W
     added_mass_infinity : (6, 6) kg …, stored or by causality
     error : (6, 6) largest difference of the transform from what is fitted, from ω = 0 to beyond the band, couplings
@@ -59,10 +60,7 @@ class Memory:
     band : rad/s, first and last stored frequency; groups : motions that are coupled, numbers 0 to 5
     """
 
-    decay: np.ndarray
-    turn: np.ndarray
-    input: np.ndarray
-    output: np.ndarray
+    arrays: MemoryArrays
     storage: np.ndarray
     loss: np.ndarray
     added_mass_infinity: np.ndarray
@@ -78,20 +76,16 @@ class Memory:
     @property
     def states(self):
         """Number of states n"""
-        return len(self.decay)
-
-    @property
-    def arrays(self):
-        """`MemoryArrays` for kernels (`memory_kernels`)"""
-        return MemoryArrays(*(np.ascontiguousarray(x) for x in (self.decay, self.turn, self.input, self.output)))
+        return len(self.arrays.decay)
 
     @property
     def matrices(self):
         """a (n, n) 1/s, b (n, 6), c (6, n)"""
-        n, p = self.states, len(self.turn)
-        a, first = -np.diag(self.decay), n - 2 * p + np.arange(p)
-        a[first, first + p], a[first + p, first] = self.turn, -self.turn
-        return a, self.input.T, self.output
+        decay, turn, into, out = self.arrays
+        n, p = self.states, len(turn)
+        a, first = -np.diag(decay), n - 2 * p + np.arange(p)
+        a[first, first + p], a[first + p, first] = turn, -turn
+        return a, into.T, out
 
     def rate(self, states, velocity):
         """ẋ (n,) of states (n,) and velocities (6,) m/s, rad/s: what the kernel `memory_rate` writes"""
@@ -100,7 +94,7 @@ class Memory:
 
     def force(self, states):
         """y (6,) N, N m, against the motion: what the kernel `memory_force` writes"""
-        return self.output @ states
+        return self.arrays.output @ states
 
     def stored_energy(self, states):
         """J of states (…, n) in the water's motion that comes back"""
@@ -112,20 +106,11 @@ class Memory:
 
     def transform(self, omega):
         """B + iω [A(∞) − A] (q, 6, 6) kg/s … at omega (q,) rad/s"""
-        return _transfer(self.decay, self.turn, self.input, self.output, np.atleast_1d(omega)).conj()
-
-    def damping(self, omega):
-        """B (q, 6, 6) kg/s … at omega (q,) rad/s"""
-        return self.transform(omega).real
-
-    def added_mass(self, omega):
-        """A (q, 6, 6) kg … at omega (q,) rad/s above 0"""
-        omega = np.atleast_1d(omega)
-        return self.added_mass_infinity - self.transform(omega).imag / omega[:, None, None]
+        return _transfer(self.arrays, np.atleast_1d(omega)).conj()
 
     def retardation(self, times):
         """K (m, 6, 6) kg/s² … at times (m,) s"""
-        left, right, rate = _complex_modes(self.decay, self.turn, self.input, self.output)
+        left, right, rate = _complex_modes(self.arrays)
         decay = np.exp(np.multiply.outer(np.asarray(times, float), rate))
         return np.einsum("ik,qk,jk->qij", left, decay, right).real
 
@@ -158,10 +143,10 @@ def memory_of_database(db, tolerance=1e-3):
     _check_deviation(deviation, band, damping, size)
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
     parts = [_fitted(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance) for g in groups]
-    joined = _joined(parts, groups, size)
-    made = _transfer(*joined[:4], at).conj()
+    arrays, storage, loss = _joined(parts, groups, size)
+    made = _transfer(arrays, at).conj()
     error = _relative(np.abs(made - wanted).max(axis=0), scale)
-    return Memory(*joined, axis.added_mass_infinity, error, deviation, band, groups)
+    return Memory(arrays, storage, loss, axis.added_mass_infinity, error, deviation, band, groups)
 
 
 def _axis(body, omega, added_mass, damping):
@@ -247,7 +232,7 @@ def _fitted(omega, wanted, size, group, tolerance):
             if made is None:
                 states += 2
                 continue
-            error = np.abs(_transfer(made.decay, made.turn, made.input.T, made.output, omega) - wanted).max()
+            error = np.abs(_transfer(MemoryArrays(*made[:4]), omega) - wanted).max()
             best = min(best, error)
             if error <= tolerance:
                 return made
@@ -259,7 +244,7 @@ def _fitted(omega, wanted, size, group, tolerance):
 
 
 def _joined(parts, groups, size):
-    """decay, turn, input, output, storage, loss of all groups, in the order of the module"""
+    """`MemoryArrays`, storage, loss of all groups, in the order of the module"""
     alone = [len(part.decay) - 2 * len(part.turn) for part in parts]
     n, pairs = sum(len(part.decay) for part in parts), sum(len(part.turn) for part in parts)
     decay, turn = np.zeros(n), np.concatenate([part.turn for part in parts] or [np.zeros(0)])
@@ -271,16 +256,17 @@ def _joined(parts, groups, size):
         first = sum(alone) + p + np.arange(count)
         place = np.concatenate([r + np.arange(real), first, first + pairs])
         decay[place] = part.decay
-        into[np.ix_(group, place)] = part.input.T * size[group][:, None]
+        into[np.ix_(group, place)] = part.input * size[group][:, None]
         out[np.ix_(group, place)] = part.output * size[group][:, None]
         storage[np.ix_(place, place)] = part.storage
         loss[np.ix_(place, q + np.arange(len(group)))] = part.loss
         r, p, q = r + real, p + count, q + len(group)
-    return decay, turn, into, out, storage, loss
+    return MemoryArrays(decay, turn, into, out), storage, loss
 
 
-def _complex_modes(decay, turn, into, out):
+def _complex_modes(arrays):
     """Outputs (m, r + p), inputs (m, r + p), rates (r + p,): twice the real part of pairs is in the outputs"""
+    decay, turn, into, out = arrays
     n, p = len(decay), len(turn)
     r = n - 2 * p
     rate = np.concatenate([-decay[:r] + 0j, -decay[r : r + p] + 1j * turn])
@@ -289,10 +275,10 @@ def _complex_modes(decay, turn, into, out):
     return left, right, rate
 
 
-def _transfer(decay, turn, into, out, omega):
+def _transfer(arrays, omega):
     """c (iω − a)⁻¹ b (q, m, m)"""
-    left, right, rate = _complex_modes(decay, turn, into, out)
-    r = len(decay) - 2 * len(turn)
+    left, right, rate = _complex_modes(arrays)
+    r = len(rate) - len(arrays.turn)
     gain = 1 / (1j * omega[:, None] - rate)
     back = 1 / (1j * omega[:, None] - rate[r:].conj())
     first = np.matmul(left * gain[:, None], right.T)

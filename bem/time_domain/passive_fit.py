@@ -28,7 +28,7 @@ class Passive(NamedTuple):
     """A passive system in real modes: first those that decay, then pairs that turn as well.
 
     decay : (n,) 1/s; turn : (p,) rad/s of pairs k, whose two states are r + k and r + p + k with r = n − 2p
-    input : (n, m); output : (m, n); storage P : (n, n); loss L : (n, m)
+    input, output : (m, n); storage P : (n, n); loss L : (n, m)
     """
 
     decay: np.ndarray
@@ -66,7 +66,7 @@ def passive_fit(A, B, s, H, tolerance=0.0):
     return Passive(
         -modes.rate.real,
         modes.rate.imag[len(modes.rate) - 2 * modes.pairs : len(modes.rate) - modes.pairs],
-        (back @ modes.input).real,
+        (back @ modes.input).real.T,
         (C @ modes.basis).real,
         (back @ P @ modes.basis).real,
         (back @ loss).real,

@@ -14,13 +14,13 @@ from warnings import warn
 import numpy as np
 
 from ..database.reader import Reader, reader
-from .whole_axis import ends_of, whole_axis
+from .whole_axis import Causal, ends_of, whole_axis
 
 WARN = 0.02  # relative error of the transform
 
 
 @dataclass(frozen=True, eq=False)
-class Retardation:
+class Retardation(Causal):
     """K (m, 6, 6) kg/s² … at times (m,) s from 0 in equal steps, added_mass_infinity (6, 6).
 
     error : (6, 6) largest relative difference of the transform from A and B of the band, A and B by √(ii · jj)
@@ -30,15 +30,6 @@ class Retardation:
     K: np.ndarray
     added_mass_infinity: np.ndarray
     error: np.ndarray | None = None
-
-    def damping(self, omega):
-        """B (q, 6, 6) kg/s … of K at omega (q,) rad/s"""
-        return self.transform(omega).real
-
-    def added_mass(self, omega):
-        """A (q, 6, 6) kg … of K and A(∞) at omega (q,) rad/s"""
-        omega = np.atleast_1d(omega)
-        return self.added_mass_infinity - self.transform(omega).imag / omega[:, None, None]
 
     def transform(self, omega):
         """∫ K exp(iωt) dt = B + iω [A(∞) − A] (q, 6, 6) at omega (q,) rad/s"""

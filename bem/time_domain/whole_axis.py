@@ -33,6 +33,19 @@ FEEBLE = 0.01
 COMPARED = 60  # frequencies at which added mass is compared
 
 
+class Causal:
+    """Added mass and damping of what has a `transform` B + iω [A(∞) − A] and an `added_mass_infinity`"""
+
+    def damping(self, omega):
+        """B (q, 6, 6) kg/s … at omega (q,) rad/s"""
+        return self.transform(omega).real
+
+    def added_mass(self, omega):
+        """A (q, 6, 6) kg … at omega (q,) rad/s above 0"""
+        omega = np.atleast_1d(omega)
+        return self.added_mass_infinity - self.transform(omega).imag / omega[:, None, None]
+
+
 @dataclass(frozen=True, eq=False)
 class WholeAxis:
     """Damping (n, 6, 6) kg/s … straight between omega (n,) rad/s from 0, and added_mass_infinity (6, 6) kg …"""

@@ -144,7 +144,7 @@ def _column(known, sea, omega):
     transfer, drift = known.at(omega, heading)
     _, found = linear_response(sea, transfer, weights)
     inside, beyond = mean_drift(known.body, sea, omega, drift, weights)
-    return _Column(found.m0, found.m2, inside + beyond.sum(axis=0), sum(energy_outside(known.body, sea.spectrum)))
+    return _Column(found.m0, found.m2, inside + beyond.sum(axis=0), sum(energy_outside(known.body.omega, sea.spectrum)))
 
 
 def _findings(body, probability, missed):

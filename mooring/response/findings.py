@@ -17,7 +17,7 @@ PLACES = 48  # frequencies at which it is estimated
 
 def waves_outside(body, spectrum):
     """Energy of the waves below and above the stored frequencies"""
-    for share, words, end in zip(energy_outside(body, spectrum), ("longer", "shorter"), (0, -1), strict=True):
+    for share, words, end in zip(energy_outside(body.omega, spectrum), ("longer", "shorter"), (0, -1), strict=True):
         if share > MISSED:
             yield (
                 f"{100 * share:.1f} % of the wave energy is in waves {words} than the stored "
@@ -28,7 +28,7 @@ def waves_outside(body, spectrum):
 def responses_outside(body, spectrum, transfer, weights, m0):
     """What those waves would add to responses with m0 (c,), transfer functions held at their ends"""
     ends = over_headings(np.abs(transfer.value[[0, -1]]) ** 2, weights if weights.ndim == 1 else weights[[0, -1]])
-    missed = np.array(energy_outside(body, spectrum)) @ ends * spectrum.moment(0)
+    missed = np.array(energy_outside(body.omega, spectrum)) @ ends * spectrum.moment(0)
     share = np.where(m0 > 0, missed / np.maximum(m0 + missed, 1e-300), 0.0)
     named = [f"{transfer.names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED]
     if named:

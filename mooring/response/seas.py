@@ -103,15 +103,15 @@ def _rows(weights, omega):
     return np.broadcast_to(weights, (len(omega), np.shape(weights)[-1]))
 
 
-def energy_outside(body, spectrum):
-    """Shares of the wave energy below and above the stored frequencies."""
+def energy_outside(omega, spectrum):
+    """Shares of the wave energy below and above the stored frequencies (n,) rad/s."""
     total = spectrum.moment(0)
-    return spectrum.moment(0, 0.0, body.omega[0]) / total, spectrum.moment(0, body.omega[-1], np.inf) / total
+    return spectrum.moment(0, 0.0, omega[0]) / total, spectrum.moment(0, omega[-1], np.inf) / total
 
 
 def check_coverage(body, spectrum):
     """Raise BetweenError where most of the waves are beyond the stored frequencies."""
-    missed = sum(energy_outside(body, spectrum))
+    missed = sum(energy_outside(body.omega, spectrum))
     if missed > MOST_OUTSIDE:
         low, high = 2 * np.pi / body.omega[-1], 2 * np.pi / body.omega[0]
         raise BetweenError(

@@ -18,7 +18,7 @@ from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
 from ..common.progress import duration as words_of
 from ..moor.study import read_study
-from ..solve.work import Here
+from ..solve.work import Here, in_order
 from .file import STATISTICS, SUMMARY, Header, create, is_run, opened, put, put_summary, row_values, whole_rows
 from .study import plan_of
 from .work import Task, prepared, quantities_of, sample_times, simulate_seed
@@ -128,7 +128,7 @@ def _header(task, db, study, plan, identity):
         "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": study.allowable,
         "rotation_center": np.asarray(db.rotation_center, float), "density": db.density, "gravity": db.gravity,
         "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
-        "memory_states": len(body.memory.decay), "place_at_rest": body.start,
+        "memory_states": body.memory.states, "place_at_rest": body.start,
     }  # fmt: skip
     load, lines = np.asarray(body.system.breaking_load, float), body_lines(body.system)
     ends = lines.anchor, lines.fairlead + lines.place
@@ -157,7 +157,8 @@ def _fill(file, task, plan, console, executor, findings):
     progress = _Progress(console, len(rows), plan)
     with ctrl_c(lambda text: console and console.print(text.replace("frequency", "seed"), highlight=False)) as stop:
         try:
-            for row, result in _results(executor, task, file, rows, progress):
+            results = in_order(executor, _calls(executor, task, file, rows, progress))
+            for row, result in zip(rows, results, strict=True):
                 seed = int(file["seed"][row])
                 if isinstance(result, Exception):
                     failures.append((seed, " ".join(str(result).split())[:300]))
@@ -179,19 +180,10 @@ def _findings(file, row):
     return [line for line in bytes(row_values(file, int(row))["findings"]).decode().split("\n") if line]
 
 
-def _results(executor, task, file, rows, progress):
-    """(row, result or exception) in order; an executor with processes works ahead."""
+def _calls(executor, task, file, rows, progress):
     kept, seeds = len(file["kept_seed"]), file["seed"][()]
     inside = (progress.inside,) if isinstance(executor, Here) else ()
-    jobs = ((simulate_seed, task, int(seeds[row]), row < kept, *inside) for row in rows)
-    futures = (executor.submit(*job) for job in jobs)
-    if not isinstance(executor, Here):
-        futures = list(futures)
-    for row, future in zip(rows, futures, strict=True):
-        try:
-            yield row, future.result()
-        except Exception as error:
-            yield row, error
+    return ((simulate_seed, task, int(seeds[row]), row < kept, *inside) for row in rows)
 
 
 class _Progress:

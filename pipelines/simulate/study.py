@@ -17,6 +17,7 @@ import numpy as np
 
 from mooring.environment import gusts
 from mooring.motion.weather import Settings, Weather
+from mooring.response.seas import energy_outside
 
 from ..common.quantities import StudyError, positive, speed
 from ..moor.study import SimulationTable
@@ -125,9 +126,7 @@ def _kept(table):
 
 def _outside(spectrum, omega):
     """Finding on the energy outside the stored frequencies.  Raises StudyError where it is too much."""
-    whole = spectrum.moment(0)
-    below = float(spectrum.moment(0, 0.0, omega[0]) / whole)
-    above = max(0.0, 1 - below - float(spectrum.moment(0, omega[0], omega[-1]) / whole))
+    below, above = (float(share) for share in energy_outside(omega, spectrum))
     if below + above <= MISSED:
         return ()
     ends = spectrum.quantile((1e-3, 1 - 1e-3))

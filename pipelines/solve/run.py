@@ -20,7 +20,7 @@ from ..common.progress import Preparing, Progress
 from .adaptive import filled_band
 from .large import announced
 from .plan import KOCHIN, planned, resumed
-from .work import Here, limit_one, solve_one
+from .work import Here, in_order, limit_one, solve_one
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ def _fill(plan, executor, console, cost, file):
     with ctrl_c(say) as stop, progress_callback(preparing):
         progress = Progress(console, len(jobs)) if console else None
         try:
-            for job, result in _results(executor, jobs):
+            for job, result in zip(jobs, in_order(executor, (job.call for job in jobs)), strict=True):
                 reason = _stored(job, result)
                 if reason:
                     failures.append((job.where, reason))
@@ -157,18 +157,6 @@ def _store_row(file, row, result):
         raise ValueError(f"no {', '.join(missing)} came back")
     kept = {*row.want, "checks", "estimated_error", "wall_time"}
     append(file, row.omega, row.headings, {name: value for name, value in result.items() if name in kept})
-
-
-def _results(executor, jobs):
-    """(job, result or exception) in order; an executor with processes works ahead."""
-    futures = (executor.submit(*job.call) for job in jobs)
-    if not isinstance(executor, Here):
-        futures = list(futures)
-    for job, future in zip(jobs, futures, strict=True):
-        try:
-            yield job, future.result()
-        except Exception as error:
-            yield job, error
 
 
 def _stored(job, result):

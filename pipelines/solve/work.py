@@ -48,6 +48,18 @@ class Here:
         """Nothing to do; here for the interface."""
 
 
+def in_order(executor, calls):
+    """Yield the result of each (function, *arguments), or its exception; an executor with processes works ahead."""
+    futures = (executor.submit(*call) for call in calls)
+    if not isinstance(executor, Here):
+        futures = list(futures)
+    for future in futures:
+        try:
+            yield future.result()
+        except Exception as error:
+            yield error
+
+
 class Processes(ProcessPoolExecutor):
     """Spawned processes, because a fork has none of the threads that BLAS may wait for; they end with their parent."""
 

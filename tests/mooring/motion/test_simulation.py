@@ -57,8 +57,7 @@ def test_regular_waves_give_the_motions_of_the_frequency_domain(on_springs, omeg
 def test_states_that_decay_at_once_change_the_memory_by_their_speed_squared(on_springs):
     memory, omega = on_springs.memory, np.linspace(0.1, 1.5, 15)
     slow = slow_memory(memory, FASTEST)
-    left = replace(memory, decay=slow.arrays.decay, turn=slow.arrays.turn, input=slow.arrays.input,
-                   output=slow.arrays.output)  # fmt: skip
+    left = replace(memory, arrays=slow.arrays)
     H = left.transform(omega) + slow.damping - 1j * omega[:, None, None] * slow.inertia
     size = np.sqrt(np.abs(np.einsum("qii->qi", memory.transform(omega))).max(axis=0))
     assert np.abs((H - memory.transform(omega)) / np.outer(size, size)).max() <= (1.5 / FASTEST) ** 2 * 0.1

@@ -7,6 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from chain_study import chain_study
 
 import pipelines
 from bem.database import Header, append, append_limit, create, open_database, pending, writing
@@ -43,21 +44,7 @@ MADE_UP = {
     "rao": np.array([0.2, 0.4, 0.5, 0.03, 0.015, 0.002]) * np.exp(1j * np.arange(6)),
     "drift_force": np.array([-2e4, -8e4, 1e5]),
 }
-STUDY = """
-[water]
-depth = 20.0
-[hull]
-freeboard = 10.0
-[types.chain]
-weight_kg_per_m = 406.0
-axial_stiffness_tonf = 221700.0
-breaking_load_tonf = 1700.0
-[[spreads]]
-type = "chain"
-length = 260.0
-corner_headings_deg = [30, 45, 60]
-pretension_tonf = 40.0
-[wind]
+STUDY = f"""{chain_study([30, 45, 60])}[wind]
 speed = 50.0
 incidence_deg = 60.0
 [current]

@@ -3,6 +3,7 @@
 import h5py
 import numpy as np
 import pytest
+from chain_study import chain_study
 
 from bem.database import open_database
 from mooring.environment.sea import Sea
@@ -12,21 +13,7 @@ from pipelines.cli import main
 from pipelines.moor.command import moor
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 100 --gyration 15.55,29.44,32.28"
-STUDY = """
-[water]
-depth = 20.0
-[hull]
-freeboard = 10.0
-[types.chain]
-weight_kg_per_m = 406.0
-axial_stiffness_tonf = 221700.0
-breaking_load_tonf = 1700.0
-[[spreads]]
-type = "chain"
-length = 260.0
-corner_headings_deg = [45]
-pretension_tonf = 40.0
-[waves]
+STUDY = f"""{chain_study([45])}[waves]
 height = 4.5
 period = 10.0
 direction_deg = 90.0

@@ -56,7 +56,7 @@ def folder(tmp_path, monkeypatch):
     study = read_study("study.toml")[0]
     hull = study.hull_of({})
     system = study.system(hull, np.zeros(3))
-    memory = SimpleNamespace(decay=np.zeros(4))
+    memory = SimpleNamespace(states=4)
     body = SimpleNamespace(system=system, hull=hull, memory=memory, start=np.zeros(6), findings=("prepared",))
 
     def prepared(task):
