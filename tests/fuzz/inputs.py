@@ -52,6 +52,7 @@ MAKING = (
     "sea --height 3 --mean-period 8 --record waves.csv",
     "sea --height 3 --mean-period 8 --output spectrum.csv",
     "lines system.toml --moordyn system.dat",
+    "simulate time.toml --database box.h5 --output time.h5",
 )
 # {command line: the files it reads}; the names are those in the folder that `good_inputs` makes
 COMMANDS = {
@@ -78,7 +79,22 @@ COMMANDS = {
     "sea waves.csv --output new.csv": ("waves.csv",),
     "sea --table spectrum.csv": ("spectrum.csv",),
     "sections --beam-draft 5 --depth-draft 2 --xi 1 --output new.csv": (),
+    "simulate time.toml --database box.h5 --output new.h5": ("time.toml", "box.h5"),
+    "simulate time.toml --database box.h5 --output time.h5 --seeds 3": ("time.toml", "time.h5"),
+    "animate time.h5 --output new.gif --length 2 --seed 1": ("time.h5",),
+    "check time.h5": ("time.h5",),
 }
+TIME = """
+[simulation]
+duration = 60.0
+ramp = 20.0
+seeds = 1
+keep_series = 2
+tolerance = 1e-2
+memory = "constant"
+damping_ratio = { roll = 0.05 }
+lines_lost = [{ line = "fore port 1", time = 30.0 }]
+"""
 NUMBERS = (
     "nan",
     "inf",
@@ -117,9 +133,10 @@ def good_inputs(folder):
             shutil.copy(SCENES / f"{source}.toml", f"{name}.toml")
         shutil.copy(SCENES / "response_climate.csv", "response_climate.csv")
         scene = tomllib.loads(Path("scene.toml").read_text(encoding="utf-8"))
-        scene["waves"] = {"omegas": [0.3, 0.44, 0.58, 0.72, 0.86, 1.0], "headings_deg": [0, 45, 90]}
+        scene["waves"] = {"omegas": [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0], "headings_deg": [0, 45, 90]}
         Path("scene.toml").write_text(tomli_w.dumps(scene), encoding="utf-8")
         Path("system.toml").write_text(SYSTEM, encoding="utf-8")
+        Path("time.toml").write_text(Path("moor.toml").read_text(encoding="utf-8") + TIME, encoding="utf-8")
         mesh = box(100, 50, 10, panels=60)
         for ending in ("gdf", "pnl", "nemoh", "vtu"):
             write_mesh(mesh, f"mesh.{ending}")
