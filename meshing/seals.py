@@ -1,12 +1,14 @@
 """Seals of result files: a CRC-32 of all that is in one, which tells whether it is still what was written.
 
 HDF5   a block before the file, which HDF5 leaves to its user: a line with the CRC-32 of every byte after it,
-       then a line for each dataset, with which damage is named
+       then a line for each dataset, with which damage is named.  Where numbers are filled in later, their places
+       are listed and do not count: they have checksums of their own, and what HDF5 goes by while it reads is whole
 text   the last of the # lines at its head, with the CRC-32 of all other lines
 """
 
 from __future__ import annotations
 
+import os
 import re
 import zlib
 from pathlib import Path
@@ -14,7 +16,9 @@ from pathlib import Path
 from .whole_files import write_whole
 
 START = b"hakobune: "
-FIRST = re.compile(START + rb"CRC-32 ([0-9a-f]{8}) of what follows, HDF5 from byte (\d{1,18})\n")
+FILLED = b" but what is filled in"
+FIRST = re.compile(START + rb"CRC-32 ([0-9a-f]{8}) of what follows(" + FILLED + rb")?, HDF5 from byte (\d{1,18})\n")
+PLACE = re.compile(r"filled in (\d{1,18}) (\d{1,18})")  # first byte from that of HDF5, bytes
 DATASET = re.compile(r"([0-9a-f]{8}) (\d{1,18}) (\d{1,18}) (.+)")  # CRC-32, first byte from that of HDF5, bytes, name
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
 LEAST_BLOCK, LARGEST_BLOCK = 512, 2**20  # bytes; HDF5 looks for itself at 0, 512, 1024, …, powers of two
@@ -23,19 +27,45 @@ MARK = "  [CRC-32 of all else: "
 REMEDY = "copy it again, or delete it and make it anew"
 
 
-def hdf5_seal(image, places):
-    """The block before an HDF5 file that is whole.
+def hdf5_seal(image, places, filled=(), kind="", size=LEAST_BLOCK):
+    """The block before an HDF5 file.
 
-    image : its bytes; places : {name: (first byte, bytes)} of its datasets
+    image : its bytes; places : {name: (first byte, bytes)} of its datasets that are whole
+    filled : (first byte, bytes) of those that are filled in later; kind : of such a file, in words
+    size : bytes of the block, if they are enough
     """
-    lines = (f"{zlib.crc32(image[a : a + n]):08x} {a} {n} {name}\n" for name, (a, n) in places.items())
-    table = "".join(lines).encode()
-    size = LEAST_BLOCK
-    while size < len(table) + 80:
+    filled = _joined(filled)
+    lines = [f"{zlib.crc32(image[a : a + n]):08x} {a} {n} {name}\n" for name, (a, n) in places.items()]
+    said = [f"{kind}\n"] if filled else []
+    table = "".join([*said, *lines, *(f"filled in {a} {n}\n" for a, n in filled)]).encode()
+    while size < len(table) + 100:
         size *= 2
-    end = b", HDF5 from byte %d\n" % size
+    end = b"%s, HDF5 from byte %d\n" % (FILLED if filled else b"", size)
     rest = table.ljust(size - len(START + b"CRC-32 00000000 of what follows" + end), b"\0")
-    return START + b"CRC-32 %08x of what follows" % zlib.crc32(image, zlib.crc32(rest)) + end + rest
+    value = zlib.crc32(rest)
+    for begin, stop in _kept(filled, len(image)):
+        value = zlib.crc32(image[begin:stop], value)
+    return START + b"CRC-32 %08x of what follows" % value + end + rest
+
+
+def _joined(places):
+    """Places (first byte, bytes), ascending, those that touch as one"""
+    out = []
+    for begin, count in sorted(places):
+        if out and sum(out[-1]) >= begin:
+            out[-1] = out[-1][0], max(sum(out[-1]), begin + count) - out[-1][0]
+        elif count:
+            out.append((begin, count))
+    return out
+
+
+def _kept(filled, size):
+    """(first byte, end) between places, ascending, of `size` bytes"""
+    begin = 0
+    for place, count in filled:
+        yield begin, place
+        begin = place + count
+    yield begin, max(begin, size)
 
 
 def is_sealed(path):
@@ -46,21 +76,34 @@ def is_sealed(path):
         return False
 
 
+def kind_filled_in(path):
+    """What a file is that has a seal which leaves room for numbers to be filled in, broken or not; "" for any other"""
+    try:
+        with Path(path).open("rb") as file:
+            first = FIRST.fullmatch(file.readline(100))
+            return file.readline(100).decode(errors="replace").strip() if first and first[2] else ""
+    except OSError:
+        return ""
+
+
 def damage(path):
     """What is damaged of a sealed HDF5 file, in some words; "" where nothing is, or it has no seal.  Raises OSError."""
     if not _sealed_hdf5(path):
         return ""
     with Path(path).open("rb") as file:
-        first = FIRST.fullmatch(file.readline(80))
+        first = FIRST.fullmatch(file.readline(100))
         if first is None:
             return "its seal"
-        value, begin = int(first[1], 16), int(first[2])
-        table = file.tell()
-        if _crc(file) == value:
+        value, begin = int(first[1], 16), int(first[3])
+        rest = file.read(max(0, min(begin - file.tell(), LARGEST_BLOCK)))
+        lines = rest.decode(errors="replace").splitlines()
+        filled = [(int(part[1]), int(part[2])) for part in map(PLACE.fullmatch, lines) if part]
+        if _crc_without(file, begin, filled, zlib.crc32(rest)) == value:
             return ""
-        file.seek(table)
-        lines = file.read(max(0, min(begin - table, LARGEST_BLOCK))).decode(errors="replace").splitlines()
         found = [DATASET.fullmatch(line) for line in lines]
+        places = [*filled, *((int(part[2]), int(part[3])) for part in found if part)]
+        if begin + max(map(sum, places), default=0) > file.seek(0, os.SEEK_END):
+            return "its end, which is truncated"
         wrong = [part[4] for part in found if part and _piece_differs(file, begin, part)]
     more = f" and {len(wrong) - 1} others" if len(wrong) > 1 else ""
     return f"{wrong[0]}{more}" if wrong else "its structure, names or attributes"
@@ -88,15 +131,23 @@ def _piece_differs(file, begin, line):
     return _crc(file, int(line[3])) != int(line[1], 16)
 
 
-def _crc(file, count=None):
-    """CRC-32 of the next `count` bytes of an open file, or of all that are left"""
-    value, left = 0, count
-    while left is None or left > 0:
-        part = file.read(AT_ONCE if left is None else min(left, AT_ONCE))
+def _crc_without(file, begin, filled, value):
+    """CRC-32, from `value` on, of an open file from the byte `begin` on, without the places that are filled in"""
+    size = file.seek(0, os.SEEK_END)
+    for first, end in _kept(filled, size - begin):
+        file.seek(begin + first)
+        value = _crc(file, max(0, end - first), value)
+    return value
+
+
+def _crc(file, count, value=0):
+    """CRC-32, from `value` on, of the next `count` bytes of an open file, or of those that there are"""
+    while count > 0:
+        part = file.read(min(count, AT_ONCE))
         if not part:
             break
         value = zlib.crc32(part, value)
-        left = None if left is None else left - len(part)
+        count -= len(part)
     return value
 
 

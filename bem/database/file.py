@@ -15,16 +15,18 @@ import numpy as np
 
 import bem
 from meshing.panels import PanelMesh
+from meshing.seals import damage, kind_filled_in
 from meshing.whole_files import NotWritten, write_whole
 
 from ..waves import wavenumber
-from .integrity import CHECKSUM, MARK, ROWS, DamagedError, DatabaseError, check_schema, fixed_checksum
+from .integrity import MARK, ROWS, DamagedError, DatabaseError, check_schema
 from .results import OURS, check_seal, named, seal_of
 from .schema import (
     BODY,
     CHECKS,
     COORDINATES,
     DERIVED,
+    ERROR,
     ESTIMATES,
     FORMAT,
     LABELS,
@@ -32,6 +34,10 @@ from .schema import (
     SCHEMA_VERSION,
     cell_axes,
 )
+
+BLOCK = 4096  # bytes of the seal before a file that is filled in later
+LATER = (*QUANTITIES, "stored", "estimated_error", "checks", "wall_time", "solved", ROWS)
+REMEDY = "copy it again, or solve it anew with --fresh"
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +91,8 @@ def check_replaceable(path):
     """Raise DatabaseError if there is a file under this name that is no database, of whatever version, or in use."""
     if not Path(path).exists():
         return
+    if Path(path).is_file() and kind_filled_in(path) == FORMAT and damage(path):
+        return  # HDF5 may read for ever in what is damaged
     try:
         if h5py.is_hdf5(path):  # an empty file would be made one by opening it
             with h5py.File(path, "r+") as file:
@@ -97,21 +105,24 @@ def check_replaceable(path):
 
 
 @contextlib.contextmanager
-def beside(path, grows=False):
-    """A new file that takes the name `path` when it is whole, and vanishes if it never is.
+def beside(path, later=()):
+    """A new file that takes the name `path` when it is whole, sealed (`results`), and vanishes if it never is.
 
-    grows : its numbers are filled in later; a file that does not is sealed with its checksum (`results`)
+    later : names of datasets and groups whose numbers are filled in later, which the seal leaves out
     raises : `meshing.whole_files.NotWritten` where it does not arrive on the disk, and the old file is as it was
 
     HDF5 makes it in memory, since it ends in a segmentation fault on a disk that is full.
     """
     path = Path(path)
     check_place(path)
-    with h5py.File(path.with_name(path.name + ".partial"), "w", driver="core", backing_store=False) as file:
+    name, memory = path.with_name(path.name + ".partial"), {"driver": "core", "backing_store": False}
+    with h5py.File(name, "w", userblock_size=BLOCK if later else 0, **memory) as file:
         yield file
         file.flush()
         image = file.id.get_file_image()
-        seal = b"" if grows else seal_of(file, image)
+        seal = seal_of(file, image, later)
+        if later and len(seal) != BLOCK:
+            raise AssertionError(f"the seal of {path} needs {len(seal)} bytes, {BLOCK} are there")
     write_whole(path, seal, image)
 
 
@@ -119,7 +130,7 @@ def beside(path, grows=False):
 def opened(path, mode="r", checked=False):
     """The open HDF5 file, given by its path or open already.
 
-    checked : the schema has been checked, and need not be again
+    checked : seal or schema have been checked, and need not be again
 
     Raises DatabaseError if it is not a database of this schema version.
     """
@@ -129,7 +140,8 @@ def opened(path, mode="r", checked=False):
     path = Path(path)
     if not path.is_file():
         raise DatabaseError(f"{path} does not exist" if not path.exists() else f"{path} is not a file")
-    check_seal(path)
+    if not checked:
+        check_seal(path, REMEDY)
     try:
         foreign = not h5py.is_hdf5(path)
         file = None if foreign else h5py.File(path, mode)
@@ -149,7 +161,7 @@ def opened(path, mode="r", checked=False):
                 f"{path} has schema version {version}, this program reads {SCHEMA_VERSION}; make it anew"
             )
         with damage_named(path):
-            if not checked:
+            if not (checked or file.userblock_size):  # nothing in a file that is sealed can have changed
                 check_schema(file)
             yield file
 
@@ -166,9 +178,7 @@ def damage_named(path):
         if "write" in said:
             cause = os.strerror(error.errno) if getattr(error, "errno", None) else said
             raise NotWritten(f"{path} cannot be written: {cause}; what was stored before is kept") from None
-        raise DamagedError(
-            f"{path} is damaged: {said.splitlines()[0]}; copy it again, or solve it anew with --fresh"
-        ) from None
+        raise DamagedError(f"{path} is damaged: {said.splitlines()[0]}; {REMEDY}") from None
 
 
 def _reason(error):
@@ -201,7 +211,7 @@ def lay_out(file, header, omega, wave_direction, names):
         marks = np.zeros([lengths[axis] for axis in cell_axes(name)], MARK)
         _dataset(file, f"stored/{name}", cell_axes(name), "", marks)
         if name in ESTIMATES:
-            _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan))
+            _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan, ERROR))
     for name in (name for name in BODY if header.body.get(name) is not None):
         axes, unit, _ = BODY[name]
         _dataset(file, name, axes, unit, np.asarray(header.body[name], float))
@@ -213,7 +223,6 @@ def lay_out(file, header, omega, wave_direction, names):
     for name, mesh in (("mesh", header.mesh), ("mesh/lid", header.lid)):
         if mesh is not None:
             _write_mesh(file, name, mesh)
-    file.attrs[CHECKSUM] = fixed_checksum(file)
 
 
 def _attributes(header):
@@ -274,7 +283,7 @@ def read_header(file, attributes=None):
 
 
 def _header(file, attributes):
-    known, there = {*_attributes(_EMPTY), CHECKSUM}, set(file)
+    known, there = {*_attributes(_EMPTY)}, set(file)
     return Header(
         mesh=_read_mesh(file["mesh"]),
         lid=_read_mesh(file["mesh/lid"]) if "lid" in file["mesh"] else None,

@@ -1,9 +1,9 @@
 """Whether a database is still what was written into it: its schema, and checksums of every number.
 
 The mark of a stored cell is the CRC-32 of its bytes, 0 where nothing is stored, so that data and checksum become
-valid in one step (`rows.append`); checks and wall time of a frequency have one for the whole row; one in the root
-attributes covers what is known beforehand: attributes, coordinates, body, mesh.  Files from before there were
-checksums have marks of one byte, and are held to the schema alone.
+valid in one step (`rows.append`); checks and wall time of a frequency have one for the whole row; the seal of the
+file (`results`) covers the rest: structure, attributes, coordinates, body, mesh.  Files from before there were
+checksums have marks of one byte and no seal, and are held to the schema alone.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ import numpy as np
 
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, QUANTITIES, cell_axes
 
-CHECKSUM = "checksum"  # root attribute
 ROWS = "row_checksum"
 MARK = np.uint32
 LATER = ("rao", "drift_force_fixed", "drift_force")  # files with checksums may lack their estimated errors
@@ -41,23 +40,7 @@ def crc(*parts):
 
 def has_checksums(file):
     """Whether a file was made with checksums"""
-    return CHECKSUM in file.attrs
-
-
-def fixed_checksum(file):
-    """CRC-32 of attributes, coordinates, body and mesh of a file"""
-    attributes = ((key, file.attrs[key]) for key in sorted(file.attrs, key=str) if key != CHECKSUM)
-    value = zlib.crc32(_text(*(part for pair in attributes for part in pair)))
-    there = set(file)
-    names = [name for name in (*COORDINATES, *DERIVED, *BODY) if name in there]
-    meshes = [group for group in ("mesh", "mesh/lid") if group in file]
-    for group in meshes:
-        value = zlib.crc32(_text(group, *(file[group].attrs.get(key, "") for key in ("symmetry", "name"))), value)
-    for name in (*names, *(f"{group}/{part}" for group in meshes for part in ("points", "corners"))):
-        data = _read(file, name)
-        content = _text(*data.ravel()) if data.dtype == object else data.tobytes()
-        value = zlib.crc32(_text(name, data.shape, data.dtype.kind) + content, value)
-    return value
+    return ROWS in file
 
 
 def _read(file, name):
@@ -75,10 +58,6 @@ def _read(file, name):
     return data
 
 
-def _text(*values):
-    return "\0".join(repr(v.tolist()) if hasattr(v, "tolist") else repr(v) for v in values).encode()
-
-
 def check_schema(file):
     """Raise DatabaseError unless a file has the datasets, axes, types and finite coordinates that it must have."""
     for problem in _schema_problems(file):
@@ -90,9 +69,6 @@ def _schema_problems(file):
         if name not in file:
             yield f"{name} is missing"
             return
-    if has_checksums(file) and file.attrs[CHECKSUM] != fixed_checksum(file):
-        yield "attributes, coordinates, body or mesh do not match their checksum"
-        return
     try:
         coordinates = {axis: _read(file, axis) for axis in COORDINATES}
         lengths = {axis: len(values) for axis, values in coordinates.items()}
@@ -100,8 +76,7 @@ def _schema_problems(file):
         yield "a coordinate is no row of values"
         return
     yield from _wrong_coordinates(file, coordinates)
-    if not has_checksums(file):
-        yield from _wrong_scene(file)
+    yield from _wrong_scene(file)
     there, errors = set(file), set(file.get("estimated_error", ()))
     stored = set(file["stored"])
     names = [name for name in QUANTITIES if name in there or name in stored]
@@ -118,7 +93,7 @@ def _schema_problems(file):
 
 
 def _wrong_scene(file):
-    """Of a file without checksums, whose text would be believed as it is"""
+    """Of a file without a seal, whose text would be believed as it is"""
     try:
         tomllib.loads(str(file.attrs.get("scene", "")))
     except tomllib.TOMLDecodeError as error:

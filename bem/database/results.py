@@ -13,31 +13,40 @@ import h5py
 
 from meshing import seals
 
-from .integrity import DatabaseError
+from .integrity import DamagedError, DatabaseError
 
 OURS = "hakobune "
+STATUS = (
+    20,
+    4,
+)  # first byte and bytes of the flags in a superblock that change while a file is open or its writer killed
 
 
-def seal_of(file, image):
-    """The block before the image of an open HDF5 file"""
-    places = {}
+def seal_of(file, image, later=()):
+    """The block before the image of an open HDF5 file; later : names of datasets and groups that are filled in later"""
+    places, filled, first = {}, [STATUS] if later else [], file.userblock_size
 
     def add(name, item):
         if isinstance(item, h5py.Dataset) and item.id.get_offset() is not None:
-            places[name] = item.id.get_offset(), item.id.get_storage_size()
+            place = item.id.get_offset() - first, item.id.get_storage_size()
+            if name in later or name.partition("/")[0] in later:
+                filled.append(place)
+            else:
+                places[name] = place
 
     file.visititems(add)
-    return seals.hdf5_seal(image, places)
+    kind = file.attrs.get("schema", file.attrs.get("format", ""))
+    return seals.hdf5_seal(image, places, filled, kind, first or seals.LEAST_BLOCK)
 
 
-def check_seal(path):
-    """Raise DatabaseError, which names what is damaged, unless a file is what was sealed, or has no seal."""
+def check_seal(path, remedy=seals.REMEDY):
+    """Raise DamagedError, which names what is damaged, unless a file is what was sealed, or has no seal."""
     try:
         damaged = seals.damage(path)
     except OSError as error:
         raise DatabaseError(f"{path} cannot be read: {os.strerror(error.errno)}") from None
     if damaged:
-        raise DatabaseError(f"{path} is damaged: {damaged}, by its checksum; {seals.REMEDY}")
+        raise DamagedError(f"{path} is damaged: {damaged}, by its checksum; {remedy}")
 
 
 def has_schema(path, schema):

@@ -19,7 +19,7 @@ import numpy as np
 
 from meshing.whole_files import keep_room
 
-from .file import DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
+from .file import LATER, DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
 from .integrity import ROWS, check_cells, check_rows, checks_crc, crc, has_checksums
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
 
@@ -50,7 +50,7 @@ def create(path, header, omega, wave_direction, names):
     Raises DatabaseError if the path cannot be written.
     """
     omega, wave_direction = np.unique(np.asarray(omega, float)), np.unique(np.asarray(wave_direction, float))
-    with beside(path, grows=True) as file:
+    with beside(path, LATER) as file:
         lay_out(file, header, omega, wave_direction, names)
 
 
@@ -85,8 +85,9 @@ def append(file, omega, headings, result):
     for name, value in cells.items():
         stored = [value]
         if estimate_of(name) in file:
-            unknown = np.full(value.shape, np.nan)
-            stored.append(np.asarray(result.get("estimated_error", {}).get(name, unknown), float))
+            unknown, kind = np.full(value.shape, np.nan), file[estimate_of(name)].dtype
+            error = np.asarray(result.get("estimated_error", {}).get(name, unknown), float)
+            stored.append(np.minimum(error, np.finfo(kind).max).astype(kind))
             _put(file[estimate_of(name)], name, i, columns, stored[1])
         _put(file[name], name, i, columns, value)
         by_heading = len(cell_axes(name)) > 1
@@ -290,7 +291,7 @@ class Database:
             for name in names:
                 check_cells(file, name, None, self.rows)
             return {
-                name: file[estimate_of(name)][()][self.rows]
+                name: file[estimate_of(name)][()][self.rows].astype(float)
                 if estimate_of(name) in file
                 else np.full((self.rows.sum(), *file[name].shape[1:]), np.nan)
                 for name in names

@@ -5,6 +5,8 @@ Names follow Capytaine where it has one.  Every dataset carries its axes as HDF5
 
 from __future__ import annotations
 
+import numpy as np
+
 from .. import DOFS
 
 FORMAT = "hakobune database"
@@ -61,6 +63,7 @@ BODY = {
 ESTIMATES = (  # with an error each, in /estimated_error
     "added_mass", "radiation_damping", "excitation_force", "rao", "drift_force_fixed", "drift_force"
 )  # fmt: skip
+ERROR = np.float32  # of which nobody needs seven digits; older files have twice as many
 CHECKS = ("reciprocity", "Haskind", "energy", "residual", "estimated_error")
 
 LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .file import beside, lay_out, read_header
+from .file import LATER, beside, lay_out, read_header
 from .integrity import ROWS, has_checksums, remark, row_crc
 from .rows import estimate_of, mark_whole_rows, places_on, same_heading, same_omega, writing
 from .schema import CHECKS, QUANTITIES, cell_axes
@@ -34,7 +34,7 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
             or header.scene_hash != kept.scene_hash
         )
         if grown:
-            with beside(old.filename, grows=True) as file:
+            with beside(old.filename, LATER) as file:
                 lay_out(file, header, wider_omega, wider_heading, wider)
                 _take_over(old, file, anew)
     return grown
@@ -50,7 +50,8 @@ def _take_over(old, new, anew):
             value = np.asarray(new[path])
             value[np.ix_(i, j) if len(axes) == 2 else (i if axes else ...)] = old[path][()]
             new[path][...] = value
-        if not has_checksums(old) or (estimate_of(name) in old) != (estimate_of(name) in new):
+        kinds = [file[estimate_of(name)].dtype if estimate_of(name) in file else None for file in (old, new)]
+        if not has_checksums(old) or kinds[0] != kinds[1]:
             remark(new, name)
     for path in (*(f"checks/{name}" for name in CHECKS), "wall_time"):
         value = new[path][()]

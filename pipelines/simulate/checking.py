@@ -6,7 +6,7 @@ import numpy as np
 
 from bem.database.integrity import DatabaseError
 
-from .file import opened, whole_rows
+from .file import opened, summary_is_whole, whole_rows
 
 
 def check_run(path, say):
@@ -14,6 +14,7 @@ def check_run(path, say):
     try:
         with opened(path) as file:
             whole, marked, seeds = whole_rows(file), file["stored"][()] != 0, file["seed"][()]
+            summed = summary_is_whole(file) or not whole.any()
     except DatabaseError as error:
         say(str(error))
         return 1
@@ -22,4 +23,6 @@ def check_run(path, say):
         if chosen.any():
             named = ", ".join(map(str, seeds[chosen][:10])) + (" …" if np.count_nonzero(chosen) > 10 else "")
             say(f"{text}: seeds {named}; the command that made the file makes them again")
-    return 0 if whole.all() else 1
+    if not summed:
+        say("damaged: the statistics over all seeds; the command that made the file makes them again")
+    return 0 if whole.all() and summed else 1

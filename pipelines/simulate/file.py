@@ -1,8 +1,8 @@
 """The file of a simulation: one row for each seed, marked by its checksum once it is whole.
 
 Data first, then the mark, as in a database (`bem.database.integrity`): killed at any instant the file opens, and the
-same command makes the seeds that have no mark.  More seeds make a wider file, which takes over the rows of the old one.
-Records are kept of the first seeds only, statistics of all.
+same command makes the seeds that have no mark.  Its seal covers all else (`bem.database.results`).  More seeds make a
+wider file, which takes over the rows of the old one.  Records are kept of the first seeds only, statistics of all.
 """
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ import bem
 from bem import DOFS
 from bem.database.file import beside, software_version
 from bem.database.integrity import DatabaseError, crc
+from bem.database.results import check_seal
+from meshing.seals import kind_filled_in
 from meshing.whole_files import keep_room
 from mooring.motion.statistics import Extreme, RecordStatistics
 
@@ -34,6 +36,7 @@ SERIES = {  # name: (axes, unit, long name)
     "wind_speed": (("kept_seed", "time"), "m/s", "wind speed with its gusts"),
     "tension": (("kept_seed", "time", "line"), "N", "line tension at the body"),
 }
+FILLED = ("findings", "stored", "summary", "summary_checksum")
 ROWS = {
     "statistics": (("seed", "quantity", "statistic"), "unit of the quantity; T in s", "statistics of one run"),
     "estimated_error": (("seed", "dof"), "m, m, m, rad, rad, rad", "root mean square error of the motions"),
@@ -64,7 +67,7 @@ class Header:
 
 def create(path, header, seeds, kept, old=None):
     """A new file for seeds, with records of the first `kept`; rows of `old`, an open file, are taken over."""
-    with beside(path, grows=True) as file:
+    with beside(path, (*SERIES, *ROWS, *FILLED)) as file:
         _lay_out(file, header, np.array(seeds), min(kept, len(seeds)))
         for row in () if old is None else np.flatnonzero(whole_rows(old)):
             _take_over(old, file, int(row))
@@ -109,7 +112,7 @@ def _lay_out(file, header, seeds, kept):
         file, "summary", ("quantity", "summary_statistic"), np.full((len(header.quantities), len(SUMMARY)), np.nan),
         "unit of the quantity; T in s", "statistics over all runs",
     )  # fmt: skip
-    file.attrs["checksum"] = _header_crc(file)
+    _dataset(file, "summary_checksum", (), np.uint32(0), "", "CRC-32 of the summary")
 
 
 def _dataset(file, name, dims, data, unit, words):
@@ -121,43 +124,24 @@ def _dataset(file, name, dims, data, unit, words):
         dataset.attrs["units"] = unit
 
 
-def _header_crc(file):
-    """CRC-32 of attributes and coordinates"""
-    parts = [f"{key}={np.asarray(file.attrs[key]).tolist()!r}" for key in sorted(file.attrs) if key != "checksum"]
-    names = ("seed", "kept_seed", "time", "line", "quantity", "anchor", "fairlead")
-    parts += [f"{name}={file[name][()].tolist()!r}" for name in names]
-    return np.uint32(crc(np.frombuffer("\0".join(parts).encode(), np.uint8)))
-
-
 @contextmanager
 def opened(path, mode="r"):
-    """The open file of a simulation.  Raises DatabaseError for another file, or one whose head is damaged."""
+    """The open file of a simulation.  Raises DatabaseError for another file, or one whose seal is broken."""
     path = Path(path)
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")
+    if not is_run(path):
+        raise DatabaseError(f"{path} is no file of a simulation")
+    check_seal(path, "copy it again, or simulate again with --fresh")
     if mode != "r":
         keep_room(path)
-    try:
-        file = h5py.File(path, mode)
-    except OSError:
-        raise DatabaseError(f"{path} is no file of a simulation") from None
-    with file:
-        if file.attrs.get("schema") != SCHEMA:
-            raise DatabaseError(f"{path} is no file of a simulation")
-        if file.attrs.get("checksum") != _header_crc(file):
-            raise DatabaseError(f"{path} is damaged: its attributes or axes; simulate again with --fresh")
+    with h5py.File(path, mode) as file:
         yield file
 
 
 def is_run(path):
     """Whether a file is that of a simulation, damaged or not; devices and pipes are not opened"""
-    if not Path(path).is_file():
-        return False
-    try:
-        with h5py.File(path) as file:
-            return file.attrs.get("schema") == SCHEMA
-    except OSError:
-        return False
+    return Path(path).is_file() and kind_filled_in(path) == SCHEMA
 
 
 def row_values(file, row):
@@ -190,4 +174,10 @@ def whole_rows(file):
 def put_summary(file, summary):
     """Store the statistics over all runs, (quantities, len(SUMMARY))."""
     file["summary"][...] = summary
+    file["summary_checksum"][...] = crc(file["summary"][()])
     file.flush()
+
+
+def summary_is_whole(file):
+    """Whether the summary is there and what was stored"""
+    return file["summary_checksum"][()] == crc(file["summary"][()])

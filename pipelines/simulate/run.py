@@ -19,7 +19,19 @@ from ..common.outputs import DATABASE, check_output
 from ..common.progress import duration as words_of
 from ..moor.study import read_study
 from ..solve.work import Here, in_order
-from .file import STATISTICS, SUMMARY, Header, create, is_run, opened, put, put_summary, row_values, whole_rows
+from .file import (
+    STATISTICS,
+    SUMMARY,
+    Header,
+    create,
+    is_run,
+    opened,
+    put,
+    put_summary,
+    row_values,
+    summary_is_whole,
+    whole_rows,
+)
 from .study import plan_of
 from .work import Task, prepared, quantities_of, sample_times, simulate_seed
 
@@ -63,7 +75,7 @@ def simulate(study_path, database_path, output, console, executor, seeds=None, d
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:
         outcome = _fill(file, task, plan, console, executor, findings)
-        if outcome.made:
+        if outcome.made or (outcome.there and not summary_is_whole(file)):
             put_summary(file, summary(file))
     return outcome
 

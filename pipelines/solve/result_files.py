@@ -7,7 +7,7 @@ from pathlib import Path
 
 from bem.database import DatabaseError
 from bem.database.results import OURS, named, schema_of
-from meshing.seals import REMEDY, is_sealed, text_sealed
+from meshing.seals import REMEDY, is_sealed, kind_filled_in, text_sealed
 from meshing.text_files import read_text
 
 TEXT = (".csv",)
@@ -15,7 +15,9 @@ TEXT = (".csv",)
 
 def is_result(path):
     """Whether a file is the result of a study, by its name or by what is in it"""
-    return path.suffix.lower() in TEXT or is_sealed(path) or schema_of(path).startswith(OURS)
+    if path.suffix.lower() in TEXT:
+        return True
+    return not kind_filled_in(path) if is_sealed(path) else schema_of(path).startswith(OURS)
 
 
 def check_result(path, say, repair=False):

@@ -26,18 +26,30 @@ sys.path[:0] = [str(Path(__file__).parents[2])]
 import pipelines
 
 SECONDS = 20.0
+TIME = """
+[simulation]
+duration = 20.0
+ramp = 5.0
+seeds = 2
+keep_series = 1
+tolerance = 1e-2
+memory = "constant"
+"""
 
 
 def everything(path):
     """Whatever a reader may ask of a file, as a list of names and values"""
     from bem.database.results import opened_result, schema_of
-    from meshing.seals import is_sealed
+    from meshing.seals import is_sealed, kind_filled_in
     from meshing.text_files import read_text
+    from pipelines.simulate.file import is_run
 
     path = Path(path)
     if path.suffix == ".csv":
         return [(i, line) for i, line in enumerate(read_text(path).splitlines()) if not line.startswith("#")]
-    if is_sealed(path):
+    if is_run(path):
+        return simulation(path)
+    if is_sealed(path) and not kind_filled_in(path):
         with opened_result(path, schema_of(path)) as file:
             found = [*file.attrs.items()]
             file.visititems(lambda name, item: found.append((name, item[()])) if hasattr(item, "shape") else None)
@@ -52,8 +64,23 @@ def everything(path):
     return found + [("fixed", np.concatenate([np.ravel(part) for part in fixed])), ("scene", db.header.scene)]
 
 
+def simulation(path):
+    """What the reader of a simulation finds: its seeds that are whole, and the statistics over them if these are"""
+    from pipelines.simulate.file import opened, row_values, summary_is_whole, whole_rows
+
+    with opened(path) as file:
+        whole = whole_rows(file)
+        names = ("kept_seed", "time", "dof", "slow_dof", "line", "quantity", "statistic", "anchor", "fairlead")
+        found = [("omega", file["seed"][()][whole]), *file.attrs.items(), *((name, file[name][()]) for name in names)]
+        found.append(("summary", file["summary"][()] if summary_is_whole(file) else "to be made again"))
+        return found + [(f"seed {row} {name}", value) for row in np.flatnonzero(whole) for name, value in
+                        row_values(file, int(row)).items()]  # fmt: skip
+
+
 def same(one, other):
     """Whether two readings are equal to the last bit; None if the second is a part of the first"""
+    if "summary" in dict(one):
+        return part_of_simulation(dict(one), dict(other))
     if [name for name, _ in one] != [name for name, _ in other]:
         return False
     pairs = zip(one, other, strict=True)
@@ -62,6 +89,18 @@ def same(one, other):
         return True
     shorter = len(dict(other)["omega"]) < len(dict(one)["omega"]) if "omega" in dict(one) else False
     return None if shorter else False
+
+
+def part_of_simulation(one, other):
+    """As `same`, for simulations, whose seeds and statistics may be missing"""
+    if not set(other) <= set(one):
+        return False
+    lost = set(one) - set(other)
+    if isinstance(other["summary"], str):
+        lost.add("summary")
+    compared = set(other) - lost - ({"omega"} if lost - {"summary"} else set())
+    equal = all(np.array_equal(one[n], other[n], equal_nan=np.asarray(one[n]).dtype.kind == "f") for n in compared)
+    return (None if lost else True) if equal else False
 
 
 def answer(path, right):
@@ -129,8 +168,8 @@ def campaign(files, flips, seed, tell=None):
     return counts
 
 
-def make_files(folder):
-    """A database and the results of studies, to be damaged"""
+def make_files(folder, simulated=False):
+    """Databases and the results of studies, to be damaged; simulated : with a simulation, which takes longer"""
     from mooring.formats.results import write_channels
     from pipelines.cli import main
 
@@ -145,6 +184,14 @@ def make_files(folder):
         "sections.h5": "sections --beam-draft 5 --depth-draft 2 --xi 0.5,1 --tolerance 1e-3",
         "sections.csv": "sections --beam-draft 5 --depth-draft 2 --xi 0.5,1 --tolerance 1e-3",
     }
+    if simulated:
+        study = (scenes / "moor_chain_12.toml").read_text(encoding="utf-8") + TIME
+        (folder / "time.toml").write_text(study, encoding="utf-8")
+        commands |= {
+            "many.h5": "box --length 100 --beam 50 --draft 10 --depth 20 --method contour --gyration 15.6,29.4,32.3 "
+            "--omega 0.2:1.6:12 --heading 60 --only radiation,diffraction,motions,drift",
+            "simulation.h5": f"simulate {folder}/time.toml --database {folder}/many.h5",
+        }
     with open(os.devnull, "w") as nowhere, contextlib.redirect_stdout(nowhere):
         for name, words in commands.items():
             main([*words.split(), "--output", str(folder / name)])
@@ -159,7 +206,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        counts = campaign(make_files(Path(folder)), arguments.flips, arguments.seed, print)
+        counts = campaign(make_files(Path(folder), True), arguments.flips, arguments.seed, print)
     print(", ".join(f"{word} {count}" for word, count in counts.most_common()))
     return 1 if counts["believed"] + counts["crashed"] else 0
 

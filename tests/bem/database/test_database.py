@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from bem.database import DatabaseError, Header, append, append_limit, create, extend, open_database, pending, writing
-from bem.database.file import check_replaceable
-from bem.database.schema import CHECKS, DRIFT_DOFS, ESTIMATES, QUANTITIES
+from bem.database.file import BLOCK, check_replaceable
+from bem.database.schema import CHECKS, DRIFT_DOFS, ERROR, ESTIMATES, QUANTITIES
 from bem.waves import wavenumber
 from meshing.panels import PanelMesh
 
@@ -60,7 +60,7 @@ def result(omega, headings, names):
             value = np.full(shape, number(name, omega, 0), kind)
         made[name] = value * (1 + 2j) if kind is complex else value
         if name in ESTIMATES:
-            made["estimated_error"][name] = value.real / 1000
+            made["estimated_error"][name] = (value.real / 1000).astype(ERROR).astype(float)
     return made
 
 
@@ -128,14 +128,20 @@ def test_errors_are_kept_for_what_is_there_and_absent_where_there_is_no_estimate
         assert np.isnan(error[1]).all() and np.isfinite(error[[0, 2]]).all()
 
 
+def unsealed(path):
+    """The file without the block that holds its seal"""
+    path.write_bytes(path.read_bytes()[BLOCK:])
+
+
 def made_before_checksums(path):
     """The file as it was made before there were any: marks of one byte"""
     with h5py.File(path, "r+") as file:
-        del file.attrs["checksum"], file["row_checksum"]
+        del file["row_checksum"]
         for name in list(file["stored"]):
             marks = (file["stored"][name][()] != 0).astype(np.uint8)
             del file["stored"][name]
             file["stored"][name] = marks
+    unsealed(path)
 
 
 def test_a_file_without_estimated_errors_is_read_finished_and_extended(path):
@@ -155,6 +161,7 @@ def test_a_file_without_estimated_errors_is_read_finished_and_extended(path):
 def test_a_file_with_checksums_but_no_estimated_errors_of_drift_is_read_and_extended(path):
     with h5py.File(path, "r+") as file:
         del file["estimated_error/drift_force"]
+    unsealed(path)
     fill(path)
     db = open_database(path)
     errors = db.estimated_errors()
@@ -291,6 +298,7 @@ def study(path):
 
 def other_version(path):
     create(path, header(), OMEGAS, HEADINGS, NAMES)
+    unsealed(path)
     with h5py.File(path, "r+") as file:
         file.attrs["schema_version"] = 99
 

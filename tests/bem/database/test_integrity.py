@@ -3,9 +3,10 @@
 import h5py
 import numpy as np
 import pytest
-from test_database import HEADINGS, NAMES, OMEGAS, fill, header, made_before_checksums
+from test_database import HEADINGS, NAMES, OMEGAS, fill, header, made_before_checksums, unsealed
 
 from bem.database import DatabaseError, create, extend, open_database, pending, writing
+from bem.database.file import LATER
 from bem.database.integrity import repair
 
 
@@ -149,5 +150,25 @@ def test_a_coordinate_larger_than_its_file_is_refused_before_it_is_read(path):
     with h5py.File(path, "r+") as file:
         del file["theta"]
         file.create_dataset("theta", shape=(10**12,), dtype=float)
+    unsealed(path)
     with pytest.raises(DatabaseError, match="theta is larger than the file; copy it again"):
         open_database(path)
+
+
+def test_no_byte_that_hdf5_goes_by_is_read_before_it_is_known_to_be_whole(path):
+    content, right = path.read_bytes(), everything(path)
+    places = []
+
+    def add(name, item):
+        if isinstance(item, h5py.Dataset) and (name in LATER or name.partition("/")[0] in LATER):
+            places.append((item.id.get_offset(), item.id.get_storage_size()))
+
+    with h5py.File(path) as file:
+        file.visititems(add)
+    later = {place for first, count in places for place in range(first, first + count)}
+    for place in (place for place in range(0, len(content), 61) if place not in later):
+        path.write_bytes(content[:place] + bytes([content[place] ^ 0x24]) + content[place + 1 :])
+        with pytest.raises(DatabaseError, match="is damaged"):
+            open_database(path)
+    path.write_bytes(content)
+    np.testing.assert_equal(everything(path), right)
