@@ -23,12 +23,13 @@ from bem.time_domain.memory import MemoryArrays
 from bem.time_domain.memory_kernels import memory_force, memory_rate
 
 from .interpolation import EDGE, between_samples, on_ring
-from .line_loads import line_loads
-from .streams import stream_force
-from .wave_loads import HEADINGS, ROWS
+from .line_loads import Lines, LineWork, line_loads
+from .streams import Stream, stream_force
+from .wave_loads import ROWS
 
 WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "given")
-FIRST_WORK, MEMORY = 18, 18 + len(WORKS)  # where works and memory begin in the state
+BY_WAVES, BY_DRIFT, BY_WIND, BY_CURRENT, BY_LINES, BY_MEMORY, BY_DAMPING, BY_GIVEN = range(len(WORKS))
+SLOW, SLOW_RATE, FIRST_WORK, MEMORY = 12, 15, 18, 18 + len(WORKS)  # where the parts of the state begin
 
 
 class Body(NamedTuple):
@@ -36,10 +37,10 @@ class Body(NamedTuple):
 
     mass_inverse : (6, 6) of M + A∞; rigid, slow : (6, 6) M, and the added mass of slow motion
     stiffness : (6, 6) hydrostatic, on η in heading axes; spring : (6, 6) on η in space axes; damping : (6, 6) B′
-    quadratic : (6,) N₂; numbers : filter's ωc rad/s, ramp's length s, whether Munk's moment is in the current
+    quadratic : (6,) N₂; filter_rate : ωc, rad/s; ramp : s; munk : 1, or 0 where its moment is in the current
     memory : `bem.time_domain.memory.MemoryArrays`
     drift_damping : (HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
-    given : (6, n) N and N m, a table in time in heading axes, from 0 s in steps of numbers[3] s; one column for none
+    given : (6, n) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
     """
 
     mass_inverse: np.ndarray
@@ -49,10 +50,13 @@ class Body(NamedTuple):
     spring: np.ndarray
     damping: np.ndarray
     quadratic: np.ndarray
-    numbers: np.ndarray
+    filter_rate: float
+    ramp: float
+    munk: float
     memory: MemoryArrays
     drift_damping: np.ndarray
     given: np.ndarray
+    given_step: float
 
 
 class Work(NamedTuple):
@@ -72,6 +76,17 @@ class Work(NamedTuple):
     value: np.ndarray
     drag: np.ndarray
     R: np.ndarray
+
+
+class Scene(NamedTuple):
+    """All that acts on a body, and room for work: what `rates` takes beside time and state"""
+
+    body: Body
+    lines: Lines
+    line_work: LineWork
+    wind: Stream
+    current: Stream
+    work: Work
 
 
 def room(columns):
@@ -133,9 +148,8 @@ def restore(body, y, rate, work):
     across = body.rigid[1, 0] * u + body.rigid[1, 1] * v + body.rigid[1, 5] * r
     water_along = body.slow[0, 0] * u + body.slow[0, 1] * v + body.slow[0, 5] * r
     water_across = body.slow[1, 0] * u + body.slow[1, 1] * v + body.slow[1, 5] * r
-    munk = 0.0 if body.numbers[2] > 0.0 else 1.0
-    moment = (along + munk * water_along) * y[7] - (across + munk * water_across) * y[6]
-    add_horizontal(work, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, 3)
+    moment = (along + body.munk * water_along) * y[7] - (across + body.munk * water_across) * y[6]
+    add_horizontal(work, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, BY_CURRENT)
 
 
 @kernel()
@@ -146,52 +160,53 @@ def dissipate(body, y, rate, work):
         for j in range(6):
             total += body.damping[i, j] * y[6 + j]
         work.part[i] = -total
-    give(work.force, y, rate, work.part, 6, 6)
+    give(work.force, y, rate, work.part, 6, BY_DAMPING)
     memory_rate(body.memory, y[MEMORY:], y[6:12], rate[MEMORY:])
     memory_force(body.memory, y[MEMORY:], work.part)
     for j in range(6):
         work.part[j] = -work.part[j]
-    give(work.force, y, rate, work.part, 6, 5)
+    give(work.force, y, rate, work.part, 6, BY_MEMORY)
 
 
 @kernel()
 def load(body, wind, current, t, y, rate, work):
     """Waves, drift, wind, current and what is given, each grown by the ramp"""
-    share = ramp(t, body.numbers[1])
+    share = ramp(t, body.ramp)
     if work.window.shape[1] > 1:
         between_samples(work.window, (t - work.span[0]) / work.span[1] + EDGE, work.quintic, work.waves)
         for j in range(6):
             work.part[j] = share * work.waves[j]
-        give(work.force, y, rate, work.part, 6, 0)
+        give(work.force, y, rate, work.part, 6, BY_WAVES)
         on_ring(body.drift_damping, y[14], work.weights, work.drag)
         cos, sin = np.cos(y[14]), np.sin(y[14])
         u, v = cos * y[15] + sin * y[16], -sin * y[15] + cos * y[16]
         grown, d, w = share * share, work.drag, work.waves
         add_horizontal(
             work, y, rate, grown * (w[6] - d[0] * u - d[1] * v), grown * (w[7] - d[2] * u - d[3] * v),
-            grown * (w[8] - d[4] * u - d[5] * v), 1,
+            grown * (w[8] - d[4] * u - d[5] * v), BY_DRIFT,
         )  # fmt: skip
-    stream_force(wind, t, y[5], y[6], y[7], work.weights, work.quintic, work.stream, work.value)
-    add_horizontal(work, y, rate, share * work.stream[0], share * work.stream[1], share * work.stream[2], 2)
-    stream_force(current, t, y[5], y[6], y[7], work.weights, work.quintic, work.stream, work.value)
-    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], 3)
+    stream_force(wind, t, share, y[5:8], work.weights, work.quintic, work.stream, work.value)
+    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_WIND)
+    stream_force(current, t, share, y[5:8], work.weights, work.quintic, work.stream, work.value)
+    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_CURRENT)
     if body.given.shape[1] > 1:
-        between_samples(body.given, t / body.numbers[3], work.quintic, work.part)
+        between_samples(body.given, t / body.given_step, work.quintic, work.part)
         for j in range(6):
             work.part[j] *= share
-        give(work.force, y, rate, work.part, 6, 7)
+        give(work.force, y, rate, work.part, 6, BY_GIVEN)
 
 
 @kernel()
-def rates(body, lines, line_work, wind, current, t, y, rate, work):
-    """rate (n,) of the state y (n,) at t s; returns whether every line has a force."""
+def rates(scene, t, y, rate):
+    """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force."""
+    body, work = scene.body, scene.work
     rate[:] = 0.0
     work.force[:] = 0.0
     restore(body, y, rate, work)
     dissipate(body, y, rate, work)
-    load(body, wind, current, t, y, rate, work)
-    good = line_loads(lines, line_work, y[:6], work.R, work.part)
-    give(work.force, y, rate, work.part, 6, 4)
+    load(body, scene.wind, scene.current, t, y, rate, work)
+    good = line_loads(scene.lines, scene.line_work, y[:6], work.R, work.part)
+    give(work.force, y, rate, work.part, 6, BY_LINES)
     cos, sin = np.cos(y[5]), np.sin(y[5])
     rate[0], rate[1] = cos * y[6] - sin * y[7], sin * y[6] + cos * y[7]
     for j in range(2, 6):
@@ -201,14 +216,9 @@ def rates(body, lines, line_work, wind, current, t, y, rate, work):
         for j in range(6):
             total += body.mass_inverse[i, j] * work.force[j]
         rate[6 + i] = total
-    c = body.numbers[0]
+    c = body.filter_rate
     for j in range(3):
         at = 5 if j == 2 else j
-        rate[12 + j] = y[15 + j]
-        rate[15 + j] = c * c * (y[at] - y[12 + j]) - 2 * c * y[15 + j]
+        rate[SLOW + j] = y[SLOW_RATE + j]
+        rate[SLOW_RATE + j] = c * c * (y[at] - y[SLOW + j]) - 2 * c * y[SLOW_RATE + j]
     return good
-
-
-def ring_of_headings():
-    """(HEADINGS,) rad at which `Body.drift_damping` is wanted"""
-    return np.arange(HEADINGS) * (2 * np.pi / HEADINGS)

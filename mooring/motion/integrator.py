@@ -14,11 +14,17 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .equation import rates
+from .equation import SLOW, SLOW_RATE, rates
+from .line_loads import hold
 from .wave_loads import fill_window
 
 SAFETY, LARGEST, SMALLEST = 0.9, 4.0, 0.2  # of the change of step
 SHORTEST = 1e-5  # s; a step below it says that the motion cannot be followed
+FIRST_STEP = 0.05  # s
+AT_ONCE = 1e-9  # s between instants that are one
+ROUNDING = 2e-9  # of the step between samples, by which their times are uncertain
+TIME, STEP, WINDOW = range(3)  # places in `Clock.now`
+STEPS, REFUSED, SAMPLES = range(3)  # places in `Clock.counts`
 DONE, RUNNING, TOO_SHORT, NO_LINE, NOT_FINITE = range(5)
 
 A = np.array(
@@ -37,15 +43,19 @@ E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525
 
 
 class Clock(NamedTuple):
-    """What a run keeps between calls, changed in place.
+    """What a run keeps between calls; its arrays are changed in place.
 
-    now : t, step, next sample, start of the window, end of the run, step between samples, fixed step or 0, all s
-    counts : steps, steps refused, samples; scale : (12,) allowed error a second of each position and velocity
+    now : TIME, STEP, WINDOW (its begin), all s; counts : STEPS, REFUSED, SAMPLES
+    end, sample_step : s; fixed_step : s, 0 where the error chooses the step
+    scale : (12,) allowed error a second of each position and velocity
     y, stages : state (n,), its rates (7, n); poses : (2, 3) slow poses at the ends of the window
     """
 
     now: np.ndarray
     counts: np.ndarray
+    end: float
+    sample_step: float
+    fixed_step: float
     scale: np.ndarray
     y: np.ndarray
     trial: np.ndarray
@@ -53,8 +63,25 @@ class Clock(NamedTuple):
     poses: np.ndarray
 
 
+def clock_at_rest(y, end, sample_step, fixed_step, scale):
+    """Clock of a run from a state y (n,) at 0 s"""
+    first = fixed_step or FIRST_STEP
+    return Clock(
+        np.array([0.0, first, -np.inf]),
+        np.zeros(3, np.int64),
+        float(end),
+        float(sample_step),
+        float(fixed_step or 0.0),
+        scale,
+        y,
+        np.zeros_like(y),
+        np.zeros((7, len(y))),
+        np.array([y[SLOW : SLOW + 3]] * 2),
+    )
+
+
 @kernel()
-def take_step(body, lines, line_work, wind, current, clock, work, t, h):
+def take_step(scene, clock, t, h):
     """Stages and the trial state after a step; returns its error over what is allowed, and whether all lines hold."""
     y, k, trial = clock.y, clock.stages, clock.trial
     n, good = y.size, True
@@ -64,7 +91,7 @@ def take_step(body, lines, line_work, wind, current, clock, work, t, h):
             for j in range(s):
                 total += A[s, j] * k[j, i]
             trial[i] = y[i] + h * total
-        good = rates(body, lines, line_work, wind, current, t + C[s] * h, trial, k[s], work) and good
+        good = rates(scene, t + C[s] * h, trial, k[s]) and good
     worst = 0.0
     for i in range(12):
         total = 0.0
@@ -111,64 +138,75 @@ def next_break(lines, t):
 
 
 @kernel()
-def open_window(table, clock, work, rows, sums, mean_drift):
+def open_window(waves, clock, work):
     """Forces of the next window: from the pose foreseen for now to the one foreseen for its end."""
-    now, y, length = clock.now, clock.y, table.times[1]
+    now, y, length = clock.now, clock.y, waves.table.window
     clock.poses[0] = clock.poses[1]
     for j in range(3):
-        clock.poses[1, j] = y[12 + j] + length * y[15 + j]
-    work.span[0], work.span[1] = now[0], table.times[0]
-    now[3] = now[0]
-    fill_window(table, work.window, rows, sums, clock.poses[0], clock.poses[1], now[0], mean_drift)
+        clock.poses[1, j] = y[SLOW + j] + length * y[SLOW_RATE + j]
+    work.span[0], work.span[1] = now[TIME], waves.table.step
+    now[WINDOW] = now[TIME]
+    fill_window(waves, work.window, clock.poses[0], clock.poses[1], now[TIME])
 
 
 @kernel()
-def advance(body, lines, line_work, wind, current, table, clock, work, rows, sums, mean_drift, samples, most):
-    """Integrate until the end, or for `most` steps; samples (n, 18) is filled row by row.  Returns why it stopped."""
-    now, counts, y = clock.now, clock.counts, clock.y
-    k = clock.stages
+def advance(scene, waves, clock, samples, most):
+    """Integrate until the end, or for `most` steps; samples (n, 18) is filled row by row.  Returns why it stopped.
+
+    scene : `equation.Scene`; waves : `wave_loads.Waves`
+    """
+    now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step
+    lines, length = scene.lines, waves.table.window
     for _ in range(most):
-        t = now[0]
-        if t >= now[4] - 1e-9:
+        t = now[TIME]
+        if t >= clock.end - AT_ONCE:
             return DONE
-        if t >= now[3] + table.times[1] - 1e-9:
-            open_window(table, clock, work, rows, sums, mean_drift)
-            rates(body, lines, line_work, wind, current, t, y, k[0], work)
-        limit = min(now[3] + table.times[1], now[4], next_break(lines, t))
-        h = now[6] if now[6] > 0.0 else now[1]
-        cut = t + h >= limit - 1e-9
+        if t >= now[WINDOW] + length - AT_ONCE:
+            open_window(waves, clock, scene.work)
+            rates(scene, t, clock.y, k[0])
+        limit = min(now[WINDOW] + length, clock.end, next_break(lines, t))
+        h = fixed if fixed > 0.0 else now[STEP]
+        cut = t + h >= limit - AT_ONCE
         if cut:
             h = limit - t
-        elif t + 2.0 * h > limit and now[6] == 0.0:
+        elif t + 2.0 * h > limit and fixed == 0.0:
             h = 0.5 * (limit - t)
-        error, good = take_step(body, lines, line_work, wind, current, clock, work, t, h)
+        error, good = take_step(scene, clock, t, h)
         if not np.isfinite(error) or not good:
-            if now[6] > 0.0 or h < SHORTEST:
+            if fixed > 0.0 or h < SHORTEST:
                 return NO_LINE if not good else NOT_FINITE
-            counts[1] += 1
-            now[1] = SMALLEST * h
+            counts[REFUSED] += 1
+            now[STEP] = SMALLEST * h
             continue
-        if error > 1.0 and now[6] == 0.0:
-            counts[1] += 1
-            now[1] = h * max(SMALLEST, SAFETY * error**-0.25)
-            if now[1] < SHORTEST:
+        if error > 1.0 and fixed == 0.0:
+            counts[REFUSED] += 1
+            now[STEP] = h * max(SMALLEST, SAFETY * error**-0.25)
+            if now[STEP] < SHORTEST:
                 return TOO_SHORT
             continue
         later = limit if cut else t + h
-        while now[2] <= later and counts[2] < samples.shape[0]:
-            put_sample(clock, t, h, now[2], samples[counts[2]])
-            counts[2] += 1
-            now[2] = counts[2] * now[5]
-        y[:] = clock.trial
-        now[0] = later
-        counts[0] += 1
+        put_samples(clock, t, h, later, samples)
+        clock.y[:] = clock.trial
+        now[TIME] = later
+        counts[STEPS] += 1
         if later == next_break(lines, t):
-            for i in range(lines.lost.size):
-                line_work.whole[i] = lines.lost[i] > later
-            rates(body, lines, line_work, wind, current, later, y, k[0], work)
+            hold(lines, scene.line_work, later)
+            rates(scene, later, clock.y, k[0])
         else:
             k[0] = k[6]
         if not cut or error > 0.0:
             grown = h * min(LARGEST, max(SMALLEST, SAFETY * max(error, 1e-8) ** -0.25))
-            now[1] = max(now[1], grown) if cut else grown
+            now[STEP] = max(now[STEP], grown) if cut else grown
     return RUNNING
+
+
+@kernel()
+def put_samples(clock, t, h, later, samples):
+    """Samples of the step from t to `later`, s, into their rows; the last one may lie beyond it by rounding."""
+    counts = clock.counts
+    while counts[SAMPLES] < samples.shape[0]:
+        at = counts[SAMPLES] * clock.sample_step
+        if at > later + ROUNDING * clock.sample_step:
+            return
+        put_sample(clock, t, h, at, samples[counts[SAMPLES]])
+        counts[SAMPLES] += 1

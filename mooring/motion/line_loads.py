@@ -19,7 +19,7 @@ from bem.kernels.jit import kernel
 
 from ..lines.catenary.moving_end import pull_of_any, workspace
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
-from .line_tables import Packed, packed, packed_pull, tabulate
+from .force_tables import Packed, packed, packed_pull, tabulate
 
 NEVER = np.inf  # s at which a line breaks that does not
 REACH = (1.5, 0.35)  # depths that a span may fall and a fairlead rise or sink in a table
@@ -29,7 +29,7 @@ class Lines(NamedTuple):
     """Lines as the kernels read them.
 
     anchor : (n, 3) m in space, fairlead : (n, 3) m in the body's axes; lines : (n, 4) length, weight, 1/EA, friction
-    lost : (n,) s; bed : (1,) m, its height; table : (n,) number of its table, below 0 for a closed form
+    lost : (n,) s; bed : m, its height; table : (n,) number of its table, below 0 for a closed form
     tables : `Packed`; place : (3,) m, origin of the body's axes at rest
     """
 
@@ -37,7 +37,7 @@ class Lines(NamedTuple):
     fairlead: np.ndarray
     lines: np.ndarray
     lost: np.ndarray
-    bed: np.ndarray
+    bed: float
     table: np.ndarray
     tables: Packed
     place: np.ndarray
@@ -57,16 +57,22 @@ class LineWork(NamedTuple):
 
 
 def line_work(lines):
-    """`LineWork` of lines none of which has broken"""
+    """`LineWork` of lines at 0 s"""
     count = len(lines.lost)
-    return LineWork(*workspace(count), np.zeros((count, 2)), np.ones(count, bool))
+    return LineWork(*workspace(count), np.zeros((count, 2)), lines.lost > 0.0)
+
+
+@kernel()
+def hold(lines, work, t):
+    """Mark which lines have not broken at t s."""
+    for i in range(lines.lost.size):
+        work.whole[i] = lines.lost[i] > t
 
 
 def body_lines(system, lost=(), tables=((), ())):
     """`Lines` of a System of one body, whose lines run between anchors and fairleads; of None, none.
 
-    tables : LineTables, and for every line the number of its own, below 0 for a uniform line (`tables_of`)
-
+    tables : ForceTables, and for every line the number of its own, below 0 for a uniform line (`tables_of`)
     lost : (name, s) of lines that break.  raises : ValueError for other systems, and names that are unknown
     """
     if system is None:
@@ -101,7 +107,7 @@ def body_lines(system, lost=(), tables=((), ())):
 
 
 def tables_of(system, start):
-    """LineTables of the lines with segments about the body's place at rest, and (n,) the number of each line's own.
+    """ForceTables of the lines with segments about the body's place at rest, and (n,) the number of each line's own.
 
     start : (6,) of the body at rest, from the place given.  Lines that are alike share a table.
     raises : ValueError naming a line without equilibrium
@@ -136,7 +142,7 @@ def _arrays(anchors, fairleads, given, times, bed, place, tables):
         np.array(fairleads, float).reshape(-1, 3),
         np.array(given, float).reshape(-1, 4),
         np.array(times, float),
-        np.array([bed]),
+        float(bed),
         np.asarray(tables[1], np.int64) if len(tables[1]) else np.full(len(given), -1),
         packed(tables[0]),
         place,
@@ -180,7 +186,7 @@ def line_loads(lines, work, position, R, out):
             H, V = packed_pull(lines.tables, lines.table[i], span, z - a[2])
         else:
             H, V = pull_of_any(
-                work.kept[i], work.rows[i], span, a[2], z, lines.bed[0], length, weight, flexibility, friction
+                work.kept[i], work.rows[i], span, a[2], z, lines.bed, length, weight, flexibility, friction
             )
         if not np.isfinite(H):
             good = False
@@ -208,8 +214,7 @@ def tensions_along(lines, work, times, positions, out):
     """out (n, lines) N at the fairleads, at times (n,) s with the body at positions (n, 6 or more)"""
     R, force = np.zeros((3, 3)), np.zeros(6)
     for i in range(times.size):
-        for j in range(lines.lost.size):
-            work.whole[j] = lines.lost[j] > times[i]
+        hold(lines, work, times[i])
         line_loads(lines, work, positions[i, :6], R, force)
         for j in range(lines.lost.size):
             out[i, j] = np.hypot(work.tension[j, 0], work.tension[j, 1])

@@ -14,12 +14,14 @@ from bem.time_domain.memory import MemoryArrays, memory_of_database
 from ..environment.sea import Components, joined
 from ..lines.system.equilibrium import rest
 from . import integrator
-from .equation import MEMORY, WORKS, Body, room
-from .expected import drift_damping_ring, expected_motion
+from .drift_damping import drift_damping_ring
+from .equation import FIRST_WORK, MEMORY, SLOW, WORKS, Body, Scene, room
+from .expected import expected_motion
+from .force_tables import TOLERANCE
+from .given_forces import sampled
 from .line_loads import body_lines, line_work, tables_of, tensions_along
-from .line_tables import TOLERANCE
 from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
-from .wave_loads import WaveForces, no_waves, wave_forces, wave_table
+from .wave_loads import WaveForces, no_waves, wave_forces, wave_table, waves_of
 
 STEPS_AT_ONCE = 2000  # between reports of progress
 FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
@@ -27,7 +29,11 @@ SHARE = 0.3  # of the tolerance that the errors of one such time may have
 MEMORY_TOLERANCES = (1e-3, 3e-3, 1e-2, 3e-2)
 FASTEST = 8.0  # rad/s, of states of the memory: explicit steps of 0.4 s are stable
 FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
+MOTIONLESS = 1e-9  # m, rad: the deviation of a motion that is none
 FINER, CHAOTIC = 0.1, 0.1  # tolerance of the run that estimates the error; error over σ of a path that is chance
+UNKNOWN = 0.4  # rad/s, mean frequency of waves that there are not
+NEXT_SEA, GUSTS = 7919, 104729  # what is added to the seed of a run for each further sea, and for gusts: phases of
+# two loads of a run are never drawn alike; those of runs whose seeds are as far apart as this would be
 FEWEST, MOST = 200, 600  # wave components of a sea; at 600 their beats are closer than a slow resonance is wide
 
 
@@ -130,26 +136,29 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     wind, current, drag = _streams(moored, weather, seed, end, findings)
     lines = body_lines(moored.system, [(name, settings.ramp + t) for name, t in settings.lines_lost], moored.tables)
     body = _body(moored, weather, settings, components, drag, current is not None)
-    loads = wind, current if current is not None else calm(), table
-    samples, clock = _run(moored, settings, expected, body, lines, *loads, progress)
-    found = _realisation(moored, settings, seed, lines, wind, table, samples, clock, findings)
+    scene = Scene(body, lines, line_work(lines), wind, calm() if current is None else current, room(table.steps))
+    waves = waves_of(table, settings.slow_drift == "mean")
+    samples, clock = _run(moored, settings, expected, scene, waves, progress)
+    found = _realisation(moored, settings, seed, scene, table, samples, clock, findings)
     if not settings.estimate_error:
         return found
     finer = replace(settings, tolerance=FINER * settings.tolerance)
-    return _with_error(found, _run(moored, finer, expected, body, lines, *loads, progress)[0][:, :6])
+    return _with_error(found, _run(moored, finer, expected, scene, waves, progress)[0][:, :6], settings.tolerance)
 
 
-def _with_error(found, finer):
+def _with_error(found, finer, tolerance):
     """A Realisation with the root mean square difference from motions (n, 6) of a run to a smaller tolerance"""
     late = found.time >= 0
-    error = np.sqrt(np.mean((found.motion - finer)[late] ** 2, axis=0))
-    share = error / np.maximum(found.motion[late].std(axis=0), 1e-300)
-    worst, findings = int(np.argmax(np.where(found.motion[late].std(axis=0) > 1e-9, share, 0.0))), found.findings
-    if share[worst] > CHAOTIC:
+    error, spread = np.sqrt(np.mean((found.motion - finer)[late] ** 2, axis=0)), found.motion[late].std(axis=0)
+    share = np.where(spread > MOTIONLESS, error / np.maximum(spread, MOTIONLESS), 0.0)
+    worst, findings = int(np.argmax(share)), found.findings
+    if share[worst] > tolerance:
+        chaotic = "this motion forgets where it came from; believe statistics over seeds, not a single path"
+        missed = f"the tolerance is {tolerance:g}; give a smaller one for a path as near as that"
         findings = (
             *findings,
             f"{DOFS[worst].lower()} of a run to a tenth of the tolerance differs by {share[worst]:.2g} of its standard "
-            "deviation: this motion forgets where it came from; believe statistics over seeds, not a single path",
+            f"deviation: {chaotic if share[worst] > CHAOTIC else missed}",
         )
     return found._replace(estimated_error=error, findings=findings)
 
@@ -168,7 +177,7 @@ def wave_components(moored, weather, settings, seed):
         count = settings.components
         if count is None:
             count = int(np.clip(np.ptp(band) * settings.duration / (4 * np.pi), FEWEST, MOST))
-        parts.append(sea.components(count, seed + 7919 * number, low=float(band[0]), high=float(band[1])))
+        parts.append(sea.components(count, seed + NEXT_SEA * number, low=float(band[0]), high=float(band[1])))
     return parts[0] if len(parts) == 1 else joined(*parts)
 
 
@@ -222,7 +231,7 @@ def _streams(moored, weather, seed, end, findings):
         return calm(), None, 0.0
     wind = calm()
     if weather.wind:
-        wind = wind_stream(weather.wind, hull, reader.rotation_center, weather.gusts, seed + 104729, 0.0, end)
+        wind = wind_stream(weather.wind, hull, reader.rotation_center, weather.gusts, seed + GUSTS, 0.0, end)
     try:
         current = current_stream(weather.current, hull, reader.rotation_center, reader.density, reader.depth)
         table = None if weather.current is None else weather.current.table
@@ -240,13 +249,22 @@ def _body(moored, weather, settings, components, drag, munk):
     slow = slow_memory(memory, FASTEST)
     added, B, arrays = memory.added_mass_infinity + slow.inertia, moored.damping + slow.damping, slow.arrays
     if settings.memory == "constant":
+        if components is None:
+            raise SimulationError(
+                'memory = "constant" takes coefficients at the mean frequency of waves, and there are none; '
+                'give waves, or memory = "states"'
+            )
         w = np.array([mean_frequency(components)])
         A, radiated = reader.coefficients(w)
         added, B = A[0], moored.damping + radiated[0]
         arrays = MemoryArrays(np.zeros(0), np.zeros(0), np.zeros((6, 0)), np.zeros((6, 0)))
     quadratic = moored.quadratic.copy()
     quadratic[5] += drag
-    filter_rate = FILTER * (mean_frequency(components) if components is not None else 0.4)
+    mean = UNKNOWN if components is None else mean_frequency(components)
+    try:
+        given = sampled(weather.forces, settings.ramp, settings.duration)
+    except ValueError as error:
+        raise SimulationError(str(error)) from None
     ring = np.zeros((4, 6))
     if components is not None and settings.wave_drift_damping and settings.slow_drift != "none" and reader.knows_drift:
         ring = drift_damping_ring(moored.waves, weather, reader.depth, reader.gravity)
@@ -258,64 +276,52 @@ def _body(moored, weather, settings, components, drag, munk):
         moored.spring,
         B,
         quadratic,
-        np.array([filter_rate, settings.ramp, float(munk), 1.0]),
+        FILTER * mean,
+        float(settings.ramp),
+        0.0 if munk else 1.0,
         arrays,
         ring,
-        np.zeros((6, 1)),
+        *given,
     )
 
 
 def mean_frequency(components):
-    """rad/s, of the energy; components None: not known"""
+    """rad/s, of the energy of wave components"""
     energy = components.amplitude**2
     return float(components.omega @ energy / energy.sum())
 
 
-def _run(moored, settings, expected, body, lines, wind, current, table, progress):
+def _run(moored, settings, expected, scene, waves, progress):
     """Samples (n, 18) and the last Clock"""
     end = settings.ramp + settings.duration
-    rows = int(np.floor(end / settings.step + 1e-9)) + 1
-    columns = table.factor.shape[1] if len(table.omega) else 1
-    y = np.zeros(MEMORY + len(body.memory.decay))
+    rows = int(np.floor(end / settings.step + integrator.AT_ONCE)) + 1
+    y = np.zeros(MEMORY + len(scene.body.memory.decay))
     y[:6] = moored.start
-    y[12:15] = moored.start[[0, 1, 5]]
+    y[SLOW : SLOW + 3] = moored.start[[0, 1, 5]]
     scale = SHARE * settings.tolerance / FORGOTTEN * expected
-    first = settings.fixed_step or 0.05
-    clock = integrator.Clock(
-        np.array([0.0, first, 0.0, -1e9, end, settings.step, settings.fixed_step or 0.0]),
-        np.zeros(3, np.int64),
-        scale,
-        y,
-        np.zeros_like(y),
-        np.zeros((7, len(y))),
-        np.array([y[12:15], y[12:15]]),
-    )
-    work, kept, samples = room(columns), line_work(lines), np.zeros((rows, 18))
-    c = len(table.omega)
-    matrices = np.zeros((19, 2 * c)), np.zeros((19, columns))
-    mean = settings.slow_drift == "mean"
+    clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale)
+    samples = np.zeros((rows, 18))
+    scene = scene._replace(line_work=line_work(scene.lines))
     while True:
-        state = integrator.advance(
-            body, lines, kept, wind, current, table, clock, work, *matrices, mean, samples, STEPS_AT_ONCE
-        )
+        state = integrator.advance(scene, waves, clock, samples, STEPS_AT_ONCE)
         if progress is not None:
-            progress(min(clock.now[0] / end, 1.0))
+            progress(min(clock.now[integrator.TIME] / end, 1.0))
         if state == integrator.DONE:
             return samples, clock
         if state != integrator.RUNNING:
-            raise SimulationError(_failure(state, clock, settings, lines, kept, moored))
+            raise SimulationError(_failure(state, clock, settings, scene, moored))
 
 
-def _failure(state, clock, settings, lines, kept, moored):
-    t, place = clock.now[0], clock.y[:6]
+def _failure(state, clock, settings, scene, moored):
+    t, place = clock.now[integrator.TIME], clock.y[:6]
     where = f"at {t - settings.ramp:.4g} s after the ramp, the body {np.hypot(*place[:2]):.3g} m from its place"
-    name, tension = _tightest(lines, kept, moored)
+    name, tension = _tightest(scene.line_work, moored)
     if state == integrator.NO_LINE:
         return (
             f"{where}: a line cannot reach its fairlead or its end is below the bed; lengthen it, or weaken the loads"
         )
     if state == integrator.TOO_SHORT:
-        rigid = name and not lines.lines[moored.system.line_names.index(name), 2] > 0
+        rigid = name and not scene.lines.lines[moored.system.line_names.index(name), 2] > 0
         way = "give it an axial stiffness" if rigid else "raise the tolerance or soften it"
         return (
             f"{where}: steps below {integrator.SHORTEST:g} s would be needed, line {name} pulls {tension:.3g} N; {way}"
@@ -323,16 +329,17 @@ def _failure(state, clock, settings, lines, kept, moored):
     return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
 
 
-def _tightest(lines, kept, moored):
+def _tightest(kept, moored):
     """Name and pull of the line that pulls most; None without lines"""
-    if not len(lines.lost):
+    if not len(kept.whole):
         return None, 0.0
     pull = np.nan_to_num(np.hypot(*kept.tension.T))
     return moored.system.line_names[int(pull.argmax())], float(pull.max())
 
 
-def _realisation(moored, settings, seed, lines, wind, table, samples, clock, findings):
+def _realisation(moored, settings, seed, scene, table, samples, clock, findings):
     time = settings.step * np.arange(len(samples)) - settings.ramp
+    lines, wind = scene.lines, scene.wind
     tension = np.zeros((len(samples), len(lines.lost)))
     tensions_along(lines, line_work(lines), time + settings.ramp, samples, tension)
     wave = np.zeros(len(samples))
@@ -342,8 +349,8 @@ def _realisation(moored, settings, seed, lines, wind, table, samples, clock, fin
         parts = Components(table.omega, table.amplitude, table.phase, table.direction)
         wave = elevation(parts, time + settings.ramp, 0.0, 0.0, moored.reader.depth, moored.reader.gravity)
     speed = np.hypot(*wind.velocity) + gust_at(wind, time + settings.ramp)
-    work = dict(zip(WORKS, clock.y[18 : 18 + len(WORKS)].tolist(), strict=True))
+    work = dict(zip(WORKS, clock.y[FIRST_WORK:MEMORY].tolist(), strict=True))
     return Realisation(
         time, samples[:, :6], samples[:, 6:12], samples[:, 12:15], wave, speed, tension, seed, np.full(6, np.nan),
-        int(clock.counts[0]), work, tuple(findings),
+        int(clock.counts[integrator.STEPS]), work, tuple(findings),
     )  # fmt: skip

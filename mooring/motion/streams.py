@@ -32,18 +32,18 @@ class Stream(NamedTuple):
     """Wind or current as the kernels read it.
 
     table : (RING + 3, 3) N s²/m², N m s²/m² of unit speed at equal angles; velocity : (2,) m/s in space
-    gusts : (1, n) m/s along the mean, from `first` (1,) s − in steps of GUST_STEP; one column where there are none
+    gusts : (1, n) m/s along the mean, from `first` s on in steps of GUST_STEP; one column where there are none
     """
 
     table: np.ndarray
     velocity: np.ndarray
     gusts: np.ndarray
-    first: np.ndarray
+    first: float
 
 
 def calm():
     """A Stream that exerts no force"""
-    return Stream(np.zeros((RING + 3, 3)), np.zeros(2), np.zeros((1, 1)), np.zeros(1))
+    return Stream(np.zeros((RING + 3, 3)), np.zeros(2), np.zeros((1, 1)), 0.0)
 
 
 def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
@@ -59,7 +59,7 @@ def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
             warnings.simplefilter("ignore", MissingVariance)
             omega, amplitude, phase = gust_components(gusts, seed, *GUST_BAND, GUSTS)
         record = real_sum(amplitude * np.exp(-1j * phase), omega, t)[None]
-    return Stream(ring_table(about(unit, (0.0, 0.0), center)), _vector(speed, direction), record, np.array([first]))
+    return Stream(ring_table(about(unit, (0.0, 0.0), center)), _vector(speed, direction), record, float(first))
 
 
 def current_stream(current, hull, center, density, depth):
@@ -70,7 +70,7 @@ def current_stream(current, hull, center, density, depth):
     angles = np.arange(RING) * (2 * np.pi / RING)
     unit = current_force(np.ones(RING), angles, hull.length, hull.beam, hull.draft, density, table)
     velocity = np.zeros(2) if current is None else _vector(current.speed, current.direction)
-    return Stream(ring_table(about(unit, (0.0, 0.0), center)), velocity, np.zeros((1, 1)), np.zeros(1))
+    return Stream(ring_table(about(unit, (0.0, 0.0), center)), velocity, np.zeros((1, 1)), 0.0)
 
 
 def turning_drag(hull, density, depth, table=None):
@@ -80,16 +80,18 @@ def turning_drag(hull, density, depth, table=None):
 
 
 @kernel()
-def stream_force(stream, t, heading, u, v, weights, quintic, out, value):
-    """out (3,) N, N, N m in the body's axes, at velocities u, v (m/s) along and across it.
+def stream_force(stream, t, share, moving, weights, quintic, out, value):
+    """out (3,) N, N, N m in the body's axes of a stream that has grown to `share` of its speed.
 
+    moving : (3,) heading, velocities along and across it, rad and m/s
     weights (4,), quintic (6,), value (1,) : room for work
     """
+    heading, u, v = moving[0], moving[1], moving[2]
     cos, sin = np.cos(heading), np.sin(heading)
-    x, y = stream.velocity
+    x, y = share * stream.velocity[0], share * stream.velocity[1]
     if stream.gusts.shape[1] > 1:
-        between_samples(stream.gusts, (t - stream.first[0]) / GUST_STEP, quintic, value)
-        speed = np.hypot(x, y)
+        between_samples(stream.gusts, (t - stream.first) / GUST_STEP, quintic, value)
+        speed = np.hypot(stream.velocity[0], stream.velocity[1])
         x, y = x * (1.0 + value[0] / speed), y * (1.0 + value[0] / speed)
     along, across = cos * x + sin * y - u, -sin * x + cos * y - v
     square = along * along + across * across
@@ -105,7 +107,7 @@ def gust_at(stream, t):
     """(n,) m/s of the gusts at times t (n,) s"""
     if stream.gusts.shape[1] == 1:
         return np.zeros(len(t))
-    return np.interp(t, stream.first[0] + GUST_STEP * np.arange(stream.gusts.shape[1]), stream.gusts[0])
+    return np.interp(t, stream.first + GUST_STEP * np.arange(stream.gusts.shape[1]), stream.gusts[0])
 
 
 def _vector(speed, direction):

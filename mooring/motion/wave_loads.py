@@ -36,7 +36,7 @@ class WaveTable(NamedTuple):
 
     omega, number (wavenumber), amplitude, phase, direction : (c,); force : (c, HEADINGS, 15) real and imaginary parts
     of six forces per metre and three of drift per square metre; factor : (2c, m) cos ωt and sin ωt of the steps
-    center : (2,) m, rotation centre; times : step and length of a window, s
+    center : (2,) m, rotation centre; step, window : s, between forces and of a window
     """
 
     omega: np.ndarray
@@ -47,7 +47,31 @@ class WaveTable(NamedTuple):
     force: np.ndarray
     factor: np.ndarray
     center: np.ndarray
-    times: np.ndarray
+    step: float
+    window: float
+
+    @property
+    def steps(self):
+        """Columns of a window, 1 without components"""
+        return self.factor.shape[1] if len(self.omega) else 1
+
+
+class Waves(NamedTuple):
+    """table : `WaveTable`; mean_drift : whether each component drifts alone, without the beat of pairs
+
+    rows (19, 2c), sums (19, m) : room for work
+    """
+
+    table: WaveTable
+    mean_drift: bool
+    rows: np.ndarray
+    sums: np.ndarray
+
+
+def waves_of(table, mean_drift=False):
+    """`Waves` of a `WaveTable`"""
+    c, m = table.factor.shape
+    return Waves(table, bool(mean_drift), np.zeros((19, c)), np.zeros((19, m)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,8 +128,7 @@ def wave_table(forces, components, depth, center, gravity, drift=True):
     factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
     k = wavenumber(omega, depth, gravity)
     return WaveTable(
-        omega, k, amplitude, phase, direction, force, factor, np.asarray(center, float)[:2],
-        np.array([step, step * count]),
+        omega, k, amplitude, phase, direction, force, factor, np.asarray(center, float)[:2], step, step * count,
     )  # fmt: skip
 
 
@@ -114,7 +137,7 @@ def no_waves(window=WINDOW):
     none = np.zeros(0)
     count = max(2, int(window))
     shape = np.zeros((0, HEADINGS, 15)), np.zeros((0, count + 1 + 2 * EDGE))
-    return WaveTable(none, none, none, none, none, *shape, np.zeros(2), np.array([window / count, window]))
+    return WaveTable(none, none, none, none, none, *shape, np.zeros(2), window / count, float(window))
 
 
 @kernel()
@@ -155,11 +178,9 @@ def fill_rows(table, rows, pose, start):
 
 
 @kernel()
-def fill_window(table, window, rows, sums, begin, end, start, mean_drift):
-    """window (ROWS, m): forces at the steps of the window that begins at `start` s, from two slow poses (3,) each.
-
-    mean_drift : whether each component drifts alone, without the beat of pairs
-    """
+def fill_window(waves, window, begin, end, start):
+    """window (ROWS, m): forces of `Waves` at the steps of the window from `start` s, from two slow poses (3,) each."""
+    table, mean_drift, rows, sums = waves
     window[:] = 0.0
     c, m = table.omega.size, window.shape[1]
     if c == 0:

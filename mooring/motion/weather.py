@@ -15,6 +15,9 @@ class Weather:
     seas : tuple of `mooring.environment.sea.Sea`, long- or short-crested
     regular : waves of one height, period and direction (`mooring.studies.conditions.Waves`), in place of seas
     wind, current : `mooring.studies.conditions.Wind` and `Current`; gusts : `mooring.environment.gusts.GustSpectrum`
+    forces : tuple of `mooring.motion.given_forces.GivenForce`
+
+    The current carries the body; lengths and frequencies of waves are those in water at rest.
     """
 
     seas: tuple = ()
@@ -22,9 +25,11 @@ class Weather:
     wind: object = None
     gusts: object = None
     current: object = None
+    forces: tuple = ()
 
     def __post_init__(self):
         object.__setattr__(self, "seas", tuple(self.seas))
+        object.__setattr__(self, "forces", tuple(self.forces))
         if self.seas and self.regular is not None:
             raise ValueError("weather has seas and a regular wave; allowed: one of them")
         if self.gusts is not None and self.wind is None:

@@ -116,6 +116,12 @@ class LostTable(Table):
     time: float
 
 
+class GivenForceTable(Table):
+    """file : CSV beside the study, of t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m) on the body"""
+
+    file: str
+
+
 class SimulationTable(Table):
     """duration : s that statistics are taken of, or duration_hours; ramp : s before it; step : s between samples
 
@@ -137,6 +143,7 @@ class SimulationTable(Table):
     estimate_error: bool = False
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
     lines_lost: list[LostTable] = msgspec.field(default_factory=list)
+    force: list[GivenForceTable] = msgspec.field(default_factory=list)
 
 
 class Study(Table):

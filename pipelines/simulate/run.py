@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import msgspec
@@ -32,7 +32,7 @@ from .file import (
     summary_is_whole,
     whole_rows,
 )
-from .study import plan_of
+from .study import force_files, plan_of
 from .work import Task, prepared, quantities_of, sample_times, simulate_seed
 
 SPREADS = ("sigma", "slow", "wave")
@@ -60,12 +60,14 @@ def simulate(study_path, database_path, output, console, executor, seeds=None, d
     from bem.database import open_database
 
     output = Path(output)
-    check_output(output, "a simulation", is_run, DATABASE, (study_path, database_path))
     study, text = read_study(study_path)
+    folder = Path(study_path).resolve().parent
+    files = force_files(study, folder)
+    check_output(output, "a simulation", is_run, DATABASE, (study_path, database_path, *files))
     db = open_database(database_path)
-    plan = plan_of(study, db.reader.omega, seeds, duration)
-    identity = _identity(study, database_path, plan.settings.duration)
-    task = Task(text, str(database_path), plan.settings.duration, None)
+    plan = plan_of(study, db.reader.omega, seeds, duration, folder)
+    identity = _identity(study, (database_path, *files), plan.settings.duration)
+    task = Task(text, str(database_path), plan.settings.duration, None, str(folder))
     todo = _missing(output, identity, plan, fresh)
     findings = plan.findings
     if todo:
@@ -100,13 +102,16 @@ def summary(file):
     return out
 
 
-def _identity(study, database, duration):
+def _identity(study, files, duration):
     """Hash of what results depend on beside the seeds"""
     words = msgspec.to_builtins(study)
     for name in ("seeds", "keep_series", "duration", "duration_hours"):
         (words.get("simulation") or {}).pop(name, None)
+    if not files[1:]:
+        (words.get("simulation") or {}).pop("force", None)
     digest = hashlib.sha256(json.dumps([words, duration], sort_keys=True).encode())
-    digest.update(hashlib.sha256(Path(database).read_bytes()).digest())
+    for path in files:
+        digest.update(hashlib.sha256(Path(path).read_bytes()).digest())
     return digest.hexdigest()
 
 
@@ -126,7 +131,7 @@ def _missing(output, identity, plan, fresh):
 def _with_memory(task):
     """The Task with its memory, for all processes, and the findings of its preparation"""
     body, _, _, warned = prepared(task)
-    return Task(task.study, task.database, task.duration, body.memory), (*warned, *body.findings)
+    return replace(task, memory=body.memory), (*warned, *body.findings)
 
 
 def _header(task, db, study, plan, identity):

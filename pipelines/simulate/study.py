@@ -6,12 +6,15 @@ seeds = 20                       period = 10.0       # mean           direction_
                                  incidence_deg = 60.0                 gusts = "davenport"
                                  spectrum = "issc"   # or regular
                                  spreading = "cosine:4"
+[[simulation.force]]
+file = "tug.csv"                 # beside the study: t, Fx, Fy, Fz, Mx, My, Mz
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -48,10 +51,11 @@ class Plan:
     findings: tuple[str, ...]
 
 
-def plan_of(study, omega, seeds=None, duration=None):
+def plan_of(study, omega, seeds=None, duration=None, folder=None):
     """The Plan of a `Study` on a database with frequencies omega (n,) rad/s.
 
     seeds : how many, in place of those of the study; duration : s, in place of that of the study
+    folder : that files of forces lie in, None to leave such forces out
     raises : StudyError for what cannot be simulated
     """
     table = study.simulation
@@ -70,15 +74,29 @@ def plan_of(study, omega, seeds=None, duration=None):
             f"waves of {study.waves.period:g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
             f"{2 * np.pi / omega[0]:.4g} s; solve them too"
         )
-    weather = Weather((sea,) if sea else (), waves, conditions.wind, _gusts(study.wind), conditions.current)
+    weather = Weather(
+        (sea,) if sea else (), waves, conditions.wind, _gusts(study.wind), conditions.current, _forces(table, folder)
+    )
     split = float(sea.spectrum.quantile(LOWEST)) if sea else (0.5 * waves.omega if waves else float(omega[0]))
     mean = None if study.waves is None else study.waves.period
     return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings)
 
 
+def force_files(study, folder):
+    """Paths of the forces that a study gives as tables"""
+    return [Path(folder) / one.file for one in (study.simulation.force if study.simulation else [])]
+
+
 def damping(study, body):
     """(6, 6) SI of the damping ratios of a study, for a Body"""
     return damping_of("simulation", study.simulation.damping_ratio if study.simulation else {}, body)
+
+
+def _forces(table, folder):
+    """`GivenForce` of each file"""
+    from mooring.motion.given_forces import read_force
+
+    return () if folder is None else tuple(read_force(Path(folder) / one.file) for one in table.force)
 
 
 def _duration(table, duration):

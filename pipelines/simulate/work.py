@@ -26,12 +26,16 @@ _prepared = {}
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """study : text; database : path; duration : s, or None for that of the study; memory : of the water, fitted"""
+    """study : text; database : path; duration : s, or None for that of the study; memory : of the water, fitted
+
+    folder : of the study, where the files lie that it names
+    """
 
     study: str
     database: str
     duration: float | None
     memory: object
+    folder: str = "."
 
 
 def prepared(task):
@@ -42,7 +46,7 @@ def prepared(task):
         from mooring.motion.simulation import moored
 
         study, db = make_study(tomllib.loads(task.study)), open_database(task.database)
-        plan = plan_of(study, db.reader.omega, None, task.duration)
+        plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
         hull = study.hull_of(db.dimensions)
         system = study.system(hull, db.rotation_center, db.density, db.gravity)
         extra = damping(study, db.reader.floating())

@@ -10,7 +10,6 @@ import pytest
 from mooring.lines.catenary.solve import solve_lines, span_at_tension
 from mooring.lines.catenary.state import LineError
 from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
-from mooring.lines.surrogate import tabulate
 
 PUBLISHED = Path(__file__).parents[2] / "published"
 
@@ -333,24 +332,6 @@ def test_a_section_of_a_plane_grid_is_a_plane():
     assert len(bed.points) > 5
     with pytest.raises(ValueError, match=r"fairlead at .* off the bed grid"):
         Bed.under(x, y, z, (5.0, 0.0), (185.0, 30.0))
-
-
-def test_table_stays_within_its_error_between_its_nodes():
-    def solve(x, z):
-        return solve_lines(x, z, 110.0, 10.0, 1e6)
-
-    table = tabulate(solve, (95.0, 104.0), (22.0, 28.0), 1e-4)
-    rng = np.random.default_rng(2)
-    x, z = rng.uniform(95, 104, 4000), rng.uniform(22, 28, 4000)
-    H, V, k = table.forces(x, z)
-    line = solve(x, z)
-    error = np.hypot(H - line.horizontal_fairlead, V - line.vertical_fairlead) / line.tension_fairlead
-    assert error.max() <= table.error <= 1e-4
-    assert np.abs(k - line.stiffness).max() < 0.05 * np.abs(line.stiffness).max()
-    with pytest.raises(ValueError, match="x is 94 m; the table holds 95 to 104 m"):
-        table.forces(94.0, 25.0)
-    with pytest.raises(ValueError, match=r"table error is .* allowed: 1e-13"):
-        tabulate(solve, (80.0, 104.0), (22.0, 28.0), 1e-13)
 
 
 @pytest.mark.parametrize(

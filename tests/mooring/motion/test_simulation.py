@@ -11,7 +11,8 @@ from bem.time_domain.whole_axis import monopole_damping, whole_axis
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import issc, jonswap
 from mooring.lines.system.equilibrium import rest
-from mooring.motion.simulation import FASTEST, SimulationError, simulate, wave_components
+from mooring.motion.given_forces import GivenForce
+from mooring.motion.simulation import FASTEST, SimulationError, _with_error, simulate, wave_components
 from mooring.motion.weather import Settings, Weather
 from mooring.response.drift import mean_in_sea
 from mooring.response.slow_drift import force_spectrum
@@ -209,3 +210,49 @@ def test_slow_surge_on_a_spring_has_the_spectrum_of_newmans_drift(on_springs):
     mean = mean_in_sea(omega, drift[:, None], sea.spectrum.density(omega))[0] / damped.spring[0, 0]
     found = np.array([part.mean() for part in slow])
     assert abs(found.mean() - mean) <= 2.5 * found.std(ddof=1) / np.sqrt(len(found)) + 0.02 * abs(mean)
+
+
+def test_the_last_sample_is_that_of_the_end_whatever_the_rounding(on_springs):
+    moved = replace(on_springs, start=np.array([1.0, 0, 0, 0, 0, 0]))
+    settings = replace(CALM, duration=3.3, step=0.1)  # 33 · 0.1 is 4e-16 beyond 3.3
+    run = simulate(moved, Weather(), settings)
+    longer = simulate(moved, Weather(), replace(settings, duration=4.0))
+    assert len(run.motion) == 34 and abs(run.motion[-1] - longer.motion[33]).max() < 1e-3
+
+
+def test_a_line_lost_at_the_start_never_pulls(on_chains):
+    name = on_chains.system.line_names[0]
+    run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 0.0),)))
+    assert np.all(run.tension[:, 0] == 0) and np.abs(run.motion[-1] - on_chains.start).max() > 0.01
+
+
+def test_constant_coefficients_without_waves_are_refused(on_springs):
+    with pytest.raises(SimulationError, match="give waves"):
+        simulate(on_springs, Weather(), replace(CALM, memory="constant"))
+
+
+def test_wind_and_current_grow_with_the_ramp(on_chains):
+    weather = Weather(wind=Wind(40.0, 0.0), current=Current(1.5, 0.0))
+    run = simulate(on_chains, weather, replace(CALM, ramp=100.0, duration=10.0))
+    begun = np.abs(run.motion[run.time < -95] - on_chains.start).max()
+    assert begun <= 1e-4 * np.abs(run.motion[-1] - on_chains.start).max()
+
+
+def test_a_force_given_in_time_moves_the_body_as_a_spring_of_its_frequency(on_springs):
+    omega, t = 0.5, np.arange(-1.0, 801.0, 0.25)
+    damped = replace(on_springs, damping=np.diag([2e6, 2e6, 0, 0, 0, 1e9]))
+    force = GivenForce(t, np.cos(omega * t)[:, None] * [1e5, 0, 0, 0, 0, 0])
+    run = simulate(damped, Weather(forces=(force,)), replace(LINEAR, ramp=0.0, duration=800.0, tolerance=1e-4))
+    late = run._replace(time=run.time[3000:], motion=run.motion[3000:])
+    _, Z = frequency_answer(on_springs, omega, 0.0, on_springs.memory)
+    wanted = np.linalg.solve(Z - 1j * omega * damped.damping, [1e5, 0, 0, 0, 0, 0])
+    assert np.abs(harmonic(late, omega, 0.0) - wanted)[0] <= 2e-3 * abs(wanted[0])
+    with pytest.raises(SimulationError, match="given from"):
+        simulate(damped, Weather(forces=(force,)), replace(LINEAR, duration=900.0))
+
+
+def test_an_error_beyond_the_tolerance_is_said(on_springs):
+    still = simulate(on_springs, Weather(), replace(CALM, duration=5.0))
+    motion = np.sin(still.time)[:, None] * np.ones(6)
+    told = [_with_error(still._replace(motion=motion), motion * (1 + off), 1e-3).findings for off in (5e-4, 2e-3, 0.3)]
+    assert told[0] == () and "give a smaller one" in told[1][0] and "forgets" in told[2][0]

@@ -7,7 +7,7 @@ from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
 from mooring.environment.spreading import CosinePower
 from mooring.motion.interpolation import EDGE
-from mooring.motion.wave_loads import ROWS, fill_window, wave_table
+from mooring.motion.wave_loads import ROWS, fill_window, wave_table, waves_of
 from mooring.response.slow_drift import component_drift, newman
 
 
@@ -16,9 +16,8 @@ def window_of(moored, components, pose, start, mean=False):
     reader = moored.reader
     table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity)
     window = np.zeros((ROWS, table.factor.shape[1]))
-    rows, sums = np.zeros((19, 2 * len(components.omega))), np.zeros((19, window.shape[1]))
-    fill_window(table, window, rows, sums, pose, pose, start, mean)
-    return window, start + table.times[0] * (np.arange(window.shape[1]) - EDGE)
+    fill_window(waves_of(table, mean), window, pose, pose, start)
+    return window, start + table.step * (np.arange(window.shape[1]) - EDGE)
 
 
 def sea(direction, spreading=None):
@@ -51,9 +50,8 @@ def test_forces_pass_from_one_pose_to_the_next_without_a_jump(on_springs):
     parts, reader = sea(0.4), on_springs.reader
     table = wave_table(on_springs.waves, parts, reader.depth, reader.rotation_center, reader.gravity)
     poses = np.array([[0.0, 0, 0], [1.0, 0.5, 0.02], [3.0, 0.0, 0.05]])
-    rows, sums = np.zeros((19, 80)), np.zeros((19, table.factor.shape[1]))
     windows = np.zeros((2, ROWS, table.factor.shape[1]))
     for i in range(2):
-        fill_window(table, windows[i], rows, sums, poses[i], poses[i + 1], i * table.times[1], False)
+        fill_window(waves_of(table), windows[i], poses[i], poses[i + 1], i * table.window)
     end, begin = windows[0, :, -1 - EDGE], windows[1, :, EDGE]
     assert np.allclose(end, begin, rtol=1e-9, atol=1e-9 * np.abs(windows).max())

@@ -129,6 +129,17 @@ def test_another_study_is_refused_with_the_way_out(folder):
     assert simulate(duration=300.0, fresh=True).made == 3
 
 
+def test_a_force_of_a_file_beside_the_study_is_part_of_what_results_depend_on(folder):
+    Path("study.toml").write_text(Path("study.toml").read_text() + "\n[[simulation.force]]\nfile = 'tug.csv'\n")
+    with pytest.raises(ValueError, match=r"tug\.csv"):
+        simulate()
+    Path("tug.csv").write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,0,0,0,0,0,0\n700,1e5,0,0,0,0,0\n")
+    assert simulate().made == 3
+    Path("tug.csv").write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,0,0,0,0,0,0\n700,2e5,0,0,0,0,0\n")
+    with pytest.raises(DatabaseError, match="another study"):
+        simulate()
+
+
 def test_the_file_is_labelled_for_xarray(folder):
     xarray = pytest.importorskip("xarray")
     simulate()

@@ -27,7 +27,7 @@ SMALLEST = 2e-3  # of the range, between nodes
 OVERLOAD, STRAIN = 2.0, 0.02  # ends of the table: tension over the breaking load, strain where none is known
 
 
-class LineTable(NamedTuple):
+class ForceTable(NamedTuple):
     """chords (p,), heights (q,) m; values (p, q, 2, 4) of H and V: f, f_c, f_z, f_cz; error at random places"""
 
     chords: np.ndarray
@@ -37,7 +37,7 @@ class LineTable(NamedTuple):
 
 
 def tabulate(composite, breaking_load, span, height, reach):
-    """`LineTable` of a `mooring.lines.system.composite.Composite` about a span and height at rest, m.
+    """`ForceTable` of a `mooring.lines.system.composite.Composite` about a span and height at rest, m.
 
     reach : (2,) m, how far the span may fall and the height may change either way
     raises : ValueError where the line has no solution at rest
@@ -57,7 +57,7 @@ def tabulate(composite, breaking_load, span, height, reach):
     values = np.concatenate([grid, np.gradient(grid[..., 1], heights, axis=1)[..., None]], axis=-1)
     values = np.ascontiguousarray(values)
     error = _sampled_error(composite, chords, heights, values, floor)
-    return LineTable(chords, heights, values, error)
+    return ForceTable(chords, heights, values, error)
 
 
 def _sampled_error(composite, chords, heights, values, floor):
@@ -141,7 +141,7 @@ class Packed(NamedTuple):
 
 
 def packed(tables):
-    """`Packed` of LineTables"""
+    """`Packed` of ForceTables"""
     nodes, values, places, n, m = [np.zeros(0)], [np.zeros((0, 2, 4))], [], 0, 0
     for table in tables:
         p, q = len(table.chords), len(table.heights)
@@ -154,7 +154,7 @@ def packed(tables):
 
 @kernel()
 def table_pull(chords, heights, values, x, z):
-    """(H, V) N of a `LineTable` at a span x and height z; nan beyond it.  Below its least chord it is that there."""
+    """(H, V) N of a `ForceTable` at a span x and height z; nan beyond it.  Below its least chord it is that there."""
     x = max(np.sqrt(x * x + z * z), chords[0])
     if not (x <= chords[-1] and heights[0] <= z <= heights[-1]):
         return np.nan, np.nan

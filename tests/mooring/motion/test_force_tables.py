@@ -8,7 +8,7 @@ import pytest
 from mooring.lines.multi_segment.segments import PointLoad, Segment
 from mooring.lines.system.composite import of_line, solution
 from mooring.lines.system.parts import CompositeLine
-from mooring.motion.line_tables import packed, packed_pull, tabulate
+from mooring.motion.force_tables import packed, packed_pull, tabulate
 from mooring.motion.simulation import moored, simulate
 from mooring.motion.weather import Settings, Weather
 from mooring.studies.conditions import Current

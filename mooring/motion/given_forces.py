@@ -1,0 +1,72 @@
+"""Forces that are given as tables in time, in the axes that turn with the body.
+
+Between the rows they follow monotone cubics (Fritsch and Carlson 1980; `scipy.interpolate.PchipInterpolator`), which do
+not overshoot.  Before the first row they are those of the first, grown by the ramp as every load is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..environment.tables import TableError, read_table
+
+COLUMNS = ("t", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
+FINE = 4  # samples of the shortest interval, between which polynomials of fifth degree are 1e-4 off
+MOST = 2_000_000  # samples
+
+
+@dataclass(frozen=True, eq=False)
+class GivenForce:
+    """times : (n,) s from the end of the ramp, rising; force : (n, 6) N, N m about the rotation centre"""
+
+    times: np.ndarray
+    force: np.ndarray
+
+    def __post_init__(self):
+        t, force = np.asarray(self.times, float), np.asarray(self.force, float)
+        object.__setattr__(self, "times", t)
+        object.__setattr__(self, "force", force)
+        if t.ndim != 1 or len(t) < 2 or force.shape != (len(t), 6):
+            raise ValueError(f"a force has times {t.shape} and forces {force.shape}; allowed: (n,) and (n, 6), n ≥ 2")
+        if not (np.all(np.isfinite(t)) and np.all(np.isfinite(force)) and np.all(np.diff(t) > 0)):
+            raise ValueError("a force has times that do not rise, or numbers that are not finite")
+
+
+def read_force(path):
+    """`GivenForce` of a CSV file with a row of names and the columns t (s), Fx, Fy, Fz (N), Mx, My, Mz (N m).
+
+    raises : TableError naming the file
+    """
+    _, values = read_table(path)
+    if values.shape[1] != len(COLUMNS):
+        raise TableError(f"{path} has {values.shape[1]} columns; allowed: {', '.join(COLUMNS)}")
+    try:
+        return GivenForce(values[:, 0], values[:, 1:])
+    except ValueError as error:
+        raise TableError(f"{path}: {error}") from None
+
+
+def sampled(forces, ramp, duration):
+    """(6, m) sum of GivenForces at equal steps from −ramp to the duration, and the step, s; one column for none
+
+    raises : ValueError for a table that does not last
+    """
+    if not forces:
+        return np.zeros((6, 1)), 1.0
+    from scipy.interpolate import PchipInterpolator
+
+    for one in forces:
+        if one.times[0] > 0 or one.times[-1] < duration:
+            raise ValueError(
+                f"a force is given from {one.times[0]:g} to {one.times[-1]:g} s; allowed: from 0 or before to "
+                f"{duration:g} s or later"
+            )
+    step = min(float(np.diff(one.times).min()) for one in forces) / FINE
+    step = max(min(step, (ramp + duration) / 8), (ramp + duration) / MOST)
+    t = step * np.arange(int(np.ceil((ramp + duration) / step)) + 4) - ramp
+    total = np.zeros((6, len(t)))
+    for one in forces:
+        total += PchipInterpolator(one.times, one.force)(np.clip(t, one.times[0], one.times[-1])).T
+    return total, step
