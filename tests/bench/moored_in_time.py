@@ -9,8 +9,8 @@ direction, long- or short-crested, wind 0 to 50 m/s with or without gusts, curre
 
 Every study is run to its tolerance with an estimate of the error, and again to a hundredth of the tolerance.  Counted
 are refusals with their reasons, numbers that are not finite, estimates within a factor of three, and errors beyond the
-tolerance.  Motions that differ by more than a tenth of their deviation even so are chance.  Of both the program has to say
-so.
+tolerance.  Motions that differ by more than a tenth of their deviation even so are chance; the program has to say both,
+errors and chance.
 """
 
 import argparse
