@@ -16,7 +16,7 @@ from bem.kernels.jit import kernel
 
 from .equation import SLOW, SLOW_RATE, rates
 from .line_loads import hold
-from .wave_loads import fill_window
+from .wave_loads import fill_rows, fill_window
 
 SAFETY, LARGEST, SMALLEST = 0.9, 4.0, 0.2  # of the change of step
 SHORTEST = 1e-5  # s; a step below it says that the motion cannot be followed
@@ -24,7 +24,7 @@ FIRST_STEP = 0.05  # s
 AT_ONCE = 1e-9  # s between instants that are one
 ROUNDING = 2e-9  # of the step between samples, by which their times are uncertain
 TIME, STEP, WINDOW = range(3)  # places in `Clock.now`
-STEPS, REFUSED, SAMPLES = range(3)  # places in `Clock.counts`
+STEPS, REFUSED, SAMPLES, WINDOWS = range(4)  # places in `Clock.counts`
 DONE, RUNNING, TOO_SHORT, NO_LINE, NOT_FINITE = range(5)
 
 A = np.array(
@@ -45,10 +45,10 @@ E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525
 class Clock(NamedTuple):
     """What a run keeps between calls; its arrays are changed in place.
 
-    now : TIME, STEP, WINDOW (its begin), all s; counts : STEPS, REFUSED, SAMPLES
+    now : TIME, STEP, WINDOW (its begin), all s; counts : STEPS, REFUSED, SAMPLES, WINDOWS
     end, sample_step : s; fixed_step : s, 0 where the error chooses the step
     scale : (12,) allowed error a second of each position and velocity
-    y, stages : state (n,), its rates (7, n); poses : (2, 3) slow poses at the ends of the window
+    y, stages : state (n,), its rates (7, n); pose : (3,) slow pose foreseen for the end of the window
     """
 
     now: np.ndarray
@@ -60,7 +60,7 @@ class Clock(NamedTuple):
     y: np.ndarray
     trial: np.ndarray
     stages: np.ndarray
-    poses: np.ndarray
+    pose: np.ndarray
 
 
 def clock_at_rest(y, end, sample_step, fixed_step, scale):
@@ -68,7 +68,7 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale):
     first = fixed_step or FIRST_STEP
     return Clock(
         np.array([0.0, first, -np.inf]),
-        np.zeros(3, np.int64),
+        np.zeros(4, np.int64),
         float(end),
         float(sample_step),
         float(fixed_step or 0.0),
@@ -76,21 +76,20 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale):
         y,
         np.zeros_like(y),
         np.zeros((7, len(y))),
-        np.array([y[SLOW : SLOW + 3]] * 2),
+        np.zeros(3),
     )
 
 
 @kernel()
 def take_step(scene, clock, t, h):
     """Stages and the trial state after a step; returns its error over what is allowed, and whether all lines hold."""
-    y, k, trial = clock.y, clock.stages, clock.trial
-    n, good = y.size, True
+    k, trial, good = clock.stages, clock.trial, True
     for s in range(1, 7):
-        for i in range(n):
-            total = 0.0
-            for j in range(s):
-                total += A[s, j] * k[j, i]
-            trial[i] = y[i] + h * total
+        trial[:] = clock.y
+        for j in range(s):
+            share = h * A[s, j]
+            for i in range(trial.size):  # along the states, as they lie in memory
+                trial[i] += share * k[j, i]
         good = rates(scene, t + C[s] * h, trial, k[s]) and good
     worst = 0.0
     for i in range(12):
@@ -139,14 +138,16 @@ def next_break(lines, t):
 
 @kernel()
 def open_window(waves, clock, work):
-    """Forces of the next window: from the pose foreseen for now to the one foreseen for its end."""
-    now, y, length = clock.now, clock.y, waves.table.window
-    clock.poses[0] = clock.poses[1]
+    """Forces of the next window, whose slow pose passes from the one foreseen for now to that foreseen for its end."""
+    now, y, counts, length = clock.now, clock.y, clock.counts, waves.table.window
+    if counts[WINDOWS] == 0:
+        fill_rows(waves.table, waves.rows[0], y[SLOW : SLOW + 3], now[TIME])
     for j in range(3):
-        clock.poses[1, j] = y[SLOW + j] + length * y[SLOW_RATE + j]
+        clock.pose[j] = y[SLOW + j] + length * y[SLOW_RATE + j]
     work.span[0], work.span[1] = now[TIME], waves.table.step
     now[WINDOW] = now[TIME]
-    fill_window(waves, work.window, clock.poses[0], clock.poses[1], now[TIME])
+    fill_window(waves, work.window, counts[WINDOWS], clock.pose, now[TIME])
+    counts[WINDOWS] += 1
 
 
 @kernel()

@@ -34,8 +34,9 @@ ROWS = 10  # six forces, three of drift, the elevation
 class WaveTable(NamedTuple):
     """Components and the forces of each on a ring of headings, as the kernels read them.
 
-    omega, number (wavenumber), amplitude, phase, direction : (c,); force : (c, HEADINGS, 15) real and imaginary parts
-    of six forces per metre and three of drift per square metre; factor : (2c, m) cos ωt and sin ωt of the steps
+    omega, amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
+    force : (c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift per square metre
+    factor : (2, 2c, m) cos ωt and sin ωt of the steps of a window, t counted from its begin and from its end
     center : (2,) m, rotation centre; step, window : s, between forces and of a window
     """
 
@@ -53,13 +54,14 @@ class WaveTable(NamedTuple):
     @property
     def steps(self):
         """Columns of a window, 1 without components"""
-        return self.factor.shape[1] if len(self.omega) else 1
+        return self.factor.shape[2] if len(self.omega) else 1
 
 
 class Waves(NamedTuple):
     """table : `WaveTable`; mean_drift : whether each component drifts alone, without the beat of pairs
 
-    rows (19, 2c), sums (19, m) : room for work
+    rows : (2, 19, 2c) `fill_rows` of the begin of window n in place n % 2, that of its end in the other
+    sums : (19, m), room for work
     """
 
     table: WaveTable
@@ -70,8 +72,8 @@ class Waves(NamedTuple):
 
 def waves_of(table, mean_drift=False):
     """`Waves` of a `WaveTable`"""
-    c, m = table.factor.shape
-    return Waves(table, bool(mean_drift), np.zeros((19, c)), np.zeros((19, m)))
+    c, m = table.factor.shape[1:]
+    return Waves(table, bool(mean_drift), np.zeros((2, 19, c)), np.zeros((19, m)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,11 +126,12 @@ def wave_table(forces, components, depth, center, gravity, drift=True):
     step = PHASE[len(omega) > FEW] / omega.max()
     count = max(2, int(np.ceil(WINDOW / step)))
     times = step * (np.arange(count + 1 + 2 * EDGE) - EDGE)
-    turn = np.multiply.outer(omega, times)
+    turn = np.multiply.outer(omega, np.stack([times, times - step * count]))
     factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
-    k = wavenumber(omega, depth, gravity)
+    factor = np.ascontiguousarray(factor.swapaxes(0, 1))
+    number = wavenumber(omega, depth, gravity) * np.stack([np.cos(direction), np.sin(direction)])
     return WaveTable(
-        omega, k, amplitude, phase, direction, force, factor, np.asarray(center, float)[:2], step, step * count,
+        omega, number, amplitude, phase, direction, force, factor, np.asarray(center, float)[:2], step, step * count,
     )  # fmt: skip
 
 
@@ -136,8 +139,8 @@ def no_waves(window=WINDOW):
     """A `WaveTable` without components"""
     none = np.zeros(0)
     count = max(2, int(window))
-    shape = np.zeros((0, HEADINGS, 15)), np.zeros((0, count + 1 + 2 * EDGE))
-    return WaveTable(none, none, none, none, none, *shape, np.zeros(2), window / count, float(window))
+    shape = np.zeros((0, HEADINGS, 15)), np.zeros((2, 0, count + 1 + 2 * EDGE))
+    return WaveTable(none, np.zeros((2, 0)), none, none, none, *shape, np.zeros(2), window / count, float(window))
 
 
 @kernel()
@@ -152,11 +155,10 @@ def fill_rows(table, rows, pose, start):
     x, y = cx + pose[0] - cos * cx + sin * cy, cy + pose[1] - sin * cx - cos * cy
     weights, parts = np.empty(6), np.empty(15)
     for i in range(c):
-        beta, k = table.direction[i], table.number[i]
-        turn = k * (x * np.cos(beta) + y * np.sin(beta)) + table.phase[i] - table.omega[i] * start
+        turn = table.number[0, i] * x + table.number[1, i] * y + table.phase[i] - table.omega[i] * start
         a, b = table.amplitude[i] * np.cos(turn), table.amplitude[i] * np.sin(turn)
         rows[6, i], rows[6, c + i] = a, b
-        place = (beta - pose[2]) * (HEADINGS / (2 * np.pi))
+        place = (table.direction[i] - pose[2]) * (HEADINGS / (2 * np.pi))
         whole = np.floor(place)
         lagrange_weights(place - whole + 2.0, weights)
         parts[:] = 0.0
@@ -178,17 +180,21 @@ def fill_rows(table, rows, pose, start):
 
 
 @kernel()
-def fill_window(waves, window, begin, end, start):
-    """window (ROWS, m): forces of `Waves` at the steps of the window from `start` s, from two slow poses (3,) each."""
-    table, mean_drift, rows, sums = waves
+def fill_window(waves, window, number, pose, start):
+    """window (ROWS, m): forces of `Waves` at the steps of a window that begins at `start` s, and new rows of its end.
+
+    number : of the window; the rows of its begin are there.  pose : (3,) slow pose at its end
+    """
+    table, mean_drift, sums = waves.table, waves.mean_drift, waves.sums
     window[:] = 0.0
     c, m = table.omega.size, window.shape[1]
     if c == 0:
         return
+    fill_rows(table, waves.rows[(number + 1) % 2], pose, start + table.window)
     steps = m - 1 - 2 * EDGE
     for side in range(2):
-        fill_rows(table, rows, begin if side == 0 else end, start)
-        np.dot(rows, table.factor, sums)
+        rows = waves.rows[(number + side) % 2]
+        np.dot(rows, table.factor[side], sums)
         for n in range(m):
             later = (n - EDGE) / steps
             share = 1.0 - later if side == 0 else later

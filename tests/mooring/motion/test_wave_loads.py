@@ -7,7 +7,7 @@ from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
 from mooring.environment.spreading import CosinePower
 from mooring.motion.interpolation import EDGE
-from mooring.motion.wave_loads import ROWS, fill_window, wave_table, waves_of
+from mooring.motion.wave_loads import ROWS, fill_rows, fill_window, wave_table, waves_of
 from mooring.response.slow_drift import component_drift, newman
 
 
@@ -15,8 +15,9 @@ def window_of(moored, components, pose, start, mean=False):
     """(ROWS, m) forces and their times (m,) s of a body that stays in a slow pose"""
     reader = moored.reader
     table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity)
-    window = np.zeros((ROWS, table.factor.shape[1]))
-    fill_window(waves_of(table, mean), window, pose, pose, start)
+    window, waves = np.zeros((ROWS, table.steps)), waves_of(table, mean)
+    fill_rows(table, waves.rows[0], pose, start)
+    fill_window(waves, window, 0, pose, start)
     return window, start + table.step * (np.arange(window.shape[1]) - EDGE)
 
 
@@ -50,8 +51,9 @@ def test_forces_pass_from_one_pose_to_the_next_without_a_jump(on_springs):
     parts, reader = sea(0.4), on_springs.reader
     table = wave_table(on_springs.waves, parts, reader.depth, reader.rotation_center, reader.gravity)
     poses = np.array([[0.0, 0, 0], [1.0, 0.5, 0.02], [3.0, 0.0, 0.05]])
-    windows = np.zeros((2, ROWS, table.factor.shape[1]))
+    windows, waves = np.zeros((2, ROWS, table.steps)), waves_of(table)
+    fill_rows(table, waves.rows[0], poses[0], 0.0)
     for i in range(2):
-        fill_window(waves_of(table), windows[i], poses[i], poses[i + 1], i * table.window)
+        fill_window(waves, windows[i], i, poses[i + 1], i * table.window)
     end, begin = windows[0, :, -1 - EDGE], windows[1, :, EDGE]
     assert np.allclose(end, begin, rtol=1e-9, atol=1e-9 * np.abs(windows).max())
