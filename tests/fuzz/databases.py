@@ -189,7 +189,7 @@ def make_files(folder, simulated=False):
         (folder / "time.toml").write_text(study, encoding="utf-8")
         commands |= {
             "many.h5": "box --length 100 --beam 50 --draft 10 --depth 20 --method contour --gyration 15.6,29.4,32.3 "
-            "--omega 0.2:1.6:12 --heading 60 --only radiation,diffraction,motions,drift",
+            "--omega 0.2:1.6:12 --heading 0,45,90 --only radiation,diffraction,motions,drift",
             "simulation.h5": f"simulate {folder}/time.toml --database {folder}/many.h5",
         }
     with open(os.devnull, "w") as nowhere, contextlib.redirect_stdout(nowhere):
