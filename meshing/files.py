@@ -61,6 +61,7 @@ def read_mesh(path):
         raise FileNotFoundError(f"{path}: no such file")
     check_size(path, largest=LARGEST)
     if suffix in MESHIO:
+        _check_head(path)
         _check_counts(path)
     read = TEXT_READERS.get(suffix, _read_with_meshio)
     mesh = read(path)
@@ -104,6 +105,14 @@ def _wetted(mesh):
     dry = flat & (mesh.area_vectors[:, 2] > 0)
     used, corners = np.unique(mesh.corners[~dry], return_inverse=True)
     return replace(mesh, points=mesh.points[used], corners=corners.reshape(-1, 4))
+
+
+def _check_head(path):
+    """Raise ValueError for a head that does not end before the file does: meshio would look for its end for ever."""
+    suffix, content = path.suffix.lower(), path.read_bytes()
+    said = [line for line in content.splitlines() if line.strip() and not line.lstrip().startswith(b"#")]
+    if (suffix == ".ply" and b"end_header" not in content) or (suffix == ".off" and len(said) < 2):
+        raise ValueError(f"{path}: it ends within its head; write or copy it again")
 
 
 def _check_counts(path):

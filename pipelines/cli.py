@@ -163,6 +163,9 @@ def main(arguments=None):
     except (CycloptsError, ValueError, OSError, ImportError) as error:
         print(f"{name}: {' '.join(str(error).split())}", file=sys.stderr)
         return 1 if isinstance(error, NotWritten) or getattr(error, "errno", None) in FULL else 2
+    except MemoryError as error:
+        print(f"{name}: there is not enough memory: {error or 'more was asked for than is free'}", file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print(f"{name}: {interrupted(command, arguments)}", file=sys.stderr)
         return 130

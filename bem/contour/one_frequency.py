@@ -21,6 +21,14 @@ def combined(weights, maps, rows, single):
     return (total + np.multiply.outer(rows, single)).transpose(0, 2, 1, 3)
 
 
+def degrees(body, k):
+    """Degrees of the functions on the plan of a `ContourBody`, and of its tables, for waves of k rad/m"""
+    plan, tolerance = body.plan, body.tolerance
+    # waves that have decayed at the depth of the keel need no resolution in the gap
+    waves = min(k, -np.log(tolerance) / body.draft)
+    return tuple(plan.degree(one, tolerance) for one in (waves, plan.table_wavenumber(waves)))
+
+
 class ContourFrequency:
     """Intermediate quantities of one frequency of a `bem.contour.solver.ContourBody`."""
 
@@ -35,11 +43,8 @@ class ContourFrequency:
 
     def resolution(self):
         """Degrees of the functions on the plan and of the tables, and a `Contour` that resolves them and the waves"""
-        plan, tolerance = self.body.plan, self.body.tolerance
-        # waves that have decayed at the depth of the keel need no resolution in the gap
-        waves = min(self.k, -np.log(tolerance) / self.body.draft)
-        degree, top = (plan.degree(k, tolerance) for k in (waves, plan.table_wavenumber(waves)))
-        return degree, top, plan.contour(self.k, degree, tolerance)
+        degree, top = degrees(self.body, self.k)
+        return degree, top, self.body.plan.contour(self.k, degree, self.body.tolerance)
 
     @property
     def classes(self):

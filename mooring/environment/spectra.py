@@ -46,6 +46,8 @@ __all__ = [
 GRAVITY = 9.80665
 STEEPEST = 0.1  # 2πH/gT02², DNV-RP-C205 (2010), 3.5.4: 1/10 for short, 1/15 for long sea states
 LARGEST_GAMMA = 10.0
+HEIGHTS, PERIODS = (1e-6, 1e3), (1e-3, 1e6)  # m, s, from a laboratory to seiches
+WINDS, FETCHES = (0.1, 200.0), (0.1, 1e8)  # m/s, m
 COLUMNS = {("omega_rad_s", "density_m2_s_rad"): 1.0, ("frequency_hz", "density_m2_hz"): 2 * np.pi}  # names: rad/s
 MITSUYASU_PEAK = (4 * 1.03 / 5) ** 0.25  # T1/3 / Tp = 0.9527
 
@@ -94,8 +96,9 @@ def jonswap(height, *, gamma=3.3, **period):
 def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
     """JONSWAP spectrum of a wind of `wind_speed` (m/s, at 10 m) that blew over `fetch` (m)."""
     within("gamma", gamma, 1, LARGEST_GAMMA)
-    speed, g = positive("wind speed", wind_speed, "m/s"), positive("gravity", gravity, "m/s²")
-    x = g * positive("fetch", fetch, "m") / speed**2
+    speed = within("wind speed", positive("wind speed", wind_speed, "m/s"), *WINDS, "m/s")
+    fetch, g = within("fetch", positive("fetch", fetch, "m"), *FETCHES, "m"), positive("gravity", gravity, "m/s²")
+    x = g * fetch / speed**2
     peak_omega = 2 * np.pi * 3.5 * x**-0.33 * g / speed
     alpha = 0.076 * x**-0.22
     significant = 1 - 0.132 * (gamma + 0.2) ** -0.559
@@ -142,8 +145,9 @@ FAMILIES = {
 
 def _by_height(name, height, energy, periods, printed, significant, gamma=1.0):
     """energy : m₀/H²; printed : kind of period of the formula and Tp over it; significant : T1/3 / Tp"""
-    height = positive("wave height", height, "m")
+    height = within("wave height", positive("wave height", height, "m"), *HEIGHTS, "m")
     kind, value = the_one_period(name, periods)
+    within(kind.replace("_", " "), value, *PERIODS, "s")
     unit = Peaked(name, 1.0, 1.0, gamma, significant)
     peak_period = value * (printed[1] if kind == printed[0] else unit.Tp / getattr(unit, KINDS[kind]))
     peak_omega = 2 * np.pi / peak_period

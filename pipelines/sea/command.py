@@ -17,10 +17,10 @@ from .flags import ReadingFlags, RecordFlags, SpectrumFlags
 
 LONGEST = 10_000_000  # values of a record
 # measured: bytes for a component times √values, for a value, for a component; s for each, and for a component's wave
-# of Mitsuyasu's directions; s for a component at a value
+# of Mitsuyasu's directions; s for a component at a value, and times √values
 BYTES = 64, 180, 700
 OF_BYTE = 1.5e-7  # s, of a record that is read
-SECONDS, OF_DIRECTIONS, OF_PHASES = (1e-6, 3e-6), 6e-5, 0.5e-9
+SECONDS, OF_DIRECTIONS, OF_PHASES, OF_ROOT = (1e-6, 3e-6), 6e-5, 0.5e-9, 8e-8
 
 
 @dataclass(frozen=True)
@@ -204,7 +204,8 @@ def _check_effort(components, count, spreading):
     what = f"{components} components at {count} times"
     check_memory(f"{what} need", sum(a * b for a, b in zip(BYTES, sizes, strict=True)), way_out)
     directions = OF_DIRECTIONS if spreading is not None and spreading.depends_on_frequency else 0.0
-    seconds = SECONDS[0] * count + (SECONDS[1] + directions) * components + OF_PHASES * components * count
+    phases = components * (OF_PHASES * count + OF_ROOT * count**0.5)
+    seconds = SECONDS[0] * count + (SECONDS[1] + directions) * components + phases
     check_seconds(f"{what} take", seconds, way_out)
     told(f"{what} take", seconds)
 

@@ -1,16 +1,18 @@
-"""Large panel problems: which frequencies share their work, what it takes, and whether it fits."""
+"""Large problems: which frequencies share their work, what it takes, and whether it fits."""
 
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
 from bem.database.schema import ESTIMATES, QUANTITIES
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
+from bem.waves import wavenumber
 
-from ..common.bounds import check_memory
+from ..common.bounds import check_memory, check_seconds, told
 from ..common.progress import duration
 from ..scene.scene import SceneError
 
@@ -39,13 +41,16 @@ def shared_band(scene, mesh, lid=None):
     return float(omegas.min()), float(omegas.max())
 
 
-def announced(problem, limits, console, processes=1):
+def announced(problem, limits, console, processes=1, omegas=()):
     """`bem.panels.band.cost.Cost` of a large problem, after saying what it will take; None of others, and without a
     band.
 
     limits : how many limits of the frequency are still to be computed; processes : that each prepare the body
-    Raises SceneError if the memory is not there.
+    omegas : (n,) rad/s, of the run
+    Raises SceneError if the memory or the time is not there.
     """
+    if isinstance(problem, ShapeProblem) and problem.method == "contour" and len(omegas):
+        _announce_contour(problem, omegas, console, processes)
     panels = problem.panels if isinstance(problem, ShapeProblem) else problem
     if not isinstance(panels, PanelProblem) or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
         return None
@@ -56,9 +61,26 @@ def announced(problem, limits, console, processes=1):
     memory = processes * (needed.memory if needed else memory_alone(prepared))
     _check_memory(panels.mesh.total, memory, processes)
     if console:
-        told = f"{panels.mesh.total} panels: about {memory / 1e9:.1f} GB"
-        console.print(told + (_times(needed, limits) if needed else ""), highlight=False, soft_wrap=True)
+        text = f"{panels.mesh.total} panels: about {memory / 1e9:.1f} GB"
+        console.print(text + (_times(needed, limits) if needed else ""), highlight=False, soft_wrap=True)
     return needed
+
+
+def _announce_contour(problem, omegas, console, processes):
+    """Say what the contour method will take on a box where it is long; raises SceneError."""
+    from bem.contour.cost import cost
+
+    depth = problem.depth if problem.bed is None else problem.bed
+    needed = cost(problem.prepared().solver, float(wavenumber(max(omegas), depth, problem.gravity)))
+    if needed is None:
+        return
+    box = " by ".join(f"{size:g} m" for size in problem.sizes[:2])
+    way_out = "give a body less slender, longer waves, or another method (--method panel, strip)"
+    check_memory(f"box of {box}: its contour needs", processes * needed.memory, way_out, SceneError)
+    seconds = needed.table + len(omegas) * needed.each / processes
+    check_seconds(f"box of {box}: its contour takes", seconds, way_out, SceneError)
+    if console:
+        told(f"box of {box}: its contour takes", seconds, partial(console.print, highlight=False, soft_wrap=True))
 
 
 def check_database(header, frequencies, headings, names):

@@ -100,7 +100,7 @@ def _store_free_body(file, plan):
 
 
 def _announced(plan, limits, executor, console):
-    return announced(plan.problem, limits, console, getattr(executor, "count", 1))
+    return announced(plan.problem, limits, console, getattr(executor, "count", 1), plan.omegas)
 
 
 def _fill(plan, executor, console, cost, file):

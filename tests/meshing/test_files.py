@@ -146,8 +146,10 @@ BAD = {
     "bad.msh": ("hello", "cannot be read"),
     "bad.vtu": ("hello", "cannot be read"),
     "bad.stl": ("hello", "cannot be read"),
-    "bad.ply": ("hello", "cannot be read"),
-    "bad.off": ("hello", "cannot be read"),
+    "bad.ply": ("hello", "ends within its head"),
+    "bad.off": ("hello", "ends within its head"),
+    "half.ply": ("ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty", "ends within its head"),
+    "half.off": ("OFF\n# a comment\n\n", "ends within its head"),
     "points.obj": ("v 0 0 0\n", "allowed: triangle, quad"),
     "bad.xyz": ("hello", "cannot read .xyz; allowed: .gdf"),
 }

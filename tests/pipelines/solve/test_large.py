@@ -11,6 +11,7 @@ from rich.console import Console
 
 from bem.kernels.progress import FACTORS, MATRICES, WAVES, progress_callback
 from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from bem.panels.band import cost
 from bem.panels.band.cost import Cost
 from bem.panels.influence import Geometry
@@ -89,6 +90,7 @@ import sys
 from bem import DOFS
 from bem.panels.band.cost import memory_alone
 from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from meshing.shapes import box, buoy
 from pipelines.bench.peers.repeated import peak_memory
 name, panels, *sizes = sys.argv[1:]
@@ -165,3 +167,13 @@ def test_free_memory_is_known_and_no_more_than_a_container_leaves(tmp_path):
     assert bounds._left_to_container(tmp_path) == 3700
     (tmp_path / "memory.max").write_text("max")
     assert bounds._left_to_container(tmp_path) == np.inf
+
+
+def test_a_contour_far_more_slender_than_there_is_memory_or_time_for_is_refused(monkeypatch):
+    slender = ShapeProblem(method="contour", shape="box", sizes=(1e5, 1.0, 1.0), depth=20.0)
+    with pytest.raises(SceneError, match=r"box of 1e\+09 m by 1 m: its contour needs about .* GB.*--method panel"):
+        announced(replace(slender, sizes=(1e9, 1.0, 1.0)), 0, None, omegas=[0.1])
+    monkeypatch.setattr(bounds, "available_memory", lambda: 1e9)
+    with pytest.raises(SceneError, match=r"needs about [0-9.]+ GB, 1.0 GB are free; give a body less slender"):
+        announced(slender, 0, None, omegas=[0.1])
+    assert announced(replace(slender, sizes=(100.0, 50.0, 10.0)), 0, None, omegas=[0.1]) is None
