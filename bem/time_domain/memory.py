@@ -32,7 +32,8 @@ from .whole_axis import Causal, ends_of, whole_axis, without_negative
 
 FEWEST = 8  # frequencies
 POINTS = 800  # of the band, straight between
-POLES = (32, 48)  # that the states are taken from, an input
+POLES = (32, 48, 64)  # that the states are taken from, an input
+MOST = (76, 4)  # states of coupled motions, and for each of them
 STILL = 1e-4  # √ of the impedance of a motion that moves no water, relative to the largest of its kind
 SPREAD = (30.0, 8.0)  # how far below and above the band is fitted, as a factor
 CLOSE = (0.03, 0.1)  # deviation of what is fitted from the database: remarked, refused
@@ -223,11 +224,15 @@ def _groups(coupled):
 def _fitted(omega, wanted, size, group, tolerance):
     """`Passive` of coupled motions, in units of `size`, with the fewest states found within tolerance"""
     wanted, s = wanted.conj() / np.outer(size, size), 1j * omega
-    best = np.inf
+    best, most = np.inf, MOST[0] + MOST[1] * len(group)
     for poles in POLES:
-        whole = balanced(fitted(s, wanted, poles))
+        system, off = fitted(s, wanted, poles)
+        if off > tolerance:
+            best = min(best, off)
+            continue
+        whole = balanced(system)
         states = max(4, len(group) + 1, int(np.sum(whole.values > 2 * tolerance)))
-        while states <= len(whole.values):
+        while states <= min(most, len(whole.values)):
             made = passive_fit(*whole.reduced(states)[:2], s, wanted, 0.99 * tolerance)
             if made is None:
                 states += 2
@@ -236,7 +241,7 @@ def _fitted(omega, wanted, size, group, tolerance):
             best = min(best, error)
             if error <= tolerance:
                 return made
-            states += 2 if error < 2 * tolerance else 4
+            states += 2 if error < 2 * tolerance else max(4, states // 6)
     raise ValueError(
         f"memory of {', '.join(DOFS[i].lower() for i in group)} is {best:.2g} off with the best of the systems tried; "
         f"the tolerance is {tolerance:g}: ask for less, or solve the database to a smaller tolerance"
