@@ -122,6 +122,24 @@ class GivenForceTable(Table):
     file: str
 
 
+class SeaTable(Table):
+    """A further sea beside [waves], as swell: its keys, of irregular waves"""
+
+    height: float
+    period: float
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    spectrum: str = "issc"
+    gamma: float | None = None
+    spreading: str | None = None
+
+    def sea(self, where):
+        """The Sea.  Raises StudyError."""
+        positive(f"{where}.height", self.height)
+        positive(f"{where}.period", self.period)
+        return sea_of(where, self, direction(where, self))
+
+
 class SimulationTable(Table):
     """duration : s that statistics are taken of, or duration_hours; ramp : s before it; step : s between samples
 
@@ -144,6 +162,7 @@ class SimulationTable(Table):
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
     lines_lost: list[LostTable] = msgspec.field(default_factory=list)
     force: list[GivenForceTable] = msgspec.field(default_factory=list)
+    sea: list[SeaTable] = msgspec.field(default_factory=list)
 
 
 class Study(Table):
@@ -177,7 +196,7 @@ class Study(Table):
         if waves.method not in METHODS:
             raise StudyError(f"waves.method is {waves.method!r}; allowed: {', '.join(METHODS)}")
         duration = 3600 * positive("waves.duration_hours", waves.duration_hours)
-        return Conditions(wind, current, regular, waves.method, _sea(waves, regular.direction), duration)
+        return Conditions(wind, current, regular, waves.method, sea_of("waves", waves, regular.direction), duration)
 
     def hull_of(self, dimensions):
         """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error."""
@@ -219,10 +238,10 @@ class Study(Table):
         raise StudyError(f"{where} ({given.name}): allowed: either anchor, or heading_deg with a pretension")
 
 
-def _sea(waves, towards):
-    """The Sea of a WavesTable"""
-    spectrum = family_of("waves", waves)(waves.height, mean_period=waves.period, **shape_of(waves))
-    return Sea(spectrum, towards, spreading_of("waves", waves, spectrum))
+def sea_of(where, waves, towards):
+    """The Sea of a WavesTable or SeaTable that travels towards a direction, rad.  Raises StudyError."""
+    spectrum = family_of(where, waves)(waves.height, mean_period=waves.period, **shape_of(waves))
+    return Sea(spectrum, towards, spreading_of(where, waves, spectrum))
 
 
 def read_study(path):

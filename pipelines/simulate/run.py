@@ -107,8 +107,9 @@ def _identity(study, files, duration):
     words = msgspec.to_builtins(study)
     for name in ("seeds", "keep_series", "duration", "duration_hours"):
         (words.get("simulation") or {}).pop(name, None)
-    if not files[1:]:
-        (words.get("simulation") or {}).pop("force", None)
+    for name in ("force", "sea"):  # files of studies without them keep their hash
+        if not (words.get("simulation") or {}).get(name):
+            (words.get("simulation") or {}).pop(name, None)
     digest = hashlib.sha256(json.dumps([words, duration], sort_keys=True).encode())
     for path in files:
         digest.update(hashlib.sha256(Path(path).read_bytes()).digest())

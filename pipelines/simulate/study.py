@@ -6,6 +6,7 @@ seeds = 20                       period = 10.0       # mean           direction_
                                  incidence_deg = 60.0                 gusts = "davenport"
                                  spectrum = "issc"   # or regular
                                  spreading = "cosine:4"
+[[simulation.sea]]               # a further sea, as swell: the keys of [waves]
 [[simulation.force]]
 file = "tug.csv"                 # beside the study: t, Fx, Fy, Fz, Mx, My, Mz
 """
@@ -64,20 +65,26 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
     table = SimulationTable() if table is None else table
     settings = _settings(table, _duration(table, duration))
     conditions = study.conditions()
-    sea, waves, findings = conditions.sea, conditions.waves, ()
-    if conditions.method == "regular_wave":
-        sea = None
-    if sea is not None:
-        waves, findings = None, _outside(sea.spectrum, omega)
+    waves, findings, more = conditions.waves, (), tuple(one.sea("simulation.sea") for one in table.sea)
+    regular = conditions.method == "regular_wave"
+    if more and (regular or conditions.sea is None):
+        raise StudyError("simulation.sea is a further sea; allowed: beside [waves] with irregular waves")
+    seas = () if regular or conditions.sea is None else (conditions.sea, *more)
+    if seas:
+        waves = None
+        findings = tuple(dict.fromkeys(line for one in seas for line in _outside(one.spectrum, omega)))
+        if more:
+            findings += ("the simplified method beside it has the waves of [waves] alone, without simulation.sea",)
     elif waves is not None and not omega[0] <= waves.omega <= omega[-1]:
         raise StudyError(
             f"waves of {study.waves.period:g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
             f"{2 * np.pi / omega[0]:.4g} s; solve them too"
         )
-    weather = Weather(
-        (sea,) if sea else (), waves, conditions.wind, _gusts(study.wind), conditions.current, _forces(table, folder)
-    )
-    split = float(sea.spectrum.quantile(LOWEST)) if sea else (0.5 * waves.omega if waves else float(omega[0]))
+    streams = conditions.wind, _gusts(study.wind), conditions.current
+    weather = Weather(seas, waves, *streams, _forces(table, folder))
+    split = 0.5 * waves.omega if waves else float(omega[0])
+    if seas:
+        split = float(min(one.spectrum.quantile(LOWEST) for one in seas))
     mean = None if study.waves is None else study.waves.period
     return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings)
 

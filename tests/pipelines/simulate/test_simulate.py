@@ -178,6 +178,17 @@ def test_a_sea_outside_the_stored_frequencies_says_how_much_and_how_to_extend():
         plan(TABLE, np.linspace(0.7, 1.0, 20))
 
 
+def test_a_further_sea_is_part_of_the_weather_and_slow_motion_lies_below_both():
+    swell = "[[simulation.sea]]\nheight = 1.0\nperiod = 16.0\ndirection_deg = 90.0\n"
+    alone, both = plan(TABLE), plan(TABLE + swell)
+    assert len(both.weather.seas) == 2 and both.weather.seas[1].direction == np.pi / 2
+    assert both.split < alone.split and "alone" in both.findings[0]
+    with pytest.raises(StudyError, match="allowed: one of direction_deg"):
+        plan(TABLE + swell.replace("direction_deg = 90.0", ""))
+    with pytest.raises(StudyError, match="above 0"):
+        plan(TABLE + swell.replace("1.0", "-1.0"))
+
+
 def test_a_whole_sea_within_the_stored_frequencies_has_no_finding():
     assert plan(TABLE, np.linspace(0.05, 4.0, 20)).findings == ()
 
