@@ -8,7 +8,7 @@ from bem import DOFS
 from bem.database.resonances import resonances as known_resonances
 
 from ..lines.catenary.state import State
-from ..lines.system.findings import LONGEST_STRAIN, strains
+from ..lines.system.findings import LONGEST_STRAIN, strains, unheld
 
 UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
@@ -143,6 +143,10 @@ def _line_findings(result):
     groups = (
         (rest.status == State.SLACK, "slack at rest"),
         ((mean.status == State.SLACK) & (rest.status != State.SLACK), "slack under the steady forces"),
+        (
+            unheld(rest) | unheld(mean),
+            "without tension on a bed steeper than friction holds, taken to lie there: give more friction or less line",
+        ),
         ((mean.vertical_a < 0) & ~beyond, "lifting the anchor under the steady forces"),
         (
             (lines.vertical_a < 0) & (mean.vertical_a >= 0) & ~beyond,

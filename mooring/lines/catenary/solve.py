@@ -11,9 +11,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .state import LineError, State
+from .state import BEYOND_REACH, LineError
 
 TOLERANCE = 1e-10  # of the line length, on the recomputed fairlead position
+_LARGEST, _SMALLEST, _STEEPEST = np.finfo(float).max, np.nextafter(0.0, 1.0), np.nextafter(1.5, 0.0)
+LIMITS = (  # of the columns of `_lines`: least, most, what is allowed
+    ("x", 0.0, _LARGEST, "finite, at least 0 m"),
+    ("z", -_LARGEST, _LARGEST, "finite"),
+    ("length", _SMALLEST, _LARGEST, "finite, above 0 m"),
+    ("weight", _SMALLEST, _LARGEST, "finite, above 0 N/m"),
+    ("axial_stiffness", _SMALLEST, np.inf, "above 0 N, inf for an inextensible line"),
+    ("bed_friction", 0.0, _LARGEST, "finite, at least 0"),
+    ("bed_slope", -_STEEPEST, _STEEPEST, "between −1.5 and 1.5 rad"),
+)
+LEAST, MOST = (np.array([limit[i] for limit in LIMITS]) for i in (1, 2))
 
 
 class LineSolution(NamedTuple):
@@ -74,13 +85,12 @@ def solve_lines(
     lines, shape = _lines(x, z, length, weight, axial_stiffness, bed_friction, bed_slope, bed)
     found = solve_uniform_lines(lines, bed)
     status, missed = found[:, 9].astype(int), found[:, 10]
-    lost = status == State.BEYOND_REACH
-    if np.any(lost) and beyond_reach == "raise":
-        raise _failure(lines[lost], "cannot be reached by an inextensible line")
-    bad = ~(missed <= TOLERANCE * np.maximum(lines[:, 2], np.hypot(lines[:, 0], lines[:, 1])))
-    if np.any(bad):
+    if not (missed <= TOLERANCE * np.maximum(lines[:, 2], np.hypot(lines[:, 0], lines[:, 1]))).all():
+        bad = ~(missed <= TOLERANCE * np.maximum(lines[:, 2], np.hypot(lines[:, 0], lines[:, 1])))
         raise _failure(lines[bad], f"was missed by {missed[bad][0]:.3g} m")
-    values = (column.reshape(shape) for column in found[:, :5].T)
+    if beyond_reach == "raise" and (status == BEYOND_REACH).any():
+        raise _failure(lines[status == BEYOND_REACH], "cannot be reached by an inextensible line")
+    values = [column.reshape(shape) for column in found.T[:5]]
     return LineSolution(*values, found[:, 5:9].reshape(*shape, 2, 2), status.reshape(shape))
 
 
@@ -128,30 +138,25 @@ def profile(x, z, length, weight, axial_stiffness=np.inf, bed_friction=0.0, bed_
 
 def _lines(x, z, length, weight, axial_stiffness, friction, slope, bed):
     """Checked input, (n, 7) as `uniform` reads it, and the shape it was given in."""
-    given = np.broadcast_arrays(
-        *(np.asarray(v, float) for v in (x, z, length, weight, axial_stiffness, friction, slope))
-    )
-    names = ("x", "z", "length", "weight", "axial_stiffness", "bed_friction", "bed_slope")
-    x, z, length, weight, axial_stiffness, friction, slope = given
-    with np.errstate(invalid="ignore"):
-        rules = (
-            ("x", np.isfinite(x) & (x >= 0), "finite, at least 0 m"),
-            ("z", np.isfinite(z), "finite"),
-            ("length", np.isfinite(length) & (length > 0), "finite, above 0 m"),
-            ("weight", np.isfinite(weight) & (weight > 0), "finite, above 0 N/m"),
-            ("axial_stiffness", axial_stiffness > 0, "above 0 N, inf for an inextensible line"),
-            ("bed_friction", np.isfinite(friction) & (friction >= 0), "finite, at least 0"),
-            ("bed_slope", np.abs(slope) < 1.5, "between −1.5 and 1.5 rad"),
-        )
-        if bed:
-            above = z - x * np.tan(np.where(np.abs(slope) < 1.5, slope, 0.0))
-            rules += (("z", above >= 0, "at or above the bed (use bed=False where there is none)"),)
-    for name, good, allowed in rules:
-        if not np.all(good):
-            value = given[names.index(name)][~good].flat[0]
-            raise ValueError(f"line {name} is {value:g}; allowed: {allowed}")
-    columns = (x, z, length, weight, 1.0 / axial_stiffness, friction, slope)
-    return np.stack([v.ravel() for v in columns], axis=-1), x.shape
+    given = [np.asarray(v, float) for v in (x, z, length, weight, axial_stiffness, friction, slope)]
+    shapes = {v.shape for v in given}
+    shape = shapes.pop() if len(shapes) == 1 else np.broadcast_shapes(*shapes)
+    lines = np.empty((*shape, 7))
+    for i, value in enumerate(given):
+        lines[..., i] = value
+    lines = lines.reshape(-1, 7)
+    good = (lines >= LEAST) & (lines <= MOST)
+    if not good.all():
+        column = int(np.argmin(good.all(axis=0)))
+        name, _, _, allowed = LIMITS[column]
+        raise ValueError(f"line {name} is {lines[~good[:, column], column][0]:g}; allowed: {allowed}")
+    if bed:
+        below = lines[:, 1] - lines[:, 0] * np.tan(lines[:, 6]) < 0
+        if below.any():
+            allowed = "at or above the bed (use bed=False where there is none)"
+            raise ValueError(f"line z is {lines[below, 1][0]:g}; allowed: {allowed}")
+    lines[:, 4] = 1.0 / lines[:, 4]
+    return lines, shape
 
 
 def _failure(lines, what):

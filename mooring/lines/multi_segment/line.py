@@ -109,16 +109,19 @@ class StaticLine:
 
     def _solve(self, data, x, z):
         """What `search.solve_positions` finds; what one way of traversal does not find is sought in another."""
-        from .search import LOST, solve_positions
+        from .search import COARSE, FINE, LOST, solve_positions
 
-        found, status, pieces, loads = solve_positions(data, x, z, self.weight, self._capacity(data))
-        ways = [data._replace(to_place=not data.to_place)]
+        found, status, pieces, loads = solve_positions(data, x, z, self.weight, self._capacity(data), COARSE)
+        if not np.any(status == LOST):
+            return found, status, pieces, loads
+        ways = [data, data._replace(to_place=not data.to_place)]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
             softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
             ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
-        for way in ways if np.any(status == LOST) else ():
+        tries = [(way, COARSE) for way in ways[1:]] + [(way, FINE) for way in ways]
+        for way, tolerances in tries:
             for i in np.flatnonzero(status == LOST):
-                given = way, x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data)
+                given = way, x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data), tolerances
                 once, state, its, words = solve_positions(*given)
                 if state[0] != LOST:
                     found[i], status[i] = once[0], state[0]

@@ -19,11 +19,12 @@ from .newton import continuation
 from .touchdown import GROUNDED_ANCHOR
 from .traverse import traverse
 
-SOLVED, LOST = (
-    -1,
-    -2,
-)  # results of a search beside `State`: an equilibrium that is not slack; none found, though in reach
-TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-15)  # of the length, left over at the anchor by a search
+# results of a search beside `State`: an equilibrium that is not slack; none found, though in reach
+SOLVED, LOST = -1, -2
+# of the length, left over at the anchor by a search: those to begin with, and those where these find nothing, which
+# take ten times as long; each begins with the tension of the one before
+COARSE = 1e-3, 1e-6
+FINE = (*COARSE, 1e-9, 1e-12, 1e-15)
 
 
 @kernel()
@@ -65,10 +66,10 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
     return math.exp(q), LOST
 
 
-def solve_positions(line, x, z, guess, capacity):
+def solve_positions(line, x, z, guess, capacity, tolerances):
     """Positions (n,) one after another.
 
-    guess : H to begin with, N; capacity : most pieces that the line can have
+    guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `COARSE` or `FINE`
     returns : results (n, 11), see `newton.store`; states (n,); pieces, states of the point loads at the last position
     """
     found, status = np.zeros((len(x), 11)), np.full(len(x), LOST)
@@ -76,7 +77,7 @@ def solve_positions(line, x, z, guess, capacity):
     pieces, w = np.empty((capacity, PIECE_COLUMNS)), workspace_for(line)
     done = 0
     while done < len(x):
-        after, state = _solve_some(line, w, x, z, done, guess, pieces, found)
+        after, state = _solve_some(line, w, x, z, done, guess, pieces, found, tolerances)
         status[done:after] = SOLVED
         if state != SOLVED:
             status[done] = state
@@ -87,9 +88,9 @@ def solve_positions(line, x, z, guess, capacity):
     return found, status, pieces[: int(found[-1, 10])], w.states
 
 
-def _solve_some(line, w, x, z, first, guess, pieces, found):
+def _solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
     """Solve one position and those after it with the same contacts.  returns : the position after them, state"""
-    for tolerance in TOLERANCES:
+    for tolerance in tolerances:
         guess, state = horizontal_tension(line, w, x[first], z[first], guess, tolerance)
         if state in (BEYOND_REACH, LOST) or w.count[0] == 0:
             return first, BEYOND_REACH if state == BEYOND_REACH else LOST
@@ -101,6 +102,8 @@ def _solve_some(line, w, x, z, first, guess, pieces, found):
             after = _with_heap(line, w, x, z, first, pieces, found)
         if after > first:
             return after, SLACK if slack else SOLVED
+        if state == SLACK:  # whatever the tolerance
+            break
     return first, LOST
 
 

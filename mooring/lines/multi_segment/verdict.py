@@ -1,7 +1,7 @@
 """Kernels that judge a solved line by its pieces alone, whichever way its contacts were found.
 
 No piece has a negative length or lies below the bed, what lies has tension T ≥ 0 and a friction that the bed can give,
-and where two pieces meet the forces balance:
+each piece ends where the next one begins, the last one at the anchor, and where two pieces meet the forces balance:
 
     R = (H₋ − H₊, V₋ − V₊ + f),   + above the place, − below it, f the weight of the point load there,
 
@@ -16,7 +16,8 @@ import math
 from bem.kernels.jit import kernel
 
 from .free_span import free_step, length_to, level_in_sea
-from .line_data import EMERGED, FLOATING, H, S, V, X, Z
+from .friction import bed_step
+from .line_data import EMERGED, FLOATING, H, S, T, V, X, Z
 
 FAR = 1e-8  # of the line's length: largest penetration, and distance of a buoy from where its state has it
 STRAY = 1e-7  # of the largest tension: largest imbalance
@@ -42,11 +43,22 @@ def put_top(piece, q):
 
 
 @kernel()
+def go_down(piece, q, g):
+    """State at the lower end of a piece."""
+    put_top(piece, q)
+    if piece[0] == 1:
+        q[T] = piece[5]
+        bed_step(q, g, piece[2], piece[6], piece[8], piece[9], piece[10])
+        q[H], q[V] = q[T] * math.cos(piece[10]), q[T] * math.sin(piece[10])
+    else:
+        free_step(q, g, piece[2], piece[7], piece[8], piece[9])
+
+
+@kernel()
 def clears_bed(line, piece, q, g, far):
     """Whether a free piece is nowhere more than `far` below the bed: at its end, parallel to a facet, at vertices."""
-    put_top(piece, q)
-    top, h, v = q[X], q[H], q[V]
-    free_step(q, g, piece[2], piece[7], piece[8], piece[9])
+    top, h, v = piece[3], piece[5], piece[6]
+    go_down(piece, q, g)
     bottom = q[X]
     if bottom > line.bed[0, 0] and height_over_bed(line, bottom, q[Z]) < -far:
         return False
@@ -140,17 +152,16 @@ def stands(line, rows, count, states, slack, q, below, g):
                 return False
         elif not (line.no_bed or clears_bed(line, piece, q, g, far)):
             return False
-        put_top(piece, q)
-        if piece[0] == 1:
-            end = piece[5] - piece[6] * piece[2]
-            q[H], q[V] = end * math.cos(piece[10]), end * math.sin(piece[10])
-        else:
-            free_step(q, g, piece[2], piece[7], piece[8], piece[9])
+        go_down(piece, q, g)
         if i + 1 < count:
             put_top(rows[i + 1], below)
+            if not math.hypot(q[X] - below[X], q[Z] - below[Z]) <= far:
+                return False
             q[X], q[Z] = below[X], below[Z]
             at_load = load >= 0 and abs(line.loads[load, 0] - below[S]) <= 1e-14 * line.length
             if not balanced(line, q, below, load if at_load else -1, states, far, stray):
                 return False
             load -= 1 if at_load else 0
-    return not slack or heaps(line, rows, count, far, stray)
+    if slack:
+        return heaps(line, rows, count, far, stray)
+    return math.hypot(q[X] - line.bed[0, 0], q[Z] - line.bed[0, 1]) <= far

@@ -15,7 +15,7 @@ from bem import DOFS
 
 from .bodies import angles, rotated
 from .composite import check_free
-from .findings import culprit, freedom_name, warn_of_floating, warn_of_friction
+from .findings import culprit, freedom_name, warn_of_floating, warn_of_friction, warn_of_sliding
 from .graph import LineForces, Pose, System, line_forces
 from .parts import EquilibriumError
 
@@ -220,6 +220,7 @@ def _found(system, pose, load, may, unit, count):
     check_free(system, load.points, load.solutions)
     warn_of_floating(system, load)
     warn_of_friction(system, lines)
+    warn_of_sliding(system, lines)
     return SystemEquilibrium(
         system, pose, load.points, lines, count, load.force, residual, load.stiffness, moving, on_bed, reaction
     )

@@ -60,6 +60,25 @@ def warn_of_friction(system, lines):
         )
 
 
+def unheld(lines):
+    """(n,) of LineForces: whether a part without tension lies on a bed steeper than friction holds.
+
+    Such a part is taken to lie where it was laid; in truth it slides to the nearest hollow, and pulls there.
+    """
+    return np.array([i in lines.solutions and lines.solutions[i].slides for i in range(len(lines.status))], bool)
+
+
+def warn_of_sliding(system, lines):
+    """Warn of lines of segments that lie where they would slide."""
+    names = [name for name, slides in zip(system.line_names, unheld(lines), strict=True) if slides]
+    if names:
+        warnings.warn(
+            f"without tension on a bed steeper than friction holds: {', '.join(names)}; taken to lie there, in truth "
+            "it slides and pulls; allowed: tan of the slope up to the friction; give more friction or a shorter line",
+            stacklevel=4,
+        )
+
+
 def fault_of(one, a, b):
     """Message of the solver of a Composite for its ends at a and b, (3,) m each."""
     try:

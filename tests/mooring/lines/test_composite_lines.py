@@ -1,5 +1,6 @@
 """Lines of several segments in a system, against uniform lines, and against lines joined at free points."""
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -182,6 +183,19 @@ def test_a_bed_of_its_own_lies_under_a_line_whichever_way_it_swings():
         alone = one.line.solve(np.hypot(*(B - A)[:2]), B[2] - A[2])
         pull = np.hypot(state.lines.horizontal_b[0], state.lines.vertical_b[0])
         assert np.isclose(pull, alone.tension_fairlead, rtol=1e-12)
+
+
+@pytest.mark.parametrize("friction", [0.2, 0.4])
+def test_a_slack_line_on_a_bed_steeper_than_its_friction_is_named(friction):
+    def first(a, b):
+        bed = Bed([[0.0, 0.0], [300.0, 90.0], [600.0, 90.0]], friction)
+        return [composite("L0", [(CHAIN, 410.0)], a, b, bed=bed, bed_friction=friction)]
+
+    system = held_at(three_legs(first, z=40.0), {"hull": (0, 0, 0, 0, 0, 0)})
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        rest(system)
+    assert any("steeper than friction holds: L0;" in str(text.message) for text in said) == (friction < 0.3)
 
 
 def test_a_line_without_forces_at_its_ends_is_refused_and_one_too_short_is_marked():
