@@ -58,9 +58,19 @@ class Member(NamedTuple):
 
     def kernel(self, x, y):
         """κ(x, y) (n, m) complex"""
-        phase = np.exp(1j * np.multiply.outer(x.phase, self.delays))
-        back = np.exp(-1j * np.multiply.outer(y.phase, self.delays))
-        return np.exp(-0.5 * ((x.smooth[:, None] - y.smooth) / self.reach) ** 2) * ((phase * self.weights) @ back.T)
+        return _decay(x, y, self.reach) * _returned(x, y, self.delays, self.weights)
+
+
+def _decay(x, y, reach):
+    """exp(−(s − t)²/2ℓ²) (n, m)"""
+    return np.exp(-0.5 * ((x.smooth[:, None] - y.smooth) / reach) ** 2)
+
+
+def _returned(x, y, delays, weights):
+    """Σⱼ aⱼ exp(i(k − q) dⱼ) (n, m)"""
+    phase = np.exp(1j * np.multiply.outer(x.phase, delays))
+    back = np.exp(-1j * np.multiply.outer(y.phase, delays))
+    return (phase * weights) @ back.T
 
 
 def _echoes(step, ratio, last):
@@ -92,9 +102,9 @@ def abscissa(omega, depth, gravity, length):
 
 
 class Rows(NamedTuple):
-    """Every member of the family between nodes x (n,) and places y (q,), whatever is fitted.
+    """Every kernel of the family between nodes x (n,) and places y (q,), whatever is fitted.
 
-    cardinal : (members, q, n) value at y of what is 1 at one node and 0 at the others; left : (members, q) share of
+    cardinal : (kernels, q, n) value at y of what is 1 at one node and 0 at the others; left : (kernels, q) share of
     the variance that remains
     """
 
@@ -115,8 +125,8 @@ class Nodes:
 
     @cached_property
     def roots(self):
-        """(members, n, n) `_root` of each member"""
-        return np.array([_root(self._kernel(member, self.x, self.x)) for member in FAMILY])
+        """(kernels, n, n) `_root` of each kernel"""
+        return _root(self._kernels(self.x, self.x))
 
     def rows(self, y):
         """`Rows` at the places y; those asked for last are kept"""
@@ -129,17 +139,23 @@ class Nodes:
         return self._kept[key]
 
     def _rows(self, y):
-        cardinal, left = [], []
-        for member, root in zip(FAMILY, self.roots, strict=True):
-            whitened = self._kernel(member, y, self.x) @ root.conj().T
-            cardinal.append(whitened @ root)
-            left.append(np.maximum(1 - np.sum(np.abs(whitened) ** 2, axis=1) - ROUNDING, 0))
-        return Rows(np.array(cardinal), np.array(left))
+        whitened = self._kernels(y, self.x) @ self.roots.conj().swapaxes(1, 2)
+        left = np.maximum(1 - np.sum(whitened.real**2 + whitened.imag**2, axis=2) - ROUNDING, 0)
+        return Rows(whitened @ self.roots, left)
 
-    def _kernel(self, member, x, y):
+    def _kernels(self, x, y):
+        """κ(x, y) of each kernel of the family, (kernels, n, m)"""
         distance = np.ptp(self.x.smooth) / max(len(self.x.smooth) - 1, 1)
-        kernel = member._replace(reach=min(member.reach, member.nodes * distance)).kernel(x, y)
-        return kernel.real if self.real else kernel
+        decays, echoes, kernels = {}, {}, []
+        for member in _kernels()[0]:
+            reach, row = min(member.reach, member.nodes * distance), member.delays.tobytes() + member.weights.tobytes()
+            if reach not in decays:
+                decays[reach] = _decay(x, y, reach)
+            if row not in echoes:
+                made = _returned(x, y, member.delays, member.weights)
+                echoes[row] = made.real if self.real else made
+            kernels.append(decays[reach] * echoes[row])
+        return np.array(kernels)
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,7 +181,7 @@ class Interpolant:
     def _value(self, y):
         value, rows = 0.0, self.nodes.rows(y)
         for lead, chosen in _by_lead():
-            mixed = np.tensordot(self._weights[chosen].T, rows.cardinal[chosen], axes=1)
+            mixed = np.tensordot(self._weights[chosen].T, rows.cardinal[_kernels()[1][chosen]], axes=1)
             part = np.matmul(mixed, (self.values * self._phase(lead, self.nodes.x, self.lead)).swapaxes(0, 1))
             value = value + part.swapaxes(0, 1) * self._phase(lead, y, self.lead).conj()
         return value if np.iscomplexobj(self.values) else value.real
@@ -175,12 +191,13 @@ class Interpolant:
         values, leads = self._sample
         for lead, chosen in _by_lead():
             shifted = (values * self._phase(lead, self.nodes.x, leads)).reshape(len(values), -1)
-            guess = (rows.cardinal[chosen] @ shifted).reshape(len(chosen), -1, *leads.shape)
+            kernels = _kernels()[1][chosen]
+            guess = (rows.cardinal[kernels] @ shifted).reshape(len(chosen), -1, *leads.shape)
             guess = guess * self._phase(lead, y, leads).conj()
             weight = self._weights[chosen][:, None, :, None]
             mean = mean + np.sum(weight * guess, axis=0)
             square = square + np.sum(weight * np.abs(guess) ** 2, axis=0)
-            open_ = np.sqrt(rows.left[chosen][:, :, None] * self._scale[chosen][:, None])
+            open_ = np.sqrt(rows.left[kernels][:, :, None] * self._scale[chosen][:, None])
             left = left + np.sum(self._weights[chosen][:, None] * open_, axis=0)
         spread = np.maximum(square - np.abs(mean) ** 2, 0).mean(axis=-1)
         return np.sqrt(left**2 + spread)
@@ -200,7 +217,7 @@ class Interpolant:
         errors, scales = [], []
         values, leads = self._sample
         shifted = {lead: (values * self._phase(lead, self.nodes.x, leads)).reshape(len(values), -1) for lead in LEADS}
-        for member, root in zip(FAMILY, self.nodes.roots, strict=True):
+        for member, root in zip(FAMILY, self.nodes.roots[_kernels()[1]], strict=True):
             whitened = root @ shifted[member.lead]
             left_out = np.abs(root.conj().T @ whitened) / np.sum(np.abs(root) ** 2, axis=0)[:, None]
             errors.append(np.sum(left_out**2, axis=0).reshape(leads.shape).sum(axis=-1))
@@ -296,6 +313,18 @@ def _blocks(y):
     return [Abscissa(*(part[i : i + BLOCK] for part in y)) for i in range(0, max(len(y.smooth), 1), BLOCK)]
 
 
+def _kernels():
+    """Members of the family that differ in more than their lead, and the number (members,) of each member's among them"""
+    number, first = {}, []
+    place = [
+        number.setdefault((m.reach, m.nodes, m.delays.tobytes(), m.weights.tobytes()), len(number)) for m in FAMILY
+    ]
+    for i, kernel in enumerate(place):
+        if kernel == len(first):
+            first.append(FAMILY[i])
+    return first, np.array(place)
+
+
 def _by_lead():
     """(lead, its members) of the family"""
     leads = np.array([member.lead for member in FAMILY])
@@ -303,8 +332,8 @@ def _by_lead():
 
 
 def _root(kernel):
-    """R (n, n) of the inverse R*R of a kernel among nodes and its nugget"""
-    return np.linalg.inv(np.linalg.cholesky(kernel + NUGGET * np.eye(len(kernel))))
+    """R (…, n, n) of the inverse R*R of a kernel among nodes and its nugget"""
+    return np.linalg.inv(np.linalg.cholesky(kernel + NUGGET * np.eye(kernel.shape[-1])))
 
 
 def _left_open(row, root):
