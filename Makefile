@@ -56,8 +56,9 @@ lint: venv
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 
+# each process has one BLAS thread: two wait for each other where the cores are taken (16 minutes of processor time, 10)
 test: lint
-	$(BIN)/python -m pytest -n $(PROCESSES)
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(PROCESSES)
 
 # numpy warns where compiled code gives NaN or infinity in silence
 test-nojit: venv
