@@ -314,7 +314,7 @@ def _blocks(y):
 
 
 def _kernels():
-    """Members of the family that differ in more than their lead, and the number (members,) of each member's among them"""
+    """Members of the family that differ in more than their lead, and (members,) which of them is each member's"""
     number, first = {}, []
     place = [
         number.setdefault((m.reach, m.nodes, m.delays.tobytes(), m.weights.tobytes()), len(number)) for m in FAMILY
