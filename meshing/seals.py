@@ -24,6 +24,7 @@ SIGNATURE = b"\x89HDF\r\n\x1a\n"
 LEAST_BLOCK, LARGEST_BLOCK = 512, 2**20  # bytes; HDF5 looks for itself at 0, 512, 1024, …, powers of two
 AT_ONCE = 2**22  # bytes read of a file
 MARK = "  [CRC-32 of all else: "
+TRACE = re.compile("|".join(re.escape(MARK[i : i + 7]) for i in range(len(MARK) - 6)) + r"|: [0-9a-f]{8}\]\n")
 REMEDY = "copy it again, or delete it and make it anew"
 
 
@@ -165,9 +166,10 @@ def text_sealed(text):
 
 def text_damaged(text):
     """Whether a text, its lines ended by line feeds, has a seal that is broken"""
-    place = text.find(MARK, 0, _end_of_head(text))
-    if place < 0:
-        return False
+    head = _end_of_head(text)
+    place = text.find(MARK, 0, head)
+    if place < 0:  # a new line within the mark ends the head there
+        return TRACE.search(text, 0, head + len(MARK) + 10) is not None
     end = place + len(MARK) + 9
     value = zlib.crc32(text[end:].encode(), zlib.crc32(text[:place].encode()))
     return text[place:end] != f"{MARK}{value:08x}]"

@@ -12,6 +12,7 @@ from .seas import directions, energy_outside
 MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
 UNSURE = 0.05  # estimated error of a result between stored waves that is named
 LEVER = 0.05  # of the radius of the hull: a moment of the drift force on a shorter arm is none
+LARGEST_ROTATION = 15.0  # degrees; there sines leave angles, and restoring its line, by a few per cent
 PLACES = 48  # frequencies at which it is estimated
 
 
@@ -80,3 +81,13 @@ def drift_outside(body, inside, beyond):
 def _some(named, most=6):
     rest = f" and {len(named) - most} more" if len(named) > most else ""
     return ", ".join(named[:most]) + rest
+
+
+def large_rotations(degrees):
+    """Lines on rotations for which motions are no longer small.  degrees : {name: amplitude}"""
+    named = [f"{name.lower()} {value:.3g}°" for name, value in degrees.items() if value > LARGEST_ROTATION]
+    if named:
+        yield (
+            f"{', '.join(named)} of amplitude, linear theory ends at about {LARGEST_ROTATION:g}°: this is no motion to "
+            "expect; give viscous damping, or take lower waves"
+        )

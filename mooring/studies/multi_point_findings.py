@@ -9,6 +9,7 @@ from bem.database.resonances import resonances as known_resonances
 
 from ..lines.catenary.state import State
 from ..lines.system.findings import LONGEST_STRAIN, strains, unheld
+from ..response.findings import large_rotations
 
 UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
@@ -29,6 +30,7 @@ def findings(result, db):
     if waves:
         irregular = result.conditions.method == "irregular"
         yield from _of_the_sea(result) if irregular else _uncertain(db.reader, waves)
+        yield from large_rotations(dict(zip(DOFS[3:], np.degrees(result.amplitudes[3:]), strict=True)))
         yield from resonances(result, waves.period)
         if db.has_viscous_motions and irregular:
             yield "motions and drift hold the viscous damping of the database's scene, linearised in this sea"

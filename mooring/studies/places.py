@@ -52,6 +52,20 @@ def place_findings(system, hull):
         )
 
 
+def off_the_mesh(system, body, mesh):
+    """Lines on fairleads of the body of this name beside or below the box around its wetted hull, a PanelMesh"""
+    points = mesh.whole().vertices.reshape(-1, 3)
+    low, high = points.min(axis=0), points.max(axis=0)
+    length = float(np.max(high[:2] - low[:2]))
+    high[2] = np.inf  # of the freeboard a wetted hull says nothing
+    own = [point for point in system.points if isinstance(point, Fairlead) and point.body == body]
+    away = [np.linalg.norm(np.maximum(np.maximum(low - p.position, p.position - high), 0.0)) for p in own]
+    off = [f"{point.name} {out:.3g} m" for point, out in zip(own, away, strict=True) if out > NEAR * length]
+    if off:
+        limit = f"limit {NEAR * length:.3g} m"
+        yield f"fairleads off the hull of the database: {', '.join(off)}; {limit}; check where they are"
+
+
 def _ends(system):
     """(line, anchor (3,), fairlead (3,)) in space, of lines from anchors to the body at rest"""
     points, body = {point.name: point for point in system.points}, system.bodies[0]

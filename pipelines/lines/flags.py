@@ -43,7 +43,10 @@ def lines(
     depth: Annotated[
         float | None, Parameter(help="m, for a MoorDyn or YAML file that does not say it", allow_leading_hyphen=True)
     ] = None,
-    database: Annotated[Path | None, Parameter(help="of the body, for its natural periods")] = None,
+    database: Annotated[
+        Path | None,
+        Parameter(help="of the body: natural periods, fairleads off its hull"),
+    ] = None,
     output: Annotated[Path | None, Parameter(help="results, .h5")] = None,
     picture: Annotated[
         Path | None,

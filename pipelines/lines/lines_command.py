@@ -71,6 +71,10 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
     if broken:
         _show_losses(console, state, losses, name)
     if database is not None:
+        from mooring.studies.places import off_the_mesh
+
+        for text in off_the_mesh(system, name, db.mesh):
+            console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
         _show_periods(console, state, name, db)
     written = _write(state, output, picture, curves, losses)
     if exported is not None:

@@ -103,6 +103,7 @@ def _write(read, result, radius, points, said, text, database, output, plot):
     years = read.climate and read.climate.years
     rows = response_report.sea_rows(result) if read.sea else response_report.climate_rows(result, years)
     noted, warned = said
+    warned = [*warned, *response_report.turned(rows)]
     lines = response_report.notes(result, radius, years) + noted
     if output is not None and output.suffix == ".csv":
         response_output.write_csv(output, rows, lines + warned)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bem import DOFS
+from mooring.response.findings import large_rotations
 from mooring.response.long_term import YEAR
 from mooring.response.return_period import probability_not_exceeded
 from mooring.response.sea_state import TINY
@@ -60,6 +61,13 @@ def climate_rows(result, years) -> Rows:
         times = (YEAR, years * YEAR, years * YEAR / -np.log(FRACTILE))
         values.append([factor * term.level(time) for time in times])
     return Rows(columns, [result.names[i] for i in excited], units, np.array(values))
+
+
+def turned(rows):
+    """Lines on rotations that are too large for linear theory, by the largest expected or once in all years"""
+    column = 2 if "expected_maximum" in rows.columns else 1
+    angles = zip(rows.names, rows.units, rows.values[:, column], strict=True)
+    return large_rotations({name: value for name, unit, value in angles if name.upper() in MOTIONS and unit == "°"})
 
 
 def notes(result, radius, years=None):

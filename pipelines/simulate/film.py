@@ -12,6 +12,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from ..common.bounds import Pace
 from ..common.outputs import check_output
 from ..moor.study import make_study
 from .file import opened, whole_rows
@@ -35,17 +36,35 @@ def animate(path, output, seed=None, start=None, length=60.0, step=1.0):
     with opened(path) as file:
         row = _row(file, seed)
         time, tension = file["time"][()], file["tension"][row]
+        _check_times(time, start, length, step)
         if start is None:
             start = time[int(np.argmax(tension.max(axis=1)))] - 0.5 * length
         start = min(max(start, time[0]), max(time[-1] - length, time[0]))
         at = np.arange(start, min(start + length, time[-1]) + 1e-9, step)
-        if not (step > 0 and 2 <= len(at) <= MOST):
-            raise ValueError(f"the film has {len(at)} frames; allowed: 2 to {MOST}; give another length or step")
         motion = np.column_stack([np.interp(at, time, column) for column in file["motion"][row].T])
         scene = _scene(file)
         waves = _waves(file, int(file["seed"][row]))
-    _write(output, _frames(scene, at, motion, waves))
+    pace = Pace(f"{len(at)} frames take", len(at), "give a shorter --length or a longer --step")
+    _write(output, _counted(_frames(scene, at, motion, waves), pace))
     return len(at)
+
+
+def _check_times(time, start, length, step):
+    """Raise ValueError unless there are 2 to MOST frames, from a time of the record on."""
+    if start is not None and not time[0] <= start <= time[-1]:
+        raise ValueError(f"--start is {start:g} s; allowed: {time[0]:g} to {time[-1]:g} s")
+    for flag, value in (("length", length), ("step", step)):
+        if not 0 < value < np.inf:
+            raise ValueError(f"--{flag} is {value:g} s; allowed: above 0, finite")
+    frames = int(min(length, time[-1] - time[0]) / step + 1e-9) + 1
+    if not 2 <= frames <= MOST:
+        raise ValueError(f"the film has {frames} frames; allowed: 2 to {MOST}; give another --length or --step")
+
+
+def _counted(frames, pace):
+    for frame in frames:
+        pace.step()
+        yield frame
 
 
 def _is_film(path):

@@ -28,7 +28,8 @@ from ..moor.study import SimulationTable
 from ..response.study import damping_of
 
 LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave part
-MOST_SEEDS, MOST_SAMPLES = 10_000, 2_000_000
+MOST_SEEDS, FEWEST, MOST_SAMPLES = 10_000, 8, 2_000_000
+MOST_COMPONENTS = 100_000
 MISSED = 0.01  # share of the energy outside the stored frequencies that is not named; above MOST_MISSED refused
 MOST_MISSED = 0.25
 GUSTS = {"davenport": ("surface_drag",), "hino": ("surface_drag", "gust_height", "gust_exponent"),
@@ -119,6 +120,8 @@ def _duration(table, duration):
 
 def _settings(table, duration):
     names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory", "estimate_error")
+    if table.components is not None and table.components > MOST_COMPONENTS:
+        raise StudyError(f"simulation.components is {table.components}; allowed: 1 to {MOST_COMPONENTS}")
     lost = tuple((one.line, one.time) for one in table.lines_lost)
     wrong = [one for one in table.lines_lost if not 0 <= one.time < math.inf]
     if wrong:
@@ -127,6 +130,9 @@ def _settings(table, duration):
         settings = Settings(duration, lines_lost=lost, **{name: getattr(table, name) for name in names})
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None
+    if duration < FEWEST * settings.step:
+        least = FEWEST * settings.step
+        raise StudyError(f"simulation has {duration:g} s; allowed: at least {least:g} s, {FEWEST} samples")
     samples = (duration + settings.ramp) / settings.step
     if samples > MOST_SAMPLES:
         raise StudyError(f"simulation has {samples:.3g} samples; allowed: {MOST_SAMPLES}; give a longer step")
@@ -135,9 +141,10 @@ def _settings(table, duration):
 
 def _seeds(table, count):
     given = table.seeds if count is None else count
+    asked = given if isinstance(given, int) else len(given)
+    if not 1 <= asked <= MOST_SEEDS:
+        raise StudyError(f"there are {asked} seeds; allowed: 1 to {MOST_SEEDS}")
     seeds = tuple(range(1, given + 1)) if isinstance(given, int) else tuple(given)
-    if not 1 <= len(seeds) <= MOST_SEEDS:
-        raise StudyError(f"there are {len(seeds)} seeds; allowed: 1 to {MOST_SEEDS}")
     if min(seeds) < 0 or len(set(seeds)) < len(seeds):
         raise StudyError("seeds are whole numbers from 0, each once")
     return seeds

@@ -13,6 +13,7 @@ import numpy as np
 from bem import DOFS
 from mooring.motion.statistics import record_statistics
 
+from ..common.quantities import StudyError
 from ..moor.study import make_study
 from .file import LONGEST
 from .study import damping, plan_of
@@ -49,6 +50,10 @@ def prepared(task):
         plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
         hull = study.hull_of(db.dimensions)
         system = study.system(hull, db.rotation_center, db.density, db.gravity)
+        unknown = [name for name, _ in plan.settings.lines_lost if name not in system.line_names]
+        if unknown:
+            known = ", ".join(system.line_names)
+            raise StudyError(f"simulation.lines_lost: there is no line {unknown[0]!r}; allowed: {known}")
         extra = damping(study, db.reader.floating())
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")

@@ -91,3 +91,15 @@ def test_a_change_or_a_lost_end_of_a_sealed_text_is_refused(tmp_path):
             read_text(path)
     path.write_text(damaged[: damaged.index(MARK)] + damaged[damaged.index(MARK) + len(MARK) + 9 :])
     assert "20,400" in read_text(path)
+
+
+def test_a_seal_of_a_text_that_is_damaged_itself_is_no_missing_seal(tmp_path):
+    path = tmp_path / "table.csv"
+    write_sealed(path, TEXT)
+    whole = path.read_text()
+    place = whole.index(MARK)
+    for first in range(place, place + len(MARK) + 9):
+        for new in ("?", "\n", "\n\n\n\n", "abcdef\n"):
+            path.write_text(whole[:first] + new + whole[first + len(new) :])
+            with pytest.raises(ValueError, match=r"table\.csv is damaged"):
+                read_text(path)

@@ -74,6 +74,15 @@ def test_csv_has_the_numbers_of_the_library_with_rotations_in_degrees(folder, da
     assert "# mean drift: Fx" in text and "# air gap at stern" in text
 
 
+def test_rotations_beyond_linear_theory_are_warned_of(folder, capsys):
+    beam = STUDY.replace("incidence_deg = 180.0", "incidence_deg = 270.0")
+    for height, warned in ((0.3, False), (6.0, True)):
+        Path("study.toml").write_text(beam.replace("height = 3.0", f"height = {height}"))
+        assert main(["response", "study.toml", "--database", "box.h5"]) == 0
+        said = capsys.readouterr().out
+        assert ("linear theory ends at about 15°" in said) == warned, said
+
+
 def test_hdf5_has_units_at_every_number_and_the_study(folder):
     assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.h5"]) == 0
     assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.h5"]) == 0  # its own is replaced

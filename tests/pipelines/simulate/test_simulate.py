@@ -162,6 +162,9 @@ def plan(text, omega=WIDE, **more):
         ("[simulation]\nramp = 10.0", "one of duration"),
         ("[simulation]\nduration = 10.0\ntolerance = 2.0", "tolerance is 2"),
         ("[simulation]\nduration = 1e9", "samples"),
+        ("[simulation]\nduration = 1e-9", "simulation has 1e-09 s; allowed: at least 4 s"),
+        ("[simulation]\nduration = 10.0\nseeds = 1000000000000", "there are 1000000000000 seeds; allowed: 1 to 10000"),
+        ("[simulation]\nduration = 10.0\ncomponents = 1000000000", "components is 1000000000; allowed: 1 to 100000"),
         ("[simulation]\nduration = 10.0\nseeds = [1, 1]", "each once"),
         ("[simulation]\nduration = 10.0\nlines_lost = [{ line = 'a', time = -1.0 }]", "from 0 s on"),
     ],
@@ -220,8 +223,35 @@ def test_a_film_follows_the_record_and_is_not_written_over_something_else(folder
     assert Path("film.gif").read_bytes()[:6] == b"GIF89a"
     with pytest.raises(ValueError, match="no record of seed 3"):
         animate("run.h5", Path("film.gif"), seed=3)
-    with pytest.raises(ValueError, match="frames"):
+    with pytest.raises(ValueError, match="--length is 0 s"):
         animate("run.h5", Path("film.gif"), length=0.0)
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ({"step": 0.0}, "--step is 0 s; allowed: above 0"),
+        ({"length": np.nan}, "--length is nan s"),
+        ({"step": 1e-9}, "frames; allowed: 2 to 2000"),
+        ({"start": 1e300}, r"--start is 1e\+300 s; allowed: 0 to 600 s"),
+    ],
+)
+def test_a_film_of_times_that_are_not_there_is_refused_before_it_is_made(folder, flags, words):
+    simulate(1)
+    with pytest.raises(ValueError, match=words):
+        animate("run.h5", "film.gif", **flags)
+
+
+def test_a_simulation_whose_structure_or_summary_is_damaged_says_so(folder, capsys):
+    simulate()
+    content = Path("run.h5").read_bytes()
+    with h5py.File("run.h5", "r+") as file:
+        file["summary"][0, 0] += 1.0
+    assert main(["check", "run.h5"]) == 1 and "damaged: the statistics over all seeds" in capsys.readouterr().out
+    assert simulate().made == 0 and main(["check", "run.h5"]) == 0
+    Path("run.h5").write_bytes(content[:5000] + b"damage" + content[5006:])
+    assert main(["check", "run.h5"]) == 1 and "simulate again with --fresh" in capsys.readouterr().out
+    assert simulate(fresh=True).made == 3
 
 
 @pytest.mark.parametrize("name", ["simulate_chain_12", "simulate_model_M3B"])
