@@ -1,0 +1,62 @@
+"""A rectangle by potential theory, fixed, free and on taut lines, held to laws and to the tests of 1975."""
+
+import numpy as np
+import pytest
+
+from bem.sections.coefficients import section
+from mooring.breakwater.exact import free_exact, taut_exact
+from mooring.breakwater.long_waves import long_wave
+from mooring.breakwater.taut import TautRectangle
+
+# Kihara, Kitatani & Todoroki (1975), section 4.3, in SI; the attachment is taken at the corner, the lines reach the bed
+BODY = {
+    "half": 0.3, "draft": 0.3, "free_draft": 0.202, "depth": 0.6, "z0": -0.095, "inertia": 0.86 * 9.8,
+    "attachment": 0.3, "density": 1000.0, "gravity": 9.8,
+}  # fmt: skip
+PERIODS = (1.6, 1.72, 1.8, 2.0, 2.2, 2.4, 2.6, 2.7, 2.8, 3.0, 3.2)
+# Table 4.1, K_T at 44° by period, mean of three wave heights
+MEASURED = (0.427, 0.513, 0.523, 0.640, 0.617, 0.683, 0.760, 0.770, 0.750, 0.737, 0.773)
+
+
+def body_at(degrees):
+    angle = np.radians(degrees)
+    return TautRectangle(angle=angle, line=0.3 / np.sin(angle), **BODY)
+
+
+def section_at(period, draft=0.3, tolerance=1e-6):
+    return section(0.6, draft, 0.6, 2 * np.pi / period, density=1000.0, gravity=9.8, tolerance=tolerance)
+
+
+def energy(motion):
+    return abs(motion.transmission) ** 2 + abs(motion.reflection) ** 2
+
+
+@pytest.mark.parametrize("period", [1.6, 3.2])
+def test_energy_is_kept_however_the_body_is_held(period):
+    water, free = section_at(period), section_at(period, 0.202)
+    assert abs(water.transmission) ** 2 + abs(water.reflection) ** 2 == pytest.approx(1, abs=1e-8)
+    assert energy(free_exact(body_at(44), free)) == pytest.approx(1, abs=1e-8)
+    for degrees in (44, 90, 158):
+        assert energy(taut_exact(body_at(degrees), water)) == pytest.approx(1, abs=1e-8)
+
+
+def test_transmission_of_the_moored_rectangle_is_that_measured():
+    exact = [abs(taut_exact(body_at(44), section_at(period)).transmission) for period in PERIODS]
+    assert np.sqrt(np.mean((np.array(exact) - MEASURED) ** 2)) < 0.05
+
+
+def test_flow_under_a_slender_body_becomes_uniform_at_first_order():
+    """y_B = |K_T / K_R| of long waves, kl = 0.01: what the ends of the gap add is a length of the order of the depth"""
+    misses = []
+    for half in (2.0, 4.0, 8.0, 16.0):
+        omega = 0.01 / half * np.sqrt(9.8)
+        water = section(2 * half, 0.9, 1.0, omega, density=1000.0, gravity=9.8)
+        exact = abs(water.transmission / water.reflection)
+        misses.append(long_wave(half, 0.9, 1.0, omega, 9.8).y_B / exact - 1)
+    orders = np.log2(np.divide(misses[:-1], misses[1:]))
+    assert np.all(abs(orders - 1) < 0.1), orders
+
+
+def test_a_section_of_another_draft_is_refused():
+    with pytest.raises(ValueError, match="give the body's section"):
+        taut_exact(body_at(44), section_at(2.0, 0.202))
