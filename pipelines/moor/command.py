@@ -12,6 +12,7 @@ from bem.database.resonances import resonances
 from bem.database.results import has_schema
 from mooring.studies.multi_point import PLANE, line_ends, multi_point
 
+from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.resonances import resonance_lines
 from ..common.units import TONF
@@ -51,6 +52,8 @@ def moor(study_path, database_path, output_path=None, quiet=False):
     hull = study.hull_of(db.dimensions)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)
     output = None if output_path is None else _checked_output(Path(output_path), study_path, database_path)
+    if not quiet:
+        tell_first_use()
     result = multi_point(db, system, hull, study.conditions(), study.allowable)
     if output is not None:
         _write(output, result, text, Path(database_path))
