@@ -34,24 +34,24 @@ def fixed_exact(section):
 
 def free_exact(body, section):
     """`FreeMotion` of a `TautRectangle` without its lines; section : at its free draft.  ValueError if capsizing."""
-    _check(body, section, body.free_draft)
+    check_section(body, section, body.free_draft)
     draft, weight = body.free_draft, 2 * body.density * body.gravity * body.half
     metacentric = body.half**2 / (3 * draft) - draft / 2 - (body.z0 + body.draft - draft)
     if metacentric <= 0:
         raise ValueError(f"metacentric height {metacentric:.3g} m without lines: the body capsizes; lower its weight")
-    to_origin = _to_origin(body.z0 + body.draft - draft)
+    to_origin = moved_to_origin(body.z0 + body.draft - draft)
     stiffness = np.diag([0.0, weight, weight * draft * metacentric])
-    impedance, force = _about_gravity(section, to_origin)
+    impedance, force = about_gravity(section, to_origin)
     mass = np.diag([body.mass, body.mass, body.inertia])
     motion = np.linalg.solve(stiffness - section.omega**2 * mass + impedance, force)
-    return FreeMotion(*_far_field(section, to_origin @ motion), motion)
+    return FreeMotion(*far_field(section, to_origin @ motion), motion)
 
 
 def taut_exact(body, section):
     """`TautMotion` of a `TautRectangle` at one frequency; section : `Section` of its moored draft"""
-    _check(body, section, body.draft)
-    to_origin = _to_origin(body.z0)
-    impedance, force = _about_gravity(section, to_origin)
+    check_section(body, section, body.draft)
+    to_origin = moved_to_origin(body.z0)
+    impedance, force = about_gravity(section, to_origin)
     sway_roll = np.ix_((SWAY, ROLL), (SWAY, ROLL))
     dynamic = impedance[sway_roll] - section.omega**2 * np.diag([body.mass, body.inertia])
     horizontal = force[[SWAY, ROLL]]
@@ -60,30 +60,32 @@ def taut_exact(body, section):
     difference = body.line_difference(of_lines * q - horizontal)
     both = force[HEAVE] / np.sin(body.angle)
     motion = np.array([body.mode[0], 0.0, body.mode[1]]) * q
-    transmitted, reflected = _far_field(section, to_origin @ motion)
+    transmitted, reflected = far_field(section, to_origin @ motion)
     front, back = (both - difference) / 2, (both + difference) / 2
     return TautMotion(transmitted, reflected, motion[SWAY], motion[ROLL], front, back)
 
 
-def _about_gravity(section, to_origin):
+def about_gravity(section, to_origin):
     """−ω²A − iωB and F for motions about the centre of gravity"""
     impedance = -section.omega * (section.omega * section.added_mass + 1j * section.damping)
     return to_origin.T @ impedance @ to_origin, to_origin.T @ section.excitation
 
 
-def _to_origin(z):
+def moved_to_origin(z):
     """Motions of the origin from those of a point at z: the origin sways by +zθ more"""
     matrix = np.eye(3)
     matrix[SWAY, ROLL] = z
     return matrix
 
 
-def _far_field(section, motion):
+def far_field(section, motion):
+    """K_T and K_R, complex, of sway, heave and roll (3,) about the origin per unit wave amplitude"""
     waves = section.radiated * motion
     return section.transmission + waves.sum(), section.reflection + waves @ [-1.0, 1.0, -1.0]
 
 
-def _check(body, section, draft):
+def check_section(body, section, draft):
+    """Raises ValueError unless a `Section` is that of the body's rectangle at this draft, in its water"""
     there = (section.beam, section.draft, section.depth, section.density, section.gravity)
     asked = (2 * body.half, draft, body.depth, body.density, body.gravity)
     if not np.allclose(there, asked, rtol=1e-12, atol=0):

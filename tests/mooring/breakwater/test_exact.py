@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from bem.sections.coefficients import section
+from mooring.breakwater.elastic import elastic_exact
 from mooring.breakwater.exact import free_exact, taut_exact
 from mooring.breakwater.long_waves import long_wave
 from mooring.breakwater.taut import TautRectangle
@@ -60,3 +61,21 @@ def test_flow_under_a_slender_body_becomes_uniform_at_first_order():
 def test_a_section_of_another_draft_is_refused():
     with pytest.raises(ValueError, match="give the body's section"):
         taut_exact(body_at(44), section_at(2.0, 0.202))
+
+
+@pytest.mark.parametrize("degrees", [44, 90, 120])
+def test_stiffer_lines_come_to_the_constraint_at_first_order(degrees):
+    body, water = body_at(degrees), section_at(2.0)
+    taut, misses = taut_exact(body, water), []
+    for stiffness in (1e8, 2e8, 4e8):
+        elastic = elastic_exact(body, water, stiffness)
+        assert energy(elastic) == pytest.approx(1, abs=1e-8)
+        misses.append([abs(getattr(elastic, name) - getattr(taut, name)) for name in ("transmission", "front", "back")])
+    orders = np.log2(np.divide(misses[:-1], misses[1:]))
+    assert np.all(abs(orders - 1) < 0.02), orders
+
+
+def test_lines_that_do_not_carry_the_body_upright_are_refused():
+    high = TautRectangle(angle=np.radians(44), line=0.43, **(BODY | {"z0": 0.3, "free_draft": 0.299}))
+    with pytest.raises(ValueError, match="upright body is unstable"):
+        elastic_exact(high, section_at(2.0), 10.0)

@@ -1,0 +1,62 @@
+"""The moored rectangle of `taut` on lines that stretch, by potential theory: sway, heave and roll are free.
+
+    K = Σ Jᵀ {(EA/S) u uᵀ + (P₀/S) (1 − u uᵀ)} J + P₀ u·r e_θ e_θᵀ,      δP = −(EA/S) u · J x
+
+u from a line's end on the body to its anchor, r that end from the centre of gravity, J its motion.  The second term is
+P₀ on a line that turns, the last one the end's way round the centre of gravity.  EA/S → ∞ is the constraint of `taut`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .exact import ROLL, about_gravity, check_section, far_field, moved_to_origin
+
+
+class ElasticMotion(NamedTuple):
+    """Per unit wave amplitude: transmission, reflection, complex m/m; motion : (3,) sway, heave (m/m), roll (rad/m)
+    about the centre of gravity; front, back : amplitudes of tension P_F and P_B, N/m²"""
+
+    transmission: complex
+    reflection: complex
+    motion: np.ndarray
+    front: complex
+    back: complex
+
+
+def elastic_exact(body, section, axial_stiffness):
+    """`ElasticMotion` of a `TautRectangle`; section : of its moored draft; axial_stiffness : EA, N per metre of body.
+
+    Raises ValueError where the body would not float upright on these lines.
+    """
+    if not 0 < axial_stiffness < np.inf:
+        raise ValueError(f"EA is {axial_stiffness:g} N/m; allowed: above 0 and finite")
+    check_section(body, section, body.draft)
+    stiffness, stretch = _stiffness(body, axial_stiffness)
+    softest = np.linalg.eigvalsh(stiffness / np.outer([1, 1, body.half], [1, 1, body.half]))[0]
+    if softest <= 0:
+        raise ValueError(f"the upright body is unstable: its least stiffness is {softest:.3g} N/m²; lower its weight")
+    to_origin = moved_to_origin(body.z0)
+    impedance, force = about_gravity(section, to_origin)
+    mass = np.diag([body.mass, body.mass, body.inertia])
+    motion = np.linalg.solve(stiffness - section.omega**2 * mass + impedance, force)
+    return ElasticMotion(*far_field(section, to_origin @ motion), motion, *(stretch @ motion))
+
+
+def _stiffness(body, axial_stiffness):
+    """Of water and lines about the centre of gravity, (3, 3), and δP of both lines, front first, of motions, (2, 3)"""
+    s, c, below = np.sin(body.angle), np.cos(body.angle), -body.draft - body.z0
+    weight = 2 * body.density * body.gravity * body.half
+    metacentric = body.half**2 / (3 * body.draft) - body.draft / 2 - body.z0
+    stiffness, stretch = np.diag([0.0, weight, weight * body.draft * metacentric]), []
+    for side in (-1.0, 1.0):
+        u, r = np.array([side * c, -s]), np.array([side * body.attachment, below])
+        moved = np.array([[1.0, 0.0, -r[1]], [0.0, 1.0, r[0]]])
+        along, across = u @ moved, np.array([-u[1], u[0]]) @ moved
+        stiffness += axial_stiffness / body.line * np.outer(along, along)
+        stiffness += body.pretension / body.line * np.outer(across, across)
+        stiffness[ROLL, ROLL] += body.pretension * (u @ r)
+        stretch.append(-axial_stiffness / body.line * along)
+    return stiffness, np.array(stretch)
