@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .long_waves import FixedBody
-from .taut import TautMotion
+from .taut import TautMotion, warn_if_unstable
 
 SWAY, HEAVE, ROLL = range(3)
 
@@ -50,6 +50,7 @@ def free_exact(body, section):
 def taut_exact(body, section):
     """`TautMotion` of a `TautRectangle` at one frequency; section : `Section` of its moored draft"""
     check_section(body, section, body.draft)
+    warn_if_unstable(body)
     to_origin = moved_to_origin(body.z0)
     impedance, force = about_gravity(section, to_origin)
     sway_roll = np.ix_((SWAY, ROLL), (SWAY, ROLL))

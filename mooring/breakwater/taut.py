@@ -8,7 +8,8 @@ With q the coordinate along which the lines allow motion, for lines at angle α 
     GM = l²/3d − d/2 − z₀
 
 which hold from α = 0 through 90°, where Q is at infinity, to 180°, for they are eq. 4.1 to 4.5 times cos α.
-C < 0: the upright position is unstable.  Ito and Chiba's water adds I₁ to I and (F = f_H X − l f_M cos α)
+C < 0: the upright position is unstable, of which both theories warn.
+Ito and Chiba's water adds I₁ to I and (F = f_H X − l f_M cos α)
 
     y = y_B + y_Q,   y_Q = 2ρg kd² F² / (n (ω²J − C)),   a_T = iy a/(1 + iy),   (C − ω²J) q = 2ρgd F (a − a_T)
 
@@ -17,6 +18,7 @@ Kihara, Kitatani & Todoroki (1975), eq. 4.1 to 4.10; 4.9 prints a_T without its 
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -120,6 +122,7 @@ class TautMotion(NamedTuple):
 
 def taut_long_wave(body, omega):
     """`TautMotion` of a `TautRectangle` in the uniform flow of Ito and Chiba; omega : (...,) rad/s"""
+    warn_if_unstable(body)
     omega = np.asarray(omega, float)
     wave = long_wave(body.half, body.draft, body.depth, omega, body.gravity)
     d, l, c = body.draft, body.half, body.mode[1]
@@ -134,6 +137,16 @@ def taut_long_wave(body, omega):
     lines = body.line_difference(of_lines * q[..., None] - weight * pressure * difference[..., None])
     both = 2 * body.density * body.gravity * l * wave.f_B / np.sin(body.angle)
     return TautMotion(1 - difference, difference, body.mode[0] * q, c * q, (both - lines) / 2, (both + lines) / 2)
+
+
+def warn_if_unstable(body):
+    """Warn that waves are asked about an upright position in which the body does not stay"""
+    if body.stiffness <= 0:
+        warnings.warn(
+            f"lines at {np.degrees(body.angle):.4g}°: the upright position is unstable, its stiffness is "
+            f"{body.stiffness:.3g} N/m, allowed: above 0; lower the centre of gravity or change the angle",
+            stacklevel=3,
+        )
 
 
 def added_inertia(body):

@@ -32,6 +32,7 @@ def energy(motion):
     return abs(motion.transmission) ** 2 + abs(motion.reflection) ** 2
 
 
+@pytest.mark.filterwarnings("ignore:.*unstable")
 @pytest.mark.parametrize("period", [1.6, 3.2])
 def test_energy_is_kept_however_the_body_is_held(period):
     water, free = section_at(period), section_at(period, 0.202)

@@ -3,6 +3,8 @@
 Printed values are in tonnes-force per metre, w = 1 t/m³, g = 9.8 m/s²; slips of the print are named where they occur.
 """
 
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 from scipy.optimize import root
@@ -106,6 +108,7 @@ def printed_system(body, omega):
     return np.linalg.solve(matrix, [0, w * l * wave.f_B, 0, 1])
 
 
+@pytest.mark.filterwarnings("ignore:.*unstable")
 @pytest.mark.parametrize("angle", [20, 44, 60, 89, 91, 120, 158, 170])
 def test_closed_form_solves_the_linear_system_of_the_paper(angle):
     body = TautRectangle(angle=np.radians(angle), **TESTED)
@@ -151,6 +154,8 @@ def test_stiffness_is_the_curvature_of_the_energy_of_the_linkage(angle, z0, stab
     energy = hydrostatic - weight * (body.draft - body.free_draft) * curvature
     assert body.stiffness == pytest.approx(energy * np.cos(body.angle) ** 2, rel=1e-4)
     assert (body.stiffness > 0) == stable
+    with nullcontext() if stable else pytest.warns(UserWarning, match="upright position is unstable"):
+        taut_long_wave(body, 3.0)
 
 
 def test_what_cannot_be_moored_is_refused():
