@@ -54,22 +54,20 @@ def end_blocks(row, k, x, ox, oy):
 
 
 @kernel()
-def add_moment_rows(block, arm):
-    """(6, 3) from (3, 3): the force rows, then arm × them."""
-    out = np.zeros((6, 3))
+def add_moment_rows(out, block, arm):
+    """Fill out (6, 3) from (3, 3): the force rows, then arm × them."""
     for j in range(3):
         for i in range(3):
             out[i, j] = block[i, j]
         out[3, j] = arm[1] * block[2, j] - arm[2] * block[1, j]
         out[4, j] = arm[2] * block[0, j] - arm[0] * block[2, j]
         out[5, j] = arm[0] * block[1, j] - arm[1] * block[0, j]
-    return out
 
 
 @kernel()
-def add_block(K, block, row, rows, column, columns, arm_row, arm_column):
-    """Add J' block J at (row, column); bodies have 6 rows or columns, free points 3."""
-    tall = add_moment_rows(block, arm_row)
+def add_block(K, tall, block, row, rows, column, columns, arm_row, arm_column):
+    """Add J' block J at (row, column); bodies have 6 rows or columns, free points 3.  tall (6, 3) is overwritten."""
+    add_moment_rows(tall, block, arm_row)
     for i in range(rows):
         for j in range(3):
             K[row + i, column + j] += tall[i, j]
@@ -136,7 +134,7 @@ def add_rows(rows, points, owner, column, floats, ends, flipped, place, size):
     """force (N,) and K (N, N) from the rows of all lines, which are left in the order of their ends."""
     force, K = np.zeros(size), np.zeros((size, size))
     k, f, arm = np.zeros((2, 2, 3, 3)), np.zeros((2, 3)), np.zeros((2, 3))
-    pair = np.zeros(2, np.int64)
+    pair, tall = np.zeros(2, np.int64), np.zeros((6, 3))
     add_float(force, K, points, owner, column, floats)
     for n in range(ends.shape[0]):
         row = rows[n]
@@ -163,7 +161,8 @@ def add_rows(rows, points, owner, column, floats, ends, flipped, place, size):
             for j in range(2):
                 r = pair[j]
                 if owner[r] != FIXED:
-                    add_block(K, k[i, j], column[p], width, column[r], 6 if owner[r] >= 0 else 3, arm[i], arm[j])
+                    columns = 6 if owner[r] >= 0 else 3
+                    add_block(K, tall, k[i, j], column[p], width, column[r], columns, arm[i], arm[j])
         if flipped[n]:
             exchange(row)
     return force, K

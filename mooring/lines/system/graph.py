@@ -200,11 +200,14 @@ class System:
         The force is nan where a line cannot reach or an end is below the bed.  Loads and hydrostatics of the
         bodies are not in it: see `total_load`.
         """
-        from .assembly import add_rows, assemble, place_points
+        from .assembly import assemble
 
         pose = self.pose if pose is None else pose
-        if not self.composites:
-            return SystemLoad(*assemble(*self.arrays, *pose), {})
+        return self._composite_load(pose) if self.composites else SystemLoad(*assemble(*self.arrays, *pose), {})
+
+    def _composite_load(self, pose):
+        from .assembly import add_rows, place_points
+
         position, owner, column, floats, ends, flipped, _, _ = self.arrays
         points = place_points(position, owner, column, *pose)
         rows, solutions = self._rows(points, ends)
