@@ -14,6 +14,7 @@ from meshing.whole_files import NotWritten
 
 from .bench.command import bench
 from .common.interrupt import interrupted
+from .design.command import design
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
 from .reports.compare_command import compare
@@ -151,6 +152,7 @@ app.command(lines)
 app.command(line_dynamics)
 app.command(simulate)
 app.command(animate)
+app.command(design)
 
 
 def main(arguments=None):

@@ -66,6 +66,7 @@ class Conditions:
     method : of `wave_effects.METHODS`, "irregular" or "regular_wave"
     sea : `environment.sea.Sea` of the waves; None for the ISSC spectrum of their height and period with long crests
     duration : s, in which the largest motions in irregular waves are expected
+    motion_factor : by which the largest motions are multiplied before lines are tightened by them, as some rules ask
     """
 
     wind: Wind | None = None
@@ -74,3 +75,4 @@ class Conditions:
     method: str = "irregular"
     sea: Sea | None = None
     duration: float = 10800.0
+    motion_factor: float = 1.0

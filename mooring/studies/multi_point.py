@@ -36,7 +36,8 @@ class MultiPoint:
     loads : {"wind", "current", "drift": (3,)} N, N, N m about the rotation centre
     rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : lines at their largest
     waves : {method: `WaveEffects`}, that of the conditions and the other where it is possible; empty without waves
-    amplitudes : (6,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead
+    amplitudes : (6,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
+        the amplitudes
     """
 
     system: System
@@ -99,7 +100,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
     loads = steady_loads(db, hull, conditions, system.depth, effects.drift)
     x, y, turn = sum(loads.values(), np.zeros(3))
     equilibrium = rest(system.with_loads({body: (x, y, 0.0, 0.0, 0.0, turn)}))
-    outward, upward = fairlead_displacements(equilibrium, effects.amplitudes)
+    outward, upward = fairlead_displacements(equilibrium, conditions.motion_factor * effects.amplitudes)
     anchors, fairleads = line_ends(equilibrium)
     moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
     result = MultiPoint(

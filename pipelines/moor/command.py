@@ -49,14 +49,12 @@ def moor(study_path, database_path, output_path=None, quiet=False):
 
     study, text = read_study(study_path)
     db = open_database(database_path)
-    hull = study.hull_of(db.dimensions)
-    system = study.system(hull, db.rotation_center, db.density, db.gravity)
     output = None if output_path is None else _checked_output(Path(output_path), study_path, database_path)
     if not quiet:
         tell_first_use()
-    result = multi_point(db, system, hull, study.conditions(), study.allowable)
+    result, hull = studied(study, db)
     if output is not None:
-        _write(output, result, text, Path(database_path))
+        write_result(output, result, text, Path(database_path))
         from .plan_picture import draw_plan
 
         draw_plan(result, hull, output.with_name(output.stem + "_plan.png"))
@@ -65,12 +63,20 @@ def moor(study_path, database_path, output_path=None, quiet=False):
     return result
 
 
+def studied(study, db):
+    """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
+    hull = study.hull_of(db.dimensions)
+    system = study.system(hull, db.rotation_center, db.density, db.gravity)
+    return multi_point(db, system, hull, study.conditions(), study.allowable), hull
+
+
 def _checked_output(output, *inputs):
     check_output(output, "the result of a study", lambda path: has_schema(path, SCHEMA), DATABASE, inputs)
     return output
 
 
-def _write(output, result, text, database):
+def write_result(output, result, text, database):
+    """Write a MultiPoint result, the text of its study and the seal of its database whole into a file (HDF5)."""
     import h5py
 
     from bem.database.file import beside
@@ -81,6 +87,7 @@ def _write(output, result, text, database):
         file.attrs["database"] = str(database)
         file.attrs["database_sha256"] = hashlib.sha256(database.read_bytes()).hexdigest()
         file.attrs["allowable"] = result.allowable
+        file.attrs["motion_factor"] = result.conditions.motion_factor
         file.attrs["warnings"] = "\n".join(result.warnings)
         _put(file, "equilibrium", result.displacement, "m, m, rad")
         _put(file, "residual", result.equilibrium.residual[PLANE], "N, N, N m")
@@ -146,6 +153,8 @@ def _waves(result):
     largest = f"largest expected in {w.duration / 3600:.3g} h of irregular waves"
     words = {"irregular": largest, "regular_wave": "of a regular wave of significant height"}
     yield f"free motions, {words[w.method]}: {_motions(chosen.amplitudes)}"
+    if w.motion_factor != 1:
+        yield f"lines are tightened by {w.motion_factor:g} times these motions"
     for method, other in result.waves.items():
         if method != w.method and not _alike(chosen, other):
             x, y, turn = other.drift / TONF

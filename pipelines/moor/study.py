@@ -22,7 +22,7 @@ from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, W
 from mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import LineTable, TypeTable, line_of
-from ..common.quantities import StudyError, Table, direction, force, positive, speed, water_depth
+from ..common.quantities import StudyError, Table, below, direction, force, positive, speed, water_depth
 from ..common.seas import family_of, shape_of, spreading_of
 from ..common.typed import read_toml, typed
 
@@ -76,6 +76,7 @@ class WavesTable(Table):
 
     method : "irregular", waves of a spectrum, or "regular_wave" of this height and period as in the SR179 report
     spectrum, gamma, spreading : of irregular waves as in a response study; duration_hours : of the largest motions
+    motion_factor : by which these are multiplied before lines are tightened by them, 1.5 in some rules
     """
 
     height: float
@@ -87,6 +88,7 @@ class WavesTable(Table):
     gamma: float | None = None
     spreading: str | None = None
     duration_hours: float = 3.0
+    motion_factor: float = 1.0
 
 
 class Spread(LineTable, kw_only=True):
@@ -196,7 +198,9 @@ class Study(Table):
         if waves.method not in METHODS:
             raise StudyError(f"waves.method is {waves.method!r}; allowed: {', '.join(METHODS)}")
         duration = 3600 * positive("waves.duration_hours", waves.duration_hours)
-        return Conditions(wind, current, regular, waves.method, sea_of("waves", waves, regular.direction), duration)
+        factor = below("waves.motion_factor", waves.motion_factor, 10.0)
+        sea = sea_of("waves", waves, regular.direction)
+        return Conditions(wind, current, regular, waves.method, sea, duration, factor)
 
     def hull_of(self, dimensions):
         """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error."""

@@ -1,0 +1,7 @@
+"""What a mooring has to keep: rules as data, strength of chain and rope, fatigue, and the verdict on a result.
+
+rules      criteria of rule sets, from tables beside the modules or from a file of the user's own in the same form
+verdict    utilisation of each criterion by the results of load cases, and which case governs
+strength   sizing by a safety factor, wear, equipment number
+fatigue    cycles of a tension record or of its spectrum, curves of strength, Miner's sum
+"""

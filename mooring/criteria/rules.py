@@ -1,0 +1,146 @@
+"""Criteria of rule sets as data: a quantity, its limit, the state it holds for, where it is printed.
+
+A table has a row for each criterion:
+
+    rule, edition      whose it is
+    quantity           what is bounded: "breaking load / tension", "fender strain, total", "surge", …
+    sense, limit, unit "at least" or "at most"; a number, or a fraction such as 1/3
+    second             the other factor where a criterion has two (on dynamic tension, `verdict.PARTIAL`)
+    state              normal (operating), abnormal (extreme), any
+    lines              intact, one lost (at rest after it), transient (just after it), any
+    analysis           quasi-static, dynamic, any
+    subject            what it is about: chain, hawser, ship and cargo
+    statistic          largest, amplitude, peak to peak: a limit without it is none
+    motion_factor      by which the largest motion is multiplied before the tension is taken
+    source, status     read: quoted in a source that was read; secondary; unverified: to be confirmed in the book
+
+The tables beside this module hold the rules that SR179 (1982), chapter 4, quotes, and later ones as publicly quoted.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from importlib.resources import files
+from pathlib import Path
+from typing import NamedTuple
+
+SENSES = ("at least", "at most")
+STATES = ("normal", "abnormal", "any")
+LINES = ("intact", "one lost", "transient", "any")
+ANALYSES = ("quasi-static", "dynamic", "any")
+STATUSES = ("read", "secondary", "unverified")
+TABLES = ("strength.csv", "motions.csv")
+
+
+class RuleError(ValueError):
+    """A rule set cannot be used; one line names what is wrong and what is allowed."""
+
+
+class Criterion(NamedTuple):
+    """One row of a table, as the module describes it; limit and second in `unit`, numbers; motion_factor 1 if none"""
+
+    rule: str
+    edition: str
+    quantity: str
+    sense: str
+    limit: float
+    second: float | None
+    unit: str
+    state: str
+    lines: str
+    analysis: str
+    subject: str
+    statistic: str
+    motion_factor: float
+    source: str
+    status: str
+
+    @property
+    def name(self):
+        """The rule with its edition"""
+        return f"{self.rule} ({self.edition})"
+
+    def holds(self, state, lines, analysis):
+        """Whether the criterion is for a load case of this state, these lines and this kind of analysis"""
+        pairs = (self.state, state), (self.lines, lines), (self.analysis, analysis)
+        return all(own in ("any", asked) for own, asked in pairs)
+
+    def utilisation(self, value):
+        """What is used of the limit by `value` ≥ 0 of its quantity: 1 at the limit, above 1 beyond it"""
+        if self.sense == "at most":
+            return value / self.limit
+        return self.limit / value if value > 0 else math.inf
+
+
+def read_rules(path=None):
+    """All criteria of the tables, or those of a file of the user's own.  Raises RuleError."""
+    if path is None:
+        tables = {name: files(__package__).joinpath("tables", name).read_text(encoding="utf-8") for name in TABLES}
+    else:
+        from meshing.text_files import read_text
+
+        tables = {str(path): read_text(path, RuleError, largest=8)}
+    return tuple(criterion for name, text in tables.items() for criterion in _rows(name, text))
+
+
+def rule_names(criteria):
+    """Names of rule sets in the order of their tables"""
+    return tuple(dict.fromkeys(criterion.rule for criterion in criteria))
+
+
+def of_rule(criteria, rule, subject=None):
+    """Criteria of one rule set, and of one `subject` of it if given.  Raises RuleError where there is none."""
+    found = [criterion for criterion in criteria if criterion.rule.lower() == rule.lower()]
+    if not found:
+        raise RuleError(f"rule set {rule!r} is unknown; allowed: {', '.join(rule_names(criteria))}")
+    if subject is None:
+        return tuple(found)
+    chosen = tuple(criterion for criterion in found if criterion.subject == subject)
+    if not chosen:
+        known = dict.fromkeys(criterion.subject for criterion in found)
+        raise RuleError(f"{rule} has nothing on {subject!r}; allowed: {'; '.join(known)}")
+    return chosen
+
+
+def _rows(name, text):
+    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    rows = csv.DictReader(lines)
+    missing = [key for key in Criterion._fields if key not in (rows.fieldnames or ())]
+    if missing:
+        raise RuleError(f"{name} has no column {missing[0]}; allowed: {', '.join(Criterion._fields)}")
+    for number, row in enumerate(rows, 1):
+        yield _criterion(f"{Path(name).name}, criterion {number}", row)
+
+
+def _criterion(where, row):
+    for key, allowed in (
+        ("sense", SENSES),
+        ("state", STATES),
+        ("lines", LINES),
+        ("analysis", ANALYSES),
+        ("status", STATUSES),
+    ):
+        if row[key] not in allowed:
+            raise RuleError(f"{where}: {key} is {row[key]!r}; allowed: {', '.join(allowed)}")
+    for key in ("rule", "quantity", "source"):
+        if not (row[key] or "").strip():
+            raise RuleError(f"{where}: {key} is empty; allowed: a text")
+    numbers = {
+        "limit": _number(where, "limit", row["limit"]),
+        "second": _number(where, "second", row["second"]) if row["second"] else None,
+        "motion_factor": _number(where, "motion_factor", row["motion_factor"]) if row["motion_factor"] else 1.0,
+    }
+    return Criterion(**{key: row[key] for key in Criterion._fields} | numbers)
+
+
+def _number(where, key, text):
+    """A number above 0, or a fraction of two"""
+    try:
+        above, _, below = (text or "").partition("/")
+        value = float(above) / (float(below) if below else 1.0)
+    except (ValueError, ZeroDivisionError):
+        value = math.nan
+    if not 0 < value < math.inf:
+        raise RuleError(f"{where}: {key} is {text!r}; allowed: a number above 0, or a fraction such as 1/3")
+    return value

@@ -1,0 +1,107 @@
+"""Strength of chain and rope: what wear leaves, the smallest size that carries a load, the equipment number.
+
+Chain loses diameter by wear and corrosion, break and proof loads follow d² (44 − 0.08 d) of what is left
+(`lines.catalogue`).  SR179 report (1982), chapter 4, 2.2 and 3.1; equipment numbers table 4.3.1.
+"""
+
+from __future__ import annotations
+
+import re
+
+from ..lines.catalogue import CHAIN, CHAIN_SIZES, line_type
+
+SIZES = {  # mm, sizes that are made
+    "chain": (*range(20, 100, 2), *range(100, 220, 5)),
+    "rope": (*range(16, 64, 4), *range(64, 264, 8)),
+}
+SOCIETIES = ("LR", "AB", "NV", "BV", "GL", "NK", "NK semisubmersible")
+
+
+def chain_factor(diameter):
+    """d² (44 − 0.08 d), mm², of which breaking and proof loads of chain are multiples"""
+    return diameter**2 * (44 - 0.08 * diameter)
+
+
+def worn_breaking_load(breaking_load, diameter, allowance, years):
+    """Breaking load, N, of a chain after `years` in which it loses `allowance` mm of its diameter (mm) a year.
+
+    raises : ValueError where less than half of the diameter is left
+    """
+    left = diameter - allowance * years
+    if not (allowance >= 0 and years >= 0):
+        raise ValueError(f"wear is {allowance:g} mm a year for {years:g} years; allowed: at least 0")
+    if left < 0.5 * diameter:
+        raise ValueError(
+            f"wear of {allowance:g} mm a year leaves {left:.3g} mm of {diameter:g} mm after {years:g} years; allowed: "
+            "at least half of the diameter"
+        )
+    return breaking_load * chain_factor(left) / chain_factor(diameter)
+
+
+def smallest(kind, tension, safety_factor, allowance=0.0, years=0.0):
+    """The smallest size of a kind of line that carries `tension`, N, with a safety factor on its breaking load.
+
+    kind : a name of the catalogue without its size, "R3 studless", "grade 3", "wire 6x36 IWRC 1960", "polyester"
+    allowance, years : of wear, chain only
+    returns : (name with its size, breaking load in N of it, worn)
+    raises : ValueError where no size does
+    """
+    chain = _is_chain(kind)
+    last = 0.0
+    for size in SIZES["chain" if chain else "rope"]:
+        if chain and not CHAIN_SIZES[0] <= size <= CHAIN_SIZES[1]:
+            continue
+        name = f"{kind} {size:g} mm"
+        load = line_type(name).breaking_load
+        if chain and allowance * years > 0:
+            if allowance * years > 0.5 * size:
+                continue
+            load = worn_breaking_load(load, size, allowance, years)
+        last = max(last, load)
+        if load >= safety_factor * tension:
+            return name, load
+    raise ValueError(
+        f"no {kind} carries {tension / 1e3:.4g} kN with a safety factor of {safety_factor:g}; the largest has "
+        f"{last / 1e3:.4g} kN; take more lines or another kind"
+    )
+
+
+def larger_sizes(name, most):
+    """Up to `most` names of the catalogue of the same kind as `name`, of the next larger sizes."""
+    kind, size = kind_and_size(name)
+    made = SIZES["chain" if _is_chain(kind) else "rope"]
+    return [f"{kind} {larger:g} mm" for larger in made if larger > size][:most]
+
+
+def kind_and_size(name):
+    """("R3 studless", 76.0) of a name of the catalogue such as "R3 studless 76 mm": kind, and nominal diameter in mm"""
+    kind, _, size = name.strip().removesuffix("mm").strip().rpartition(" ")
+    return kind, float(size)
+
+
+def equipment_number(society, displacement, *, height_times_breadth=0.0, front=0.0, side=0.0):
+    """Equipment number of a class society for temporary mooring.
+
+    displacement : t, Δ; height_times_breadth : m², B h (AB, NK); front, side : projected areas above water, m²,
+        normal and parallel to the wind or front and side, as the society has them; BV's with their shape factors
+    raises : ValueError for a society that has none
+    """
+    terms = {
+        "LR": 2.5 * front + 0.1 * side,
+        "AB": 2.0 * height_times_breadth + 0.1 * side,
+        "NV": front,
+        "BV": 2.0 * front + 0.1 * side,
+        "GL": 2.5 * front,
+        "NK": 2.0 * height_times_breadth + 0.1 * side,
+        "NK semisubmersible": 2.0 * front + 0.1 * side,
+    }
+    if society not in terms:
+        raise ValueError(f"society is {society!r}; allowed: {', '.join(SOCIETIES)}")
+    if not displacement > 0:
+        raise ValueError(f"displacement is {displacement:g} t; allowed: above 0")
+    return displacement ** (2 / 3) + terms[society]
+
+
+def _is_chain(kind):
+    words = re.sub(r"\b(grade|chain|studlink|studless)\b", "", kind.lower()).split()
+    return len(words) == 1 and words[0] in CHAIN

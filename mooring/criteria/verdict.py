@@ -1,0 +1,177 @@
+"""Utilisation of each criterion by the results of load cases, and the case that governs.
+
+    at most    u = value / limit          at least   u = limit / value
+    partial factors    u = (γ_mean T_mean + γ_dyn (T − T_mean)) / (0.95 T_break)        DNV-OS-E301, ch. 2 sec. 2
+
+A criterion is met where u ≤ 1.  One that no case has the quantity for is reported as not judged, never as met.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from .rules import Criterion
+
+SAFETY = "breaking load / tension"
+SHARE = "tension / breaking load"
+WORN = "tension / breaking load, worn"
+PRETENSION = "pretension / breaking load"
+PARTIAL = "partial factors on mean and dynamic tension"
+FACTOR = "partial factor on tension"
+HOLDING = "holding capacity / horizontal force"
+CHARACTERISTIC = 0.95  # strength over minimum breaking load where no statistics of it are given
+
+
+class Tensions(NamedTuple):
+    """Tensions of the lines of one load case, (n,) N each, and what the lines stand.
+
+    pretension, static, largest : at rest, under steady loads, largest; breaking : N, inf where unknown; worn : as
+        breaking, of what wear leaves, None where no wear is given
+    horizontal, holding : (n,) N at the anchor, and its holding capacity, None where it is not given
+    """
+
+    names: tuple[str, ...]
+    pretension: np.ndarray
+    static: np.ndarray
+    largest: np.ndarray
+    breaking: np.ndarray
+    worn: np.ndarray | None = None
+    horizontal: np.ndarray | None = None
+    holding: np.ndarray | None = None
+
+
+class Case(NamedTuple):
+    """What a load case gives to judge.
+
+    state : normal or abnormal; lines : intact, one lost or transient; analysis : quasi-static or dynamic
+    tensions : {motion factor: Tensions}; 1 is what happens, others are asked for by some rules
+    motions : {motion: amplitude in m or degrees}, largest; others : {quantity: value} of the whole case
+    """
+
+    name: str
+    state: str
+    lines: str
+    analysis: str
+    tensions: dict
+    motions: dict
+    others: dict
+
+
+class Use(NamedTuple):
+    """What a load case uses of a criterion: value in the unit of the criterion, utilisation, of which line or motion"""
+
+    case: str
+    item: str
+    value: float
+    utilisation: float
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A criterion with the Use of each case that it holds for, the largest first; none where nothing can be judged"""
+
+    criterion: Criterion
+    uses: tuple[Use, ...]
+    missing: str = ""
+
+    @property
+    def governing(self):
+        """The Use of the case that governs, or None"""
+        return self.uses[0] if self.uses else None
+
+    @property
+    def met(self):
+        """True, False, or None where it cannot be judged"""
+        return None if not self.uses else self.uses[0].utilisation <= 1.0
+
+
+def judge(criteria, cases):
+    """A Judged for each criterion, in order; `cases` : any number of Case"""
+    return tuple(_judged(criterion, cases) for criterion in criteria)
+
+
+def _judged(criterion, cases):
+    held = [case for case in cases if criterion.holds(case.state, case.lines, case.analysis)]
+    if not held:
+        return Judged(criterion, (), f"no load case is {_which(criterion)}")
+    uses, missing = [], []
+    for case in held:
+        try:
+            uses.append(_use(criterion, case))
+        except LookupError as lacking:
+            missing.append(f"{case.name} has no {lacking.args[0]}")
+    uses.sort(key=lambda use: -use.utilisation)
+    return Judged(criterion, () if missing else tuple(uses), "; ".join(missing[:1]))
+
+
+def _which(criterion):
+    own = (criterion.state, f"lines {criterion.lines}", criterion.analysis)
+    return ", ".join(word for word in own if not word.endswith("any"))
+
+
+def _use(criterion, case):
+    """The Use of a case.  Raises LookupError with what is missing."""
+    if criterion.quantity in _OF_TENSIONS:
+        if criterion.motion_factor not in case.tensions:
+            raise LookupError(f"tension at {criterion.motion_factor:g} times the motion")
+        t = case.tensions[criterion.motion_factor]
+        values = np.asarray(_OF_TENSIONS[criterion.quantity](criterion, t), float)
+        if np.isnan(values).any():
+            raise LookupError(f"breaking load of {t.names[int(np.argmax(np.isnan(values)))]}")
+        used = values if criterion.quantity in (PARTIAL, FACTOR) else _utilisations(criterion, values)
+        worst = int(np.argmax(used))
+        return Use(case.name, t.names[worst], float(values[worst]), float(used[worst]))
+    if criterion.quantity in case.motions:
+        value = case.motions[criterion.quantity] * (2.0 if criterion.statistic == "peak to peak" else 1.0)
+    elif criterion.quantity in case.others:
+        value = case.others[criterion.quantity]
+    else:
+        raise LookupError(criterion.quantity)
+    return Use(case.name, criterion.quantity, float(value), criterion.utilisation(float(value)))
+
+
+def _utilisations(criterion, values):
+    return np.array([criterion.utilisation(value) for value in values])
+
+
+def _known(loads):
+    """Breaking loads, NaN where they are not known"""
+    return np.where(np.isfinite(loads), loads, np.nan)
+
+
+def _worn(_, t):
+    return t.largest / _known(_given(t.worn, "breaking load after wear; give wear in mm a year"))
+
+
+def _holding(_, t):
+    held = _given(t.holding, "holding capacity of the anchors")
+    return held / np.maximum(t.horizontal, np.finfo(float).tiny)
+
+
+def _partial(criterion, t):
+    mean, dynamic = criterion.limit * t.static, criterion.second * (t.largest - t.static)
+    return (mean + dynamic) / (CHARACTERISTIC * _known(t.breaking))
+
+
+def _factor(criterion, t):
+    return criterion.limit * t.largest / (CHARACTERISTIC * _known(t.breaking))
+
+
+def _given(value, what):
+    if value is None:
+        raise LookupError(what)
+    return value
+
+
+_OF_TENSIONS = {
+    SAFETY: lambda _, t: _known(t.breaking) / np.maximum(t.largest, np.finfo(float).tiny),
+    SHARE: lambda _, t: t.largest / _known(t.breaking),
+    PRETENSION: lambda _, t: t.pretension / _known(t.breaking),
+    WORN: _worn,
+    HOLDING: _holding,
+    PARTIAL: _partial,
+    FACTOR: _factor,
+}

@@ -1,0 +1,98 @@
+"""`hakobune design`: databases, load cases, verdict and report of a project, in a folder; again, only what is new."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def design(
+    project: Path,
+    /,
+    *,
+    output: Annotated[Path, Parameter(help="folder of the report, its load cases and databases")],
+    executor: Annotated[str, Parameter(help="local or processes:N")] = "local",
+    advice: Annotated[bool, Parameter(help="try larger sizes where a criterion is not met")] = True,
+):
+    """A mooring through all load cases of a site, judged by rule sets, as one page.
+
+    Status 1 where a criterion is not met, is not judged, or a case could not be run.
+    """
+    from rich.console import Console
+
+    from ..common.outputs import check_folder
+    from ..solve.work import executor_of
+    from .project import read_project
+
+    console, read = Console(), read_project(project)
+    check_folder(output)
+    workers = executor_of(executor)
+    try:
+        verdict, names, change = made(read, output, workers, console, advice)
+    finally:
+        workers.shutdown(wait=False, cancel_futures=True)
+    _show(console, verdict, change, [output / name for name in names])
+    from .verdict import PASSES
+
+    return int(verdict.word != PASSES)
+
+
+def made(read, folder, workers, console, advice=True):
+    """Verdict, names of the written files and Advice of a Read project, all in `folder`."""
+    from .advice import advise
+    from .report import write_report
+    from .running import databases, run_cases
+    from .verdict import judged_project, project_quantities
+
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = databases(read, folder, workers, console)
+    with _Counting(console) as step:
+        verdict = judged_project(read, run_cases(read, paths, folder, workers, step))
+        change = None
+        if advice:
+            cases = {one.case.name: one.case for one in verdict.ran}
+            others = project_quantities(read)
+            change = advise(read, verdict.judged, cases, others, paths, folder / "advice", step)
+    return verdict, write_report(read, verdict, change, paths, folder), change
+
+
+class _Counting:
+    """Context whose value, called with the number done, the number known and a name, shows how far the cases are"""
+
+    def __init__(self, console):
+        self.console = console
+
+    def __enter__(self):
+        self.status = self.console.status("load cases") if self.console and self.console.is_terminal else None
+        if self.status:
+            self.status.start()
+        return self
+
+    def __call__(self, done, known, name):
+        if self.status:
+            self.status.update(f"{done} of {known}: {name}")
+
+    def __exit__(self, *_):
+        if self.status:
+            self.status.stop()
+
+
+def _show(console, verdict, change, written):
+    from .report import WORDS, advice_words, summary
+
+    for one in verdict.judged:
+        c, use = one.criterion, one.governing
+        found = f"{100 * use.utilisation:.0f} %, {use.item}, {use.case}" if use else one.missing
+        line = f"{WORDS[one.met]:>10}  {c.rule}: {c.quantity} {c.sense} {c.limit:.4g} {c.unit.strip('-')}: {found}"
+        console.print(line, highlight=False, markup=False, soft_wrap=True, style=None if one.met else "red")
+    for one in verdict.ran:
+        if one.result is None:
+            line = f"{one.case.name} could not be run: {one.fault}"
+            console.print(line, highlight=False, markup=False, soft_wrap=True)
+    console.print(f"the mooring {verdict.word}{summary(verdict)}", highlight=False, markup=False, soft_wrap=True)
+    if change is not None:
+        console.print(advice_words(change), highlight=False, markup=False, soft_wrap=True)
+    words = ", ".join(map(str, written))
+    console.print(f"written: {words}", highlight=False, markup=False, soft_wrap=True)

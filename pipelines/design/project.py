@@ -1,0 +1,261 @@
+"""A design project as typed TOML: a mooring study, the states of weather it has to stand, and the rules that judge it.
+
+```toml
+[project]
+name = "Floater A in 20 m"
+study = "moor_chain_12.toml"        # layout, hull and lines; its own weather is not used
+scene = "series_box_20m.toml"       # its database is made for every water level; or database = "box.h5"
+service_life = 20.0                 # years
+probability = 0.8                   # that the extreme state is not exceeded in them
+
+[levels]                            # m above the water of the study, where they differ from it
+high = 1.5
+
+[[states]]
+name = "extreme"
+state = "abnormal"                  # or normal
+incidence_deg = [0, 30, 60, 90]     # wind, current and waves; wind_off_deg, current_off_deg turn them away from it
+levels = ["mean", "high"]
+lines = ["intact", "one lost"]
+wind = { speed = 50.0 }             # as in a mooring study, without direction
+current = { speed_knots = 3.0 }
+waves = { height = 4.5, period = 10.0 }
+
+[simulation]                        # runs every case in time, as in a mooring study; without, by the simplified method
+duration_hours = 3.0
+seeds = 5
+
+[[rules]]
+rule = "JSCE"
+subject = "chain of a multi-point mooring"
+```
+
+Paths are from the folder of the project.  Every fault is one line that names key, value and what is allowed.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import msgspec
+
+from mooring.criteria.rules import of_rule, read_rules
+from mooring.criteria.strength import kind_and_size
+
+from ..common.quantities import StudyError, Table, positive
+from ..common.typed import read_toml, typed
+from ..moor.study import SimulationTable, StreamTable, WavesTable, WindTable, make_study
+
+STATES = ("normal", "abnormal")
+LINES = ("intact", "one lost")
+MEAN = "mean"  # the level of the study's own water
+DIRECTION_KEYS = ("direction_deg", "incidence_deg")
+
+
+class ProjectTable(Table):
+    """service_life : years; probability : that the value of an extreme state is not exceeded in them"""
+
+    name: str
+    study: str
+    scene: str | None = None
+    database: str | None = None
+    service_life: float | None = None
+    probability: float | None = None
+    note: str = ""
+
+
+class StateTable(Table):
+    """A state of weather, its directions, water levels and lines; `lost` : the "worst" line of the intact case, "each"
+
+    incidence_deg : of waves; wind and current come from there too, and from as many degrees off as are listed
+    """
+
+    name: str
+    state: str
+    incidence_deg: list[float]
+    wind_off_deg: list[float] = msgspec.field(default_factory=lambda: [0.0])
+    current_off_deg: list[float] = msgspec.field(default_factory=lambda: [0.0])
+    levels: list[str] = msgspec.field(default_factory=lambda: [MEAN])
+    lines: list[str] = msgspec.field(default_factory=lambda: ["intact"])
+    lost: str = "worst"
+    wind: WindTable | None = None
+    current: StreamTable | None = None
+    waves: WavesTable | None = None
+
+
+class RuleTable(Table):
+    """A rule set and what of it applies; file : of the user's own in place of the tables
+
+    confirmed : whether criteria that nobody has checked in the book are judged; has to be said where there are any
+    """
+
+    rule: str
+    subject: str | None = None
+    file: str | None = None
+    confirmed: bool | None = None
+
+
+class WearTable(Table):
+    """What chain loses of its diameter: mm_per_year, over the service life or `years`"""
+
+    mm_per_year: float
+    years: float | None = None
+
+
+class AnchorsTable(Table):
+    """holding_kN : holding capacity of an anchor; of single lines by name in `lines`"""
+
+    holding_kN: float
+    lines: dict[str, float] = msgspec.field(default_factory=dict)
+
+
+class Project(Table):
+    """levels : {name: m above the water of the study}"""
+
+    project: ProjectTable
+    states: list[StateTable]
+    rules: list[RuleTable]
+    levels: dict[str, float] = msgspec.field(default_factory=dict)
+    wear: WearTable | None = None
+    anchors: AnchorsTable | None = None
+    simulation: SimulationTable | None = None
+
+    def level(self, name):
+        """m above the water of the study"""
+        return 0.0 if name == MEAN else self.levels[name]
+
+
+class Read(msgspec.Struct, frozen=True):
+    """A project with what it names: raw, nested dictionaries of the project; study, raw tables of its mooring study
+
+    study_text, text : of the files; criteria : chosen of the rules; folder : paths are from there
+    """
+
+    project: Project
+    raw: dict
+    text: str
+    study: dict
+    study_text: str
+    criteria: tuple
+    folder: Path
+
+
+def read_project(path):
+    """The Read of a TOML file.  Raises StudyError, or the one line of the study, the rules or a table in it."""
+    path = Path(path)
+    raw, text = read_toml(path, "a project", StudyError)
+    project = typed(raw, Project, StudyError)
+    own = project.project
+    if (own.scene is None) == (own.database is None):
+        state = "neither is given" if own.scene is None else "both are given"
+        raise StudyError(f"project: {state}; allowed: one of scene, database")
+    if (own.probability is None) != (own.service_life is None):
+        raise StudyError("project: allowed: service_life and probability together, or neither")
+    _check_states(project)
+    folder = path.parent
+    study, study_text = read_toml(folder / own.study, "a mooring study", StudyError)
+    make_study(study)
+    _check_wear(project, study)
+    return Read(project, raw, text, study, study_text, _criteria(project, folder), folder)
+
+
+def worn_diameters(project, study):
+    """{type: (diameter in mm, mm lost)} of the types of the study that wear; empty without wear"""
+    wear = project.wear
+    if wear is None:
+        return {}
+    years = wear.years if wear.years is not None else project.project.service_life
+    found = {}
+    for name, table in study["types"].items():
+        if "catalogue" in table:
+            found[name] = kind_and_size(table["catalogue"])[1], wear.mm_per_year * years
+    return found
+
+
+def _check_states(project):
+    if not project.states:
+        raise StudyError("the project has no states; allowed: at least one [[states]]")
+    if not project.rules:
+        raise StudyError("the project has no rules; allowed: at least one [[rules]]")
+    known = (MEAN, *project.levels)
+    if project.project.database is not None and project.levels:
+        raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
+    names = [state.name for state in project.states]
+    for i, state in enumerate(project.states):
+        where = f"states[{i}]"
+        if names.count(state.name) > 1:
+            raise StudyError(f"{where}.name is {state.name!r} as of another state; allowed: each its own")
+        _one(f"{where}.state", state.state, STATES)
+        _one(f"{where}.lost", state.lost, ("worst", "each"))
+        for key, allowed in (("lines", LINES), ("levels", known)):
+            if not getattr(state, key):
+                raise StudyError(f"{where}.{key} is empty; allowed: {', '.join(allowed)}")
+            for value in getattr(state, key):
+                _one(f"{where}.{key}", value, allowed)
+        for key in ("incidence_deg", "wind_off_deg", "current_off_deg"):
+            values = getattr(state, key)
+            if not values or any(not -360 <= value <= 360 for value in values):
+                raise StudyError(f"{where}.{key} is {values}; allowed: at least one, −360 to 360")
+        if state.wind is state.current is state.waves is None:
+            raise StudyError(f"{where} has neither wind, current nor waves; allowed: at least one")
+        for key in ("wind", "current", "waves"):
+            table = getattr(state, key)
+            given = [name for name in DIRECTION_KEYS if table is not None and getattr(table, name) is not None]
+            if given:
+                raise StudyError(f"{where}.{key}.{given[0]} is given; allowed: directions in {where}.incidence_deg")
+
+
+def _check_wear(project, study):
+    wear = project.wear
+    if wear is None:
+        return
+    if wear.mm_per_year < 0:
+        raise StudyError(f"wear.mm_per_year is {wear.mm_per_year:g}; allowed: at least 0")
+    if wear.years is None and project.project.service_life is None:
+        raise StudyError("wear: for how many years is not said; give wear.years or project.service_life")
+    if wear.years is not None:
+        positive("wear.years", wear.years)
+    unnamed = [name for name, table in study["types"].items() if "catalogue" not in table]
+    if unnamed:
+        raise StudyError(
+            f"wear of type {unnamed[0]!r} needs its diameter; give it by catalogue, such as catalogue = "
+            '"R3 studless 76 mm"'
+        )
+
+
+def _criteria(project, folder):
+    chosen = []
+    for i, table in enumerate(project.rules):
+        known = read_rules(None if table.file is None else folder / table.file)
+        found = of_rule(known, table.rule, table.subject)
+        unsure = [criterion for criterion in found if criterion.status == "unverified"]
+        if unsure and table.confirmed is None:
+            raise StudyError(
+                f"rules[{i}] ({table.rule}) holds {len(unsure)} criteria that nobody has checked in the book, such as "
+                f"{unsure[0].quantity} {unsure[0].sense} {unsure[0].limit:g}; look there, then say confirmed = true; "
+                "with confirmed = false they are left out"
+            )
+        chosen += [criterion for criterion in found if table.confirmed or criterion.status != "unverified"]
+    return tuple(chosen)
+
+
+def _one(key, value, allowed):
+    if value not in allowed:
+        raise StudyError(f"{key} is {value!r}; allowed: {', '.join(allowed)}")
+
+
+def versions():
+    """{library: version} that results depend on"""
+    from importlib import metadata
+
+    return {name: metadata.version(name) for name in ("hakobune", "numpy", "scipy", "numba", "h5py")}
+
+
+def scene_tables(read):
+    """Raw tables of the project's scene"""
+    path = read.folder / read.project.project.scene
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as fault:
+        raise StudyError(f"{path} is not a scene: {fault}") from None

@@ -1,0 +1,46 @@
+"""All of a project judged: cases, criteria, governing cases, whether it can be signed."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from mooring.criteria.verdict import judge
+from mooring.response.return_period import return_period
+
+from .running import grouped, judged_case
+
+PASSES, FAILS, OPEN = "passes", "fails", "cannot be signed"
+
+
+class Verdict(NamedTuple):
+    """ran : all Ran; judged : a Judged for each criterion; return_period : years, None where it is not given
+
+    word : passes, fails, or cannot be signed where a criterion is not judged or a case could not be run
+    """
+
+    ran: list
+    judged: tuple
+    return_period: float | None
+    word: str
+
+
+def judged_project(read, ran):
+    """The Verdict on all load cases of a project"""
+    groups = grouped(ran)
+    others = project_quantities(read)
+    cases = [judged_case(read, group, others) for group in groups.values() if group[1.0].result is not None]
+    judged = judge(read.criteria, cases)
+    unknown = any(one.result is None for one in ran) or any(one.met is None for one in judged)
+    word = FAILS if any(one.met is False for one in judged) else OPEN if unknown else PASSES
+    return Verdict(ran, judged, others.get("return period"), word)
+
+
+def project_quantities(read):
+    """{quantity: value} that criteria ask of the project as a whole"""
+    own = read.project.project
+    if own.service_life is None:
+        return {}
+    return {
+        "service life": own.service_life,
+        "return period": float(return_period(own.service_life, own.probability)),
+    }

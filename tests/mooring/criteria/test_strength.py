@@ -1,0 +1,48 @@
+"""Sizes by a safety factor, wear, equipment numbers"""
+
+import pytest
+
+from mooring.criteria.strength import equipment_number, smallest, worn_breaking_load
+
+TONF = 9806.65
+
+
+def test_the_chain_of_the_single_point_model_is_that_of_the_report():
+    """SR179 (1982), appendix 2: 26.4 t and a safety factor of 4 ask for 36 mm of grade 3.
+
+    It also prints 42 mm of grade 2, whose formula it does not print; by that of class societies 42 mm has 3.80.
+    """
+    assert smallest("grade 3", 26.4 * TONF, 4.0)[0] == "grade 3 36 mm"
+    assert smallest("grade 2", 26.4 * TONF, 3.8)[0] == "grade 2 42 mm"
+
+
+def test_the_smallest_size_carries_and_the_one_below_does_not():
+    name, load = smallest("R3 studless", 2.0e6, 1.67)
+    assert load >= 1.67 * 2.0e6
+    below, less = smallest("R3 studless", 0.97 * load / 1.67 / 1.06, 1.67)
+    assert below != name and less < 1.67 * 2.0e6
+    assert smallest("R3 studless", load / 1.67, 1.67)[0] == name
+
+
+def test_wear_takes_what_the_formula_of_breaking_loads_says():
+    from mooring.lines.catalogue import line_type
+
+    new, left = (line_type(f"grade 3 {d} mm").breaking_load for d in (60, 54))
+    assert worn_breaking_load(new, 60.0, 0.4, 15.0) == pytest.approx(left, rel=1e-12)
+    with pytest.raises(ValueError, match="at least half"):
+        worn_breaking_load(new, 60.0, 3.0, 15.0)
+
+
+def test_a_load_that_no_size_carries_names_the_largest():
+    with pytest.raises(ValueError, match="no grade 1 carries"):
+        smallest("grade 1", 1e9, 3.0)
+
+
+def test_equipment_numbers_differ_by_what_each_society_counts():
+    """Table 4.3.1 of SR179 (1982), by hand: Δ = 8000 t gives Δ^(2/3) = 400"""
+    areas = {"height_times_breadth": 100.0, "front": 120.0, "side": 300.0}
+    numbers = {"LR": 730, "AB": 630, "NV": 520, "BV": 670, "GL": 700, "NK": 630, "NK semisubmersible": 670}
+    for society, number in numbers.items():
+        assert equipment_number(society, 8000.0, **areas) == pytest.approx(number, abs=1e-9)
+    with pytest.raises(ValueError, match="allowed: LR"):
+        equipment_number("RI", 8000.0)

@@ -1,0 +1,194 @@
+"""A project from its file to its report, on a database of a small scene"""
+
+import tomllib
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+import tomli_w
+
+from meshing.seals import text_damaged
+from pipelines.common.quantities import StudyError
+from pipelines.design import running
+from pipelines.design.command import made
+from pipelines.design.project import read_project
+from pipelines.moor.command import studied
+from pipelines.moor.study import make_study
+from pipelines.scene.scene import make_scene
+from pipelines.solve.run import solve
+from pipelines.solve.work import Here
+
+SCENE = {
+    "water": {"depth": 20.0},
+    "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0, "gyration": [15.5, 29.4, 32.3]}],
+    "waves": {"periods": [5, 6, 7, 8, 10, 12, 15, 20, 30, 60], "headings_deg": [0, 30, 60, 90]},
+    "method": "contour",
+    "tolerance": 0.02,
+}
+STUDY = {
+    "water": {"depth": 20.0},
+    "hull": {"freeboard": 10.0},
+    "types": {"chain": {"catalogue": "R3 studlink 76 mm", "bed_friction": 0.6}},
+    "spreads": [{"type": "chain", "length": 260.0, "corner_headings_deg": [45], "pretension_tonf": 20.0}],
+}
+PROJECT = {
+    "project": {"name": "box & chain", "study": "study.toml", "database": "box.h5", "service_life": 20.0,
+                "probability": 0.82},
+    "states": [
+        {"name": "storm", "state": "abnormal", "incidence_deg": [60.0], "lines": ["intact", "one lost"],
+         "wind": {"speed": 30.0}, "waves": {"height": 1.0, "period": 7.0}},
+        {"name": "work", "state": "normal", "incidence_deg": [0.0], "current": {"speed_knots": 1.0}},
+    ],
+    "rules": [{"rule": "JSCE", "subject": "chain of a multi-point mooring"}, {"rule": "port facility II"}],
+    "wear": {"mm_per_year": 0.3},
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("design")
+    solve(make_scene(SCENE), folder / "box.h5")
+    (folder / "study.toml").write_text(tomli_w.dumps(STUDY))
+    (folder / "project.toml").write_text(tomli_w.dumps(PROJECT))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def first(folder):
+    return made(read_project(folder / "project.toml"), folder / "out", Here(), None, advice=False)
+
+
+class Page(HTMLParser):
+    """Addresses of a page, and whether every element is closed"""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.addresses = [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.addresses += [value for key, value in attributes if key in ("src", "href")]
+        if tag not in ("meta", "img", "br"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+
+def test_the_intact_case_is_the_mooring_study_itself(folder, first):
+    """Lines named by fairlead and anchor lie as the spread that they were laid as"""
+    from bem.database import open_database
+
+    verdict = first[0]
+    (work,) = [one for one in verdict.ran if one.case.state == "work" and one.case.factor == 1]
+    study = {**STUDY, "current": {"speed_knots": 1.0, "incidence_deg": 0.0}}
+    result, _ = studied(make_study(study), open_database(folder / "box.h5"))
+    np.testing.assert_allclose(work.result["maximum_tension"], result.tension, rtol=1e-6)
+
+
+def test_every_case_asked_for_is_there_and_lost_lines_are_the_most_loaded(first):
+    cases = {one.case.name: one for one in first[0].ran}
+    assert len(cases) == 2 * (2 + 1)  # factors of motion; whole and without a line, and work
+    for name, one in cases.items():
+        if one.case.lost:
+            whole = cases[name.split(", without")[0]]
+            assert one.case.lost == whole.result["names"][int(np.argmax(whole.result["maximum_tension"]))]
+            assert one.case.lost not in one.result["names"] and len(one.result["names"]) == 3
+
+
+def test_a_larger_motion_pulls_more_and_wear_leaves_less(first):
+    cases = {one.case.name: one for one in first[0].ran}
+    calm, rough = cases["storm, 60 deg"].largest, cases["storm, 60 deg, motions x 1.5"].largest
+    assert rough.max() > calm.max()
+    (worn,) = [one for one in first[0].judged if one.criterion.quantity.endswith("worn")]
+    one = cases[f"{worn.governing.case}, motions x 1.5"]
+    left = 70.0**2 * (44 - 0.08 * 70.0) / (76.0**2 * (44 - 0.08 * 76.0))
+    share = one.largest / (left * one.result["breaking_load"])
+    assert worn.governing.value == pytest.approx(share.max(), rel=1e-9)
+    assert worn.governing.item == one.result["names"][int(np.argmax(share))]
+
+
+def test_what_nothing_is_known_of_is_not_signed(first):
+    verdict = first[0]
+    unknown = [one.criterion.quantity for one in verdict.judged if one.met is None]
+    assert "gust factor" in unknown and verdict.word != "passes"
+
+
+def test_the_page_needs_nothing_else_and_its_tables_are_sealed(folder, first):
+    text = (folder / "out" / "report.html").read_text(encoding="utf-8")
+    page = Page(text)
+    assert page.open == [] and "box &amp; chain" in text
+    for address in page.addresses:
+        assert address.startswith("data:image/png;base64,") or (folder / "out" / address).is_file()
+    for name in ("cases.csv", "criteria.csv"):
+        table = (folder / "out" / name).read_text(encoding="utf-8")
+        assert not text_damaged(table) and text_damaged(table.replace("storm", "storn", 1))
+
+
+def test_a_second_run_solves_nothing_and_gives_the_same_bytes(folder, first, monkeypatch):
+    """After a kill in the middle of the cases too: what is missing is made, the rest is taken"""
+    out = folder / "out"
+    before = {name: (out / name).read_bytes() for name in first[1]}
+    lost = sorted((out / "cases").glob("work*.h5"))[0]
+    lost.unlink()
+    solved = []
+    monkeypatch.setattr("pipelines.moor.command.studied", lambda *given: solved.append(given) or studied(*given))
+    again = made(read_project(folder / "project.toml"), out, Here(), None, advice=False)
+    plans = len({one.governing.case for one in again[0].judged if one.governing})
+    assert len(solved) == 1 + min(plans, 4) and lost.is_file()
+    assert {name: (out / name).read_bytes() for name in again[1]} == before
+
+
+def test_the_smallest_size_that_passes_is_found_by_running_it(folder, tmp_path):
+    study = {**STUDY, "types": {"chain": {"catalogue": "grade 2 40 mm", "bed_friction": 0.6}}}
+    (folder / "thin.toml").write_text(tomli_w.dumps(study))
+    project = {**PROJECT, "project": {**PROJECT["project"], "study": "thin.toml"}, "rules": PROJECT["rules"][:1]}
+    project["states"] = [{**PROJECT["states"][0], "incidence_deg": [0.0], "lines": ["intact"]}]
+    project["states"][0]["waves"] = {"height": 0.8, "period": 6.0}
+    del project["wear"]
+    (folder / "thin_project.toml").write_text(tomli_w.dumps(project))
+    verdict, _, advice = made(read_project(folder / "thin_project.toml"), tmp_path / "out", Here(), None)
+    assert verdict.word == "fails" and advice is not None
+    size = float(advice.changed["chain"].split()[-2])
+    assert size > 40 and advice.passes == (advice.utilisation <= 1)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda p: p["project"].update(scene="box.toml"), "both are given; allowed: one of scene, database"),
+        (lambda p: p["project"].pop("probability"), "service_life and probability together"),
+        (lambda p: p.update(levels={"high": 1.0}), "levels need a database for each depth"),
+        (lambda p: p["states"][0].update(levels=["high"]), r"states\[0\].levels is 'high'; allowed: mean"),
+        (lambda p: p["states"][0].update(state="calm"), "state is 'calm'; allowed: normal, abnormal"),
+        (lambda p: p["states"][0]["wind"].update(incidence_deg=3.0), r"directions in states\[0\].incidence_deg"),
+        (lambda p: p["states"][1].update(name="storm"), "as of another state"),
+        (lambda p: p.update(rules=[{"rule": "Lloyd"}]), "rule set 'Lloyd' is unknown; allowed: JSCE"),
+        (lambda p: p.update(rules=[{"rule": "API RP 2SK"}]), "nobody has checked in the book"),
+        (lambda p: p.update(wear={"mm_per_year": -1.0}), "wear.mm_per_year is -1"),
+        (lambda p: p.update(ice=1), "ice is unknown; allowed: project"),
+    ],
+)
+def test_a_wrong_project_is_told_in_one_line(folder, change, message):
+    project = tomllib.loads(tomli_w.dumps(PROJECT))
+    change(project)
+    (folder / "wrong.toml").write_text(tomli_w.dumps(project))
+    with pytest.raises(ValueError, match=message) as fault:
+        read_project(folder / "wrong.toml")
+    assert "\n" not in str(fault.value)
+
+
+def test_a_case_that_cannot_be_run_is_named_and_not_dropped(folder, tmp_path, monkeypatch):
+    def refused(study, *others):
+        if study["waves"]["incidence_deg"] == 60.0:
+            raise StudyError("the lines do not reach")
+        return real(study, *others)
+
+    real = running.run_case
+    monkeypatch.setattr(running, "run_case", refused)
+    project = {**PROJECT, "states": [{**PROJECT["states"][0], "incidence_deg": [0.0, 60.0], "lines": ["intact"]}]}
+    (folder / "refused.toml").write_text(tomli_w.dumps(project))
+    verdict, _, _ = made(read_project(folder / "refused.toml"), tmp_path / "out", Here(), None, advice=False)
+    assert [one.fault for one in verdict.ran if one.result is None] == ["the lines do not reach"] * 2
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert page.count("could not be run: the lines do not reach") == 2 and verdict.word != "passes"
