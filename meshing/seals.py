@@ -22,6 +22,7 @@ PLACE = re.compile(r"filled in (\d{1,18}) (\d{1,18})")  # first byte from that o
 DATASET = re.compile(r"([0-9a-f]{8}) (\d{1,18}) (\d{1,18}) (.+)")  # CRC-32, first byte from that of HDF5, bytes, name
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
 LEAST_BLOCK, LARGEST_BLOCK = 512, 2**20  # bytes; HDF5 looks for itself at 0, 512, 1024, …, powers of two
+LONGEST_HEAD = 2**16  # characters of a text in which its mark is looked for
 AT_ONCE = 2**22  # bytes read of a file
 MARK = "  [CRC-32 of all else: "
 TRACE = re.compile("|".join(re.escape(MARK[i : i + 7]) for i in range(len(MARK) - 6)) + r"|: [0-9a-f]{8}\]\n")
@@ -168,8 +169,8 @@ def text_damaged(text):
     """Whether a text, its lines ended by line feeds, has a seal that is broken"""
     head = _end_of_head(text)
     place = text.find(MARK, 0, head)
-    if place < 0:  # a new line within the mark ends the head there
-        return TRACE.search(text, 0, head + len(MARK) + 10) is not None
+    if place < 0:  # a new line within the head ends it there
+        return TRACE.search(text, 0, LONGEST_HEAD) is not None
     end = place + len(MARK) + 9
     value = zlib.crc32(text[end:].encode(), zlib.crc32(text[:place].encode()))
     return text[place:end] != f"{MARK}{value:08x}]"

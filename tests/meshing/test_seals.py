@@ -98,8 +98,11 @@ def test_a_seal_of_a_text_that_is_damaged_itself_is_no_missing_seal(tmp_path):
     write_sealed(path, TEXT)
     whole = path.read_text()
     place = whole.index(MARK)
-    for first in range(place, place + len(MARK) + 9):
+    for first in range(2, place + len(MARK) + 9):
         for new in ("?", "\n", "\n\n\n\n", "abcdef\n"):
-            path.write_text(whole[:first] + new + whole[first + len(new) :])
+            damaged = whole[:first] + new + whole[first + len(new) :]
+            if damaged == whole:
+                continue
+            path.write_text(damaged)
             with pytest.raises(ValueError, match=r"table\.csv is damaged"):
                 read_text(path)
