@@ -18,6 +18,7 @@ resonant roll the drift is the small difference of pressures tens of times as la
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -40,7 +41,7 @@ def pressure_drift(run, motions):
     run : `bem.methods.shape_problem.ShapeRun` of the contour method; motions : (m, 6) about the origin, m/m and rad/m
     """
     with blas_threads(0):
-        sides = _Sides(run)
+        sides = _sides(run)
         loads = np.array([sides.load(j, motion) for j, motion in enumerate(motions)])
     return about(loads.reshape(-1, 3), run.problem.rotation_center)
 
@@ -70,6 +71,12 @@ def refined(body):
         )
         body.cache["sharper"] = replace(body, plan=body.plan.to(finer), accuracy=finer, cache={})
     return body.cache["sharper"]
+
+
+@lru_cache(maxsize=1)
+def _sides(run):
+    """One flow serves the fixed and the floating body"""
+    return _Sides(run)
 
 
 class _Sides:
@@ -135,7 +142,9 @@ def _square(a, b, draft):
 
 
 def _form(matrix, g):
-    return np.einsum("am,am->m", g.conj(), matrix @ g).real
+    """(m,) gᴴ M g of a real symmetric M (a, a) and g (a, m)"""
+    parts = np.concatenate([g.real, g.imag], axis=1)
+    return np.einsum("am,am->m", parts, matrix @ parts).reshape(2, -1).sum(axis=0)
 
 
 def _displacements(motion, x, y, normal, along):

@@ -43,7 +43,8 @@ def test_one_run_shares_its_work_in_systems_worth_threads():
 def made(name):
     """Solved in a process of its own, by two threads: their order is what might differ"""
     numbers = dict.fromkeys(("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "2")
-    environment = {**os.environ, **numbers}
+    # 2⁴ turns of waiting for each other; by itself BLAS takes twice the processor time, most of it in waiting
+    environment = {**os.environ, **numbers, "OPENBLAS_THREAD_TIMEOUT": "4"}
     commands = [f"{SCENE} {how} --output {name}_{run}.h5" for run, how in RUNS.items()]
     done = subprocess.run([sys.executable, "-c", MADE, *commands], capture_output=True, text=True, env=environment)
     assert done.returncode == 0, done.stderr
