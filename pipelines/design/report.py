@@ -22,6 +22,19 @@ CSS = {PASSES: "passes", FAILS: "fails", OPEN: "open"}
 WORDS = {True: "met", False: "not met", None: "not judged"}
 MARK = {True: "passes", False: "fails", None: "open"}
 MOST_PLANS = 4
+SIMPLIFIED = (
+    "The largest motions are those of the free body, and lines follow them by statics (SR179 report, 1982, 5.1.1); slow "
+    "drift is not in the method. Where a natural period lies near the waves, give the project [simulation]."
+)
+IN_TIME = (
+    "Tensions and motions are those of simulations in time with lines in their static form; findings above are of the "
+    "simplified method, which was run beside them."
+)
+SOURCES = "Tensions are lines/maximum_tension of its file, offsets equilibrium, motions motion_amplitude."
+IN_TIME_SOURCES = (
+    "Tensions and motions are the extremes in the file of its runs, NAME_runs.h5; offset, yaw and forces at the anchor "
+    "are of the simplified method, in NAME.h5."
+)
 
 
 def write_report(read, verdict, advice, paths, folder):
@@ -112,6 +125,8 @@ def _context(read, verdict, advice, paths, folder):
         "plans": _plans(verdict, paths),
         "pictures": {"body": _body_picture(db), "use": _use_picture(verdict)},
         "warnings": _warnings(verdict),
+        "method": IN_TIME if read.project.simulation else SIMPLIFIED,
+        "sources": IN_TIME_SOURCES if read.project.simulation else SOURCES,
         "inputs": {"project": read.text, "study": read.study_text, "scene": _scene_text(read)},
         "versions": ", ".join(f"{name} {version}" for name, version in versions().items()),
     }

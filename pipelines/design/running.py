@@ -168,9 +168,10 @@ def _lost(read, group, names):
     (state,) = [state for state in read.project.states if state.name == intact.case.state]
     if "one lost" not in state.lines:
         return
-    if state.lost == "each" or intact.result is None:
-        lost = names
-    else:
+    lost = names
+    if state.lost == "worst":
+        if intact.result is None:  # which is the worst is not known; the intact case is named as one that did not run
+            return
         lost = [intact.result["names"][int(np.argmax(intact.largest))]]
     for name in lost:
         for one in group.values():
