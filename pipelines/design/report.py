@@ -23,7 +23,7 @@ WORDS = {True: "met", False: "not met", None: "not judged"}
 MARK = {True: "passes", False: "fails", None: "open"}
 MOST_PLANS = 4
 SIMPLIFIED = (
-    "The largest motions are those of the free body, and lines follow them by statics (SR179 report, 1982, 5.1.1); slow "
+    "The largest motions are those of the free body, lines follow them by statics (SR179 report, 1982, 5.1.1), slow "
     "drift is not in the method. Where a natural period lies near the waves, give the project [simulation]."
 )
 IN_TIME = (
