@@ -18,6 +18,7 @@ from bem.database import open_database
 from bem.database.between_frequencies import FORCES, RADIATION, between
 from bem.database.interpolant import Abscissa, abscissa, chosen
 from bem.database.resonances import resonances
+from bem.kernels.threads import blas_threads
 
 FIRST = 12  # frequencies before an error is estimated
 MOST = 120  # frequencies in a band; more means that the solver's own error is above the tolerance
@@ -40,13 +41,10 @@ def filled_band(scene, file, fill, wider, console):
     outcome = fill(file)
     while outcome.exit_status == 0:
         db = open_database(file)
-        known = between(db)
-        places, error = _estimated(scene, known)
+        with blas_threads(len(db.omega)):
+            error, new = _missing(scene, db)
         if console:
             console.print(_text(scene, db, error), highlight=False, markup=False, soft_wrap=True)
-        if _inside(scene, db.omega) >= MOST:
-            break
-        new = _unseen(scene, db) if error <= scene.accuracy else _next(scene, known, places, error)
         if not len(new):
             break
         file = wider(file, omega=new)
@@ -56,6 +54,15 @@ def filled_band(scene, file, fill, wider, console):
         return outcome
     left = "" if error <= scene.accuracy else "; the tolerance is not reached: ask for less, or solve more accurately"
     return replace(outcome, remarks=(*outcome.remarks, _text(scene, db, error) + left))
+
+
+def _missing(scene, db):
+    """The estimated error of the band, and the frequencies (n,) rad/s to solve for next; none at the end"""
+    known = between(db)
+    places, error = _estimated(scene, known)
+    if _inside(scene, db.omega) >= MOST:
+        return error, np.zeros(0)
+    return error, _unseen(scene, db) if error <= scene.accuracy else _next(scene, known, places, error)
 
 
 def controlled(names):
