@@ -15,6 +15,7 @@ from meshing.whole_files import NotWritten
 from .bench.command import bench
 from .common.interrupt import interrupted
 from .design.command import design
+from .fender.flags import fender
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
 from .reports.compare_command import compare
@@ -153,6 +154,7 @@ app.command(line_dynamics)
 app.command(simulate)
 app.command(animate)
 app.command(design)
+app.command(fender)
 
 
 def main(arguments=None):

@@ -1,0 +1,11 @@
+"""Fenders: what they push back with, what they take up and give back, alone and in series with a dolphin.
+
+curves       a reaction over a deflection as piecewise cubics
+fender       a fender as a value: reaction, energy, unloading, marks, size and grade
+hysteresis   unloading with inner loops that never give energy back; the table a simulation takes
+families     generic characteristics by family; tables of makers
+pneumatic    the gas law
+dolphin      a spring in series
+variability  bands of manufacture, ageing, temperature, …; softest and stiffest
+contact      clearance, several fenders on one panel, friction with stick and slip
+"""

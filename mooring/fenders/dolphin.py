@@ -1,0 +1,64 @@
+"""A dolphin in series with its fender: y = y₁ + y₂, the same force in both.
+
+    R_dolphin(y₁) = R_fender(y₂),    y(y₂) = y₂ + y₁(R_fender(y₂))
+
+The pair is a fender again, in y.  Where the fender buckles faster than the dolphin is stiff, dy/dy₂ ≤ 0, the pair snaps
+through, and no static characteristic exists: that is refused with the stiffness that it takes.  Unloading keeps the
+fender's: at equal force the dolphin gives back all it took.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .curves import straight
+from .fender import Fender, FenderError
+
+
+def bilinear(stiffness, yield_force=np.inf, stiffness_beyond=None):
+    """Deflection y₁(R), m, of a dolphin (or soft ground) as a function.
+
+    stiffness : N/m; beyond yield_force, N, stiffness_beyond, N/m.  Raises FenderError.
+    """
+    beyond = stiffness if stiffness_beyond is None else stiffness_beyond
+    for key, value in (("stiffness", stiffness), ("stiffness beyond", beyond), ("yield force", yield_force)):
+        if not value > 0:
+            raise FenderError(f"the dolphin's {key} is {value:g}; allowed: above 0")
+
+    def deflection(force):
+        force = np.asarray(force, float)
+        return np.minimum(force, yield_force) / stiffness + np.maximum(force - yield_force, 0.0) / beyond
+
+    return deflection
+
+
+def in_series(fender, deflection_of, points=400):
+    """`Fender` of a fender and a dolphin whose deflection at a force is `deflection_of` (`bilinear`), in straight lines
+    between `points` and the fender's own.  Raises FenderError where it snaps through."""
+    y2 = np.unique(np.concatenate([fender.loading.knots, np.linspace(0.0, fender.loading.end, points)]))
+    up, down = fender.loading(y2), fender.unloading(y2)
+    y, back = (y2 + deflection_of(force) for force in (up, down))
+    for path, force in ((y, up), (back, down)):
+        falling = np.flatnonzero(np.diff(path) <= 0)
+        if len(falling):
+            i = falling[0]
+            steepest = -np.min(np.diff(force) / np.diff(y2))
+            raise FenderError(
+                f"{fender.name} on its dolphin snaps through at {y2[i]:.3g} m: the fender's reaction falls by up to "
+                f"{steepest / 1e3:.4g} kN/m; a dolphin stiffer than that is allowed"
+            )
+    below = np.minimum(np.interp(y, back, down), up)
+    stretch = float(fender.limit + deflection_of(fender.loading(fender.limit))) / fender.limit
+    rated = fender.rated * fender.height
+    rated = (rated + float(deflection_of(fender.loading(rated)))) / fender.height
+    return Fender(
+        f"{fender.name} on a dolphin",
+        fender.height,
+        straight(y, up),
+        straight(y, below),
+        fender.return_length * stretch,
+        rated,
+        max(rated, fender.allowable),
+        stretch * fender.limit,
+        None if fender.overload is None else float(straight(y, up).slope(y[-2])),
+    )

@@ -1,0 +1,107 @@
+"""Unloading and reloading of a fender between its loading curve L and its unloading curve U.
+
+    R = U(δ) + s w(δ),    w = L − U ≥ 0,    ds = dδ/ℓ, held between 0 and 1;    s = 1 without contact
+
+s is a stop operator with the length ℓ: from first contact the reaction follows L, a return leads to U within ℓ, and a
+reloading back to L within ℓ.  With δ = p + ℓ s and Φ = ℓ ∫₀^s σ w(p + ℓσ) dσ
+
+    s w dδ = dΦ + (∫₀^s w(p + ℓσ) dσ) dp,
+
+where p rises only at s = 1 and falls only at s = 0: the last term is never negative, and neither is the work of any
+path that returns to where it was, however many loops are in it.  Φ is 0 without contact, so that a fender that is left
+and met again has nothing to give either.  The state after a straight step is exact, whatever the step.
+
+`ContactTable` is what a simulation takes: `advanced` and `reaction_of` work on numbers alone.  A step of an
+integration keeps s from its start, evaluates stages with advanced(s, δ of the start, δ of the stage, ℓ), and stores
+the s of its end.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class ContactTable(NamedTuple):
+    """Curves of m fenders in one row of arrays, all contiguous
+
+    first : (m + 1,) number of the first piece of each; knots, loading (…, 4), width (…, 4) : start and coefficients of
+    a piece, lowest order first; the last piece of each is straight and goes on
+    return_length, limit : (m,) m; beyond `limit` a simulation has to tell, and to refuse where `refuses` (m,)
+    """
+
+    first: np.ndarray
+    knots: np.ndarray
+    loading: np.ndarray
+    width: np.ndarray
+    return_length: np.ndarray
+    limit: np.ndarray
+    refuses: np.ndarray
+
+
+def contact_table(fenders):
+    """`ContactTable` of a sequence of `fender.Fender`"""
+    parts = [_with_tail(fender) for fender in fenders]
+    first = np.concatenate([[0], np.cumsum([len(knots) for knots, _, _ in parts])])
+    return ContactTable(
+        first,
+        *(np.ascontiguousarray(np.concatenate([part[i] for part in parts])) for i in range(3)),
+        np.array([fender.return_length for fender in fenders]),
+        np.array([fender.limit for fender in fenders]),
+        np.array([fender.overload is None for fender in fenders]),
+    )
+
+
+def _with_tail(fender):
+    width = fender.loading.minus(fender.unloading)
+    tails = [[[float(c(c.end)), float(c.slope(c.end)), 0.0, 0.0]] for c in (fender.loading, width)]
+    tails[1][0][1] = max(tails[1][0][1], 0.0)  # a width that falls would end below 0
+    return (
+        fender.loading.knots,
+        np.concatenate([fender.loading.coefficients, tails[0]]),
+        np.concatenate([width.coefficients, tails[1]]),
+    )
+
+
+def advanced(state, before, after, length):
+    """State s after a straight step between deflections, m (numbers or arrays); 1 without contact"""
+    turned = (np.maximum(after, 0.0) - np.maximum(before, 0.0)) / length
+    return np.where(np.asarray(after) <= 0, 1.0, np.clip(state + turned, 0.0, 1.0))
+
+
+def reaction_at(fender, deflection, state):
+    """N at deflections and states of the same shape"""
+    down = fender.unloading(deflection)
+    return down + state * (fender.loading(deflection) - down)
+
+
+def followed(fender, deflection):
+    """Reactions (n,) N and states (n,) along a path of deflections (n,) m, of which the first is met without contact
+    before it."""
+    states, before, s = [], 0.0, 1.0
+    for after in np.asarray(deflection, float):
+        s = float(advanced(s, before, after, fender.return_length))
+        before = after
+        states.append(s)
+    return reaction_at(fender, deflection, np.array(states)), np.array(states)
+
+
+def reaction_of(table, which, deflection, state):
+    """Reaction, N, and its slope at this state, N/m, of fender `which` at one deflection: plain numbers, for kernels"""
+    if deflection <= 0.0:
+        return 0.0, 0.0
+    piece, stop = table.first[which], table.first[which + 1]
+    while stop - piece > 1:
+        middle = (piece + stop) // 2
+        if table.knots[middle] <= deflection:
+            piece = middle
+        else:
+            stop = middle
+    t = deflection - table.knots[piece]
+    force = slope = 0.0
+    for part, share in ((table.loading, 1.0), (table.width, state - 1.0)):
+        a, b, c, d = part[piece]
+        force += share * (a + t * (b + t * (c + t * d)))
+        slope += share * (b + t * (2 * c + 3 * t * d))
+    return force, slope

@@ -1,0 +1,55 @@
+"""How far a fender may be from its catalogue: bands of factors on its reaction, and what they make together.
+
+    R = f(δ) Π factors;    softest Π smallest,  stiffest Π largest
+
+(1 − γ of the SR179 report (1982), eq. 3.7.1.11; bands of its chapter 3.4, `tables/variation.csv`.)  `drawn` takes each
+factor from its band by chance, evenly and apart from the others: what share of fenders is softer or stiffer.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from .families import table_rows
+from .fender import FenderError
+
+
+@cache
+def bands():
+    """{cause: (smallest, largest) factor on the reaction}"""
+    return {row["cause"]: (float(row["smallest"]), float(row["largest"])) for row in table_rows("variation")}
+
+
+def chosen(causes=None, **own):
+    """Bands of the causes named, all if None, those in `own` in place of the table's.  Raises FenderError."""
+    table = bands() | own
+    unknown = [cause for cause in causes or () if cause not in table]
+    if unknown:
+        raise FenderError(f"variation by {unknown[0]!r} is unknown; allowed: {', '.join(table)}")
+    out = {cause: table[cause] for cause in (causes or table)}
+    for cause, (low, high) in out.items():
+        if not 0 < low <= high < np.inf:
+            raise FenderError(f"variation by {cause} goes from {low:g} to {high:g}; allowed: above 0, rising, finite")
+    return out
+
+
+def extremes(table):
+    """Factors of the softest and of the stiffest fender of bands {cause: (smallest, largest)}"""
+    low, high = np.array(list(table.values())).T
+    return float(low.prod()), float(high.prod())
+
+
+def drawn(table, count, seed):
+    """(count,) factors of fenders whose causes are drawn evenly from their bands"""
+    low, high = np.array(list(table.values())).T
+    return np.prod(np.random.default_rng(seed).uniform(low, high, (count, len(low))), axis=1)
+
+
+def velocity_factor(period):
+    """Factor on the reaction of a cycle of `period` s: 1.1 at 1 s and below, 1 at 10 s and above, straight in log T.
+
+    SR179 report (1982), chapter 3.4: +10 % at 1 s, notable below 5 s, none above 10 s.
+    """
+    return 1.1 - 0.1 * np.clip(np.log10(np.asarray(period, float)), 0.0, 1.0)

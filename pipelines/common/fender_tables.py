@@ -1,0 +1,109 @@
+"""A fender as a table of a study file or as flags, the same words in both."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mooring.fenders.dolphin import bilinear, in_series
+from mooring.fenders.families import fender_of_family, fender_of_file
+from mooring.fenders.variability import bands, chosen, extremes
+
+from .quantities import StudyError, Table, below, positive
+
+LARGEST = 20.0  # m, a height or diameter
+MOST = 1000  # fenders side by side
+
+
+class FenderTable(Table):
+    """A generic fender of a family, or the table of its maker, and the dolphin behind it
+
+    family : cell, v, h, cone, foam, tyre, pneumatic; table : CSV of the maker; height, length : m, the diameter of a
+    pneumatic one; rated_reaction : kN; pressure : kPa; overload : kN/m; rated_strain, allowable_strain, return_length
+    (m): of a maker's table; count : side by side; factor : on the reaction
+    dolphin : kN/m, its stiffness; dolphin_yield : kN, dolphin_beyond : kN/m: bilinear, or soft ground
+    """
+
+    height: float
+    family: str | None = None
+    table: str | None = None
+    length: float | None = None
+    rated_reaction: float | None = None
+    pressure: float | None = None
+    overload: float | None = None
+    rated_strain: float | None = None
+    allowable_strain: float | None = None
+    return_length: float | None = None
+    count: int = 1
+    factor: float = 1.0
+    dolphin: float | None = None
+    dolphin_yield: float | None = None
+    dolphin_beyond: float | None = None
+
+
+def fender_of(table, where="fender"):
+    """`mooring.fenders.fender.Fender` of a FenderTable without its dolphin.  Raises ValueError, one line."""
+    below(f"{where}.height", table.height, LARGEST)
+    if (table.family is None) == (table.table is None):
+        state = "neither is given" if table.family is None else "both are given"
+        raise StudyError(f"{where}: family and table: {state}; allowed: one of them")
+    if not 1 <= table.count <= MOST:
+        raise StudyError(f"{where}.count is {table.count}; allowed: 1 to {MOST}")
+    factor = positive(f"{where}.factor", table.factor) * table.count
+    made = _of_family(table, where) if table.family else _of_file(table, where)
+    return made.times(factor, f"{table.count} × {made.name}" if table.count > 1 else None)
+
+
+def pair_of(table, fender, where="fender"):
+    """The fender in series with the dolphin of a FenderTable; the fender where there is none.  Raises ValueError."""
+    if table.dolphin is None:
+        if table.dolphin_yield is not None or table.dolphin_beyond is not None:
+            raise StudyError(f"{where}: dolphin_yield or dolphin_beyond without dolphin, its stiffness in kN/m")
+        return fender
+    if (table.dolphin_yield is None) != (table.dolphin_beyond is None):
+        raise StudyError(f"{where}: dolphin_yield and dolphin_beyond: one is given; allowed: both or neither")
+    yields = np.inf if table.dolphin_yield is None else 1e3 * table.dolphin_yield
+    beyond = None if table.dolphin_beyond is None else 1e3 * table.dolphin_beyond
+    return in_series(fender, bilinear(1e3 * positive(f"{where}.dolphin", table.dolphin), yields, beyond))
+
+
+def causes_of(table):
+    """What the reaction of a fender varies by; of pneumatic ones only ±10 % of manufacture is known (SR179, 3.3.2)"""
+    return ["manufacture"] if table.family == "pneumatic" else list(bands())
+
+
+def softest_and_stiffest(table, fender):
+    """Two fenders at the ends of the bands of `mooring.fenders.variability`, on the dolphin, and their factors"""
+    factors = extremes(chosen(causes_of(table)))
+    return tuple(pair_of(table, fender.times(factor)) for factor in factors), factors
+
+
+def _kilo(value):
+    return None if value is None else 1e3 * value
+
+
+def _of_family(table, where):
+    for key in ("rated_strain", "allowable_strain", "return_length"):
+        if getattr(table, key) is not None:
+            raise StudyError(f"{where}.{key} is given with a family, which has its own; allowed: with a table")
+    return fender_of_family(
+        table.family,
+        table.height,
+        length=table.length,
+        rated_reaction=_kilo(table.rated_reaction),
+        pressure=_kilo(table.pressure),
+        overload=_kilo(table.overload),
+    )
+
+
+def _of_file(table, where):
+    for key in ("length", "rated_reaction", "pressure"):
+        if getattr(table, key) is not None:
+            raise StudyError(f"{where}.{key} is given with a table of the maker; allowed: with a family")
+    return fender_of_file(
+        table.table,
+        table.height,
+        rated=table.rated_strain,
+        allowable=table.allowable_strain,
+        overload=_kilo(table.overload),
+        return_length=table.return_length,
+    )

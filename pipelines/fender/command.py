@@ -1,0 +1,115 @@
+"""`hakobune fender`: the characteristic of a fender as a table, one compression of it, and a picture."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..common.fender_tables import causes_of, fender_of, pair_of, softest_and_stiffest
+from ..common.picture import PLOTS, check_picture, save
+from ..common.quantities import StudyError
+
+KILO = 1e3
+ROWS = 11
+
+
+def fender(table, strain, deflection, energy, output):
+    """Print the fender of a FenderTable; one of strain, deflection (m), energy (kJ) asks for one compression of it.
+
+    raises : ValueError, one line
+    """
+    if output is not None:
+        check_picture(output, PLOTS)
+    asked = [key for key, value in zip(("strain", "deflection", "energy"), (strain, deflection, energy), strict=True)
+             if value is not None]  # fmt: skip
+    if len(asked) > 1:
+        raise StudyError(f"--{' and --'.join(asked)} are given; allowed: one of --strain, --deflection, --energy")
+    alone = fender_of(table)
+    pair = pair_of(table, alone)
+    at = _compression(pair, strain, deflection, energy)
+    bands, factors = softest_and_stiffest(table, alone)
+    _show(pair, bands, factors, causes_of(table))
+    if at is not None:
+        _tell(pair, bands, at)
+    if output is not None:
+        _draw(pair, bands, at, output)
+        print(output)
+    return 0
+
+
+def _compression(pair, strain, deflection, energy):
+    """m, or None where none is asked for"""
+    for key, value in (("strain", strain), ("deflection", deflection), ("energy", energy)):
+        if value is not None and not 0 < value < np.inf:
+            raise StudyError(f"--{key} is {value:g}; allowed: above 0, finite")
+    if energy is not None:
+        return pair.deflection_at_energy(KILO * energy)
+    at = deflection if strain is None else strain * pair.height
+    if at is not None:
+        pair.reaction(at)  # raises beyond the table
+    return at
+
+
+def _show(pair, bands, factors, causes):
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console()
+    table = Table(title=repr(pair)[1:-1])
+    for name in ("strain %", "deflection m", "reaction kN", "energy kJ", "returned kJ"):
+        table.add_column(name, justify="right", no_wrap=True)
+    for x in np.linspace(0.0, pair.limit, ROWS):
+        values = 100 * x / pair.height, x, pair.loading(x) / KILO, pair.energy(x) / KILO, pair.returned(x) / KILO
+        table.add_row(*(f"{value:.{digits}f}" for value, digits in zip(values, (1, 3, 1, 1, 1), strict=True)))
+    console.print(table)
+    lines = [
+        f"rated: {100 * pair.rated:.1f} %, {pair.rated_reaction / KILO:.1f} kN, {pair.rated_energy / KILO:.1f} kJ; "
+        f"allowable: {100 * pair.allowable:.1f} %; table to {100 * pair.limit / pair.height:.1f} %"
+        + (", then overload" if pair.overload else ""),
+        f"by {', '.join(causes)}: reaction × {factors[0]:.3f} (softest) to × {factors[1]:.3f} (stiffest), "
+        f"{bands[0].rated_reaction / KILO:.1f} to {bands[1].rated_reaction / KILO:.1f} kN",
+    ]
+    for line in lines:
+        console.print(line, highlight=False, soft_wrap=True)
+
+
+def _tell(pair, bands, at):
+    energy = float(pair.energy(at))
+    print(
+        f"at {at:.4g} m ({100 * at / pair.height:.1f} %): {float(pair.reaction(at)) / KILO:.1f} kN, largest on the way "
+        f"{pair.largest_reaction(at) / KILO:.1f} kN, {energy / KILO:.1f} kJ"
+    )
+    if at > pair.allowable * pair.height * (1 + 1e-9):
+        print(f"warning: that is beyond the allowable {100 * pair.allowable:.1f} %")
+    words = []
+    for name, one in zip(("softest", "stiffest"), bands, strict=True):
+        if one.overload is None and energy > one.energy(one.limit):
+            words.append(f"the {name} does not take it up")
+        else:
+            x = one.deflection_at_energy(energy)
+            words.append(f"the {name} at {100 * x / one.height:.1f} % with {one.largest_reaction(x) / KILO:.1f} kN")
+    print(f"the same energy: {'; '.join(words)}")
+
+
+def _draw(pair, bands, at, output):
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.0, 5.0), layout="constrained")
+    axis = figure.add_subplot()
+    x = np.linspace(0.0, pair.limit, 400)
+    low, high = (one.loading(x) / KILO for one in bands)
+    axis.fill_between(x, low, high, alpha=0.15, label="softest to stiffest")
+    axis.plot(x, pair.loading(x) / KILO, label="loading")
+    if np.any(pair.unloading(x) < pair.loading(x) * (1 - 1e-9)):
+        axis.plot(x, pair.unloading(x) / KILO, "--", label="unloading")
+    axis.axvline(pair.rated * pair.height, color="grey", linewidth=0.8)
+    axis.annotate("rated", (pair.rated * pair.height, 0), rotation=90, va="bottom", ha="right", color="grey")
+    right = axis.twinx()
+    right.plot(x, pair.energy(x) / KILO, color="tab:green", label="energy")
+    if at is not None:
+        axis.plot([at], [float(pair.loading(at)) / KILO], "o", color="black")
+        right.plot([at], [float(pair.energy(at)) / KILO], "o", color="tab:green")
+    axis.set(xlabel="deflection, m", ylabel="reaction, kN", title=pair.name, xlim=(0, None), ylim=(0, None))
+    right.set(ylabel="energy, kJ", ylim=(0, None))
+    handles = [*axis.get_legend_handles_labels()[0], *right.get_legend_handles_labels()[0]]
+    axis.legend(handles=handles, loc="upper left")
+    save(figure, output, 110)

@@ -1,0 +1,38 @@
+"""The flags of `hakobune fender`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
+
+
+def fender(
+    *,
+    family: Annotated[str | None, Parameter(help="cell, v, h, cone, foam, tyre, pneumatic")] = None,
+    table: Annotated[str | None, Parameter(help="CSV of the maker: strain or deflection_m, reaction_kN, …")] = None,
+    height: Annotated[float, Parameter(help="m, the diameter of a pneumatic one", allow_leading_hyphen=True)],
+    length: Annotated[float | None, Parameter(help="m, of v, h, pneumatic", allow_leading_hyphen=True)] = None,
+    rated_reaction: Annotated[float | None, Parameter(help="kN", allow_leading_hyphen=True)] = None,
+    pressure: Annotated[float | None, Parameter(help="kPa, of a pneumatic one [50]", allow_leading_hyphen=True)] = None,
+    overload: Annotated[float | None, Parameter(help="kN/m beyond the table", allow_leading_hyphen=True)] = None,
+    count: Annotated[int, Parameter(help="side by side", allow_leading_hyphen=True)] = 1,
+    dolphin: Annotated[float | None, Parameter(help="kN/m, stiffness behind it", allow_leading_hyphen=True)] = None,
+    strain: Size = None,
+    deflection: Annotated[float | None, Parameter(help="m", allow_leading_hyphen=True)] = None,
+    energy: Annotated[float | None, Parameter(help="kJ, to be taken up", allow_leading_hyphen=True)] = None,
+    output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+):
+    """Reaction and energy of a fender over its compression, what it returns, softest and stiffest; lengths in m.
+
+    hakobune fender --family cell --height 2 --energy 900
+    """
+    from ..common.fender_tables import FenderTable
+    from .command import fender
+
+    given = {"family": family, "table": table, "length": length, "rated_reaction": rated_reaction}
+    given |= {"pressure": pressure, "overload": overload, "count": count, "dolphin": dolphin}
+    return fender(FenderTable(height=height, **given), strain, deflection, energy, output)
