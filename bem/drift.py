@@ -23,28 +23,52 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
     """
     step = 2 * np.pi / len(theta)
     power = np.abs(H) ** 2
-    x = -2 * np.pi * np.cos(beta) * forward.real - step * power @ np.cos(theta)
-    y = -2 * np.pi * np.sin(beta) * forward.real - step * power @ np.sin(theta)
-    m = -2 * np.pi * forward_slope.imag - step * np.sum((H.conj() * slope).imag, axis=-1)
-    return density * gravity * np.asarray(n / (np.pi * k))[..., None] * np.stack([x, y, m / k], axis=-1)
+    scattered = step * power @ np.cos(theta), step * power @ np.sin(theta), step * np.sum((H.conj() * slope).imag, -1)
+    return _of_momentum(scattered, forward, forward_slope, beta, k, n, density * gravity)
+
+
+def mean_drift_of_series(order, series, forward, forward_slope, beta, k, n, density, gravity):
+    """`mean_drift` of Kochin functions Σ_m c_m exp(imθ): ∫|H|² exp(iθ) dθ = 2π Σ c_m c̄_m₊₁, ∫Im(H̄H′) dθ = 2π Σ m|c_m|²
+
+    order : (t,) m, rising by one; series : (headings, t) c_m, as `harmonics` gives them
+    """
+    momentum = 2 * np.pi * np.einsum("...m,...m->...", series[..., :-1], series[..., 1:].conj())
+    turning = 2 * np.pi * (np.abs(series) ** 2 @ order)
+    return _of_momentum((momentum.real, momentum.imag, turning), forward, forward_slope, beta, k, n, density * gravity)
+
+
+def _of_momentum(scattered, forward, forward_slope, beta, k, n, weight):
+    """(headings, 3) from ∫|H|² cosθ dθ, ∫|H|² sinθ dθ, ∫Im(H̄H′) dθ; weight : ρg"""
+    cos, sin, turning = scattered
+    x = -2 * np.pi * np.cos(beta) * forward.real - cos
+    y = -2 * np.pi * np.sin(beta) * forward.real - sin
+    m = -2 * np.pi * forward_slope.imag - turning
+    return weight * np.asarray(n / (np.pi * k))[..., None] * np.stack([x, y, m / k], axis=-1)
 
 
 def harmonics(H, theta):
-    """Orders (t,) and coefficients (…, t) of the Fourier series of H (…, t) over equally spaced theta (t,) rad.
+    """Orders (t,), rising, and coefficients (…, t) of the Fourier series of H (…, t), equally spaced theta (t,) rad.
 
     A Kochin function has no more harmonics than kR and a few: the series is the function, and its derivative exact.
     """
-    order = np.fft.fftfreq(len(theta), 1 / len(theta))
-    return order, np.fft.fft(H, axis=-1) * np.exp(-1j * order * theta[0]) / len(theta)
+    order = np.fft.fftshift(np.fft.fftfreq(len(theta), 1 / len(theta)))
+    turn = np.exp(-1j * order * theta[0]) / len(theta)
+    return order, np.fft.fftshift(np.fft.fft(H, axis=-1), axes=-1) * turn
 
 
 def slope_and_ahead(H, theta, beta):
     """H′ (…, m, t), and H and H′ (…, m) of each of the m rows of H (…, m, t) at its own beta (m,) rad."""
     order, series = harmonics(H, theta)
     turn = 1j * np.where(np.abs(order) == len(theta) / 2, 0.0, order)  # the highest has no phase of its own
-    slope = np.fft.ifft(turn * series * np.exp(1j * order * theta[0]) * len(theta), axis=-1)
-    wave = series * np.exp(1j * np.multiply.outer(beta, order))
-    return slope, wave.sum(axis=-1), (turn * wave).sum(axis=-1)
+    back = np.fft.ifftshift(turn * series * np.exp(1j * order * theta[0]) * len(theta), axes=-1)
+    return np.fft.ifft(back, axis=-1), *ahead(order, series, beta)
+
+
+def ahead(order, series, beta):
+    """H and H′ (…, m) of each of the m rows of a series (…, m, t) at its own beta (m,) rad"""
+    wave = np.exp(1j * np.multiply.outer(beta, order))
+    turn = 1j * np.where(np.abs(order) == len(order) / 2, 0.0, order)
+    return np.einsum("...mt,mt->...m", series, wave), np.einsum("...mt,mt->...m", series, turn * wave)
 
 
 def energy_defect(H, forward):

@@ -200,6 +200,11 @@ class Between:
         return abscissa(omega, self.depth, self.gravity, self.length)
 
     @cached_property
+    def over_headings(self):
+        """Sums over headings that `between_headings.at_headings` keeps"""
+        return {}
+
+    @cached_property
     def _values(self):
         return {}
 

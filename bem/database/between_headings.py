@@ -32,6 +32,7 @@ SAME = 1e-9  # rad
 WIDEST_GAP = np.deg2rad(45.0)  # between neighbouring headings; wider, a value would be a guess
 ENDS = 0.2  # share of the plan that lies at its ends
 NUGGET = 1e-10  # of the diagonal of κ
+KEPT = 4  # sums over the ring whose weights are kept
 LONGEST = 2.0  # ka of the longest wave κ is taken for: of longer ones it would see nothing but a constant
 MIRRORS = {
     "y": (lambda beta: -beta, np.array([1, -1, 1, -1, 1, -1]), np.array([1, -1, -1])),
@@ -108,11 +109,12 @@ class AtHeadings:
 
     def value(self, values, kind):
         """(q, p, …) from values (q, M, …); kind : "force", "drift" or "kochin" """
-        one = len(self.wanted) == 1 and self.place[0] >= 0
+        one = len(self.folded) == 1 and self.place[0] >= 0
         return self.unfolded(values[:, self.place] if one else _joined(self.weights, values), kind)
 
     def unfolded(self, values, kind):
-        """values (q, p, …) at the `folded` headings, mirrored in place to those wanted"""
+        """(q, p, …) at the headings wanted from values (q, u, …) at the `folded` ones"""
+        values = values[:, self.source]
         for plane, image in self.ring.images.items():
             mirrored = self._folds[plane]
             if kind == "kochin":
@@ -122,7 +124,7 @@ class AtHeadings:
         return values
 
     def deviation(self, values, independent):
-        """(q, p, …) standard deviation of `value`; `independent` (…) values of the ring do not follow from others"""
+        """(q, u, …) standard deviation of `value`; `independent` (…) values of the ring do not follow from others"""
         scale = np.sum(np.abs(_joined(self._root, values)) ** 2, axis=1) / np.maximum(independent, 1)
         left = self._left.reshape(*self._left.shape, *[1] * (values.ndim - 2))
         return np.sqrt(left * scale[:, None])
@@ -133,21 +135,34 @@ class AtHeadings:
         c, s = np.cos(self.wanted), np.sin(self.wanted)
         return {plane: (s if plane == "y" else c) < -SAME for plane in self.ring.images}
 
-    @cached_property
+    @property
     def folded(self):
-        """(p,) rad, the headings wanted or their mirror images on one side of every plane of symmetry"""
+        """(u,) rad, the headings wanted or their mirror images on one side of every plane of symmetry, each once"""
+        return self._once[0]
+
+    @property
+    def source(self):
+        """(p,) which of `folded` each heading wanted is taken from"""
+        return self._once[1]
+
+    @cached_property
+    def _once(self):
         folded = self.wanted
         for plane, mirrored in self._folds.items():
             folded = np.where(mirrored, MIRRORS[plane][0](folded), folded)
-        return folded
+        _, first, source = np.unique(
+            np.round(np.mod(folded + SAME, 2 * np.pi) / SAME), return_index=True, return_inverse=True
+        )
+        return folded[first], source
 
     @cached_property
     def place(self):
+        """(u,) number of the heading of the ring that each folded one is, −1 for none"""
         return self.ring.stored(self.folded)
 
     @cached_property
     def weights(self):
-        """(q, p, M); a stored heading has its own value alone"""
+        """(q, u, M); a stored heading has its own value alone"""
         weights = self._whitened @ self._root
         found = self.place >= 0
         weights[:, found] = np.eye(len(self.ring.headings))[self.place[found]]
@@ -203,7 +218,20 @@ def ring(headings, theta, symmetry):
 
 
 def at_headings(ring, wanted, omega, between, quadratic=False):
-    """`AtHeadings` (p,) rad at omega (q,) rad/s for the hull of a `between_frequencies.Between`."""
+    """`AtHeadings` (p,) rad at omega (q,) rad/s for the hull of a `between_frequencies.Between`.
+
+    The last `KEPT` are kept with their weights, which forces, Kochin functions, drift and errors share.
+    """
+    key = (ring.headings.tobytes(), ring.force.tobytes(), np.asarray(wanted).tobytes(), omega.tobytes(), quadratic)
+    kept = between.over_headings
+    if key not in kept:
+        while len(kept) >= KEPT:
+            kept.pop(next(iter(kept)))
+        kept[key] = _at_headings(ring, wanted, omega, between, quadratic)
+    return kept[key]
+
+
+def _at_headings(ring, wanted, omega, between, quadratic):
     k = np.atleast_1d(wavenumber(omega, between.depth, between.gravity))
     low, high = between.outline.min(axis=0), between.outline.max(axis=0)
     half, middle = 0.5 * (high - low), 0.5 * (high + low)
@@ -218,7 +246,8 @@ def whole_mirrors(symmetry, matrices, center):
 
 def _side(x):
     """f(x) of the module"""
-    return (1 - ENDS) * np.sinc(x / np.pi) + ENDS * np.cos(x)
+    sin_over_x = np.divide(np.sin(x), x, out=np.ones_like(x), where=x != 0)
+    return (1 - ENDS) * sin_over_x + ENDS * np.cos(x)
 
 
 def _joined(weights, values):

@@ -64,7 +64,7 @@ def interpolated(reader, omega, headings, name):
         values = np.where(np.isnan(there), values, values - there)
     spread = np.sqrt(np.abs(over.weights) ** 2 @ (error**2).reshape(*error.shape[:2], -1))
     spread = spread.reshape(*spread.shape[:2], *error.shape[2:])
-    return np.hypot(spread, over.deviation(values, independent))
+    return np.hypot(spread, over.deviation(values, independent))[:, over.source]
 
 
 def one_by_one(equation, parts, errors):

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..drift import about, mean_drift, slope_and_ahead
+from ..drift import about, ahead, harmonics, mean_drift_of_series
 from ..waves import group_factor, wavenumber
 from .between_frequencies import DRIFT, KOCHIN, BetweenError
 
@@ -58,10 +58,10 @@ def of_far_field(reader, omega, headings, radiated, H, X):
         H = H + X @ radiated
         speed = n * omega[:, None] / k
         absorbed = k * _absorbed(reader, omega, X) / (2 * reader.density * reader.gravity * speed)
-    theta = reader.between.theta
-    slope, _, forward_slope = slope_and_ahead(H, theta, beta)
-    forward = -np.mean(np.abs(H) ** 2, axis=-1) - absorbed
-    force = mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, reader.density, reader.gravity)
+    order, series = harmonics(H, reader.between.theta)
+    forward = -np.sum(np.abs(series) ** 2, axis=-1) - absorbed
+    water = reader.density, reader.gravity
+    force = mean_drift_of_series(order, series, forward, ahead(order, series, beta)[1], beta, k, n, *water)
     return about(force, reader.rotation_center)
 
 

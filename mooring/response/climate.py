@@ -11,6 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bem.database.between_headings import SAME
+
 from ..environment.sea import Sea
 from .findings import MISSED
 from .linear import frequencies
@@ -106,36 +108,57 @@ def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreadin
 
 
 class _Known:
-    """Transfer functions (q, p, c) and drift (q, p, 3) by headings at all frequencies omega, each computed once"""
+    """Transfer functions (q, p, c) and drift (q, p, 3) at all frequencies omega (q,), of each heading computed once"""
 
     def __init__(self, body, omega, points):
-        self.body, self.omega, self.points, self.by_headings = body, omega, points, {}
-        self.names = self.units = ()
+        self.body, self.omega, self.points = body, omega, points
+        self.places, self.transfer, self.forces = {}, None, None
 
     @property
     def knows_drift(self):
         return self.body.knows_drift
 
+    @property
+    def names(self):
+        return self.transfer.names
+
+    @property
+    def units(self):
+        return self.transfer.units
+
     def motions(self, omega, heading):
         """(q, p, 6) as `Reader.motions`"""
-        return self.at(omega, heading)[0].value[..., :6]
+        rows, columns = self._place(omega, heading)
+        return self.transfer.value[rows, columns, :6]
 
     def drift(self, omega, heading):
         """(q, p, 3) as `Reader.drift`"""
-        return self.at(omega, heading)[1]
+        return self.forces[self._place(omega, heading)]
 
     def at(self, omega, heading):
         """Transfer and drift, zero where it is not known, at frequencies omega among all"""
-        key = np.asarray(heading).tobytes()
-        if key not in self.by_headings:
-            transfer = transfer_functions(self.body, self.omega, heading, self.points)
-            self.names, self.units = transfer.names, transfer.units
-            shape = (len(self.omega), len(heading), 3)
-            drift = self.body.drift(self.omega, heading) if self.body.knows_drift else np.zeros(shape)
-            self.by_headings[key] = transfer, drift
-        transfer, drift = self.by_headings[key]
-        rows = np.searchsorted(self.omega, omega)
-        return transfer._replace(omega=omega, value=transfer.value[rows]), drift[rows]
+        place = self._place(omega, heading)
+        transfer = self.transfer._replace(omega=omega, heading=heading, value=self.transfer.value[place])
+        return transfer, self.forces[place]
+
+    def _place(self, omega, heading):
+        """Rows (q, 1) and columns (1, p) of frequencies among all and of headings, which are computed where new"""
+        keys = [round(beta / SAME) for beta in np.mod(heading, 2 * np.pi)]
+        new = {key: beta for key, beta in zip(keys, heading, strict=True) if key not in self.places}
+        if new:
+            self._extend(list(new.values()))
+            self.places |= {key: len(self.places) + i for i, key in enumerate(new)}
+        return np.searchsorted(self.omega, omega)[:, None], np.array([self.places[key] for key in keys])[None]
+
+    def _extend(self, heading):
+        transfer, drift = transfer_functions(self.body, self.omega, heading, self.points), 0.0
+        if self.body.knows_drift:
+            drift = self.body.drift(self.omega, heading)
+        drift = np.broadcast_to(drift, (len(self.omega), len(heading), 3))
+        if self.transfer is not None:
+            transfer = transfer._replace(value=np.concatenate([self.transfer.value, transfer.value], axis=1))
+            drift = np.concatenate([self.forces, drift], axis=1)
+        self.transfer, self.forces = transfer, drift
 
 
 def _column(known, sea, omega):

@@ -20,8 +20,8 @@ TURN = np.deg2rad(0.25)  # either side, for the slope over the headings
 
 def drift_slopes(body, omega, heading):
     """(q, p, 3) drift and its derivatives ∂D/∂ω and ∂D/∂β per rad; omega rising, close enough to differentiate."""
-    heading = np.atleast_1d(heading)
-    before, value, after = (body.drift(omega, heading + turn) for turn in (-TURN, 0.0, TURN))
+    turned = np.add.outer([-TURN, 0.0, TURN], np.atleast_1d(heading))
+    before, value, after = np.split(body.drift(omega, turned.ravel()), 3, axis=1)
     return value, np.gradient(value, omega, axis=0, edge_order=2), (after - before) / (2 * TURN)
 
 

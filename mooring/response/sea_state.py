@@ -19,7 +19,7 @@ from .linear import Moments, frequencies, moments, response_spectrum
 from .points import Point, relative_name, transfer_functions
 from .seas import check_coverage, directions, heading_step
 from .slow_drift import force_spectrum, held_beyond, signed_means
-from .wave_drift_damping import damping_coefficients, mean_damping
+from .wave_drift_damping import drift_and_damping, mean_damping
 
 TINY = 1e-6  # of the largest standard deviation of its unit: rounding of what symmetry makes zero
 DIFFERENCES = np.linspace(0.0, 0.2, 81)  # rad/s, of the spectrum of the slow force
@@ -169,13 +169,12 @@ def mean_drift(body, sea, omega, drift, weights):
 
 def slow_forces(body, sea, omega, heading, weights) -> SlowForces:
     """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it."""
-    value = body.drift(omega, heading)
-    inside, beyond = mean_drift(body, sea, omega, value, weights)
     try:
-        coefficients = damping_coefficients(body, omega, heading)
+        value, coefficients = drift_and_damping(body, omega, heading)
         damping = mean_damping(omega, coefficients, sea.spectrum.density(omega), weights)
     except BetweenError:
-        damping = None
+        value, damping = body.drift(omega, heading), None
+    inside, beyond = mean_drift(body, sea, omega, value, weights)
     return SlowForces(
         inside + beyond.sum(axis=0),
         beyond,

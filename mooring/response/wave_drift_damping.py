@@ -24,14 +24,15 @@ from .drift import drift_slopes
 from .linear import over_headings
 
 
-def damping_coefficients(body, omega, heading):
-    """(q, p, 3, 2) B per squared wave amplitude: of surge, sway, yaw against velocities along x and y, N s/m³ ….
+def drift_and_damping(body, omega, heading):
+    """Mean drift D (q, p, 3) and B (q, p, 3, 2) per squared wave amplitude: of surge, sway, yaw against velocities
+    along x and y, N s/m³ ….
 
     omega : (q,) rad/s rising and close enough to differentiate the drift, from `linear.frequencies`; heading : (p,) rad
     """
     value, by_omega, by_heading = drift_slopes(body, omega, heading)
     k = wavenumber(omega, body.depth, body.gravity)
-    return from_slopes(omega, heading, k, body.depth, value, by_omega, by_heading)
+    return value, from_slopes(omega, heading, k, body.depth, value, by_omega, by_heading)
 
 
 def from_slopes(omega, heading, k, depth, value, by_omega, by_heading):

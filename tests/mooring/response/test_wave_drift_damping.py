@@ -6,7 +6,7 @@ from scipy.optimize import brentq
 
 from bem.waves import group_factor, wavenumber
 from mooring.response.linear import frequencies
-from mooring.response.wave_drift_damping import damping_coefficients, from_slopes, mean_damping
+from mooring.response.wave_drift_damping import drift_and_damping, from_slopes, mean_damping
 
 G = 9.80665
 
@@ -98,7 +98,7 @@ def test_deep_water_is_aranhas_formula():
 def test_damping_turns_with_the_waves(box_body):
     """A body with two planes of symmetry in waves from 30° and from 150°: mirrored in x = 0."""
     omega = np.linspace(0.3, 1.0, 57)
-    one, other = damping_coefficients(box_body, omega, np.radians([30.0, 150.0])).swapaxes(0, 1)
+    one, other = drift_and_damping(box_body, omega, np.radians([30.0, 150.0]))[1].swapaxes(0, 1)
     mirror = np.array([[-1], [1], [-1]]) * np.array([-1, 1])
     assert np.allclose(other, mirror * one, rtol=1e-9, atol=1e-9 * np.abs(one).max(axis=(0, 2), keepdims=True))
 
@@ -108,7 +108,7 @@ def test_mean_damping_of_a_box_takes_energy_out_of_slow_surge_in_head_seas(box_b
 
     omega = frequencies(box_body)
     found = mean_damping(
-        omega, damping_coefficients(box_body, omega, [np.pi]), issc(4.5, mean_period=10.0).density(omega)
+        omega, drift_and_damping(box_body, omega, [np.pi])[1], issc(4.5, mean_period=10.0).density(omega)
     )
     assert found.shape == (3, 2) and found[0, 0] > 0
     assert abs(found[1, 0]) < 1e-6 * found[0, 0]
