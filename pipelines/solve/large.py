@@ -12,7 +12,7 @@ from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 from bem.waves import wavenumber
 
-from ..common.bounds import check_memory, check_seconds, told
+from ..common.bounds import WORTH_TELLING, check_memory, check_seconds, told
 from ..common.progress import duration
 from ..scene.scene import SceneError
 
@@ -25,7 +25,7 @@ FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
 # threads 190 and 145
 WORTH_SHARING_AXISYMMETRIC = 150
 ADAPTIVE = 27  # frequencies that an adaptive band takes, about
-WORTH_TELLING = 3000
+NODES_WORTH_TELLING = 3000
 COPIES = 3  # of a database while it is laid out: numbers, file, and the image of it that is written
 
 
@@ -52,7 +52,7 @@ def announced(problem, limits, console, processes=1, omegas=()):
     if isinstance(problem, ShapeProblem) and problem.method == "contour" and len(omegas):
         _announce_contour(problem, omegas, console, processes)
     panels = problem.panels if isinstance(problem, ShapeProblem) else problem
-    if not isinstance(panels, PanelProblem) or PER_PANEL * len(panels.mesh) < WORTH_TELLING:
+    if not isinstance(panels, PanelProblem) or PER_PANEL * len(panels.mesh) < NODES_WORTH_TELLING:
         return None
     from bem.panels.band.cost import cost, memory_alone
 
@@ -62,7 +62,8 @@ def announced(problem, limits, console, processes=1, omegas=()):
     _check_memory(panels.mesh.total, memory, processes)
     if console:
         text = f"{panels.mesh.total} panels: about {memory / 1e9:.1f} GB"
-        console.print(text + (_times(needed, limits) if needed else ""), highlight=False, soft_wrap=True)
+        times = _times(needed, limits) if needed else _time_alone(prepared, omegas)
+        console.print(text + times, highlight=False, soft_wrap=True)
     return needed
 
 
@@ -118,3 +119,10 @@ def _times(needed, limits):
     return f", about {before} before the first frequency" + (
         f", about {after} for added mass at the limits" if limits else ""
     )
+
+
+def _time_alone(prepared, omegas):
+    from bem.panels.band.cost import seconds_alone
+
+    seconds = seconds_alone(prepared, max(omegas, default=np.nan))
+    return f", about {duration(seconds)} for each frequency" if seconds >= WORTH_TELLING else ""

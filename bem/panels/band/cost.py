@@ -65,6 +65,19 @@ def memory_alone(prepared):
     return BYTES_PER_AXISYMMETRIC_PAIR * len(g.classes) * nodes * len(g.sectors.first) + BYTES_OF_PROGRAM
 
 
+def seconds_alone(prepared, omega):
+    """s of a frequency (rad/s) that shares no work (`bem.panels.one_frequency`); NaN of axisymmetric bodies, whose
+    sectors take far less (`bem.panels.axisymmetric_frequency`), and of plates (`bem.panels.zero_draft`)
+    """
+    geometry, gravity = prepared.geometry, prepared.problem.gravity
+    if prepared.problem.zero_draft or prepared.axisymmetric_geometry.sectors:
+        return np.nan
+    n = len(geometry.elements.nodes)
+    rows = n * (_seconds_of_waves(geometry, omega, gravity) + _seconds_of_rows(geometry))
+    complex_factor = 4 * _seconds_of_factor() * (n / TIMED_UNKNOWNS) ** 3
+    return rows + len(geometry.classes) * complex_factor
+
+
 def _seconds_of_waves(geometry, omega, gravity):
     """Seconds for a row of the wave matrices"""
     g, nodes = geometry, np.arange(len(geometry.elements.nodes))

@@ -92,6 +92,15 @@ def test_panels_are_doubled_until_the_estimate_of_damping_keeps_the_tolerance():
     assert all(1.7 < more / few < 2.4 for few, more in itertools.pairwise(meshes))
 
 
+def test_panels_are_not_doubled_again_where_that_leaves_the_error_as_large():
+    """Panels of a hull 2 400 times as long as wide, a fifth of a millimetre above the bottom, are far too long"""
+    slender = {"shape": "box", "length": 277.7, "beam": 0.1163, "draft": 0.7521}
+    raw = {"water": {"depth": 0.75232083}, "bodies": [slender], "waves": {"omegas": [0.04469]}, "method": "panel"}
+    first = prepare(planned(make_scene(raw)).problem).run(0.04469, [0.0], EVERYTHING, None, DOFS)
+    run = first.within_tolerance()
+    assert run.refined is first and run.tolerances > first.tolerances > 1
+
+
 def test_panels_that_were_asked_for_are_not_doubled():
     prepared = buoy_by_panels(panels=240)
     run = prepared.run(0.7, [0.0], EVERYTHING, None, DOFS)

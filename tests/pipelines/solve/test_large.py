@@ -66,7 +66,7 @@ def test_a_single_frequency_takes_few_nodes_where_all_would_not_fit(monkeypatch)
 def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
     mesh = box(100, 50, 10, panels=120)
     problem = PanelProblem(mesh, lid(mesh), depth=20.0, band=(0.5, 0.5))
-    monkeypatch.setattr(large, "WORTH_TELLING", 100)
+    monkeypatch.setattr(large, "NODES_WORTH_TELLING", 100)
     monkeypatch.setattr(cost, "cost", lambda *_: Cost(5e9, {WAVES: (60.0, 1.0)}))
     monkeypatch.setattr(bounds, "available_memory", lambda: 8e9)
     announced(problem, 0, None)
