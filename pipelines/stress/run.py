@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import time
 
+from meshing.seals import write_sealed
+
 from ..common.bounds import told
 from ..common.interrupt import ctrl_c
 from ..common.outputs import check_output
@@ -40,6 +42,7 @@ def run(questions, output, executor, say):
                 say(f"{len(rows)}/{len(questions)}  {failed} failed  {duration(left)} left")
             if stop.asked:
                 break
+    write_sealed(output, output.read_text(encoding="utf-8"))
     for line in summary(rows):
         say(line)
     return rows, len(rows) < len(questions)

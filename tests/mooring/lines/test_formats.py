@@ -340,6 +340,8 @@ FAULTS = [
     ("250.5     25 ", "250.5     2.5 ", "segments is 2.5; allowed: a whole number"),
     ("2    Free        -60     0       -30     2.5d3   0.4     0      0", "2  Free",
      "section POINTS: 2 entries, x, y, z, mass, volume, CdA, Ca missing"),
+    ("2    Free        -60     0       -30     2.5d3   0.4     0      0", "2  Free  -60  0  2.5d3  0.4  0  0",
+     "section POINTS: 8 entries, Ca missing"),
     ("2    Free  ", "1    Free  ", "section POINTS: id 1 is used twice"),
     ("- LINES -", "- LNIES -", "section LNIES"),
     ("- OUTPUTS -", "- LINES -", "section LINES: is there twice"),

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from bem.database import open_database
+from meshing.seals import text_damaged, text_sealed
 from pipelines.cli import main
 from pipelines.stress import scenes
 from pipelines.stress.campaign import roughest, row_of
@@ -148,6 +149,8 @@ def test_a_campaign_writes_a_row_for_every_scene(tmp_path, capsys):
     assert status == (1 if any(row["verdict"] for row in rows) else 0)
     said = capsys.readouterr()
     assert "6 scenes" in said.out and not said.err
+    text = file.read_text()
+    assert text_sealed(text) and not text_damaged(text) and text_damaged(text.replace("0", "1", 1))
 
 
 def test_scenes_that_a_method_is_not_for_are_left_out(tmp_path, capsys):
