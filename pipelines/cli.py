@@ -13,6 +13,7 @@ from cyclopts import App, CycloptsError, Parameter
 from meshing.whole_files import NotWritten
 
 from .bench.command import bench
+from .berth.flags import berth
 from .common.interrupt import interrupted
 from .design.command import design
 from .fender.flags import fender
@@ -155,6 +156,7 @@ app.command(simulate)
 app.command(animate)
 app.command(design)
 app.command(fender)
+app.command(berth)
 
 
 def main(arguments=None):

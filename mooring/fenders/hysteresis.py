@@ -11,9 +11,9 @@ where p rises only at s = 1 and falls only at s = 0: the last term is never nega
 path that returns to where it was, however many loops are in it.  Φ is 0 without contact, so that a fender that is left
 and met again has nothing to give either.  The state after a straight step is exact, whatever the step.
 
-`ContactTable` is what a simulation takes: `advanced` and `reaction_of` work on numbers alone.  A step of an
-integration keeps s from its start, evaluates stages with advanced(s, δ of the start, δ of the stage, ℓ), and stores
-the s of its end.
+`ContactTable` is what a simulation takes: `advanced_one` and `reaction_of` work on numbers alone.  A step of an
+integration keeps s from its start, evaluates stages with advanced_one(s, δ of the start, δ of the stage, ℓ), and
+stores the s of its end.
 """
 
 from __future__ import annotations
@@ -68,6 +68,13 @@ def advanced(state, before, after, length):
     """State s after a straight step between deflections, m (numbers or arrays); 1 without contact"""
     turned = (np.maximum(after, 0.0) - np.maximum(before, 0.0)) / length
     return np.where(np.asarray(after) <= 0, 1.0, np.clip(state + turned, 0.0, 1.0))
+
+
+def advanced_one(state, before, after, length):
+    """`advanced` of plain numbers, for kernels"""
+    if after <= 0.0:
+        return 1.0
+    return min(1.0, max(0.0, state + (after - max(before, 0.0)) / length))
 
 
 def reaction_at(fender, deflection, state):

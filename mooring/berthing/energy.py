@@ -1,0 +1,111 @@
+"""The kinetic-energy method: what a fender has to take up of a ship that berths.
+
+    E = ½ C_M M V² C_e C_s C_c
+
+M mass of the ship, V speed of approach across the berth.  C_M virtual mass (the water that comes along), C_e
+eccentricity (what turning keeps), C_s softness (what the hull takes up), C_c configuration (the cushion of water).
+
+Ueda (1981), Report of the Port and Harbour Research Institute 20(2): eq. 2.8, 2.22, 3.4 to 3.7, with L length over all;
+PIANC (2002), Guidelines for the design of fender systems, as publicly quoted.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+
+class BerthingError(ValueError):
+    """A berthing cannot be computed; one line names what is wrong and what is allowed."""
+
+
+class Ship(NamedTuple):
+    """length (over all), beam, draft : m; mass : kg; gyration : m, radius in yaw; density : kg/m³ of the water"""
+
+    length: float
+    beam: float
+    draft: float
+    mass: float
+    gyration: float
+    density: float = 1025.0
+
+    @property
+    def block(self):
+        """C_B with the length over all"""
+        return self.mass / (self.density * self.length * self.beam * self.draft)
+
+
+def ship(length, beam, draft, *, mass=None, block=None, gyration=None, density=1025.0):
+    """`Ship` of mass or block coefficient; gyration by default length/4.  Raises BerthingError."""
+    sizes = {"length": length, "beam": beam, "draft": draft, "density": density}
+    sizes |= {key: value for key, value in (("mass", mass), ("gyration", gyration)) if value is not None}
+    for key, value in sizes.items():
+        if not 0 < value < math.inf:
+            raise BerthingError(f"the ship's {key} is {value:g}; allowed: above 0, finite")
+    if (mass is None) == (block is None):
+        state = "neither is given" if mass is None else "both are given"
+        raise BerthingError(f"displacement and block coefficient of the ship: {state}; allowed: one of them")
+    made = Ship(length, beam, draft, mass or block * density * length * beam * draft, gyration or length / 4, density)
+    if not 0 < made.block <= 1.0:
+        raise BerthingError(f"the ship's block coefficient is {made.block:.3g}; allowed: above 0, at most 1")
+    return made
+
+
+def virtual_mass_ueda(ship):
+    """C_M = 1 + (π/2)(ρ d² L)/M = 1 + (π/2 C_B) d/B: the semicircle of radius d twice (eq. 3.4, 3.5)"""
+    return 1 + math.pi / 2 * ship.density * ship.draft**2 * ship.length / ship.mass
+
+
+def virtual_mass_older(ship):
+    """C_M = 1 + (π/4)(ρ d² L)/M (eq. 2.22)"""
+    return 1 + math.pi / 4 * ship.density * ship.draft**2 * ship.length / ship.mass
+
+
+def virtual_mass_vasco_costa(ship):
+    """C_M = 1 + 2 d/B (eq. 3.7)"""
+    return 1 + 2 * ship.draft / ship.beam
+
+
+def virtual_mass_pianc(ship, depth):
+    """C_M = 1.8 with a gap under the keel up to 0.1 d, 1.5 from 0.5 d on, straight between (PIANC 2002)"""
+    gap = (depth - ship.draft) / ship.draft
+    return 1.8 - 0.3 * min(1.0, max(0.0, (gap - 0.1) / 0.4))
+
+
+def virtual_masses(ship, depth=None):
+    """{method: C_M}; PIANC's if the depth, m, is given.  Raises BerthingError where the ship is aground."""
+    if depth is not None and not depth > ship.draft:
+        raise BerthingError(f"the depth is {depth:g} m with a draft of {ship.draft:g} m; allowed: deeper")
+    found = {"Ueda 1981": virtual_mass_ueda(ship), "Vasco Costa": virtual_mass_vasco_costa(ship)}
+    found["older, (π/4) ρ d² L"] = virtual_mass_older(ship)
+    return found if depth is None else found | {"PIANC 2002": virtual_mass_pianc(ship, depth)}
+
+
+def eccentricity(offset, gyration):
+    """C_e = 1/(1 + (l/r)²), l m along the berth from the centre of gravity to the contact (eq. 2.8)"""
+    return 1 / (1 + (offset / gyration) ** 2)
+
+
+def eccentricity_oblique(distance, angle, gyration):
+    """C_e = (K² + R² cos²φ)/(K² + R²), R m from the centre of gravity to the contact, φ rad between R and the
+    velocity (PIANC 2002); `eccentricity` is that of a contact abeam of which only l lies across the velocity"""
+    return (gyration**2 + (distance * math.cos(angle)) ** 2) / (gyration**2 + distance**2)
+
+
+def offset_of(coefficient, gyration):
+    """m, l of an eccentricity coefficient"""
+    if not 0 < coefficient <= 1:
+        raise BerthingError(f"the eccentricity coefficient is {coefficient:g}; allowed: above 0, at most 1")
+    return gyration * math.sqrt(1 / coefficient - 1)
+
+
+def berthing_energy(ship, speed, virtual_mass, eccentricity, softness=1.0, configuration=1.0):
+    """J, by the module's equation; speed : m/s.  Raises BerthingError."""
+    if not 0 < speed < math.inf:
+        raise BerthingError(f"the speed of the berthing is {speed:g} m/s; allowed: above 0, finite")
+    for key, value in (("eccentricity", eccentricity), ("softness", softness), ("configuration", configuration)):
+        if not 0 < value <= 1:
+            raise BerthingError(f"the coefficient of {key} is {value:g}; allowed: above 0, at most 1")
+    if not virtual_mass >= 1:
+        raise BerthingError(f"the coefficient of virtual mass is {virtual_mass:g}; allowed: at least 1")
+    return 0.5 * virtual_mass * ship.mass * speed**2 * eccentricity * softness * configuration

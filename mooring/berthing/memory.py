@@ -1,0 +1,244 @@
+"""A berthing in time: sway and yaw with the water's added mass and memory, met by fenders anywhere along the side.
+
+    (M + A∞) ν̇ + y = −Σ (1, x_k)ᵀ R_k,    ẋ = a x + b ν,    y = c x,    δ_k = η₂ + x_k η₆ − gap_k
+
+η₂, η₆ sway towards the berth and yaw about the rotation centre, R_k of `mooring.fenders` with its hysteresis; a fender
+is in series with its dolphin (`mooring.fenders.dolphin`).  The memory is that of `bem.time_domain.memory`.  The ship
+has come with steady speed for ever: states −a⁻¹ b ν, whose force is 0, and the water carries A(0).  Energy:
+
+    ½ νᵀ(M + A∞) ν + ½ xᵀP x + Σ ∫R dδ + ∫ ½ |lossᵀx|² dt = what it was before contact,
+
+of which `ledger` is the largest violation: ∫R dδ is that of the fenders along the deflections, not the power that the
+integration in time gave them.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtual mass that the
+kinetic-energy method would have needed (the α² of Ueda 1981, eq. 3.2, where the fender is a linear spring).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..fenders.hysteresis import advanced, advanced_one, contact_table, reaction_at, reaction_of
+from .energy import BerthingError, eccentricity
+
+PLANE = (1, 5)  # sway, yaw of six
+GAUSS = np.array([[1 / 4, 1 / 4 - np.sqrt(3) / 6], [1 / 4 + np.sqrt(3) / 6, 1 / 4]])
+ITERATIONS = 60
+
+
+@dataclass(frozen=True, eq=False)
+class BerthingShip:
+    """inertia (2, 2) of the ship alone, added_mass_infinity (2, 2), a (n, n), b (n, 2), c (2, n), storage, loss
+
+    in kg, kg m, kg m² of sway and yaw about the rotation centre; a … loss of `bem.time_domain.memory`; center : m, x of
+    the centre of gravity
+    """
+
+    inertia: np.ndarray
+    added_mass_infinity: np.ndarray
+    a: np.ndarray
+    b: np.ndarray
+    c: np.ndarray
+    storage: np.ndarray
+    loss: np.ndarray
+    center: float = 0.0
+
+    @property
+    def added_mass_zero(self):
+        """(2, 2) at frequency 0, A∞ − c a⁻² b"""
+        return self.added_mass_infinity - self.c @ np.linalg.solve(self.a, np.linalg.solve(self.a, self.b))
+
+
+@dataclass(frozen=True, eq=False)
+class Berthing:
+    """time (n,) s from first contact; position (n, 2) m, rad; velocity (n, 2); deflection, reaction (n, k) m, N
+
+    taken, lost : (n,) J into fenders and out with the waves; ledger : of the module, over the energy before contact
+    virtual_mass : C_M of the module; energy : J, largest taken up
+    """
+
+    time: np.ndarray
+    position: np.ndarray
+    velocity: np.ndarray
+    deflection: np.ndarray
+    reaction: np.ndarray
+    taken: np.ndarray
+    lost: np.ndarray
+    ledger: float
+    virtual_mass: float
+
+    @property
+    def energy(self):
+        return float(self.taken.max())
+
+
+def without_memory(mass, gyration, added_mass):
+    """`BerthingShip` with constant added mass (2, 2), kg …: Ueda's model with added_mass = (C_M − 1) M diag(1, r²)"""
+    inertia, none = mass * np.diag([1.0, gyration**2]), np.zeros((0, 0))
+    return BerthingShip(
+        inertia, np.asarray(added_mass, float), none, np.zeros((0, 2)), np.zeros((2, 0)), none, np.zeros((0, 0))
+    )
+
+
+def ship_of_database(db, mass, gyration, tolerance=3e-3, center=0.0):
+    """`BerthingShip` of a `bem.database.Database`; mass : kg; gyration : m; center : m.
+
+    raises : ValueError of `memory_of_database`; BerthingError where mass or gyration are impossible
+    """
+    from bem.time_domain.memory import memory_of_database
+
+    for key, value in (("mass", mass), ("radius of gyration", gyration)):
+        if not 0 < value < np.inf:
+            raise BerthingError(f"the {key} of the ship is {value:g}; allowed: above 0, finite")
+    memory = memory_of_database(db, tolerance)
+    a, b, c = memory.matrices
+    of_plane = np.any(b[:, PLANE] != 0, axis=1) | np.any(c[PLANE, :] != 0, axis=0)
+    keep = np.flatnonzero(of_plane)
+    inertia = mass * np.array([[1.0, center], [center, gyration**2 + center**2]])
+    return BerthingShip(
+        inertia,
+        memory.added_mass_infinity[np.ix_(PLANE, PLANE)],
+        a[np.ix_(keep, keep)],
+        b[np.ix_(keep, PLANE)],
+        c[np.ix_(PLANE, keep)],
+        memory.storage[np.ix_(keep, keep)],
+        memory.loss[keep],
+        center,
+    )
+
+
+def berth(ship, fenders, speed, duration=None, steps=2000, yaw_rate=0.0):
+    """`Berthing` of a `BerthingShip` with a steady speed, m/s (and yaw rate, rad/s), from the first contact.
+
+    fenders : sequence of (`mooring.fenders.fender.Fender`, x m, gap m); the nearest is met first
+    duration : s, by default until the ship rests against the softest of them, and half as long again; steps : of it
+    raises : BerthingError without speed or fender; FenderError where a fender is pressed beyond its table
+    """
+    if not 0 < speed < np.inf:
+        raise BerthingError(f"the speed of the berthing is {speed:g} m/s; allowed: above 0, finite")
+    if not fenders:
+        raise BerthingError("a berthing has no fender; allowed: one or more")
+    made = tuple(fender for fender, _, _ in fenders)
+    lever = np.array([[1.0] * len(fenders), [x for _, x, _ in fenders]])
+    gap = np.array([far for _, _, far in fenders], float)
+    if duration is None:
+        stiffness = min(2 * f.rated_energy / (f.rated * f.height) ** 2 for f in made)
+        mass = (ship.inertia + ship.added_mass_zero)[0, 0]
+        duration = 1.5 * np.pi * np.sqrt(mass / stiffness)
+    run = _Run(ship, made, lever, gap - gap.min(), duration / steps)
+    return _judged(run, run.integrated(np.array([speed, yaw_rate]), steps))
+
+
+class _Course(NamedTuple):
+    """Rows of a run: z (n, …) of `_Run`, deflection and states of `hysteresis` (n, k), lost (n,) J"""
+
+    z: np.ndarray
+    deflection: np.ndarray
+    state: np.ndarray
+    lost: np.ndarray
+
+
+class _Run:
+    """ż = A z + B R(δ(z)) of z = (η, ν, x) by Gauss's method with two stages: fourth order, any decay of the memory,
+    quadratic energies kept to rounding.  Stages z_i = P z + G R with the reactions of both, found by iteration."""
+
+    def __init__(self, ship, fenders, lever, gap, h):
+        self.ship, self.lever, self.gap, self.h = ship, lever, gap, h
+        self.fenders, self.table = fenders, contact_table(fenders)
+        self.k, n = len(fenders), len(ship.a)
+        self.whole = ship.inertia + ship.added_mass_infinity
+        A, B = np.zeros((4 + n, 4 + n)), np.zeros((4 + n, self.k))
+        A[:2, 2:4] = np.eye(2)
+        A[2:4, 4:] = -np.linalg.solve(self.whole, ship.c)
+        A[4:, 2:4], A[4:, 4:] = ship.b, ship.a
+        B[2:4] = -np.linalg.solve(self.whole, lever)
+        self.A, self.B = A, B
+        resolvent = np.linalg.inv(np.eye(2 * len(A)) - h * np.kron(GAUSS, A))
+        self.from_z = resolvent @ np.tile(np.eye(len(A)), (2, 1))
+        self.from_force = h * resolvent @ np.kron(GAUSS, B)
+        place = np.zeros((self.k, len(A)))
+        place[:, :2] = lever.T
+        self.place = np.kron(np.eye(2), place)
+        self.answer = self.place @ self.from_force
+
+    def reactions(self, state, start, deflection):
+        """(2k,) N at deflections (2k,) of both stages, of fenders that had `state` at `start` (k,)"""
+        out = []
+        for i, after in enumerate(deflection):
+            j = i % self.k
+            s = advanced_one(state[j], start[j], after, self.table.return_length[j])
+            out.append(reaction_of(self.table, j, after, s)[0])
+        return np.array(out)
+
+    def step(self, z, state, start):
+        """z and loss of a step"""
+        free = self.place @ (self.from_z @ z) - np.tile(self.gap, 2)
+        force = self.reactions(state, start, free)
+        for _ in range(ITERATIONS):
+            before, force = force, self.reactions(state, start, free + self.answer @ force)
+            if np.abs(force - before).max() <= 1e-13 * np.abs(force).max():
+                break
+        else:
+            raise BerthingError(
+                f"a step of {self.h:.3g} s is too long for the stiffness of the fender; give more steps"
+            )
+        stages = (self.from_z @ z + self.from_force @ force).reshape(2, -1)
+        both = force.reshape(2, -1)
+        lost = 0.25 * self.h * float(np.sum((stages[:, 4:] @ self.ship.loss) ** 2))
+        return z + 0.5 * self.h * (self.A @ stages.sum(axis=0) + self.B @ both.sum(axis=0)), lost
+
+    def integrated(self, velocity, steps):
+        ship = self.ship
+        steady = -np.linalg.solve(ship.a, ship.b @ velocity) if len(ship.a) else np.zeros(0)
+        z, state = np.concatenate([np.zeros(2), velocity, steady]), [1.0] * self.k
+        start, lengths, lost, rows = self.lever.T @ z[:2] - self.gap, self.table.return_length, 0.0, []
+        for _ in range(steps + 1):
+            rows.append((z, start, state, lost))
+            z, gone = self.step(z, state, start)
+            lost, after = lost + gone, self.lever.T @ z[:2] - self.gap
+            state = [advanced_one(state[j], start[j], after[j], lengths[j]) for j in range(self.k)]
+            start = after
+        return _Course(*(np.array(column, float) for column in zip(*rows, strict=True)))
+
+
+def _taken(fender, deflection, state):
+    """(n,) J, ∫R dδ along deflections (n,) m from one row to the next, with the states (n,) of the rows"""
+    x, w = np.polynomial.legendre.leggauss(4)
+    before, after = deflection[:-1], deflection[1:]
+    half = 0.5 * (after - before)
+    at = 0.5 * (after + before) + half * x[:, None]
+    force = reaction_at(fender, np.maximum(at, 0.0), advanced(state[:-1], before, at, fender.return_length))
+    return np.concatenate([[0.0], np.cumsum(half * (w @ np.where(at > 0, force, 0.0)))])
+
+
+def _judged(run, course):
+    """`Berthing` of a course, held to the tables of its fenders and to its energy"""
+    ship, z = run.ship, course.z
+    for k, fender in enumerate(run.fenders):
+        fender.energy(max(course.deflection[:, k].max(), 0.0))  # raises beyond its table
+    v, x = z[:, 2:4], z[:, 4:]
+    held = 0.5 * np.einsum("ti,ij,tj->t", v, run.whole, v) + 0.5 * np.einsum("ti,ij,tj->t", x, ship.storage, x)
+    columns = range(len(run.fenders))
+    taken = sum(_taken(f, course.deflection[:, k], course.state[:, k]) for k, f in enumerate(run.fenders))
+    reaction = [
+        reaction_at(run.fenders[k], np.maximum(course.deflection[:, k], 0), course.state[:, k]) for k in columns
+    ]
+    total = held + taken + course.lost
+    first = int(np.argmin(run.gap))
+    mass = ship.inertia[0, 0]
+    gyration = np.sqrt(ship.inertia[1, 1] / mass - ship.center**2)
+    share = eccentricity(run.lever[1, first] - ship.center, gyration)
+    speed = run.lever[:, first] @ v[0]
+    return Berthing(
+        run.h * np.arange(len(z)),
+        z[:, :2],
+        v,
+        np.maximum(course.deflection, 0.0),
+        np.stack(reaction, axis=1),
+        taken,
+        course.lost,
+        float(np.abs(total - total[0]).max() / total[0]),
+        float(2 * taken.max() / (share * mass * speed**2)),
+    )

@@ -1,0 +1,86 @@
+"""`hakobune berth`: energies by the kinetic-energy method, the fender that is met first, the course in time."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from mooring.berthing.memory import berth as in_time
+from mooring.berthing.memory import ship_of_database, without_memory
+from mooring.fenders.fender import FenderError
+
+from ..common.fender_tables import softest_and_stiffest
+from ..common.outputs import check_output, opening
+from ..common.picture import PLOTS, check_picture
+from .report import MARK, draw, measured_lines, show, show_course, write_course
+from .study import approach_of, read_berth
+
+MASS_DIFFERS = 0.02  # share, of the ship's mass from that of the water its database displaces
+
+
+def berth(study_path, database, output, plot):
+    """Print a study; output : CSV of the course in time; plot : picture of it.  Returns the exit status.
+
+    raises : ValueError, one line
+    """
+    study = read_berth(study_path)
+    if output is not None:
+        check_output(output, "the course of a berthing", lambda path: opening(path)[0] == MARK, (".csv",), [study_path])
+    if plot is not None:
+        check_picture(plot, PLOTS)
+    approach = approach_of(study)
+    ship, told = _ship(study, approach, database)
+    first = approach.meetings[approach.first][0]
+    table = study.fender[approach.first]
+    bands, _ = softest_and_stiffest(table, _alone(table))
+    show(study, approach, first, bands)
+    for line in told:
+        print(f"warning: {line}")
+    try:
+        course = in_time(ship, approach.meetings, approach.speed)
+    except FenderError as error:
+        print(f"in time: {error}")
+        return 1
+    show_course(approach, course, database)
+    if output is not None:
+        write_course(output, course)
+        print(output)
+    if plot is not None:
+        draw(approach, course, plot)
+        print(plot)
+    return 0
+
+
+def show_measured():
+    """Print the fifty berthings of Ueda (1981) beside the method; returns 0"""
+    print("\n".join(measured_lines()))
+    return 0
+
+
+def _alone(table):
+    from ..common.fender_tables import fender_of
+
+    return fender_of(table)
+
+
+def _ship(study, approach, database):
+    """`BerthingShip` with the memory of a database, or with the virtual mass of the study, and warnings"""
+    ship = approach.ship
+    if database is None:
+        added = (approach.virtual_mass - 1) * ship.mass
+        return without_memory(ship.mass, ship.gyration, added * np.diag([1.0, ship.gyration**2])), ()
+    from bem.database import open_database
+
+    db = open_database(database)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        made = ship_of_database(db, ship.mass, ship.gyration, center=study.ship.center)
+    told = [str(one.message) for one in caught]
+    displaced = db.density * float(db["displaced_volume"])
+    if abs(displaced / ship.mass - 1) > MASS_DIFFERS:
+        told.append(
+            f"the body of {database} displaces {displaced / 1e3:.0f} t, the ship has {ship.mass / 1e3:.0f} t, which is "
+            "what moves"
+        )
+    return made, told

@@ -1,0 +1,33 @@
+"""The flags of `hakobune berth`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def berth(
+    study: Annotated[Path | None, Parameter(help="ship, approach and fenders (TOML)")] = None,
+    /,
+    *,
+    database: Annotated[Path | None, Parameter(help="of the ship, for the memory of the water")] = None,
+    output: Annotated[Path | None, Parameter(help="course in time, .csv")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+    measured: Annotated[bool, Parameter(negative=(), help="fifty berthings of Ueda (1981) instead of a study")] = False,
+):
+    """Energy of a ship that berths by the methods of the literature, what its fenders do, and its course in time.
+
+    hakobune berth berth_tanker.toml --plot berth.png
+    """
+    from .command import berth, show_measured
+
+    if measured == (study is not None):
+        raise ValueError(f"{'both are' if measured else 'neither is'} given; allowed: a study, or --measured")
+    if measured:
+        given = [name for name, value in (("database", database), ("output", output), ("plot", plot)) if value]
+        if given:
+            raise ValueError(f"--{given[0]} is given with --measured; allowed: with a study")
+        return show_measured()
+    return berth(study, database, output, plot)

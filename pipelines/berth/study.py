@@ -1,0 +1,207 @@
+"""A berthing as typed TOML: a ship, how it comes, and the fenders that it meets.
+
+[ship]                    [approach]                 [[fender]]            # keys of `hakobune fender` and
+length = 337.5  # over    speed = 0.15               family = "v"
+beam = 53.6     # all     offset = 53.0              height = 1.0
+draft = 19.7              virtual_mass = "ueda"      length = 10.0
+block = 0.795             abnormal = 1.5             dolphin = 34000.0     # kN/m
+                                                     x = 53.0              # m ahead of the centre of gravity
+                                                     gap = 0.0             # m behind the foremost
+"""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+
+from mooring.berthing import energy
+from mooring.berthing.speeds import speeds_of_moments
+
+from ..common.fender_tables import FenderTable, fender_of, pair_of
+from ..common.quantities import StudyError, Table, below, positive, water_depth
+from ..common.typed import read_toml, typed
+
+METHODS = {
+    "ueda": "Ueda 1981",
+    "vasco_costa": "Vasco Costa",
+    "older": "older, (π/4) ρ d² L",
+    "pianc": "PIANC 2002",
+}
+FASTEST, FARTHEST = 5.0, 45.0  # m/s; degrees between ship and berth
+MOST_FENDERS = 200
+
+
+class ShipTable(Table):
+    """length (over all), beam, draft : m; one of displacement (t) and block; gyration : m in yaw [length/4]
+
+    center : m, of the centre of gravity ahead of midship, for a database
+    """
+
+    length: float
+    beam: float
+    draft: float
+    displacement: float | None = None
+    block: float | None = None
+    gyration: float | None = None
+    center: float = 0.0
+    density: float = 1025.0
+
+
+class SpeedsTable(Table):
+    """mean, deviation : m/s, of a Weibull distribution; contacts : how many the speed is reached once in"""
+
+    mean: float
+    deviation: float
+    contacts: float
+
+
+class ApproachTable(Table):
+    """speed : m/s across the berth, or speeds; angle_deg : bow nearer, above 0
+
+    offset (m) or eccentricity : instead of the x of the first fender; virtual_mass : a method, or a number
+    softness, configuration : C_s, C_c; abnormal : factor on the energy
+    """
+
+    speed: float | None = None
+    speeds: SpeedsTable | None = None
+    angle_deg: float = 0.0
+    offset: float | None = None
+    eccentricity: float | None = None
+    virtual_mass: str | float = "ueda"
+    softness: float = 1.0
+    configuration: float = 1.0
+    abnormal: float = 1.0
+
+
+class BerthFender(FenderTable, kw_only=True):
+    """A fender of the berth; x : m ahead of midship where the ship meets it; gap : m behind the foremost"""
+
+    x: float | None = None
+    gap: float = 0.0
+
+
+class BerthStudy(Table):
+    """depth : m of the water at the berth"""
+
+    ship: ShipTable
+    approach: ApproachTable
+    fender: list[BerthFender] = msgspec.field(default_factory=list)
+    depth: float | None = None
+
+
+class Approach(msgspec.Struct, frozen=True):
+    """What a study says in SI: ship : `energy.Ship`; speed : m/s; offset : m of the first contact from the centre of
+    gravity; eccentricity, virtual_mass, energy (J, with all factors) of the method chosen
+    energies : {method: (C_M, J)}; meetings : (fender with its dolphin, x m, gap m) of each; first : which is met first
+    """
+
+    ship: energy.Ship
+    speed: float
+    offset: float
+    eccentricity: float
+    virtual_mass: float
+    energy: float
+    energies: dict
+    meetings: tuple
+    first: int
+
+
+def read_berth(path):
+    """The BerthStudy of a TOML file.  Raises StudyError."""
+    return typed(read_toml(path, "a study", StudyError)[0], BerthStudy, StudyError)
+
+
+def approach_of(study):
+    """The `Approach` of a study.  Raises ValueError, one line."""
+    given, approach = study.ship, study.approach
+    mass = None if given.displacement is None else 1e3 * given.displacement
+    sizes = {"mass": mass, "block": given.block, "gyration": given.gyration, "density": given.density}
+    ship = energy.ship(given.length, given.beam, given.draft, **sizes)
+    if not abs(given.center) < 0.5 * ship.length:
+        raise StudyError(f"ship.center is {given.center:g}; allowed: within half the length, {0.5 * ship.length:g} m")
+    if study.depth is not None:
+        water_depth("depth", study.depth)
+    speed = _speed(approach)
+    meetings = _meetings(study, ship)
+    first = int(np.argmin([gap for _, _, gap in meetings]))
+    offset = _offset(approach, ship, meetings[first][1] - given.center)
+    share = energy.eccentricity(offset, ship.gyration)
+    factors = (share, approach.softness, approach.configuration)
+    if not 1 <= approach.abnormal <= 10:
+        raise StudyError(f"approach.abnormal is {approach.abnormal:g}; allowed: 1 to 10")
+    masses = energy.virtual_masses(ship, study.depth)
+    chosen = _virtual_mass(approach.virtual_mass, masses)
+    if isinstance(approach.virtual_mass, float | int):
+        masses = {"given": chosen} | masses
+    energies = {
+        key: (value, approach.abnormal * energy.berthing_energy(ship, speed, value, *factors))
+        for key, value in masses.items()
+    }
+    design = approach.abnormal * energy.berthing_energy(ship, speed, chosen, *factors)
+    return Approach(ship, speed, offset, share, chosen, design, energies, meetings, first)
+
+
+def _speed(approach):
+    if (approach.speed is None) == (approach.speeds is None):
+        state = "neither is given" if approach.speed is None else "both are given"
+        raise StudyError(f"approach: speed and speeds: {state}; allowed: one of them")
+    if approach.speed is not None:
+        return below("approach.speed", approach.speed, FASTEST)
+    table = approach.speeds
+    return speeds_of_moments(table.mean, table.deviation).speed_of(table.contacts)
+
+
+def _meetings(study, ship):
+    if not 1 <= len(study.fender) <= MOST_FENDERS:
+        raise StudyError(f"the study has {len(study.fender)} [[fender]]; allowed: 1 to {MOST_FENDERS}")
+    angle = study.approach.angle_deg
+    if not abs(angle) <= FARTHEST:
+        raise StudyError(f"approach.angle_deg is {angle:g}; allowed: −{FARTHEST:g} to {FARTHEST:g}")
+    made = []
+    for i, table in enumerate(study.fender):
+        where = f"fender[{i}]"
+        x = _place(table, where, study, ship)
+        if not 0 <= table.gap < math.inf:
+            raise StudyError(f"{where}.gap is {table.gap:g}; allowed: 0 or more, finite")
+        pair = pair_of(table, fender_of(table, where), where)
+        made.append((pair, x, table.gap - x * math.tan(math.radians(angle))))
+    return tuple(made)
+
+
+def _place(table, where, study, ship):
+    x, approach = table.x, study.approach
+    if x is None:
+        if len(study.fender) > 1 or (approach.offset is None and approach.eccentricity is None):
+            raise StudyError(f"{where}.x is missing; allowed: m ahead of midship where the ship meets it")
+        x = study.ship.center + _offset(approach, ship, None)
+    if not abs(x) <= 0.5 * ship.length:
+        raise StudyError(
+            f"{where}: no ship reaches it, x is {x:g} m; allowed: within half the length of the ship, "
+            f"{0.5 * ship.length:g} m"
+        )
+    return x
+
+
+def _offset(approach, ship, of_fender):
+    if approach.offset is not None and approach.eccentricity is not None:
+        raise StudyError("approach: offset and eccentricity are given; allowed: one of them, or neither")
+    if approach.eccentricity is not None:
+        return energy.offset_of(approach.eccentricity, ship.gyration)
+    if approach.offset is not None:
+        if not abs(approach.offset) <= ship.length:
+            raise StudyError(f"approach.offset is {approach.offset:g}; allowed: at most the length of the ship")
+        return approach.offset
+    return of_fender
+
+
+def _virtual_mass(given, masses):
+    if not isinstance(given, str):
+        return positive("approach.virtual_mass", given)
+    name = METHODS.get(given)
+    if name in masses:
+        return masses[name]
+    if given == "pianc":
+        raise StudyError("approach.virtual_mass is 'pianc', which needs the depth at the berth; give depth, m")
+    raise StudyError(f"approach.virtual_mass is {given!r}; allowed: {', '.join(METHODS)}, or a number")

@@ -1,0 +1,55 @@
+"""`hakobune berth` as a user calls it."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pipelines
+from pipelines import cli
+
+SCENE = Path(pipelines.__file__).parent / "scenes" / "berth_tanker.toml"
+
+
+def test_example_of_ueda_is_told_drawn_and_written(tmp_path, capsys):
+    course, picture = tmp_path / "course.csv", tmp_path / "berth.png"
+    for _ in range(2):  # the second time over the first
+        assert cli.main(["berth", str(SCENE), "--output", str(course), "--plot", str(picture)]) == 0
+    told = capsys.readouterr().out
+    assert "C_e 0.700" in told and "403.5" in told and "Ueda's two springs: 3957.5 kJ" in told
+    rows = np.loadtxt(course, delimiter=",", skiprows=3)
+    assert rows[:, -2].max() == pytest.approx(3957.5e3, rel=1e-4) and picture.stat().st_size > 10_000
+
+
+def test_fifty_berthings_are_compared(capsys):
+    assert cli.main(["berth", "--measured"]) == 0
+    assert "50 ships, 100 contacts" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "change, says",
+    [
+        (("speed = 0.15", ""), "approach: speed and speeds: neither is given; allowed: one of them"),
+        (("speed = 0.15", "speed = -1"), "approach.speed is -1; allowed: above 0, at most 5"),
+        (("speed =", "sped ="), "approach.sped is unknown; allowed: speed, speeds, angle_deg"),
+        (("[[fender]]", "[[fender]]\nx = 200.0"), "fender[0]: no ship reaches it, x is 200 m"),
+        (("eccentricity = 0.7", ""), "fender[0].x is missing"),
+        (("depth = 25.0", "depth = 12.0"), "the depth is 12 m with a draft of 19.7 m"),
+        (("eccentricity = 0.7", 'eccentricity = 0.7\nvirtual_mass = "grim"'), "allowed: ueda, vasco_costa, older"),
+        (("displacement = 291649.0", ""), "displacement and block coefficient of the ship: neither is given"),
+    ],
+)
+def test_a_wrong_question_is_one_line_and_status_2(change, says, tmp_path, capsys):
+    study = tmp_path / "study.toml"
+    study.write_text(SCENE.read_text().replace(*change))
+    assert cli.main(["berth", str(study)]) == 2
+    told = capsys.readouterr()
+    assert says in told.err and told.err.count("\n") == 1 and not told.out
+
+
+def test_a_fender_that_is_too_small_is_told_with_status_1(tmp_path, capsys):
+    study = tmp_path / "study.toml"
+    study.write_text(SCENE.read_text().replace("length = 20.0", "length = 5.0").replace("dolphin = 34000.0", ""))
+    assert cli.main(["berth", str(study)]) == 1
+    told = capsys.readouterr().out
+    assert "NOT enough" in told and "in time: v 1 m × 5 m" in told and "give an overload stiffness" in told
