@@ -1,0 +1,209 @@
+"""A body on a buoy: hawsers between its bow and the buoy, or none, and the lines of a `System` that hold the buoy.
+
+Hawsers are weightless and inextensible here, the buoy has no inertia, lines are in their static form, as in the SR179
+report (1982), section 3.6.1; but the buoy lies where the forces on it balance in the plane, not on the line from its
+place at rest to the bow (eq. 3.6.5).  The energy of the lines is convex in the place of the buoy, so that there is
+one such place.  Axes of the body: x forward, y to port, from its centre of mass.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from ..lines.system.equilibrium import rest
+from ..lines.system.findings import culprit
+from ..lines.system.graph import Pose, System
+from ..lines.system.parts import EquilibriumError
+from .loads import Loads
+
+SETTLED = 1e-13  # of the forces on a buoy
+STEPS = 60
+
+
+class SinglePointError(ValueError):
+    """An impossible single-point mooring, or one that cannot be followed: the message names the number and the limit"""
+
+
+class Pull(NamedTuple):
+    """Force of its lines on a buoy.
+
+    force : (2,) N; stiffness : (2, 2) N/m, the buoy free to rise and sink; height : m of the attachment
+    """
+
+    force: np.ndarray
+    stiffness: np.ndarray
+    height: float
+
+
+class Hold(NamedTuple):
+    """What the mooring does to the body.
+
+    force : (3,) N, N, N m in axes of the body; tension : (k,) N of the hawsers, of a contact buoy the force on it
+    buoy : (2,) m
+    """
+
+    force: np.ndarray
+    tension: np.ndarray
+    buoy: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class SinglePoint:
+    """loads : Loads; mass : (3, 3) kg, kg m, kg m² of slow surge, sway and yaw, with added mass
+
+    ends : (k, 2) m, where the hawsers are made fast to the body; lengths : (k,) m, of one end 0 for a contact buoy
+    system : System whose one body is the buoy, with the steady loads that it has of itself
+    """
+
+    loads: Loads
+    mass: np.ndarray
+    ends: np.ndarray
+    lengths: np.ndarray
+    system: System
+
+    def __post_init__(self):
+        ends, lengths = np.asarray(self.ends, float).reshape(-1, 2), np.asarray(self.lengths, float).ravel()
+        object.__setattr__(self, "ends", ends)
+        object.__setattr__(self, "lengths", lengths)
+        if not (1 <= len(ends) == len(lengths) <= 2):
+            raise SinglePointError(f"there are {len(ends)} hawser ends and {len(lengths)} lengths; allowed: one or two")
+        if len(ends) == 2 and not abs(np.diff(lengths)[0]) < np.hypot(*(ends[1] - ends[0])) < lengths.sum():
+            raise SinglePointError(
+                f"two hawsers of {lengths[0]:g} and {lengths[1]:g} m do not meet ahead of their ends, "
+                f"{np.hypot(*(ends[1] - ends[0])):g} m apart; lengthen them"
+            )
+        if len(self.system.bodies) != 1:
+            raise SinglePointError(f"the system has {len(self.system.bodies)} bodies; allowed: one, the buoy")
+
+    @cached_property
+    def inverse(self):
+        """(3, 3) of the mass"""
+        return np.linalg.inv(self.mass)
+
+    @cached_property
+    def at_rest(self):
+        """SystemEquilibrium of the buoy on its lines without the body"""
+        return rest(self.system)
+
+    @cached_property
+    def origin(self):
+        """(2,) m, the buoy without the body"""
+        return self.at_rest.position[0, :2]
+
+    @cached_property
+    def apex(self):
+        """(2,) m in the body's axes, ahead, where two taut hawsers meet; the one end where there is one of no length"""
+        if len(self.ends) == 1:
+            return self.ends[0]
+        (p, q), (a, b) = self.ends, self.lengths
+        apart = np.hypot(*(q - p))
+        along = (q - p) / apart
+        x = (apart**2 + a**2 - b**2) / (2 * apart)
+        across = np.array([along[1], -along[0]])
+        across = across if across[0] > 0 else -across
+        return p + x * along + np.sqrt(a * a - x * x) * across
+
+    def pull(self, place, height=None) -> Pull:
+        """Pull of the lines with the buoy at (2,) m.  Raises SinglePointError where a line cannot reach."""
+        body = self.system.bodies[0]
+        z = self.at_rest.position[0, 2] if height is None else height
+        free = "Heave" in body.freedom
+        for _ in range(STEPS):
+            pose = Pose(np.array([[place[0], place[1], z]]), self.at_rest.pose.turn, np.zeros((0, 3)))
+            load = self.system.total_load(pose)
+            F, K = load.force, load.stiffness
+            if not np.isfinite(F[0]):
+                a, b = load.points[self.system.arrays.ends].swapaxes(0, 1)
+                raise SinglePointError(f"{culprit(self.system, load.rows, a, b)} with the buoy at {place}")
+            if not free or abs(F[2]) <= SETTLED * (abs(load.rows[:, 3:5]).sum() + 1.0):
+                break
+            z += F[2] / K[2, 2]
+        stiffness = K[:2, :2]
+        if free:
+            stiffness = stiffness - np.outer(K[:2, 2], K[2, :2]) / K[2, 2]
+        return Pull(F[:2].copy(), stiffness, float(z))
+
+    def buoy_under(self, force):
+        """SystemEquilibrium of the buoy that a body pulls with (2,) N.  Raises SinglePointError."""
+        name = self.system.bodies[0].name
+        load = np.array(self.system.bodies[0].load)
+        load[:2] += force
+        try:
+            return rest(self.system.with_loads({name: load}), self.at_rest.pose)
+        except EquilibriumError as error:
+            raise SinglePointError(f"the lines do not hold {np.hypot(*force) / 1e3:.4g} kN: {error}") from None
+
+    def hold(self, place, heading, near=None) -> Hold:
+        """Hold on the body with its centre of mass at (2,) m; near : (2,) m, a guess of where the buoy is"""
+        cos, sin = np.cos(heading), np.sin(heading)
+        R = np.array([[cos, -sin], [sin, cos]])
+        if self.lengths[0] == 0.0:
+            buoy = place + R @ self.ends[0]
+            force = R.T @ self.pull(buoy).force
+            return Hold(_with_moment(force, self.ends[0]), np.array([np.hypot(*force)]), buoy)
+        if len(self.ends) == 1:
+            return self._one(place, R, 0, near)[1]
+        found, refused = [], None
+        for attempt in (self._both, lambda *at: self._one(*at, 0, near), lambda *at: self._one(*at, 1, near)):
+            try:
+                found.append(attempt(place, R))
+            except SinglePointError as error:  # beyond reach: the buoy lies elsewhere
+                refused = error
+        if not found:
+            raise refused
+        return min(found, key=lambda one: one[0])[1]
+
+    def _both(self, place, R):
+        """Hold of two taut hawsers, after 0, or where one would have to push, its share of the force in lengths, m"""
+        buoy = place + R @ self.apex
+        force = R.T @ self.pull(buoy).force
+        tension = np.linalg.solve(((self.apex - self.ends) / self.lengths[:, None]).T, force)
+        share = max(0.0, -tension.min()) / max(np.hypot(*force), 1e-300)
+        return share * self.lengths.max(), Hold(_with_moment(force, self.apex), tension, buoy)
+
+    def _one(self, place, R, which, near):
+        """How far the buoy is beyond the reach of the other hawser, m, and the Hold of this one"""
+        end, length = self.ends[which], self.lengths[which]
+        bow = place + R @ end
+        tension, force = np.zeros(len(self.ends)), np.zeros(3)
+        buoy = self.origin
+        if np.hypot(*(buoy - bow)) > length:
+            buoy, pull = self._on_circle(bow, length, near)
+            tension[which] = np.hypot(*pull)
+            force = _with_moment(R.T @ pull, end)
+        if len(self.ends) == 1:
+            return 0.0, Hold(force, tension, buoy)
+        other = place + R @ self.ends[1 - which]
+        return max(0.0, np.hypot(*(buoy - other)) - self.lengths[1 - which]), Hold(force, tension, buoy)
+
+    def _on_circle(self, bow, length, near):
+        """Place of the buoy at the end of a taut hawser where its lines pull along it, and their pull, (2,) N
+
+        Newton's method on the angle, by halves where it leaves the half circle towards the buoy's place at rest.
+        """
+        first = (self.origin if near is None else near) - bow
+        angle = np.arctan2(first[1], first[0])
+        middle = np.arctan2(*(self.origin - bow)[::-1])
+        angle = middle + np.clip(np.mod(angle - middle + np.pi, 2 * np.pi) - np.pi, -1.0, 1.0)
+        low, high = middle - 0.5 * np.pi, middle + 0.5 * np.pi
+        for _ in range(STEPS):
+            n = np.array([np.cos(angle), np.sin(angle)])
+            t = np.array([-n[1], n[0]])
+            F, K, _ = self.pull(bow + length * n)
+            across, along = F @ t, F @ n
+            if abs(across) <= SETTLED * (abs(along) + abs(across)) or high - low < 1e-15:
+                break
+            low, high = (angle, high) if across > 0 else (low, angle)
+            slope = -length * (t @ K @ t) - along
+            following = angle - across / slope if slope < 0 else np.inf
+            angle = following if low < following < high else 0.5 * (low + high)
+        return bow + length * n, F
+
+
+def _with_moment(force, arm):
+    """(3,) of a force (2,) in axes of the body that acts at (2,) m"""
+    return np.array([force[0], force[1], arm[0] * force[1] - arm[1] * force[0]])

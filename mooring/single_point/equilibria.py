@@ -1,0 +1,168 @@
+"""Where a body at a single point lies: all headings and places in which it is at rest, and whether it stays there.
+
+Hawsers transmit no moment to the point p of the body at which their pull meets, so that headings of rest are the zeros
+of one function of the heading alone (SR179 report 1982, eq. 3.6.3),
+
+    g(ψ) = M(ψ) − (p_x F_y − p_y F_x)
+
+with the external force and moment about the centre of mass; all of them are found (`rings.zeros`).  The lines then
+hold a given force in one place of the buoy (`System`, Newton's method), and the body lies downstream of it.  Of two
+hawsers either both are taut, and their pull meets at the apex ahead, or one is, and the other has to be slack.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..lines.system.equilibrium import SystemEquilibrium
+from .body import SinglePoint, SinglePointError
+from .criterion import Lateral, Slewing, falling, moored_quartic, slewing
+from .rings import zeros
+from .slewing import at_rest_state, linearised
+
+SYMMETRIC = 1e-6  # of force and mass, below which an equilibrium is taken as symmetric about the plane of the body
+STEP = 1e-4  # of the velocity, of derivatives by it
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """A body at rest.
+
+    heading : rad; place : (2,) m of its centre of mass; buoy : (2,) m
+    hawser : (k,) N, of a contact buoy the force on it
+    force : (3,) N, N, N m of wind, water and drift in axes of the body; lines : SystemEquilibrium of the buoy
+    """
+
+    point: SinglePoint
+    heading: float
+    place: np.ndarray
+    buoy: np.ndarray
+    hawser: np.ndarray
+    force: np.ndarray
+    lines: SystemEquilibrium
+
+    def __repr__(self):
+        return f"<Equilibrium heading {np.degrees(self.heading):.2f}°, pull {self.pull:.4g} N>"
+
+    @property
+    def pull(self):
+        """N, of the steady force"""
+        return float(np.hypot(*self.force[:2]))
+
+    @property
+    def state(self):
+        """(6,) of `slewing.rates`"""
+        return at_rest_state(self.point, self.place, self.heading)
+
+    @cached_property
+    def roots(self):
+        """(6,) λ of small motions, 1/s, the fastest growing first"""
+        return falling(np.linalg.eigvals(linearised(self.point, self.state)))
+
+    @cached_property
+    def slewing(self) -> Slewing:
+        """Growth and period of the motion that grows most"""
+        return slewing(self.roots)
+
+    @cached_property
+    def lateral(self) -> Lateral | None:
+        """Lateral of the quartic; None where the line does not lie straight ahead, or sway and yaw share added mass"""
+        point, (x, y, turn) = self.point, self.force
+        T, p = point.mass, point.apex
+        crooked = max(abs(y), abs(turn) / abs(p[0]), abs(p[1] * x / p[0])) > SYMMETRIC * self.pull
+        if crooked or x > 0 or p[0] <= 0 or abs(T[1, 2]) > SYMMETRIC * np.sqrt(T[1, 1] * T[2, 2]):
+            return None
+        n = np.array([-np.sin(self.heading), np.cos(self.heading)])
+        soft = n @ np.linalg.solve(point.pull(self.buoy).stiffness, n)
+        hawser = 0.0 if len(point.ends) == 2 else point.lengths[0]
+        pull = self.pull
+        derivatives = _derivatives(point, self.heading)
+        return Lateral(T[1, 1], T[2, 2], pull, p[0], hawser + pull * soft, *derivatives)
+
+    @cached_property
+    def quartic(self):
+        """(5,) coefficients of the criterion, None where `lateral` is"""
+        return None if self.lateral is None else moored_quartic(self.lateral)
+
+
+def equilibria(point: SinglePoint):
+    """All Equilibrium of a body, by heading; raises SinglePointError where nothing pulls or lines do not hold."""
+    found = []
+    for end, length, which in _supports(point):
+        for heading in zeros(lambda psi, end=end: _moment(point, psi, end)):
+            force = point.loads.at_rest(np.array([heading]))[0]
+            tension = _tensions(point, force, end, length, which)
+            if tension is not None:
+                found.append(_at(point, heading, force, end, length, tension))
+    if not found:
+        raise SinglePointError("no heading is at rest: wind, current and waves exert no force; give one of them")
+    return sorted(found, key=lambda one: one.heading)
+
+
+def headings_of_rest(loads, end):
+    """(k,) rad, all headings at which loads have no moment about the point (2,) m of the body"""
+    return zeros(lambda psi: _about(loads.at_rest(psi), end))
+
+
+def _moment(point, psi, end):
+    return _about(point.loads.at_rest(psi), end)
+
+
+def _about(force, end):
+    return force[:, 2] - end[0] * force[:, 1] + end[1] * force[:, 0]
+
+
+def _supports(point):
+    """(point of the body, length of the hawser from it, its number) of what may carry the pull; number −1 of both"""
+    if len(point.ends) == 2:
+        yield point.apex, 0.0, -1
+    for i, (end, length) in enumerate(zip(point.ends, point.lengths, strict=True)):
+        yield end, length, i
+
+
+def _tensions(point, force, end, length, which):
+    """(k,) N of the hawsers under a force (3,) of the loads; None where one would have to push or the other is taut"""
+    F = np.hypot(*force[:2])
+    if not F > 0:
+        return None
+    if which < 0:
+        tension = np.linalg.solve(((point.apex - point.ends) / point.lengths[:, None]).T, -force[:2])
+        return tension if np.all(tension >= 0) else None
+    tension = np.zeros(len(point.ends))
+    tension[which] = F
+    if len(point.ends) == 2:
+        buoy = end - length * force[:2] / F
+        if np.hypot(*(buoy - point.ends[1 - which])) > point.lengths[1 - which]:
+            return None
+    return tension
+
+
+def _at(point, heading, force, end, length, tension):
+    cos, sin = np.cos(heading), np.sin(heading)
+    R = np.array([[cos, -sin], [sin, cos]])
+    pull = R @ force[:2]
+    lines = point.buoy_under(pull)
+    buoy = lines.position[0, :2]
+    bow = buoy + length * pull / np.hypot(*pull)
+    return Equilibrium(point, float(heading), bow - R @ end, buoy, tension, force, lines)
+
+
+def _derivatives(point, heading):
+    """Y_v, Y_r, Y_ψ, N_v, N_r, N_ψ of the loads by motion over the ground, SI"""
+    loads, (u, v) = point.loads, at_rest_state(point, (0.0, 0.0), heading)[3:5]
+    turn = STEP
+    side = 8 * (loads.at_rest(heading + turn * np.array([1.0]))[0] - loads.at_rest(heading - turn * np.array([1.0]))[0])
+    side -= loads.at_rest(np.array([heading + 2 * turn]))[0] - loads.at_rest(np.array([heading - 2 * turn]))[0]
+    by_psi = side[1:] / (12 * turn)
+
+    def by(step):
+        near, far = (loads.moving(heading, (u, v + k * step[0], k * step[1]))
+                     - loads.moving(heading, (u, v - k * step[0], -k * step[1])) for k in (1, 2))  # fmt: skip
+        return (8 * near - far)[1:] / (12 * step.sum())
+
+    by_v, by_r = by(np.array([1e-4, 0.0])), by(np.array([0.0, 2e-6]))
+    inertia = point.mass[1, 1] * u if loads.water.turning else 0.0
+    return by_v[0], by_r[0] + inertia, by_psi[0], by_v[1], by_r[1], by_psi[1]

@@ -1,0 +1,164 @@
+"""Steady loads on a body that lies or slews at one point, against its heading and its slow motion.
+
+    F = F_wind(α_w) |U_w|² + F_water + F_drift(ψ)
+
+in axes of the body about its centre of mass, α the angle from which a stream meets the body at its own velocity.  The
+water is either that of turning tests, polynomials in the turn r' = rL/V at each drift angle,
+
+    F_water = Σₖ cₖ(β) V^(2−k) (rL)ᵏ,    k = 0 … 4,   |rL| ≤ V/2                 (SR179 report 1982, eq. 2.3.2, 3.6.8)
+
+or that of current coefficients with the cross flow of a body that turns, −N₂ r|r|.  Never both: both hold the force of
+the current.  Velocities u, v are those through the water, r the yaw rate.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..environment.gusts import GustSpectrum
+from ..loads.box_drag import about
+from ..loads.turning import LARGEST_TURN, TurningCoefficients
+from .rings import Ring, angles
+
+POWERS = 5  # of r', 0 to 4
+
+
+@dataclass(frozen=True, eq=False)
+class WindLoad:
+    """table : (count, 3) N s²/m², N m s²/m² of unit speed against the angle that the wind blows to, from the bow
+
+    speed : m/s; direction : rad, blown to, in space; gusts : `GustSpectrum`, None for a steady wind
+    """
+
+    table: np.ndarray
+    speed: float
+    direction: float
+    gusts: GustSpectrum | None = None
+
+    @cached_property
+    def ring(self):
+        """Ring of the table"""
+        return Ring(self.table)
+
+
+@dataclass(frozen=True, eq=False)
+class WaterLoad:
+    """Force of the water, and the current that carries it.
+
+    table : (count, 5, 3) N over V^(2−k) (rL)ᵏ, against the angle that the water flows to, from the bow
+    length : m, of r'; turning : whether the table is of turning tests, whose inertia it then contains
+    speed : m/s; direction : rad the current flows to, in space
+    quadratic : N₂ of yaw, N m s²; linear : (3, 3) damping, N s/m …
+    """
+
+    table: np.ndarray
+    length: float
+    turning: bool
+    speed: float = 0.0
+    direction: float = 0.0
+    quadratic: float = 0.0
+    linear: np.ndarray | None = None
+
+    @cached_property
+    def ring(self):
+        """Ring of the table"""
+        return Ring(self.table)
+
+    @property
+    def velocity(self):
+        """(2,) m/s of the current in space"""
+        return self.speed * np.array([np.cos(self.direction), np.sin(self.direction)])
+
+    def force(self, u, v, r):
+        """(3,) N, N, N m at a velocity through the water along and across the body, m/s, and a yaw rate, rad/s"""
+        V = np.hypot(u, v)
+        out = np.zeros(3)
+        if V > 0:
+            turn = min(max(r * self.length, -LARGEST_TURN * V), LARGEST_TURN * V) / V
+            c = self.ring(np.arctan2(-v, -u))
+            out = V * V * (c[0] + turn * (c[1] + turn * (c[2] + turn * (c[3] + turn * c[4]))))
+        out[2] -= self.quadratic * r * abs(r)
+        return out if self.linear is None else out - self.linear @ np.array([u, v, r])
+
+
+@dataclass(frozen=True, eq=False)
+class DriftLoad:
+    """table : (count, 3) N, N, N m of mean wave drift in axes of the body, against its heading in space"""
+
+    table: np.ndarray
+
+    @cached_property
+    def ring(self):
+        """Ring of the table"""
+        return Ring(self.table)
+
+
+@dataclass(frozen=True, eq=False)
+class Loads:
+    """Everything that acts on the body beside its mooring; None leaves a load out"""
+
+    water: WaterLoad
+    wind: WindLoad | None = None
+    drift: DriftLoad | None = None
+
+    def at_rest(self, heading):
+        """(n, 3) N, N, N m in axes of the body that lies still at headings (n,), rad"""
+        heading, water = np.asarray(heading, float), self.water
+        total = water.speed**2 * water.ring.along(water.direction - heading)[:, 0]
+        if self.wind is not None:
+            total = total + self.wind.speed**2 * self.wind.ring.along(self.wind.direction - heading)
+        return total if self.drift is None else total + self.drift.ring.along(heading)
+
+    def moving(self, heading, velocity, wind_speed=None):
+        """(3,) N, N, N m at one heading, moving through the water with (u, v, r)
+
+        wind_speed : m/s at this instant, the mean one if not given
+        """
+        u, v, r = velocity
+        total = self.water.force(u, v, r)
+        if self.wind is not None:
+            speed = self.wind.speed if wind_speed is None else wind_speed
+            x, y = self._through_air(heading, u, v, speed)
+            total = total + (x * x + y * y) * self.wind.ring(np.arctan2(y, x))
+        return total if self.drift is None else total + self.drift.ring(heading)
+
+    def _through_air(self, heading, u, v, speed):
+        """m/s of the wind that meets the moving body, in its axes"""
+        water = self.water
+        w, c = self.wind.direction - heading, water.direction - heading
+        return (
+            speed * np.cos(w) - u - water.speed * np.cos(c),
+            speed * np.sin(w) - v - water.speed * np.sin(c),
+        )
+
+
+def turning_table(coefficients: TurningCoefficients, length, draft, density, count=720):
+    """(count, 5, 3) of a WaterLoad from turning tests of a box; length, draft : m; density : kg/m³
+
+    Rows are angles that the water flows to: it flows past a body of drift angle β towards π − β, so that v = −V sin β.
+    """
+    beta = np.pi - angles(count)
+    turns = LARGEST_TURN * np.cos(np.pi * (np.arange(POWERS) + 0.5) / POWERS)  # exact for a polynomial of 4th degree
+    scale = 0.5 * density * length * draft * np.array([-1.0, 1.0, length])
+    values = np.stack(
+        [[c(beta, turn) for c in (coefficients.C_x, coefficients.C_y, coefficients.C_m)] for turn in turns]
+    )
+    powers = np.linalg.solve(np.vander(turns, increasing=True), values.reshape(POWERS, -1))
+    return np.moveaxis(powers.reshape(POWERS, 3, count), 2, 0) * scale
+
+
+def still_table(unit):
+    """(count, 5, 3) of a WaterLoad whose force does not know of the turn; unit : (count, 3) at 1 m/s"""
+    table = np.zeros((len(unit), POWERS, 3))
+    table[:, 0] = unit
+    return table
+
+
+def isotropic_drift(force, direction, center=(0.0, 0.0), middle=(0.0, 0.0), count=720):
+    """DriftLoad of the same force, N, along the waves at any heading, at the middle of the body; direction : rad"""
+    along = direction - angles(count)
+    load = force * np.stack([np.cos(along), np.sin(along), np.zeros(count)], axis=-1)
+    return DriftLoad(about(load, middle, center))

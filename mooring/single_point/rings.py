@@ -1,0 +1,105 @@
+"""Functions of an angle all the way round, as periodic cubic splines: what steady loads look like to a body that turns.
+
+Zeros of a ring are those of its cubics, so that a search on it passes none over; then they are polished on the exact
+function, and a crest that just touches 0 is looked at closely.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+COUNT = 720  # half a degree; tables of coefficients have nodes every 5° or more
+TOUCH = 1e-3  # of the largest value: crests as near to 0 as that are searched on the exact function
+
+
+def angles(count=COUNT):
+    """(count,) rad from 0"""
+    return np.arange(count) * (2 * np.pi / count)
+
+
+class Ring:
+    """Spline through values (count, …) at equal angles, the first at 0."""
+
+    def __init__(self, values):
+        from scipy.interpolate import CubicSpline
+
+        values = np.asarray(values, float)
+        at = np.arange(len(values) + 1) * (2 * np.pi / len(values))
+        self.spline = CubicSpline(at, np.concatenate([values, values[:1]]), bc_type="periodic")
+        self._pieces = np.ascontiguousarray(np.moveaxis(self.spline.c, 1, 0))  # (count, 4, …)
+        self._step = 2 * np.pi / len(values)
+
+    def __call__(self, angle):
+        """(…) of one angle, rad"""
+        place = (angle / self._step) % len(self._pieces)
+        whole = int(place)
+        s = (place - whole) * self._step
+        a, b, c, d = self._pieces[whole % len(self._pieces)]
+        return ((a * s + b) * s + c) * s + d
+
+    def along(self, angle):
+        """(n, …) of angles (n,), rad"""
+        return self.spline(np.mod(angle, 2 * np.pi))
+
+
+def zeros(function, count=COUNT):
+    """Rising angles (k,) in 0 … 2π at which a smooth periodic function is 0.
+
+    function : callable of angles (n,) rad → (n,); where it is 0 all the way round there are none
+    """
+    from scipy.optimize import brentq
+
+    at = angles(count)
+    values = np.asarray(function(at), float)
+    size = np.abs(values).max()
+    if not size > 0:
+        return np.zeros(0)
+    ring = Ring(values / size)
+
+    def exact(angle):
+        return float(function(np.array([angle]))[0]) / size
+
+    crests = ring.spline.derivative().roots(discontinuity=False, extrapolate=False)
+    found = []
+    for crest in crests[np.abs(ring.along(crests)) < TOUCH]:
+        found += _beside_crest(exact, crest, ring._step)
+    for zero in ring.spline.roots(discontinuity=False, extrapolate=False):
+        low, high = _bracket(exact, zero, ring._step)
+        if low is not None:
+            found.append(brentq(exact, low, high, xtol=1e-13) if low < high else low)
+    return _distinct(np.mod(found, 2 * np.pi))
+
+
+def _bracket(exact, zero, step):
+    """Two angles about a zero of the spline between which the function changes sign; None where it does not"""
+    if exact(zero) == 0.0:
+        return zero, zero
+    for width in (1e-6, 1e-5, 1e-4, 1e-3, 0.1, 0.5):
+        low, high = zero - width * step, zero + width * step
+        if exact(low) * exact(high) <= 0.0:
+            return low, high
+    return None, None
+
+
+def _beside_crest(exact, crest, step):
+    """Zeros on both sides of a crest of the function, where it reaches across 0"""
+    from scipy.optimize import brentq, minimize_scalar
+
+    sides = [crest - step, crest + step]
+    ends = [exact(side) for side in sides]
+    if ends[0] * ends[1] <= 0.0:
+        return []
+    sign = np.sign(ends[0])
+    best = minimize_scalar(lambda a: sign * exact(a), bounds=sides, method="bounded", options={"xatol": 1e-10})
+    if sign * exact(best.x) >= 0.0:
+        return []
+    return [brentq(exact, *sorted((side, best.x)), xtol=1e-13) for side in sides]
+
+
+def _distinct(found):
+    """Rising angles, those that are one to rounding given once"""
+    found = np.sort(found)
+    if len(found) < 2:
+        return found
+    gap = np.diff(np.append(found, found[0] + 2 * np.pi))
+    return found[gap > 1e-9]

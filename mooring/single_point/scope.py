@@ -1,0 +1,39 @@
+"""Length of a uniform line that just does not lift its anchor.
+
+    S₀ = √(V(2T/w − V))        SR179 report (1982), eq. 3.6.15: S₀² = V² + 2aV with T = w(a + V)
+
+V is the height of the upper end over the bed, T the tension there, w the weight in water: an inextensible catenary
+with its vertex at the anchor.  The report's smallest scope is S₀ over the water depth at the peak tension; its tables
+take the peak as T_static + (T_significant − T_static)/(2/3), not the 1.3 times significant of its text.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+SIGNIFICANT = 2 / 3  # of the amplitude that is added to the steady value
+
+
+def length_without_uplift(tension, weight, height):
+    """(…) m; tension : N at the top, weight : N/m in water, height : m.  Raises ValueError for a line too heavy."""
+    tension = np.asarray(tension, float)
+    square = height * (2 * tension / weight - height)
+    if np.any(square < height**2 * (1 - 1e-12)):
+        raise ValueError(
+            f"a tension of {tension.min():.4g} N does not carry {height:g} m of a line of {weight:g} N/m; "
+            f"allowed: at least {weight * height:.4g} N"
+        )
+    return np.sqrt(square)
+
+
+def significant(values, steady):
+    """Significant value of a record in the report's sense: steady + ⅔ of the largest amplitude above it.
+
+    values : (n, …); steady : (…)
+    """
+    return steady + SIGNIFICANT * (np.max(values, axis=0) - steady)
+
+
+def peak(static, significant_value):
+    """Peak of which `significant` was taken"""
+    return static + (significant_value - static) / SIGNIFICANT

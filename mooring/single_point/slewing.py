@@ -1,0 +1,122 @@
+"""Slow motion of a body at a single point in the plane, and its small motions about an equilibrium.
+
+    T ν̇ = F(ψ, ν) + F_mooring − C(ν) ν,   ẋ = R(ψ) ν + U,   ν = (u, v, r) through the water, U the current
+
+T is the mass with added mass, C the inertia of axes that turn, without the moment of the added mass (Munk's), which
+turning tests and current coefficients contain.  Through turning tests C cancels in surge and sway: the tests hold the
+inertia of the model in its turn.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with u̇, v̇ for the ü, v̈ printed there; and
+with velocities through the water on both sides, so that a mooring that drifts with the current feels none.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .body import SinglePoint, SinglePointError
+
+STEP = 1e-4  # of a derivative, in m, rad, m/s, rad/s over the scales of `linearised`
+
+
+class SlowMotion(NamedTuple):
+    """time : (n,) s; place : (n, 2) m of the centre of mass; heading : (n,) rad, unwrapped
+
+    velocity : (n, 3) m/s, rad/s through the water, in axes of the body; buoy : (n, 2) m; hawser : (n, k) N
+    wind_speed : (n,) m/s
+    """
+
+    time: np.ndarray
+    place: np.ndarray
+    heading: np.ndarray
+    velocity: np.ndarray
+    buoy: np.ndarray
+    hawser: np.ndarray
+    wind_speed: np.ndarray
+
+
+def rates(point: SinglePoint, state, wind_speed=None, near=None):
+    """(6,) rates of the state x, y, ψ, u, v, r, and the Hold of the mooring"""
+    x, y, heading, u, v, r = state
+    held = point.hold(np.array([x, y]), heading, near)
+    force = point.loads.moving(heading, (u, v, r), wind_speed) + held.force
+    if not point.loads.water.turning:
+        along, across = point.mass[:2] @ np.array([u, v, r])
+        force[:2] += across * r, -along * r
+    cos, sin = np.cos(heading), np.sin(heading)
+    current = point.loads.water.velocity
+    out = np.empty(6)
+    out[:3] = cos * u - sin * v + current[0], sin * u + cos * v + current[1], r
+    out[3:] = point.inverse @ force
+    return out, held
+
+
+def at_rest_state(point: SinglePoint, place, heading):
+    """(6,) state of a body that lies still on the ground, its centre of mass at (2,) m"""
+    x, y = point.loads.water.velocity
+    cos, sin = np.cos(heading), np.sin(heading)
+    return np.array([*place, heading, -cos * x - sin * y, sin * x - cos * y, 0.0])
+
+
+def linearised(point: SinglePoint, state):
+    """(6, 6) derivatives of the `rates` by displacements (m, m, rad) at an equilibrium and by their rates.
+
+    Unknowns are the place, the heading and the velocity over the ground in axes that do not turn, so that no rate is
+    left at rest.  Differences of fourth order.
+    """
+    state, current = np.asarray(state, float), point.loads.water.velocity
+    scale = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])
+
+    def motion(z):
+        cos, sin = np.cos(z[2]), np.sin(z[2])
+        over = z[3:5] - current
+        u, v = cos * over[0] + sin * over[1], -sin * over[0] + cos * over[1]
+        found = rates(point, np.array([*z[:3], u, v, z[5]]))[0]
+        # Galilean: acceleration in space of the velocity through the water, whose axes turn
+        du, dv = found[3] - z[5] * v, found[4] + z[5] * u
+        return np.array([*z[3:], cos * du - sin * dv, sin * du + cos * dv, found[5]])
+
+    centre = np.concatenate([state[:3], np.zeros(3)])
+    J = np.empty((6, 6))
+    for j in range(6):
+        h = 10 * STEP * scale[j]
+        step = np.eye(6)[j] * h
+        near, far = (motion(centre + k * step) - motion(centre - k * step) for k in (1, 2))
+        J[:, j] = (8 * near - far) / (12 * h)
+    return J
+
+
+def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-6, wind_speed=None) -> SlowMotion:
+    """Slow motion from a state (6,), by the method of Dormand and Prince of order 8 (`scipy`).
+
+    duration, step : s, of the record; tolerance : relative, and of metres and radians
+    wind_speed : callable of s → m/s, None for the mean wind.  raises : SinglePointError
+    """
+    from scipy.integrate import solve_ivp
+
+    start = np.asarray(start, float)
+    kept = [None]
+
+    def rate(t, y):
+        out, held = rates(point, y, None if wind_speed is None else wind_speed(t), kept[0])
+        kept[0] = held.buoy
+        return out
+
+    time = step * np.arange(int(np.floor(duration / step + 1e-9)) + 1)
+    scale = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])
+    found = solve_ivp(rate, (0.0, duration), start, "DOP853", time, rtol=tolerance, atol=tolerance * scale,
+                      max_step=20.0)  # fmt: skip
+    if not found.success:
+        raise SinglePointError(f"at {found.t[-1]:.4g} s the motion cannot be followed: {found.message}")
+    return _record(point, time, found.y.T, wind_speed)
+
+
+def _record(point, time, states, wind_speed):
+    buoy, hawser, near = np.empty((len(time), 2)), np.empty((len(time), len(point.ends))), None
+    for i, state in enumerate(states):
+        held = point.hold(state[:2], state[2], near)
+        buoy[i], hawser[i], near = held.buoy, held.tension, held.buoy
+    wind = point.loads.wind
+    mean = 0.0 if wind is None else wind.speed
+    speed = np.array([mean if wind_speed is None else wind_speed(t) for t in time])
+    return SlowMotion(time, states[:, :2], states[:, 2], states[:, 3:], buoy, hawser, speed)

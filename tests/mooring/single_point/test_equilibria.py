@@ -1,0 +1,100 @@
+"""Where a body at a single point lies, and the small motions about it."""
+
+import csv
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from bench.single_point import difference_in_time, missed
+from boxes import TONF, buoy, floater_A
+
+from mooring.single_point.body import SinglePoint, SinglePointError
+from mooring.single_point.criterion import roots
+from mooring.single_point.equilibria import equilibria
+from mooring.single_point.loads import Loads
+from mooring.single_point.rings import zeros
+from mooring.single_point.slewing import rates
+
+SERIES = Path(__file__).parents[2] / "published" / "single_point_series.csv"
+
+
+def series():
+    lines = [line for line in SERIES.read_text().splitlines() if not line.startswith("#")]
+    return list(csv.DictReader(lines))
+
+
+def test_no_heading_of_rest_is_missed():
+    """Sixty of the ten thousand loads of tests/bench/single_point.py"""
+    assert sum(missed(seed)[1] for seed in range(60)) == 0
+
+
+def test_zeros_that_nearly_touch_are_both_found():
+    for depth in (1e-3, 1e-6, 1e-9):
+        found = zeros(lambda a, depth=depth: 1 - depth + np.cos(3 * a))
+        assert len(found) == 6
+        assert np.allclose(1 - depth + np.cos(3 * found), 0, atol=1e-12)
+    assert len(zeros(lambda a: 1.0 + 1e-9 + np.cos(a))) == 0
+
+
+def test_growth_and_period_in_time_are_those_of_the_quartic():
+    """Six of the two hundred systems of tests/bench/single_point.py"""
+    assert max(difference_in_time(seed) for seed in range(6)) < 1e-4
+
+
+@pytest.mark.parametrize("hawser", [0.0, 25.0])
+@pytest.mark.parametrize("current", [0.0, 60.0, 120.0])
+def test_a_body_at_an_equilibrium_does_not_move(current, hawser):
+    found = equilibria(floater_A(current, hawser))
+    assert any(one.slewing.stable for one in found) and len(found) >= 2
+    for one in found:
+        rate, held = rates(one.point, one.state)
+        assert np.abs(rate[:3]).max() < 1e-12
+        assert np.abs(rate[3:5]).max() < 1e-9 * one.pull / one.point.mass[0, 0]
+        assert np.hypot(*(held.buoy - one.buoy)) < 1e-7
+
+
+@pytest.mark.parametrize("hawser", [0.0, 25.0, 100.0])
+def test_the_quartic_has_the_eigenvalues_of_the_linearised_motion(hawser):
+    for one in equilibria(floater_A(0.0, hawser)):
+        if one.quartic is not None:
+            for root in roots(one.quartic):
+                assert np.abs(one.roots - root).min() < 1e-8 * abs(root)
+
+
+def test_two_hawsers_that_meet_at_a_point_hold_as_one_there():
+    """A bridle under a load from ahead is rigid: heading and pull are those of a contact buoy at its apex"""
+    point = floater_A(30.0)
+    bridle = replace(point, ends=[(50.0, 5.0), (50.0, -5.0)], lengths=[25.0, 25.0])
+    stiff = replace(point, ends=[bridle.apex], lengths=[0.0])
+    one, other = (next(e for e in equilibria(p) if e.slewing.stable) for p in (bridle, stiff))
+    assert one.heading == pytest.approx(other.heading, abs=1e-12) and np.all(one.hawser > 0)
+    assert np.allclose(one.place, other.place, atol=1e-9)
+    assert np.allclose(np.sort(one.roots.real), np.sort(other.roots.real), atol=1e-9)
+
+
+def test_of_two_hawsers_the_lee_one_falls_slack_under_a_load_from_the_side():
+    point = floater_A(90.0)
+    bridle = replace(point, ends=[(50.0, 20.0), (50.0, -20.0)], lengths=[150.0, 150.0])
+    found = [one for one in equilibria(bridle) if one.slewing.stable]
+    assert len(found) == 1 and np.sum(found[0].hawser > 0) in (1, 2)
+    held = bridle.hold(found[0].place, found[0].heading)
+    assert np.allclose(held.tension, found[0].hawser, rtol=1e-7, atol=1.0)
+
+
+def test_the_same_load_needs_no_more_force_with_other_lines():
+    """Pairs of the series with equal loads and other pretension or number of lines: the pull does not know of them"""
+    few, many = floater_A(), replace(floater_A(), system=buoy(tension=5 * TONF))
+    assert equilibria(few)[0].pull == pytest.approx(equilibria(many)[0].pull, rel=1e-12)
+
+
+def test_a_body_that_nothing_pulls_has_no_heading():
+    point = floater_A(wind=0.0, height=0.0, knots=0.0)
+    with pytest.raises(SinglePointError, match="no force"):
+        equilibria(replace(point, loads=Loads(point.loads.water)))
+
+
+def test_hawsers_that_do_not_meet_are_refused():
+    point = floater_A()
+    with pytest.raises(SinglePointError, match="do not meet"):
+        SinglePoint(point.loads, point.mass, [(50, 20), (50, -20)], [10, 10], point.system)
