@@ -1,0 +1,1 @@
+"""Forces of second order in the wave amplitude, at difference frequencies."""

@@ -1,0 +1,73 @@
+"""The long wave that is bound to a pair of waves, at their difference frequency.
+
+A sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries Re Σᵢ Σⱼ aᵢ āⱼ s_ij exp{i(κ·x − Ωt)} at second order, Ω = ωᵢ − ωⱼ and
+κ = kᵢ − kⱼ, with the potential of a wave of amplitude s that moves as no free wave can (Longuet-Higgins and Stewart
+1962; Sharma and Dean 1981):
+
+    φ = −(ig/Ω) s cosh κ(z+h)/cosh κh · exp{i(κ·x − Ωt)},        s = −Ω q / {g (gκ tanh κh − Ω²)},
+
+    q = (Ωg²/2ωᵢωⱼ) (kᵢ·kⱼ + KᵢKⱼ) + (g²/4) {(kᵢ² − Kᵢ²)/ωᵢ − (kⱼ² − Kⱼ²)/ωⱼ},        K = ω²/g.
+
+−ρ ∂φ/∂t at z = 0 is ρg s, negative: water is pressed away from under groups of high waves.  Both orders of a pair are
+counted, s_ij = s_ji: of two waves the bound wave has the amplitude 2 s aᵢaⱼ.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..waves import group_factor, wavenumber
+
+NEAREST = 1e-5  # of the frequency: differences below it are taken there; s is even in Ω, 1e-10 is lost either way
+
+
+class BoundWaves(NamedTuple):
+    """omega : rad/s, difference frequency; number : (…, 2) rad/m; amplitude : s, m per m²"""
+
+    omega: np.ndarray
+    number: np.ndarray
+    amplitude: np.ndarray
+
+
+def bound_waves(first, second, depth, gravity=9.80665):
+    """`BoundWaves` of pairs of waves.
+
+    first, second : (frequency rad/s, direction rad), each scalars or arrays that broadcast; depth : m
+    raises : ValueError for infinite depth, whose bound waves push on nothing but at the surface
+    """
+    if not np.isfinite(depth):
+        raise ValueError("bound waves in water of infinite depth; allowed: a finite depth")
+    (one, beta), (two, gamma) = ([np.asarray(part, float) for part in wave] for wave in (first, second))
+    k, l = wavenumber(one, depth, gravity), wavenumber(two, depth, gravity)
+    number = np.stack([k * np.cos(beta) - l * np.cos(gamma), k * np.sin(beta) - l * np.sin(gamma)], axis=-1)
+    return BoundWaves(one - two, number, _amplitude(one, two, beta - gamma, depth, gravity))
+
+
+def _amplitude(one, two, angle, depth, gravity):
+    """s of frequencies whose directions are `angle` apart"""
+    middle, half = (one + two) / 2, (one - two) / 2
+    half = np.where(np.abs(half) < NEAREST * middle / 2, NEAREST * middle / 2, half)
+    one, two = middle + half, middle - half
+    k, l = wavenumber(one, depth, gravity), wavenumber(two, depth, gravity)
+    K, L, difference = one**2 / gravity, two**2 / gravity, 2 * half
+    q = difference * gravity**2 / (2 * one * two) * (k * l * np.cos(angle) + K * L)
+    q += gravity**2 / 4 * (_own(one, k, depth, gravity) - _own(two, l, depth, gravity))
+    kappa = np.sqrt((k - l) ** 2 + 4 * k * l * np.sin(angle / 2) ** 2)
+    return -difference * q / (gravity * (gravity * kappa * np.tanh(kappa * depth) - difference**2))
+
+
+def _own(omega, k, depth, gravity):
+    """(k² − K²)/ω = k² / (ω cosh² kh), without cancellation in deep water"""
+    return k**2 / (omega * np.cosh(np.minimum(k * depth, 300.0)) ** 2)
+
+
+def set_down(omega, depth, gravity=9.80665):
+    """m per m²: mean elevation under a long group, −g (2n − ½) / 2(gh − C_g²), of waves of amplitude 1 m
+
+    Longuet-Higgins and Stewart (1962): the radiation stress ½ρg(2n − ½) against the mean level.
+    """
+    k = wavenumber(omega, depth, gravity)
+    n = group_factor(k, depth)
+    return -gravity * (2 * n - 0.5) / (2 * (gravity * depth - (n * omega / k) ** 2))

@@ -1,0 +1,65 @@
+"""Force of a long wave whose wavenumber is not that of a free wave of its frequency: incident and diffracted.
+
+For a wave of unit amplitude, φ = −(ig/Ω) Z_κ(z) exp(iκ·x), Z_κ = cosh κ(z+h)/cosh κh (`bound_waves`),
+
+    D = −iρΩ ∬ (φ n − ψ ∂φ/∂n) dS,
+
+with ψ the radiation potential of unit velocity at Ω (Haskind 1957): the diffracted wave is free.  With κ = k(Ω) this is
+the excitation force; as Ω → 0 with κ kept it is finite.  The lid that removes irregular frequencies is left out: these
+lie at waves as short as the body.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from .. import DOFS
+from ..panels.one_frequency import PanelRun
+from ..waves import depth_factor, depth_factor_slope
+
+LOWEST = 1e-3  # of √(g/h): frequencies below it are taken there, where D no longer changes
+
+
+@dataclass(frozen=True, eq=False)
+class LongWaveBody:
+    """A body on panels, for `long_wave_forces`; problem : `bem.methods.panel_problem.PanelProblem` of finite depth"""
+
+    problem: object
+
+    @cached_property
+    def prepared(self):
+        """Without lid, coarse mesh and band"""
+        return replace(self.problem, lid=None, coarse=None, finer=None, band=None).prepared()
+
+    def forces(self, omega, number):
+        """(w, 6) complex N/m, N m/m about the rotation centre: D of waves of one frequency and several wavenumbers.
+
+        omega : rad/s, positive or zero; number : (w, 2) rad/m, along x and y
+        """
+        problem = self.problem
+        least = LOWEST * np.sqrt(problem.gravity / problem.depth)
+        run = PanelRun(self.prepared, max(omega, least), [0.0], {"added_mass"}, None, DOFS)
+        number = np.atleast_2d(np.asarray(number, float))
+        return _forces(run, number) @ problem.transform.T
+
+
+def _forces(run, number):
+    """(w, 6) about the origin"""
+    g, problem = run.geometry, run.problem
+    nodes, weights, normals = run.hull
+    size = np.hypot(*number.T)
+    Z, slope = (f(nodes[:, 2], size[:, None], problem.depth) for f in (depth_factor, depth_factor_slope))
+    out = np.zeros((len(number), 6), complex)
+    modes = run.prepared.modes
+    for image, (sx, sy) in enumerate(g.images):
+        phase = np.exp(1j * (number[:, :1] * sx * nodes[:, 0] + number[:, 1:] * sy * nodes[:, 1]))
+        along = number[:, :1] * sx * normals[:, 0] + number[:, 1:] * sy * normals[:, 1]
+        pressure, velocity = Z * phase, (1j * along * Z + slope * normals[:, 2]) * phase
+        for cls, (moving, _) in run.columns.items():
+            sign = g.signs(cls)[image]
+            out[:, moving] -= sign * (pressure * weights) @ modes[:, moving]
+            out[:, moving] += sign * (velocity * weights) @ run.potentials[cls].T
+    return problem.density * problem.gravity * out

@@ -1,0 +1,103 @@
+"""Bound long waves: the equations of second order by differences, the set-down of long groups, shallow and deep water."""
+
+import numpy as np
+import pytest
+
+from bem.second_order.bound_waves import bound_waves, set_down
+from bem.waves import wavenumber
+
+G = 9.80665
+
+
+def first_order(omega, beta, depth):
+    """φ(x, y, z, t) of a real wave of unit amplitude, written out here"""
+    k = wavenumber(omega, depth)
+
+    def potential(x, y, z, t):
+        turn = k * (x * np.cos(beta) + y * np.sin(beta)) - omega * t
+        return G / omega * np.cosh(k * (z + depth)) / np.cosh(k * depth) * np.sin(turn)
+
+    return potential
+
+
+def forcing(waves, depth, x, y, t):
+    """φ₂_tt + g φ₂_z = −∂/∂t |∇φ|² + (1/g) φ_t ∂/∂z(φ_tt + g φ_z) at z = 0, of a real sea, by differences"""
+    d = 1e-3
+
+    def phi(x, y, z, t):
+        return sum(wave(x, y, z, t) for wave in waves)
+
+    def slope(f, axis, *at):
+        step = np.eye(4)[axis] * d
+        return (f(*(at + step)) - f(*(at - step))) / (2 * d)
+
+    def square(*at):
+        return sum(slope(phi, axis, *at) ** 2 for axis in range(3))
+
+    def surface(*at):
+        step = np.array([0, 0, 0, d])
+        twice = (phi(*(at + step)) - 2 * phi(*at) + phi(*(at - step))) / d**2
+        return twice + G * slope(phi, 2, *at)
+
+    at = np.array([x, y, 0.0, t])
+    return -slope(square, 3, *at) + slope(phi, 3, *at) / G * slope(surface, 2, *at)
+
+
+@pytest.mark.parametrize("one, two, depth", [((0.9, 0.3), (0.6, 0.3), 15.0), ((1.3, -0.4), (0.8, 0.7), 8.0)])
+def test_the_bound_wave_solves_the_surface_condition_of_second_order(one, two, depth):
+    """Of the products of the two waves the part at their difference frequency, separated from that at their sum"""
+    bound = bound_waves(one, two, depth)
+    kappa = np.hypot(*bound.number)
+    operator = G * kappa * np.tanh(kappa * depth) - bound.omega**2  # on φ₂ = 2s (g/Ω) sin(κ·x − Ωt)
+    alone = [first_order(*wave, depth) for wave in (one, two)]
+    x, y = 3.0, -2.0
+    found, expected = [], []
+    times = np.linspace(0.0, 2 * np.pi / bound.omega, 240, endpoint=False)
+    for t in times:
+        pair = forcing(alone, depth, x, y, t) - sum(forcing([wave], depth, x, y, t) for wave in alone)
+        found.append(pair)
+        turn = bound.number @ [x, y] - bound.omega * t
+        expected.append(operator * 2 * bound.amplitude * G / bound.omega * np.sin(turn))
+    wave = np.exp(1j * bound.omega * times)
+    sums = np.exp(1j * (one[0] + two[0]) * times)
+    basis = np.stack([wave.real, wave.imag, sums.real, sums.imag], axis=1)
+    part = np.linalg.lstsq(basis, np.array(found), rcond=None)[0]
+    assert basis[:, :2] @ part[:2] == pytest.approx(np.array(expected), abs=2e-4 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("kh", [0.2, 0.5, 1.0, 2.0, 5.0])
+def test_long_groups_have_the_set_down_of_the_radiation_stress(kh):
+    depth = 20.0
+    omega = np.sqrt(G * kh / depth * np.tanh(kh))
+    bound = bound_waves((omega, 0.0), (omega, 0.0), depth)
+    k, K = kh / depth, omega**2 / G
+    elevation = bound.amplitude - (k**2 - K**2) / (4 * K)  # −(½|∇φ|² + ζ φ_tz)/g
+    assert elevation == pytest.approx(set_down(omega, depth), rel=1e-8)
+
+
+def test_shallow_water_tends_to_the_set_down_that_grows_with_the_fourth_power_of_the_period():
+    """s → −3/(4 h (kh)²), Longuet-Higgins and Stewart's −3 g a² / (4 ω² h²) with ω² = g k² h"""
+    depth = 10.0
+    ratios = []
+    for kh in (0.2, 0.1):
+        omega = np.sqrt(G * kh / depth * np.tanh(kh))
+        s = bound_waves((omega, 0.0), (omega, 0.0), depth).amplitude
+        ratios.append(s / (-3 * G / (4 * omega**2 * depth**2)) - 1)
+    assert abs(ratios[0]) < 0.05 and ratios[0] / ratios[1] == pytest.approx(4, rel=0.1)
+
+
+def test_the_order_of_a_pair_does_not_matter_and_directions_enter_by_their_difference():
+    one, two = bound_waves((0.7, 0.2), (0.5, 1.0), 20.0), bound_waves((0.5, 2.0), (0.7, 1.2), 20.0)
+    assert one.amplitude == pytest.approx(two.amplitude, rel=1e-12)
+    assert np.hypot(*one.number) == pytest.approx(np.hypot(*two.number), rel=1e-12)
+
+
+def test_near_equal_frequencies_lose_no_more_than_eight_digits():
+    half = np.array([0.0, 1e-8, 5e-6, 5e-5, 5e-4])
+    s = bound_waves((0.6 + half, 0.0), (0.6 - half, 0.0), 20.0).amplitude
+    assert s / s[-1] - 1 == pytest.approx(0, abs=1e-5) and s[:4] / s[0] - 1 == pytest.approx(0, abs=1e-7)
+
+
+def test_infinite_depth_is_refused():
+    with pytest.raises(ValueError, match="infinite depth"):
+        bound_waves((0.6, 0.0), (0.5, 0.0), np.inf)

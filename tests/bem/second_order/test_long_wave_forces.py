@@ -1,0 +1,52 @@
+"""Forces of long waves that are bound: Haskind's relation, the cylinder on the bed, published difference forces."""
+
+import numpy as np
+import pytest
+from exact import maccamy_fuchs
+from exact.second_order_cylinder import long_wave_force, quadratic_force
+
+from bem import DOFS
+from bem.methods.panel_problem import PanelProblem
+from bem.second_order.bound_waves import bound_waves
+from bem.second_order.long_wave_forces import LongWaveBody
+from bem.waves import wavenumber
+from meshing.shapes import box, buoy
+
+RHO, G = 1025.0, 9.80665
+RADIUS, DEPTH = 10.0, 20.0
+
+
+def frequency(ka):
+    return np.sqrt(G * ka / RADIUS * np.tanh(ka / RADIUS * DEPTH))
+
+
+@pytest.fixture(scope="module")
+def pile():
+    return LongWaveBody(PanelProblem(buoy(RADIUS, DEPTH, counts=(8, 1, 8), bottom=False), depth=DEPTH))
+
+
+def test_with_the_wavenumber_of_a_free_wave_it_is_the_excitation_by_haskind():
+    problem = PanelProblem(box(100, 50, 10, panels=100), depth=DEPTH, rotation_center=(0.0, 0.0, -3.0))
+    omega, beta = 0.3, np.array([0.0, 0.5, np.pi / 2, 4.0])
+    run = problem.prepared().run(omega, beta, {"excitation_force", "added_mass"}, None, DOFS)
+    k = wavenumber(omega, DEPTH)
+    found = LongWaveBody(problem).forces(omega, k * np.stack([np.cos(beta), np.sin(beta)], axis=1))
+    scale = np.abs(run.haskind).max(axis=0)
+    assert np.abs(found - run.haskind @ problem.transform.T)[:, scale > 0] == pytest.approx(0, abs=1e-11 * scale.max())
+
+
+@pytest.mark.parametrize("omega, kappa", [(0.1, 0.02), (0.35, 0.05), (0.2, 0.15), (0.01, 0.001)])
+def test_on_a_cylinder_on_the_bed_it_is_the_sum_of_eigenfunctions(pile, omega, kappa):
+    exact = long_wave_force(RADIUS, DEPTH, omega, kappa)
+    found = pile.forces(omega, [[kappa, 0.0]])[0]
+    assert abs(found[0] - exact) < 5e-3 * abs(exact) and abs(found[1]) < 1e-9 * abs(exact)
+
+
+def test_the_sum_of_eigenfunctions_is_that_of_maccamy_and_fuchs_for_free_waves():
+    omega = 0.4
+    k = wavenumber(omega, DEPTH)
+    exact = maccamy_fuchs.excitation(RADIUS, DEPTH, omega)[0]
+    assert long_wave_force(RADIUS, DEPTH, omega, k * (1 + 1e-7)) == pytest.approx(exact, rel=1e-6)
+    assert quadratic_force(RADIUS, DEPTH, omega, omega) == pytest.approx(
+        maccamy_fuchs.drift(RADIUS, DEPTH, omega)[0], rel=1e-9
+    )
