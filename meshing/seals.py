@@ -24,6 +24,7 @@ SIGNATURE = b"\x89HDF\r\n\x1a\n"
 LEAST_BLOCK, LARGEST_BLOCK = 512, 2**20  # bytes; HDF5 looks for itself at 0, 512, 1024, …, powers of two
 LONGEST_HEAD = 2**16  # characters of a text in which its mark is looked for
 AT_ONCE = 2**22  # bytes read of a file
+MOST_BEHIND = 2**24  # bytes of names and attributes behind the last numbers, beside as many as these
 MARK = "  [CRC-32 of all else: "
 TRACE = re.compile("|".join(re.escape(MARK[i : i + 7]) for i in range(len(MARK) - 6)) + r"|: [0-9a-f]{8}\]\n")
 REMEDY = "copy it again, or delete it and make it anew"
@@ -100,11 +101,14 @@ def damage(path):
         rest = file.read(max(0, min(begin - file.tell(), LARGEST_BLOCK)))
         lines = rest.decode(errors="replace").splitlines()
         filled = [(int(part[1]), int(part[2])) for part in map(PLACE.fullmatch, lines) if part]
-        if _crc_without(file, begin, filled, zlib.crc32(rest)) == value:
-            return ""
         found = [DATASET.fullmatch(line) for line in lines]
         places = [*filled, *((int(part[2]), int(part[3])) for part in found if part)]
-        if begin + max(map(sum, places), default=0) > file.seek(0, os.SEEK_END):
+        last, size = begin + max(map(sum, places), default=0), file.seek(0, os.SEEK_END)
+        if size > 2 * last + MOST_BEHIND:  # a terabyte of zeros would be read for an hour
+            return f"its end: it has {size:.3g} bytes, its numbers end at {last:.3g}"
+        if _crc_without(file, begin, filled, zlib.crc32(rest)) == value:
+            return ""
+        if last > size:
             return "its end, which is truncated"
         wrong = [part[4] for part in found if part and _piece_differs(file, begin, part)]
     more = f" and {len(wrong) - 1} others" if len(wrong) > 1 else ""

@@ -58,6 +58,12 @@ def test_every_byte_counts(result):
     assert damage(result)
 
 
+def test_a_terabyte_behind_the_numbers_is_refused_unread(result):
+    with result.open("r+b") as file:
+        file.truncate(10**12)
+    assert damage(result).startswith("its end: it has 1e+12 bytes, its numbers end at ")
+
+
 def test_a_seal_that_is_gone_is_missed(result):
     changed(result, 0, b"\0" * 64)
     assert damage(result) == "its seal"

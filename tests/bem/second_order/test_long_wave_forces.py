@@ -7,7 +7,6 @@ from exact.second_order_cylinder import long_wave_force, quadratic_force
 
 from bem import DOFS
 from bem.methods.panel_problem import PanelProblem
-from bem.second_order.bound_waves import bound_waves
 from bem.second_order.long_wave_forces import LongWaveBody
 from bem.waves import wavenumber
 from meshing.shapes import box, buoy
