@@ -39,7 +39,7 @@ def long_wave_force(radius, depth, omega, kappa, density=1025.0, gravity=9.80665
 
 def quadratic_force(radius, depth, one, two, density=1025.0, gravity=9.80665):
     """Surge T, N/m², of the first-order pressures: waterline and velocities squared"""
-    (k, Z, slope, side), (l, Y, steep, other) = (_wave(radius, depth, w, gravity) for w in (one, two))
+    (Z, slope, side), (Y, steep, other) = (_wave(radius, depth, w, gravity) for w in (one, two))
     _, w = np.polynomial.legendre.leggauss(POINTS)
     w = w * depth / 2
     m = np.arange(max(len(side), len(other)) + 1)
@@ -55,10 +55,10 @@ def quadratic_force(radius, depth, one, two, density=1025.0, gravity=9.80665):
 
 
 def _wave(radius, depth, omega, gravity):
-    """k; Z and Z′ at Gauss points over the depth; amplitudes of cos mθ of the potential at the waterline"""
+    """Z and Z′ at Gauss points over the depth; amplitudes of cos mθ of the potential at the waterline"""
     k = wavenumber(omega, depth, gravity)
     x = k * radius
     m = np.arange(int(x + 6 * np.cbrt(x) + 14))
     side = np.where(m, 2, 1) * 1j**m * 2j / (np.pi * x * h1vp(m, x)) * -1j * gravity / omega
     zeta = depth * (np.polynomial.legendre.leggauss(POINTS)[0] + 1) / 2
-    return k, cosh_ratio(zeta, k, depth), k * sinh_ratio(zeta, k, depth), side
+    return cosh_ratio(zeta, k, depth), k * sinh_ratio(zeta, k, depth), side

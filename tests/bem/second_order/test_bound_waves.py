@@ -1,4 +1,4 @@
-"""Bound long waves: the equations of second order by differences, the set-down of long groups, shallow and deep water."""
+"""Bound long waves: the surface condition of second order by differences, set-down of long groups, shallow water."""
 
 import numpy as np
 import pytest
