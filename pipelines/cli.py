@@ -25,6 +25,7 @@ from .response.command import response
 from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
 from .simulate.flags import animate, simulate
+from .single_point.flags import single_point
 from .stress.command import stress
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
@@ -155,6 +156,7 @@ app.command(line_dynamics)
 app.command(simulate)
 app.command(animate)
 app.command(design)
+app.command(single_point)
 app.command(fender)
 app.command(berth)
 

@@ -82,6 +82,15 @@ class TurningCoefficients:
         """(…) moment over ½ρ L² d V²"""
         return _total(self.m, MOMENT, beta, turn)
 
+    def powers(self, beta):
+        """(…, 5, 3) −C_x, C_y and C_m as polynomials in r': coefficients of r'ᵏ, k = 0 … 4, at drift angles `beta`"""
+        beta = np.asarray(beta, float)
+        out = np.zeros((*beta.shape, 5, 3))
+        for part, (values, terms, sign) in enumerate(((self.x, DRAG, -1), (self.y, LIFT, 1), (self.m, MOMENT, 1))):
+            for a, (n, k, parity) in zip(values, terms, strict=True):
+                out[..., k, part] += sign * a * _round(beta, n, parity)
+        return out
+
     def tested(self, beta, turn):
         """(…) whether the tests reach there: within 60° of straight ahead or astern and |r'| ≤ 0.5"""
         acute = np.abs(np.arctan(np.tan(beta)))

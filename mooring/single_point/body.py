@@ -22,6 +22,7 @@ from .loads import Loads
 
 SETTLED = 1e-13  # of the forces on a buoy
 STEPS = 60
+NO_POINTS = np.zeros((0, 3))
 
 
 class SinglePointError(ValueError):
@@ -76,13 +77,18 @@ class SinglePoint:
                 f"two hawsers of {lengths[0]:g} and {lengths[1]:g} m do not meet ahead of their ends, "
                 f"{np.hypot(*(ends[1] - ends[0])):g} m apart; lengthen them"
             )
-        if len(self.system.bodies) != 1:
-            raise SinglePointError(f"the system has {len(self.system.bodies)} bodies; allowed: one, the buoy")
+        if len(self.system.bodies) != 1 or self.system.free_points:
+            raise SinglePointError(f"{self.system!r} has to be one body, the buoy, on lines to anchors")
 
     @cached_property
     def inverse(self):
         """(3, 3) of the mass"""
         return np.linalg.inv(self.mass)
+
+    @cached_property
+    def _turn(self):
+        """Attitude of the buoy, of a Pose"""
+        return self.system.pose.turn
 
     @cached_property
     def at_rest(self):
@@ -110,11 +116,11 @@ class SinglePoint:
     def pull(self, place, height=None) -> Pull:
         """Pull of the lines with the buoy at (2,) m.  Raises SinglePointError where a line cannot reach."""
         body = self.system.bodies[0]
-        z = self.at_rest.position[0, 2] if height is None else height
         free = "Heave" in body.freedom
+        z = body.position[2] if height is None else height
         for _ in range(STEPS):
-            pose = Pose(np.array([[place[0], place[1], z]]), self.at_rest.pose.turn, np.zeros((0, 3)))
-            load = self.system.total_load(pose)
+            pose = Pose(np.array([[place[0], place[1], z]]), self._turn, NO_POINTS)
+            load = self.system.total_load(pose) if free else self.system.load(pose)
             F, K = load.force, load.stiffness
             if not np.isfinite(F[0]):
                 a, b = load.points[self.system.arrays.ends].swapaxes(0, 1)
@@ -133,7 +139,7 @@ class SinglePoint:
         load = np.array(self.system.bodies[0].load)
         load[:2] += force
         try:
-            return rest(self.system.with_loads({name: load}), self.at_rest.pose)
+            return rest(self.system.with_loads({name: load}))
         except EquilibriumError as error:
             raise SinglePointError(f"the lines do not hold {np.hypot(*force) / 1e3:.4g} kN: {error}") from None
 

@@ -140,14 +140,7 @@ def turning_table(coefficients: TurningCoefficients, length, draft, density, cou
 
     Rows are angles that the water flows to: it flows past a body of drift angle β towards π − β, so that v = −V sin β.
     """
-    beta = np.pi - angles(count)
-    turns = LARGEST_TURN * np.cos(np.pi * (np.arange(POWERS) + 0.5) / POWERS)  # exact for a polynomial of 4th degree
-    scale = 0.5 * density * length * draft * np.array([-1.0, 1.0, length])
-    values = np.stack(
-        [[c(beta, turn) for c in (coefficients.C_x, coefficients.C_y, coefficients.C_m)] for turn in turns]
-    )
-    powers = np.linalg.solve(np.vander(turns, increasing=True), values.reshape(POWERS, -1))
-    return np.moveaxis(powers.reshape(POWERS, 3, count), 2, 0) * scale
+    return coefficients.powers(np.pi - angles(count)) * (0.5 * density * length * draft * np.array([1, 1, length]))
 
 
 def still_table(unit):

@@ -185,10 +185,10 @@ class Study(Table):
         """Conditions in SI units"""
         wind, current, waves = self.wind, self.current, self.waves
         if wind:
-            extra = {} if wind.coefficients is None else {"table": _coefficients("wind", wind)}
+            extra = {} if wind.coefficients is None else {"table": coefficients_of("wind", wind)}
             wind = Wind(speed("wind", wind), direction("wind", wind), **extra)
         if current:
-            table = None if current.coefficients is None else _coefficients("current", current)
+            table = None if current.coefficients is None else coefficients_of("current", current)
             current = Current(speed("current", current), direction("current", current), table)
         if waves is None:
             return Conditions(wind, current)
@@ -271,7 +271,8 @@ def _corner_headings(where, degrees):
     return np.radians(degrees)
 
 
-def _coefficients(where, table):
+def coefficients_of(where, table):
+    """The DragTable of a StreamTable.  Raises StudyError."""
     c = table.coefficients
     try:
         return drag_table(np.radians(c.angles_deg), c.x, c.y, c.lever)

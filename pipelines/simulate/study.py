@@ -81,7 +81,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
             f"waves of {study.waves.period:g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
             f"{2 * np.pi / omega[0]:.4g} s; solve them too"
         )
-    streams = conditions.wind, _gusts(study.wind), conditions.current
+    streams = conditions.wind, gusts_of(study.wind), conditions.current
     weather = Weather(seas, waves, *streams, _forces(table, folder))
     split = 0.5 * waves.omega if waves else float(omega[0])
     if seas:
@@ -172,7 +172,8 @@ def _outside(spectrum, omega):
     return (f"{text} and is left out; {way_out}",)
 
 
-def _gusts(table):
+def gusts_of(table):
+    """The GustSpectrum of a WindTable, None without.  Raises StudyError."""
     if table is None or table.gusts is None:
         return None
     if table.gusts not in GUSTS:

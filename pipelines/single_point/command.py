@@ -1,0 +1,106 @@
+"""`hakobune single-point`: statics and criterion on the terminal, maps, a run in time, results and pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from bem.database.results import has_schema
+from mooring.single_point.equilibria import equilibria
+
+from ..common.first_use import tell_first_use
+from ..common.outputs import DATABASE, check_output
+from ..common.picture import PLOTS, check_picture
+from .report import findings, show
+from .study import check_buoy, make
+from .tables import read_study
+
+SCHEMA = "hakobune single point 1"
+
+
+def single_point(study_path, database, output, picture):
+    """Exit status.  Raises ValueError, one line, before anything is written."""
+    from rich.console import Console
+
+    from bem.database import open_database
+
+    study, raw, text = read_study(study_path)
+    inputs = (study_path, *(() if database is None else (database,)))
+    if output is not None:
+        check_output(output, "the result of a single-point study", lambda p: has_schema(p, SCHEMA), DATABASE, inputs)
+    if picture is not None:
+        check_picture(picture, PLOTS)
+    db = None if database is None else open_database(database)
+    folder = Path(study_path).resolve().parent
+    tell_first_use()
+    made = make(study, folder, db)
+    found = equilibria(made.point)
+    for one in found:
+        check_buoy(made, one)
+    console = Console()
+    show(console, study, made, found)
+    written = []
+    if output is not None:
+        write_result(output, text, found)
+        written.append(output)
+    if picture is not None:
+        from .pictures import draw_plan
+
+        draw_plan(study, made.point, found, picture)
+        written.append(picture)
+    maps = _maps(study, raw, folder, db, study_path, console)
+    written += maps
+    for line in findings(study, made, found):
+        console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True)
+    for path in written:
+        console.print(f"written: {path}", highlight=False, soft_wrap=True)
+    return 0
+
+
+def _maps(study, raw, folder, db, study_path, console):
+    """Draw the maps of a study beside it; their paths"""
+    from .maps import computed, draw
+
+    paths = []
+    for i, _ in enumerate(study.maps):
+        found = computed(raw, i, folder, db)
+        number = f"_{i + 1}" if len(study.maps) > 1 else ""
+        path = Path(f"{Path(study_path).stem}_slewing{number}.png")
+        check_picture(path, PLOTS)
+        draw(found, path)
+        paths.append(path)
+        slews = np.mean(found.growth[~np.isnan(found.growth)] > 0)
+        console.print(f"map over {' and '.join(found.keys)}: {100 * slews:.0f} % of it slews", highlight=False)
+        if found.failed:
+            console.print(
+                f"warning: {found.failed} of {found.growth.size} places have no answer: {found.reason}",
+                style="yellow", highlight=False, soft_wrap=True,
+            )  # fmt: skip
+    return paths
+
+
+def write_result(path, text, found):
+    """Write the equilibria whole into a file (HDF5): one row each, units as attributes."""
+    import h5py
+
+    from bem.database.file import beside
+
+    columns = {
+        "heading": ("rad", [one.heading for one in found]),
+        "place": ("m", [one.place for one in found]),
+        "buoy": ("m", [one.lines.position[0, :3] for one in found]),
+        "force": ("N, N, N m", [one.force for one in found]),
+        "hawser_tension": ("N", [one.hawser for one in found]),
+        "line_tension": ("N", [one.lines.tension for one in found]),
+        "roots_real": ("1/s", [one.roots.real for one in found]),
+        "roots_imaginary": ("rad/s", [one.roots.imag for one in found]),
+        "quartic": ("1", [np.full(5, np.nan) if one.quartic is None else one.quartic for one in found]),
+    }
+    with beside(path) as file:
+        file.attrs["schema"] = SCHEMA
+        file.attrs["study"] = text
+        for name, (unit, values) in columns.items():
+            file.create_dataset(name, data=np.asarray(values, float)).attrs["units"] = unit
+        file.create_dataset("stable", data=np.array([one.slewing.stable for one in found]))
+        file.create_dataset("lines", data=found[0].point.system.line_names, dtype=h5py.string_dtype())

@@ -1,0 +1,25 @@
+"""The flags of `hakobune single-point`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def single_point(
+    study: Path,
+    /,
+    *,
+    database: Annotated[Path | None, Parameter(help="of the body, for its masses and the drift of the waves")] = None,
+    output: Annotated[Path | None, Parameter(help="results, .h5")] = None,
+    picture: Annotated[Path | None, Parameter(help="plan of all equilibria, .png, .svg or .pdf")] = None,
+):
+    """A body on a buoy or turret: all headings of rest, whether it slews (fishtails), hawser and lines.
+
+    A study with [[maps]] draws how the slewing grows over its numbers; one with [slewing] runs in time.
+    """
+    from .command import single_point
+
+    return single_point(study, database, output, picture)

@@ -1,0 +1,146 @@
+"""Loads of a single-point study: wind, current and drift as `mooring.single_point.loads` takes them."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+
+from mooring.loads.box_current import current_force
+from mooring.loads.box_drag import about
+from mooring.loads.box_wind import AIR_DENSITY, BOX, wind_force
+from mooring.loads.coefficients import hull_force, read_hull_coefficients
+from mooring.loads.turning import turning_coefficients
+from mooring.motion.streams import turning_drag
+from mooring.motion.wave_loads import wave_forces
+from mooring.single_point.loads import (
+    DriftLoad,
+    Loads,
+    WaterLoad,
+    WindLoad,
+    isotropic_drift,
+    still_table,
+    turning_table,
+)
+from mooring.single_point.rings import angles
+from mooring.single_point.stored import mean_drift
+from mooring.studies.conditions import ExposedBox
+
+from ..common.quantities import StudyError, direction, positive, speed
+from ..common.units import TONF
+from ..moor.study import coefficients_of, sea_of
+from ..simulate.study import gusts_of
+
+MIDDLE = (0.0, 0.0)
+ONE_OF = "allowed: one of turning, coefficients, file"
+
+
+def loads_of(study, folder, db, density, center):
+    """Loads of a Study about its centre of mass (2,) m, and findings"""
+    findings = []
+    water = _water(study, folder, density, center, findings)
+    return Loads(water, _wind(study, folder, center), _drift(study, db, center)), findings
+
+
+def _wind(study, folder, center):
+    w, h = study.wind, study.hull
+    if w is None:
+        return None
+    if w.file is not None and w.coefficients is not None:
+        raise StudyError("wind: coefficients and file are given; allowed: one of them")
+    around = angles()
+    if w.file is not None:
+        unit = hull_force(_file(w.file, folder), np.ones(len(around)), around, AIR_DENSITY)
+    else:
+        if h.freeboard is None:
+            raise StudyError("hull.freeboard is missing; wind acts on it; give it, or wind.file")
+        table = BOX if w.coefficients is None else coefficients_of("wind", w)
+        unit = wind_force(np.ones(len(around)), around, h.length, h.beam, h.freeboard, AIR_DENSITY, table)
+    value = speed("wind", w)
+    return WindLoad(about(unit, MIDDLE, center), value, direction("wind", w), gusts_of(w))
+
+
+def _water(study, folder, density, center, findings):
+    c, h = study.current, study.hull
+    if c is None:
+        table = _turning(study, None, density, center, findings)
+        return WaterLoad(table, h.length, True)
+    ways = [name for name in ("turning", "coefficients", "file") if getattr(c, name) is not None]
+    if len(ways) > 1:
+        raise StudyError(f"current: {' and '.join(ways)} are given, which both hold its force; {ONE_OF}")
+    stream = speed("current", c), direction("current", c)
+    if not ways or ways == ["turning"]:
+        own = [k for k in ("yaw_drag", "sway_damping", "yaw_damping") if getattr(c, k)]
+        if own:
+            raise StudyError(
+                f"current.{own[0]} is given beside turning tests, which contain it; allowed: with {ONE_OF}"
+            )
+        return WaterLoad(_turning(study, c.turning, density, center, findings), h.length, True, *stream)
+    around = angles()
+    if ways == ["file"]:
+        coefficients = _file(c.file, folder)
+        unit = hull_force(coefficients, np.ones(len(around)), around, density)
+        crosswise = abs(float(coefficients.curve(0.5 * np.pi)[1])) * coefficients.area_y / (h.length * h.draft)
+        drag = 0.25 * density * crosswise * h.draft * (0.5 * h.length) ** 4
+    else:
+        table = coefficients_of("current", c)
+        unit = current_force(np.ones(len(around)), around, h.length, h.beam, h.draft, density, table)
+        drag = turning_drag(ExposedBox(h.length, h.beam, h.draft, 1.0), density, study.water.depth, table)
+    drag = drag if c.yaw_drag is None else 1e3 * c.yaw_drag
+    for key, value in (("yaw_drag", drag), ("sway_damping", c.sway_damping), ("yaw_damping", c.yaw_damping)):
+        if not 0 <= value < math.inf:
+            raise StudyError(f"current.{key} is {value:g}; allowed: at least 0, finite")
+    linear = 1e3 * np.diag([0.0, c.sway_damping, c.yaw_damping]) if c.sway_damping or c.yaw_damping else None
+    table = still_table(about(unit, MIDDLE, center))
+    return WaterLoad(table, h.length, False, *stream, drag, linear)
+
+
+def _turning(study, given, density, center, findings):
+    """(count, 5, 3) of turning tests of the hull's proportions, or of those that are given in their place"""
+    h = study.hull
+    own = {
+        "length_over_beam": h.length / h.beam,
+        "beam_over_draft": h.beam / h.draft,
+        "depth_over_draft": study.water.depth / h.draft,
+    }
+    if center[0] or center[1]:
+        raise StudyError("turning tests are about midship, where hull.center is not; give current coefficients or file")
+    taken = {name: getattr(given, name, None) or value for name, value in own.items()}
+    for name, value in taken.items():
+        positive(f"current.turning.{name}", value)
+        if not math.isclose(value, own[name], rel_tol=1e-6):
+            findings.append(f"turning tests are those of {name} = {value:g}, the hull has {own[name]:.3g}")
+    try:
+        found = turning_coefficients(*taken.values())
+    except ValueError as error:
+        text = str(error).replace("; give a TurningCoefficients of your own", "")
+        raise StudyError(
+            f"current: {text}; give current.turning the proportion to take in its place (beam_over_draft = 10), or "
+            "coefficients, or file"
+        ) from None
+    findings += found.notes
+    return turning_table(found, h.length, h.draft, density)
+
+
+def _drift(study, db, center):
+    w = study.waves
+    if w is None:
+        return None
+    to = direction("waves", w)
+    positive("waves.height", w.height)
+    if w.drift_tonf_per_m2 is not None:
+        if not 0 <= w.drift_tonf_per_m2 < math.inf:
+            raise StudyError(f"waves.drift_tonf_per_m2 is {w.drift_tonf_per_m2:g}; allowed: at least 0")
+        return isotropic_drift(w.drift_tonf_per_m2 * TONF * w.height**2, to, center, MIDDLE)
+    if db is None:
+        raise StudyError("waves: their drift is not known; give --database, or drift_tonf_per_m2")
+    if w.period is None:
+        raise StudyError("waves.period is missing; allowed: s, mean, for the drift of a database")
+    if not db.reader.knows_drift:
+        raise StudyError('the database holds no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2')
+    return DriftLoad(mean_drift(wave_forces(db.reader.floating()), sea_of("waves", w, to)))
+
+
+def _file(name, folder):
+    return read_hull_coefficients(Path(folder or ".") / name)

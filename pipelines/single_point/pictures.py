@@ -1,0 +1,76 @@
+"""Plan of a body at a single point: where it lies, the lines of its buoy, wind, current and waves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..common.picture import save
+from ..common.quantities import direction
+from .report import preferred
+
+
+def draw_plan(study, point, found, path):
+    """Write the plan of all Equilibrium of a study as a picture; lines are those of the preferred one."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9, 8), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    best = preferred(found)
+    draw_lines(axes, best.lines)
+    for one in found:
+        stable, chosen = one.slewing.stable, one is best
+        colour = "k" if chosen else "tab:green" if stable else "0.6"
+        draw_hull(axes, study, point, one.place, one.heading, color=colour, ls="-" if stable else "--",
+                  lw=1.8 if chosen else 1.0, label=f"{np.degrees(one.heading) % 360:.1f}°, "
+                  f"{'stable' if stable else 'not stable'}")  # fmt: skip
+        for end in ends_in_space(point, one.place, one.heading):
+            axes.plot(*np.stack([end, one.buoy]).T, color=colour, lw=0.8)
+    _draw_streams(axes, study, best)
+    s = best.slewing
+    state = "stable" if s.stable else "slews"
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal",
+             title=f"{state}, period {s.period:.0f} s, pull {best.pull / 1e3:.0f} kN")  # fmt: skip
+    figure.legend(loc="outside lower center", ncols=4, fontsize=8)
+    save(figure, path, 150)
+
+
+def draw_lines(axes, lines):
+    """Lines of a SystemEquilibrium of the buoy, and the buoy"""
+    anchors, tops = lines.points[lines.system.arrays.ends].swapaxes(0, 1)
+    for a, b in zip(anchors, tops, strict=True):
+        axes.plot([a[0], b[0]], [a[1], b[1]], color="0.75", lw=1.2, zorder=0)
+        axes.plot(*a[:2], "^", color="0.5", ms=5, zorder=0)
+    axes.plot(*lines.position[0, :2], "o", color="tab:red", ms=6)
+
+
+def draw_hull(axes, study, point, place, heading, **style):
+    """Outline of the hull, and its middle line from midship to the bow"""
+    h = study.hull
+    L, B = 0.5 * h.length, 0.5 * h.beam
+    outline = np.array([[L, B], [-L, B], [-L, -B], [L, -B], [L, B], [L, 0], [0, 0]])
+    x, y = np.array([np.cos(heading), np.sin(heading)]), np.array([-np.sin(heading), np.cos(heading)])
+    center = np.array([study.attachment.x, study.attachment.y]) - point.ends.mean(axis=0)
+    outline = place + (outline - center) @ np.stack([x, y])
+    axes.plot(*outline.T, **style)
+
+
+def ends_in_space(point, place, heading):
+    """(k, 2) m, where the hawsers are made fast to the hull"""
+    return place + point.ends @ np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
+
+
+def _draw_streams(axes, study, best):
+    """Arrows of the directions that wind, current and waves travel to, beside the buoy"""
+    size = 0.5 * study.hull.length
+    for i, name in enumerate(("wind", "current", "waves")):
+        table = getattr(study, name)
+        if table is None:
+            continue
+        to = direction(name, table)
+        along = np.array([np.cos(to), np.sin(to)])
+        end = best.buoy - 0.5 * size * along + 0.15 * size * (i - 1) * np.array([-along[1], along[0]])
+        axes.annotate("", end, end - size * along, arrowprops={"arrowstyle": "-|>", "color": f"C{i}", "lw": 2})
+        axes.plot(*(end - 1.1 * size * along), alpha=0)  # within the axes
+        axes.plot([], [], color=f"C{i}", lw=2, label=name)

@@ -1,0 +1,121 @@
+"""What a single-point study says on the terminal."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mooring.lines.system.parts import UniformLine
+from mooring.loads.turning import FITTED
+from mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
+from mooring.single_point.scope import length_without_uplift
+
+from ..common.units import TONF
+
+
+def show(console, study, made, found):
+    """Tables of equilibria and of the lines in the first that is stable, and the verdict"""
+    console.print(_equilibria_table(found))
+    best = preferred(found)
+    console.print(_lines_table(best, study.allowable))
+    for line in words(study, made, best):
+        console.print(line, highlight=False, soft_wrap=True)
+
+
+def preferred(found):
+    """The stable Equilibrium that decays fastest; the one that grows least where none is stable"""
+    return min(found, key=lambda one: one.slewing.growth)
+
+
+def words(study, made, one):
+    """Lines on an Equilibrium"""
+    heading = np.degrees(one.heading) % 360
+    x, y = one.place
+    yield (
+        f"heading {heading:.2f}° (bow from +x), centre of mass at x {x:.2f} m, y {y:.2f} m, buoy {one.buoy[0]:.2f}, "
+        f"{one.buoy[1]:.2f} m; steady pull {one.pull / TONF:.1f} tonf"
+    )
+    s = one.slewing
+    motion = "grows" if s.growth > 0 else "decays"
+    period = "without oscillation" if np.isinf(s.period) else f"at a period of {s.period:.0f} s"
+    state = "stable" if s.stable else "unstable"
+    yield f"slewing: {state}; it {motion} by a factor e in {1 / abs(s.growth):.0f} s {period}"
+    if one.quartic is not None:
+        m, (_, A, B, C, D) = one.lateral, one.quartic
+        state = {True: "stable", False: "slews"}
+        yield (
+            f"quartic λ⁴ + {A:.4g} λ³ + {B:.4g} λ² + {C:.4g} λ + {D:.4g}, effective line {m.length:.1f} m: "
+            f"Routh–Hurwitz {state[bool(routh_hurwitz(one.quartic))]}, "
+            f"undamped {state[bool(undamped_stable(undamped(one.quartic)))]}"
+        )
+    line = made.point.system.lines[int(np.argmax(one.lines.tension))]
+    if isinstance(line, UniformLine) and line.type.weight > 0:
+        height = one.lines.position[0, 2] + made.point.system.depth
+        need = float(length_without_uplift(one.lines.tension.max(), line.type.weight, height))
+        yield (
+            f"scope without uplift of the anchor, steady: {need / made.point.system.depth:.2f} times the depth "
+            f"({need:.0f} m of {line.length:.0f} m)"
+        )
+
+
+def findings(study, made, found):
+    """One line each: what a reader has to know"""
+    yield from made.findings
+    best, water = preferred(found), made.point.loads.water
+    if water.turning and water.speed > 0:
+        drift = np.abs(np.arctan(np.tan(water.direction - best.heading)))
+        if drift > FITTED * (1 + 1e-9):
+            yield (
+                f"the water meets the hull at {np.degrees(drift):.0f}°, {np.degrees(drift - FITTED):.0f}° beyond the "
+                "turning tests (60°); coefficients there are led on by the symmetry of a box; give current coefficients"
+            )
+    stable = [one for one in found if one.slewing.stable]
+    if not stable:
+        yield "no heading is stable: the body slews; see the growth over hawser and attachment with [[maps]]"
+    if len(stable) > 1:
+        headings = ", ".join(f"{np.degrees(one.heading) % 360:.0f}°" for one in stable)
+        yield f"{len(stable)} headings are stable ({headings}): the body lies at the one it comes to"
+    used = best.lines.lines.utilisation
+    over = [f"{n} {100 * u:.0f} %" for n, u in zip(made.point.system.line_names, used, strict=True)
+            if u > study.allowable]  # fmt: skip
+    if over:
+        yield f"steady tension above {100 * study.allowable:g} % of the breaking load: {', '.join(over)}"
+
+
+def _table(title, *columns):
+    from rich.table import Table
+
+    table = Table(title=title, title_justify="left")
+    for column in columns:
+        table.add_column(column, justify="right")
+    return table
+
+
+def _equilibria_table(found):
+    table = _table("headings of rest", "heading °", "stable", "growth 1/s", "period s", "pull tonf", "hawser tonf",
+                   "largest line tonf")  # fmt: skip
+    for one in found:
+        s = one.slewing
+        hawsers = " ".join(f"{value / TONF:.1f}" for value in one.hawser)
+        table.add_row(
+            f"{np.degrees(one.heading) % 360:.2f}",
+            "yes" if s.stable else "no",
+            f"{s.growth:.2e}",
+            "–" if np.isinf(s.period) else f"{s.period:.0f}",
+            f"{one.pull / TONF:.1f}",
+            hawsers,
+            f"{one.lines.tension.max() / TONF:.1f}",
+        )
+    return table
+
+
+def _lines_table(one, allowable):
+    table = _table(f"lines at {np.degrees(one.heading) % 360:.1f}°", "line", "tension tonf", "on the bed m", "used %")
+    lines = one.lines.lines
+    rows = zip(one.point.system.line_names, one.lines.tension / TONF, lines.grounded_length, 100 * lines.utilisation,
+               strict=True)  # fmt: skip
+    for name, tension, lying, used in rows:
+        style = "red" if used > 100 * allowable else None
+        table.add_row(
+            name, f"{tension:.1f}", f"{lying:.0f}", "unknown" if np.isnan(used) else f"{used:.1f}", style=style
+        )
+    return table

@@ -1,0 +1,191 @@
+"""What a single-point study means in SI: its lines, masses, loads, and the `SinglePoint` of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from mooring.lines.system.graph import System
+from mooring.lines.system.moored_body import leg_at_tension, moored_body
+from mooring.lines.system.parts import MooredBody, UniformLine
+from mooring.single_point.body import SinglePoint, SinglePointError
+
+from ..common.line_tables import line_of
+from ..common.quantities import StudyError, force, positive, water_depth
+from .loads import loads_of
+
+DENSITY, GRAVITY = 1025.0, 9.80665
+MOST_LINES = 60
+
+
+class Made(NamedTuple):
+    """point : SinglePoint; draft_left : m of freeboard of a buoy that may sink, inf where it is held at its height
+
+    findings : one line each
+    """
+
+    point: SinglePoint
+    draft_left: float
+    findings: tuple[str, ...]
+
+
+def make(study, folder=None, db=None) -> Made:
+    """The SinglePoint of a Study; db : an opened database, for masses and drift; folder : of files it names
+
+    raises : StudyError or SinglePointError, one line
+    """
+    depth = water_depth("water.depth", study.water.depth)
+    _check_hull(study, depth)
+    density = DENSITY if db is None else db.density
+    mass, center = _mass(study, db, density)
+    loads, findings = loads_of(study, folder, db, density, center)
+    ends, lengths = _hawsers(study, center)
+    system, left = _system(study, depth, density)
+    try:
+        return Made(SinglePoint(loads, mass, ends, lengths, system), left, tuple(findings))
+    except SinglePointError as error:
+        raise StudyError(f"hawser: {error}") from None
+
+
+def _check_hull(study, depth):
+    h = study.hull
+    for key in ("length", "beam", "draft"):
+        positive(f"hull.{key}", getattr(h, key))
+    if h.freeboard is not None:
+        positive("hull.freeboard", h.freeboard)
+    if not h.draft < depth:
+        raise StudyError(f"hull.draft is {h.draft:g} m; allowed: below the depth of {depth:g} m")
+    if not abs(h.center) < 0.5 * h.length:
+        raise StudyError(f"hull.center is {h.center:g} m from midship; allowed: within {0.5 * h.length:g} m")
+
+
+def _mass(study, db, density):
+    """(3, 3) planar mass with added mass about the centre of mass, and (2,) m where that is, from midship"""
+    h, table = study.hull, study.mass
+    if table is None and db is None:
+        raise StudyError("mass is missing; give [mass] with added_surge, added_sway and added_yaw, or --database")
+    if db is not None and table is None:
+        reader = db.reader.floating()
+        total = reader.inertia + reader.held_added_mass(0.0)[0]
+        plane = [0, 1, 5]
+        return total[np.ix_(plane, plane)], np.asarray(db.rotation_center, float)[:2]
+    own = density * h.length * h.beam * h.draft if h.displacement is None else 1e3 * h.displacement
+    positive("hull.displacement", own)
+    gyration = math.sqrt((h.length**2 + h.beam**2) / 12) if table.gyration is None else table.gyration
+    positive("mass.gyration", gyration)
+    shares = np.array([table.added_surge, table.added_sway, table.added_yaw])
+    if not np.all((shares >= 0) & np.isfinite(shares)):
+        raise StudyError(f"mass: added mass is {shares.min():g} of the body's own; allowed: at least 0")
+    return np.diag(own * (1 + shares) * np.array([1, 1, gyration**2])), np.array([h.center, 0.0])
+
+
+def _hawsers(study, center):
+    """Ends (k, 2) m from the centre of mass, and lengths (k,) m"""
+    at = np.array([study.attachment.x, study.attachment.y]) - center
+    if study.hawser is None:
+        return at[None], np.zeros(1)
+    h = study.hawser
+    if not 0 < h.length < math.inf:
+        raise StudyError(f"hawser.length is {h.length:g} m; allowed: above 0; leave [hawser] out for a contact buoy")
+    if h.count not in (1, 2):
+        raise StudyError(f"hawser.count is {h.count}; allowed: 1 or 2")
+    if h.count == 1:
+        if h.spacing:
+            raise StudyError(f"hawser.spacing is {h.spacing:g} m; allowed: with count = 2")
+        return at[None], np.array([h.length])
+    positive("hawser.spacing", h.spacing)
+    aside = np.array([0.0, 0.5 * h.spacing])
+    return np.stack([at + aside, at - aside]), np.full(2, h.length)
+
+
+def _system(study, depth, density):
+    """System of the buoy on its lines, and how far it may sink, m"""
+    b, m = study.buoy, study.mooring
+    if not -depth < b.z <= 0:
+        raise StudyError(f"buoy.z is {b.z:g} m; allowed: above the bed at {-depth:g} m, at most 0")
+    line = line_of("mooring", "line", m, study.types, density=density, gravity=GRAVITY)
+    height = b.z + depth
+    if line.length < height:
+        raise StudyError(
+            f"mooring: lines of {line.length:g} m cannot reach the bed {height:g} m below the buoy; lengthen them"
+        )
+    pretension = _pretension(m, line, height)
+    try:
+        legs = [
+            leg_at_tension(replace(line, name=f"line {i}"), (0.0, 0.0, b.z), heading, depth, pretension)
+            for i, heading in enumerate(_headings(m), 1)
+        ]
+    except ValueError as error:
+        raise StudyError(f"mooring: {error}") from None
+    made = moored_body(legs, depth, (0.0, 0.0, b.z), density, GRAVITY, "buoy")
+    body, left = _buoy(study, density)
+    return System(depth, made.lines, made.points, (body,), density, GRAVITY), left
+
+
+def _headings(m):
+    """rad, from the buoy to each anchor"""
+    if (m.headings_deg is None) == (m.count is None):
+        raise StudyError("mooring: allowed: one of headings_deg, count")
+    if m.headings_deg is not None:
+        if not 1 <= len(m.headings_deg) <= MOST_LINES:
+            raise StudyError(f"mooring.headings_deg has {len(m.headings_deg)} values; allowed: 1 to {MOST_LINES}")
+        return np.radians(m.headings_deg)
+    if not 1 <= m.count <= MOST_LINES:
+        raise StudyError(f"mooring.count is {m.count}; allowed: 1 to {MOST_LINES}")
+    return math.radians(m.first_deg) + np.arange(m.count) * (2 * math.pi / m.count)
+
+
+def _pretension(m, line, height):
+    """N, horizontal, at rest"""
+    horizontal, top = force("mooring", m, "pretension"), force("mooring", m, "top_tension")
+    if (horizontal is None) == (top is None):
+        raise StudyError("mooring: allowed: one of pretension (horizontal) and top_tension, in tonf or kN")
+    if top is None:
+        return horizontal
+    if not isinstance(line, UniformLine):
+        raise StudyError("mooring.top_tension is of a uniform line; give a line of segments its pretension")
+    carried = line.type.weight * height
+    if not top > carried:
+        raise StudyError(
+            f"mooring.top_tension is {top / 1e3:.4g} kN; allowed: above {carried / 1e3:.4g} kN, the line's weight from "
+            "the bed to the buoy"
+        )
+    stretch = carried**2 / (2 * line.type.axial_stiffness)  # T = H + wV/(1 + …): to first order in the strain
+    return top - carried + stretch * (top - 0.5 * carried) / max(top, 1.0)
+
+
+def _buoy(study, density):
+    """The buoy as a body of the System, and how far it may sink, m"""
+    b = study.buoy
+    given = [b.mass, b.diameter, b.height]
+    at = (0.0, 0.0, b.z, 0.0, 0.0, 0.0)
+    if given == [None] * 3:
+        return MooredBody("buoy", at, ("Surge", "Sway")), math.inf
+    if None in given:
+        raise StudyError("buoy: allowed: mass, diameter and height together, or none of them")
+    named = zip(("mass", "diameter", "height"), given, strict=True)
+    mass, diameter, height = (positive(f"buoy.{key}", value) for key, value in named)
+    area = 0.25 * math.pi * diameter**2
+    draft = 1e3 * mass / (density * area)
+    if not draft < height:
+        raise StudyError(
+            f"buoy.mass is {mass:g} t; allowed: below {1e-3 * density * area * height:.4g} t, its buoyancy when awash"
+        )
+    stiffness = np.zeros((6, 6))
+    stiffness[2, 2] = density * GRAVITY * area
+    return MooredBody("buoy", at, ("Surge", "Sway", "Heave"), stiffness), height - draft
+
+
+def check_buoy(made, equilibrium):
+    """Raises StudyError where lines pull the buoy under."""
+    lines = equilibrium.lines
+    sunk = made.point.system.bodies[0].position[2] - lines.position[0, 2]
+    if sunk > made.draft_left:
+        down = float(lines.lines.vertical_b.sum()) / 1e3
+        raise StudyError(
+            f"buoy: its lines pull it down with {down:.4g} kN, {sunk:.3g} m; allowed: {made.draft_left:.3g} m of "
+            "freeboard; give a larger buoy or lighter lines"
+        )

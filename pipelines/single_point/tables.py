@@ -1,0 +1,198 @@
+"""A single-point mooring as typed TOML.
+
+[water]                   [attachment]        # of the hawser or buoy     [types.chain]
+depth = 14.0              x = 50.0            # m ahead of midship        weight_kg_per_m = 241.4
+                                                                          breaking_load_tonf = 785.0
+[hull]                    [hawser]            # none: a contact buoy
+length = 100.0            length = 25.0       # or a turret               [mooring]
+beam = 50.0                                                               type = "chain"
+draft = 10.0              [buoy]                                          length = 150.0
+freeboard = 10.0          z = -3.0            # of the lines' ends        headings_deg = [30, 90, 150, 210, 270, 330]
+                                                                          top_tension_tonf = 15.0
+[mass]                    [wind]              [current]
+added_surge = 0.1         speed = 25.0        speed_knots = 1.5           [waves]
+added_sway = 0.6          incidence_deg = 0   incidence_deg = 30          height = 1.5
+added_yaw = 0.4                               turning = {}                incidence_deg = 0
+                                                                          drift_tonf_per_m2 = 4.99
+Angles are those of `moor`: direction_deg travelled to from +x, or incidence_deg, 0 from +x.  Headings are the bow's.
+"""
+
+from __future__ import annotations
+
+import msgspec
+
+from ..common.line_tables import LineTable, TypeTable
+from ..common.quantities import StudyError, Table
+from ..common.typed import read_toml, typed
+from ..moor.study import Coefficients, WaterTable, WindTable
+
+
+class HullTable(Table):
+    """length, beam, draft, freeboard : m; displacement : t, of the box if not given; center : m of mass from midship"""
+
+    length: float
+    beam: float
+    draft: float
+    freeboard: float | None = None
+    displacement: float | None = None
+    center: float = 0.0
+
+
+class MassTable(Table):
+    """added mass of slow surge, sway and yaw over the body's own; gyration : m in yaw, of a uniform box if not given"""
+
+    added_surge: float
+    added_sway: float
+    added_yaw: float
+    gyration: float | None = None
+
+
+class AttachmentTable(Table):
+    """x, y : m, from midship, where hawser or buoy is made fast to the hull"""
+
+    x: float
+    y: float = 0.0
+
+
+class HawserTable(Table):
+    """length : m of each; count : 1 or 2; spacing : m between the ends of two on the hull"""
+
+    length: float
+    count: int = 1
+    spacing: float = 0.0
+
+
+class BuoyTable(Table):
+    """z : m, where the lines are made fast, below 0; with mass (t), diameter and height (m) it rises and sinks"""
+
+    z: float
+    mass: float | None = None
+    diameter: float | None = None
+    height: float | None = None
+
+
+class MooringTable(LineTable, kw_only=True):
+    """Equal lines from the buoy at rest: headings_deg, or count of them from the first heading on
+
+    pretension : horizontal, at rest; or top_tension of a uniform line, along it at the buoy
+    """
+
+    headings_deg: list[float] | None = None
+    count: int | None = None
+    first_deg: float = 0.0
+    pretension_tonf: float | None = None
+    pretension_kN: float | None = None
+    top_tension_tonf: float | None = None
+    top_tension_kN: float | None = None
+
+
+class WindOfHull(WindTable):
+    """file : CSV of coefficients of a hull, beside the study, in place of those of a box"""
+
+    file: str | None = None
+
+
+class TurningTable(Table):
+    """Proportions whose turning tests are taken in place of the hull's own"""
+
+    length_over_beam: float | None = None
+    beam_over_draft: float | None = None
+    depth_over_draft: float | None = None
+
+
+class CurrentTable(Table):
+    """One of turning (tests of a box), coefficients (of a box) and file (CSV of a hull, beside the study)
+
+    yaw_drag : N₂ in kN m s², by default that of the cross flow on a box; sway_damping : kN s/m;
+    yaw_damping : kN m s; beside coefficients or file alone: turning tests contain them
+    """
+
+    speed: float | None = None
+    speed_knots: float | None = None
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    turning: TurningTable | None = None
+    coefficients: Coefficients | None = None
+    file: str | None = None
+    yaw_drag: float | None = None
+    sway_damping: float = 0.0
+    yaw_damping: float = 0.0
+
+
+class WavesTable(Table):
+    """height : m, significant; period : s, mean, of a spectrum as in `moor`, with a database
+
+    drift_tonf_per_m2 : of the square of the height, along the waves at every heading, in place of the database's drift
+    """
+
+    height: float
+    period: float | None = None
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    spectrum: str = "issc"
+    gamma: float | None = None
+    spreading: str | None = None
+    drift_tonf_per_m2: float | None = None
+
+
+class AxisTable(Table):
+    """key : of a number in this study, as "hawser.length" or "hull.length_over_beam" (of the same volume)"""
+
+    key: str
+    from_: float = msgspec.field(name="from")
+    to: float
+    count: int = 21
+
+
+class MapTable(Table):
+    """Growth of slewing over one or two numbers of the study"""
+
+    x: AxisTable
+    y: AxisTable | None = None
+
+
+class SlewingTable(Table):
+    """A run in time: duration, step : s; offset_deg : of the heading at its start from that of rest
+
+    waves_after : s, when the waves are added; tolerance : of place and heading; seed : of gusts and waves
+    drift_factor : of the mean drift, 1.2 where slow drift is counted in the report's way
+    """
+
+    duration: float = 1200.0
+    step: float = 1.0
+    offset_deg: float = 2.0
+    waves_after: float = 0.0
+    tolerance: float = 1e-6
+    seed: int = 1
+    drift_factor: float = 1.0
+
+
+class Study(Table):
+    water: WaterTable
+    hull: HullTable
+    attachment: AttachmentTable
+    types: dict[str, TypeTable]
+    mooring: MooringTable
+    buoy: BuoyTable
+    mass: MassTable | None = None
+    hawser: HawserTable | None = None
+    wind: WindOfHull | None = None
+    current: CurrentTable | None = None
+    waves: WavesTable | None = None
+    slewing: SlewingTable | None = None
+    maps: list[MapTable] = msgspec.field(default_factory=list)
+    allowable: float = 0.4
+
+
+def read_study(path):
+    """The Study of a TOML file, its nested dictionaries and its text.  Raises StudyError."""
+    raw, text = read_toml(path, "a study", StudyError)
+    return make_study(raw), raw, text
+
+
+def make_study(raw):
+    """The Study of nested dictionaries as TOML gives them.  Raises StudyError."""
+    study = typed(raw, Study, StudyError)
+    if not 0 < study.allowable <= 1:
+        raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
+    return study

@@ -1,0 +1,67 @@
+"""`hakobune single-point`: what it answers, what it writes, and one line on every fault of a study."""
+
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pipelines import cli
+from pipelines.single_point.maps import with_value
+
+STUDY = (Path(__file__).parents[3] / "pipelines" / "scenes" / "single_point_A.toml").read_text()
+
+
+def run(tmp_path, text, *flags, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "study.toml").write_text(text)
+    return cli.main(["single-point", "study.toml", *flags])
+
+
+def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeypatch, capsys):
+    h5py = pytest.importorskip("h5py")
+    text = STUDY + "\n[hawser]\nlength = 25.0\n\n[[maps]]\n"
+    text += 'x = { key = "hawser.length", from = 10, to = 90, count = 3 }\n'
+    text += 'y = { key = "hull.length_over_beam", from = 1.98, to = 2.02, count = 2 }\n'
+    assert run(tmp_path, text, "--output", "a.h5", "--picture", "a.png", monkeypatch=monkeypatch) == 0
+    said = capsys.readouterr().out
+    assert "slewing: stable" in said and "map over hawser.length" in said and "beam_over_draft = 10" in said
+    assert {p.name for p in tmp_path.iterdir()} == {"study.toml", "a.h5", "a.png", "study_slewing.png"}
+    with h5py.File(tmp_path / "a.h5") as file:
+        heading, stable = np.degrees(file["heading"][()]), file["stable"][()]
+        assert list(stable) == [True, False] and abs(heading[0] - 15) < 5
+        assert file["line_tension"].shape == (2, 6) and file["line_tension"].attrs["units"] == "N"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("turning = { beam_over_draft = 10.0 }", "turning = {}", "B/d = 5 is outside the turning tests (9.75 to 20.5)"),
+        ("turning = { beam_over_draft = 10.0 }", 'turning = {}\nfile = "a.csv"', "turning and file are given"),
+        ("[wind]", "[hawser]\nlength = 0.0\n[wind]", "hawser.length is 0 m; allowed: above 0; leave [hawser] out"),
+        ("[wind]", "[hawser]\nlength = 4.0\ncount = 2\nspacing = 20.0\n[wind]", "do not meet ahead"),
+        ("length = 150.0", "length = 8.0", "lines of 8 m cannot reach the bed 11 m below the buoy"),
+        ("z = -3.0", "z = -3.0\nmass = 500.0\ndiameter = 8.0\nheight = 5.0", "mass is 500 t; allowed: below 257.6 t"),
+        ("z = -3.0", "z = -3.0\nmass = 240.0\ndiameter = 8.0\nheight = 5.0", "its lines pull it down"),
+        ("top_tension_tonf = 15.0", "top_tension_tonf = 1.0", "top_tension is 9.807 kN; allowed: above 26.04"),
+        ("drift_tonf_per_m2 = 4.988", "", "their drift is not known"),
+        ("[mass]\nadded_surge = 0.1\nadded_sway = 0.6\nadded_yaw = 0.4\n", "", "mass is missing"),
+        ("[attachment]\nx = 50.0", "[attachment]\nz = 50.0", "attachment.z is unknown"),
+        ("speed = 25.0", "speed = 900.0", "cannot span"),
+    ],
+)  # fmt: skip
+def test_a_fault_is_one_line(old, new, said, tmp_path, monkeypatch, capsys):
+    assert old in STUDY
+    assert run(tmp_path, STUDY.replace(old, new), monkeypatch=monkeypatch) == 2
+    shown = capsys.readouterr().err
+    assert said in shown and shown.count("\n") == 1, shown
+
+
+def test_a_map_keeps_the_waterplane_and_knows_its_keys():
+    raw = tomllib.loads(STUDY)
+    changed = with_value(raw, "hull.length_over_beam", 5.0)
+    hull = changed["hull"]
+    assert hull["length"] * hull["beam"] == pytest.approx(5000) and hull["length"] / hull["beam"] == pytest.approx(5)
+    assert changed["attachment"]["x"] == pytest.approx(0.5 * hull["length"]) and raw["hull"]["length"] == 100
+    with pytest.raises(ValueError, match="no number of this study"):
+        with_value(raw, "hull.colour", 1.0)
