@@ -222,6 +222,7 @@ def at_headings(ring, wanted, omega, between, quadratic=False):
 
     The last `KEPT` are kept with their weights, which forces, Kochin functions, drift and errors share.
     """
+    omega = np.asarray(omega, float)
     key = (ring.headings.tobytes(), ring.force.tobytes(), np.asarray(wanted).tobytes(), omega.tobytes(), quadratic)
     kept = between.over_headings
     if key not in kept:

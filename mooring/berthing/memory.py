@@ -168,8 +168,8 @@ class _Run:
         out = []
         for i, after in enumerate(deflection):
             j = i % self.k
-            s = advanced_one(state[j], start[j], after, self.table.return_length[j])
-            out.append(reaction_of(self.table, j, after, s)[0])
+            s = advanced_one(state[j], start[j], after, self.table.marks[j, 0])
+            out.append(reaction_of(self.table, j, after, s))
         return np.array(out)
 
     def step(self, z, state, start):
@@ -193,7 +193,7 @@ class _Run:
         ship = self.ship
         steady = -np.linalg.solve(ship.a, ship.b @ velocity) if len(ship.a) else np.zeros(0)
         z, state = np.concatenate([np.zeros(2), velocity, steady]), [1.0] * self.k
-        start, lengths, lost, rows = self.lever.T @ z[:2] - self.gap, self.table.return_length, 0.0, []
+        start, lengths, lost, rows = self.lever.T @ z[:2] - self.gap, self.table.marks[:, 0], 0.0, []
         for _ in range(steps + 1):
             rows.append((z, start, state, lost))
             z, gone = self.step(z, state, start)

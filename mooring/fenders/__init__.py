@@ -7,5 +7,4 @@ families     generic characteristics by family; tables of makers
 pneumatic    the gas law
 dolphin      a spring in series
 variability  bands of manufacture, ageing, temperature, …; softest and stiffest
-contact      clearance, several fenders on one panel, friction with stick and slip
 """

@@ -24,44 +24,35 @@ import numpy as np
 
 
 class ContactTable(NamedTuple):
-    """Curves of m fenders in one row of arrays, all contiguous
+    """Curves of m fenders in few arrays, all contiguous: kernels pay for each array that they are given
 
-    first : (m + 1,) number of the first piece of each; knots, loading (…, 4), width (…, 4) : start and coefficients of
-    a piece, lowest order first; the last piece of each is straight and goes on
-    return_length, limit : (m,) m; beyond `limit` a simulation has to tell, and to refuse where `refuses` (m,)
+    first : (m + 1,) number of the first piece of each
+    pieces : (…, 9) knot; loading and its width above unloading as cubics, lowest order first; the last piece of each is
+    straight and goes on
+    marks : (m, 3) return length m; limit m, beyond which a simulation has to tell; 1 where it has to refuse, or 0
     """
 
     first: np.ndarray
-    knots: np.ndarray
-    loading: np.ndarray
-    width: np.ndarray
-    return_length: np.ndarray
-    limit: np.ndarray
-    refuses: np.ndarray
+    pieces: np.ndarray
+    marks: np.ndarray
 
 
 def contact_table(fenders):
     """`ContactTable` of a sequence of `fender.Fender`"""
     parts = [_with_tail(fender) for fender in fenders]
-    first = np.concatenate([[0], np.cumsum([len(knots) for knots, _, _ in parts])])
-    return ContactTable(
-        first,
-        *(np.ascontiguousarray(np.concatenate([part[i] for part in parts])) for i in range(3)),
-        np.array([fender.return_length for fender in fenders]),
-        np.array([fender.limit for fender in fenders]),
-        np.array([fender.overload is None for fender in fenders]),
-    )
+    first = np.concatenate([[0], np.cumsum([len(part) for part in parts])]).astype(np.int64)
+    marks = [(fender.return_length, fender.limit, fender.overload is None) for fender in fenders]
+    return ContactTable(first, np.concatenate([np.zeros((0, 9)), *parts]), np.array(marks, float).reshape(-1, 3))
 
 
 def _with_tail(fender):
     width = fender.loading.minus(fender.unloading)
     tails = [[[float(c(c.end)), float(c.slope(c.end)), 0.0, 0.0]] for c in (fender.loading, width)]
     tails[1][0][1] = max(tails[1][0][1], 0.0)  # a width that falls would end below 0
-    return (
-        fender.loading.knots,
-        np.concatenate([fender.loading.coefficients, tails[0]]),
-        np.concatenate([width.coefficients, tails[1]]),
+    columns = (
+        np.concatenate([curve.coefficients, tail]) for curve, tail in zip((fender.loading, width), tails, strict=True)
     )
+    return np.column_stack([fender.loading.knots, *columns])
 
 
 def advanced(state, before, after, length):
@@ -95,20 +86,19 @@ def followed(fender, deflection):
 
 
 def reaction_of(table, which, deflection, state):
-    """Reaction, N, and its slope at this state, N/m, of fender `which` at one deflection: plain numbers, for kernels"""
+    """Reaction, N, of fender `which` at one deflection and state: plain numbers, for kernels"""
     if deflection <= 0.0:
-        return 0.0, 0.0
+        return 0.0
     piece, stop = table.first[which], table.first[which + 1]
     while stop - piece > 1:
         middle = (piece + stop) // 2
-        if table.knots[middle] <= deflection:
+        if table.pieces[middle, 0] <= deflection:
             piece = middle
         else:
             stop = middle
-    t = deflection - table.knots[piece]
-    force = slope = 0.0
-    for part, share in ((table.loading, 1.0), (table.width, state - 1.0)):
-        a, b, c, d = part[piece]
-        force += share * (a + t * (b + t * (c + t * d)))
-        slope += share * (b + t * (2 * c + 3 * t * d))
-    return force, slope
+    c = table.pieces
+    t = deflection - c[piece, 0]
+    force = c[piece, 1] + t * (c[piece, 2] + t * (c[piece, 3] + t * c[piece, 4]))
+    if state < 1.0:
+        force += (state - 1.0) * (c[piece, 5] + t * (c[piece, 6] + t * (c[piece, 7] + t * c[piece, 8])))
+    return force

@@ -1,6 +1,7 @@
 """The equation of motion of a body in time, and the powers of everything that acts on it, compiled.
 
-    (M + A∞) ν̇ + C(νₛ) ν + ∫₀ᵗ K(t−τ) ν(τ) dτ + B′ν + N₂ν|ν| + C η = F₁ + F₂ + F_wind + F_current + F_lines + F_given
+    (M + A∞) ν̇ + C(νₛ) ν + ∫₀ᵗ K(t−τ) ν(τ) dτ + B′ν + N₂ν|ν| + C η
+        = F₁ + F₂ + F_wind + F_current + F_lines + F_fenders + F_ropes + F_given
 
 η = (x, y, z, φ, θ, ψ): place of the rotation centre from that at rest, in space, roll and pitch, and the heading, which
 may be any.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the slow velocity
@@ -22,13 +23,14 @@ from bem.kernels.jit import kernel
 from bem.time_domain.memory import MemoryArrays
 from bem.time_domain.memory_kernels import memory_force, memory_rate
 
+from .contact_loads import Contacts, ContactWork, contact_loads
 from .interpolation import EDGE, between_samples, on_ring
 from .line_loads import Lines, LineWork, line_loads
 from .streams import Stream, stream_force
 from .wave_loads import ROWS
 
-WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "given")
-BY_WAVES, BY_DRIFT, BY_WIND, BY_CURRENT, BY_LINES, BY_MEMORY, BY_DAMPING, BY_GIVEN = range(len(WORKS))
+WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "given", "fenders", "ropes")
+BY_WAVES, BY_DRIFT, BY_WIND, BY_CURRENT, BY_LINES, BY_MEMORY, BY_DAMPING, BY_GIVEN, BY_FENDERS, BY_ROPES = range(10)
 SLOW, SLOW_RATE, FIRST_WORK, MEMORY = 12, 15, 18, 18 + len(WORKS)  # where the parts of the state begin
 
 
@@ -76,6 +78,7 @@ class Work(NamedTuple):
     value: np.ndarray
     drag: np.ndarray
     R: np.ndarray
+    arm: np.ndarray
 
 
 class Scene(NamedTuple):
@@ -86,6 +89,8 @@ class Scene(NamedTuple):
     line_work: LineWork
     wind: Stream
     current: Stream
+    contacts: Contacts
+    contact_work: ContactWork
     work: Work
 
 
@@ -93,7 +98,7 @@ def room(columns):
     """`Work` for windows of so many columns"""
     return Work(
         np.zeros((ROWS, columns)), np.zeros(2), np.zeros(6), np.zeros(6), np.zeros(3), np.zeros(ROWS), np.zeros(4),
-        np.zeros(6), np.zeros(1), np.zeros(6), np.zeros((3, 3)),
+        np.zeros(6), np.zeros(1), np.zeros(6), np.zeros((3, 3)), np.zeros(3),
     )  # fmt: skip
 
 
@@ -207,6 +212,10 @@ def rates(scene, t, y, rate):
     load(body, scene.wind, scene.current, t, y, rate, work)
     good = line_loads(scene.lines, scene.line_work, y[:6], work.R, work.part)
     give(work.force, y, rate, work.part, 6, BY_LINES)
+    if len(scene.contacts.numbers):
+        contact_loads(scene.contacts, scene.contact_work, y[:6], work.R, work.stream, work.arm)
+        give(work.force, y, rate, scene.contact_work.parts[0], 6, BY_FENDERS)
+        give(work.force, y, rate, scene.contact_work.parts[1], 6, BY_ROPES)
     cos, sin = np.cos(y[5]), np.sin(y[5])
     rate[0], rate[1] = cos * y[6] - sin * y[7], sin * y[6] + cos * y[7]
     for j in range(2, 6):

@@ -14,6 +14,7 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
+from .contact_loads import settle
 from .equation import SLOW, SLOW_RATE, rates
 from .line_loads import hold
 from .wave_loads import fill_rows, fill_window
@@ -25,7 +26,7 @@ AT_ONCE = 1e-9  # s between instants that are one
 ROUNDING = 2e-9  # of the step between samples, by which their times are uncertain
 TIME, STEP, WINDOW = range(3)  # places in `Clock.now`
 STEPS, REFUSED, SAMPLES, WINDOWS = range(4)  # places in `Clock.counts`
-DONE, RUNNING, TOO_SHORT, NO_LINE, NOT_FINITE = range(5)
+DONE, RUNNING, TOO_SHORT, NO_LINE, NOT_FINITE, BEYOND = range(6)
 
 A = np.array(
     [
@@ -186,6 +187,9 @@ def advance(scene, waves, clock, samples, most):
                 return TOO_SHORT
             continue
         later = limit if cut else t + h
+        if scene.contact_work.beyond[0] >= 0:
+            return BEYOND
+        settle(scene.contact_work)
         put_samples(clock, t, h, later, samples)
         clock.y[:] = clock.trial
         now[TIME] = later

@@ -159,6 +159,27 @@ def rotation_of(angles, R):
     R[2, 0], R[2, 1], R[2, 2] = -e, b * d, b * a
 
 
+@kernel(inline=True)
+def generalized(position, fx, fy, fz, mx, my, mz, out):
+    """Add a force and a moment about the origin of the body's axes, in space, to forces (6,) in heading axes."""
+    cos, sin = np.cos(position[5]), np.sin(position[5])
+    out[0] += cos * fx + sin * fy
+    out[1] += -sin * fx + cos * fy
+    out[2] += fz
+    pitch_x, pitch_z = np.cos(position[4]), -np.sin(position[4])
+    out[3] += pitch_x * (cos * mx + sin * my) + pitch_z * mz  # M · Rz Ry e_x
+    out[4] += -sin * mx + cos * my  # M · Rz e_y
+    out[5] += mz
+
+
+@kernel(inline=True)
+def give_generalized(position, v, f, out):
+    """Add a force f (3,) N in space at an arm v (3,) m to forces (6,) in heading axes."""
+    generalized(
+        position, f[0], f[1], f[2], v[1] * f[2] - v[2] * f[1], v[2] * f[0] - v[0] * f[2], v[0] * f[1] - v[1] * f[0], out
+    )
+
+
 @kernel()
 def line_loads(lines, work, position, R, out):
     """out (6,) generalized forces, in heading axes, of the lines on a body at `position` (6,); work.tension is filled.
@@ -200,12 +221,7 @@ def line_loads(lines, work, position, R, out):
         mx += ay * -V - az * y
         my += az * x + ax * V
         mz += ax * y - ay * x
-    cos, sin = np.cos(position[5]), np.sin(position[5])
-    out[0], out[1], out[2] = cos * fx + sin * fy, -sin * fx + cos * fy, fz
-    pitch_x, pitch_z = np.cos(position[4]), -np.sin(position[4])
-    out[3] = pitch_x * (cos * mx + sin * my) + pitch_z * mz  # M · Rz Ry e_x
-    out[4] = -sin * mx + cos * my  # M · Rz e_y
-    out[5] = mz
+    generalized(position, fx, fy, fz, mx, my, mz, out)
     return good
 
 

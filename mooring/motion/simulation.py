@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -14,12 +14,14 @@ from bem.time_domain.memory import MemoryArrays, memory_of_database
 from ..environment.sea import Components, joined
 from ..lines.system.equilibrium import rest
 from . import integrator
+from .contact_loads import DEPTH, contact_work
+from .contacts import at_rest, berth_stiffness, courses, no_berth
 from .drift_damping import drift_damping_ring
 from .equation import FIRST_WORK, MEMORY, SLOW, WORKS, Body, Scene, room
 from .expected import expected_motion
 from .force_tables import TOLERANCE
 from .given_forces import sampled
-from .line_loads import body_lines, line_work, tables_of, tensions_along
+from .line_loads import body_lines, line_loads, line_work, tables_of, tensions_along
 from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
 from .wave_loads import WaveForces, no_waves, wave_forces, wave_table, waves_of
 
@@ -54,6 +56,7 @@ class Moored:
     quadratic : (6,) N₂ of drag on each motion; stiffness : (6, 6) of water, lines and springs at rest
     slow_added_mass : (6, 6) of the lowest frequency known; waves : WaveForces
     tables : of lines with segments (`line_loads.tables_of`); findings : what a reader has to know, one line each
+    berth : `contacts.Berth`, fenders and ropes
     """
 
     reader: object
@@ -69,6 +72,7 @@ class Moored:
     waves: WaveForces
     tables: tuple
     findings: tuple[str, ...] = ()
+    berth: object = field(default_factory=no_berth)
 
     def __repr__(self):
         lines = 0 if self.system is None else len(self.system.lines)
@@ -82,6 +86,7 @@ class Realisation(NamedTuple):
     velocity : (n, 6) m/s, rad/s in axes that turn with the heading; slow : (n, 3) low-passed x, y and yaw
     wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : of the run
     estimated_error : (6,) of the motions, nan where not asked for; steps : taken
+    deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
     work : {name: J} done on the body from the start of the ramp to the end; findings : one line each
     """
 
@@ -97,12 +102,16 @@ class Realisation(NamedTuple):
     steps: int
     work: dict
     findings: tuple[str, ...] = ()
+    deflection: np.ndarray = np.zeros((0, 0))
+    reaction: np.ndarray = np.zeros((0, 0))
+    pull: np.ndarray = np.zeros((0, 0))
 
 
-def moored(db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None):
+def moored(db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None):
     """`Moored` of an opened database, a `System` of one body with its axes at the rotation centre, and its hull.
 
     hull : ExposedBox; the drag of the water on it is that of the box tests where they reach
+    berth : `contacts.Berth`, fenders and ropes
     memory : a Memory, by default that of the database; spring, damping : (6, 6) SI; quadratic : (6,) N s²/m² …
     raises : ValueError naming what is missing or does not fit
     """
@@ -117,8 +126,12 @@ def moored(db, system=None, hull=None, *, memory=None, spring=None, damping=None
         start, stiffness = _rest(system, body.stiffness, spring)
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))
+    berth = no_berth() if berth is None else berth
+    if berth.names:
+        start = _rest_at_berth(berth, system, tables, body, spring, start)
+        stiffness = stiffness + berth_stiffness(berth, start)
     slow = body.held_added_mass(0.0)[0]
-    rest_of_it = wave_forces(body), tables, findings
+    rest_of_it = wave_forces(body), tables, findings, berth
     return Moored(body, system, hull, memory, start, spring, damping, quadratic, stiffness, slow, *rest_of_it)
 
 
@@ -139,7 +152,9 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     wind, current, drag = _streams(moored, weather, seed, end, findings)
     lines = body_lines(moored.system, [(name, settings.ramp + t) for name, t in settings.lines_lost], moored.tables)
     body = _body(moored, weather, settings, components, drag, current is not None)
-    scene = Scene(body, lines, line_work(lines), wind, calm() if current is None else current, room(table.steps))
+    streams = wind, calm() if current is None else current
+    contacts = moored.berth.arrays
+    scene = Scene(body, lines, line_work(lines), *streams, contacts, contact_work(contacts), room(table.steps))
     waves = waves_of(table, settings.slow_drift == "mean")
     samples, clock = _run(moored, settings, expected, scene, waves, progress)
     found = _realisation(moored, settings, seed, scene, table, samples, clock, findings)
@@ -218,6 +233,19 @@ def _rest(system, hydrostatic, spring):
     body = replace(system.bodies[0], freedom=DOFS, hydrostatic_stiffness=hydrostatic + spring)
     state = rest(replace(system, bodies=(body,)))
     return (state.position - np.array([body.position]))[0], np.asarray(state.stiffness)[:6, :6]
+
+
+def _rest_at_berth(berth, system, tables, body, spring, start):
+    """(6,) place at rest with fenders and ropes beside lines and water"""
+    lines, R, out = body_lines(system, (), tables), np.zeros((3, 3)), np.zeros(6)
+    work = line_work(lines)
+
+    def others(place):
+        line_loads(lines, work, place, R, out)
+        return out - (body.stiffness + spring) @ place
+
+    radius = np.sqrt(np.diag(body.inertia)[3:] / body.inertia[0, 0])
+    return at_rest(berth, others, start, np.concatenate([np.ones(3), 1 / radius]))
 
 
 def _check_place(system, db):
@@ -307,7 +335,7 @@ def _run(moored, settings, expected, scene, waves, progress):
     scale = SHARE * settings.tolerance / FORGOTTEN * expected
     clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale)
     samples = np.zeros((rows, 18))
-    scene = scene._replace(line_work=line_work(scene.lines))
+    scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
     while True:
         state = integrator.advance(scene, waves, clock, samples, STEPS_AT_ONCE)
         if progress is not None:
@@ -321,6 +349,13 @@ def _run(moored, settings, expected, scene, waves, progress):
 def _failure(state, clock, settings, scene, moored):
     t, place = clock.now[integrator.TIME], clock.y[:6]
     where = f"at {t - settings.ramp:.4g} s after the ramp, the body {np.hypot(*place[:2]):.3g} m from its place"
+    if state == integrator.BEYOND:
+        i = int(scene.contact_work.beyond[0])
+        depth, limit = scene.contact_work.now[i, DEPTH], scene.contacts.table.marks[i, 1]
+        return (
+            f"{where}: fender {moored.berth.names[i]} is pressed by {depth:.3g} m, beyond its table, which ends at "
+            f"{limit:.3g} m; take a larger one, or give it an overload stiffness"
+        )
     name, tension = _tightest(scene.line_work, moored)
     if state == integrator.NO_LINE:
         return (
@@ -355,8 +390,12 @@ def _realisation(moored, settings, seed, scene, table, samples, clock, findings)
         parts = Components(table.omega, table.amplitude, table.phase, table.direction)
         wave = elevation(parts, time + settings.ramp, 0.0, 0.0, moored.reader.depth, moored.reader.gravity)
     speed = np.hypot(*wind.velocity) + gust_at(wind, time + settings.ramp)
+    count = len(moored.berth.fenders)
+    depth, force = courses(moored.berth, samples)
+    depth = np.maximum(depth, 0.0)
     work = dict(zip(WORKS, clock.y[FIRST_WORK:MEMORY].tolist(), strict=True))
     return Realisation(
         time, samples[:, :6], samples[:, 6:12], samples[:, 12:15], wave, speed, tension, seed, np.full(6, np.nan),
         int(clock.counts[integrator.STEPS]), work, tuple(findings),
+        depth[:, :count], force[:, :count], force[:, count:],
     )  # fmt: skip

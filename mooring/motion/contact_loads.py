@@ -1,0 +1,150 @@
+"""Fenders that a body leans on and ropes that hold it to what stands still, compiled.
+
+A fender's face stands at a in space, met by a flat side of the body with outward normal m (unit, axes of the body) at
+the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
+
+    δ = s − c − m·q,    force on the body −N(δ) R m − T at a,    T = k_t u,  |T| ≤ μ N
+
+u is the way of the body's point at the fender along its face, held back where it slips (return mapping).  −N R m at a
+is the derivative of ∫N dδ, so that an elastic fender keeps energy.  A rope runs from a to the point p of the body:
+
+    e = |x₀ + η + R p − a| − L₀,    pull T(e) towards a.
+
+What has a history (`mooring.fenders.hysteresis`, u) keeps it from the start of a step; `settle` takes its end.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from ..fenders import hysteresis
+from ..fenders.hysteresis import ContactTable
+from .line_loads import give_generalized, rotation_of
+
+advanced = kernel(inline=True)(hysteresis.advanced_one)
+reaction = kernel(inline=True)(hysteresis.reaction_of)
+
+
+ARM, OFFSET, FRICTION, SHEAR, ROPE = 3, 6, 7, 8, 9  # places in a row of `Contacts.numbers`, after a − x₀
+DEPTH, STATE, SLIP, AT, FORCE = 0, 1, 2, 5, 8  # places in a row of `ContactWork`
+
+
+class Contacts(NamedTuple):
+    """m fenders and ropes as the kernels read them.
+
+    table : their curves; numbers : (m, 10) a − x₀ m; m of a fender's side, or p, m; offset s − c, or L₀, m; μ; k_t N/m;
+    1 for a rope, or 0
+    """
+
+    table: ContactTable
+    numbers: np.ndarray
+
+
+class ContactWork(NamedTuple):
+    """start, now : (m, 9) at the start of a step and now: δ or e, state of `hysteresis`, u (3) in space, q (3), force N
+
+    parts : (2, 6) of fenders and of ropes; beyond : (1,) number of one that is beyond its table and refused, or −1
+    """
+
+    start: np.ndarray
+    now: np.ndarray
+    parts: np.ndarray
+    beyond: np.ndarray
+
+
+def contact_work(contacts):
+    """`ContactWork` of what is not met yet"""
+    start = np.zeros((len(contacts.numbers), 9))
+    start[:, DEPTH], start[:, STATE] = -np.inf, 1.0
+    return ContactWork(start, start.copy(), np.zeros((2, 6)), np.full(1, -1))
+
+
+@kernel(inline=True)
+def pressed(contacts, work, i, depth):
+    """Force N of a deflection or elongation, m, which is kept with its state"""
+    state = advanced(work.start[i, STATE], work.start[i, DEPTH], depth, contacts.table.marks[i, 0])
+    force = reaction(contacts.table, i, depth, state)
+    work.now[i, DEPTH], work.now[i, STATE], work.now[i, FORCE] = depth, state, force
+    return force
+
+
+@kernel(inline=True)
+def fender_force(contacts, work, i, position, R, v, f):
+    """f (3,) N in space of fender i on the body, at the arm v (3,) m from the origin of its axes"""
+    c, start, now = contacts.numbers, work.start, work.now
+    s = along = size = 0.0
+    for j in range(3):
+        v[j] = c[i, j] - position[j]
+        f[j] = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]
+        s += v[j] * f[j]
+    N = pressed(contacts, work, i, c[i, OFFSET] - s)
+    if c[i, FRICTION] == 0.0:
+        for j in range(3):
+            f[j] *= -N
+        return
+    for j in range(3):
+        now[i, AT + j] = R[0, j] * v[0] + R[1, j] * v[1] + R[2, j] * v[2]
+        # the body's point that was at the fender, from it, and what it had moved before
+        moved = R[j, 0] * start[i, AT] + R[j, 1] * start[i, AT + 1] + R[j, 2] * start[i, AT + 2] - v[j]
+        now[i, SLIP + j] = start[i, SLIP + j] + (moved if start[i, DEPTH] > 0.0 else 0.0)
+        along += f[j] * now[i, SLIP + j]
+    for j in range(3):
+        now[i, SLIP + j] -= along * f[j]
+        size += now[i, SLIP + j] ** 2
+    pull, most = c[i, SHEAR] * np.sqrt(size), c[i, FRICTION] * N
+    held = most / pull if pull > most else 1.0
+    for j in range(3):
+        now[i, SLIP + j] *= held
+        f[j] = -N * f[j] - c[i, SHEAR] * now[i, SLIP + j]
+
+
+@kernel(inline=True)
+def rope_force(contacts, work, i, position, R, v, f):
+    """f (3,) N in space of rope i on the body, at the arm v (3,) m"""
+    c, span = contacts.numbers, 0.0
+    for j in range(3):
+        v[j] = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]
+        f[j] = c[i, j] - position[j] - v[j]
+        span += f[j] * f[j]
+    span = np.sqrt(span)
+    T = pressed(contacts, work, i, span - c[i, OFFSET])
+    for j in range(3):
+        f[j] *= T / span
+
+
+@kernel()
+def contact_loads(contacts, work, position, R, v, f):
+    """Generalized forces (2, 6) of fenders and of ropes, in heading axes, into work.parts; v, f : room (3,)"""
+    rotation_of(position[3:6], R)
+    work.parts[:] = 0.0
+    work.beyond[0] = -1
+    for i in range(len(contacts.numbers)):
+        kind = 0
+        if contacts.numbers[i, ROPE] > 0.0:
+            kind = 1
+            rope_force(contacts, work, i, position, R, v, f)
+        else:
+            fender_force(contacts, work, i, position, R, v, f)
+        give_generalized(position, v, f, work.parts[kind])
+        if contacts.table.marks[i, 2] > 0.0 and work.now[i, DEPTH] > contacts.table.marks[i, 1]:
+            work.beyond[0] = i
+
+
+@kernel()
+def settle(work):
+    """The end of a step becomes the start of the next."""
+    work.start[:] = work.now
+
+
+@kernel()
+def contacts_along(contacts, work, positions, R, v, f, depth, force):
+    """depth, force (n, m) m, N with the body at positions (n, 6 or more), one after the other"""
+    for t in range(len(positions)):
+        contact_loads(contacts, work, positions[t, :6], R, v, f)
+        settle(work)
+        for i in range(len(contacts.numbers)):
+            depth[t, i], force[t, i] = work.now[i, DEPTH], work.now[i, FORCE]

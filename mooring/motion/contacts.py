@@ -1,0 +1,124 @@
+"""Fenders and ropes of a body at a berth, as values, and where the body rests between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..fenders.fender import Fender, FenderError
+from ..fenders.hysteresis import contact_table
+from .contact_loads import Contacts, contact_loads, contact_work, contacts_along
+
+SIDES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0)}
+STEP = np.array([1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6])  # m, rad, of a difference quotient
+RESTS = 1e-6  # residual over the largest force of a fender or rope
+
+
+@dataclass(frozen=True, eq=False)
+class QuayFender:
+    """fender : with its dolphin; face : (3,) m in space; normal : (3,) outward of the body's flat side that meets it,
+    at `side` m from the origin of space with the body at rest; friction : μ; shear : N/m along the face"""
+
+    name: str
+    fender: Fender
+    face: np.ndarray
+    normal: np.ndarray
+    side: float
+    friction: float = 0.0
+    shear: float = 0.0
+
+    def __post_init__(self):
+        if not (self.friction >= 0 and self.shear >= 0) or (self.friction > 0 and self.shear == 0):
+            raise FenderError(
+                f"fender {self.name}: friction {self.friction:g} with shear stiffness {self.shear:g} N/m; allowed: "
+                "none, or both above 0"
+            )
+
+
+@dataclass(frozen=True, eq=False)
+class Berth:
+    """fenders : tuple of QuayFender; ropes : tuple of `mooring.lines.ropes.Rope`; arrays : Contacts, fenders first"""
+
+    fenders: tuple
+    ropes: tuple
+    arrays: Contacts
+
+    @property
+    def names(self):
+        """Of fenders and ropes, in the order of the arrays"""
+        return tuple(one.name for one in (*self.fenders, *self.ropes))
+
+
+def berth_of(fenders, ropes, center):
+    """`Berth` of a body with its axes at `center` (3,) m.  Raises FenderError where names are not each its own."""
+    fenders, ropes, center = tuple(fenders), tuple(ropes), np.asarray(center, float)
+    names = [one.name for one in (*fenders, *ropes)]
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
+        raise FenderError(f"{twice[0]!r} is the name of two fenders or ropes; allowed: each its own")
+    numbers = [
+        (*(one.face - center), *one.normal, one.side - float(np.dot(one.normal, center)), one.friction, one.shear, 0.0)
+        for one in fenders
+    ]
+    numbers += [(*(one.bollard - center), *(one.fairlead - center), one.length, 0.0, 0.0, 1.0) for one in ropes]
+    table = contact_table([*(one.fender for one in fenders), *(one.pull for one in ropes)])
+    arrays = Contacts(table, np.array(numbers, float).reshape(-1, 10))
+    return Berth(fenders, ropes, arrays)
+
+
+def no_berth():
+    """`Berth` of a body without fenders and ropes"""
+    return berth_of((), (), np.zeros(3))
+
+
+def berth_force(berth, position):
+    """(6,) generalized forces, in heading axes, of fenders that are pressed for the first time and ropes"""
+    work = contact_work(berth.arrays)
+    contact_loads(berth.arrays, work, np.asarray(position, float), np.zeros((3, 3)), np.zeros(3), np.zeros(3))
+    return work.parts.sum(axis=0)
+
+
+def berth_stiffness(berth, position):
+    """(6, 6) −∂force/∂position at a position (6,)"""
+    out = np.empty((6, 6))
+    for j, h in enumerate(STEP):
+        ahead, behind = (np.array(position, float) for _ in range(2))
+        ahead[j], behind[j] = ahead[j] + h, behind[j] - h
+        out[:, j] = (berth_force(berth, behind) - berth_force(berth, ahead)) / (2 * h)
+    return out
+
+
+def at_rest(berth, others, start, unit):
+    """(6,) place where fenders, ropes and `others` (function of the place, (6,) N) balance; unit : (6,) m, rad
+
+    raises : ValueError where they do not
+    """
+    from scipy.optimize import least_squares
+
+    size = max(np.abs(contact_forces(berth, start)).max(), 1.0)
+
+    def residual(x):
+        return (berth_force(berth, x * unit) + others(x * unit)) * unit / size
+
+    found = least_squares(residual, np.asarray(start) / unit, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    if not np.abs(found.fun).max() <= RESTS:
+        raise ValueError(
+            f"the body comes to no rest between its fenders and ropes: {np.abs(found.fun).max():.2g} of the largest "
+            "force is left; give ropes that hold it from both sides"
+        )
+    return found.x * unit
+
+
+def contact_forces(berth, position):
+    """(m,) N of fenders and ropes with the body at a place (6,) that it is put to"""
+    return courses(berth, np.asarray(position, float)[None])[1][0]
+
+
+def courses(berth, positions):
+    """Deflection or elongation (n, m) m and force (n, m) N along positions (n, 6 or more) of the body"""
+    positions = np.ascontiguousarray(positions)
+    depth, force = (np.zeros((len(positions), len(berth.names))) for _ in range(2))
+    room = np.zeros((3, 3)), np.zeros(3), np.zeros(3)
+    contacts_along(berth.arrays, contact_work(berth.arrays), positions, *room, depth, force)
+    return depth, force
