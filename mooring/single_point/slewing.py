@@ -16,6 +16,7 @@ import numpy as np
 
 from .body import SinglePoint, SinglePointError
 
+LONGEST = 40.0, 2.0  # s, of a step in steady and in gusty wind
 STEP = 1e-4  # of a derivative, in m, rad, m/s, rad/s over the scales of `linearised`
 
 
@@ -86,7 +87,7 @@ def linearised(point: SinglePoint, state):
     return J
 
 
-def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-6, wind_speed=None) -> SlowMotion:
+def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-4, wind_speed=None) -> SlowMotion:
     """Slow motion from a state (6,), by the method of Dormand and Prince of order 8 (`scipy`).
 
     duration, step : s, of the record; tolerance : relative, and of metres and radians
@@ -94,21 +95,35 @@ def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-6, wind_spee
     """
     from scipy.integrate import solve_ivp
 
-    start = np.asarray(start, float)
-    kept = [None]
+    kept, refused = [None], [""]
 
     def rate(t, y):
-        out, held = rates(point, y, None if wind_speed is None else wind_speed(t), kept[0])
+        if not np.all(np.isfinite(y)):
+            return np.full(6, np.nan)
+        try:
+            out, held = rates(point, y, None if wind_speed is None else wind_speed(t), kept[0])
+        except SinglePointError as error:  # of a step that is tried: a shorter one may do
+            refused[0] = f": {error}"
+            return np.full(6, np.nan)
         kept[0] = held.buoy
         return out
 
     time = step * np.arange(int(np.floor(duration / step + 1e-9)) + 1)
     scale = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])
-    found = solve_ivp(rate, (0.0, duration), start, "DOP853", time, rtol=tolerance, atol=tolerance * scale,
-                      max_step=20.0)  # fmt: skip
+    with np.errstate(invalid="ignore"):
+        found = solve_ivp(rate, (0.0, duration), start, "DOP853", time, rtol=tolerance, atol=tolerance * scale,
+                          max_step=LONGEST[wind_speed is not None])  # fmt: skip
     if not found.success:
-        raise SinglePointError(f"at {found.t[-1]:.4g} s the motion cannot be followed: {found.message}")
+        raise SinglePointError(f"at {found.t[-1]:.4g} s the motion cannot be followed{refused[0]}")
     return _record(point, time, found.y.T, wind_speed)
+
+
+def turned_state(point: SinglePoint, state, turn):
+    """(6,) state with the body turned by `turn` rad about where the mooring holds it, still over the ground"""
+    x, y, heading = state[:3]
+    arms = [np.array([np.cos(a) * p[0] - np.sin(a) * p[1], np.sin(a) * p[0] + np.cos(a) * p[1]])
+            for p in (point.apex,) for a in (heading, heading + turn)]  # fmt: skip
+    return at_rest_state(point, np.array([x, y]) + arms[0] - arms[1], heading + turn)
 
 
 def _record(point, time, states, wind_speed):

@@ -12,7 +12,8 @@ from mooring.single_point.equilibria import equilibria
 from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
-from .report import findings, show
+from . import running
+from .report import findings, preferred, show
 from .study import check_buoy, make
 from .tables import read_study
 
@@ -41,14 +42,22 @@ def single_point(study_path, database, output, picture):
     console = Console()
     show(console, study, made, found)
     written = []
-    if output is not None:
-        write_result(output, text, found)
-        written.append(output)
     if picture is not None:
         from .pictures import draw_plan
 
         draw_plan(study, made.point, found, picture)
         written.append(picture)
+    made_run = None
+    if study.slewing is not None:
+        made_run = running.run(study, made.point, preferred(found), db)
+        running.show(console, made_run)
+        path = Path(f"{Path(study_path).stem}_run.png")
+        check_picture(path, PLOTS)
+        running.draw(study, made_run, path)
+        written.append(path)
+    if output is not None:
+        write_result(output, text, found, made_run)
+        written.append(output)
     maps = _maps(study, raw, folder, db, study_path, console)
     written += maps
     for line in findings(study, made, found):
@@ -80,8 +89,8 @@ def _maps(study, raw, folder, db, study_path, console):
     return paths
 
 
-def write_result(path, text, found):
-    """Write the equilibria whole into a file (HDF5): one row each, units as attributes."""
+def write_result(path, text, found, run=None):
+    """Write the equilibria whole into a file (HDF5), one row each, and a Run; units as attributes."""
     import h5py
 
     from bem.database.file import beside
@@ -102,5 +111,7 @@ def write_result(path, text, found):
         file.attrs["study"] = text
         for name, (unit, values) in columns.items():
             file.create_dataset(name, data=np.asarray(values, float)).attrs["units"] = unit
+        for name, (unit, values) in ({} if run is None else running.datasets(run)).items():
+            file.create_dataset(f"run/{name}", data=np.asarray(values, float)).attrs["units"] = unit
         file.create_dataset("stable", data=np.array([one.slewing.stable for one in found]))
         file.create_dataset("lines", data=found[0].point.system.line_names, dtype=h5py.string_dtype())

@@ -48,10 +48,11 @@ class MassTable(Table):
 
 
 class AttachmentTable(Table):
-    """x, y : m, from midship, where hawser or buoy is made fast to the hull"""
+    """x, y : m, from midship, where hawser or buoy is made fast to the hull; z : height over the water, in waves"""
 
     x: float
     y: float = 0.0
+    z: float = 0.0
 
 
 class HawserTable(Table):
@@ -152,19 +153,23 @@ class MapTable(Table):
 
 
 class SlewingTable(Table):
-    """A run in time: duration, step : s; offset_deg : of the heading at its start from that of rest
+    """A run in time: duration : s; step : s of the record [1 s, of waves a thirtieth of their period]
 
-    waves_after : s, when the waves are added; tolerance : of place and heading; seed : of gusts and waves
-    drift_factor : of the mean drift, 1.2 where slow drift is counted in the report's way
+    offset_deg : of the heading at its start from that of rest; waves_after : s, when the waves are added
+    scheme : "two_scale", with waves, or "slow"; the first where there are waves and a database
+    slow_step : s, of the slow motion with waves; tolerance : of place and heading without
+    components : of the waves; seed : of gusts and waves
     """
 
     duration: float = 1200.0
-    step: float = 1.0
+    step: float | None = None
     offset_deg: float = 2.0
     waves_after: float = 0.0
-    tolerance: float = 1e-6
+    scheme: str | None = None
+    slow_step: float = 10.0
+    tolerance: float = 1e-4
+    components: int = 50
     seed: int = 1
-    drift_factor: float = 1.0
 
 
 class Study(Table):

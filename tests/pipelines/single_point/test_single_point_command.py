@@ -65,3 +65,15 @@ def test_a_map_keeps_the_waterplane_and_knows_its_keys():
     assert changed["attachment"]["x"] == pytest.approx(0.5 * hull["length"]) and raw["hull"]["length"] == 100
     with pytest.raises(ValueError, match="no number of this study"):
         with_value(raw, "hull.colour", 1.0)
+
+
+def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
+    h5py = pytest.importorskip("h5py")
+    text = STUDY.replace("speed = 25.0", 'speed = 25.0\ngusts = "davenport"') + "\n[slewing]\nduration = 120.0\n"
+    assert run(tmp_path, text, "--output", "a.h5", monkeypatch=monkeypatch) == 0
+    said = capsys.readouterr().out
+    assert "120 s in time" in said and "watch circle" in said and (tmp_path / "study_run.png").is_file()
+    with h5py.File(tmp_path / "a.h5") as file:
+        assert file["run/line_tension"].shape == (121, 6) and np.ptp(file["run/wind_speed"][()]) > 1
+    assert run(tmp_path, text + 'scheme = "two_scale"\n', monkeypatch=monkeypatch) == 2
+    assert "allowed: with [waves] and --database" in capsys.readouterr().err

@@ -1,0 +1,70 @@
+"""What a run in time says: tensions of the lines, watch circle, whether the slewing dies out or stays."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..lines.system.graph import Pose
+from .body import NO_POINTS, SinglePoint
+
+LAST = 1 / 3  # of a run, in which it is looked at whether the slewing stays
+STAYS = 0.02  # rad, amplitude of a slewing that stays; and the share by which it may still fall from half to half
+SETTLED = np.radians(0.2)  # of a heading that has come to rest
+
+
+class Cycle(NamedTuple):
+    """Slewing at the end of a run: amplitude : rad of the heading; period : s, nan without oscillation
+
+    growing : amplitude of the second half of that part over the first; stays : whether it goes on
+    """
+
+    amplitude: float
+    period: float
+    growing: float
+    stays: bool
+
+
+def line_tensions(point: SinglePoint, buoy, height=None):
+    """(n, lines) N, the larger of both ends, with the buoy at (n, 2) m; height : (n,) m, None to find or hold it"""
+    out = np.empty((len(buoy), len(point.system.lines)))
+    turn, z = point.system.pose.turn, None
+    free = "Heave" in point.system.bodies[0].freedom
+    for i, place in enumerate(buoy):
+        if height is not None:
+            z = height[i]
+        elif free or z is None:
+            z = point.pull(place, z).height
+        rows = point.system.load(Pose(np.array([[place[0], place[1], z]]), turn, NO_POINTS)).rows
+        out[i] = np.maximum(np.hypot(rows[:, 1], rows[:, 3]), np.hypot(rows[:, 2], rows[:, 4]))
+    return out
+
+
+def cycle(time, heading) -> Cycle:
+    """Cycle of the last part of a record: time (n,) s at equal steps, heading (n,) rad"""
+    late = time >= time[0] + (1 - LAST) * (time[-1] - time[0])
+    t, x = time[late], heading[late] - heading[late].mean()
+    first, second = np.array_split(x, 2)
+    amplitude = 0.5 * np.ptp(x)
+    growing = np.ptp(second) / max(np.ptp(first), 1e-300)
+    up = np.flatnonzero((x[:-1] < 0) & (x[1:] >= 0))
+    period = np.nan
+    if len(up) > 1:
+        places = t[up] - x[up] * (t[up + 1] - t[up]) / (x[up + 1] - x[up])
+        period = float(np.mean(np.diff(places)))
+    return Cycle(float(amplitude), period, float(growing), bool(amplitude > STAYS and growing > 1 - STAYS * 10))
+
+
+def settled_after(time, heading, final):
+    """s after which a heading stays within SETTLED of its final value, rad; nan where it does not"""
+    away = np.abs(heading - final) > SETTLED
+    if not away.any():
+        return float(time[0])
+    last = int(np.flatnonzero(away)[-1])
+    return float(time[last + 1]) if last + 1 < len(time) else np.nan
+
+
+def watch_circle(place, origin):
+    """m, largest distance of (n, 2) m from (2,) m"""
+    return float(np.hypot(*(place - origin).T).max())

@@ -1,0 +1,182 @@
+"""The two-scale scheme of the SR179 report (1982), section 3.6: slow motion and wave motion one after the other.
+
+    slow      T ν̇ = F(ψ, ν) + F_mooring                          in steps of 10 s, the wind of each held
+    waves     A ẍ + B ẋ + C x = F_w(t) + T_w,   T_w = F_mooring(slow + x) − F_mooring(slow)
+
+The place and the heading of the slow motion are held while the waves of its step pass; A and B are those of one
+frequency.  Tensions are those of both displacements together (3.6.4, with the arm of the hawser and the sign of yaw as
+they have to be, and pitch, which the report leaves out).  Waves may begin later than the slow motion, in which the
+decay of the slewing is then seen alone.  Wave motion is integrated by Newmark's method of mean acceleration, the
+mooring at the place that is foreseen.  The slow drift is not in it: the report adds a fifth to the tension.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.waves import wavenumber
+
+from .body import SinglePoint
+from .history import line_tensions
+from .slewing import rates
+
+RING = 72  # headings of the forces of a component
+GROWS = 2  # mean periods in which waves grow to their height
+
+
+@dataclass(frozen=True)
+class Steps:
+    """duration, slow, fast : s; waves_after : s without waves; parts : of a slow step for its own integration"""
+
+    duration: float = 1200.0
+    slow: float = 10.0
+    fast: float = 0.5
+    waves_after: float = 400.0
+    parts: int = 4
+
+
+@dataclass(frozen=True, eq=False)
+class WaveBody:
+    """Wave motion of a body about its centre of mass, in a sea of components (n,).
+
+    added, damping, stiffness : (6, 6) with the mass in `added`, of one frequency; force : (n, RING, 6) complex, N per m
+    omega, amplitude, phase, direction, number : (n,); lever : m, height of the attachment over the centre of mass
+    center : (2,) m, centre of mass in the axes of the forces; mean_omega : rad/s
+    """
+
+    added: np.ndarray
+    damping: np.ndarray
+    stiffness: np.ndarray
+    force: np.ndarray
+    omega: np.ndarray
+    amplitude: np.ndarray
+    phase: np.ndarray
+    direction: np.ndarray
+    number: np.ndarray
+    lever: float
+    center: np.ndarray
+    mean_omega: float
+
+    def forces_at(self, place, heading, times):
+        """(m, 6) N, N m at times (m,) s on a body whose slow place, (2,) m, and heading are held"""
+        turn = np.mod(self.direction - heading, 2 * np.pi) * (RING / (2 * np.pi))
+        low = np.floor(turn).astype(int)
+        share = (turn - low)[:, None]
+        at = np.arange(len(low))
+        near = (1 - share) * self.force[at, low % RING] + share * self.force[at, (low + 1) % RING]
+        cos, sin = np.cos(heading), np.sin(heading)
+        cx, cy = self.center
+        r = place - np.array([cos * cx - sin * cy, sin * cx + cos * cy])
+        along = self.number * (np.cos(self.direction) * r[0] + np.sin(self.direction) * r[1])
+        value = self.amplitude[:, None] * near * np.exp(1j * (along + self.phase))[:, None]
+        return np.real(np.exp(-1j * np.outer(times, self.omega)) @ value)
+
+
+def wave_body(reader, components, lever) -> WaveBody:
+    """WaveBody of a `bem.database.reader.Reader` with the coefficients of the mean frequency of its Components"""
+    omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
+    mean = float(omega @ amplitude**2 / (amplitude @ amplitude))
+    body = reader.floating()
+    A, B = body.coefficients(np.array([mean]))
+    order = np.argsort(omega)
+    ring = np.arange(RING) * (2 * np.pi / RING)
+    force = np.empty((len(omega), RING, 6), complex)
+    force[order] = body.forces(omega[order], ring)
+    number = wavenumber(omega, reader.depth, reader.gravity)
+    center = np.asarray(reader.rotation_center, float)[:2]
+    return WaveBody(body.inertia + A[0], B[0], body.stiffness, force, omega, amplitude, phase, direction, number,
+                    lever, center, mean)  # fmt: skip
+
+
+class TwoScale(NamedTuple):
+    """time : (n,) s, ends of the fast steps; place : (n, 2) m and heading : (n,) rad of the slow motion
+
+    wave : (n, 6) m, rad beside it
+    buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N of both together; wind_speed : (n,) m/s
+    """
+
+    time: np.ndarray
+    place: np.ndarray
+    heading: np.ndarray
+    wave: np.ndarray
+    buoy: np.ndarray
+    hawser: np.ndarray
+    lines: np.ndarray
+    wind_speed: np.ndarray
+
+
+def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = None, wind_speed=None) -> TwoScale:
+    """Run from a state (6,); body : None without waves; wind_speed : callable of s → m/s.  Raises SinglePointError."""
+    count = max(1, round(steps.slow / steps.fast))
+    slow_steps = int(np.ceil(steps.duration / steps.slow - 1e-9))
+    n = slow_steps * count
+    time = (steps.slow / count) * np.arange(1, n + 1)
+    slow, wave = np.empty((n, 3)), np.zeros((n, 6))
+    wind, buoy, hawser = np.empty(n), np.empty((n, 2)), np.empty((n, len(point.ends)))
+    state, motion = np.asarray(start, float), _still()
+    newmark = None if body is None else _Newmark(body, steps.slow / count)
+    mean_wind = 0.0 if point.loads.wind is None else point.loads.wind.speed
+    for k in range(slow_steps):
+        rows = slice(k * count, (k + 1) * count)
+        speed = mean_wind if wind_speed is None else float(wind_speed(k * steps.slow))
+        slow[rows], wind[rows] = state[:3], speed
+        held = point.hold(state[:2], state[2])
+        if body is None or k * steps.slow < steps.waves_after - 1e-9:
+            buoy[rows], hawser[rows] = held.buoy, held.tension
+        else:
+            grown = np.clip((time[rows] - steps.waves_after) * body.mean_omega / (2 * np.pi * GROWS), 0.0, 1.0)
+            forces = grown[:, None] * body.forces_at(state[:2], state[2], time[rows])
+            motion = newmark.run(point, state, held, motion, forces, wave[rows], buoy[rows], hawser[rows])
+        state = _advanced(point, state, steps.slow, steps.parts, speed)
+    keep = time <= steps.duration + 1e-9
+    lines = line_tensions(point, buoy[keep])
+    return TwoScale(time[keep], slow[keep, :2], slow[keep, 2], wave[keep], buoy[keep], hawser[keep], lines, wind[keep])
+
+
+def _still():
+    return np.zeros(6), np.zeros(6), np.zeros(6)
+
+
+def _advanced(point, state, step, parts, speed):
+    """State after a slow step, by Runge and Kutta's method of fourth order"""
+    h = step / parts
+    for _ in range(parts):
+        k1 = rates(point, state, speed)[0]
+        k2 = rates(point, state + 0.5 * h * k1, speed)[0]
+        k3 = rates(point, state + 0.5 * h * k2, speed)[0]
+        k4 = rates(point, state + h * k3, speed)[0]
+        state = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    return state
+
+
+class _Newmark:
+    """Steps of the wave motion; step : s"""
+
+    def __init__(self, body, step):
+        self.body, self.step = body, step
+        left = body.added + 0.5 * step * body.damping + 0.25 * step**2 * body.stiffness
+        self.inverse = np.linalg.inv(left)
+
+    def run(self, point, state, held, motion, forces, wave, buoy, hawser):
+        """Motion (place, velocity, acceleration) after forces (m, 6) of a slow step; fills the rows of its record"""
+        x, v, a = motion
+        h, body, near = self.step, self.body, held.buoy
+        cos, sin = np.cos(state[2]), np.sin(state[2])
+        for i, force in enumerate(forces):
+            foreseen = x + h * v + 0.5 * h * h * a
+            surge = foreseen[0] + body.lever * foreseen[4]
+            sway = foreseen[1] - body.lever * foreseen[3]
+            place = state[:2] + np.array([cos * surge - sin * sway, sin * surge + cos * sway])
+            now = point.hold(place, state[2] + foreseen[5], near)
+            near = now.buoy
+            X, Y, N = now.force - held.force
+            T = np.array([X, Y, 0.0, -body.lever * Y, body.lever * X, N])
+            half = x + h * v + 0.25 * h * h * a
+            a_next = self.inverse @ (force + T - body.damping @ (v + 0.5 * h * a) - body.stiffness @ half)
+            x, v = half + 0.25 * h * h * a_next, v + 0.5 * h * (a + a_next)
+            a = a_next
+            wave[i], buoy[i], hawser[i] = x, now.buoy, now.tension
+        return x, v, a

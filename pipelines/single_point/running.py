@@ -1,0 +1,209 @@
+"""A single-point study in time: the slow motion alone, or with the waves by the report's two scales.
+
+Waves need a database, a period and a scheme that is not "slow"; gusts are those of [wind].  Tensions of the lines are
+static forms of both displacements together.  Significant values are the report's: steady + ⅔ of the largest amplitude.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from mooring.environment.gusts import MissingVariance, gust_record
+from mooring.single_point.equilibria import Equilibrium
+from mooring.single_point.history import Cycle, cycle, line_tensions, settled_after, watch_circle
+from mooring.single_point.scope import significant
+from mooring.single_point.slewing import slew, turned_state
+from mooring.single_point.two_scale import Steps, two_scale, wave_body
+
+from ..common.quantities import StudyError, direction, positive
+from ..common.units import TONF
+from ..moor.study import sea_of
+
+SCHEMES = ("slow", "two_scale")
+GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
+ALOFT = 104729  # added to the seed of the waves for that of the gusts
+MOST_SAMPLES = 1_000_000
+MISSED = 0.05  # share of the energy of the waves
+SLOW_DRIFT = 1.2  # by which the report multiplies the tension of lines for the slow drift that it leaves out
+
+
+class Run(NamedTuple):
+    """time : (n,) s; place : (n, 2) m, heading : (n,) rad of the slow motion; wave : (n, 6) m, rad
+
+    buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N; wind_speed : (n,) m/s; steady : Equilibrium it began beside
+    cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
+    """
+
+    time: np.ndarray
+    place: np.ndarray
+    heading: np.ndarray
+    wave: np.ndarray
+    buoy: np.ndarray
+    hawser: np.ndarray
+    lines: np.ndarray
+    wind_speed: np.ndarray
+    steady: Equilibrium
+    cycle: Cycle
+    settled: float
+    radius: float
+
+
+def run(study, point, steady, db=None) -> Run:
+    """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
+    s = study.slewing
+    _check(s)
+    waves = study.waves is not None and db is not None and s.scheme != "slow"
+    if s.scheme == "two_scale" and not waves:
+        raise StudyError('slewing.scheme is "two_scale"; allowed: with [waves] and --database, or "slow"')
+    start, wind = turned_state(point, steady.state, np.radians(s.offset_deg)), _wind(point, s)
+    if waves:
+        body = wave_body(db.reader, _components(study, db, s), study.attachment.z - float(db.rotation_center[2]))
+        fast = 2 * np.pi / body.mean_omega / 30 if s.step is None else s.step
+        found = two_scale(point, start, Steps(s.duration, s.slow_step, fast, s.waves_after), body, wind)
+        record = found
+    else:
+        step = 1.0 if s.step is None else s.step
+        slow = slew(point, start, s.duration, step, tolerance=s.tolerance, wind_speed=wind)
+        lines = line_tensions(point, slow.buoy)
+        record = (slow.time, slow.place, slow.heading, np.zeros((len(slow.time), 6)), slow.buoy, slow.hawser, lines,
+                  slow.wind_speed)  # fmt: skip
+    time, place, heading = record[:3]
+    return Run(*record, steady, cycle(time, heading), settled_after(time, heading, steady.heading),
+               watch_circle(place, point.origin))  # fmt: skip
+
+
+def table_of(run: Run):
+    """(name, steady, mean, significant, largest, with the report's fifth) of hawsers and lines, N"""
+    names = [f"hawser {i}" for i in range(1, run.hawser.shape[1] + 1)] + run.steady.point.system.line_names
+    steady = np.concatenate([run.steady.hawser, run.steady.lines.tension])
+    record = np.concatenate([run.hawser, run.lines], axis=1)
+    values = significant(record, steady)
+    yield from zip(names, steady, record.mean(axis=0), values, record.max(axis=0), SLOW_DRIFT * values, strict=True)
+
+
+def words(run: Run):
+    """Lines on a run"""
+    c = run.cycle
+    first = np.degrees(run.heading[0] - run.steady.heading)
+    if c.stays:
+        yield (
+            f"the body slews: ±{np.degrees(c.amplitude):.1f}° at a period of {c.period:.0f} s at the end of the run"
+            + (", still growing" if c.growing > 1.02 else "")
+        )
+    elif np.isfinite(run.settled):
+        yield f"the heading decays from {first:.2g}° to within 0.2° of rest in {run.settled:.0f} s"
+    else:
+        yield f"the heading is still {np.degrees(c.amplitude):.2g}° about its mean at the end of the run"
+    wave = run.wave.std(axis=0)
+    if wave.any():
+        names = "surge", "sway", "heave", "roll", "pitch", "yaw"
+        shown = [f"{name} {value:.2g} m" for name, value in zip(names[:3], wave[:3], strict=True)]
+        shown += [f"{name} {np.degrees(value):.2g}°" for name, value in zip(names[3:], wave[3:], strict=True)]
+        yield f"wave motion, standard deviations: {', '.join(shown)}"
+        yield "slow drift is not in the run: the last column adds the report's 20 % for it"
+    yield f"watch circle of the centre of mass about the buoy at rest: {run.radius:.1f} m"
+
+
+def show(console, run: Run):
+    """Table of tensions and words"""
+    from rich.table import Table
+
+    table = Table(title=f"{run.time[-1]:.0f} s in time, tonf", title_justify="left")
+    for column in ("", "steady", "mean", "significant", "largest", "significant + 20 %"):
+        table.add_column(column, justify="right")
+    for name, *values in table_of(run):
+        table.add_row(name, *(f"{value / TONF:.4g}" for value in values))
+    console.print(table)
+    for line in words(run):
+        console.print(line, highlight=False, soft_wrap=True)
+
+
+def datasets(run: Run):
+    """{name: (unit, values)} of a file"""
+    return {
+        "time": ("s", run.time), "place": ("m", run.place), "heading": ("rad", run.heading),
+        "wave_motion": ("m, m, m, rad, rad, rad", run.wave), "buoy": ("m", run.buoy),
+        "hawser_tension": ("N", run.hawser), "line_tension": ("N", run.lines), "wind_speed": ("m/s", run.wind_speed),
+    }  # fmt: skip
+
+
+def draw(study, run: Run, path):
+    """Heading, tensions and the track of a run"""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    from ..common.picture import save
+    from .pictures import draw_hull, draw_lines
+
+    figure = Figure(figsize=(12, 7), layout="constrained")
+    FigureCanvasAgg(figure)
+    grid = figure.add_gridspec(3, 2, width_ratios=[3, 2])
+    heading, hawser, lines = (figure.add_subplot(grid[i, 0]) for i in range(3))
+    plan = figure.add_subplot(grid[:, 1])
+    heading.plot(run.time, np.degrees(run.heading + run.wave[:, 5]), lw=0.8)
+    heading.axhline(np.degrees(run.steady.heading), color="0.6", lw=0.8)
+    heading.set_ylabel("heading, °")
+    hawser.plot(run.time, run.hawser / 1e3, lw=0.8)
+    hawser.set_ylabel("hawser, kN" if run.steady.point.lengths[0] else "pull on buoy, kN")
+    worst = int(np.argmax(run.lines.max(axis=0)))
+    lines.plot(run.time, run.lines[:, worst] / 1e3, lw=0.8, color="tab:red")
+    lines.set(ylabel=f"{run.steady.point.system.line_names[worst]}, kN", xlabel="time, s")
+    draw_lines(plan, run.steady.lines)
+    point = run.steady.point
+    for at in np.linspace(0, len(run.time) - 1, 7).astype(int):
+        draw_hull(plan, study, point, run.place[at], run.heading[at], color="0.7", lw=0.8)
+    L = study.hull.length
+    plan.set_xlim(run.place[:, 0].min() - 0.8 * L, run.place[:, 0].max() + 1.2 * L)
+    plan.set_ylim(run.place[:, 1].min() - 1.2 * L, run.place[:, 1].max() + 1.2 * L)
+    plan.plot(*run.place.T, "k", lw=0.8)
+    plan.plot(*run.buoy.T, "tab:red", lw=0.8)
+    plan.set(xlabel="x, m", ylabel="y, m", aspect="equal", title="track of the centre of mass and the buoy")
+    save(figure, path, 150)
+
+
+def _check(s):
+    for key in ("duration", "slow_step", "tolerance"):
+        positive(f"slewing.{key}", getattr(s, key))
+    if s.step is not None:
+        positive("slewing.step", s.step)
+    if s.scheme is not None and s.scheme not in SCHEMES:
+        raise StudyError(f"slewing.scheme is {s.scheme!r}; allowed: {', '.join(SCHEMES)}")
+    if not 0 <= s.waves_after <= s.duration:
+        raise StudyError(f"slewing.waves_after is {s.waves_after:g} s; allowed: 0 to the duration of {s.duration:g} s")
+    if not abs(s.offset_deg) <= 180:
+        raise StudyError(f"slewing.offset_deg is {s.offset_deg:g}; allowed: −180 to 180")
+    if s.duration / (0.2 if s.step is None else s.step) > MOST_SAMPLES:
+        raise StudyError(f"slewing has more than {MOST_SAMPLES} samples; give a longer step")
+    if not (s.components >= 1 and s.seed >= 0):
+        raise StudyError("slewing: components are at least 1, the seed is a whole number from 0")
+
+
+def _wind(point, s):
+    """Callable of s → m/s of the gusty wind, None for a steady one"""
+    wind = point.loads.wind
+    if wind is None or wind.gusts is None:
+        return None
+    low, high, count = 2 * np.pi * GUSTS[0], 2 * np.pi * GUSTS[1], GUSTS[2]
+    t = np.arange(0.0, s.duration + 2.0, 0.5)
+    with warnings.catch_warnings():  # the report's band, beyond which no hull is moved
+        warnings.simplefilter("ignore", MissingVariance)
+        record = wind.speed + gust_record(wind.gusts, t, s.seed + ALOFT, low, high, count)
+    return lambda at: float(np.interp(at, t, record))
+
+
+def _components(study, db, s):
+    sea = sea_of("waves", study.waves, direction("waves", study.waves))
+    ends = sea.spectrum.quantile((1e-4, 1 - 1e-3))
+    low, high = np.clip(ends, db.reader.omega[0], db.reader.omega[-1])
+    missed = 1 - sea.spectrum.moment(0, low, high) / sea.spectrum.moment(0)
+    if missed > MISSED:
+        raise StudyError(
+            f"{100 * missed:.0f} % of the waves' energy lies outside the stored frequencies; allowed: "
+            f"{100 * MISSED:g} %; solve {ends[0]:.3g} to {ends[1]:.3g} rad/s too"
+        )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # said above where it is more than the report's own spectrum leaves out
+        return sea.components(s.components, s.seed, low=float(low), high=float(high))
