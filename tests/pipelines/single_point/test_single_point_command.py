@@ -46,7 +46,7 @@ def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeyp
         ("top_tension_tonf = 15.0", "top_tension_tonf = 1.0", "top_tension is 9.807 kN; allowed: above 26.04"),
         ("drift_tonf_per_m2 = 4.988", "", "their drift is not known"),
         ("[mass]\nadded_surge = 0.1\nadded_sway = 0.6\nadded_yaw = 0.4\n", "", "mass is missing"),
-        ("[attachment]\nx = 50.0", "[attachment]\nz = 50.0", "attachment.z is unknown"),
+        ("[attachment]\nx = 50.0", "[attachment]\nw = 50.0", "attachment.w is unknown"),
         ("speed = 25.0", "speed = 900.0", "cannot span"),
     ],
 )  # fmt: skip
