@@ -101,10 +101,10 @@ class Realisation(NamedTuple):
     estimated_error: np.ndarray
     steps: int
     work: dict
-    findings: tuple[str, ...] = ()
-    deflection: np.ndarray = np.zeros((0, 0))
-    reaction: np.ndarray = np.zeros((0, 0))
-    pull: np.ndarray = np.zeros((0, 0))
+    findings: tuple[str, ...]
+    deflection: np.ndarray
+    reaction: np.ndarray
+    pull: np.ndarray
 
 
 def moored(db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None):

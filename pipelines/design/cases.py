@@ -41,7 +41,7 @@ class LoadCase(NamedTuple):
 
 def laid_lines(study, db):
     """Raw tables of the lines of a study, each with name, fairlead and anchor; `db` : of the water they are laid in"""
-    typed = make_study(study)
+    typed = make_study(study).without_berth("design")
     hull = typed.hull_of(db.dimensions)
     system = typed.system(hull, db.rotation_center, db.density, db.gravity)
     points = {point.name: point for point in system.points}

@@ -65,7 +65,7 @@ def moor(study_path, database_path, output_path=None, quiet=False):
 
 def studied(study, db):
     """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
-    hull = study.hull_of(db.dimensions)
+    hull = study.without_berth("moor").hull_of(db.dimensions)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)
     return multi_point(db, system, hull, study.conditions(), study.allowable), hull
 

@@ -23,6 +23,7 @@ from mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import LineTable, TypeTable, line_of
 from ..common.quantities import StudyError, Table, below, direction, force, positive, speed, water_depth
+from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
 from ..common.seas import family_of, shape_of, spreading_of
 from ..common.typed import read_toml, typed
 
@@ -146,7 +147,9 @@ class SimulationTable(Table):
     """duration : s that statistics are taken of, or duration_hours; ramp : s before it; step : s between samples
 
     seeds : how many, from 1 on, or which; keep_series : of how many seeds the records are stored
-    damping_ratio : of critical, by motion, beyond waves, as in a response study; the rest as `weather.Settings`
+    damping_ratio : of critical, by motion, beyond waves, as in a response study
+    linear_damping, quadratic_damping : B₁, B₂ by motion in kN s/m, kN s²/m² (kN m of rotations), as
+    `hakobune damping` finds them; the rest as `weather.Settings`
     """
 
     duration: float | None = None
@@ -162,6 +165,8 @@ class SimulationTable(Table):
     memory: str = "states"
     estimate_error: bool = False
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
+    linear_damping: dict[str, float] = msgspec.field(default_factory=dict)
+    quadratic_damping: dict[str, float] = msgspec.field(default_factory=dict)
     lines_lost: list[LostTable] = msgspec.field(default_factory=list)
     force: list[GivenForceTable] = msgspec.field(default_factory=list)
     sea: list[SeaTable] = msgspec.field(default_factory=list)
@@ -172,13 +177,16 @@ class Study(Table):
 
     water: WaterTable
     hull: HullTable
-    types: dict[str, TypeTable]
+    types: dict[str, TypeTable] = msgspec.field(default_factory=dict)
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
     wind: WindTable | None = None
     current: StreamTable | None = None
     waves: WavesTable | None = None
     simulation: SimulationTable | None = None
+    fender: list[QuayFenderTable] = msgspec.field(default_factory=list)
+    dolphin: list[DolphinTable] = msgspec.field(default_factory=list)
+    rope: list[RopeTable] = msgspec.field(default_factory=list)
     allowable: float = 0.4
 
     def conditions(self):
@@ -214,9 +222,31 @@ class Study(Table):
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         return ExposedBox(**sizes, freeboard=positive("hull.freeboard", self.hull.freeboard))
 
+    @property
+    def at_berth(self):
+        """Whether fenders or ropes hold the body"""
+        return bool(self.fender or self.dolphin or self.rope)
+
+    def berth(self, hull, center):
+        """`mooring.motion.contacts.Berth` of fenders and ropes, for a body with its axes at `center` (3,) m"""
+        return berth_of_tables(self.fender, self.dolphin, self.rope, hull, center)
+
+    def without_berth(self, command):
+        """Itself.  Raises StudyError where fenders or ropes would be left out by a command."""
+        if self.at_berth:
+            raise StudyError(
+                f"{command} knows no [[fender]], [[dolphin]] and [[rope]]; allowed: with hakobune simulate"
+            )
+        return self
+
     def system(self, hull, center, density=1025.0, gravity=9.80665):
-        """System of the hull on all spreads and lines, its axes at `center` (3,) m; density : kg/m³; gravity : m/s²"""
+        """System of the hull on all spreads and lines, None where a berth alone holds it
+
+        its axes at `center` (3,) m; density : kg/m³; gravity : m/s²
+        """
         if not self.spreads and not self.lines:
+            if self.at_berth:
+                return None
             raise StudyError("the study has no lines; allowed: at least one [[spreads]] or [[lines]]")
         legs = []
         for i, spread in enumerate(self.spreads):

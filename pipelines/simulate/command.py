@@ -57,6 +57,8 @@ def beside_of(study, database):
     from ..moor.study import read_study
 
     db, read = open_database(database), read_study(study)[0]
+    if read.at_berth:
+        return None, ("the simplified method knows no fenders and ropes and is left out",)
     hull = read.hull_of(db.dimensions)
     system = read.system(hull, db.rotation_center, db.density, db.gravity)
     try:

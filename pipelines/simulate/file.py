@@ -35,6 +35,7 @@ SERIES = {  # name: (axes, unit, long name)
     "wave": (("kept_seed", "time"), "m", "elevation of the undisturbed wave at the origin"),
     "wind_speed": (("kept_seed", "time"), "m/s", "wind speed with its gusts"),
     "tension": (("kept_seed", "time", "line"), "N", "line tension at the body"),
+    "deflection": (("kept_seed", "time", "fender"), "m", "deflection of a fender"),
 }
 FILLED = ("findings", "stored", "summary", "summary_checksum")
 ROWS = {
@@ -63,11 +64,13 @@ class Header:
     quantities: tuple[str, ...]
     units: tuple[str, ...]
     attributes: dict = field(default_factory=dict)
+    fenders: tuple[str, ...] = ()
 
 
 def create(path, header, seeds, kept, old=None):
     """A new file for seeds, with records of the first `kept`; rows of `old`, an open file, are taken over."""
-    with beside(path, (*SERIES, *ROWS, *FILLED)) as file:
+    filled = [name for name in SERIES if header.fenders or "fender" not in SERIES[name][0]]
+    with beside(path, (*filled, *ROWS, *FILLED)) as file:
         _lay_out(file, header, np.array(seeds), min(kept, len(seeds)))
         for row in () if old is None else np.flatnonzero(whole_rows(old)):
             _take_over(old, file, int(row))
@@ -100,7 +103,11 @@ def _lay_out(file, header, seeds, kept):
         file.create_dataset(name, data=np.array(values, dtype=h5py.string_dtype() if text else None)).make_scale(name)
     file["time"].attrs["units"] = "s"
     file["quantity"].attrs["quantity_units"] = json.dumps(header.units)
+    if header.fenders:
+        file.create_dataset("fender", data=header.fenders, dtype=h5py.string_dtype()).make_scale("fender")
     for name, (dims, unit, words) in {**SERIES, **ROWS}.items():
+        if not header.fenders and "fender" in dims:
+            continue
         kind = np.float32 if name in SERIES else float
         data = np.full([len(file[axis]) for axis in dims], np.nan, kind)
         _dataset(file, name, dims, data, unit, words)
@@ -146,15 +153,19 @@ def is_run(path):
 
 def row_values(file, row):
     """{name: what is stored} of a row"""
-    names = [*ROWS, "findings", *(SERIES if row < len(file["kept_seed"]) else ())]
-    return {name: file[name][row] for name in names}
+    return {name: file[name][row] for name in _stored_names(file, row)}
+
+
+def _stored_names(file, row):
+    """Names of what is stored of a row; deflections only where there are fenders"""
+    series = [name for name in SERIES if name in file] if row < len(file["kept_seed"]) else []
+    return [*ROWS, "findings", *series]
 
 
 def put(file, row, values):
     """Store a row: data, flush, mark."""
     file["stored"][row] = 0
-    kept = [*ROWS, "findings", *(SERIES if row < len(file["kept_seed"]) else ())]
-    for name in kept:
+    for name in _stored_names(file, row):
         file[name][row] = np.asarray(values[name], file[name].dtype)
     file.flush()
     file["stored"][row] = _row_crc(file, row)

@@ -90,7 +90,10 @@ def _scene(file):
     center = file.attrs["rotation_center"]
     system = study.system(hull, center, file.attrs["density"], file.attrs["gravity"])
     box = (-length / 2, length / 2, -beam / 2, beam / 2, -draft, freeboard)
-    return SimpleNamespace(system=system, box=box, center=center, span=np.ptp(file["anchor"][:, :2], axis=0).max())
+    lines = 0 if system is None else len(system.lines)
+    ropes = file["anchor"][lines:], file["fairlead"][lines:] - center
+    span, depth = np.ptp(file["anchor"][:, :2], axis=0).max(), float(file.attrs["water_depth"])
+    return SimpleNamespace(system=system, ropes=ropes, lines=lines, box=box, center=center, span=span, depth=depth)
 
 
 def _waves(file, seed):
@@ -128,13 +131,18 @@ def surface(waves, x, y):
 
 
 def _shapes(scene, motion):
-    """(lines × POINTS, 3) m of the lines with the body displaced by `motion` (6,)"""
+    """(lines × POINTS, 3) m of lines, and of ropes as straight, with the body displaced by `motion` (6,)"""
     from mooring.lines.system.equilibrium import held_at, rest
     from mooring.lines.system.shapes import line_shapes
 
+    bollards, arms = scene.ropes
+    ends = scene.center + motion[:3] + arms @ _turn(*motion[3:]).T
+    straight = [a + (b - a) * np.linspace(0, 1, POINTS)[:, None] for a, b in zip(bollards, ends, strict=True)]
+    if scene.system is None:
+        return np.concatenate(straight)
     body = scene.system.bodies[0]
     pose = tuple(float(a + b) for a, b in zip(body.position, motion, strict=True))
-    return np.concatenate(line_shapes(rest(held_at(scene.system, {body.name: pose})), POINTS))
+    return np.concatenate([*line_shapes(rest(held_at(scene.system, {body.name: pose})), POINTS), *straight])
 
 
 def _turn(roll, pitch, yaw):
@@ -154,13 +162,13 @@ def _frames(scene, at, motion, waves):
     plotter.set_background("white")
     hull = pyvista.Box(scene.box).triangulate()
     still = hull.points - scene.center
-    count = len(scene.system.lines)
+    count = scene.lines + len(scene.ropes[0])
     cells = np.column_stack([np.full(count, POINTS), np.arange(count * POINTS).reshape(count, POINTS)]).ravel()
     lines = pyvista.PolyData(_shapes(scene, motion[0]), lines=cells)
     side = np.linspace(-0.5, 0.5, GRID) * WIDTH * scene.span
     x, y = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
     sea = pyvista.StructuredGrid(*(grid.reshape(GRID, GRID, 1) for grid in (x, y, np.zeros_like(x))))
-    bed = pyvista.Plane(center=(0, 0, -scene.system.depth), i_size=WIDTH * scene.span, j_size=WIDTH * scene.span)
+    bed = pyvista.Plane(center=(0, 0, -scene.depth), i_size=WIDTH * scene.span, j_size=WIDTH * scene.span)
     plotter.add_mesh(bed, color="#d8c9a0")
     plotter.add_mesh(sea, color="#4f8fc0", opacity=0.45)
     plotter.add_mesh(hull, color="#b04030")

@@ -32,6 +32,8 @@ def show(console, file, beside, findings):
     print_whole(console, statistics_table(file, title))
     if beside is not None:
         print_whole(console, lines_table(file, beside))
+    else:
+        findings = [*findings, *used(file)]
     for text in (*notes(file), *(f"warning: {line}" for line in findings)):
         console.print(text, style="yellow" * text.startswith("warning"), highlight=False, soft_wrap=True, markup=False)
 
@@ -101,6 +103,18 @@ def largest_tension(value):
     return value["upper_value"] if value["upper_runs"] else max(value["upper_value"], value["largest"])
 
 
+def used(file):
+    """Findings on lines and ropes beyond what they may carry, where the simplified method does not tell"""
+    allowable = float(file.attrs["allowable"])
+    for line, load in zip(file["line"].asstr()[()], file.attrs["breaking_load"], strict=True):
+        largest = largest_tension(line_values(file, line))
+        if largest > allowable * load:
+            yield (
+                f"{line} pulls up to {largest / TONF:.4g} tonf, {100 * largest / load:.3g} % of its breaking load; "
+                f"allowed: {100 * allowable:g} %"
+            )
+
+
 def notes(file):
     """How the columns are to be read"""
     runs = int(np.nanmax(file["summary"][:, SUMMARY.index("upper_runs")]))
@@ -133,7 +147,7 @@ def findings(file, moored_periods, wave_period):
             f"wanted {LONG:g}: its σ is uncertain by about {100 * share:.0f} %; simulate {LONG * slow:.3g} s"
         )
     depth, draft = float(file.attrs["water_depth"]), float(file.attrs["hull"][2])
-    if wave_period:
+    if wave_period and moored_periods:
         near = [f"{n.lower()} {v / wave_period:.2g}" for n, v in moored_periods.items() if n in DOFS and np.isfinite(v)]
         named = f"depth over draft {depth / draft:.3g}; natural over wave period: {', '.join(near)}"
         if float(file.attrs["hull"][0]) < SMALL:

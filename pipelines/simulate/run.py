@@ -107,7 +107,15 @@ def _identity(study, files, duration):
     words = msgspec.to_builtins(study)
     for name in ("seeds", "keep_series", "duration", "duration_hours"):
         (words.get("simulation") or {}).pop(name, None)
-    for name in ("force", "sea"):  # files of studies without them keep their hash
+    for name in ("fender", "dolphin", "rope"):
+        if not words[name]:
+            words.pop(name)
+    for name in (
+        "force",
+        "sea",
+        "linear_damping",
+        "quadratic_damping",
+    ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)
     digest = hashlib.sha256(json.dumps([words, duration], sort_keys=True).encode())
@@ -139,8 +147,9 @@ def _header(task, db, study, plan, identity):
     from mooring.motion.line_loads import body_lines
 
     body = prepared(task)[0]
-    names = tuple(body.system.line_names)
-    hull = body.hull
+    ropes, hull = body.berth.ropes, body.hull
+    names = (*(() if body.system is None else body.system.line_names), *(one.name for one in ropes))
+    fenders = tuple(one.name for one in body.berth.fenders)
     attributes = {
         "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
         "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": study.allowable,
@@ -148,10 +157,25 @@ def _header(task, db, study, plan, identity):
         "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
         "memory_states": body.memory.states, "place_at_rest": body.start,
     }  # fmt: skip
-    load, lines = np.asarray(body.system.breaking_load, float), body_lines(body.system)
-    ends = lines.anchor, lines.fairlead + lines.place
+    lines = body_lines(body.system)
+    load = [*(() if body.system is None else body.system.breaking_load), *(one.breaking_load for one in ropes)]
+    ends = [
+        np.array([*held, *others], float).reshape(-1, 3)
+        for held, others in (
+            (lines.anchor, (one.bollard for one in ropes)),
+            (lines.fairlead + lines.place, (one.fairlead for one in ropes)),
+        )
+    ]
     return Header(
-        identity, task.study, names, load, *ends, sample_times(plan.settings), *quantities_of(names), attributes
+        identity,
+        task.study,
+        names,
+        np.array(load, float),
+        *ends,
+        sample_times(plan.settings),
+        *quantities_of(names, fenders),
+        attributes,
+        fenders,
     )
 
 

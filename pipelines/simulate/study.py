@@ -19,6 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
+from bem import DOFS
 from mooring.environment import gusts
 from mooring.motion.weather import Settings, Weather
 from mooring.response.seas import energy_outside
@@ -96,8 +97,28 @@ def force_files(study, folder):
 
 
 def damping(study, body):
-    """(6, 6) SI of the damping ratios of a study, for a Body"""
-    return damping_of("simulation", study.simulation.damping_ratio if study.simulation else {}, body)
+    """(6, 6) SI of the damping ratios and the linear damping of a study, for a Body"""
+    if study.simulation is None:
+        return np.zeros((6, 6))
+    ratios = damping_of("simulation", study.simulation.damping_ratio, body)
+    return ratios + np.diag(_by_motion("linear_damping", study.simulation.linear_damping))
+
+
+def quadratic(study):
+    """(6,) SI of the quadratic damping of a study"""
+    return _by_motion("quadratic_damping", study.simulation.quadratic_damping if study.simulation else {})
+
+
+def _by_motion(key, values):
+    """(6,) SI of numbers in kN by motion.  Raises StudyError."""
+    out = np.zeros(6)
+    for name, value in values.items():
+        if name.capitalize() not in DOFS:
+            raise StudyError(f"simulation.{key}: there is no motion {name!r}; allowed: {', '.join(DOFS).lower()}")
+        if not 0 <= value < math.inf:
+            raise StudyError(f"simulation.{key}.{name} is {value:g}; allowed: 0 or more, finite")
+        out[DOFS.index(name.capitalize())] = 1e3 * value
+    return out
 
 
 def _forces(table, folder):

@@ -15,8 +15,8 @@ from mooring.motion.statistics import record_statistics
 
 from ..common.quantities import StudyError
 from ..moor.study import make_study
-from .file import LONGEST
-from .study import damping, plan_of
+from .file import LONGEST, SERIES
+from .study import damping, plan_of, quadratic
 
 QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "rad"), strict=True)) | {
     "wave": "m",
@@ -50,14 +50,16 @@ def prepared(task):
         plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
         hull = study.hull_of(db.dimensions)
         system = study.system(hull, db.rotation_center, db.density, db.gravity)
-        unknown = [name for name, _ in plan.settings.lines_lost if name not in system.line_names]
+        names = () if system is None else system.line_names
+        unknown = [name for name, _ in plan.settings.lines_lost if name not in names]
         if unknown:
-            known = ", ".join(system.line_names)
+            known = ", ".join(names) or "none"
             raise StudyError(f"simulation.lines_lost: there is no line {unknown[0]!r}; allowed: {known}")
         extra = damping(study, db.reader.floating())
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            body = moored(db, system, hull, memory=task.memory, damping=extra)
+            berth = study.berth(hull, db.rotation_center)
+            body = moored(db, system, hull, memory=task.memory, damping=extra, quadratic=quadratic(study), berth=berth)
         _prepared.clear()
         _prepared[key] = body, plan, study, tuple(str(w.message) for w in caught)
     return _prepared[key]
@@ -74,7 +76,9 @@ def simulate_seed(task, seed, kept, progress=None):
     late = run.time >= -1e-9
     extreme = 1000 * plan.mean_period if plan.mean_period else None
     statistics = partial(record_statistics, step=plan.settings.step, split=plan.split, duration=extreme)
-    columns = np.column_stack([run.motion, run.wave, run.wind_speed, run.tension])[late]
+    run = run._replace(tension=np.column_stack([run.tension, run.pull]))
+    met = [column for pair in zip(run.deflection.T, run.reaction.T, strict=True) for column in pair]
+    columns = np.column_stack([run.motion, run.wave, run.wind_speed, run.tension, *met])[late]
     if not np.all(np.isfinite(columns)):
         raise ValueError("the run has numbers that are not finite")
     row = {
@@ -84,7 +88,7 @@ def simulate_seed(task, seed, kept, progress=None):
         "findings": np.bytes_("\n".join(run.findings).encode()[:LONGEST].decode(errors="ignore").encode()),
     }
     if kept:
-        row |= {name: getattr(run, name)[late] for name in ("motion", "slow", "wave", "wind_speed", "tension")}
+        row |= {name: getattr(run, name)[late] for name in SERIES}
     return row
 
 
@@ -95,7 +99,8 @@ def sample_times(settings):
     return time[time >= -1e-9]
 
 
-def quantities_of(lines):
+def quantities_of(lines, fenders=()):
     """Names and units of the columns of statistics"""
     names = [*QUANTITY_UNITS, *(f"tension {line}" for line in lines)]
-    return tuple(names), tuple([*QUANTITY_UNITS.values()] + ["N"] * len(lines))
+    names += [f"{what} {fender}" for fender in fenders for what in ("deflection", "reaction")]
+    return tuple(names), tuple([*QUANTITY_UNITS.values()] + ["N"] * len(lines) + ["m", "N"] * len(fenders))

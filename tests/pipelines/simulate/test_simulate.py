@@ -17,6 +17,7 @@ from mooring.environment.spectra import issc
 from mooring.environment.spreading import CosinePower
 from mooring.environment.wave_records import elevation
 from mooring.lines.system.equilibrium import rest
+from mooring.motion.contacts import no_berth
 from mooring.motion.simulation import Realisation
 from pipelines.cli import main
 from pipelines.common.quantities import StudyError
@@ -41,8 +42,9 @@ def oscillator(body, plan, settings, seed=0, progress=None):
     wave = (1 + 0.1 * np.random.default_rng(seed).random()) * np.sin(0.6 * t)
     motion = 0.01 * wave[:, None] * np.arange(1.0, 7.0)
     tension = 1e6 + 1e5 * wave[:, None] * np.linspace(-1, 1, 12)
-    zero = np.zeros(6)
-    return Realisation(t, motion, motion, motion[:, [0, 1, 5]], wave, 0 * t, tension, seed, zero, 9, {}, ("a finding",))
+    zero, none, found = np.zeros(6), np.zeros((len(t), 0)), ("a finding",)
+    slow = motion[:, [0, 1, 5]]
+    return Realisation(t, motion, motion, slow, wave, 0 * t, tension, seed, zero, 9, {}, found, none, none, none)
 
 
 @pytest.fixture
@@ -58,6 +60,7 @@ def folder(tmp_path, monkeypatch):
     system = study.system(hull, np.zeros(3))
     memory = SimpleNamespace(states=4)
     body = SimpleNamespace(system=system, hull=hull, memory=memory, start=np.zeros(6), findings=("prepared",))
+    body.berth = no_berth()
 
     def prepared(task):
         return body, plan_of(study, WIDE, None, task.duration), study, ()

@@ -1,0 +1,135 @@
+"""Fenders, dolphins and ropes of a berth as tables of a study file.
+
+[[fender]]                       [[dolphin]]              [[rope]]
+name = "F1"                      name = "D1"              name = "head line"
+position = [-40.0, 25.0, 3.0]    stiffness = 5000.0       fairlead = [48.0, 20.0, 8.0]
+family = "cell"                  yield_force = 3000.0     bollard = [70.0, 40.0, 4.0]
+height = 1.7                     stiffness_beyond = 900   pretension_kN = 150.0
+on = "D1"                                                 breaking_load_kN = 1200.0
+friction = 0.2                                            break_strain = 0.1
+shear = 2000.0                                            tail_length = 8.0 …
+
+A fender is met by the flat side of the hull that it stands before; x, y, z in m with the body at rest, forces in kN.
+"""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+
+from .fender_tables import FenderTable, fender_of, pair_of
+from .quantities import StudyError, Table, positive
+
+FARTHEST = 10.0  # m, of a fender from the hull at rest
+
+
+class QuayFenderTable(FenderTable, kw_only=True):
+    """The keys of a fender and: position : m, of its face; friction : μ, with shear : kN/m along the face
+
+    on : name of the dolphin that it stands on
+    """
+
+    name: str
+    position: tuple[float, float, float]
+    on: str | None = None
+    friction: float = 0.0
+    shear: float = 0.0
+
+
+class DolphinTable(Table):
+    """stiffness : kN/m; beyond yield_force, kN, stiffness_beyond, kN/m"""
+
+    name: str
+    stiffness: float
+    yield_force: float | None = None
+    stiffness_beyond: float | None = None
+
+
+class RopeTable(Table):
+    """From the bollard to the fairlead, m; break_strain : of a new rope; exponent : T ∝ εⁿ; hardening : by use
+
+    tail_length : m, with its own breaking load [that of the rope], break_strain and exponent
+    """
+
+    name: str
+    fairlead: tuple[float, float, float]
+    bollard: tuple[float, float, float]
+    breaking_load_kN: float
+    break_strain: float
+    pretension_kN: float = 0.0
+    exponent: float = 1.0
+    hardening: float = 1.0
+    tail_length: float = 0.0
+    tail_breaking_load_kN: float | None = None
+    tail_break_strain: float | None = None
+    tail_exponent: float = 1.0
+
+
+def berth_of_tables(fenders, dolphins, ropes, hull, center):
+    """`mooring.motion.contacts.Berth` of lists of tables; hull : ExposedBox; center : (3,) m.  Raises ValueError."""
+    from mooring.motion.contacts import berth_of
+
+    known = {one.name: one for one in dolphins}
+    if len(known) < len(dolphins):
+        raise StudyError("two [[dolphin]] have one name; allowed: each its own")
+    stands = [one.on for one in fenders if one.on is not None]
+    for name in stands:
+        if name not in known:
+            raise StudyError(f"fender.on: there is no dolphin {name!r}; allowed: {', '.join(known) or 'none is given'}")
+        if stands.count(name) > 1:
+            raise StudyError(
+                f"dolphin {name!r} carries {stands.count(name)} fenders; allowed: one, of count side by side"
+            )
+    for name in known:
+        if name not in stands:
+            raise StudyError(f"dolphin {name!r} carries no fender; allowed: one, by its key on")
+    made = [_fender(f"fender[{i}] ({one.name})", one, known.get(one.on), hull) for i, one in enumerate(fenders)]
+    return berth_of(made, [_rope(one) for one in ropes], center)
+
+
+def _fender(where, table, dolphin, hull):
+    from mooring.motion.contacts import QuayFender
+
+    if dolphin is not None:
+        if table.dolphin is not None:
+            raise StudyError(f"{where}: on and dolphin are given; allowed: one of them")
+        stands = {"dolphin": dolphin.stiffness, "dolphin_yield": dolphin.yield_force}
+        table = msgspec.structs.replace(table, **stands, dolphin_beyond=dolphin.stiffness_beyond)
+    face = np.array(table.position)
+    normal, side = _side(where, face, hull)
+    made = pair_of(table, fender_of(table, where), where)
+    return QuayFender(table.name, made, face, normal, side, table.friction, 1e3 * table.shear)
+
+
+def _side(where, face, hull):
+    """Outward normal of the hull's side that a face stands before, and its distance from midship, m"""
+    half = 0.5 * np.array([hull.length, hull.beam])
+    off = np.abs(face[:2]) - half
+    across = int(np.argmax(off))
+    reached = off[1 - across] <= 0 and -hull.draft <= face[2] <= hull.freeboard and off[across] <= FARTHEST
+    if not reached:
+        x, y, z = face
+        raise StudyError(
+            f"{where}: the body cannot reach it at {x:g}, {y:g}, {z:g} m; allowed: before a side of the hull of "
+            f"{hull.length:g} × {hull.beam:g} m, at most {FARTHEST:g} m off, z {-hull.draft:g} to {hull.freeboard:g}"
+        )
+    normal = np.zeros(3)
+    normal[across] = np.sign(face[across])
+    return normal, float(half[across])
+
+
+def _rope(table):
+    from mooring.lines.ropes import RopePart, rope
+
+    where = f"rope {table.name}"
+    load = 1e3 * positive(f"{where}: breaking_load_kN", table.breaking_load_kN)
+    main, tail = RopePart(load, table.break_strain, table.exponent), None
+    if table.tail_length:
+        if table.tail_break_strain is None:
+            raise StudyError(f"{where}: tail_break_strain is missing; allowed: of a tail, above 0")
+        own = table.tail_breaking_load_kN
+        tail = RopePart(load if own is None else 1e3 * own, table.tail_break_strain, table.tail_exponent)
+    return rope(
+        table.name, table.bollard, table.fairlead, main, 1e3 * table.pretension_kN, tail=tail,
+        tail_length=table.tail_length, hardening=table.hardening,
+    )  # fmt: skip

@@ -1,0 +1,96 @@
+"""A ship at a quay: fenders, dolphins and ropes of a study file, through the file of a simulation."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mooring.motion.simulation as engine
+import pipelines
+from bem.time_domain.memory import Memory, MemoryArrays
+from mooring.lines.system.parts import LineSystemError
+from mooring.studies.conditions import ExposedBox
+from pipelines.cli import main
+from pipelines.common.quantities import StudyError
+from pipelines.moor.study import make_study, read_study
+from pipelines.simulate.file import opened
+
+SCENE = Path(pipelines.__file__).parent / "scenes" / "simulate_quay.toml"
+HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
+FENDER = {"name": "F", "position": [0, 25, 0], "family": "cell", "height": 1.7}
+ROPE = {
+    "name": "R", "fairlead": [0, 20, 8], "bollard": [0, 40, 4], "breaking_load_kN": 1000, "break_strain": 0.1,
+}  # fmt: skip
+
+
+def without_memory(db):
+    """Memory without states, so that none has to be fitted"""
+    none, square = np.zeros((6, 0)), np.zeros((6, 6))
+    arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
+    A = db.reader.coefficients(db.reader.omega[:1])[0][0]
+    return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, (0.3, 1.5), ()), ()
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    path = tmp_path_factory.mktemp("quay") / "box.h5"
+    words = "box --length 100 --beam 50 --draft 10 --depth 20 --omega 0.3:1.5:8 --heading 0:90:3 --tolerance 0.05"
+    assert main([*words.split(), "--gyration", "15.55,29.44,32.28", "--output", str(path)]) == 0
+    return path
+
+
+def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(engine, "_memory", without_memory)
+    monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
+    run, words = tmp_path / "quay.h5", ["simulate", str(SCENE), "--database", str(database)]
+    assert main([*words, "--duration", "60", "--seeds", "1", "--output", str(run)]) == 0
+    told = capsys.readouterr().out
+    assert "deflection F1, m" in told and "tension head 1, tonf" in told and "knows no fenders" in told
+    with opened(run) as file:
+        names = list(file["quantity"].asstr()[()])
+        assert file["deflection"].shape == (1, 121, 4) and file["tension"].shape == (1, 121, 12)
+        assert file["statistics"][0, names.index("deflection F1"), 0] == pytest.approx(
+            file["deflection"][0, :, 0].mean(), rel=1e-5
+        )
+    film = tmp_path / "film.gif"
+    assert main(["animate", str(run), "--output", str(film), "--length", "2"]) == 0 and film.stat().st_size > 1000
+    assert main(["moor", str(SCENE), "--database", str(database)]) == 2
+    assert "moor knows no [[fender]]" in capsys.readouterr().err
+
+
+def test_a_fender_on_a_dolphin_gives_way_with_it():
+    study = read_study(SCENE)[0]
+    assert len(study.berth(HULL, np.zeros(3)).names) == 16
+    raw = {"water": {"depth": 20}, "hull": {"freeboard": 10}, "fender": [FENDER | {"on": "D"}]}
+    raw["dolphin"] = [{"name": "D", "stiffness": 5000.0}]
+    (pair,) = make_study(raw).berth(HULL, np.zeros(3)).fenders
+    soft = make_study(raw | {"dolphin": [], "fender": [FENDER]}).berth(HULL, np.zeros(3)).fenders[0].fender
+    force = float(soft.reaction(0.3))
+    assert float(pair.fender.reaction(0.3 + force / 5e6)) == pytest.approx(force, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    "tables, says",
+    [
+        ({"fender": [FENDER | {"position": [60, 30, 0]}]}, "fender[0] (F): the body cannot reach it at 60, 30, 0 m"),
+        ({"fender": [FENDER | {"position": [0, 40, 0]}]}, "at most 10 m off"),
+        ({"fender": [FENDER | {"on": "D"}]}, "there is no dolphin 'D'; allowed: none is given"),
+        ({"dolphin": [{"name": "D", "stiffness": 1.0}]}, "dolphin 'D' carries no fender"),
+        ({"fender": [FENDER, FENDER]}, "'F' is the name of two fenders or ropes"),
+        (
+            {"rope": [ROPE | {"pretension_kN": 1100}]},
+            "pretension is 1100 kN; allowed: below its breaking load of 1000 kN",
+        ),
+        ({"rope": [ROPE | {"tail_length": 5.0}]}, "rope R: tail_break_strain is missing"),
+        ({"simulation": {"duration": 9.0, "linear_damping": {"sorge": 1.0}}}, "there is no motion 'sorge'"),
+    ],
+)
+def test_an_impossible_berth_is_told_in_one_line(tables, says):
+    from pipelines.simulate.study import damping
+
+    raw = {"water": {"depth": 20}, "hull": {"freeboard": 10}} | tables
+    with pytest.raises((StudyError, LineSystemError, ValueError)) as caught:
+        study = make_study(raw)
+        study.berth(HULL, np.zeros(3))
+        damping(study, None)
+    assert says in str(caught.value) and "\n" not in str(caught.value)
