@@ -24,6 +24,7 @@ from .reports.sections_command import sections
 from .response.command import response
 from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
+from .series.flags import series
 from .simulate.flags import animate, simulate
 from .single_point.flags import single_point
 from .stress.command import stress
@@ -157,6 +158,7 @@ app.command(simulate)
 app.command(animate)
 app.command(design)
 app.command(single_point)
+app.command(series)
 app.command(fender)
 app.command(berth)
 

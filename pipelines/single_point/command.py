@@ -51,14 +51,12 @@ def single_point(study_path, database, output, picture):
     if study.slewing is not None:
         made_run = running.run(study, made.point, preferred(found), db)
         running.show(console, made_run)
-        path = Path(f"{Path(study_path).stem}_run.png")
-        check_picture(path, PLOTS)
-        running.draw(study, made_run, path)
-        written.append(path)
+        written.append(_beside(study_path, output, "run"))
+        running.draw(study, made_run, written[-1])
     if output is not None:
         write_result(output, text, found, made_run)
         written.append(output)
-    maps = _maps(study, raw, folder, db, study_path, console)
+    maps = _maps(study, raw, folder, db, (study_path, output), console)
     written += maps
     for line in findings(study, made, found):
         console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True)
@@ -67,7 +65,7 @@ def single_point(study_path, database, output, picture):
     return 0
 
 
-def _maps(study, raw, folder, db, study_path, console):
+def _maps(study, raw, folder, db, names, console):
     """Draw the maps of a study beside it; their paths"""
     from .maps import computed, draw
 
@@ -75,10 +73,8 @@ def _maps(study, raw, folder, db, study_path, console):
     for i, _ in enumerate(study.maps):
         found = computed(raw, i, folder, db)
         number = f"_{i + 1}" if len(study.maps) > 1 else ""
-        path = Path(f"{Path(study_path).stem}_slewing{number}.png")
-        check_picture(path, PLOTS)
-        draw(found, path)
-        paths.append(path)
+        paths.append(_beside(*names, f"slewing{number}"))
+        draw(found, paths[-1])
         slews = np.mean(found.growth[~np.isnan(found.growth)] > 0)
         console.print(f"map over {' and '.join(found.keys)}: {100 * slews:.0f} % of it slews", highlight=False)
         if found.failed:
@@ -87,6 +83,14 @@ def _maps(study, raw, folder, db, study_path, console):
                 style="yellow", highlight=False, soft_wrap=True,
             )  # fmt: skip
     return paths
+
+
+def _beside(study_path, output, word):
+    """Path of a picture: beside the results, or where the command is called, named by the study.  Raises ValueError."""
+    path = Path(f"{Path(study_path).stem}_{word}.png")
+    path = path if output is None else output.with_name(f"{output.stem}_{word}.png")
+    check_picture(path, PLOTS)
+    return path
 
 
 def write_result(path, text, found, run=None):

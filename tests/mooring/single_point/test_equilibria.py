@@ -16,7 +16,7 @@ from mooring.single_point.loads import Loads
 from mooring.single_point.rings import zeros
 from mooring.single_point.slewing import rates
 
-SERIES = Path(__file__).parents[2] / "published" / "single_point_series.csv"
+SERIES = Path(__file__).parents[3] / "pipelines" / "series" / "single_point.csv"
 
 
 def series():

@@ -14,7 +14,7 @@ from mooring.single_point.body import SinglePoint
 from mooring.single_point.equilibria import equilibria
 from mooring.single_point.scope import length_without_uplift, peak
 
-SERIES = Path(__file__).parents[2] / "published" / "single_point_series.csv"
+SERIES = Path(__file__).parents[3] / "pipelines" / "series" / "single_point.csv"
 FLOATERS = {"A": (3.0, (0.02856, 4.988, 20.74), 14.0, 12.0), "B": (6.0, (0.05999, 8.314, 76.40), 40.0, 20.0)}
 LEFT = {"A": 1.3, "B": 2.4}  # tonf
 LONG = 200  # depths; the report does not tell, and of long lines the direction does not change

@@ -26,7 +26,7 @@ def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeyp
     assert run(tmp_path, text, "--output", "a.h5", "--picture", "a.png", monkeypatch=monkeypatch) == 0
     said = capsys.readouterr().out
     assert "slewing: stable" in said and "map over hawser.length" in said and "beam_over_draft = 10" in said
-    assert {p.name for p in tmp_path.iterdir()} == {"study.toml", "a.h5", "a.png", "study_slewing.png"}
+    assert {p.name for p in tmp_path.iterdir()} == {"study.toml", "a.h5", "a.png", "a_slewing.png"}
     with h5py.File(tmp_path / "a.h5") as file:
         heading, stable = np.degrees(file["heading"][()]), file["stable"][()]
         assert list(stable) == [True, False] and abs(heading[0] - 15) < 5
@@ -72,7 +72,7 @@ def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
     text = STUDY.replace("speed = 25.0", 'speed = 25.0\ngusts = "davenport"') + "\n[slewing]\nduration = 120.0\n"
     assert run(tmp_path, text, "--output", "a.h5", monkeypatch=monkeypatch) == 0
     said = capsys.readouterr().out
-    assert "120 s in time" in said and "watch circle" in said and (tmp_path / "study_run.png").is_file()
+    assert "120 s in time" in said and "watch circle" in said and (tmp_path / "a_run.png").is_file()
     with h5py.File(tmp_path / "a.h5") as file:
         assert file["run/line_tension"].shape == (121, 6) and np.ptp(file["run/wind_speed"][()]) > 1
     assert run(tmp_path, text + 'scheme = "two_scale"\n', monkeypatch=monkeypatch) == 2

@@ -1,0 +1,163 @@
+"""`hakobune series single-point`: every case solved, run in time, tabulated beside its print and drawn."""
+
+from __future__ import annotations
+
+import csv
+import io
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.database import open_database
+from meshing.whole_files import write_whole
+from mooring.single_point.equilibria import equilibria
+from mooring.single_point.scope import length_without_uplift, peak, significant
+
+from ..common.outputs import check_folder
+from ..common.quantities import StudyError
+from ..common.units import TONF
+from ..single_point.report import preferred
+from ..single_point.running import run
+from ..single_point.study import make
+from ..single_point.tables import make_study
+from ..solve import run as solving
+from .single_point_cases import FLOATERS, read_cases, scene_of, study_of
+from .single_point_charts import draw, statements
+
+MOST_SEEDS = 100
+COLUMNS = ("heading_deg", "static_ton", "significant_ton", "scope", "hawser_ton")
+
+
+class Result(NamedTuple):
+    """Of a Case, per line in tonf as the report prints: heading_deg, static_ton, significant_ton, scope, hawser_ton
+
+    nan where lines do not hold; settled : s of the heading from 2°; note : why a value is missing
+    """
+
+    case: object
+    heading_deg: float
+    static_ton: float
+    significant_ton: float
+    scope: float
+    hawser_ton: float
+    settled: float
+    note: str
+
+
+def make_series(folder, cases_path, only, seeds, fresh):
+    """Exit status: 0, or 1 with a case that has no static answer.  Raises ValueError, one line."""
+    from rich.console import Console
+
+    console = Console()
+    cases = read_cases(cases_path, only)
+    if not 1 <= seeds <= MOST_SEEDS:
+        raise StudyError(f"--seeds is {seeds}; allowed: 1 to {MOST_SEEDS}")
+    check_folder(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    databases = solved(cases, folder, fresh, console)
+    results = []
+    for case in cases:
+        results.append(computed(case, databases[case.database], seeds))
+        write_study(case, folder)
+        _tell(console, results[-1])
+    path = folder / "single_point.csv"
+    write_table(path, results)
+    written = [path]
+    written += draw(results, folder)
+    for line in statements(results):
+        console.print(line, highlight=False, soft_wrap=True, markup=False)
+    for path in written:
+        console.print(f"written: {path}", highlight=False, soft_wrap=True, markup=False)
+    return int(any(np.isnan(one.static_ton) for one in results))
+
+
+def solved(cases, folder, fresh, console):
+    """{name: database} of the floaters and depths of cases, each solved where it is not there"""
+    made = {}
+    for case in cases:
+        if case.database not in made:
+            path = folder / f"{case.database}.h5"
+            outcome = solving.solve(scene_of(case), path, fresh=fresh)
+            if outcome.interrupted:
+                raise KeyboardInterrupt
+            made[case.database] = open_database(path)
+            console.print(f"{path}: {outcome.stored} of {outcome.total} frequencies", highlight=False, markup=False)
+    return made
+
+
+def computed(case, db, seeds=1) -> Result:
+    """Result of a case, its significant tensions averaged over `seeds` records of waves"""
+    f, n = FLOATERS[case.floater], case.together
+    try:
+        study = study_of(case)
+        point = make(make_study(study), None, db).point
+        best = lying(equilibria(point))
+    except ValueError as error:
+        return Result(case, *[np.nan] * 6, " ".join(str(error).split()))
+    steady = float(best.lines.tension.max()) / TONF / n
+    heading = float(np.degrees(np.mod(best.heading + np.pi, 2 * np.pi) - np.pi))
+    found, note, settled = [], "", np.nan
+    for seed in range(1, seeds + 1):
+        study["slewing"]["seed"] = seed
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                one = run(make_study(study), point, best, db)
+        except ValueError as error:
+            note = " ".join(str(error).split())
+            break
+        settled = one.settled
+        found.append((significant(one.lines, best.lines.tension).max() / TONF / n,
+                      significant(np.linalg.norm(one.hawser, axis=1), best.pull) / TONF))  # fmt: skip
+    if note:
+        return Result(case, heading, steady, np.nan, np.nan, np.nan, settled, note)
+    tension, hawser = np.mean(found, axis=0)
+    height = case.values["depth_m"] - f.attached
+    weight = case.values["weight_ton_m"]
+    scope = float(length_without_uplift(peak(steady, tension), weight, height)) / case.values["depth_m"]
+    return Result(case, heading, steady, float(tension), scope, float(hawser), settled, "")
+
+
+def lying(found):
+    """The stable Equilibrium nearest to the wind and the waves, from 0°; the least unstable where none is stable"""
+    stable = [one for one in found if one.slewing.stable]
+    return max(stable, key=lambda one: np.cos(one.heading)) if stable else preferred(found)
+
+
+def write_study(case, folder):
+    """The study of a case, for `hakobune single-point --database`"""
+    import tomli_w
+
+    text = f"# Case {case.name} of the SR179 report's single-point series (1982)\n\n{tomli_w.dumps(study_of(case))}"
+    write_whole(folder / f"{case.name}.toml", text.encode())
+
+
+def write_table(path, results):
+    """CSV of results, each quantity beside what the report prints"""
+    out = io.StringIO()
+    out.write("# hakobune series single-point: SR179 report (1982), tables 3.6.5.3-5; tonf per line; printed beside\n")
+    table = csv.writer(out, lineterminator="\n")
+    names = [name for column in COLUMNS for name in (column, f"printed_{column}")]
+    given = ["case", "floater", "system", "current_deg", *results[0].case.values]
+    table.writerow([*given, *names, "settled_s", "note"])
+    for one in results:
+        values = [v for c in COLUMNS for v in (getattr(one, c), one.case.printed[c])]
+        shown = ["" if v is None or np.isnan(v) else f"{v:.5g}" for v in (*values, one.settled)]
+        case = one.case
+        table.writerow([case.name, case.floater, case.system, f"{case.current_deg:g}",
+                        *(f"{v:g}" for v in case.values.values()), *shown, one.note])  # fmt: skip
+    write_whole(path, out.getvalue().encode())
+
+
+def _tell(console, one):
+    def beside(name, digits):
+        value, printed = getattr(one, name), one.case.printed[name]
+        return f"{value:.{digits}f} ({'–' if printed is None else f'{printed:g}'})"
+
+    words = (
+        f"heading {beside('heading_deg', 0)}°, static {beside('static_ton', 0)} t",
+        f"significant {beside('significant_ton', 0)} t, scope {beside('scope', 1)}",
+        f"hawser {beside('hawser_ton', 0)} t  {one.note}",
+    )
+    console.print(f"{one.case.name:4} {', '.join(words)}", highlight=False, soft_wrap=True, markup=False)
