@@ -51,9 +51,13 @@ def harmonics(H, theta):
 
     A Kochin function has no more harmonics than kR and a few: the series is the function, and its derivative exact.
     """
-    order = np.fft.fftshift(np.fft.fftfreq(len(theta), 1 / len(theta)))
-    turn = np.exp(-1j * order * theta[0]) / len(theta)
-    return order, np.fft.fftshift(np.fft.fft(H, axis=-1), axes=-1) * turn
+    t = len(theta)
+    order, below = np.arange(t) - t // 2, t // 2
+    turn, found = np.exp(-1j * order * theta[0]) / t, np.fft.fft(H, axis=-1)
+    series = np.empty_like(found)
+    np.multiply(found[..., t - below :], turn[:below], out=series[..., :below])
+    np.multiply(found[..., : t - below], turn[below:], out=series[..., below:])
+    return order, series
 
 
 def slope_and_ahead(H, theta, beta):

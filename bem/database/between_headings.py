@@ -33,6 +33,7 @@ WIDEST_GAP = np.deg2rad(45.0)  # between neighbouring headings; wider, a value w
 ENDS = 0.2  # share of the plan that lies at its ends
 NUGGET = 1e-10  # of the diagonal of κ
 KEPT = 4  # sums over the ring whose weights are kept
+NEAR = 1e-4  # rad, below which sin x / x is its series: as a difference of products it would lose digits
 LONGEST = 2.0  # ka of the longest wave κ is taken for: of longer ones it would see nothing but a constant
 MIRRORS = {
     "y": (lambda beta: -beta, np.array([1, -1, 1, -1, 1, -1]), np.array([1, -1, -1])),
@@ -186,14 +187,15 @@ class AtHeadings:
 
     def _kernel(self, a, b):
         """κ (q, a, b)"""
-        k = np.maximum(self.k, LONGEST / max(self.half.max(), 1e-300))[:, None, None]
-        x, y = (f(a)[:, None] - f(b) for f in (np.cos, np.sin))
-        real = _side(k * self.half[0] * x) * _side(k * self.half[1] * y)
+        k = np.maximum(self.k, LONGEST / max(self.half.max(), 1e-300))
+        real = _side(np.outer(k, self.half[0] * np.cos(a)), np.outer(k, self.half[0] * np.cos(b)))
+        real *= _side(np.outer(k, self.half[1] * np.sin(a)), np.outer(k, self.half[1] * np.sin(b)))
         if self.quadratic:
             return real**2
         if not self.middle.any():
             return real
-        return np.exp(1j * k * (self.middle[0] * x + self.middle[1] * y)) * real
+        away = [np.exp(1j * np.outer(k, self.middle[0] * np.cos(c) + self.middle[1] * np.sin(c))) for c in (a, b)]
+        return away[0][:, :, None] * away[1].conj()[:, None] * real
 
 
 def ring(headings, theta, symmetry):
@@ -245,10 +247,14 @@ def whole_mirrors(symmetry, matrices, center):
     return "".join(plane for plane in symmetry if _is_mirrored(plane, matrices, center))
 
 
-def _side(x):
-    """f(x) of the module"""
-    sin_over_x = np.divide(np.sin(x), x, out=np.ones_like(x), where=x != 0)
-    return (1 - ENDS) * sin_over_x + ENDS * np.cos(x)
+def _side(a, b):
+    """f (q, p, M) of the module at x = a − b, from a (q, p) and b (q, M)"""
+    (ca, sa), (cb, sb) = ((np.cos(x), np.sin(x)) for x in (a, b))
+    x = a[:, :, None] - b[:, None]
+    sine, near = sa[:, :, None] * cb[:, None] - ca[:, :, None] * sb[:, None], np.abs(x) < NEAR
+    np.divide(sine, x, out=sine, where=~near)
+    sine[near] = 1 - x[near] ** 2 / 6
+    return (1 - ENDS) * sine + ENDS * (ca[:, :, None] * cb[:, None] + sa[:, :, None] * sb[:, None])
 
 
 def _joined(weights, values):

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from bem import DOFS
+from bem.waves import group_factor, wavenumber
 
+from .drift import TURN
 from .linear import over_headings
 from .seas import directions, energy_outside
 
 MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
-UNSURE = 0.05  # estimated error of a result between stored waves that is named
+UNSURE = 0.05  # estimated error of a result between stored waves that is warned of
 LEVER = 0.05  # of the radius of the hull: a moment of the drift force on a shorter arm is none
 LARGEST_ROTATION = 15.0  # degrees; there sines leave angles, and restoring its line, by a few per cent
 PLACES = 48  # frequencies at which it is estimated
@@ -36,10 +40,33 @@ def responses_outside(body, spectrum, transfer, weights, m0):
         yield f"responses lack energy beyond the stored frequencies: {_some(named)}; limit {100 * MISSED:g} %"
 
 
-def between_waves(body, sea, omega, m0, drift):
-    """How uncertain the six motions, of m0 (6,), and the mean drift (3,) or None are between stored waves.
+class Errors(NamedTuple):
+    """Estimated errors of what is known between stored waves only, relative: about one standard deviation
 
-    The estimated errors of `Reader.at`, as if all of one sign: ∫|X|δX S dω of ∫|X|² S dω, and 2∫ δD S dω
+    motions : (6,) of standard deviations; drift : (2,) of the mean drift force and moment; damping : of wave drift
+    damping.  Those of drift are None without drift, the moment's of at least LEVER times the radius times the force.
+    """
+
+    motions: np.ndarray
+    drift: np.ndarray | None
+    damping: float | None
+
+    def named(self, limit):
+        """Words "roll 2 %" and so on, of errors above `limit`"""
+        words = {name.lower(): error for name, error in zip(DOFS, self.motions, strict=True)}
+        if self.drift is not None:
+            words |= {"mean drift": self.drift[0], "moment of drift": self.drift[1]}
+        if self.damping is not None:
+            words["wave drift damping"] = self.damping
+        return [f"{word} {100 * error:.2g} %" for word, error in words.items() if error > limit]
+
+
+def errors_between(body, sea, omega, m0, drift, damping):
+    """`Errors` of the six motions, of m0 (6,), mean drift (3,) and wave drift damping (3, 2), each of both or None.
+
+    The estimated errors of `Reader.at`, as if all of one sign: of σ twice ∫|X|δX S dω of ∫|X|² S dω, without which one
+    of five seas on headings 30° apart errs more than is said; of the mean force 2∫ δD S dω.  Over a gap γ between
+    headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.
     """
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
     heading, weights = directions(sea, places)
@@ -48,19 +75,31 @@ def between_waves(body, sea, omega, m0, drift):
     both = [
         np.trapezoid(over_headings(np.abs(X) * part, weights) * density, places, axis=0) for part in (wrong, np.abs(X))
     ]
-    share = np.where(m0 > 0, both[0] / np.maximum(both[1], 1e-300), 0.0)
-    words = [name.lower() for name in DOFS]
-    named = [f"{words[i]} {100 * share[i]:.0f} %" for i in np.argsort(-share) if share[i] > UNSURE]
-    if drift is not None:
-        wrong = over_headings(body.at(places, "drift_force", heading)[1], weights)
-        wrong, force = 2 * np.trapezoid(wrong * density, places, axis=0), max(np.abs(drift[:2]).max(), 1e-300)
-        for word, error, scale in (
-            ("mean drift", wrong[:2].max(), force),
-            ("moment of drift", wrong[2], max(abs(drift[2]), LEVER * body.radius * force)),
-        ):
-            named += [f"{word} {100 * error / scale:.0f} %"] if error > UNSURE * scale else []
+    motions = np.where(m0 > 0, 2 * both[0] / np.maximum(both[1], 1e-300), 0.0)
+    if drift is None:
+        return Errors(motions, None, None)
+    ring = body.ring_of("drift_force")
+    gap = max(ring.gap(beta + side) for beta in heading for side in (-TURN, TURN))
+    aside = heading + np.array([0.0, -gap / 4, gap / 4]) if damping is not None and len(heading) == 1 else heading
+    wrong = body.at(places, "drift_force", aside)[1]
+    first = 2 * np.trapezoid(over_headings(wrong[:, : len(heading)], weights) * density, places, axis=0)
+    force = max(np.abs(drift[:2]).max(), 1e-300)
+    scale = np.array([force, max(abs(drift[2]), LEVER * body.radius * force)])
+    errors = np.array([first[:2].max(), first[2]]) / scale
+    if damping is None:
+        return Errors(motions, errors, None)
+    widest = wrong.max(axis=1) if len(heading) == 1 else over_headings(wrong, weights)
+    k = wavenumber(places, body.depth, body.gravity)
+    slow = 1 / (group_factor(k, body.depth) * places / k)
+    turned = 2 * np.trapezoid((2 + 2 * np.pi / gap) * widest[:, :2] * (slow * density[:, 0])[:, None], places, axis=0)
+    return Errors(motions, errors, float(turned.max() / max(np.abs(damping[:2]).max(), 1e-300)))
+
+
+def between_waves(body, errors):
+    """What of `Errors` is worth a warning"""
+    named = errors.named(UNSURE)
     if named:
-        advice = "" if drift is None or body.rebuilds_drift else " or Kochin functions (--only kochin,drift)"
+        advice = "" if errors.drift is None or body.rebuilds_drift else " or Kochin functions (--only kochin,drift)"
         yield (
             f"results are uncertain between stored waves: {', '.join(named)}; limit {100 * UNSURE:g} %; "
             f"add frequencies, headings{advice} to the database"

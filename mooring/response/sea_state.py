@@ -52,7 +52,7 @@ class SeaState:
     """Result of `sea_state`; arrays follow `names` (c,).
 
     duration : s; spectrum : (q, c) at omega (q,), unit² s/rad; moments : Moments of it, each (c,)
-    slow : SlowForces, None where the database has no drift
+    slow : SlowForces, None where the database has no drift; errors : `findings.Errors` between stored waves
     """
 
     sea: object
@@ -64,6 +64,7 @@ class SeaState:
     spectrum: np.ndarray
     moments: Moments
     slow: SlowForces | None
+    errors: findings.Errors
     warnings: tuple[str, ...]
 
     def __repr__(self):
@@ -147,10 +148,11 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
         slow = slow_forces(body, sea, omega, heading, weights)
         inside = slow.drift - slow.beyond.sum(axis=0)
         warnings += findings.drift_outside(body, inside, slow.beyond)
-    warnings += findings.between_waves(body, sea, omega, found.m0[:6], inside)
+    errors = findings.errors_between(body, sea, omega, found.m0[:6], inside, slow and slow.damping)
+    warnings += findings.between_waves(body, errors)
     return SeaState(
         sea, float(duration), tuple(points), transfer.names, transfer.units, omega, spectrum, found, slow,
-        tuple(warnings),
+        errors, tuple(warnings),
     )  # fmt: skip
 
 

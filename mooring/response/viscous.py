@@ -3,7 +3,7 @@
 A law of `bem.viscous` gives the linear damping that dissipates as much in a regular motion of amplitude a at ω.  In
 irregular motion with standard deviations σ and σ_v it is taken at ω = σ_v/σ and a = 1.88 σ, which for quadratic drag
 N₂ is √(8/π) σ_v N₂: the least mean square difference of a Gaussian motion (Borgman 1969).  Motion and damping
-depend on each other and are found by fixed-point iteration.
+depend on each other and are found by the secant rule.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from bem import DOFS
 from bem.viscous import EQUIVALENT_AMPLITUDE
 
 from .linear import frequencies, moments, response_spectrum
-from .seas import directions
+from .seas import directions, heading_step
 
 FIRST = 0.05  # m, rad, of the first guess
 CLOSE = 1e-6
@@ -29,18 +29,34 @@ def linearised(body, sea, laws):
     """
     middle = 2 * np.pi / sea.spectrum.T01
     damping = np.array([laws[d].equivalent(middle, FIRST) if d in laws else 0.0 for d in DOFS])
+    first = body.restrained(damping=np.diag(damping))
+    step = heading_step(first, sea, frequencies(first, sea.spectrum.density))
+    before, damping_before = None, None
     for _ in range(MOST):
-        found = _damping(body.restrained(damping=np.diag(damping)), sea, laws)
+        found = _damping(body.restrained(damping=np.diag(damping)), sea, laws, step)
         if np.all(np.abs(found - damping) <= CLOSE * np.maximum(found, damping)):
             return body.restrained(damping=np.diag(found)), np.diag(found)
-        damping = np.sqrt(damping * found)
+        share = 2 / 3 if before is None else _share(_ratio(damping, damping_before), _ratio(found, before))
+        damping_before, before = damping, found
+        damping = damping ** (1 - share) * found**share
     raise ValueError(f"viscous damping and the motion it leaves do not agree after {MOST} passes; give linear damping")
 
 
-def _damping(body, sea, laws):
-    """(6,) damping at the motion of a body that has some already"""
+def _ratio(a, b):
+    return np.divide(a, b, out=np.ones_like(a), where=b > 0)
+
+
+def _share(step, answer):
+    """(6,) of the damping found in the next guess: secant in logarithms; ⅔ for quadratic drag, as σ_v ∝ damping^−½"""
+    moved = (step > 0) & (answer > 0) & (np.abs(step - 1) > 1e-12)
+    slope = np.log(np.where(moved, answer, 1.0)) / np.log(np.where(moved, step, 2.0))
+    return np.where(moved, 1 / (1 - np.clip(slope, -3.0, 0.5)), 2 / 3)
+
+
+def _damping(body, sea, laws, step):
+    """(6,) damping at the motion of a body that has some already; step : degrees between directions"""
     omega = frequencies(body, sea.spectrum.density)
-    heading, weights = directions(sea, omega)
+    heading, weights = directions(sea, omega, step)
     spectrum = response_spectrum(body.motions(omega, heading), sea.spectrum.density(omega), weights)
     found = moments(omega, spectrum)
     out = np.zeros(6)

@@ -16,6 +16,7 @@ from ..common.units import TONF
 
 RAD = {"rad": ("°", 180 / np.pi)}
 FRACTILE = 0.9
+WORTH_NAMING = 1e-3  # estimated error of a result
 MOTIONS = {name.upper() for name in DOFS}
 FELT = {f"{word} {axis}" for word in ("displacement", "velocity", "acceleration") for axis in "xyz"}
 FELT |= {"relative elevation"}
@@ -73,7 +74,9 @@ def turned(rows):
 def notes(result, radius, years=None):
     """Lines on drift, air gap and duration, without markup; radius : m, of the hull, the lever of its forces"""
     if years is None:
-        return [_sea_line(result), *_drift_lines(result.slow, radius), *_gap_lines(result)]
+        lines = [_sea_line(result), *_drift_lines(result.slow, radius), *_gap_lines(result)]
+        named = result.errors.named(WORTH_NAMING)
+        return lines + ([f"estimated errors between stored waves: {', '.join(named)}"] if named else [])
     lines = [f"{len(result.height)} sea states"]
     if years > 1:
         q = 100 * probability_not_exceeded(years, years)

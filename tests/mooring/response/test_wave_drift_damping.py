@@ -2,10 +2,15 @@
 
 import numpy as np
 import pytest
+from made_up_body import with_every_second_heading
 from scipy.optimize import brentq
 
 from bem.waves import group_factor, wavenumber
+from mooring.environment.sea import Sea
+from mooring.environment.spectra import issc
+from mooring.response.drift import drift_slopes
 from mooring.response.linear import frequencies
+from mooring.response.sea_state import sea_state
 from mooring.response.wave_drift_damping import drift_and_damping, from_slopes, mean_damping
 
 G = 9.80665
@@ -104,11 +109,26 @@ def test_damping_turns_with_the_waves(box_body):
 
 
 def test_mean_damping_of_a_box_takes_energy_out_of_slow_surge_in_head_seas(box_body):
-    from mooring.environment.spectra import issc
-
     omega = frequencies(box_body)
     found = mean_damping(
         omega, drift_and_damping(box_body, omega, [np.pi])[1], issc(4.5, mean_period=10.0).density(omega)
     )
     assert found.shape == (3, 2) and found[0, 0] > 0
     assert abs(found[1, 0]) < 1e-6 * found[0, 0]
+
+
+def test_damping_between_headings_far_apart_has_an_error_that_is_said(box_body):
+    """Every second of headings 22.5° apart: the error of the damping is within the one estimated, which is warned of"""
+    sea = Sea(issc(3.0, mean_period=8.0), np.radians(67.5))
+    near, far = (sea_state(body, sea, 3600.0) for body in (box_body, with_every_second_heading(box_body)))
+    size = np.abs(near.slow.damping[:2]).max()
+    wrong = np.abs(far.slow.damping - near.slow.damping)[:2].max() / size
+    assert 0.05 < wrong < far.errors.damping + near.errors.damping, (wrong, far.errors)
+    assert any("wave drift damping" in said and "limit 5 %" in said for said in far.warnings)
+
+
+def test_slopes_round_the_circle_are_those_of_differences(box_body):
+    omega, circle = np.linspace(0.41, 0.89, 4), np.radians(np.arange(20.0, 110.0, 2.5))
+    _, _, found = drift_slopes(box_body, omega, circle)
+    _, _, one_by_one = drift_slopes(box_body, omega, circle[::7][::-1])
+    assert np.allclose(found[:, ::7][:, ::-1], one_by_one, atol=2e-3 * np.abs(found).max(axis=(0, 1)))
