@@ -46,6 +46,7 @@ __all__ = [
 GRAVITY = 9.80665
 STEEPEST = 0.1  # 2πH/gT02², DNV-RP-C205 (2010), 3.5.4: 1/10 for short, 1/15 for long sea states
 LARGEST_GAMMA = 10.0
+FULLY_DEVELOPED = (3.5 / 0.13) ** (1 / 0.33)  # x̃ at which f_p U/g is 0.13, Hasselmann et al. (1973)
 HEIGHTS, PERIODS = (1e-6, 1e3), (1e-3, 1e6)  # m, s, from a laboratory to seiches
 WINDS, FETCHES = (0.1, 200.0), (0.1, 1e8)  # m/s, m
 COLUMNS = {("omega_rad_s", "density_m2_s_rad"): 1.0, ("frequency_hz", "density_m2_hz"): 2 * np.pi}  # names: rad/s
@@ -98,6 +99,12 @@ def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
     within("gamma", gamma, 1, LARGEST_GAMMA)
     speed = within("wind speed", positive("wind speed", wind_speed, "m/s"), *WINDS, "m/s")
     fetch, g = within("fetch", positive("fetch", fetch, "m"), *FETCHES, "m"), positive("gravity", gravity, "m/s²")
+    longest = FULLY_DEVELOPED * speed**2 / g
+    if fetch > longest * (1 + 1e-9):
+        raise ValueError(
+            f"fetch is {fetch:g} m; after {longest:.4g} m the sea of a wind of {speed:g} m/s is fully developed, "
+            "f_p U/g = 0.13; give at most that"
+        )
     x = g * fetch / speed**2
     peak_omega = 2 * np.pi * 3.5 * x**-0.33 * g / speed
     alpha = 0.076 * x**-0.22
@@ -152,11 +159,12 @@ def _by_height(name, height, energy, periods, printed, significant, gamma=1.0):
     peak_period = value * (printed[1] if kind == printed[0] else unit.Tp / getattr(unit, KINDS[kind]))
     peak_omega = 2 * np.pi / peak_period
     spectrum = Peaked(name, energy * height**2 * peak_omega**4 / unit.moment(0), peak_omega, gamma, significant)
-    _warn_if_steep(spectrum)
+    warn_if_steep(spectrum)
     return spectrum
 
 
-def _warn_if_steep(spectrum):
+def warn_if_steep(spectrum):
+    """Warn of waves too steep to be"""
     steepness = 2 * np.pi * spectrum.significant_height / (GRAVITY * spectrum.T02**2)
     if steepness > STEEPEST:
         warnings.warn(

@@ -80,6 +80,14 @@ class CosinePower(Spreading):
         if not -np.pi / 2 <= self.low < self.high <= np.pi / 2:
             raise ValueError(f"spreading from {self.low:g} to {self.high:g} rad; allowed: −π/2 ≤ low < high ≤ π/2")
 
+    def __str__(self):
+        sector = (
+            ""
+            if (self.low, self.high) == (-np.pi / 2, np.pi / 2)
+            else (f" between {np.degrees(self.low):.4g}° and {np.degrees(self.high):.4g}°")
+        )
+        return f"spread over directions by cosine to the power of {self.exponent:g}{sector}"
+
     def density(self, angle, omega=None):
         inside = (angle >= self.low) & (angle <= self.high)
         return np.where(inside, np.maximum(np.cos(angle), 0.0) ** self.exponent, 0.0) / self._integral()
@@ -101,6 +109,9 @@ class HalfCosinePower(Spreading):
     def __post_init__(self):
         within("s of the spreading", self.s, 0, 1e5)
 
+    def __str__(self):
+        return f"spread over directions by cosine of half the angle to the power of {2 * self.s:g}"
+
     def density(self, angle, omega=None):
         return _half_cosine(angle, self.s)
 
@@ -116,6 +127,9 @@ class Mitsuyasu(Spreading):
     def __post_init__(self):
         within("s_max of the spreading", self.s_max, 0, 1e5)
         positive("peak frequency of the spreading", self.peak_omega, "rad/s")
+
+    def __str__(self):
+        return f"spread over directions after Mitsuyasu, s_max {self.s_max:g}"
 
     def density(self, angle, omega=None):
         if omega is None:
@@ -133,6 +147,9 @@ class WrappedNormal(Spreading):
 
     def __post_init__(self):
         within("sigma of the spreading", self.sigma, 1e-3, np.pi, "rad")
+
+    def __str__(self):
+        return f"spread over directions normally, {np.degrees(self.sigma):.4g}° of deviation"
 
     def density(self, angle, omega=None):
         turns = 2 * np.pi * np.arange(-6, 7)  # the sixth turn adds e⁻⁵⁰ at σ = π

@@ -14,7 +14,9 @@ import numpy as np
 from bem.database.between_headings import SAME
 
 from ..environment.sea import Sea
-from .findings import MISSED
+from ..environment.spectra import STEEPEST
+from ..seas.breaking import largest_height
+from .findings import MISSED, missed_response, named_shares
 from .linear import frequencies
 from .long_term import LongTerm, long_term
 from .points import transfer_functions
@@ -41,6 +43,7 @@ class Climate:
     m2: np.ndarray
     drift: np.ndarray | None
     warnings: tuple[str, ...]
+    points: tuple = ()
 
     def __repr__(self):
         return f"<Climate {len(self.height)} sea states, {len(self.names)} responses>"
@@ -65,12 +68,14 @@ class Climate:
 
 
 class _Column(NamedTuple):
-    """Moments (c,), drift (3,) and share of missed energy in a sea of unit height and one period"""
+    """Moments (c,), drift (3,) and what of both is of waves beyond the stored ones, in a sea of height UNIT"""
 
     m0: np.ndarray
     m2: np.ndarray
     drift: np.ndarray
     missed: float
+    beyond: np.ndarray
+    drift_beyond: np.ndarray
 
 
 def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreading=None, points=(), **shape) -> Climate:
@@ -102,9 +107,14 @@ def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreadin
     m0, m2, drift = (scale * np.array([getattr(c, name) for c in columns]) for name in ("m0", "m2", "drift"))
     missed = np.array([c.missed for c in columns])
     drift = drift if body.knows_drift else None
-    findings = tuple(_findings(body, probability, missed))
+    found = (
+        *_energy_beyond(body, probability, missed),
+        *_responses_beyond(known.names, probability, m0, scale * np.array([c.beyond for c in columns])),
+        *_drift_beyond(body, probability, drift, scale * np.array([c.drift_beyond for c in columns])),
+        *_too_high(body, spectra.values(), scatter),
+    )
     names, units = known.names, known.units
-    return Climate(names, units, height, period, direction, probability, m0, m2, drift, findings)
+    return Climate(names, units, height, period, direction, probability, m0, m2, drift, found, tuple(points))
 
 
 class _Known:
@@ -167,10 +177,12 @@ def _column(known, sea, omega):
     transfer, drift = known.at(omega, heading)
     _, found = linear_response(sea, transfer, weights)
     inside, beyond = mean_drift(known.body, sea, omega, drift, weights)
-    return _Column(found.m0, found.m2, inside + beyond.sum(axis=0), sum(energy_outside(known.body.omega, sea.spectrum)))
+    outside = sum(energy_outside(known.body.omega, sea.spectrum))
+    left_out = missed_response(known.body, sea.spectrum, transfer, weights)
+    return _Column(found.m0, found.m2, inside + beyond.sum(axis=0), outside, left_out, np.abs(beyond).sum(axis=0))
 
 
-def _findings(body, probability, missed):
+def _energy_beyond(body, probability, missed):
     poor = missed > MISSED
     if poor.any():
         low, high = (2 * np.pi / body.omega[i] for i in (-1, 0))
@@ -179,3 +191,43 @@ def _findings(body, probability, missed):
             f"in {100 * time:.0f} % of the time more than {100 * MISSED:g} % of the wave energy is beyond the stored "
             f"{low:.3g} to {high:.3g} s, at most {100 * missed.max():.0f} %; add periods to the scene and solve again"
         )
+
+
+def _responses_beyond(names, probability, m0, beyond):
+    """What those waves would add to the energy of responses over all time, transfer functions held at their ends"""
+    whole, more = probability @ m0, probability @ beyond
+    share = np.where(whole > 0, more / np.maximum(whole + more, 1e-300), 0.0)
+    said = named_shares(names, share)
+    if said:
+        yield f"responses lack energy beyond the stored frequencies: {said}; limit {100 * MISSED:g} %"
+
+
+def _drift_beyond(body, probability, drift, beyond):
+    if drift is not None and np.abs(drift).any():
+        share = (probability @ beyond)[:2].max() / max((probability @ np.abs(drift))[:2].max(), 1e-300)
+        if share > MISSED:
+            yield (
+                f"{100 * share:.1f} % of the mean drift force over all time is from waves beyond the stored ones, with "
+                f"drift held at its value at {body.omega[-1]:.3g} rad/s; add frequencies and solve again"
+            )
+
+
+def _too_high(body, spectra, scatter):
+    """Classes of waves too steep, or too high for the depth, with their share of the time"""
+    unit = np.array([2 * np.pi / (body.gravity * spectrum.T02**2) for spectrum in spectra])
+    highest = np.array([largest_height(spectrum.Tp, body.depth, body.gravity) for spectrum in spectra])
+    probability = scatter.probability[:, scatter.probability.any(axis=0)]
+    for wrong, words in (
+        (
+            np.outer(scatter.heights, unit) > STEEPEST,
+            f"have 2πH/gT02² above {STEEPEST:g}, where seas break",
+        ),
+        (scatter.heights[:, None] > highest, f"are higher than water of {body.depth:g} m holds"),
+    ):
+        there = wrong & (probability > 0)
+        if there.any():
+            i = np.argwhere(there)[-1][0]
+            yield (
+                f"{there.sum()} classes of the scatter diagram, {100 * probability[there].sum():.2g} % of the time, "
+                f"{words}, as that of {scatter.heights[i]:g} m; give them longer periods or leave them out"
+            )

@@ -30,14 +30,23 @@ def waves_outside(body, spectrum):
             )
 
 
-def responses_outside(body, spectrum, transfer, weights, m0):
-    """What those waves would add to responses with m0 (c,), transfer functions held at their ends"""
+def missed_response(body, spectrum, transfer, weights):
+    """(c,) m0 of responses to the waves beyond the stored frequencies, transfer functions held at their ends"""
     ends = over_headings(np.abs(transfer.value[[0, -1]]) ** 2, weights if weights.ndim == 1 else weights[[0, -1]])
-    missed = np.array(energy_outside(body.omega, spectrum)) @ ends * spectrum.moment(0)
-    share = np.where(m0 > 0, missed / np.maximum(m0 + missed, 1e-300), 0.0)
-    named = [f"{transfer.names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED]
-    if named:
-        yield f"responses lack energy beyond the stored frequencies: {_some(named)}; limit {100 * MISSED:g} %"
+    return np.array(energy_outside(body.omega, spectrum)) @ ends * spectrum.moment(0)
+
+
+def responses_outside(body, spectrum, transfer, weights, m0):
+    """What those waves would add to responses with m0 (c,)"""
+    missed = missed_response(body, spectrum, transfer, weights)
+    said = named_shares(transfer.names, np.where(m0 > 0, missed / np.maximum(m0 + missed, 1e-300), 0.0))
+    if said:
+        yield f"responses lack energy beyond the stored frequencies: {said}; limit {100 * MISSED:g} %"
+
+
+def named_shares(names, share):
+    """Words on the responses whose share (c,) is above MISSED, the largest first; empty for none"""
+    return _some([f"{names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED])
 
 
 class Errors(NamedTuple):

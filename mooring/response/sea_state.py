@@ -12,6 +12,7 @@ import numpy as np
 
 from bem.database.between_frequencies import BetweenError
 
+from ..seas.breaking import too_high
 from . import drift as drifts
 from . import findings
 from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor
@@ -133,6 +134,7 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
     if not 0 < duration < np.inf:
         raise ValueError(f"duration is {duration:g} s; allowed: above 0, finite")
     check_coverage(body, sea.spectrum)
+    broken = list(too_high(sea.spectrum, body.depth, body.gravity))
     omega = frequencies(body, sea.spectrum.density)
     step = heading_step(body, sea, omega)
     heading, weights = directions(sea, omega, step)
@@ -140,6 +142,7 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
     spectrum, found = linear_response(sea, transfer, weights)
     found = _without_rounding(found, transfer.units)
     warnings = [
+        *broken,
         *findings.waves_outside(body, sea.spectrum),
         *findings.responses_outside(body, sea.spectrum, transfer, weights, found.m0),
     ]

@@ -26,7 +26,35 @@ PLACES = 64  # frequencies at which steps are compared
 
 
 def directions(sea, omega, step=STEP):
-    """Headings (p,) rad, `step` degrees apart if short-crested, and shares of the energy (p,) or (q, p) at omega."""
+    """Headings (p,) rad, `step` degrees apart if short-crested, and shares of the energy (p,) or (q, p) at omega.
+
+    sea : `environment.sea.Sea`, or `seas.systems.Systems`, whose shares follow the energy of each system
+    """
+    systems = _systems(sea)
+    if len(systems) == 1:
+        return _of_one(systems[0], omega, step)
+    parts = [_of_one(system, omega, step) for system in systems]
+    heading, place = np.unique(
+        np.round(np.mod(np.concatenate([beta for beta, _ in parts]), 2 * np.pi), 9), return_inverse=True
+    )
+    total, first = np.zeros((len(omega), len(heading))), 0
+    for system, (beta, weights) in zip(systems, parts, strict=True):
+        density = system.spectrum.density(omega)[:, None]
+        np.add.at(total, (slice(None), place[first : first + len(beta)]), density * _rows(weights, omega))
+        first += len(beta)
+    return heading, total / np.maximum(total.sum(axis=1, keepdims=True), 1e-300)
+
+
+def is_long_crested(sea):
+    """Whether no system of the sea is spread"""
+    return all(system.spreading is None for system in _systems(sea))
+
+
+def _systems(sea):
+    return getattr(sea, "systems", (sea,))
+
+
+def _of_one(sea, omega, step):
     if sea.spreading is None:
         return np.array([sea.direction]), np.ones(1)
     heading = np.deg2rad(np.arange(0.0, 360.0, step))
@@ -44,7 +72,7 @@ def heading_step(body, sea, omega):
     body : `bem.database.reader.Reader`, or what has its motions and drift ready
     Steps are halved until all of them, integrated over the spectrum, change by less.  Warns where 0.3° are not enough.
     """
-    if sea.spreading is None:
+    if is_long_crested(sea):
         return STEP
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
     step, before = 2 * STEP, None
@@ -66,6 +94,12 @@ def heading_step(body, sea, omega):
 
 def _lost(sea, omega, step):
     """How far the sum over directions is from all of the energy: a spreading between two headings is not seen"""
+    return max(_lost_of_one(system, omega, step) for system in _systems(sea))
+
+
+def _lost_of_one(sea, omega, step):
+    if sea.spreading is None:
+        return 0.0
     away = np.deg2rad(np.arange(0.0, 360.0, step)) - sea.direction
     column = omega[:, None] if sea.spreading.depends_on_frequency else None
     away = np.mod(away + np.pi, 2 * np.pi) - np.pi

@@ -9,15 +9,16 @@ from .quantities import StudyError
 SPREADINGS = "cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES"
 
 
-def family_of(where, table):
-    """Function of `environment.spectra` that the table names.  Raises StudyError."""
-    from mooring.environment.spectra import FAMILIES
+def family_of(where, table, depth):
+    """Function of `mooring.seas.families` that the table names; depth : m.  Raises StudyError."""
+    from mooring.seas.families import PEAKED, families
 
-    if table.spectrum not in FAMILIES:
-        raise StudyError(f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(FAMILIES)}")
-    if table.gamma is not None and table.spectrum != "jonswap":
-        raise StudyError(f"{where}.gamma is given for {table.spectrum}; allowed: with jonswap")
-    return FAMILIES[table.spectrum]
+    known = families(depth)
+    if table.spectrum not in known:
+        raise StudyError(f"{where}.spectrum is {table.spectrum!r}; allowed: {', '.join(known)}")
+    if table.gamma is not None and table.spectrum not in PEAKED:
+        raise StudyError(f"{where}.gamma is given for {table.spectrum}; allowed: with {', '.join(PEAKED)}")
+    return known[table.spectrum]
 
 
 def shape_of(table):

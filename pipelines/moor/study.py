@@ -136,11 +136,11 @@ class SeaTable(Table):
     gamma: float | None = None
     spreading: str | None = None
 
-    def sea(self, where):
-        """The Sea.  Raises StudyError."""
+    def sea(self, where, depth):
+        """The Sea in water of `depth` m.  Raises StudyError."""
         positive(f"{where}.height", self.height)
         positive(f"{where}.period", self.period)
-        return sea_of(where, self, direction(where, self))
+        return sea_of(where, self, direction(where, self), depth)
 
 
 class SimulationTable(Table):
@@ -207,7 +207,7 @@ class Study(Table):
             raise StudyError(f"waves.method is {waves.method!r}; allowed: {', '.join(METHODS)}")
         duration = 3600 * positive("waves.duration_hours", waves.duration_hours)
         factor = below("waves.motion_factor", waves.motion_factor, 10.0)
-        sea = sea_of("waves", waves, regular.direction)
+        sea = sea_of("waves", waves, regular.direction, self.water.depth)
         return Conditions(wind, current, regular, waves.method, sea, duration, factor)
 
     def hull_of(self, dimensions):
@@ -272,9 +272,9 @@ class Study(Table):
         raise StudyError(f"{where} ({given.name}): allowed: either anchor, or heading_deg with a pretension")
 
 
-def sea_of(where, waves, towards):
-    """The Sea of a WavesTable or SeaTable that travels towards a direction, rad.  Raises StudyError."""
-    spectrum = family_of(where, waves)(waves.height, mean_period=waves.period, **shape_of(waves))
+def sea_of(where, waves, towards, depth):
+    """The Sea of a WavesTable or SeaTable that travels towards a direction, rad, in `depth` m.  Raises StudyError."""
+    spectrum = family_of(where, waves, depth)(waves.height, mean_period=waves.period, **shape_of(waves))
     return Sea(spectrum, towards, spreading_of(where, waves, spectrum))
 
 

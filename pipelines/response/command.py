@@ -29,11 +29,10 @@ def response(
     from ..common.quantities import StudyError
     from ..common.resonances import resonance_lines, underdamped
     from .effort import check_effort
-    from .study import read_response_study
+    from .study import files_of, read_response_study
 
     read, text = read_response_study(study)
-    scatter = [study.parent / read.climate.scatter] if read.climate else []
-    _check_places(output, plot, study, database, *scatter)
+    _check_places(output, plot, study, database, *files_of(read, study.parent))
     if read.sea:
         check_effort(read)
     points = read.places()
@@ -47,7 +46,7 @@ def response(
                 "give it to the study as body.viscous", stacklevel=2
             )  # fmt: skip
         try:
-            result = _in_sea(read, body, db, points) if read.sea else _in_climate(read, body, points, study)
+            result = _in_sea(read, body, db, points, study) if read.sea else _in_climate(read, body, points, study)
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
     warned = [str(w.message) for w in caught] + list(result.warnings)
@@ -58,7 +57,7 @@ def response(
     return 0
 
 
-def _in_sea(read, body, db, points):
+def _in_sea(read, body, db, points, study):
     from bem import DOFS
     from bem.viscous_table import laws_of
     from mooring.response.sea_state import sea_state
@@ -67,7 +66,7 @@ def _in_sea(read, body, db, points):
     from ..common.quantities import positive
     from .study import sea_of
 
-    sea = sea_of(read.sea)
+    sea = sea_of(read.sea, study, db.water_depth)
     if read.body.viscous is not None:
         box = db.dimensions if "beam" in db.dimensions else {}
         laws = laws_of("body.viscous", read.body.viscous, box, db.density, db.gravity)
@@ -91,7 +90,7 @@ def _in_climate(read, body, points, study):
     from .effort import check_effort
     from .study import climate_of
 
-    given = climate_of(read.climate, study)
+    given = climate_of(read.climate, study, body.depth)
     check_effort(read, given["scatter"])
     return climate(body, **given, points=points)
 

@@ -9,6 +9,7 @@ import numpy as np
 from bem import DOFS
 from mooring.response.findings import large_rotations
 from mooring.response.long_term import YEAR
+from mooring.response.points import relative_name
 from mooring.response.return_period import probability_not_exceeded
 from mooring.response.sea_state import TINY
 
@@ -83,7 +84,7 @@ def notes(result, radius, years=None):
         lines.append(f"the value once in {years:g} years stays unexceeded in {years:g} years with {q:.0f} %")
     if result.mean_drift is not None:
         lines.append(f"mean drift over all time: {_forces(result.mean_drift, radius, result.drift)}")
-    return lines
+    return lines + list(_gaps_in_years(result, years))
 
 
 def show(rows, points, lines, warned, written):
@@ -129,11 +130,18 @@ def _units(units):
 
 def sea_in_words(result):
     """Spectrum, direction and duration of a SeaState"""
-    s = result.sea.spectrum
-    crests = "long-crested" if result.sea.spreading is None else repr(result.sea.spreading)
+    systems = getattr(result.sea, "systems", (result.sea,))
+    whole = f"together {result.sea.spectrum.significant_height:.4g} m, " if len(systems) > 1 else ""
+    return f"{' and '.join(map(system_in_words, systems))}, {whole}{result.duration / 3600:.3g} h"
+
+
+def system_in_words(sea):
+    """Spectrum, height, period, direction and spreading of one system of waves"""
+    s = sea.spectrum
+    crests = "long-crested" if sea.spreading is None else str(sea.spreading)
     return (
         f"{s.name} spectrum, {s.significant_height:.4g} m, T01 {s.T01:.4g} s, travelling to "
-        f"{np.degrees(result.sea.direction) % 360:.4g}°, {crests}, {result.duration / 3600:.3g} h"
+        f"{np.degrees(sea.direction) % 360:.4g}°, {crests}"
     )
 
 
@@ -165,6 +173,19 @@ def _forces(force, radius, among=None):
     largest = np.abs(force if among is None else among)[..., :2].max()
     x, y, m = np.where(np.abs(force) > TINY * largest * np.array([1.0, 1.0, radius]), force, 0.0) / TONF
     return f"Fx {x:.4g}, Fy {y:.4g} tonf, Mz {m:.4g} tonf m"
+
+
+def _gaps_in_years(result, years):
+    """Air gap of points with a clearance in a Climate"""
+    for point in (point for point in result.points if point.clearance is not None):
+        term = result.long_term(relative_name(point))
+        left = point.clearance - term.level(years * YEAR)
+        rate = float(term.crossing_rate(point.clearance)) * YEAR
+        often = f"once in {1 / rate:.3g} years" if rate * 1e6 > 1 else "less than once in a million years"
+        yield (
+            f"air gap at {point.name}: {left:.3g} of {point.clearance:.3g} m left by the rise once in {years:g} years, "
+            f"water reaches it {often}; waves scattered and made by the body not included"
+        )
 
 
 def _gap_lines(result):

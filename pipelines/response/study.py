@@ -7,6 +7,15 @@
     incidence_deg = 60.0                 directions = [{ direction_deg = 0, share = 1.0 }]
     spreading = "cosine:4"
 
+    [[sea.systems]]                  # in place of a height in [sea]: wind sea, swell, long waves at once
+    spectrum = "tma"                 # in the database's depth
+    height = 2.0
+    peak_period = 8.0
+    direction_deg = 180.0
+    [[sea.systems]]
+    file = "hindcast.sp2"            # SWAN or NDBC, beside the study
+    x_axis_compass_deg = 30.0
+
     [body]
     damping_ratio = { roll = 0.02 }      # of critical, beyond radiation
     viscous = { roll = "Yamashita" }     # or laws as in a scene, linearised in the sea; not in a climate
@@ -36,10 +45,18 @@ from ..common.seas import family_of, shape_of, spreading_of
 from ..common.typed import read_toml, typed
 
 
-class SeaTable(Table):
-    """height : m, significant; one period (s); direction_deg travelled to, or incidence_deg; duration_hours of it"""
+class SystemTable(Table):
+    """One system of waves of a sea: height m, significant, and one period (s), or a file of a spectrum beside the study
 
-    height: float
+    direction_deg travelled to, or incidence_deg; x_axis_compass_deg : what the x axis heads, for nautical directions of
+    a file; time, location : which of its spectra
+    """
+
+    height: float | None = None
+    file: str | None = None
+    x_axis_compass_deg: float | None = None
+    time: str | None = None
+    location: int = 1
     spectrum: str = "issc"
     mean_period: float | None = None
     zero_crossing_period: float | None = None
@@ -50,6 +67,12 @@ class SeaTable(Table):
     direction_deg: float | None = None
     incidence_deg: float | None = None
     spreading: str | None = None
+
+
+class SeaTable(SystemTable):
+    """A sea of one system of waves, or of several `systems` at once; duration_hours of it"""
+
+    systems: list[SystemTable] = msgspec.field(default_factory=list)
     duration_hours: float = 3.0
 
 
@@ -102,7 +125,12 @@ class ResponseStudy(Table):
 
     def restrained(self, body):
         """A Body with the damping and stiffness of the study"""
-        body = body.restrained(_matrix("damping", self.body.damping), _matrix("stiffness", self.body.stiffness))
+        damping, stiffness = _matrix("damping", self.body.damping), _matrix("stiffness", self.body.stiffness)
+        if damping is not None and np.all(np.isfinite(damping)):
+            _check_damping(damping)
+        body = body.restrained(damping, stiffness)
+        if stiffness is not None:
+            _check_stable(body.stiffness)
         return body.restrained(damping=damping_of("body", self.body.damping_ratio, body))
 
     def places(self):
@@ -130,14 +158,61 @@ def read_response_study(path):
     return study, text
 
 
-def sea_of(table):
-    """The Sea of a SeaTable.  Raises ValueError."""
+def files_of(study, folder):
+    """Paths of the files that a ResponseStudy reads"""
+    if study.climate is not None:
+        return [folder / study.climate.scatter]
+    return [folder / one.file for one in (study.sea, *study.sea.systems) if one.file is not None]
+
+
+def sea_of(table, beside, depth):
+    """The Sea of a SeaTable, or Systems where it has several; `beside` is the path of the study, depth m.
+
+    Raises ValueError.
+    """
+    from mooring.seas.systems import Systems
+
+    if not table.systems:
+        return _system("sea", table, Path(beside).parent, depth)
+    if table.height is not None or table.file is not None:
+        raise StudyError("sea has systems and a height or file of its own; allowed: give it as one of sea.systems")
+    named = [(f"sea.systems[{i}]", one) for i, one in enumerate(table.systems)]
+    return Systems(tuple(_system(where, one, Path(beside).parent, depth) for where, one in named))
+
+
+def _system(where, table, folder, depth):
     from mooring.environment.periods import KINDS
     from mooring.environment.sea import Sea
 
+    if (table.height is None) == (table.file is None):
+        state = "neither is given" if table.height is None else "both are given"
+        raise StudyError(f"{where}: {state}; allowed: one of height, file")
+    if table.file is not None:
+        return _of_file(where, table, folder)
     periods = {kind: getattr(table, kind) for kind in KINDS if getattr(table, kind) is not None}
-    spectrum = family_of("sea", table)(positive("sea.height", table.height), **shape_of(table), **periods)
-    return Sea(spectrum, direction("sea", table), spreading_of("sea", table, spectrum))
+    family = family_of(where, table, depth)
+    spectrum = family(positive(f"{where}.height", table.height), **shape_of(table), **periods)
+    return Sea(spectrum, direction(where, table), spreading_of(where, table, spectrum))
+
+
+def _of_file(where, table, folder):
+    """The Sea of a file of SWAN or NDBC, or of a table of densities; a direction of the study goes before its own"""
+    from mooring.environment.sea import Sea
+    from mooring.environment.spectra import read_spectrum
+    from mooring.seas.spectra_files import TabulatedSpreading, read_sea
+
+    path = folder / table.file
+    if path.suffix == ".csv":
+        sea = Sea(read_spectrum(path))
+    else:
+        sea = read_sea(path, table.x_axis_compass_deg, table.time, table.location)
+    given = table.direction_deg is not None or table.incidence_deg is not None
+    if isinstance(sea.spreading, TabulatedSpreading) and (given or table.spreading is not None):
+        raise StudyError(f"{where}: {table.file} has directions of its own; leave direction and spreading out")
+    if isinstance(sea.spreading, TabulatedSpreading) or (sea.spreading is not None and not given):
+        return sea
+    spread = spreading_of(where, table, sea.spectrum) if table.spreading is not None else sea.spreading
+    return Sea(sea.spectrum, direction(where, table), spread)
 
 
 def damping_of(where, ratios, body):
@@ -153,8 +228,8 @@ def damping_of(where, ratios, body):
     return extra
 
 
-def climate_of(table, beside):
-    """Arguments of `mooring.response.climate.climate` after the body; `beside` is the path of the study."""
+def climate_of(table, beside, depth):
+    """Arguments of `mooring.response.climate.climate` after the body; `beside` is the path of the study, depth m."""
     from mooring.environment.scatter import read_scatter
 
     positive("climate.years", table.years)
@@ -162,7 +237,7 @@ def climate_of(table, beside):
     spreading = None if table.spreading is None else lambda spectrum: spreading_of("climate", table, spectrum)
     return dict(
         scatter=read_scatter(Path(beside).parent / table.scatter),
-        family=family_of("climate", table),
+        family=family_of("climate", table, depth),
         directions_and_shares=[(direction(where, entry), entry.share) for where, entry in named],
         spreading=spreading,
         **shape_of(table),
@@ -175,3 +250,30 @@ def _matrix(name, rows):
     if [len(row) for row in rows] != [6] * 6:
         raise StudyError(f"body.{name} has rows of {[len(row) for row in rows]} numbers; allowed: 6 rows of 6")
     return np.array(rows)
+
+
+def _check_damping(matrix):
+    """Raise StudyError for damping that gives a motion energy: a negative eigenvalue of its symmetric part"""
+    least, worst = _least(matrix)
+    if not least >= -1e-9:
+        value = matrix[worst, worst]
+        raise StudyError(f"body.damping gives energy to {DOFS[worst].lower()}, {value:.4g} of it; allowed: at least 0")
+
+
+def _check_stable(stiffness):
+    """Raise StudyError for a body that sinks or capsizes with the stiffness of the study"""
+    upright = stiffness[2:5, 2:5]
+    least, worst = _least(upright)
+    if not least > 0:
+        value, name = upright[worst, worst], DOFS[2 + worst].lower()
+        raise StudyError(
+            f"body.stiffness leaves {value:.4g} of restoring to {name}: the body does not float; allowed: above 0"
+        )
+
+
+def _least(matrix):
+    """Least eigenvalue of the symmetric part with each diagonal scaled to one, and the motion most in it"""
+    even = 0.5 * (matrix + matrix.T)
+    size = np.sqrt(np.where(np.diag(even) == 0, np.abs(even).max() + 1e-300, np.abs(np.diag(even))))
+    values, vectors = np.linalg.eigh(even / np.outer(size, size))
+    return float(values[0]), int(np.argmax(np.abs(vectors[:, 0])))

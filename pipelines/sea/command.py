@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import warnings
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from meshing.text_files import LARGEST
 from ..common.bounds import check_memory, check_seconds, told, whole_number
 from .flags import ReadingFlags, RecordFlags, SpectrumFlags
 
+FEWEST, APART = 50, 25.0  # components of a record; frequencies it resolves for each of them
 LONGEST = 10_000_000  # values of a record
 # measured: bytes for a component times √values, for a value, for a component; s for each, and for a component's wave
 # of Mitsuyasu's directions; s for a component at a value, and times √values
@@ -91,6 +93,7 @@ def _analysed(file, spectrum, record, reading):
     from mooring.environment.crossings import zero_crossings
     from mooring.environment.spectrum_estimate import estimate
     from mooring.environment.wave_records import read_record
+    from mooring.seas.record_faults import faults
 
     _refuse("a record file is given", spectrum, SpectrumFlags())
     _refuse("a record file is given", record, RecordFlags(step=record.step))
@@ -100,16 +103,23 @@ def _analysed(file, spectrum, record, reading):
     read = read_record(file, record.step, reading.column)
     estimated = estimate(read.elevation, read.step, reading.segment)
     waves = zero_crossings(read.elevation, read.step)
+    for line in faults(read.elevation, read.step, waves.mean_period):
+        warnings.warn(line, stacklevel=2)
     title = f"{file}: {len(read.elevation)} values at {read.step:g} s, {len(waves)} waves"
     return Findings(title, estimated.spectrum(file.stem), read, waves, estimated, analysed=True)
 
 
 def _made(flags, record, reading):
     _refuse("no record file is given", reading, ReadingFlags())
-    spectrum = _spectrum(flags)
+    spectrum = _spectrum(flags, record.depth)
+    if record.depth is not None and math.isfinite(record.depth):
+        from mooring.seas.breaking import too_high
+
+        for line in too_high(spectrum, record.depth):
+            warnings.warn(line, stacklevel=2)
     title = f"{spectrum.name} spectrum"
     if record.record is None:
-        _refuse("no --record is given", record, RecordFlags())
+        _refuse("no --record is given", record, RecordFlags(depth=record.depth))
         return Findings(title, spectrum)
     from mooring.environment.crossings import zero_crossings
     from mooring.environment.spectrum_estimate import estimate
@@ -127,27 +137,29 @@ def _refuse(state, flags, quiet):
             raise ValueError(f"--{name.replace('_', '-')} has no effect, {state}; leave it out")
 
 
-def _spectrum(flags):
+def _spectrum(flags, depth):
     from mooring.environment import spectra
+    from mooring.seas.families import PEAKED, families
 
     if flags.table is not None:
         _refuse("--table is given", flags, SpectrumFlags(table=flags.table))
         return spectra.read_spectrum(flags.table)
-    if flags.spectrum not in spectra.FAMILIES:
-        raise ValueError(f"--spectrum is {flags.spectrum!r}; allowed: {', '.join(spectra.FAMILIES)}")
-    if flags.gamma is not None and flags.spectrum != "jonswap" and flags.wind_speed is None:
-        raise ValueError(f"--gamma is given for {flags.spectrum}; allowed: with --spectrum jonswap")
+    known = families(depth)
+    if flags.spectrum not in known:
+        raise ValueError(f"--spectrum is {flags.spectrum!r}; allowed: {', '.join(known)}")
+    if flags.gamma is not None and flags.spectrum not in PEAKED and flags.wind_speed is None:
+        raise ValueError(f"--gamma is given for {flags.spectrum}; allowed: with --spectrum {' or '.join(PEAKED)}")
     gamma = {} if flags.gamma is None else {"gamma": flags.gamma}
     if flags.wind_speed is not None or flags.fetch is not None:
-        return _by_fetch(flags, gamma)
+        return _by_fetch(flags, gamma, depth)
     if flags.height is None:
         raise ValueError(
             "nothing says what sea; give --height and a period, --wind-speed and --fetch, --table, or a record file"
         )
-    return spectra.FAMILIES[flags.spectrum](flags.height, **gamma, **flags.periods)
+    return known[flags.spectrum](flags.height, **gamma, **flags.periods)
 
 
-def _by_fetch(flags, gamma):
+def _by_fetch(flags, gamma, depth):
     from mooring.environment.spectra import jonswap_fetch
 
     if flags.wind_speed is None or flags.fetch is None:
@@ -157,16 +169,20 @@ def _by_fetch(flags, gamma):
         wind_speed=flags.wind_speed,
         fetch=flags.fetch,
         gamma=flags.gamma,
-        spectrum="jonswap" if flags.spectrum == "jonswap" else "issc",
+        spectrum=flags.spectrum if flags.spectrum in ("jonswap", "tma") else "issc",
     )
     _refuse("--wind-speed and --fetch are given", flags, known)
+    if flags.spectrum == "tma":
+        from mooring.seas.shallow import tma_fetch
+
+        if depth is None or not math.isfinite(depth):
+            raise ValueError("--spectrum tma needs a finite --depth, m")
+        return tma_fetch(flags.wind_speed, flags.fetch, depth, **gamma)
     return jonswap_fetch(flags.wind_speed, flags.fetch, **gamma)
 
 
 def _record(spectrum, flags):
     """Record of one realisation"""
-    import math
-
     import numpy as np
 
     from mooring.environment.sea import Sea
@@ -184,6 +200,7 @@ def _record(spectrum, flags):
     seed = whole_number("seed", flags.seed, 0, 1)
     number = whole_number("components", flags.components, 1, _number_of_components(spectrum, flags, duration))
     _check_effort(number, count, state.spreading)
+    _warn_of_few(number, spectrum.quantile(0.999) * duration / (2 * math.pi))
     components = state.components(number, seed, **{key: word for key, word in words.items() if word is not None})
     depth = math.inf if flags.depth is None else flags.depth
     return Record(elevation(components, step * np.arange(count), *_point(flags.point), depth), step)
@@ -191,8 +208,6 @@ def _record(spectrum, flags):
 
 def _number_of_components(spectrum, flags, duration):
     """Random amplitudes need components as close as the record resolves, else its energy is that of a few of them."""
-    import math
-
     resolved = math.ceil(spectrum.quantile(0.999) * duration / (2 * math.pi))
     return max(500, resolved) if flags.amplitudes == "random" else 500
 
@@ -208,6 +223,17 @@ def _check_effort(components, count, spreading):
     seconds = SECONDS[0] * count + (SECONDS[1] + directions) * components + phases
     check_seconds(f"{what} take", seconds, way_out)
     told(f"{what} take", seconds)
+
+
+def _warn_of_few(components, resolved):
+    """resolved : frequencies that a record of its length tells apart"""
+    least = max(FEWEST, math.ceil(resolved / APART))
+    if components < least:
+        warnings.warn(
+            f"{components} components for a record that tells {resolved:.0f} frequencies apart: it is not Gaussian, "
+            f"groups and extremes are not those of the sea; give --components {least} or more, or a shorter --duration",
+            stacklevel=2,
+        )
 
 
 def _warn_of_long_steps(spectrum, step):

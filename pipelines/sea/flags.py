@@ -17,14 +17,16 @@ from ..scene.flags import _flag
 class SpectrumFlags:
     """The spectrum, where no record is given."""
 
-    spectrum: Annotated[str, _flag("issc, mitsuyasu_bretschneider, bretschneider or jonswap")] = "issc"
+    spectrum: Annotated[str, _flag("issc, mitsuyasu_bretschneider, bretschneider, jonswap, tma or ochi_hubble")] = (
+        "issc"
+    )
     height: Annotated[float | None, _flag("significant wave height, m")] = None
     mean_period: Annotated[float | None, _flag("T01, s; one period of any kind is needed")] = None
     zero_crossing_period: Annotated[float | None, _flag("T02, s")] = None
     energy_period: Annotated[float | None, _flag("Te, s")] = None
     peak_period: Annotated[float | None, _flag("Tp, s")] = None
     significant_period: Annotated[float | None, _flag("T1/3, s")] = None
-    gamma: Annotated[float | None, _flag("peak enhancement of jonswap [3.3]")] = None
+    gamma: Annotated[float | None, _flag("peak enhancement of jonswap and tma [3.3]")] = None
     wind_speed: Annotated[float | None, _flag("m/s at 10 m; with fetch instead of height and period, jonswap")] = None
     fetch: Annotated[float | None, _flag("m, with wind-speed")] = None
     table: Annotated[Path | None, _flag("CSV of omega_rad_s,density_m2_s_rad or frequency_hz,density_m2_hz")] = None
@@ -52,7 +54,9 @@ class RecordFlags:
     amplitudes: Annotated[str | None, _flag("of the components: deterministic or random [deterministic]")] = None
     direction: Annotated[float | None, _flag("degrees the waves travel to (0: +x, 90: +y) [0]")] = None
     spreading: Annotated[str | None, _flag(f"about it: {SPREADINGS} [none, long crests]")] = None
-    depth: Annotated[float | None, _flag("water depth, m; inf for deep water [inf]")] = None
+    depth: Annotated[
+        float | None, _flag("water depth, m; inf for deep water [inf]; of tma, and of waves that break")
+    ] = None
 
 
 @Parameter(name="*")

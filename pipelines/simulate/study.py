@@ -67,7 +67,11 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
     table = SimulationTable() if table is None else table
     settings = _settings(table, _duration(table, duration))
     conditions = study.conditions()
-    waves, findings, more = conditions.waves, (), tuple(one.sea("simulation.sea") for one in table.sea)
+    waves, findings, more = (
+        conditions.waves,
+        (),
+        tuple(one.sea("simulation.sea", study.water.depth) for one in table.sea),
+    )
     regular = conditions.method == "regular_wave"
     if more and (regular or conditions.sea is None):
         raise StudyError("simulation.sea is a further sea; allowed: beside [waves] with irregular waves")

@@ -1,6 +1,7 @@
 """`hakobune response` as a person runs it, on a small database of the series box."""
 
 import csv
+import re
 import shutil
 from pathlib import Path
 
@@ -202,3 +203,62 @@ def test_scatter_diagram_that_is_missing_or_an_output_is_named(folder, capsys):
     assert main(["response", "study.toml", "--database", "box.h5", "--output", "out.h5"]) == 0
     with h5py.File("out.h5") as file:
         assert np.isclose(file["state/probability"][()].sum(), 1.0)
+
+
+ZERO = "[0, 0, 0, 0, 0, 0]"
+GAINING = ", ".join(["[-1e6, 0, 0, 0, 0, 0]"] + [ZERO] * 5)
+SINKING = ", ".join([ZERO] * 2 + ["[0, 0, -1e9, 0, 0, 0]"] + [ZERO] * 3)
+
+
+@pytest.mark.parametrize(
+    "old, new, said",
+    [
+        ("height = 3.0", "height = 25.0", "significant height is 25 m .* single waves break at .* in 20 m of water"),
+        ("[[points]]", f"[body]\ndamping = [{GAINING}]\n[[points]]",
+         "body.damping gives energy to surge, -1e\\+06 of it; allowed: at least 0"),
+        ("[[points]]", f"[body]\nstiffness = [{SINKING}]\n[[points]]",
+         "body.stiffness leaves -.* of restoring to heave: the body does not float"),
+        ("height = 3.0", 'height = 3.0\nfile = "a.csv"', "sea: both are given; allowed: one of height, file"),
+        ("mean_period = 10.0", 'mean_period = 10.0\nspectrum = "ochi_hubble"', "ochi_hubble: mean_period is given"),
+    ],
+    ids=["breaking", "damping", "stiffness", "two seas", "periods"],
+)  # fmt: skip
+def test_a_sea_or_body_that_cannot_be_is_refused_in_one_line(folder, capsys, old, new, said):
+    Path("study.toml").write_text(STUDY.replace(old, new, 1))
+    assert main(["response", "study.toml", "--database", "box.h5"]) == 2
+    assert re.search(said, " ".join(capsys.readouterr().err.split()))
+
+
+def test_wind_sea_in_shallow_water_and_a_buoys_swell_are_one_sea(folder, capsys):
+    """The line names both, and heights add by energy"""
+    Path("buoy.csv").write_text("frequency_hz,density_m2_hz\n0.06,0\n0.08,3.125\n0.10,0\n")
+    both = """[sea]
+duration_hours = 3.0
+[[sea.systems]]
+spectrum = "tma"
+height = 2.0
+peak_period = 9.0
+direction_deg = 0.0
+[[sea.systems]]
+file = "buoy.csv"
+direction_deg = 90.0
+"""
+    Path("study.toml").write_text(both)
+    assert main(["response", "study.toml", "--database", "box.h5"]) == 0
+    said = capsys.readouterr().out
+    assert "tma spectrum, 2 m" in said and "buoy spectrum, 1 m" in said and "together 2.236 m, 3 h" in said
+
+
+def test_a_climate_says_which_classes_break_and_when_water_reaches_a_point(folder, capsys):
+    Path("scatter.csv").write_text("mean_period, 4, 10\n2.0, 10, 100\n4.0, 1, 20\n13.0, 0, 1\n")
+    study = STUDY.replace("[sea]", '[climate]\nscatter = "scatter.csv"\nyears = 10')
+    study = study.replace("height = 3.0", "").replace("mean_period = 10.0", "").replace("duration_hours = 2.0", "")
+    study = study.replace("incidence_deg = 180.0", "directions = [{ direction_deg = 0, share = 1.0 }]")
+    Path("study.toml").write_text(study)
+    assert main(["response", "study.toml", "--database", "box.h5"]) == 0
+    said = capsys.readouterr().out
+    assert "1 classes of the scatter diagram, 0.76 % of the time, have 2πH/gT02² above 0.1" in said
+    assert "are higher than water of 20 m holds, as that of 13 m" in said
+    assert re.search(r"air gap at stern: .* of 9 m left by the rise once in 10 years, water reaches it once in", said)
+    assert "responses lack energy beyond the stored frequencies" in said
+    assert "of the mean drift force over all time is from waves beyond" in said

@@ -106,3 +106,20 @@ def test_a_table_without_its_density_is_told_which_columns_it_needs(tmp_path, ca
     table.write_text("omega_rad_s,S\n0.5,1\n1,2\n", encoding="utf-8")
     assert main(["sea", "--table", str(table)]) == 2
     assert "has the columns omega_rad_s,S; allowed: omega_rad_s,density_m2_s_rad or" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words, status, said",
+    [
+        ("--spectrum jonswap --wind-speed 5 --fetch 1e7", 2, "after 5.497e+04 m the sea of a wind of 5 m/s is fully"),
+        ("--height 25 --peak-period 20 --depth 20", 2, "single waves break at 16.66 m in 20 m of water"),
+        ("--height 13 --peak-period 20 --depth 20", 0, "13 m is 0.65 of the water depth 20 m"),
+        ("--height 3 --mean-period 8 --record r.csv --components 3", 0, "3 components for a record that tells"),
+        ("--spectrum tma --height 3 --peak-period 8", 2, "tma is a spectrum of finite depth and there is none"),
+    ],
+)
+def test_waves_that_cannot_be_are_refused_or_warned_of(tmp_path, monkeypatch, capsys, words, status, said):
+    monkeypatch.chdir(tmp_path)
+    assert main(["sea", *words.split()]) == status
+    shown = capsys.readouterr()
+    assert said in " ".join((shown.out + shown.err).split())

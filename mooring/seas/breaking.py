@@ -1,0 +1,52 @@
+"""Waves that are too high for their water and period.
+
+H_b = 0.142 λ tanh kh     highest single wave of period Tp (Miche 1944); 0.89 h in long waves
+H_s = 0.6 h               a sea saturated with breakers, from H_rms = 0.42 h (Thornton & Guza 1983)
+H_max = 1.86 H_s          expected highest of 1000 waves (Rayleigh)
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.waves import wavenumber
+
+MICHE = 0.142
+SATURATED = 0.6
+HIGHEST_OF_1000 = 1.86
+GRAVITY = 9.80665
+
+
+class BreakingError(ValueError):
+    """Waves higher than their water holds; one line says how high, the limit and what helps"""
+
+
+def breaking_height(period, depth, gravity=GRAVITY):
+    """H_b, m, of a wave of `period` s in water of `depth` m; both broadcast, depth may be inf"""
+    k = wavenumber(2 * np.pi / np.asarray(period, float), depth, gravity)
+    return MICHE * 2 * np.pi / k * np.tanh(k * depth)
+
+
+def largest_height(period, depth, gravity=GRAVITY):
+    """m, the significant height that water of `depth` m holds: 0.6 h, or H_b of the period where that is less"""
+    return np.minimum(SATURATED * depth, breaking_height(period, depth, gravity))
+
+
+def too_high(spectrum, depth, gravity=GRAVITY):
+    """Lines on a sea whose waves break in water of `depth` m.  Raises BreakingError for a sea there cannot be."""
+    height, single = spectrum.significant_height, float(breaking_height(spectrum.Tp, depth, gravity))
+    if height > single:
+        raise BreakingError(
+            f"significant height is {height:.4g} m at a peak period of {spectrum.Tp:.4g} s, single waves break at "
+            f"{single:.4g} m in {depth:g} m of water; give at most {largest_height(spectrum.Tp, depth, gravity):.3g} m"
+        )
+    if height > SATURATED * depth:
+        yield (
+            f"significant height {height:.4g} m is {height / depth:.2g} of the water depth {depth:g} m; seas saturated "
+            f"with breakers have {SATURATED:g}; give at most {SATURATED * depth:.3g} m"
+        )
+    elif HIGHEST_OF_1000 * height > single:
+        yield (
+            f"the highest of 1000 waves, {HIGHEST_OF_1000 * height:.3g} m, breaks at {single:.3g} m in {depth:g} m of "
+            "water: extremes by Rayleigh's distribution are too high"
+        )

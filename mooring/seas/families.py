@@ -1,0 +1,28 @@
+"""All families of spectra by name, those of `environment.spectra` and those that need a depth or have two peaks."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from ..environment import spectra
+from .shallow import tma
+from .two_peaks import ochi_hubble
+
+PEAKED = ("jonswap", "tma")  # with a gamma
+NAMES = (*spectra.FAMILIES, "tma", "ochi_hubble")
+
+
+def families(depth):
+    """{name: function of height, period by kind, gamma where it has one}; depth : m, None where it is not known
+
+    Raises ValueError from "tma" without a finite depth.
+    """
+    return {**spectra.FAMILIES, "tma": partial(_tma, depth=depth), "ochi_hubble": ochi_hubble}
+
+
+def _tma(height, depth, **words):
+    if depth is None or not np.isfinite(depth):
+        raise ValueError("tma is a spectrum of finite depth and there is none; give the water depth, or take jonswap")
+    return tma(height, depth, **words)

@@ -1,0 +1,37 @@
+"""What is wrong with a measured record before its waves are counted: spikes, and a level that moves.
+
+A Gaussian record of a day has crests of 5 σ, steep waves perhaps 6; a value beyond 8 robust deviations (1.4826 times
+the median distance from the median) is no wave.  Means over stretches of 20 waves have a few thousandths of the
+variance of waves; more is tide, trend or drift of the instrument, and it is in the heights and the longest periods.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+LARGEST = 8.0  # robust deviations
+LEVEL = 0.02  # share of the variance in means of stretches
+WAVES = 20  # of a stretch
+
+
+def faults(record, step, mean_period):
+    """Lines on a record (n,) m of `step` s and waves of mean_period s"""
+    middle = np.median(record)
+    deviation = 1.4826 * np.median(np.abs(record - middle))
+    wild = np.flatnonzero(np.abs(record - middle) > LARGEST * deviation) if deviation > 0 else []
+    if len(wild):
+        i = int(wild[np.argmax(np.abs(record[wild] - middle))])
+        yield (
+            f"{len(wild)} values are beyond {LARGEST:g} deviations of the record, {LARGEST * deviation:.3g} m, the "
+            f"largest {record[i]:.4g} m at {i * step:.4g} s: a spike is no wave; take them out"
+        )
+    length = max(2, int(np.ceil(WAVES * mean_period / step)))
+    whole = len(record) // length
+    if whole >= 3:
+        means = record[: whole * length].reshape(whole, length).mean(axis=1)
+        share = means.var() / record.var()
+        if share > LEVEL:
+            yield (
+                f"the mean level moves by {np.ptp(means):.3g} m over the record, {100 * share:.2g} % of its variance, "
+                f"limit {100 * LEVEL:g} %: tide or trend is in the heights; take it off"
+            )

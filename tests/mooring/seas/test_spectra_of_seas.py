@@ -1,0 +1,110 @@
+"""Spectra of shallow water and of two peaks, and their limits."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from bem.waves import wavenumber
+from mooring.environment.spectra import issc, jonswap, jonswap_fetch
+from mooring.environment.spectrum import Peaked
+from mooring.seas.breaking import BreakingError, breaking_height, too_high
+from mooring.seas.record_faults import faults
+from mooring.seas.shallow import limited, tma, tma_fetch
+from mooring.seas.two_peaks import OneSystem, ochi_hubble
+
+G = 9.80665
+
+
+def test_depth_limits_a_spectrum_by_the_ratio_of_its_wavenumber_forms():
+    """k⁻³ ∂k/∂ω over its deep-water form, the derivative by differences; ω²h/2g in long waves"""
+    omega, h, step = np.array([0.3, 0.7, 1.2]), 15.0, 1e-5
+    k = wavenumber(omega, h, G)
+    slope = (wavenumber(omega + step, h, G) - wavenumber(omega - step, h, G)) / (2 * step)
+    assert np.allclose(limited(omega, h, G), k**-3 * slope / ((omega**2 / G) ** -3 * 2 * omega / G), rtol=1e-8)
+    assert np.isclose(limited(1e-2, h, G), 1e-4 * h / (2 * G), rtol=1e-3)
+
+
+@pytest.mark.parametrize("order", [-1, 0, 1, 2, 3])
+def test_moments_are_those_of_a_quadrature_of_the_density(order):
+    for spectrum in (tma(3.0, 12.0, peak_period=9.0), ochi_hubble(4.0)):
+        pieces = [0.0, 0.3, 0.5, 0.7, 0.8, 1.0, 1.5, 3.0, 8.0]
+        whole = sum(
+            quad(lambda w: w**order * spectrum.density(w), a, b, epsabs=1e-11, limit=200)[0]  # noqa: B023
+            for a, b in pairwise(pieces)
+        )
+        assert np.isclose(spectrum.moment(order, 0.0, 8.0), whole, rtol=1e-7)
+
+
+def test_a_sea_of_given_height_has_it_and_in_deep_water_is_jonswap():
+    shallow, deep = tma(3.0, 12.0, mean_period=7.0), tma(3.0, 5000.0, peak_period=9.0)
+    assert np.isclose(shallow.significant_height, 3.0) and np.isclose(shallow.T01, 7.0, rtol=1e-8)
+    omega = np.linspace(0.3, 3, 40)
+    assert np.allclose(deep.density(omega), jonswap(3.0, peak_period=9.0).density(omega), rtol=1e-9)
+
+
+def test_wind_over_shallow_water_raises_less_of_a_sea():
+    heights = [tma_fetch(20.0, 2e5, depth).significant_height for depth in (5.0, 10.0, 40.0, 1e4)]
+    assert np.all(np.diff(heights) > 0)
+    assert np.isclose(heights[-1], jonswap_fetch(20.0, 2e5).significant_height)
+
+
+def test_a_wind_raises_no_more_than_a_fully_developed_sea():
+    x = 5.497e4  # m, f_p U/g = 0.13 at 5 m/s
+    assert np.isclose(5.0 / jonswap_fetch(5.0, x).Tp / G, 0.13, rtol=1e-3)
+    with pytest.raises(ValueError, match=r"after 5\.497e\+04 m the sea of a wind of 5 m/s is fully developed"):
+        jonswap_fetch(5.0, 1e7)
+
+
+def test_a_system_of_shape_one_is_bretschneiders():
+    one, omega = OneSystem(3.0, 0.6, 1.0), np.linspace(0.2, 3.0, 30)
+    level = 5 / 16 * 3.0**2 * 0.6**4
+    assert np.allclose(one.density(omega), Peaked("same", level, 0.6).density(omega), rtol=1e-10)
+    for order in (-1, 0, 1, 2, 3):
+        assert np.isclose(one.moment(order, 0.3, 2.0), Peaked("same", level, 0.6).moment(order, 0.3, 2.0), rtol=1e-9)
+
+
+def test_the_most_probable_sea_has_its_height_and_the_printed_periods():
+    sea = ochi_hubble(4.0)
+    assert np.isclose(sea.significant_height, 4.0)
+    swell, wind = sea.parts
+    assert np.isclose(swell.height / wind.height, 0.84 / 0.54)
+    assert np.isclose(swell.peak_omega, 0.5824, rtol=1e-3) and np.isclose(wind.peak_omega, 0.9839, rtol=1e-3)
+    with pytest.raises(ValueError, match="ochi_hubble: peak_period is given; allowed: none"):
+        ochi_hubble(4.0, peak_period=9.0, mean_period=None)
+
+
+def test_waves_break_at_miches_height():
+    """0.142 λ in deep water, 0.142 · 2π h = 0.89 h in long waves"""
+    assert np.isclose(breaking_height(8.0, np.inf), 0.142 * G * 64 / (2 * np.pi))
+    assert np.isclose(breaking_height(300.0, 10.0), 0.892 * 10.0, rtol=1e-3)
+    with pytest.raises(
+        BreakingError, match=r"25 m at .* single waves break at 16.66 m in 20 m of water; give at most 12"
+    ):
+        list(too_high(jonswap(25.0, peak_period=20.0), 20.0))
+    (said,) = too_high(issc(13.0, peak_period=20.0), 20.0)
+    assert "13 m is 0.65 of the water depth 20 m" in said
+    (said,) = too_high(issc(4.0, peak_period=12.0), 8.0)
+    assert "the highest of 1000 waves, 7.44 m, breaks at" in said
+    assert not list(too_high(issc(4.5, mean_period=10.0), 20.0))
+
+
+@pytest.mark.parametrize(
+    "spoilt, said",
+    [
+        (lambda y, t: y + 1e-4 * t, "the mean level moves by 0.3"),
+        (lambda y, t: y + 0.5 * np.sin(2 * np.pi * t / 44714.0), "the mean level moves by"),
+        (lambda y, t: np.where(t == 1800.0, 99.0, y), "1 values are beyond 8 deviations"),
+    ],
+    ids=["trend", "tide", "spike"],
+)
+def test_what_is_no_wave_in_a_record_is_named(spoilt, said):
+    from mooring.environment.sea import Sea
+    from mooring.environment.wave_records import elevation
+
+    t = np.arange(0, 3600.0, 0.5)
+    record = elevation(Sea(issc(1.0, mean_period=6.0)).components(500, 1), t)
+    assert not list(faults(record, 0.5, 5.5))
+    (line,) = faults(spoilt(record, t), 0.5, 5.5)
+    assert said in line
