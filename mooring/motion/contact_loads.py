@@ -23,10 +23,9 @@ from bem.kernels.jit import kernel
 
 from ..fenders import hysteresis
 from ..fenders.hysteresis import ContactTable
-from .line_loads import give_generalized, rotation_of
+from .line_loads import give_generalized, reaction, rotation_of
 
 advanced = kernel(inline=True)(hysteresis.advanced_one)
-reaction = kernel(inline=True)(hysteresis.reaction_of)
 
 
 ARM, OFFSET, FRICTION, SHEAR, ROPE = 3, 6, 7, 8, 9  # places in a row of `Contacts.numbers`, after a − x₀

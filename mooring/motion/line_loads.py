@@ -2,7 +2,8 @@
 
 A uniform line follows the closed forms, started from its last solution (`mooring.lines.catenary.moving_end`).  A line
 of segments, with sinkers and buoys or a bed of its own, is read from a table of its own solver over the span and
-height its fairlead visits: bicubic Hermite polynomials through forces and their exact derivatives.
+height its fairlead visits: bicubic Hermite polynomials through forces and their exact derivatives.  A hawser pulls
+straight, with T(e) of its elongation.
 
 With R = Rz(ψ) Ry(θ) Rx(φ) the forces on the rates of x, y, z, φ, θ, ψ are those of virtual work,
 
@@ -17,10 +18,12 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
+from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
 from ..lines.catenary.moving_end import pull_of_any, workspace
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
 from .force_tables import Packed, packed, packed_pull, tabulate
 
+reaction = kernel(inline=True)(reaction_of)
 NEVER = np.inf  # s at which a line breaks that does not
 REACH = (1.5, 0.35)  # depths that a span may fall and a fairlead rise or sink in a table
 
@@ -30,7 +33,8 @@ class Lines(NamedTuple):
 
     anchor : (n, 3) m in space, fairlead : (n, 3) m in the body's axes; lines : (n, 4) length, weight, 1/EA, friction
     lost : (n,) s; bed : m, its height; table : (n,) number of its table, below 0 for a closed form
-    tables : `Packed`; place : (3,) m, origin of the body's axes at rest
+    tables : `Packed`; hawser : (n,) number of its curve in `curves`, below 0 for other lines
+    place : (3,) m, origin of the body's axes at rest
     """
 
     anchor: np.ndarray
@@ -40,6 +44,8 @@ class Lines(NamedTuple):
     bed: float
     table: np.ndarray
     tables: Packed
+    hawser: np.ndarray
+    curves: ContactTable
     place: np.ndarray
 
 
@@ -76,7 +82,7 @@ def body_lines(system, lost=(), tables=((), ())):
     lost : (name, s) of lines that break.  raises : ValueError for other systems, and names that are unknown
     """
     if system is None:
-        return _arrays([], [], [], [], -1.0, np.zeros(3), tables)
+        return _arrays([], [], [], [], -1.0, np.zeros(3), tables, [], [])
     points = {point.name: point for point in system.points}
     if len(system.bodies) != 1:
         raise ValueError(f"the system has {len(system.bodies)} bodies; a body in time is one")
@@ -94,7 +100,7 @@ def body_lines(system, lost=(), tables=((), ())):
         anchors.append(ends[0].position)
         fairleads.append(ends[1].position)
         uniform = isinstance(line, UniformLine)
-        kind = (line.type.weight, 1 / line.type.axial_stiffness) if uniform else (1.0, 0.0)
+        kind = (line.type.weight, 1 / line.type.axial_stiffness) if uniform else (1.0, 1.0)  # tables stretch
         given.append((line.length, *kind, line.bed_friction))
     anchors = np.array(anchors, float).reshape(-1, 3)
     near = np.abs(anchors[:, 2] + system.depth) <= 1e-6 * system.depth
@@ -103,7 +109,10 @@ def body_lines(system, lost=(), tables=((), ())):
     for name, when in lost:
         times[system.line_names.index(name)] = when
     place = np.array(system.bodies[0].position[:3], float)
-    return _arrays(anchors, fairleads, given, times, -float(system.depth), place, tables)
+    number = np.full(len(given), -1)
+    number[list(system.hawsers)] = np.arange(len(system.hawsers))
+    pulls = [system.lines[i].pull for i in system.hawsers]
+    return _arrays(anchors, fairleads, given, times, -float(system.depth), place, tables, number, pulls)
 
 
 def tables_of(system, start):
@@ -135,7 +144,7 @@ def tables_of(system, start):
     return tuple(tables), number
 
 
-def _arrays(anchors, fairleads, given, times, bed, place, tables):
+def _arrays(anchors, fairleads, given, times, bed, place, tables, hawser, pulls):
     """Lines as arrays"""
     return Lines(
         np.asarray(anchors, float).reshape(-1, 3),
@@ -145,6 +154,8 @@ def _arrays(anchors, fairleads, given, times, bed, place, tables):
         float(bed),
         np.asarray(tables[1], np.int64) if len(tables[1]) else np.full(len(given), -1),
         packed(tables[0]),
+        np.asarray(hawser, np.int64),
+        contact_table(pulls),
         place,
     )
 
@@ -205,6 +216,10 @@ def line_loads(lines, work, position, R, out):
         length, weight, flexibility, friction = lines.lines[i]
         if lines.table[i] >= 0:
             H, V = packed_pull(lines.tables, lines.table[i], span, z - a[2])
+        elif lines.hawser[i] >= 0:
+            away = np.sqrt(span * span + (z - a[2]) ** 2)
+            T = reaction(lines.curves, lines.hawser[i], away - length, 1.0)
+            H, V = T * span / max(away, length), T * (z - a[2]) / max(away, length)  # without pull where it is shorter
         else:
             H, V = pull_of_any(
                 work.kept[i], work.rows[i], span, a[2], z, lines.bed, length, weight, flexibility, friction

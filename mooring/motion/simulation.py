@@ -13,6 +13,7 @@ from bem.time_domain.memory import MemoryArrays, memory_of_database
 
 from ..environment.sea import Components, joined
 from ..lines.system.equilibrium import rest
+from ..lines.system.findings import beyond_tables
 from . import integrator
 from .contact_loads import DEPTH, contact_work
 from .contacts import at_rest, berth_stiffness, courses, no_berth
@@ -383,6 +384,8 @@ def _realisation(moored, settings, seed, scene, table, samples, clock, findings)
     lines, wind = scene.lines, scene.wind
     tension = np.zeros((len(samples), len(lines.lost)))
     tensions_along(lines, line_work(lines), time + settings.ramp, samples, tension)
+    if moored.system is not None:
+        findings += beyond_tables(moored.system, tension.max(axis=0))
     wave = np.zeros(len(samples))
     if len(table.omega):
         from ..environment.wave_records import elevation

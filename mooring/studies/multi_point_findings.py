@@ -8,7 +8,7 @@ from bem import DOFS
 from bem.database.resonances import resonances as known_resonances
 
 from ..lines.catenary.state import State
-from ..lines.system.findings import LONGEST_STRAIN, strains, unheld
+from ..lines.system.findings import LONGEST_STRAIN, beyond_tables, strains, unheld
 from ..response.findings import large_rotations
 
 UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
@@ -142,6 +142,8 @@ def _line_findings(result):
     names, lines = np.array(result.system.line_names), result.extreme
     rest, mean = result.rest.lines, result.equilibrium.lines
     beyond = lines.status == State.BEYOND_REACH
+    laid = np.ones(len(names), bool)
+    laid[list(result.system.hawsers)] = False  # on an anchor that may lift
     groups = (
         (rest.status == State.SLACK, "slack at rest"),
         ((mean.status == State.SLACK) & (rest.status != State.SLACK), "slack under the steady forces"),
@@ -149,9 +151,9 @@ def _line_findings(result):
             unheld(rest) | unheld(mean),
             "without tension on a bed steeper than friction holds, taken to lie there: give more friction or less line",
         ),
-        ((mean.vertical_a < 0) & ~beyond, "lifting the anchor under the steady forces"),
+        (laid & (mean.vertical_a < 0) & ~beyond, "lifting the anchor under the steady forces"),
         (
-            (lines.vertical_a < 0) & (mean.vertical_a >= 0) & ~beyond,
+            laid & (lines.vertical_a < 0) & (mean.vertical_a >= 0) & ~beyond,
             "lifting the anchor at the largest tension",
         ),
         (
@@ -173,3 +175,4 @@ def _line_findings(result):
     for chosen, text in groups:
         if np.any(chosen):
             yield f"{chosen.sum()} of {len(names)} lines {text}: {', '.join(names[chosen])}"
+    yield from beyond_tables(result.system, result.tension)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..lines.system.findings import LONGEST_STRAIN
+from ..lines.system.hawser import Hawser
 from ..lines.system.parts import Fairlead
 
 BESIDE = 0.1  # of the hull's length: farther out of the hull no bracket or outrigger carries a fairlead
@@ -26,7 +27,7 @@ def check_places(system, hull):
                 f"{BESIDE * hull.length:.3g} m; its coordinates begin in the middle of the hull"
             )
         away = float(np.linalg.norm(fairlead - anchor))
-        if away > (1 + LONGEST_STRAIN) * line.length:
+        if away > (1 + LONGEST_STRAIN) * line.length and not isinstance(line, Hawser):
             raise ValueError(
                 f"line {line.name} is {line.length:g} m long and its anchor {away:.4g} m from its fairlead: stretched "
                 f"by {100 * (away / line.length - 1):.3g} %, limit {100 * LONGEST_STRAIN:g} %, where any rope parts; "

@@ -11,10 +11,11 @@ import msgspec
 
 from mooring.lines.multi_segment.bed import Bed
 from mooring.lines.multi_segment.segments import PointLoad, Segment
+from mooring.lines.system.hawser import Hawser, elongation_at, pull_of_points
 from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
 
 from .quantities import HEAVIEST, StudyError, Table, below, force, friction, one_of, positive
-from .units import KGF
+from .units import KGF, TONF
 
 
 class MaterialTable(Table):
@@ -33,9 +34,22 @@ class MaterialTable(Table):
 
 
 class TypeTable(MaterialTable):
-    """What a line is made of at rest"""
+    """What a line is made of at rest
+
+    A hawser has no weight and a table: tension_tonf or tension_kN over elongation_percent of its length, both from 0;
+    a spring that pulls and does not push has spring_kN_per_m.
+    """
 
     bed_friction: float = 0.0
+    elongation_percent: list[float] | None = None
+    tension_tonf: list[float] | None = None
+    tension_kN: list[float] | None = None
+    spring_kN_per_m: float | None = None
+
+    @property
+    def straight(self):
+        """Whether it is a hawser or spring"""
+        return self.elongation_percent is not None or self.spring_kN_per_m is not None
 
 
 class SegmentTable(Table):
@@ -117,9 +131,16 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
     whole = table.type, table.length
     if whole != (None, None) if table.segments else None in whole:
         raise StudyError(f"{where} ({name}): allowed: either type and length, or segments")
+    if table.type in types and types[table.type].straight:
+        if table.bodies or table.bed:
+            raise StudyError(f"{where} ({name}): a hawser has no bodies and no bed; allowed: on a line of segments")
+        return hawser_of(where, name, table.type, types[table.type], positive(f"{where}.length", table.length), ends)
     parts = table.segments or [SegmentTable(type=table.type, length=table.length)]
     places = [f"{where}.segments[{i}]" if table.segments else where for i in range(len(parts))]
     kinds = [of_types(place, part.type, types) for place, part in zip(places, parts, strict=True)]
+    for place, part, kind in zip(places, parts, kinds, strict=True):
+        if kind.straight:
+            raise StudyError(f"{place}.type {part.type} is a hawser; allowed: segments with a weight")
     made = [
         line_type(f"types.{part.type}", kind, density, gravity, part.type)
         for part, kind in zip(parts, kinds, strict=True)
@@ -138,6 +159,49 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
     loads = _point_loads(where, table.bodies, lengths, density, gravity)
     on_bed = _friction(where, table.bed, rough)
     return CompositeLine(name, segments, *ends, loads, on_bed, _own_bed(where, table.bed, on_bed))
+
+
+def hawser_of(where, name, kind_name, kind, length, ends=("", "")):
+    """The Hawser of a TypeTable that is straight; length : m without tension"""
+    place = f"types.{kind_name}"
+    heavy = [key for key in MaterialTable.__struct_fields__ if not key.startswith("breaking")
+             and getattr(kind, key) is not None]  # fmt: skip
+    if heavy:
+        raise StudyError(f"{place}: a hawser has no {heavy[0]}; allowed: its table or spring, and a breaking load")
+    pull, most = _pull(place, name, kind, length)
+    return Hawser(name, pull, length, *ends, force(place, kind, "breaking_load") or math.inf, most)
+
+
+def hawser_at_tension(where, name, kind_name, kind, distance, tension):
+    """The Hawser that pulls with a tension, N, between points at a distance, m"""
+    place = f"types.{kind_name}"
+    if kind.spring_kN_per_m is None:  # of a table in shares of the length: one of unit length says the strain
+        length = distance / (1 + elongation_at(_pull(place, name, kind, 1.0)[0], tension))
+    else:
+        length = distance - tension / (1e3 * positive(f"{place}.spring_kN_per_m", kind.spring_kN_per_m))
+    if not length > 0:
+        raise StudyError(
+            f"{where} ({name}): its spring would be {length:.4g} m long without its pretension, over {distance:.4g} m; "
+            "allowed: above 0; give a stiffer spring or less pretension"
+        )
+    return hawser_of(where, name, kind_name, kind, length)
+
+
+def _pull(place, name, kind, length):
+    """Fender of the pull, N over m, and N where its table ends"""
+    given = [key for key in ("tension_tonf", "tension_kN") if getattr(kind, key) is not None]
+    if kind.spring_kN_per_m is not None:
+        if kind.elongation_percent is not None or given:
+            raise StudyError(f"{place} has a spring and a table; allowed: one of spring_kN_per_m, elongation_percent")
+        stiffness = 1e3 * positive(f"{place}.spring_kN_per_m", kind.spring_kN_per_m)
+        return pull_of_points(name, [0.0, length], [0.0, stiffness * length]), math.inf
+    if len(given) != 1:
+        raise StudyError(
+            f"{place} has {' and '.join(given) or 'no tensions'}; allowed: one of tension_tonf, tension_kN"
+        )
+    tension = [value * (TONF if given[0] == "tension_tonf" else 1e3) for value in getattr(kind, given[0])]
+    elongation = [length * value / 100 for value in kind.elongation_percent]
+    return pull_of_points(name, elongation, tension), tension[-1]
 
 
 def attached(where, bodies, joints):

@@ -13,10 +13,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mooring.lines.system.hawser import Hawser
+
 from ..moor.study import make_study
 from .project import MEAN
 
-LAYING = ("corner_headings_deg", "pretension_tonf", "pretension_kN", "fairlead_z", "heading_deg", "anchor", "name")
+LAYING = (
+    "corner_headings_deg", "pretension_tonf", "pretension_kN", "fairlead_z", "heading_deg", "anchor", "bollard", "name",
+)  # fmt: skip
 
 
 class LoadCase(NamedTuple):
@@ -52,8 +56,10 @@ def laid_lines(study, db):
     for line, table in zip(system.lines, given, strict=True):
         fairlead = center + points[line.b].position
         rest = {key: value for key, value in table.items() if key not in LAYING and key != "fairlead"}
-        anchor = points[line.a].position[:2]
-        laid.append({"name": line.name, "fairlead": fairlead.tolist(), "anchor": [float(x) for x in anchor], **rest})
+        end = "bollard" if "bollard" in table else "anchor"
+        place = [float(x) for x in points[line.a].position[: 3 if end == "bollard" else 2]]
+        length = {"length": line.length} if isinstance(line, Hawser) else {}
+        laid.append({"name": line.name, "fairlead": fairlead.tolist(), end: place, **rest, **length})
     return laid
 
 

@@ -21,7 +21,7 @@ from mooring.loads.box_drag import drag_table
 from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
 from mooring.studies.wave_effects import METHODS
 
-from ..common.line_tables import LineTable, TypeTable, line_of
+from ..common.line_tables import LineTable, TypeTable, hawser_at_tension, line_of
 from ..common.quantities import StudyError, Table, below, direction, force, positive, speed, water_depth
 from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
 from ..common.seas import family_of, shape_of, spreading_of
@@ -102,11 +102,15 @@ class Spread(LineTable, kw_only=True):
 
 
 class OneLine(LineTable, kw_only=True):
-    """A line to an anchor at (x, y), or along heading_deg to where it carries the pretension; m"""
+    """A line to an anchor at (x, y), or along heading_deg to where it carries the pretension; m
+
+    bollard : (x, y, z) m, still, in place of an anchor; a hawser to it has a length or a pretension
+    """
 
     name: str
     fairlead: tuple[float, float, float]
     anchor: tuple[float, float] | None = None
+    bollard: tuple[float, float, float] | None = None
     heading_deg: float | None = None
     pretension_tonf: float | None = None
     pretension_kN: float | None = None
@@ -257,19 +261,33 @@ class Study(Table):
         return moored_body(legs, self.water.depth, center, density, gravity)
 
     def _spread(self, where, spread, hull, density, gravity):
+        if self._straight(spread):
+            raise StudyError(f"{where}.type {spread.type} is a hawser; allowed: as [[lines]] with a bollard")
         line = line_of(where, "spread", spread, self.types, density=density, gravity=gravity)
         headings = _corner_headings(where, spread.corner_headings_deg)
         pretension = force(where, spread, "pretension", required=True)
         return corner_legs(line, hull.length, hull.beam, headings, self.water.depth, pretension, spread.fairlead_z)
 
     def _leg(self, where, given, density, gravity):
-        line, depth = line_of(where, given.name, given, self.types, density=density, gravity=gravity), self.water.depth
-        pretension = force(where, given, "pretension")
+        pretension, depth, straight = force(where, given, "pretension"), self.water.depth, self._straight(given)
+        if straight and given.bollard is not None and given.length is None and pretension is not None:
+            away = math.dist(given.bollard, given.fairlead)
+            kind = given.type, self.types[given.type]
+            line = hawser_at_tension(where, given.name, *kind, away, pretension)
+            return Leg(line, given.bollard, given.fairlead)
+        line = line_of(where, given.name, given, self.types, density=density, gravity=gravity)
+        if given.bollard is not None and pretension is None and given.anchor is None and given.heading_deg is None:
+            return Leg(line, given.bollard, given.fairlead)
+        if straight:
+            raise StudyError(f"{where} ({given.name}) is a hawser; allowed: a bollard, with its length or a pretension")
         if given.anchor is not None and given.heading_deg is None and pretension is None:
             return Leg(line, (*given.anchor, -depth), given.fairlead)
         if given.anchor is None and given.heading_deg is not None and pretension is not None:
             return leg_at_tension(line, given.fairlead, math.radians(given.heading_deg), depth, pretension)
-        raise StudyError(f"{where} ({given.name}): allowed: either anchor, or heading_deg with a pretension")
+        raise StudyError(f"{where} ({given.name}): allowed: one of anchor, bollard, heading_deg with a pretension")
+
+    def _straight(self, table):
+        return table.type in self.types and self.types[table.type].straight
 
 
 def sea_of(where, waves, towards, depth):

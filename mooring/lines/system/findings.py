@@ -10,6 +10,7 @@ from bem import DOFS
 
 from ..catenary.state import State
 from .composite import solution
+from .hawser import Hawser
 from .parts import CompositeLine
 
 LONGEST_STRAIN = 0.5  # nylon rope parts before
@@ -18,21 +19,34 @@ LONGEST_STRAIN = 0.5  # nylon rope parts before
 def strains(system, tension):
     """(n,) of the softest segment of each line at tension (n,) N; 0 where it is a table, which knows its own strain"""
     stiffness = [
-        min(np.inf if np.ndim(part.axial_stiffness) else part.axial_stiffness for part in _parts(line))
+        min((part.axial_stiffness for part in _parts(line) if not np.ndim(part.axial_stiffness)), default=np.inf)
         for line in system.lines
     ]
     return np.asarray(tension) / np.array(stiffness)
 
 
 def _parts(line):
+    if isinstance(line, Hawser):
+        return []
     return line.segments if isinstance(line, CompositeLine) else [line.type]
+
+
+def beyond_tables(system, tension):
+    """One line on hawsers whose tension, (n,) N, lies beyond the table of their pull"""
+    past = [
+        f"{system.lines[i].name} {tension[i] / 1e3:.4g} kN, table to {system.lines[i].most / 1e3:.4g} kN"
+        for i in system.hawsers
+        if tension[i] > system.lines[i].most
+    ]
+    if past:
+        yield f"beyond the table of load against elongation, led on straight: {', '.join(past)}; extend the table"
 
 
 def warn_of_floating(system, load):
     """Warn of lines lighter than water that would rise above its surface, which is not modelled as a limit of lines."""
     for i, line in enumerate(system.lines):
         down = load.rows[i, 3:5]
-        if isinstance(line, CompositeLine) or line.type.weight > 0 or np.any(down >= 0):
+        if isinstance(line, CompositeLine | Hawser) or line.type.weight > 0 or np.any(down >= 0):
             continue
         z, tension = load.points[system.arrays.ends[i, 0], 2], np.hypot(load.rows[i, 1], down[0])
         bend = 1 / (tension + load.rows[i, 1]) + 0.5 / line.type.axial_stiffness

@@ -20,6 +20,7 @@ from .bodies import hydrostatic_load, rotation
 from .checks import ON_BED, check_system
 from .composite import composite, fill_row
 from .findings import culprit
+from .hawser import Hawser, fill_hawser
 from .parts import (
     Anchor,
     CompositeLine,
@@ -85,7 +86,7 @@ class SystemArrays(NamedTuple):
     column : (p,) first degree of freedom; floats : (p, 3) weight and buoyancy of free points, N, and their height, m
     ends : (n, 2) points of each line; flipped : (n,) whether end b is the anchor on the bed, so that the
     line is solved from there
-    lines : (n, 4) length, weight, 1/EA and friction, 0 for a line of segments; bed : its height, m
+    lines : (n, 4) length, weight, 1/EA and friction, 0 for other lines than uniform ones; bed : its height, m
     """
 
     position: np.ndarray
@@ -103,7 +104,7 @@ class System:
     """Lines, the points they join and the bodies these belong to.  depth : m; density : kg/m³; gravity : m/s²"""
 
     depth: float
-    lines: tuple[UniformLine | CompositeLine, ...]
+    lines: tuple[UniformLine | CompositeLine | Hawser, ...]
     points: tuple[Anchor | Fairlead | FreePoint, ...]
     bodies: tuple[MooredBody, ...] = ()
     density: float = 1025.0
@@ -181,6 +182,11 @@ class System:
         return tuple(composite(self, i, self.anchored_ends[i]) for i in numbers)
 
     @cached_property
+    def hawsers(self):
+        """Numbers of the lines that are a `Hawser`"""
+        return tuple(i for i, line in enumerate(self.lines) if isinstance(line, Hawser))
+
+    @cached_property
     def anchored_ends(self):
         """(n,) which end of each line is an anchor on the bed: "a", "b", or "" where neither or both are"""
         anchors = {point.name: point.position[2] for point in self.points if isinstance(point, Anchor)}
@@ -203,9 +209,11 @@ class System:
         from .assembly import assemble
 
         pose = self.pose if pose is None else pose
-        return self._composite_load(pose) if self.composites else SystemLoad(*assemble(*self.arrays, *pose), {})
+        if self.composites or self.hawsers:
+            return self._load_by_rows(pose)
+        return SystemLoad(*assemble(*self.arrays, *pose), {})
 
-    def _composite_load(self, pose):
+    def _load_by_rows(self, pose):
         from .assembly import add_rows, place_points
 
         position, owner, column, floats, ends, flipped, _, _ = self.arrays
@@ -224,6 +232,8 @@ class System:
         for one in self.composites:
             A, B = points[ends[one.number][::-1] if one.flipped else ends[one.number]]
             solutions[one.number] = fill_row(rows[one.number], one, A, B)
+        for i in self.hawsers:
+            fill_hawser(rows[i], self.lines[i], *points[ends[i][::-1] if arrays.flipped[i] else ends[i]])
         return rows, solutions
 
     def forces_between(self, starts, ends) -> LineForces:

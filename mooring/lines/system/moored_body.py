@@ -11,6 +11,7 @@ from ..catenary.solve import span_at_tension
 from ..multi_segment.span import span_of
 from .composite import of_line, solution
 from .graph import System
+from .hawser import Hawser
 from .parts import Anchor, CompositeLine, Fairlead, LineSystemError, MooredBody, UniformLine
 
 
@@ -20,7 +21,7 @@ class Leg(NamedTuple):
     anchor, fairlead : (3,) m in space
     """
 
-    line: UniformLine | CompositeLine
+    line: UniformLine | CompositeLine | Hawser
     anchor: tuple[float, float, float]
     fairlead: tuple[float, float, float]
 

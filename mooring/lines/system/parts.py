@@ -1,8 +1,8 @@
 """What a system of lines is made of: kinds of line, lines, anchors, fairleads, free points and floating bodies.
 
 A line joins two points.  `assembly` wants of it the forces at both ends in the vertical plane through them, and their
-derivatives, in one row: compiled for a `UniformLine`, from its own solver for a `CompositeLine`; whatever joins two
-points fits in there.
+derivatives, in one row: compiled for a `UniformLine`, from its own solver for a `CompositeLine`, from its curve for a
+`hawser.Hawser`; whatever joins two points fits in there.
 
 All values SI, all frozen.  A `Fairlead` is given in the axes of its body, everything else in space.
 """

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..catenary.state import State
 from .composite import points_along
+from .hawser import Hawser
 
 
 def line_shapes(state, points=80):
@@ -45,6 +46,8 @@ def _places(state, lengths):
 def _shape(state, i, count):
     system, forces, line = state.system, state.lines, state.system.lines[i]
     a, b = state.points[system.arrays.ends[i]]
+    if isinstance(line, Hawser):
+        return a + np.linspace(0, 1, count)[:, None] * (b - a)
     away = (b - a)[:2]
     span = np.hypot(*away)
     outward = away / span if span > 0 else np.array([1.0, 0.0])

@@ -6,11 +6,15 @@ import numpy as np
 import pytest
 
 from bem.time_domain.fast_states import slow_memory
+from bem.time_domain.memory import MemoryArrays
 from bem.time_domain.retardation import fourier_weights
 from bem.time_domain.whole_axis import ends_of, whole_axis
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import issc, jonswap
+from mooring.lines.system.bodies import rotation
 from mooring.lines.system.equilibrium import rest
+from mooring.lines.system.hawser import Hawser, pull_of_points
+from mooring.lines.system.moored_body import Leg, moored_body
 from mooring.motion.given_forces import GivenForce
 from mooring.motion.simulation import FASTEST, SimulationError, _with_error, simulate, wave_components
 from mooring.motion.weather import Settings, Weather
@@ -257,3 +261,42 @@ def test_an_error_beyond_the_tolerance_is_said(on_springs):
     motion = np.sin(still.time)[:, None] * np.ones(6)
     told = [_with_error(still._replace(motion=motion), motion * (1 + off), 1e-3).findings for off in (5e-4, 2e-3, 0.3)]
     assert told[0] == () and "give a smaller one" in told[1][0] and "forgets" in told[2][0]
+
+
+def test_hawsers_that_snap_taut_keep_energy_and_pull_as_the_system_says(on_springs):
+    """A body thrown between four hawsers that fall slack, without water that moves"""
+    pull = pull_of_points("rope", [0.0, 1.0, 2.0, 4.0], [0.0, 1e6, 4e6, 2e7])
+    ends = [
+        ((110, 0, 3), (50, 0, 5)),
+        ((-110, 5, 3), (-50, 0, 5)),
+        ((0, 65, 5), (0, 25, 5)),
+        ((0, -65, 5), (0, -25, 5)),
+    ]
+    legs = [
+        Leg(Hawser(f"H{i}", pull, float(np.linalg.norm(np.subtract(a, b))) - 0.1, "", ""), a, b)
+        for i, (a, b) in enumerate(ends)
+    ]
+    reader = on_springs.reader
+    system = moored_body(legs, 20.0, reader.rotation_center)
+    none = np.zeros((6, 0))
+    memory = replace(on_springs.memory, arrays=MemoryArrays(np.zeros(0), np.zeros(0), none, none))
+    thrown = np.array([1.5, -1.0, 0.0, 0.0, 0.0, 0.01])
+    body = replace(on_springs, memory=memory, system=system, start=thrown, spring=np.zeros((6, 6)))
+    run = simulate(body, Weather(), replace(CALM, duration=200.0, tolerance=1e-6, step=0.1))
+    slow = slow_memory(memory, FASTEST)
+    M = reader.inertia + memory.added_mass_infinity + slow.inertia
+    distance = np.array(
+        [
+            [np.linalg.norm(rotation(*pose[3:]) @ leg.fairlead + pose[:3] - leg.anchor) for leg in legs]
+            for pose in run.motion
+        ]
+    )
+    elongation = distance - [leg.line.length for leg in legs]
+    assert (elongation < 0).any(axis=0).all() and (elongation > 0.5).any(axis=0).all()
+    assert run.tension == pytest.approx(pull.loading(elongation), rel=1e-9, abs=1e-3)
+    energy = (
+        0.5 * np.einsum("ti,ij,tj->t", run.velocity, M, run.velocity)
+        + pull.energy(np.maximum(elongation, 0.0)).sum(axis=1)
+        + 0.5 * np.einsum("ti,ij,tj->t", run.motion, reader.stiffness, run.motion)
+    )
+    assert np.ptp(energy) < 1e-6 * energy[0]
