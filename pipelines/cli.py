@@ -14,6 +14,7 @@ from meshing.whole_files import NotWritten
 
 from .bench.command import bench
 from .berth.flags import berth
+from .breakwater.command import breakwater
 from .common.interrupt import interrupted
 from .design.command import design
 from .fender.flags import fender
@@ -159,6 +160,7 @@ app.command(animate)
 app.command(design)
 app.command(single_point)
 app.command(series)
+app.command(breakwater)
 app.command(fender)
 app.command(berth)
 

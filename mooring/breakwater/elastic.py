@@ -1,4 +1,4 @@
-"""The moored rectangle of `taut` on lines that stretch, by potential theory: sway, heave and roll are free.
+"""The moored body of `taut` on lines that stretch, by potential theory: sway, heave and roll are free.
 
     K = Σ Jᵀ {(EA/S) u uᵀ + (P₀/S) (1 − u uᵀ)} J + P₀ u·r e_θ e_θᵀ,      δP = −(EA/S) u · J x
 
@@ -27,15 +27,17 @@ class ElasticMotion(NamedTuple):
 
 
 def elastic_exact(body, section, axial_stiffness):
-    """`ElasticMotion` of a `TautRectangle`; section : of its moored draft; axial_stiffness : EA, N per metre of body.
+    """`ElasticMotion` of a `TautBody` or `TautRectangle`; section : of its moored draft
+
+    axial_stiffness : EA, N per metre of body
 
     Raises ValueError where the body would not float upright on these lines.
     """
     if not 0 < axial_stiffness < np.inf:
         raise ValueError(f"EA is {axial_stiffness:g} N/m; allowed: above 0 and finite")
-    check_section(body, section, body.draft)
+    check_section(body, section)
     stiffness, stretch = _stiffness(body, axial_stiffness)
-    softest = np.linalg.eigvalsh(stiffness / np.outer([1, 1, body.half], [1, 1, body.half]))[0]
+    softest = np.linalg.eigvalsh(stiffness / np.outer([1, 1, body.radius], [1, 1, body.radius]))[0]
     if softest <= 0:
         raise ValueError(f"the upright body is unstable: its least stiffness is {softest:.3g} N/m²; lower its weight")
     to_origin = moved_to_origin(body.z0)
@@ -47,10 +49,8 @@ def elastic_exact(body, section, axial_stiffness):
 
 def _stiffness(body, axial_stiffness):
     """Of water and lines about the centre of gravity, (3, 3), and δP of both lines, front first, of motions, (2, 3)"""
-    s, c, below = np.sin(body.angle), np.cos(body.angle), -body.draft - body.z0
-    weight = 2 * body.density * body.gravity * body.half
-    metacentric = body.half**2 / (3 * body.draft) - body.draft / 2 - body.z0
-    stiffness, stretch = np.diag([0.0, weight, weight * body.draft * metacentric]), []
+    s, c, below = np.sin(body.angle), np.cos(body.angle), body.attachment_z - body.z0
+    stiffness, stretch = np.diag([0.0, body.heave_stiffness, body.roll_stiffness]), []
     for side in (-1.0, 1.0):
         u, r = np.array([side * c, -s]), np.array([side * body.attachment, below])
         moved = np.array([[1.0, 0.0, -r[1]], [0.0, 1.0, r[0]]])

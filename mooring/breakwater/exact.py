@@ -1,9 +1,9 @@
-"""A rectangle in waves by potential theory: fixed, free, and on taut lines (`taut`).
+"""A body in waves by potential theory: fixed, free, and on taut lines (`taut`).
 
     (−ω²(M + A) − iωB + C) x = F,       K_T = T + Σ xⱼ ηⱼ,       K_R = R ± Σ xⱼ ηⱼ,   + heave, − sway and roll
 
 A, B, F, R, T and η, the wave radiated to leeward, are those of `bem.sections.coefficients`.  On taut lines
-x = m q and the equation is projected on m, the mode of `TautRectangle`; what it leaves is the lines' pull.  Without
+x = m q and the equation is projected on m, the mode of `body.OnTautLines`; what it leaves is the lines' pull.  Without
 losses |K_T|² + |K_R|² = 1 whatever holds the body.
 """
 
@@ -33,14 +33,13 @@ def fixed_exact(section):
 
 
 def free_exact(body, section):
-    """`FreeMotion` of a `TautRectangle` without its lines; section : at its free draft.  ValueError if capsizing."""
-    check_section(body, section, body.free_draft)
-    draft, weight = body.free_draft, 2 * body.density * body.gravity * body.half
-    metacentric = body.half**2 / (3 * draft) - draft / 2 - (body.z0 + body.draft - draft)
-    if metacentric <= 0:
-        raise ValueError(f"metacentric height {metacentric:.3g} m without lines: the body capsizes; lower its weight")
-    to_origin = moved_to_origin(body.z0 + body.draft - draft)
-    stiffness = np.diag([0.0, weight, weight * draft * metacentric])
+    """`FreeMotion` of a `FloatingBody`; section : at its draft.  Raises ValueError if it capsizes."""
+    check_section(body, section)
+    if body.roll_stiffness <= 0:
+        height = body.roll_stiffness / (body.density * body.gravity * body.area)
+        raise ValueError(f"metacentric height {height:.3g} m without lines: the body capsizes; lower its weight")
+    to_origin = moved_to_origin(body.z0)
+    stiffness = np.diag([0.0, body.heave_stiffness, body.roll_stiffness])
     impedance, force = about_gravity(section, to_origin)
     mass = np.diag([body.mass, body.mass, body.inertia])
     motion = np.linalg.solve(stiffness - section.omega**2 * mass + impedance, force)
@@ -48,8 +47,8 @@ def free_exact(body, section):
 
 
 def taut_exact(body, section):
-    """`TautMotion` of a `TautRectangle` at one frequency; section : `Section` of its moored draft"""
-    check_section(body, section, body.draft)
+    """`TautMotion` of a `TautBody` or `TautRectangle` at one frequency; section : `Section` of its moored draft"""
+    check_section(body, section)
     warn_if_unstable(body)
     to_origin = moved_to_origin(body.z0)
     impedance, force = about_gravity(section, to_origin)
@@ -85,10 +84,10 @@ def far_field(section, motion):
     return section.transmission + waves.sum(), section.reflection + waves @ [-1.0, 1.0, -1.0]
 
 
-def check_section(body, section, draft):
-    """Raises ValueError unless a `Section` is that of the body's rectangle at this draft, in its water"""
+def check_section(body, section):
+    """Raises ValueError unless a `Section` has the body's width and draft, in its water"""
     there = (section.beam, section.draft, section.depth, section.density, section.gravity)
-    asked = (2 * body.half, draft, body.depth, body.density, body.gravity)
+    asked = (body.waterline, body.draft, body.depth, body.density, body.gravity)
     if not np.allclose(there, asked, rtol=1e-12, atol=0):
         raise ValueError(
             f"the section has beam, draft, depth, density, gravity {there}, the body {asked}; give the body's section"

@@ -24,11 +24,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .body import FloatingBody, OnTautLines
 from .long_waves import long_wave, moment_factor
 
 
 @dataclass(frozen=True)
-class TautRectangle:
+class TautRectangle(OnTautLines):
     """A rectangle on two pairs of taut lines, per metre of its length.
 
     half : l, m; draft : d, moored, m; free_draft : d₀, without lines, m; depth : m
@@ -49,20 +50,33 @@ class TautRectangle:
     gravity: float = 9.80665
 
     def __post_init__(self):
-        for name in ("half", "draft", "free_draft", "inertia", "line", "density", "gravity"):
-            if not 0 < getattr(self, name) < np.inf:
-                raise ValueError(f"{name} is {getattr(self, name):g}; allowed: above 0 and finite")
-        if not self.draft < self.depth < np.inf:
-            raise ValueError(f"depth is {self.depth:g} m at draft {self.draft:g} m; allowed: above the draft, finite")
+        self._check(("half", "draft", "free_draft", "inertia", "density", "gravity"))
+        self._check_lines()
         if self.free_draft > self.draft:
             raise ValueError(
                 f"free draft {self.free_draft:g} m is above the moored draft {self.draft:g} m: the pretension is "
                 "negative; give a lighter body or more draft"
             )
-        if not 0 < self.angle < np.pi:
-            raise ValueError(f"lines at {np.degrees(self.angle):g}°; allowed: above 0 and below 180")
-        if not 0 < self.attachment < np.inf:
-            raise ValueError(f"attachment is {self.attachment:g} m; allowed: above 0 and finite")
+
+    @property
+    def waterline(self):
+        """m"""
+        return 2 * self.half
+
+    @property
+    def area(self):
+        """Displaced on the lines, m²"""
+        return 2 * self.half * self.draft
+
+    @property
+    def buoyancy_z(self):
+        """m"""
+        return -self.draft / 2
+
+    @property
+    def attachment_z(self):
+        """m; the lines end on the bottom"""
+        return -self.draft
 
     @property
     def mass(self):
@@ -70,39 +84,14 @@ class TautRectangle:
         return 2 * self.density * self.half * self.free_draft
 
     @property
-    def pretension(self):
-        """P₀ of each line, N/m"""
-        excess = self.density * self.gravity * self.half * (self.draft - self.free_draft)
-        return excess / np.sin(self.angle)
-
-    @property
-    def mode(self):
-        """(ξ, θ) of unit q: X in m and cos α"""
-        c = np.cos(self.angle)
-        return np.array([self.attachment * np.sin(self.angle) - (self.draft + self.z0) * c, c])
-
-    @property
-    def restoring(self):
-        """Horizontal force and moment about the centre of gravity against unit q, N/m and N"""
-        s, c, slope = np.sin(self.angle), np.cos(self.angle), self.attachment / self.line
-        metacentric = self.half**2 / (3 * self.draft) - self.draft / 2 - self.z0
-        weight = 2 * self.density * self.gravity * self.draft * self.half
-        arm = self.attachment * c + (self.draft + self.z0) * s
-        both = 2 * self.pretension
-        return np.array([both * slope * s, weight * metacentric * c + both * arm * (slope + c)])
-
-    @property
-    def stiffness(self):
-        """C of the module; below 0 the upright position is unstable"""
-        return float(self.mode @ self.restoring)
-
-    def line_difference(self, force):
-        """P_B − P_F (…) that gives `force` (…, 2), horizontal and moment; exact where force · mode is 0.
-
-        The moment counts per half width: vertical lines have only a moment, lines through the centre only a force.
-        """
-        direction = np.array([np.cos(self.angle), -self.mode[0]]) / [1.0, self.half]
-        return (np.asarray(force) / [1.0, self.half]) @ direction / (direction @ direction)
+    def afloat(self):
+        """`FloatingBody` without lines"""
+        rise = self.draft - self.free_draft
+        return FloatingBody(
+            mass=self.mass, z0=self.z0 + rise, inertia=self.inertia, area=2 * self.half * self.free_draft,
+            buoyancy_z=-self.free_draft / 2, waterline=2 * self.half, draft=self.free_draft, depth=self.depth,
+            density=self.density, gravity=self.gravity,
+        )  # fmt: skip
 
 
 class TautMotion(NamedTuple):

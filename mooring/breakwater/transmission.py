@@ -1,10 +1,48 @@
-"""A sea behind a breakwater: S_t = K_T² S_i.  Kihara, Kitatani & Todoroki (1975), eq. 6.1 to 6.4."""
+"""A sea at a breakwater: S_t = K_T² S_i behind it, tensions in its lines.
+
+    σ_P² = ∫ |P|² S_i dω,    slack in a cycle  exp(−½ ((P₀ − ΔP₀)/σ_P)²),    greatest of N  σ_P √(2 ln N)
+
+Kihara, Kitatani & Todoroki (1975), eq. 6.1 to 6.4; crests of a narrow spectrum (Longuet-Higgins 1952).
+"""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 
 CELLS = 2000
+LEAST_SHARE = 0.999
+
+
+class Cells(NamedTuple):
+    """A sea in cells of frequency; omega : (m,) rad/s, in their middle; width : (m,); energy : (m,) of each, m²"""
+
+    omega: np.ndarray
+    width: np.ndarray
+    energy: np.ndarray
+
+    @property
+    def height(self):
+        """4√m₀, m"""
+        return 4 * np.sqrt(self.energy.sum())
+
+    def deviation(self, response):
+        """Standard deviation of a response, (m,) complex per unit amplitude"""
+        return np.sqrt(np.abs(response) ** 2 @ self.energy)
+
+
+def cells(spectrum, low, high, count=CELLS):
+    """`Cells` of a `Spectrum` between two frequencies, rad/s; ValueError where the band holds less than 0.999 of it"""
+    if not 0 < low < high < np.inf:
+        raise ValueError(f"band from {low:g} to {high:g} rad/s; allowed: 0 < low < high")
+    share = spectrum.moment(0, low, high) / spectrum.moment(0)
+    if share < LEAST_SHARE:
+        raise ValueError(
+            f"{low:g} to {high:g} rad/s hold {share:.4f} of the sea's energy; allowed: {LEAST_SHARE} or more"
+        )
+    edges = np.geomspace(low, high, count + 1)
+    return Cells(np.sqrt(edges[1:] * edges[:-1]), np.diff(edges), spectrum.moment(0, edges[:-1], edges[1:]))
 
 
 def transmitted_height(spectrum, transmission, low, high):
@@ -13,12 +51,15 @@ def transmitted_height(spectrum, transmission, low, high):
     spectrum : `Spectrum`; transmission : ω (m,) rad/s → K_T (m,); low, high : rad/s
     Raises ValueError where the band holds less than 0.999 of the energy.
     """
-    if not 0 < low < high < np.inf:
-        raise ValueError(f"band from {low:g} to {high:g} rad/s; allowed: 0 < low < high")
-    share = spectrum.moment(0, low, high) / spectrum.moment(0)
-    if share < 0.999:
-        raise ValueError(f"{low:g} to {high:g} rad/s hold {share:.4f} of the sea's energy; allowed: 0.999 or more")
-    edges = np.geomspace(low, high, CELLS + 1)
-    middle = np.sqrt(edges[1:] * edges[:-1])
-    energy = spectrum.moment(0, edges[:-1], edges[1:])
-    return 4 * np.sqrt(np.abs(transmission(middle)) ** 2 @ energy), 4 * np.sqrt(energy.sum())
+    sea = cells(spectrum, low, high)
+    return 4 * sea.deviation(transmission(sea.omega)), sea.height
+
+
+def greatest_of(deviation, waves):
+    """Expected largest crest of a response among so many waves"""
+    return deviation * np.sqrt(2 * np.log(max(waves, np.e)))
+
+
+def slack_share(margin, deviation):
+    """Share of the cycles in which a line goes slack; margin : tension without waves, deviation : in waves, N/m"""
+    return float(np.exp(-0.5 * (max(margin, 0.0) / deviation) ** 2)) if deviation > 0 else 0.0

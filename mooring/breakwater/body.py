@@ -1,0 +1,131 @@
+"""A floating body of symmetric section, per metre of its length: buoyancy, and the lines that hold it taut.
+
+    heave ρg B_w,    roll about the centre of gravity ρg {B_w³/12 + A (z_B − z₀)},    2P₀ sin α = g (ρA − M₀)
+
+A displaced area about z_B, B_w width at the waterline, z₀ centre of gravity; α and the mode of `OnTautLines` as in
+`taut`, which has the source.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+class Buoyant:
+    """What the water's pressure at rest makes of a body that has `mass`, `inertia`, `z0`, `area`, `buoyancy_z`,
+    `waterline`, `density`, `gravity` as a `FloatingBody`"""
+
+    @property
+    def radius(self):
+        """Radius of gyration, m"""
+        return np.sqrt(self.inertia / self.mass)
+
+    @property
+    def heave_stiffness(self):
+        """N/m²"""
+        return self.density * self.gravity * self.waterline
+
+    @property
+    def roll_stiffness(self):
+        """Of pressures about the centre of gravity, N"""
+        return self.density * self.gravity * (self.waterline**3 / 12 + self.area * (self.buoyancy_z - self.z0))
+
+    def _check(self, positive):
+        for name in positive:
+            if not 0 < getattr(self, name) < np.inf:
+                raise ValueError(f"{name} is {getattr(self, name):g}; allowed: above 0 and finite")
+        if not self.draft < self.depth < np.inf:
+            raise ValueError(f"depth is {self.depth:g} m at draft {self.draft:g} m; allowed: above the draft, finite")
+
+
+@dataclass(frozen=True, kw_only=True)
+class FloatingBody(Buoyant):
+    """A body afloat without lines, per metre.
+
+    mass : kg/m; z0 : centre of gravity, m; inertia : about it, kg m
+    area : displaced, m², about buoyancy_z, m; waterline : its width, m; draft, depth : m
+    density : kg/m³; gravity : m/s².  Raises ValueError for lengths that are no body.
+    """
+
+    mass: float
+    z0: float
+    inertia: float
+    area: float
+    buoyancy_z: float
+    waterline: float
+    draft: float
+    depth: float
+    density: float = 1025.0
+    gravity: float = 9.80665
+
+    def __post_init__(self):
+        self._check(("mass", "inertia", "area", "draft", "density", "gravity"))
+
+
+class OnTautLines(Buoyant):
+    """What two pairs of taut lines make of a body that has `angle`, `attachment`, `attachment_z`, `line` too, as a
+    `TautBody`"""
+
+    @property
+    def pretension(self):
+        """P₀ of each line, N/m"""
+        return self.gravity * (self.density * self.area - self.mass) / (2 * np.sin(self.angle))
+
+    @property
+    def mode(self):
+        """(ξ, θ) of unit q: X in m and cos α"""
+        c = np.cos(self.angle)
+        return np.array([self.attachment * np.sin(self.angle) + (self.attachment_z - self.z0) * c, c])
+
+    @property
+    def restoring(self):
+        """Horizontal force and moment about the centre of gravity against unit q, N/m and N"""
+        s, c, slope = np.sin(self.angle), np.cos(self.angle), self.attachment / self.line
+        arm = self.attachment * c + (self.z0 - self.attachment_z) * s
+        both = 2 * self.pretension
+        return np.array([both * slope * s, self.roll_stiffness * c + both * arm * (slope + c)])
+
+    @property
+    def stiffness(self):
+        """C of the module; below 0 the upright position is unstable"""
+        return float(self.mode @ self.restoring)
+
+    def line_difference(self, force):
+        """P_B − P_F (…) that gives `force` (…, 2), horizontal and moment; exact where force · mode is 0.
+
+        The moment counts per radius: vertical lines have only a moment, lines through the centre only a force.
+        """
+        direction = np.array([np.cos(self.angle), -self.mode[0]]) / [1.0, self.radius]
+        return (np.asarray(force) / [1.0, self.radius]) @ direction / (direction @ direction)
+
+    def _check_lines(self):
+        if not 0 < self.angle < np.pi:
+            raise ValueError(f"lines at {np.degrees(self.angle):g}°; allowed: above 0 and below 180")
+        for name in ("attachment", "line"):
+            if not 0 < getattr(self, name) < np.inf:
+                raise ValueError(f"{name} is {getattr(self, name):g} m; allowed: above 0 and finite")
+
+
+@dataclass(frozen=True, kw_only=True)
+class TautBody(FloatingBody, OnTautLines):
+    """A `FloatingBody` that two pairs of taut lines hold below its draft afloat.
+
+    angle : α, rad; attachment, attachment_z : l₁ and the height of the lines' upper ends, m; line : S, m
+    Raises ValueError where lines or body cannot be so.
+    """
+
+    angle: float
+    attachment: float
+    attachment_z: float
+    line: float
+
+    def __post_init__(self):
+        super().__post_init__()
+        self._check_lines()
+        if self.mass > self.density * self.area:
+            raise ValueError(
+                f"the body weighs {self.mass:.6g} kg/m and displaces {self.density * self.area:.6g}: the pretension is "
+                "negative; give a lighter body or more draft"
+            )

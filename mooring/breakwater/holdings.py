@@ -1,0 +1,73 @@
+"""A breakwater over frequencies, however it is held: fixed, free, on taut lines or on lines that stretch."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .elastic import elastic_exact
+from .exact import fixed_exact, free_exact, taut_exact
+from .long_waves import FixedBody, fixed_body, line_tensions
+from .taut import taut_long_wave
+
+HOLDINGS = ("fixed", "free", "taut", "elastic")
+
+
+class Response(NamedTuple):
+    """Per unit wave amplitude, (n,) complex by frequency.
+
+    transmission, reflection : m/m; sway, heave : of the centre of gravity, m/m; roll : rad/m
+    front, back : amplitudes of tension P_F and P_B, N/m²; nan where the holding has no lines or does not tell
+    """
+
+    transmission: np.ndarray
+    reflection: np.ndarray
+    sway: np.ndarray
+    heave: np.ndarray
+    roll: np.ndarray
+    front: np.ndarray
+    back: np.ndarray
+
+
+def fixed_response(body, angle=None):
+    """`Response` of a `FixedBody`; angle : of lines that hold it, rad, below π/2, or None"""
+    still, without = np.zeros_like(body.transmission), np.full_like(body.transmission, np.nan + 0j)
+    lines = (without, without) if angle is None else line_tensions(body.horizontal, body.vertical, angle)
+    return Response(body.transmission, body.reflection, still, still, still, *lines)
+
+
+def exact_response(holding, sections, body, angle=None, axial_stiffness=None):
+    """`Response` by potential theory at the frequencies of `sections`.
+
+    holding : of HOLDINGS; sections : (n,) `Section` of the body's draft; body : `FloatingBody` where it is free,
+    `TautBody` on lines, None where it is fixed; angle : of the lines of a fixed body; axial_stiffness : N per metre
+    """
+    if holding == "fixed":
+        flows = [fixed_exact(section) for section in sections]
+        return fixed_response(FixedBody(*np.array(flows).T), angle)
+    nothing = complex(np.nan, 0)
+    rows = []
+    for section in sections:
+        if holding == "free":
+            free = free_exact(body, section)
+            rows.append((free.transmission, free.reflection, *free.motion, nothing, nothing))
+        elif holding == "taut":
+            taut = taut_exact(body, section)
+            rows.append((taut.transmission, taut.reflection, taut.sway, 0.0, taut.roll, taut.front, taut.back))
+        else:
+            held = elastic_exact(body, section, axial_stiffness)
+            rows.append((held.transmission, held.reflection, *held.motion, held.front, held.back))
+    return Response(*np.array(rows, complex).T)
+
+
+def long_wave_response(holding, half, draft, depth, omega, water, angle=None, body=None):
+    """`Response` by the theory of Ito and Chiba, of a fixed rectangle or of a `TautRectangle` `body`.
+
+    half, draft, depth : m; omega : (n,) rad/s; water : {"density", "gravity"}; angle : of the lines of a fixed body
+    """
+    if holding == "fixed":
+        return fixed_response(fixed_body(half, draft, depth, omega, **water), angle)
+    taut = taut_long_wave(body, omega)
+    still = np.zeros_like(taut.transmission)
+    return Response(taut.transmission, taut.reflection, taut.sway, still, taut.roll, taut.front, taut.back)

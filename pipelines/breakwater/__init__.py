@@ -1,0 +1,1 @@
+"""`hakobune breakwater`: a floating breakwater from the waves to its anchors."""

@@ -1,0 +1,84 @@
+"""Transmission, motions and tensions of a breakwater over frequency, by holding, theory and level of the water."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from mooring.breakwater.holdings import Response, exact_response, long_wave_response
+
+from ..common.quantities import StudyError
+from .build import KN
+from .study import THEORIES
+
+TOLERANCE = 1e-5
+
+
+class Curve(NamedTuple):
+    """A `Response` over the study's periods"""
+
+    holding: str
+    theory: str
+    level: str
+    response: Response
+
+    @property
+    def name(self):
+        return self.holding if self.theory == THEORIES[0] else f"{self.holding}, {self.theory}"
+
+
+def curves(breakwater, omega):
+    """All curves of a study at mean level, and what was left out, one line each; omega : (n,) rad/s"""
+    made, left_out = [], []
+    for theory in breakwater.study.theories:
+        for holding in breakwater.study.holdings:
+            try:
+                made.append(Curve(holding, theory, "mean", response(breakwater, holding, theory, 0.0, omega)))
+            except StudyError as error:
+                if theory == THEORIES[0]:
+                    raise
+                left_out.append(f"{holding} by {theory} is left out: {error}")
+    return made, left_out
+
+
+def response(breakwater, holding, theory, rise, omega):
+    """`Response` at frequencies, rad/s.  Raises StudyError where a theory does not have a holding."""
+    angle = breakwater.angle
+    if holding == "fixed":
+        angle = angle if angle is not None and angle < np.pi / 2 else None
+    if theory == THEORIES[0]:
+        return _exact(breakwater, holding, rise, omega, angle)
+    if holding not in ("fixed", "taut"):
+        raise StudyError(f"theory {theory} has fixed and taut bodies only")
+    half, draft = breakwater.equal_rectangle(rise)
+    body = breakwater.taut_rectangle(rise) if holding == "taut" else None
+    return long_wave_response(holding, half, draft, breakwater.depth(rise), omega, breakwater.water, angle, body)
+
+
+def _exact(breakwater, holding, rise, omega, angle):
+    body, wetted, stiffness = None, None, None
+    if holding == "free":
+        body, wetted = breakwater.afloat(rise)
+    elif holding in ("taut", "elastic"):
+        body = breakwater.taut(rise)
+        lines = breakwater.study.lines
+        stiffness = None if lines.axial_stiffness_kN is None else lines.axial_stiffness_kN * KN / lines.spacing
+    wetted = wetted or breakwater.wetted(rise)
+    return exact_response(holding, sections(breakwater, wetted, rise, omega), body, angle, stiffness)
+
+
+def sections(breakwater, wetted, rise, omega):
+    """(n,) `Section` of what is under water at frequencies, rad/s"""
+    if breakwater.study.section.shape != "rectangle":
+        raise StudyError("section.shape is not rectangle: allowed with theories = ['long waves'] only")
+    rectangle = wetted.waterline, wetted.draft, breakwater.depth(rise), *breakwater.water.values()
+    return [_rectangle(*rectangle, float(one)) for one in np.atleast_1d(omega)]
+
+
+@lru_cache(maxsize=4096)
+def _rectangle(beam, draft, depth, density, gravity, omega):
+    from bem.sections.coefficients import section
+
+    return section(beam, draft, depth, omega, density=density, gravity=gravity, tolerance=TOLERANCE)

@@ -1,0 +1,34 @@
+"""Measured transmission and tensions beside a study: CSV with columns `period_s,transmission`.
+
+`front_kN_per_m2` and `back_kN_per_m2`, where they are known, are amplitudes of tension per metre and m of amplitude.
+"""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+
+from meshing.text_files import read_text
+
+from ..common.quantities import StudyError
+
+NEEDED, MORE = ("period_s", "transmission"), ("front_kN_per_m2", "back_kN_per_m2")
+
+
+def read_measured(path):
+    """{column: (n,) numbers, nan where there is none} of a CSV file, # lines left out.  Raises StudyError."""
+    text = read_text(Path(path), StudyError, largest=1)
+    rows = list(csv.DictReader(line for line in text.splitlines() if line.strip() and line[0] != "#"))
+    names = list(rows[0]) if rows else []
+    if not set(NEEDED) <= set(names) or not set(names) <= {*NEEDED, *MORE}:
+        raise StudyError(
+            f"{path} has columns {', '.join(map(str, names)) or 'none'}; allowed: {', '.join((*NEEDED, *MORE))}"
+        )
+    try:
+        return {name: np.array([float(row[name] or "nan") for row in rows]) for name in names}
+    except (TypeError, ValueError):
+        raise StudyError(
+            f"{path} has rows that are not numbers, or are too short; allowed: numbers, or nothing"
+        ) from None

@@ -1,0 +1,99 @@
+"""Picture of a breakwater: transmission and tensions over period beside measurements, the section, the sea behind."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..common.picture import save
+from .build import KN
+
+COLORS = {"fixed": "k", "free": "C2", "taut": "C0", "elastic": "C1"}
+
+
+def draw(path, breakwater, found, measured):
+    """Write the picture of Results; measured : columns of `measured`, or None"""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    held = [curve for curve in found.curves if np.isfinite(curve.response.front).all()]
+    with matplotlib.rc_context({"font.size": 9, "svg.fonttype": "none"}):
+        figure = Figure(figsize=(11, 8), layout="constrained")
+        grid = figure.subplots(2, 2)
+        _transmission(grid[0, 0], found, measured)
+        _tensions(grid[0, 1], held, found.period, measured)
+        _sea(grid[1, 0], found.sea)
+        _section(grid[1, 1], breakwater)
+        for axis in grid.ravel()[:3]:
+            axis.grid(True, color="0.9", linewidth=0.6)
+            axis.spines[["top", "right"]].set_visible(False)
+        figure.suptitle(breakwater.study.name, x=0.01, ha="left", fontsize=11)
+        save(figure, path, 130)
+
+
+def _style(curve):
+    return {"color": COLORS[curve.holding], "linestyle": "-" if curve.name == curve.holding else "--", "linewidth": 1.3}
+
+
+def _transmission(axis, found, measured):
+    for curve in found.curves:
+        axis.plot(found.period, abs(curve.response.transmission), label=curve.name, **_style(curve))
+    if measured is not None:
+        axis.plot(measured["period_s"], measured["transmission"], "o", color="C3", markersize=4, label="measured")
+    axis.set(xlim=found.period[[0, -1]] if len(found.period) > 1 else None, ylim=(0, 1.05))
+    axis.set(xlabel="period  s", ylabel="K_T")
+    axis.set_title("transmission", loc="left", fontsize=9)
+    axis.legend(frameon=False, fontsize=8)
+
+
+def _tensions(axis, held, period, measured):
+    if not held:
+        axis.set_axis_off()
+        return
+    for curve in held:
+        axis.plot(period, abs(curve.response.front) / KN, label=curve.name, **_style(curve))
+        axis.plot(period, abs(curve.response.back) / KN, alpha=0.45, **_style(curve))
+    for name, marker in (("front", "o"), ("back", "s")):
+        if measured is not None and f"{name}_kN_per_m2" in measured:
+            pulls = measured[f"{name}_kN_per_m2"]
+            axis.plot(measured["period_s"], pulls, marker, color="C3", markersize=4, label=f"measured, {name}")
+    axis.set(xlabel="period  s", ylabel="kN/m per m of amplitude")
+    axis.set_title("amplitude of tension, that of the back line paler", loc="left", fontsize=9)
+    axis.legend(frameon=False, fontsize=8, ncols=2, loc="upper right")
+    axis.set_ylim(0, 1.35 * axis.get_ylim()[1])
+
+
+def _sea(axis, sea):
+    if sea is None:
+        axis.set_axis_off()
+        return
+    density = sea.cells.energy / sea.cells.width
+    axis.plot(sea.cells.omega, density, color="0.4", linewidth=1.6, label=f"before, {sea.cells.height:.3g} m")
+    for name, K in sea.transmission.items():
+        kind = name.partition(",")[0]
+        style = {"color": COLORS[kind], "linestyle": "--" if "," in name else "-"}
+        axis.plot(sea.cells.omega, K**2 * density, linewidth=1.1, label=f"{name}, {sea.heights[name]:.3g} m", **style)
+    axis.set(xlabel="ω  rad/s", ylabel="S(ω)  m² s/rad", ylim=(0, None))
+    axis.set_xlim(0, sea.cells.omega[np.searchsorted(np.cumsum(sea.cells.energy), 0.99 * sea.cells.energy.sum())])
+    axis.set_title("sea before and behind", loc="left", fontsize=9)
+    axis.legend(frameon=False, fontsize=8)
+
+
+def _section(axis, breakwater):
+    outline, depth = breakwater.outline, breakwater.depth(0.0)
+    points = np.concatenate([edge.at(np.linspace(0, 1, 60)) for edge in outline.edges])
+    points = points - 1j * (outline.bottom + breakwater.draft(0.0))
+    axis.fill(points.real, points.imag, color="0.8", edgecolor="k", linewidth=1)
+    wide = 2.0 * max(abs(points.real).max(), depth / 2)
+    if breakwater.study.lines is not None:
+        lines = breakwater.study.lines
+        top = -breakwater.draft(0.0) + lines.attachment_height
+        way = breakwater.line * np.exp(-1j * breakwater.angle)
+        for side in (1, -1):
+            axis.plot(
+                [side * lines.attachment, side * (lines.attachment + way.real)], [top, top + way.imag], color="C0"
+            )
+        wide = max(wide, 1.2 * (lines.attachment + abs(way.real)))
+    for rise in {rise for _, rise in breakwater.levels}:
+        axis.axhline(rise, color="C0", linewidth=1.2 if rise == 0 else 0.6, zorder=0)
+    axis.axhspan(-depth * 1.1, -depth, color="0.6", linewidth=0)
+    axis.set(xlim=(-wide, wide), ylim=(-1.1 * depth, None), aspect="equal", xlabel="y  m, to leeward", ylabel="z  m")

@@ -1,0 +1,105 @@
+"""Tables of a breakwater on the terminal."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .build import KN
+from .results import design
+
+ROWS = 12  # periods that are printed
+
+
+def show(console, study, found, written):
+    """Print Results, warnings and the names of the files written."""
+    console.print(study.name, highlight=False, soft_wrap=True)
+    for table in _tables(study, found):
+        console.print(table)
+    for line in _lines(study, found):
+        console.print(line, highlight=False, soft_wrap=True)
+    for text in found.warned:
+        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+    if written:
+        console.print(f"written: {', '.join(map(str, written))}", highlight=False, soft_wrap=True)
+
+
+def _tables(study, found):
+    picked = np.unique(np.linspace(0, len(found.period) - 1, min(ROWS, len(found.period))).round().astype(int))
+    rows = [
+        [f"{found.period[i]:.4g}", *(f"{abs(c.response.transmission[i]):.3f}" for c in found.curves)] for i in picked
+    ]
+    yield _table("transmission K_T", ["period, s", *(curve.name for curve in found.curves)], rows)
+    held = [curve for curve in found.curves if np.isfinite(curve.response.front).all()]
+    if held:
+        pulls = [[abs(P) / KN for P in (c.response.front, c.response.back)] for c in held]
+        rows = [[f"{found.period[i]:.4g}", *(f"{F[i]:.4g}, {B[i]:.4g}" for F, B in pulls)] for i in picked]
+        title = "tension amplitudes front, back: kN/m per m of wave amplitude"
+        yield _table(title, ["period, s", *(curve.name for curve in held)], rows)
+    if found.tides is not None and found.pretension is not None:
+        rows = [
+            [
+                one.level,
+                f"{one.rise:+g}",
+                f"{one.change / KN:+.4g}",
+                *_at(one.front, one.front_at),
+                *_at(one.back, one.back_at),
+            ]
+            for one in found.tides
+        ]
+        columns = ["level", "m", "ΔP₀, kN/m", "front, kN/m", "at, s", "back, kN/m", "at, s"]
+        yield _table(f"greatest amplitudes in waves of {study.waves.height:g} m", columns, rows)
+    if found.anchors:
+        rows = [
+            [one.name, f"{one.needed:.4g} {one.unit}", one.note, _or(one.provided, ".4g"), _or(one.utilisation, ".0%")]
+            for one in found.anchors
+        ]
+        yield _table("anchors", ["", "needed", "", "provided", "used"], rows)
+
+
+def _lines(study, found):
+    if found.sea is not None:
+        yield f"sea of H1/3 {found.sea.cells.height:.4g} m; behind the breakwater 4√m₀ is"
+        for name, height in found.sea.heights.items():
+            yield f"  {height:.4g} m ({height / found.sea.cells.height:.3f}), {name}"
+        if found.sea.greatest is not None:
+            spread = ", ".join(
+                f"{end} {P / KN:.4g}" for end, P in zip(("front", "back"), found.sea.greatest, strict=True)
+            )
+            yield f"  greatest tension amplitude of {found.sea.waves:.0f} waves, kN/m: {spread}"
+            share = max(found.sea.slack)
+            yield f"  a line is slack in {share:.2g} of the cycles" if share > 1e-6 else "  no line goes slack"
+    if found.pretension is not None:
+        yield from _pretension_lines(study, found.pretension)
+
+
+def _pretension_lines(study, held):
+    holding, theory = design(study)
+    most = "" if held.most is None else f", at most {held.most / KN:.4g} within the allowable tension"
+    yield f"pretension P₀, kN/m: at least {held.least / KN:.4g} to keep lines taut{most} ({holding}, {theory})"
+    kind = "that is used" if held.given is None else "of the body"
+    front, back = (one / KN for one in held.greatest)
+    yield f"with {held.used / KN:.4g} kN/m {kind} the greatest tensions are {front:.4g} front, {back:.4g} back"
+    if held.slack:
+        where = ", ".join(f"{end} at {level} water" for level, end in held.slack)
+        yield f"LINES GO SLACK: {where}; the linear tensions do not hold there, taut again they snap"
+    if held.most is not None and held.most < held.least:
+        yield "NO PRETENSION is both enough and allowed; give stronger lines, another angle or section"
+
+
+def _at(value, period):
+    return f"{value / KN:.4g}", f"{period:.4g}"
+
+
+def _or(value, form):
+    return "–" if value is None else format(value, form)
+
+
+def _table(title, columns, rows):
+    from rich.table import Table
+
+    table = Table(title=title, title_justify="left")
+    for i, column in enumerate(columns):
+        table.add_column(column, justify="right" if i else "left")
+    for row in rows:
+        table.add_row(*row)
+    return table

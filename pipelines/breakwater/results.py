@@ -1,0 +1,248 @@
+"""What a study of a breakwater finds: curves over period, the sea behind it, pretension over the tide, anchors."""
+
+from __future__ import annotations
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.waves import wavenumber
+from mooring.breakwater import anchors as sizes
+from mooring.breakwater.transmission import Cells, cells, greatest_of, slack_share
+
+from ..common.quantities import positive
+from ..common.seas import family_of, shape_of
+from .build import KN
+from .curves import curves, response
+from .study import periods
+
+SEA_CELLS = 200
+SEA_BAND = (4e-4, 1 - 4e-4)  # shares of the energy below its ends
+BREAKING = 0.142  # Miche (1944): H = 0.142 λ tanh kh
+
+
+class Tide(NamedTuple):
+    """Tensions per metre at one level, N/m; change : ΔP of the pretension; front, back : greatest amplitudes over the
+    periods, at periods front_at, back_at, s"""
+
+    level: str
+    rise: float
+    change: float
+    front: float
+    back: float
+    front_at: float
+    back_at: float
+
+
+class Pretension(NamedTuple):
+    """N/m at mean level, of the worse line; given : of the study, or None; least : that keeps both lines taut
+    most : that the allowable tension leaves, or None; greatest : (front, back) tension with `used`"""
+
+    given: float | None
+    used: float
+    least: float
+    most: float | None
+    greatest: tuple
+    slack: list
+
+
+class SeaBehind(NamedTuple):
+    """cells : `Cells`; heights : {curve: 4√m₀ behind, m}; transmission : {curve: (m,) |K_T|}
+
+    deviation : (front, back) of tensions of the design curve, N/m, or None; waves : their number
+    greatest : (front, back) expected greatest amplitude; slack : share of cycles at the worst level
+    """
+
+    cells: Cells
+    heights: dict
+    transmission: dict
+    deviation: tuple | None
+    waves: float
+    greatest: tuple | None
+    slack: tuple | None
+
+
+class AnchorRow(NamedTuple):
+    """needed, provided : in `unit`; utilisation : needed over provided, None where nothing is provided"""
+
+    name: str
+    needed: float
+    unit: str
+    note: str = ""
+    provided: float | None = None
+    utilisation: float | None = None
+
+
+class Results(NamedTuple):
+    """period : (n,) s; curves : list of `Curve`; tides : list of Tide, None without lines"""
+
+    period: np.ndarray
+    curves: list
+    tides: list | None
+    pretension: Pretension | None
+    sea: SeaBehind | None
+    anchors: list
+    warned: list
+
+
+def results(breakwater):
+    """`Results` of a `Breakwater`.  Raises ValueError."""
+    study = breakwater.study
+    period = periods(study)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        made, left_out = curves(breakwater, 2 * np.pi / period)
+        tides = _tides(breakwater, period) if study.lines is not None else None
+        has_tensions = tides is not None and np.isfinite(tides[0].front)
+        held = _pretension(breakwater, tides) if has_tensions else None
+        sea = _sea(breakwater, made, tides, held) if study.sea is not None else None
+        rows = _anchors(breakwater, period, held) if held is not None else []
+    warned = [*_breaking(breakwater, period), *left_out, *dict.fromkeys(str(w.message) for w in caught)]
+    if study.lines is not None and not has_tensions:
+        warned.append(f"holding {design(study)[0]} tells no tension of these lines: no pretension and no anchors")
+    return Results(period, made, tides, held, sea, rows, warned)
+
+
+def design(study):
+    """(holding, theory) that tensions are of: as given, else the last of the holdings that has lines"""
+    held = [holding for holding in study.holdings if holding in ("taut", "elastic")]
+    return study.design.holding or (held or study.holdings)[0], study.design.theory
+
+
+def _breaking(breakwater, period):
+    height = breakwater.study.waves.height
+    k = wavenumber(2 * np.pi / period, breakwater.depth(0.0), breakwater.study.water.gravity)
+    limit = BREAKING * 2 * np.pi / k * np.tanh(k * breakwater.depth(0.0))
+    if np.any(breaks := height > limit):
+        longest = period[breaks].max()
+        yield (
+            f"waves of {height:g} m break at {breaks.sum()} of {len(period)} periods, up to {longest:g} s, where "
+            f"{limit[breaks].max():.3g} m is the highest (Miche); they are left out of the tensions"
+        )
+
+
+def unbroken(breakwater, period):
+    """(n,) whether a wave of the study's height stands at a period"""
+    k = wavenumber(2 * np.pi / period, breakwater.depth(0.0), breakwater.study.water.gravity)
+    return breakwater.study.waves.height <= BREAKING * 2 * np.pi / k * np.tanh(k * breakwater.depth(0.0))
+
+
+def _tides(breakwater, period):
+    study, stands = breakwater.study, unbroken(breakwater, period)
+    if not stands.any():
+        raise ValueError(f"waves.height is {study.waves.height:g} m: waves of every period break; give lower waves")
+    made = []
+    for level, rise in breakwater.levels:
+        curve = response(breakwater, *design(study), rise, 2 * np.pi / period[stands])
+        tensions = [abs(P) * study.waves.height / 2 for P in (curve.front, curve.back)]
+        worst = [int(np.argmax(P)) for P in tensions]
+        front, back = (P[i] for P, i in zip(tensions, worst, strict=True))
+        at = period[stands][worst]
+        made.append(Tide(level, rise, breakwater.tide_tension(rise), front, back, *at))
+    return made
+
+
+def _pretension(breakwater, tides):
+    lines = breakwater.study.lines
+    least = max(0.0, max(sizes.pretension_needed(max(one.front, one.back), -one.change) for one in tides))
+    given = breakwater.pretension(0.0)
+    used = least if given is None else given
+    greatest = tuple(max(used + one.change + getattr(one, end) for one in tides) for end in ("front", "back"))
+    most = None
+    if lines.allowable_kN is not None:
+        most = lines.allowable_kN * KN / lines.spacing - (max(greatest) - used)
+    slack = [
+        (one.level, end)
+        for one in tides
+        for end in ("front", "back")
+        if given is not None and sizes.goes_slack(given, -one.change, getattr(one, end))
+    ]
+    return Pretension(given, used, least, most, greatest, slack)
+
+
+def spectrum_of(table):
+    """The spectrum of a SeaTable.  Raises ValueError."""
+    from mooring.environment.periods import KINDS
+
+    given = {kind: getattr(table, kind) for kind in KINDS if getattr(table, kind) is not None}
+    return family_of("sea", table)(positive("sea.height", table.height), **shape_of(table), **given)
+
+
+def _sea(breakwater, made, tides, held):
+    study = breakwater.study
+    spectrum = spectrum_of(study.sea)
+    sea = cells(spectrum, *spectrum.quantile(SEA_BAND), SEA_CELLS)
+    through = {}
+    for curve in made:
+        through[curve.name] = abs(response(breakwater, curve.holding, curve.theory, 0.0, sea.omega).transmission)
+    heights = {name: 4 * float(sea.deviation(K)) for name, K in through.items()}
+    waves = positive("sea.duration_hours", study.sea.duration_hours) * 3600 / spectrum.T02
+    if held is None:
+        return SeaBehind(sea, heights, through, None, waves, None, None)
+    deviations, shares = [], []
+    for one in tides:
+        curve = response(breakwater, *design(study), one.rise, sea.omega)
+        both = [float(sea.deviation(P)) for P in (curve.front, curve.back)]
+        deviations.append(both)
+        shares.append([slack_share(held.used + one.change, deviation) for deviation in both])
+    deviation = tuple(np.max(deviations, axis=0))
+    greatest = tuple(float(greatest_of(one, waves)) for one in deviation)
+    return SeaBehind(sea, heights, through, deviation, waves, greatest, tuple(np.max(shares, axis=0)))
+
+
+def _anchors(breakwater, period, held):
+    asked, angle, rows = breakwater.study.anchors, breakwater.angle, []
+    if angle >= np.pi / 2 and any((asked.sinker, asked.common_sinker, asked.pile)):
+        angle = np.pi - angle
+    greatest = dict(zip(("front", "back"), held.greatest, strict=True))
+    for end, tension in greatest.items():
+        if asked.sinker is not None:
+            one = asked.sinker
+            weight = sizes.sinker(tension, angle, one.friction, one.lifted)
+            rows.append(_sinker_row(f"sinker, {end}", one, weight))
+        if asked.pile is not None:
+            rows.append(_pile_row(end, asked.pile, tension, angle))
+        if asked.holding is not None:
+            one = asked.holding
+            pull = tension * positive("anchors.holding.spacing", one.spacing)
+            capacity = positive("anchors.holding.capacity_kN", one.capacity_kN) * KN / one.safety
+            rows.append(
+                AnchorRow(f"anchor, {end}", pull / KN, "kN", f"every {one.spacing:g} m", capacity / KN, pull / capacity)
+            )
+    if asked.common_sinker is not None:
+        rows.append(_common_row(breakwater, period))
+    return rows
+
+
+def _sinker_row(name, table, weight, note=""):
+    height = sizes.sinker_height(weight, table.width, table.unit_weight_kN_per_m3 * KN)
+    note = f"{height:.3g} m high, {table.width:g} m wide{note}"
+    given = None if table.weight_kN_per_m is None else positive("weight_kN_per_m", table.weight_kN_per_m) * KN
+    use = None if given is None else weight / given
+    return AnchorRow(name, weight / KN, "kN/m", note, None if given is None else given / KN, use)
+
+
+def _pile_row(end, table, tension, angle):
+    around = np.pi * positive("anchors.pile.diameter", table.diameter)
+    length = positive("anchors.pile.length", table.length)
+    cohesion = positive("anchors.pile.cohesion_kPa", table.cohesion_kPa) * KN
+    capacity = sizes.pile_capacity(around, length, cohesion, table.safety)
+    spacing = sizes.pile_spacing(capacity, tension, angle)
+    use = None if table.spacing is None else positive("anchors.pile.spacing", table.spacing) / spacing
+    return AnchorRow(f"piles, {end}", spacing, "m apart", f"each holds {capacity / KN:.4g} kN", table.spacing, use)
+
+
+def _common_row(breakwater, period):
+    """One sinker under both lines: the greatest over periods and levels"""
+    study, table = breakwater.study, breakwater.study.anchors.common_sinker
+    omega = 2 * np.pi / period[unbroken(breakwater, period)]
+    greatest, c, s = 0.0, np.cos(breakwater.angle), np.sin(breakwater.angle)
+    for _, rise in breakwater.levels:
+        curve = response(breakwater, *design(study), rise, omega)
+        across, up = (curve.front - curve.back) * c, (curve.front + curve.back) * s
+        weight = sizes.common_sinker(across, up, table.friction) * study.waves.height / 2
+        buoyancy = 2 * s * (breakwater.pretension(rise) or 0.0)
+        greatest = max(greatest, weight.max() + buoyancy)
+    note = ", the body's buoyancy held too" if breakwater.study.body is not None else ", without the body's buoyancy"
+    return _sinker_row("sinker of both lines", table, greatest, note)

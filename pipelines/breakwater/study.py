@@ -1,0 +1,309 @@
+"""A taut-moored floating breakwater as typed TOML, per metre of its length.
+
+```toml
+name = "Circular breakwater of 10 m"
+
+[water]
+depth = 10.0                    # m, at mean level
+tide = 0.5                      # m above and below it
+
+[section]
+shape = "rectangle"             # beam, height; or circle: diameter; or outline: points [[y, z], [y, z, bulge], …]
+beam = 10.0
+height = 6.7
+draft = 5.0                     # on its lines, at mean level
+
+[body]                          # not for a fixed one
+free_draft = 3.5                # or mass_t_per_m, or lines.pretension_kN_per_m
+center_of_gravity = 1.25        # m above the lowest point
+gyration = 3.7                  # m
+
+[lines]
+angle_deg = 45.0                # with the bed; above 90 they cross
+attachment = 5.0                # m, half the distance of their upper ends
+spacing = 5.0                   # m of breakwater between pairs
+allowable_kN = 2000.0           # of one line
+axial_stiffness_kN = 5e4        # of one line, for holding "elastic"
+
+[waves]
+height = 3.0                    # m, crest to trough
+periods = { from = 3.5, to = 12.0, count = 60 }
+
+[sea]                           # optional
+height = 2.0
+significant_period = 7.0
+
+[anchors]                       # optional: sinker, common_sinker, pile, holding
+sinker = { friction = 0.3, width = 10.0, unit_weight_kN_per_m3 = 67.2 }
+```
+
+Every fault is one line that names key, value and what is allowed.
+"""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+
+from ..common.bounds import check_count
+from ..common.quantities import StudyError, Table, positive, water_depth
+from ..common.typed import read_toml, typed
+
+THEORIES = ("potential flow", "long waves")
+SHAPES = {"rectangle": ("beam", "height"), "circle": ("diameter",), "outline": ("points",)}
+MOST_PERIODS = 1000
+SHORTEST, LONGEST = 0.05, 1000.0  # s
+
+
+class WaterTable(Table):
+    """depth : m; tide : m above and below; density : kg/m³"""
+
+    depth: float
+    tide: float = 0.0
+    density: float = 1025.0
+    gravity: float = 9.80665
+
+
+class SectionTable(Table):
+    """beam, height, diameter, draft : m; points : y, z and bulge of the edge to the next, ending where they began"""
+
+    shape: str
+    draft: float
+    beam: float | None = None
+    height: float | None = None
+    diameter: float | None = None
+    points: list[list[float]] | None = None
+
+
+class BodyTable(Table):
+    """center_of_gravity : m above the lowest point; gyration : radius of, m"""
+
+    center_of_gravity: float
+    gyration: float
+    mass_t_per_m: float | None = None
+    free_draft: float | None = None
+
+
+class LinesTable(Table):
+    """attachment : m, half the distance of the upper ends; attachment_height : m above the lowest point of the body
+
+    length : m, by default to the bed; allowable, stiffness : of one line
+    """
+
+    angle_deg: float
+    attachment: float
+    attachment_height: float = 0.0
+    length: float | None = None
+    spacing: float = 1.0
+    pretension_kN_per_m: float | None = None
+    allowable_kN: float | None = None
+    axial_stiffness_kN: float | None = None
+
+
+class SpanTable(Table, rename={"first": "from", "last": "to"}):
+    first: float
+    last: float
+    count: int
+
+
+class WavesTable(Table):
+    """height : m, crest to trough, of regular waves; periods : s"""
+
+    height: float
+    periods: list[float] | SpanTable
+
+
+class SeaTable(Table):
+    """height : m, significant; one period (s)"""
+
+    height: float
+    spectrum: str = "bretschneider"
+    mean_period: float | None = None
+    zero_crossing_period: float | None = None
+    energy_period: float | None = None
+    peak_period: float | None = None
+    significant_period: float | None = None
+    gamma: float | None = None
+    duration_hours: float = 3.0
+
+
+class SinkerTable(Table):
+    """weight_kN_per_m : submerged, of what is there, if it is known; lifted : the line's upward pull is carried too"""
+
+    friction: float
+    width: float
+    unit_weight_kN_per_m3: float
+    weight_kN_per_m: float | None = None
+    lifted: bool = False
+
+
+class CommonSinkerTable(Table):
+    """One sinker under both lines; as `SinkerTable`"""
+
+    friction: float
+    width: float
+    unit_weight_kN_per_m3: float
+    weight_kN_per_m: float | None = None
+
+
+class PileTable(Table):
+    """diameter, length : m; spacing : m between piles, if it is known"""
+
+    diameter: float
+    length: float
+    cohesion_kPa: float
+    safety: float = 3.0
+    spacing: float | None = None
+
+
+class HoldingTable(Table):
+    """capacity_kN : of an anchor along its line; spacing : m between anchors"""
+
+    capacity_kN: float
+    spacing: float
+    safety: float = 2.0
+
+
+class AnchorsTable(Table):
+    sinker: SinkerTable | None = None
+    common_sinker: CommonSinkerTable | None = None
+    pile: PileTable | None = None
+    holding: HoldingTable | None = None
+
+
+class DesignTable(Table):
+    """The curve that tensions and anchors are sized for"""
+
+    holding: str | None = None
+    theory: str = THEORIES[0]
+
+
+class BreakwaterStudy(Table):
+    """holdings, theories : that are compared; measured : CSV beside the study, columns as in `measured`"""
+
+    water: WaterTable
+    section: SectionTable
+    waves: WavesTable
+    name: str = "breakwater"
+    body: BodyTable | None = None
+    lines: LinesTable | None = None
+    sea: SeaTable | None = None
+    anchors: AnchorsTable = msgspec.field(default_factory=AnchorsTable)
+    holdings: list[str] = msgspec.field(default_factory=lambda: ["fixed"])
+    theories: list[str] = msgspec.field(default_factory=lambda: [THEORIES[0]])
+    design: DesignTable = msgspec.field(default_factory=DesignTable)
+    measured: str | None = None
+
+
+def read_breakwater(path):
+    """The BreakwaterStudy of a TOML file and its text.  Raises StudyError."""
+    raw, text = read_toml(path, "a study of a breakwater", StudyError)
+    return make_breakwater(raw), text
+
+
+def make_breakwater(raw):
+    """The BreakwaterStudy of nested dictionaries as TOML gives them.  Raises StudyError."""
+    study = typed(raw, BreakwaterStudy, StudyError)
+    _check_water(study.water)
+    _check_section(study.section)
+    _check_names(study)
+    if study.lines is not None:
+        _check_lines(study.lines)
+    positive("waves.height", study.waves.height)
+    periods(study)
+    _check_needs(study)
+    return study
+
+
+def periods(study):
+    """(n,) s, ascending.  Raises StudyError."""
+    given = study.waves.periods
+    if isinstance(given, SpanTable):
+        check_count("waves.periods", given.count, 2, MOST_PERIODS, StudyError)
+        given = np.linspace(given.first, given.last, given.count).tolist()
+    check_count("waves.periods", len(given), 1, MOST_PERIODS, StudyError)
+    wrong = [T for T in given if not SHORTEST <= T <= LONGEST]
+    if wrong:
+        raise StudyError(f"waves.periods has {wrong[0]:g} s; allowed: {SHORTEST:g} to {LONGEST:g}")
+    return np.unique(given)
+
+
+def _check_water(water):
+    water_depth("water.depth", water.depth)
+    for key in ("density", "gravity"):
+        positive(f"water.{key}", getattr(water, key))
+    if not 0 <= water.tide < water.depth:
+        raise StudyError(f"water.tide is {water.tide:g} m; allowed: 0 to below the depth of {water.depth:g} m")
+
+
+def _check_section(section):
+    if section.shape not in SHAPES:
+        raise StudyError(f"section.shape is {section.shape!r}; allowed: {', '.join(SHAPES)}")
+    needed = SHAPES[section.shape]
+    for key in ("beam", "height", "diameter", "points"):
+        value = getattr(section, key)
+        if key in needed and value is None:
+            raise StudyError(f"section.{key} is missing; shape {section.shape} needs {' and '.join(needed)}")
+        if key not in needed and value is not None:
+            raise StudyError(f"section.{key} is given; shape {section.shape} has {' and '.join(needed)}")
+        if value is not None and key != "points":
+            positive(f"section.{key}", value)
+    for place, point in enumerate(section.points or []):
+        if len(point) not in (2, 3):
+            raise StudyError(f"section.points[{place}] has {len(point)} numbers; allowed: y, z, or y, z and bulge")
+    positive("section.draft", section.draft)
+
+
+def _check_names(study):
+    from mooring.breakwater.holdings import HOLDINGS
+
+    asked = [("holdings", study.holdings, HOLDINGS), ("theories", study.theories, THEORIES)]
+    for key, values, known in asked:
+        check_count(key, len(values), 1, len(known), StudyError)
+        wrong = [value for value in values if value not in known]
+        if wrong or len(set(values)) < len(values):
+            raise StudyError(f"{key} has {(wrong or values)[0]!r}; allowed: each of {', '.join(known)}, once")
+    if study.design.holding is not None and study.design.holding not in study.holdings:
+        raise StudyError(f"design.holding is {study.design.holding!r}; allowed: {', '.join(study.holdings)}")
+    if study.design.theory not in THEORIES:
+        raise StudyError(f"design.theory is {study.design.theory!r}; allowed: {', '.join(THEORIES)}")
+
+
+def _check_lines(lines):
+    if not 0 < lines.angle_deg < 180:
+        raise StudyError(f"lines.angle_deg is {lines.angle_deg:g}; allowed: above 0 and below 180")
+    for key in ("attachment", "length", "spacing", "allowable_kN", "axial_stiffness_kN"):
+        value = getattr(lines, key)
+        if value is not None:
+            positive(f"lines.{key}", value)
+    if not 0 <= lines.attachment_height < np.inf:
+        raise StudyError(f"lines.attachment_height is {lines.attachment_height:g}; allowed: 0 or more, finite")
+    if lines.pretension_kN_per_m is not None and not 0 <= lines.pretension_kN_per_m < np.inf:
+        raise StudyError(f"lines.pretension_kN_per_m is {lines.pretension_kN_per_m:g}; allowed: 0 or more, finite")
+
+
+def _check_needs(study):
+    body, lines = study.body, study.lines
+    for holding in study.holdings:
+        if holding != "fixed" and body is None:
+            raise StudyError(f"body is missing; holding {holding} needs center_of_gravity, gyration and the weight")
+        if holding in ("taut", "elastic") and lines is None:
+            raise StudyError(f"lines is missing; holding {holding} needs angle_deg and attachment")
+        if holding == "elastic" and lines.axial_stiffness_kN is None:
+            raise StudyError("lines.axial_stiffness_kN is missing; holding elastic needs it")
+        if holding not in ("fixed", "taut") and study.theories == ["long waves"]:
+            raise StudyError(f"holdings has {holding!r}; theory long waves has fixed and taut only")
+    if body is None:
+        return
+    positive("body.gyration", body.gyration)
+    weights = {
+        "body.mass_t_per_m": body.mass_t_per_m,
+        "body.free_draft": body.free_draft,
+        "lines.pretension_kN_per_m": None if lines is None else lines.pretension_kN_per_m,
+    }
+    given = [key for key, value in weights.items() if value is not None]
+    if len(given) != 1:
+        state = "nothing is given" if not given else " and ".join(given) + " are given"
+        raise StudyError(f"the body's weight: {state}; allowed: one of {', '.join(weights)}")
+    if not given[0].startswith("lines"):
+        positive(given[0], weights[given[0]])

@@ -1,0 +1,37 @@
+"""Outlines of sections: what is under water, and what is no section."""
+
+import numpy as np
+import pytest
+
+from bem.sections.outline import Edge, Outline, OutlineError, circle, closed, rectangle
+
+
+@pytest.mark.parametrize("draft", [0.3, 5.0, 9.1])
+def test_a_circle_displaces_its_segment(draft):
+    half = np.arccos(1 - draft / 5)
+    area = 25 * (half - np.sin(half) * np.cos(half))
+    wet = circle(10.0).wetted(draft)
+    assert wet.area == pytest.approx(area, rel=1e-13)
+    assert wet.waterline == pytest.approx(10 * np.sin(half), rel=1e-13)
+    assert wet.center == pytest.approx(1j * (5 - draft - (wet.waterline / 2) ** 3 / 1.5 / area), abs=1e-12)
+    assert wet.symmetric and circle(10.0).draft_of(area) == pytest.approx(draft, rel=1e-9)
+
+
+def test_the_sense_and_the_first_point_of_an_outline_do_not_matter():
+    points = np.array([-3, 3, 3 + 4j, 1 + 6j, -3 + 4j])
+    there = closed(points).wetted(5.0)
+    back = closed(np.roll(points, 2)[::-1]).wetted(5.0)
+    assert back.edges == there.edges and back.area == there.area and not there.symmetric
+
+
+def test_what_is_no_section_is_refused():
+    with pytest.raises(
+        OutlineError, match=r"leaks: edge 1 ends at \(1, 0\), the next begins at \(1, 0.5\), 0.5 m away"
+    ):
+        Outline((Edge(0, 1), Edge(1 + 0.5j, 1j), Edge(1j, 0)))
+    with pytest.raises(OutlineError, match="crosses itself: edges 1 and 3"):
+        closed(np.array([0, 2 + 2j, 2, 2j]))
+    with pytest.raises(OutlineError, match="draft is 4 m, the section is 4 m high"):
+        rectangle(2.0, 4.0).wetted(4.0)
+    with pytest.raises(OutlineError, match="into 2 pieces"):
+        closed(np.array([-3, -2, -2 + 2j, 2 + 2j, 2, 3, 3 + 4j, -3 + 4j])).wetted(1.0)

@@ -1,0 +1,113 @@
+"""`hakobune breakwater` as a person runs it."""
+
+import csv
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+import pipelines
+from pipelines.cli import main
+
+SCENES = Path(pipelines.__file__).parent / "scenes"
+TONNE = 9800.0  # N, of the paper
+RECTANGLE = """
+holdings = ["fixed", "free", "taut", "elastic"]
+[water]
+depth = 10.0
+[section]
+shape = "rectangle"
+beam = 10.0
+height = 6.7
+draft = 5.0
+[body]
+free_draft = 3.4
+center_of_gravity = 3.4
+gyration = 4.4
+[lines]
+angle_deg = 44.0
+attachment = 5.0
+axial_stiffness_kN = 1e5
+[waves]
+height = 1.5
+periods = [6.0, 8.0, 10.0]
+"""
+
+
+def run(folder, text, *words):
+    (folder / "study.toml").write_text(text)
+    return main(["breakwater", str(folder / "study.toml"), *words])
+
+
+def test_the_paper_is_followed_from_waves_to_anchors(tmp_path, capsys):
+    """Kihara, Kitatani & Todoroki (1975), chapter 6, whose tensions are read from a chart, within 5 %"""
+    words = ["--output", str(tmp_path / "out.h5"), "--plot", str(tmp_path / "out.png")]
+    assert main(["breakwater", str(SCENES / "breakwater_circle.toml"), *words]) == 0
+    with h5py.File(tmp_path / "out.h5") as file:
+        assert file["sea/behind/fixed, long waves"].attrs["height_m"] == pytest.approx(1.160, rel=2e-3)
+        assert file["anchors/sinker of both lines"][()] * 1e3 / TONNE == pytest.approx(39.5, rel=2e-3)
+        assert file["pretension/greatest"][()] / TONNE == pytest.approx([30.4, 25.3], rel=0.05)
+        assert file["pretension/least"][()] / TONNE == pytest.approx(14.6, rel=0.05)
+        levels = [{name: item[()] for name, item in level.items()} for level in file["tide"].values()]
+        margins = [file["pretension/used"][()] + one["change"] - max(one["front"], one["back"]) for one in levels]
+    assert min(margins) == pytest.approx(0, abs=1e-6 * TONNE)  # the least pretension is just enough at one level
+    said = capsys.readouterr().out
+    assert "waves of 3 m break at 3 of 86 periods" in said and (tmp_path / "out.png").stat().st_size > 10_000
+
+
+def test_holdings_stand_side_by_side_and_a_second_run_replaces_the_first(tmp_path, capsys):
+    out = tmp_path / "out.csv"
+    for _ in range(2):
+        assert run(tmp_path, RECTANGLE, "--output", str(out)) == 0
+    with open(out, encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if line[0] != "#"))
+    for row in rows:
+        for holding in ("fixed", "free", "taut", "elastic"):
+            parts = [float(row[f"{part} {holding}"]) for part in ("transmission", "reflection")]
+            assert np.hypot(*parts) == pytest.approx(1, abs=1e-6)
+    assert "front free" not in rows[0]
+    out.write_text("not ours\n")
+    assert run(tmp_path, RECTANGLE, "--output", str(out)) == 2
+    assert "is not replaced" in capsys.readouterr().err
+
+
+def test_lines_without_enough_pretension_are_said_to_go_slack(tmp_path, capsys):
+    assert run(tmp_path, RECTANGLE.replace("free_draft = 3.4", "free_draft = 4.9")) == 1
+    assert "LINES GO SLACK: front at mean water" in capsys.readouterr().out
+
+
+FAULTS = {
+    ("angle_deg = 44.0", "angle_deg = 158.0\nattachment_height = 3.0"): "passes through the body",
+    ("angle_deg = 44.0", "angle_deg = 44.0\nlength = 8.0"): "to the bed at 44° it is 7.198 m",
+    ("free_draft = 3.4", "free_draft = 5.1"): "the pretension is negative",
+    ("free_draft = 3.4", ""): "the body's weight: nothing is given",
+    ("height = 6.7", "height = 4.9"): "draft is 5 m, the section is 4.9 m high",
+    ("draft = 5.0", "draft = 5.0\nradius = 3"): "section.radius is unknown",
+    ("depth = 10.0", "depth = 4.0"): "draft is 5 m in 4 m of water",
+    ("depth = 10.0", "depth = 10.0\ntide = 2.0"): "with the water at +2 m: draft is 7 m, the section is 6.7 m high",
+    ("height = 1.5", "height = 90.0"): "waves of every period break",
+    ("periods = [6.0, 8.0, 10.0]", "periods = [0]"): "waves.periods has 0 s",
+    ("axial_stiffness_kN = 1e5", ""): "lines.axial_stiffness_kN is missing",
+}
+OUTLINE = 'shape = "outline"\npoints = {}\ndraft = 2.0'
+OUTLINES = {
+    "[[-3, 0], [3, 0], [3, 4], [-3, 4]]": "the outline leaks: the last point is 4 m from the first",
+    "[[-3, 0], [3, 4], [3, 0], [-3, 4], [-3, 0]]": "crosses itself: edges 1 and 3",
+    "[[-3, 0], [3, 0, 1, 1], [-3, 0]]": "section.points[1] has 4 numbers",
+}
+
+
+@pytest.mark.parametrize("change", FAULTS, ids=lambda change: change[1].splitlines()[-1] if change[1] else change[0])
+def test_what_cannot_be_is_one_line(change, tmp_path, capsys):
+    assert run(tmp_path, RECTANGLE.replace(*change)) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("hakobune breakwater: ") and said.count("\n") == 1
+    assert FAULTS[change] in said
+
+
+@pytest.mark.parametrize("points", OUTLINES)
+def test_an_outline_that_is_none_is_one_line(points, tmp_path, capsys):
+    text = RECTANGLE.replace('shape = "rectangle"\nbeam = 10.0\nheight = 6.7\ndraft = 5.0', OUTLINE.format(points))
+    assert run(tmp_path, text) == 2
+    assert OUTLINES[points] in capsys.readouterr().err
