@@ -161,17 +161,17 @@ def _pretension(breakwater, tides):
     return Pretension(given, used, least, most, greatest, slack)
 
 
-def spectrum_of(table):
-    """The spectrum of a SeaTable.  Raises ValueError."""
+def spectrum_of(table, depth):
+    """The spectrum of a SeaTable in water of `depth`, m.  Raises ValueError."""
     from mooring.environment.periods import KINDS
 
     given = {kind: getattr(table, kind) for kind in KINDS if getattr(table, kind) is not None}
-    return family_of("sea", table)(positive("sea.height", table.height), **shape_of(table), **given)
+    return family_of("sea", table, depth)(positive("sea.height", table.height), **shape_of(table), **given)
 
 
 def _sea(breakwater, made, tides, held):
     study = breakwater.study
-    spectrum = spectrum_of(study.sea)
+    spectrum = spectrum_of(study.sea, study.water.depth)
     sea = cells(spectrum, *spectrum.quantile(SEA_BAND), SEA_CELLS)
     through = {}
     for curve in made:
