@@ -20,7 +20,7 @@ from ..lines.system.graph import Pose, System
 from ..lines.system.parts import EquilibriumError
 from .loads import Loads
 
-SETTLED = 1e-13  # of the forces on a buoy
+SETTLED = 1e-11  # of the forces on a buoy
 STEPS = 60
 NO_POINTS = np.zeros((0, 3))
 
@@ -91,6 +91,12 @@ class SinglePoint:
         return self.system.pose.turn
 
     @cached_property
+    def _floats(self):
+        """N/m of buoyancy over the height of a buoy that rises and sinks, 0 where it is held at its height"""
+        body = self.system.bodies[0]
+        return float(body.hydrostatic_stiffness[2, 2]) if "Heave" in body.freedom else 0.0
+
+    @cached_property
     def at_rest(self):
         """SystemEquilibrium of the buoy on its lines without the body"""
         return rest(self.system)
@@ -116,22 +122,21 @@ class SinglePoint:
     def pull(self, place, height=None) -> Pull:
         """Pull of the lines with the buoy at (2,) m.  Raises SinglePointError where a line cannot reach."""
         body = self.system.bodies[0]
-        free = "Heave" in body.freedom
-        z = body.position[2] if height is None else height
+        z, floats = body.position[2] if height is None else height, self._floats
         for _ in range(STEPS):
             pose = Pose(np.array([[place[0], place[1], z]]), self._turn, NO_POINTS)
-            load = self.system.total_load(pose) if free else self.system.load(pose)
+            load = self.system.load(pose)
             F, K = load.force, load.stiffness
             if not np.isfinite(F[0]):
                 a, b = load.points[self.system.arrays.ends].swapaxes(0, 1)
                 raise SinglePointError(f"{culprit(self.system, load.rows, a, b)} with the buoy at {place}")
-            if not free or abs(F[2]) <= SETTLED * (abs(load.rows[:, 3:5]).sum() + 1.0):
+            if floats == 0.0:
+                return Pull(F[:2].copy(), K[:2, :2].copy(), z)
+            up, stiff = F[2] + body.load[2] - floats * (z - body.position[2]), K[2, 2] + floats
+            if abs(up) <= SETTLED * (abs(load.rows[:, 3:5]).sum() + 1.0):
                 break
-            z += F[2] / K[2, 2]
-        stiffness = K[:2, :2]
-        if free:
-            stiffness = stiffness - np.outer(K[:2, 2], K[2, :2]) / K[2, 2]
-        return Pull(F[:2].copy(), stiffness, float(z))
+            z += up / stiff
+        return Pull(F[:2].copy(), K[:2, :2] - np.outer(K[:2, 2], K[2, :2]) / stiff, float(z))
 
     def buoy_under(self, force):
         """SystemEquilibrium of the buoy that a body pulls with (2,) N.  Raises SinglePointError."""
@@ -154,11 +159,18 @@ class SinglePoint:
         if len(self.ends) == 1:
             return self._one(place, R, 0, near)[1]
         found, refused = [], None
-        for attempt in (self._both, lambda *at: self._one(*at, 0, near), lambda *at: self._one(*at, 1, near)):
+        first = int((R.T @ (self.origin - place))[1] * (self.ends[0, 1] - self.ends[1, 1]) < 0)
+        for attempt in (
+            self._both,
+            lambda *at: self._one(*at, first, near),
+            lambda *at: self._one(*at, 1 - first, near),
+        ):
             try:
                 found.append(attempt(place, R))
             except SinglePointError as error:  # beyond reach: the buoy lies elsewhere
                 refused = error
+            if found and found[-1][0] == 0.0:
+                return found[-1][1]
         if not found:
             raise refused
         return min(found, key=lambda one: one[0])[1]

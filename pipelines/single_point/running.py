@@ -12,17 +12,20 @@ from typing import NamedTuple
 import numpy as np
 
 from mooring.environment.gusts import MissingVariance, gust_record
+from mooring.lines.ropes import RopePart
+from mooring.motion.streams import GUST_STEP
+from mooring.single_point.buoy_run import BuoyBody, given_waves, run_with_buoy
 from mooring.single_point.equilibria import Equilibrium
 from mooring.single_point.history import Cycle, cycle, line_tensions, settled_after, watch_circle
 from mooring.single_point.scope import significant
 from mooring.single_point.slewing import slew, turned_state
 from mooring.single_point.two_scale import Steps, two_scale, wave_body
 
-from ..common.quantities import StudyError, direction, positive
+from ..common.quantities import StudyError, direction, force, positive
 from ..common.units import TONF
 from ..moor.study import sea_of
 
-SCHEMES = ("slow", "two_scale")
+SCHEMES = ("slow", "two_scale", "buoy")
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
 ALOFT = 104729  # added to the seed of the waves for that of the gusts
 MOST_SAMPLES = 1_000_000
@@ -58,21 +61,67 @@ def run(study, point, steady, db=None) -> Run:
     waves = study.waves is not None and db is not None and s.scheme != "slow"
     if s.scheme == "two_scale" and not waves:
         raise StudyError('slewing.scheme is "two_scale"; allowed: with [waves] and --database, or "slow"')
-    start, wind = turned_state(point, steady.state, np.radians(s.offset_deg)), _wind(point, s)
-    if waves:
-        body = wave_body(db.reader, _components(study, db, s), study.attachment.z - float(db.rotation_center[2]))
+    if s.scheme == "buoy":
+        record = _with_buoy(study, point, steady, db if waves else None)
+    elif waves:
+        start, body = turned_state(point, steady.state, np.radians(s.offset_deg)), _wave_body(study, db)
         fast = 2 * np.pi / body.mean_omega / 30 if s.step is None else s.step
-        found = two_scale(point, start, Steps(s.duration, s.slow_step, fast, s.waves_after), body, wind)
-        record = found
+        record = two_scale(point, start, Steps(s.duration, s.slow_step, fast, s.waves_after), body, _wind(point, s))
     else:
-        step = 1.0 if s.step is None else s.step
-        slow = slew(point, start, s.duration, step, tolerance=s.tolerance, wind_speed=wind)
+        slow = _slow(study, point, steady)
         lines = line_tensions(point, slow.buoy)
         record = (slow.time, slow.place, slow.heading, np.zeros((len(slow.time), 6)), slow.buoy, slow.hawser, lines,
                   slow.wind_speed)  # fmt: skip
     time, place, heading = record[:3]
     return Run(*record, steady, cycle(time, heading), settled_after(time, heading, steady.heading),
                watch_circle(place, point.origin))  # fmt: skip
+
+
+def _slow(study, point, steady):
+    s = study.slewing
+    start = turned_state(point, steady.state, np.radians(s.offset_deg))
+    step = 1.0 if s.step is None else s.step
+    return slew(point, start, s.duration, step, tolerance=s.tolerance, wind_speed=_wind(point, s))
+
+
+def _wave_body(study, db):
+    lever = study.attachment.z - float(db.rotation_center[2])
+    return wave_body(db.reader, _components(study, db, study.slewing), lever)
+
+
+def _with_buoy(study, point, steady, db):
+    """Record of the body with its buoy in one equation; db : None without waves"""
+    s, body, rope = study.slewing, *_buoy_and_rope(study)
+    path = _slow(study, point, steady)
+    start = turned_state(point, steady.state, np.radians(s.offset_deg))
+    start[:2] = path.place[0] + (path.place[0] - steady.buoy) / np.hypot(*(path.place[0] - steady.buoy)) * (
+        point.lengths.max() * rope.strain_at(steady.hawser.max())
+    )
+    given, wind, lever = None, None, 0.0
+    if db is not None:
+        lever = study.attachment.z - float(db.rotation_center[2])
+        draft = body.draft(point.system.density)
+        given = given_waves(db.reader, _components(study, db, s), path, steady.buoy, draft, s.waves_after)
+    speed = _wind(point, s)
+    if speed is not None:
+        wind = np.array([speed(t) for t in GUST_STEP * (np.arange(int(s.duration / GUST_STEP) + 12) - 4)])
+    found = run_with_buoy(point, body, rope, start, steady.buoy, s.duration, 0.5 if s.step is None else s.step, given,
+                          wind, lever)  # fmt: skip
+    return (*found[:4], found.buoy[:, :2], *found[5:8])
+
+
+def _buoy_and_rope(study):
+    """BuoyBody and RopePart of a study.  Raises StudyError."""
+    b, h = study.buoy, study.hawser
+    if h is None or b.mass is None:
+        raise StudyError('slewing.scheme is "buoy"; allowed: with [hawser] and the mass, diameter and height of [buoy]')
+    body = BuoyBody(1e3 * b.mass, b.diameter, b.height)
+    stiff, load = force("hawser", h, "axial_stiffness"), force("hawser", h, "breaking_load")
+    if (stiff is None) == (load is None) or (load is not None) != (h.strain is not None):
+        raise StudyError('hawser: slewing.scheme "buoy" needs axial_stiffness, or breaking_load with its strain')
+    if stiff is not None:
+        return body, RopePart(stiff, 1.0)
+    return body, RopePart(load, positive("hawser.strain", h.strain), positive("hawser.exponent", h.exponent))
 
 
 def table_of(run: Run):

@@ -56,11 +56,20 @@ class AttachmentTable(Table):
 
 
 class HawserTable(Table):
-    """length : m of each; count : 1 or 2; spacing : m between the ends of two on the hull"""
+    """length : m of each; count : 1 or 2; spacing : m between the ends of two on the hull
+
+    Of the scheme "buoy": axial_stiffness EA, or breaking_load at a strain, T = B (ε/strain)^exponent
+    """
 
     length: float
     count: int = 1
     spacing: float = 0.0
+    axial_stiffness_tonf: float | None = None
+    axial_stiffness_kN: float | None = None
+    breaking_load_tonf: float | None = None
+    breaking_load_kN: float | None = None
+    strain: float | None = None
+    exponent: float = 1.0
 
 
 class BuoyTable(Table):
@@ -156,7 +165,8 @@ class SlewingTable(Table):
     """A run in time: duration : s; step : s of the record [1 s, of waves a thirtieth of their period]
 
     offset_deg : of the heading at its start from that of rest; waves_after : s, when the waves are added
-    scheme : "two_scale", with waves, or "slow"; the first where there are waves and a database
+    scheme : "two_scale", with waves, or "slow"; the first where there are waves and a database; or "buoy", with the
+        buoy as a body of its own mass on an elastic hawser that falls slack and snaps
     slow_step : s, of the slow motion with waves; tolerance : of place and heading without
     components : of the waves; seed : of gusts and waves
     """
