@@ -1,10 +1,13 @@
 """What a point of the body feels: displacement, velocity, acceleration, and the water below it.
 
     d = X₁₋₃ + X₄₋₆ × (p − p₀),    v = −iωd,    a = −ω²d,    r = ζ exp(ik(x cosβ + y sinβ)) − d_z
+    f_x = a_x − gX₅,    f_y = a_y + gX₄,    u = h + tide + p_z − sinkage + d_z
 
-All per unit wave amplitude, in axes that do not turn with the body; a has no part of gravity.  r is the height of the
-undisturbed incident wave above its mark on the body; the waves that the body scatters and makes are not in it, at a
-wall that reflects short waves they double ζ.
+All per unit wave amplitude, in axes that do not turn with the body; a has no part of gravity.  f is what cargo and an
+accelerometer feel along the deck, with the part of gravity that roll and pitch turn into it.  u is the water under a
+point of the bottom; over a plan it is least at a corner of its hull, since d_z is linear in x and y.  r is the height
+of the undisturbed incident wave above its mark on the body; the waves that the body scatters and makes are not in it,
+at a wall that reflects short waves they double ζ.
 """
 
 from __future__ import annotations
@@ -25,6 +28,14 @@ class Point(NamedTuple):
     clearance: float | None = None
 
 
+class KeelPoint(NamedTuple):
+    """name; position (3,) m at rest, of the bottom of the body; gap m, water under it at rest"""
+
+    name: str
+    position: tuple[float, float, float]
+    gap: float
+
+
 class Transfer(NamedTuple):
     """Transfer functions per m of wave amplitude.
 
@@ -39,8 +50,8 @@ class Transfer(NamedTuple):
 
 
 def transfer_functions(body, omega, heading, points=()) -> Transfer:
-    """All responses of a body: its six motions, and for every Point displacement, velocity, acceleration along x, y, z
-    and the relative elevation of the water.
+    """All responses of a body: its six motions, and for every Point displacement, velocity, acceleration along x, y, z,
+    what is felt along the deck, and the relative elevation of the water; for every KeelPoint its vertical displacement.
 
     omega : (q,) rad/s; heading : (p,) rad.  Raises BetweenError outside the database.
     """
@@ -49,6 +60,11 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
     names, units, values = [name.lower() for name in DOFS], ["m"] * 3 + ["rad"] * 3, [motion]
     for point in points:
         d = displacement(motion, point.position, body.rotation_center)
+        if isinstance(point, KeelPoint):
+            names.append(keel_name(point))
+            units.append("m")
+            values.append(d[..., 2:])
+            continue
         for word, unit, part in (
             ("displacement", "m", d),
             ("velocity", "m/s", velocity(omega, d)),
@@ -57,8 +73,9 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
             names += [f"{point.name} {word} {axis}" for axis in "xyz"]
             units += [unit] * 3
             values.append(part)
-        names.append(relative_name(point))
-        units.append("m")
+        names += [f"{point.name} felt acceleration {axis}" for axis in "xy"] + [relative_name(point)]
+        units += ["m/s²"] * 2 + ["m"]
+        values.append(felt_acceleration(omega, d, motion, body.gravity))
         values.append(relative_elevation(omega, heading, d, point.position, body.depth, body.gravity)[..., None])
     return Transfer(tuple(names), tuple(units), np.asarray(omega, float), heading, np.concatenate(values, axis=-1))
 
@@ -66,6 +83,11 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
 def relative_name(point):
     """Name of the relative elevation of the water at a Point"""
     return f"{point.name} relative elevation"
+
+
+def keel_name(point):
+    """Name of the vertical displacement of a KeelPoint"""
+    return f"{point.name} displacement z"
 
 
 def displacement(motion, position, rotation_center):
@@ -82,6 +104,12 @@ def velocity(omega, displaced):
 def acceleration(omega, displaced):
     """(q, p, …) m/s² per m"""
     return -(_column(omega, displaced) ** 2) * displaced
+
+
+def felt_acceleration(omega, displaced, motion, gravity):
+    """(q, p, 2) m/s² per m along x and y of the deck, gravity included; displaced (q, p, 3), motion (q, p, 6)"""
+    turned = gravity * np.stack([-motion[..., 4], motion[..., 3]], axis=-1)
+    return acceleration(omega, displaced)[..., :2] + turned
 
 
 def incident_elevation(omega, heading, position, depth, gravity):

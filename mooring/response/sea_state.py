@@ -17,7 +17,7 @@ from . import drift as drifts
 from . import findings
 from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor
 from .linear import Moments, frequencies, moments, response_spectrum
-from .points import Point, relative_name, transfer_functions
+from .points import KeelPoint, Point, keel_name, relative_name, transfer_functions
 from .seas import check_coverage, directions, heading_step
 from .slow_drift import force_spectrum, held_beyond, signed_means
 from .wave_drift_damping import drift_and_damping, mean_damping
@@ -111,13 +111,31 @@ class SeaState:
 
         m, m, 1; of points with a clearance.  Undisturbed incident waves only, see `points`.
         """
-        gaps = {}
-        for point in (p for p in self.points if p.clearance is not None):
-            i = self.names.index(relative_name(point))
-            sigma, cycles = self.sigma[i], self.duration / self.zero_period[i]
-            reached = -np.expm1(-cycles * np.exp(-0.5 * (point.clearance / sigma) ** 2))
-            gaps[point.name] = (point.clearance, point.clearance - self.expected_maximum[i], float(reached))
-        return gaps
+        return {
+            point.name: self._left(relative_name(point), point.clearance)
+            for point in self.points
+            if isinstance(point, Point) and point.clearance is not None
+        }
+
+    def under_keel(self):
+        """{name of KeelPoint: (gap at rest, water left under the expected largest drop, probability of touching)}"""
+        return {
+            point.name: self._left(keel_name(point), point.gap) for point in self.points if isinstance(point, KeelPoint)
+        }
+
+    def reached(self, name, level):
+        """Probability that a response rises (or drops) to a level in `duration`, crossings taken as independent
+
+        On the safe side: below 3.5 deviations crossings come in groups, at 3 the probability is a tenth too high.
+        """
+        i = self.names.index(name)
+        if not self.sigma[i] > 0:
+            return 0.0
+        cycles = self.duration / self.zero_period[i]
+        return float(-np.expm1(-cycles * np.exp(-0.5 * (level / self.sigma[i]) ** 2))) if level > 0 else 1.0
+
+    def _left(self, name, level):
+        return level, level - self.expected_maximum[self.names.index(name)], self.reached(name, level)
 
     def _each(self, function):
         """(c,) of function(moments, zero period) of each response that is not zero, nan for the others"""
@@ -129,7 +147,8 @@ class SeaState:
 def sea_state(body, sea, duration, points=()) -> SeaState:
     """A `bem.database.reader.Reader`, `floating`, in a Sea for `duration` s.
 
-    points : of `Point`.  raises : ValueError for a duration that is no time, BetweenError outside the stored headings
+    points : of `Point` and `KeelPoint`
+    raises : ValueError for a duration that is no time, BetweenError outside the stored headings
     """
     if not 0 < duration < np.inf:
         raise ValueError(f"duration is {duration:g} s; allowed: above 0, finite")

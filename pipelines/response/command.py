@@ -9,6 +9,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 TABLES = (".csv", ".h5")
+FAR_FROM_DEPTH = 0.2  # of the gap under the keel, by which it may differ from that of the database
 
 
 def response(
@@ -35,8 +36,8 @@ def response(
     _check_places(output, plot, study, database, *files_of(read, study.parent))
     if read.sea:
         check_effort(read)
-    points = read.places()
     db = open_database(database)
+    points = read.places(db)
     body = read.restrained(db.reader.floating())
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -50,11 +51,21 @@ def response(
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
     warned = [str(w.message) for w in caught] + list(result.warnings)
+    if read.keel is not None and abs(read.keel.tide - read.keel.extra_draft) > FAR_FROM_DEPTH * gap_of(db):
+        warned.append(
+            f"tide and extra draft change the water under the keel by {read.keel.tide - read.keel.extra_draft:.3g} of "
+            f"{gap_of(db):.3g} m: motions are those of the database's depth; solve it again at that depth"
+        )
     found = resonances(body)
     warned += resonance_lines([one for one in found if underdamped(one)])
     noted = resonance_lines([one for one in found if not underdamped(one)])
     _write(read, result, body.radius, points, (noted, warned), text, database, output, plot)
     return 0
+
+
+def gap_of(db):
+    """m of water under the keel of a database"""
+    return db.water_depth + float(db.mesh.whole().points[:, 2].min())
 
 
 def _in_sea(read, body, db, points, study):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..common.bounds import check_memory, check_seconds, told
 
-RESPONSES = 18, 10  # of a body, and of a point
+RESPONSES = 18, 13  # of a body, and of a point
 BYTES = 500 * 16.0  # of a response at one heading: frequencies, complex
 HEADINGS = 36  # of short-crested waves
 BYTES_OF_STATE = 60.0  # of a response in a sea state

@@ -9,7 +9,7 @@ import numpy as np
 from bem import DOFS
 from mooring.response.findings import large_rotations
 from mooring.response.long_term import YEAR
-from mooring.response.points import relative_name
+from mooring.response.points import KeelPoint, Point, keel_name, relative_name
 from mooring.response.return_period import probability_not_exceeded
 from mooring.response.sea_state import TINY
 
@@ -17,10 +17,11 @@ from ..common.units import TONF
 
 RAD = {"rad": ("°", 180 / np.pi)}
 FRACTILE = 0.9
+WIDEST = 400  # characters of a table
 WORTH_NAMING = 1e-3  # estimated error of a result
 MOTIONS = {name.upper() for name in DOFS}
 FELT = {f"{word} {axis}" for word in ("displacement", "velocity", "acceleration") for axis in "xyz"}
-FELT |= {"relative elevation"}
+FELT |= {"relative elevation", "felt acceleration x", "felt acceleration y"}
 SHORT = {
     "standard_deviation": "σ",
     "significant_amplitude": "1/3",
@@ -75,7 +76,7 @@ def turned(rows):
 def notes(result, radius, years=None):
     """Lines on drift, air gap and duration, without markup; radius : m, of the hull, the lever of its forces"""
     if years is None:
-        lines = [_sea_line(result), *_drift_lines(result.slow, radius), *_gap_lines(result)]
+        lines = [_sea_line(result), *_drift_lines(result.slow, radius), *_gap_lines(result), *_keel_lines(result)]
         named = result.errors.named(WORTH_NAMING)
         return lines + ([f"estimated errors between stored waves: {', '.join(named)}"] if named else [])
     lines = [f"{len(result.height)} sea states"]
@@ -84,7 +85,7 @@ def notes(result, radius, years=None):
         lines.append(f"the value once in {years:g} years stays unexceeded in {years:g} years with {q:.0f} %")
     if result.mean_drift is not None:
         lines.append(f"mean drift over all time: {_forces(result.mean_drift, radius, result.drift)}")
-    return lines + list(_gaps_in_years(result, years))
+    return [*lines, *_gaps_in_years(result, years), *_keel_in_years(result, years)]
 
 
 def show(rows, points, lines, warned, written):
@@ -101,7 +102,8 @@ def show(rows, points, lines, warned, written):
             table.add_column(SHORT.get(column, column.replace("_", " ")), justify="right")
         for i, label in members.items():
             table.add_row(f"{label}, {rows.units[i]}", *(f"{value:.3g}" for value in rows.values[i]))
-        console.print(table)
+        whole = Console(width=WIDEST).measure(table).maximum  # where lines are shorter they wrap: no number is cut
+        (console if whole <= console.width else Console(width=whole)).print(table)
     for line in lines:
         console.print(line, highlight=False, soft_wrap=True)
     for text in warned:
@@ -113,7 +115,10 @@ def show(rows, points, lines, warned, written):
 def _groups(names, points):
     """{title: {row: label}}: the motions, then every point"""
     groups = {"motions, amplitudes": {i: name for i, name in enumerate(names) if name.upper() in MOTIONS}}
-    for point in points:
+    keel = {names.index(keel_name(p)): p.name for p in points if isinstance(p, KeelPoint) and keel_name(p) in names}
+    if keel:
+        groups["points of the bottom, vertical amplitudes"] = keel
+    for point in (point for point in points if isinstance(point, Point)):
         prefix = f"{point.name} "
         own = {i: name.removeprefix(prefix) for i, name in enumerate(names) if name.removeprefix(prefix) in FELT}
         groups[f"{point.name}, amplitudes"] = {i: label for i, label in own.items() if names[i] == prefix + label}
@@ -171,21 +176,50 @@ def _forces(force, radius, among=None):
     A moment is small beside a force times the radius in m.
     """
     largest = np.abs(force if among is None else among)[..., :2].max()
-    x, y, m = np.where(np.abs(force) > TINY * largest * np.array([1.0, 1.0, radius]), force, 0.0) / TONF
-    return f"Fx {x:.4g}, Fy {y:.4g} tonf, Mz {m:.4g} tonf m"
+    force = np.where(np.abs(force) > TINY * largest * np.array([1.0, 1.0, radius]), force, 0.0)
+    (x, y, m), (xk, yk, mk) = force / TONF, force / 1e3
+    return f"Fx {x:.4g}, Fy {y:.4g} tonf, Mz {m:.4g} tonf m ({xk:.4g}, {yk:.4g} kN, {mk:.4g} kN m)"
 
 
 def _gaps_in_years(result, years):
     """Air gap of points with a clearance in a Climate"""
-    for point in (point for point in result.points if point.clearance is not None):
+    for point in (p for p in result.points if isinstance(p, Point) and p.clearance is not None):
         term = result.long_term(relative_name(point))
         left = point.clearance - term.level(years * YEAR)
-        rate = float(term.crossing_rate(point.clearance)) * YEAR
-        often = f"once in {1 / rate:.3g} years" if rate * 1e6 > 1 else "less than once in a million years"
         yield (
             f"air gap at {point.name}: {left:.3g} of {point.clearance:.3g} m left by the rise once in {years:g} years, "
-            f"water reaches it {often}; waves scattered and made by the body not included"
+            f"water reaches it {_often(term, point.clearance)}; waves scattered and made by the body not included"
         )
+
+
+def _keel_lines(result):
+    """The point of the bottom with the least water left in a SeaState"""
+    found = result.under_keel()
+    if found:
+        name = min(found, key=lambda name: found[name][1])
+        gap, left, touched = found[name]
+        hours = result.duration / 3600
+        yield (
+            f"under keel: least at {name}, {left:.3g} of {gap:.3g} m left by the largest drop, the bed is touched with "
+            f"probability {touched:.3g} in {hours:.3g} h; waves' part alone, without squat"
+        )
+
+
+def _keel_in_years(result, years):
+    points = [point for point in result.points if isinstance(point, KeelPoint)]
+    if points:
+        terms = {point: result.long_term(keel_name(point)) for point in points}
+        worst = min(points, key=lambda point: point.gap - terms[point].level(years * YEAR))
+        left = worst.gap - terms[worst].level(years * YEAR)
+        yield (
+            f"under keel: least at {worst.name}, {left:.3g} of {worst.gap:.3g} m left by the drop once in {years:g} "
+            f"years, the bed is touched {_often(terms[worst], worst.gap)}; waves' part alone, without squat"
+        )
+
+
+def _often(term, level):
+    rate = float(term.crossing_rate(level)) * YEAR
+    return f"once in {1 / rate:.3g} years" if rate * 1e6 > 1 else "less than once in a million years"
 
 
 def _gap_lines(result):

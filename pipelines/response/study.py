@@ -25,6 +25,10 @@
     position = [50.0, 0.0, 10.0]
     clearance = 8.0                      # m above still water, what has to stay dry
 
+    [keel]
+    tide = -0.5                          # m, under-keel clearance at this level of the water
+    extra_draft = 0.2                    # m
+
 Directions have either `direction_deg`, travelled to, or `incidence_deg`, the angle χ of the reports, 0 from ahead.
 """
 
@@ -103,6 +107,17 @@ class PointTable(Table):
     clearance: float | None = None
 
 
+class KeelTable(Table):
+    """Water under the bottom: tide m, level above that of the database's depth; extra_draft m, beyond the hull's
+
+    points : m, of the bottom, by default the corners of the hull's deepest part
+    """
+
+    tide: float = 0.0
+    extra_draft: float = 0.0
+    points: list[tuple[float, float, float]] | None = None
+
+
 class BodyTable(Table):
     """damping_ratio : of critical, by motion, beyond radiation; damping, stiffness : 6 × 6 in SI units, added
 
@@ -122,6 +137,7 @@ class ResponseStudy(Table):
     climate: ClimateTable | None = None
     body: BodyTable = msgspec.field(default_factory=BodyTable)
     points: list[PointTable] = msgspec.field(default_factory=list)
+    keel: KeelTable | None = None
 
     def restrained(self, body):
         """A Body with the damping and stiffness of the study"""
@@ -133,8 +149,8 @@ class ResponseStudy(Table):
             _check_stable(body.stiffness)
         return body.restrained(damping=damping_of("body", self.body.damping_ratio, body))
 
-    def places(self):
-        """Points of the study"""
+    def places(self, db):
+        """Points of the study, those of the bottom after the others; db : database"""
         from mooring.response.points import Point
 
         twice = [name for name, count in Counter(point.name for point in self.points).items() if count > 1]
@@ -145,7 +161,31 @@ class ResponseStudy(Table):
                 raise StudyError(f"points[{i}].position is {list(point.position)}; allowed: finite, m")
             if point.clearance is not None:
                 positive(f"points[{i}].clearance", point.clearance)
-        return [Point(point.name, point.position, point.clearance) for point in self.points]
+        points = [Point(point.name, point.position, point.clearance) for point in self.points]
+        return points + (keel_points(self.keel, db) if self.keel else [])
+
+
+def keel_points(table, db):
+    """`KeelPoint`s of a KeelTable.  Raises StudyError where there is no water under one at rest."""
+    from mooring.response.keel import corners_of_bottom
+    from mooring.response.points import KeelPoint
+
+    if not math.isfinite(db.water_depth):
+        raise StudyError("[keel] is given and the water of the database has no bed; solve it in finite depth")
+    for key in ("tide", "extra_draft"):
+        if not math.isfinite(getattr(table, key)):
+            raise StudyError(f"keel.{key} is {getattr(table, key)}; allowed: finite, m")
+    found = corners_of_bottom(db.mesh.whole().points) if table.points is None else table.points
+    points = []
+    for x, y, z in found:
+        gap = db.water_depth + table.tide + z - table.extra_draft
+        if not gap > 0:
+            raise StudyError(
+                f"under ({x:g}, {y:g}, {z:g}) there is {gap:.3g} m of water at rest, depth {db.water_depth:g}, tide "
+                f"{table.tide:g}, extra draft {table.extra_draft:g} m; allowed: above 0"
+            )
+        points.append(KeelPoint(f"keel x {x:.4g} y {y:.4g}", (float(x), float(y), float(z)), gap))
+    return points
 
 
 def read_response_study(path):

@@ -29,7 +29,7 @@ SECONDS, OF_DIRECTIONS, OF_PHASES, OF_ROOT = (1e-6, 3e-6), 6e-5, 0.5e-9, 8e-8
 class Findings:
     """Results on a sea: its spectrum; a record, its waves and the estimate of its spectrum.
 
-    analysed : the spectrum is that estimate
+    analysed : the spectrum is that estimate; notes : one line each
     """
 
     title: str
@@ -38,6 +38,7 @@ class Findings:
     waves: object = None
     estimate: object = None
     analysed: bool = False
+    notes: tuple[str, ...] = ()
 
 
 def sea(
@@ -127,7 +128,19 @@ def _made(flags, record, reading):
     made = _record(spectrum, record)
     waves = zero_crossings(made.elevation, made.step)
     title += f", record of {len(made.elevation)} values at {made.step:g} s, {len(waves)} waves"
-    return Findings(title, spectrum, made, waves, estimate(made.elevation, made.step))
+    return Findings(title, spectrum, made, waves, estimate(made.elevation, made.step), notes=_of_band(spectrum))
+
+
+def _of_band(spectrum):
+    """What the components of a record leave of T02, which a tail ω⁻⁵ gives to waves that have hardly any energy"""
+    from mooring.environment.sea import BAND
+
+    low, high = spectrum.quantile(BAND)
+    held = 2 * math.pi * math.sqrt(spectrum.moment(0, low, high) / spectrum.moment(2, low, high))
+    return (
+        f"the record holds waves of {low:.3g} to {high:.3g} rad/s; their T02 is {held:.4g} s, "
+        f"{100 * (held / spectrum.T02 - 1):.2g} % longer than that of the whole spectrum",
+    )
 
 
 def _refuse(state, flags, quiet):

@@ -24,6 +24,8 @@ def show(found, warned, written):
     console.print(found.title, highlight=False, soft_wrap=True)
     for line in _tables(found):
         console.print(line)
+    for line in found.notes:
+        console.print(line, highlight=False, soft_wrap=True)
     for text in warned:
         console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
     if written:
@@ -98,8 +100,8 @@ def _heights(found):
     m0, waves = found.spectrum.moment(0), found.waves
     count = WAVES if waves is None else len(waves)
     yield "4√m₀, m", 4 * np.sqrt(m0), waves and 4 * found.record.elevation.std()
-    yield "mean, m", rayleigh_height(m0, 1.0), waves and waves.mean_height
-    yield "H1/3, m", rayleigh_height(m0, 1 / 3), waves and waves.significant_height
-    yield "H1/10, m", rayleigh_height(m0, 1 / 10), waves and waves.tenth_height
+    yield "mean, m; of a spectrum by Rayleigh", rayleigh_height(m0, 1.0), waves and waves.mean_height
+    yield "H1/3, m; by Rayleigh", rayleigh_height(m0, 1 / 3), waves and waves.significant_height
+    yield "H1/10, m; by Rayleigh", rayleigh_height(m0, 1 / 10), waves and waves.tenth_height
     if count >= 10:
         yield f"highest of {count}, m", expected_maximum_height(m0, count), waves and waves.maximum_height

@@ -4,10 +4,12 @@ import numpy as np
 from made_up_body import made_up_body
 
 from bem.waves import wavenumber
+from mooring.response.keel import corners_of_bottom
 from mooring.response.points import (
     Point,
     acceleration,
     displacement,
+    felt_acceleration,
     relative_elevation,
     transfer_functions,
     velocity,
@@ -46,9 +48,33 @@ def test_water_stays_at_its_mark_on_a_body_that_follows_it():
 def test_table_of_transfer_functions_holds_motions_first_and_names_every_point():
     body, omega, heading = made_up_body(), np.array([0.5, 0.7]), np.radians([10.0, 200.0])
     table = transfer_functions(body, omega, heading, [Point("bow", (50.0, 0.0, 10.0))])
-    assert table.value.shape == (2, 2, 16) and len(table.names) == len(table.units) == 16
+    assert table.value.shape == (2, 2, 18) and len(table.names) == len(table.units) == 18
     assert np.array_equal(table.value[..., :6], body.motions(omega, heading))
     x = table.value[..., table.names.index("bow displacement z")]
     assert np.allclose(x, table.value[..., 2] - 50.0 * table.value[..., 4])
     a = table.value[..., table.names.index("bow acceleration z")]
     assert np.allclose(a, -(omega[:, None] ** 2) * x)
+
+
+def test_a_pendulum_feels_nothing_across_its_rope():
+    """Rolling about a centre l above at ω² = g/l, and pitching: what swings freely feels no force across"""
+    length, g = 9.0, 9.80665
+    omega = np.array([np.sqrt(g / length)])
+    for mode in (3, 4):
+        motion = np.zeros((1, 1, 6), complex)
+        motion[..., mode] = 0.1j
+        d = displacement(motion, (0.0, 0.0, -length), np.zeros(3))
+        assert np.allclose(felt_acceleration(omega, d, motion, g), 0, atol=1e-14)
+        assert np.abs(acceleration(omega, d)[..., :2]).max() > 0.9
+
+
+def test_corners_of_the_bottom_are_those_of_its_convex_hull():
+    """A box with a raised bow: four corners of the flat bottom; a round bottom: points of its rim"""
+    x, y = np.meshgrid(np.linspace(-50, 40, 10), np.linspace(-20, 20, 5))
+    flat = np.stack([x.ravel(), y.ravel(), np.full(x.size, -10.0)], axis=1)
+    bow = np.array([[50.0, 20.0, -5.0], [50.0, -20.0, -5.0], [50.0, 20.0, 0.0]])
+    found = corners_of_bottom(np.concatenate([bow, flat]))
+    assert sorted(map(tuple, found.tolist())) == [(-50, -20, -10), (-50, 20, -10), (40, -20, -10), (40, 20, -10)]
+    angle = np.radians(np.arange(0, 360, 5))
+    rim = corners_of_bottom(np.stack([8 * np.cos(angle), 8 * np.sin(angle), np.full(72, -3.0)], axis=1))
+    assert len(rim) == 12 and np.allclose(np.hypot(rim[:, 0], rim[:, 1]), 8)

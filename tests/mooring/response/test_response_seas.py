@@ -19,7 +19,7 @@ from mooring.environment.wave_records import real_sum
 from mooring.response.climate import climate
 from mooring.response.linear import frequencies
 from mooring.response.long_term import YEAR
-from mooring.response.points import Point
+from mooring.response.points import KeelPoint, Point
 from mooring.response.sea_state import sea_state
 from mooring.response.slow_drift import component_drift, force_spectrum, held_beyond, newman
 from pipelines.cli import main
@@ -200,3 +200,25 @@ def test_model_in_irregular_waves_responds_as_measured(tmp_path):
     damped[3, 3] = 0.02 * body.critical_damping(3)
     less = sea_state(body.restrained(damping=damped), sea, 600.0)
     assert less.sigma[3] < 0.95 * result.sigma[3] and np.isclose(less.sigma[2], result.sigma[2], rtol=1e-6)
+
+
+@pytest.mark.parametrize("level", [3.6, 4.0])
+def test_the_bed_is_touched_as_often_as_in_simulated_half_hours(box_body, level):
+    """A corner of the bottom above a bed `level` deviations away, in 400 half hours of 500 random waves
+
+    The share of the half hours is binomial: three of its standard deviations are allowed.
+    """
+    sea, corner = Sea(issc(3.0, mean_period=11.0), np.radians(60.0)), (50.0, 25.0, -10.0)
+    sigma = sea_state(box_body, sea, HOUR, [KeelPoint("keel", corner, 1.0)]).sigma[-1]
+    state = sea_state(box_body, sea, HOUR / 2, [KeelPoint("keel", corner, level * sigma)])
+    ((gap, left, touched),) = state.under_keel().values()
+    assert np.isclose(left, gap - state.expected_maximum[-1])
+    omega = np.linspace(box_body.omega[0], box_body.omega[-1], 500)  # a record repeats after 3900 s
+    X = box_body.motions(omega, [sea.direction])[:, 0]
+    vertical = X[:, 2] + corner[1] * X[:, 3] - corner[0] * X[:, 4]
+    amplitude = vertical * np.sqrt(sea.spectrum.density(omega) * (omega[1] - omega[0]))
+    waves = np.exp(-1j * np.outer(omega, np.arange(0, HOUR / 2, 0.5)))
+    rng, hours = np.random.default_rng(2), 400
+    records = ((rng.standard_normal((hours, 500)) + 1j * rng.standard_normal((hours, 500))) * amplitude @ waves).real
+    share, scatter = np.mean(records.min(axis=1) < -gap), np.sqrt(touched * (1 - touched) / hours)
+    assert 0.02 < touched < 0.98 and abs(share - touched) < 3 * scatter, (share, touched)

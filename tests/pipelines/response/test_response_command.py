@@ -181,7 +181,7 @@ def test_impossible_command_is_refused_in_one_line(folder, capsys, words, messag
     ],
 )
 def test_forces_that_are_rounding_are_printed_as_zero(force, among, words):
-    assert _forces(np.array(force), 50.0, among) == words
+    assert _forces(np.array(force), 50.0, among).partition(" (")[0] == words
 
 
 def test_another_hdf5_file_is_not_replaced(folder, capsys):
@@ -262,3 +262,16 @@ def test_a_climate_says_which_classes_break_and_when_water_reaches_a_point(folde
     assert re.search(r"air gap at stern: .* of 9 m left by the rise once in 10 years, water reaches it once in", said)
     assert "responses lack energy beyond the stored frequencies" in said
     assert "of the mean drift force over all time is from waves beyond" in said
+
+
+def test_water_under_the_keel_is_that_of_tide_and_draft(folder, capsys):
+    """10 m at rest in 20 m of water, 2 m less by tide and draft; without water under it the study is refused"""
+    study = STUDY + "[keel]\ntide = -1.5\nextra_draft = 0.5\n"
+    Path("study.toml").write_text(study)
+    assert main(["response", "study.toml", "--database", "box.h5"]) == 0
+    said = capsys.readouterr().out
+    assert re.search(r"under keel: least at keel x .* of 8 m left by the largest drop, the bed is touched with", said)
+    assert "…" not in said and "kN" in said
+    Path("study.toml").write_text(study.replace("-1.5", "-9.6"))
+    assert main(["response", "study.toml", "--database", "box.h5"]) == 2
+    assert "there is -0.1 m of water at rest, depth 20, tide -9.6, extra draft 0.5 m" in capsys.readouterr().err
