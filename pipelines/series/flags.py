@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def series(
-    which: Literal["single-point"],
+    which: Literal["single-point", "dolphin"],
     /,
     *,
     output: Annotated[Path, Parameter(help="folder, made if it is not there")] = Path("series"),
@@ -21,8 +21,16 @@ def series(
     """A design series of the SR179 report (1982) made again: table beside its prints, charts, its statements.
 
     single-point: floaters A and B on six to eighteen chains, contact and intermediate buoy, Tables 3.6.5.3 to 3.6.5.5.
+    dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method.
     A second call solves nothing; every case is kept as a study for `hakobune single-point`.
     """
+    if which == "dolphin":
+        from .dolphin import make_series
+
+        for name, value in (("cases", cases), ("only", only), ("seeds", None if seeds == 1 else seeds)):
+            if value is not None:
+                raise ValueError(f"--{name} is given with dolphin; allowed: with single-point")
+        return make_series(output, fresh)
     from .single_point import make_series
 
     return make_series(output, cases, only, seeds, fresh)

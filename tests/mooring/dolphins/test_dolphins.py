@@ -1,0 +1,146 @@
+"""Dolphins: equivalent linearisation, exact periods, design spectrum method, earthquake."""
+
+import numpy as np
+import pytest
+from scipy.special import ellipk
+
+from mooring.dolphins.design_spectrum import LARGEST, Beam, DolphinError, Dolphins, limit_height, springs, strains
+from mooring.dolphins.earthquake import (
+    Ground,
+    fender_forces,
+    ground_of_record,
+    normalised_reaction,
+    response_spectrum,
+    seismic_force,
+)
+from mooring.dolphins.linearised import amplitudes, equivalent, exact_frequency, free_frequency
+from mooring.environment.spectra import issc
+from mooring.fenders.families import fender_of_family
+from mooring.fenders.fender import fender_of_points
+from mooring.fenders.hysteresis import followed
+
+K, CUBE, M = 2.0, 1.0, 3.0
+K1, K2, CORNER = 5.0, 1.0, 0.4
+CELL = fender_of_family("cell", 2.0)
+
+
+def duffing(y):
+    return K * y + CUBE * y**3
+
+
+def bilinear(y):
+    return np.sign(y) * np.where(np.abs(y) < CORNER, K1 * np.abs(y), K1 * CORNER + K2 * (np.abs(y) - CORNER))
+
+
+def bilinear_potential(y):
+    y = np.asarray(y, float)
+    beyond = 0.5 * K1 * CORNER**2 + K1 * CORNER * (y - CORNER) + 0.5 * K2 * (y - CORNER) ** 2
+    return np.where(y < CORNER, 0.5 * K1 * y * y, beyond)
+
+
+@pytest.mark.parametrize("A", [0.5, 1.0, 2.0])
+def test_equivalent_stiffness_and_exact_period_of_duffings_oscillator(A):
+    """k + ¾εA², and an elliptic integral; the first is within 0.8 % of the second up to εA²/k = 2"""
+    assert equivalent(duffing, 0.0, A).stiffness == pytest.approx(K + 0.75 * CUBE * A * A, rel=1e-9)
+    stiff = K + CUBE * A * A
+    exact = 0.5 * np.pi * np.sqrt(stiff / M) / ellipk(CUBE * A * A / (2 * stiff))
+    assert exact_frequency(lambda y: 0.5 * K * y**2 + 0.25 * CUBE * y**4, M, A) == pytest.approx(exact, rel=1e-8)
+    assert free_frequency(duffing, M, A) == pytest.approx(exact, rel=8e-3)
+
+
+@pytest.mark.parametrize("A", [0.5, 1.0, 2.0])
+def test_equivalent_stiffness_and_exact_period_of_a_bilinear_oscillator(A):
+    r = CORNER / A
+    wanted = K2 + 2 / np.pi * (K1 - K2) * (np.arcsin(r) + r * np.sqrt(1 - r * r))
+    assert equivalent(bilinear, 0.0, A).stiffness == pytest.approx(wanted, rel=1e-6)
+    inner, outer = np.sqrt(K1 / M), np.sqrt(K2 / M)
+    speed = np.sqrt(2 * (bilinear_potential(A) - bilinear_potential(CORNER)) / M)
+    quarter = np.arctan2(inner * CORNER, speed) / inner + np.arctan2(outer * speed, K1 * CORNER / M) / outer
+    found = exact_frequency(bilinear_potential, M, A, [CORNER])
+    assert found == pytest.approx(0.5 * np.pi / quarter, rel=1e-6)
+
+
+def test_loss_is_the_work_of_a_loop():
+    path = 0.5 + 0.3 * np.cos(2 * np.pi * np.arange(8193) / 4096)
+    force = followed(CELL, path)[0][4096:]
+    work = np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(path[4096:]))
+    assert np.pi * equivalent(CELL, 0.5, 0.3).loss * 0.3**2 == pytest.approx(work, rel=1e-3) and work > 0
+
+
+def test_natural_frequency_moves_with_wave_height_as_the_report_found():
+    """SR179 (1982), 3.7.2: fender 1, of constant reaction, softens and sways more; 2, hardening, stiffens"""
+    constant = [free_frequency(bilinear, M, A) for A in (0.2, 0.5, 1.0, 2.0)]
+    hardening = [free_frequency(duffing, M, A) for A in (0.2, 0.5, 1.0, 2.0)]
+    assert np.all(np.diff(constant) < 0) and np.all(np.diff(hardening) > 0)
+    assert free_frequency(lambda y: K * y, M, 3.0) == pytest.approx(np.sqrt(K / M))
+    assert len(amplitudes(duffing, M, 0.05, 1.2, 0.4, 3.0)) == 3  # the resonance leans over
+    (one,) = amplitudes(lambda y: K * y, M, 0.5, 1.0, 0.7, 3.0)
+    assert one == pytest.approx(0.7 / np.hypot(K - M, 0.5), rel=1e-6)
+
+
+def sway(drift=0.0):
+    """`Beam` of a body that only sways, with a force that does not change with frequency"""
+    omega = np.linspace(0.05, 3.0, 2000)
+    eye = np.diag([1.0, 1e8, 1.0, 1.0, 1.0, 1.0])
+    force = np.zeros((2000, 6), complex)
+    force[:, 1] = 1e6
+    still = np.broadcast_to(np.zeros((6, 6)), (2000, 6, 6))
+    hold = np.diag([1.0, 0.0, 1.0, 1.0, 1.0, 1.0])
+    inertia = np.broadcast_to(eye, (2000, 6, 6))
+    return Beam(omega, inertia, still, hold, force, np.full(2000, drift), np.zeros(3))
+
+
+def test_stiff_fenders_follow_the_force_and_strains_add_what_the_report_adds():
+    stiff = Dolphins(CELL, np.array([[-20.0, 25.0, 0.0], [20.0, 25.0, 0.0]]), 1e13)
+    s = strains(sway(drift=3e4), stiff, 1e6, issc(1.0, mean_period=8.0))
+    assert s.sigma == pytest.approx(1e6 / 2e13 * 0.25, rel=2e-3)  # √m₀ = Hs/4
+    assert s.static == pytest.approx((1e6 + 2 * 3e4 / 16) / 2e13, rel=2e-3)
+    assert s.largest == pytest.approx(s.static + LARGEST * s.sigma) and abs(LARGEST - 3.872) < 1e-3
+    assert springs(stiff, np.zeros(3), 1.0)[1, 1] == 2.0
+
+
+def test_limit_height_is_where_the_strain_is_just_allowed_and_grows_with_the_fenders():
+    found = []
+    for count in (4, 8):
+        dolphins = Dolphins(CELL, np.tile([0.0, 25.0, 0.0], (count, 1)), 6.9e8)
+        found.append(limit_height(sway(), dolphins, 1e6, issc, 8.0, highest=1e4))
+        assert strains(sway(), dolphins, 1e6, issc(1.0, mean_period=8.0), found[-1]).strain == pytest.approx(
+            0.35, rel=1e-2
+        )
+    assert found[1] > found[0]
+    with pytest.raises(DolphinError, match="take more or larger ones"):
+        strains(sway(), Dolphins(CELL, np.zeros((1, 3))), 1e9, issc(1.0, mean_period=8.0))
+
+
+def test_reaction_to_an_earthquake_is_its_closed_form_in_time():
+    k, mass, added, damping, omega, size = 3e6, 1e6, 4e5, 8e5, 1.3, 0.05
+    t = np.arange(0, 90, 0.1)
+    motion = Ground(
+        t, -(omega**2) * size * np.sin(omega * t), omega * size * np.cos(omega * t), size * np.sin(omega * t)
+    )
+    spring = fender_of_points("spring", 1.0, [0.0, 1.0], [0.0, k])
+    force, _ = fender_forces(motion, spring, 1, mass, added, damping)
+    late = np.abs(force[t > 60])
+    found = np.sqrt(2 * np.mean(force[t > t[-1] - 4 * 2 * np.pi / omega] ** 2)) / (omega**2 * size * mass)
+    exact = normalised_reaction(omega, mass, added, damping, k)
+    assert late.max() / (omega**2 * size * mass) == pytest.approx(exact, rel=1e-3)
+    assert found == pytest.approx(exact, rel=1e-3)
+
+
+def test_reaction_to_an_earthquake_has_its_limits():
+    assert normalised_reaction(0.5, 1e6, 4e5, 10.0, 1e15) == pytest.approx(1.4, rel=1e-6)
+    high = normalised_reaction(1e3, 1e6, 4e5, 1e3, 1e6)
+    assert high == pytest.approx(1e6 / (1e6 * 1e6), rel=1e-5)
+    assert seismic_force(0.2, 1e6) == pytest.approx(0.2 * 9.80665e6)
+
+
+def test_record_of_an_earthquake_begins_and_ends_at_rest():
+    rng, t = np.random.default_rng(4), np.arange(0, 20, 0.02)
+    ground = ground_of_record(t, rng.standard_normal(len(t)) * np.exp(-0.2 * t) + 0.01)
+    ends = [ground.velocity[-1], ground.displacement[-1]]
+    assert np.abs(ends).max() < 1e-12 and ground.velocity[0] == ground.displacement[0] == 0
+    assert response_spectrum(ground, [0.01], 0.05)[0] == pytest.approx(np.abs(ground.acceleration).max(), rel=0.05)
+    with pytest.raises(ValueError, match=r"steps by 0\.04 s after"):
+        ground_of_record(np.delete(t, 100), np.zeros(len(t) - 1))
+    with pytest.raises(ValueError, match="finite accelerations"):
+        ground_of_record(t, np.full(len(t), np.nan))
