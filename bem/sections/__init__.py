@@ -1,1 +1,1 @@
-"""Two-dimensional sections: rectangles in water of any depth, tables of them, strip methods, a quay."""
+"""Two-dimensional sections in water of any depth: rectangles, tables of them, any outline by panels; strips, a quay."""

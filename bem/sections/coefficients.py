@@ -41,6 +41,7 @@ class Section(NamedTuple):
     radiated : (3,) complex elevation far off towards +y, referred to y = 0, per unit amplitude of motion, m/m, m/rad
     reflection, transmission : complex, of the fixed body, referred to y = 0
     drift : mean sway force on the fixed body per amplitude squared, N/m³
+    radiated_back : (3,) as `radiated`, towards −y
     """
 
     beam: float
@@ -58,6 +59,7 @@ class Section(NamedTuple):
     reflection: complex
     transmission: complex
     drift: float
+    radiated_back: np.ndarray
 
 
 def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=TOLERANCE):
@@ -82,6 +84,7 @@ def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, toler
         reflection=complex(reflected),
         transmission=complex(transmitted),
         drift=density * gravity * n * abs(reflected) ** 2,
+        radiated_back=np.array([-1, 1, -1]) * radiated,
     )  # fmt: skip
 
 

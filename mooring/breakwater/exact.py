@@ -1,8 +1,8 @@
 """A body in waves by potential theory: fixed, free, and on taut lines (`taut`).
 
-    (−ω²(M + A) − iωB + C) x = F,       K_T = T + Σ xⱼ ηⱼ,       K_R = R ± Σ xⱼ ηⱼ,   + heave, − sway and roll
+    (−ω²(M + A) − iωB + C) x = F,       K_T = T + Σ xⱼ ηⱼ,       K_R = R + Σ xⱼ ηⱼ⁻
 
-A, B, F, R, T and η, the wave radiated to leeward, are those of `bem.sections.coefficients`.  On taut lines
+A, B, F, R, T and η, η⁻, the waves radiated to leeward and seaward, are those of a `Section`.  On taut lines
 x = m q and the equation is projected on m, the mode of `body.OnTautLines`; what it leaves is the lines' pull.  Without
 losses |K_T|² + |K_R|² = 1 whatever holds the body.
 """
@@ -80,8 +80,7 @@ def moved_to_origin(z):
 
 def far_field(section, motion):
     """K_T and K_R, complex, of sway, heave and roll (3,) about the origin per unit wave amplitude"""
-    waves = section.radiated * motion
-    return section.transmission + waves.sum(), section.reflection + waves @ [-1.0, 1.0, -1.0]
+    return section.transmission + section.radiated @ motion, section.reflection + section.radiated_back @ motion
 
 
 def check_section(body, section):

@@ -41,7 +41,16 @@ def cells(spectrum, low, high, count=CELLS):
         raise ValueError(
             f"{low:g} to {high:g} rad/s hold {share:.4f} of the sea's energy; allowed: {LEAST_SHARE} or more"
         )
-    edges = np.geomspace(low, high, count + 1)
+    return _between(spectrum, np.geomspace(low, high, count + 1))
+
+
+def equal_cells(spectrum, count):
+    """`Cells` of nearly equal energy, of all but the outermost 0.0008 of a `Spectrum`: few in its long tail"""
+    outside = (1 - LEAST_SHARE) * 0.4
+    return _between(spectrum, spectrum.quantile(np.linspace(outside, 1 - outside, count + 1)))
+
+
+def _between(spectrum, edges):
     return Cells(np.sqrt(edges[1:] * edges[:-1]), np.diff(edges), spectrum.moment(0, edges[:-1], edges[1:]))
 
 

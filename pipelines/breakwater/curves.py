@@ -71,10 +71,10 @@ def _exact(breakwater, holding, rise, omega, angle):
 
 def sections(breakwater, wetted, rise, omega):
     """(n,) `Section` of what is under water at frequencies, rad/s"""
-    if breakwater.study.section.shape != "rectangle":
-        raise StudyError("section.shape is not rectangle: allowed with theories = ['long waves'] only")
-    rectangle = wetted.waterline, wetted.draft, breakwater.depth(rise), *breakwater.water.values()
-    return [_rectangle(*rectangle, float(one)) for one in np.atleast_1d(omega)]
+    water = (breakwater.depth(rise), *breakwater.water.values())
+    if breakwater.study.section.shape == "rectangle":
+        return [_rectangle(wetted.waterline, wetted.draft, *water, float(one)) for one in np.atleast_1d(omega)]
+    return [_outline(wetted, *water, float(one)) for one in np.atleast_1d(omega)]
 
 
 @lru_cache(maxsize=4096)
@@ -82,3 +82,10 @@ def _rectangle(beam, draft, depth, density, gravity, omega):
     from bem.sections.coefficients import section
 
     return section(beam, draft, depth, omega, density=density, gravity=gravity, tolerance=TOLERANCE)
+
+
+@lru_cache(maxsize=4096)
+def _outline(wetted, depth, density, gravity, omega):
+    from bem.sections.any_section import any_section
+
+    return any_section(wetted, depth, omega, density=density, gravity=gravity, tolerance=TOLERANCE)

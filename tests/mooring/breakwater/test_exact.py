@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 
+from bem.sections.any_section import any_section
 from bem.sections.coefficients import section
+from bem.sections.outline import circle
+from mooring.breakwater.body import TautBody
 from mooring.breakwater.elastic import elastic_exact
-from mooring.breakwater.exact import free_exact, taut_exact
-from mooring.breakwater.long_waves import long_wave
+from mooring.breakwater.exact import fixed_exact, free_exact, taut_exact
+from mooring.breakwater.long_waves import line_tensions, long_wave
 from mooring.breakwater.taut import TautRectangle
 
 # Kihara, Kitatani & Todoroki (1975), section 4.3, in SI; the attachment is taken at the corner, the lines reach the bed
@@ -80,3 +83,17 @@ def test_lines_that_do_not_carry_the_body_upright_are_refused():
     high = TautRectangle(angle=np.radians(44), line=0.43, **(BODY | {"z0": 0.3, "free_draft": 0.299}))
     with pytest.raises(ValueError, match="upright body is unstable"):
         elastic_exact(high, section_at(2.0), 10.0)
+
+
+def test_a_circle_on_lines_towards_its_centre_is_held_as_if_it_were_fixed():
+    """Waves have no moment about the centre, where the lines meet; the reason for the circle, section 1 of the paper"""
+    wet, arm = circle(10.0).wetted(5.0), np.sqrt(12.5)
+    body = TautBody(
+        mass=2e4, z0=0.0, inertia=2.5e5, area=wet.area, buoyancy_z=wet.center.imag, waterline=10.0, draft=5.0,
+        depth=10.0, angle=np.pi / 4, attachment=arm, attachment_z=-arm, line=9.0,
+    )  # fmt: skip
+    water = any_section(wet, 10.0, 0.9)
+    fixed, taut = fixed_exact(water), taut_exact(body, water)
+    assert abs(taut.roll) * 5 < 1e-6 and abs(taut.transmission - fixed.transmission) < 1e-6
+    held = line_tensions(fixed.horizontal, fixed.vertical, np.pi / 4)
+    assert [taut.front, taut.back] == pytest.approx(held, rel=1e-5)
