@@ -139,7 +139,7 @@ def _drift(study, db, center):
         raise StudyError("waves.period is missing; allowed: s, mean, for the drift of a database")
     if not db.reader.knows_drift:
         raise StudyError('the database holds no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2')
-    return DriftLoad(mean_drift(wave_forces(db.reader.floating()), sea_of("waves", w, to)))
+    return DriftLoad(mean_drift(wave_forces(db.reader.floating()), sea_of("waves", w, to, db.water_depth)))
 
 
 def _file(name, folder):

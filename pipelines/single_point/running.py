@@ -244,7 +244,7 @@ def _wind(point, s):
 
 
 def _components(study, db, s):
-    sea = sea_of("waves", study.waves, direction("waves", study.waves))
+    sea = sea_of("waves", study.waves, direction("waves", study.waves), db.water_depth)
     ends = sea.spectrum.quantile((1e-4, 1 - 1e-3))
     low, high = np.clip(ends, db.reader.omega[0], db.reader.omega[-1])
     missed = 1 - sea.spectrum.moment(0, low, high) / sea.spectrum.moment(0)
