@@ -16,6 +16,7 @@ from .bench.command import bench
 from .berth.flags import berth
 from .breakwater.command import breakwater
 from .common.interrupt import interrupted
+from .damping.command import damping
 from .design.command import design
 from .fender.flags import fender
 from .line_dynamics.flags import line_dynamics
@@ -163,6 +164,7 @@ app.command(series)
 app.command(breakwater)
 app.command(fender)
 app.command(berth)
+app.command(damping)
 
 
 def main(arguments=None):

@@ -1,0 +1,136 @@
+"""Damping of a body that is let go: extinction by half cycles, and the equation of motion itself.
+
+    Xₙ − Xₙ₊₁ = a X_m + b X_m²,    X_m = (Xₙ + Xₙ₊₁)/2                     of successive extremes (half cycles)
+    ẍ + β₁ ẋ + β₂ ẋ|ẋ| + Ω² (x − x₀) = 0,    β = B/M_v,    a ≈ (π/2) β₁/ω,  b ≈ (4/3) β₂
+
+(Shiraishi et al., eq. 3, whose δX is negative as printed; that its swings are half cycles follows from their sizes.)
+β and Ω are those with which the solution passes the record best.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from .record import RecordError, checked
+
+FEWEST = 3  # extremes
+STEPS = 120  # of the solution in a cycle: 1e-8 off
+DIFFERENCE = 1e-5  # of a parameter over its unit
+
+
+class Decay(NamedTuple):
+    """a : 1, b : 1/m, linear_only : a with b = 0; linear, quadratic : β₁ 1/s, β₂ 1/m; omega : Ω rad/s; mean : x₀ m
+
+    extremes : (n,) m, without sign; fitted : (q,) m, the solution; off : share of the record's deviation that is left
+    """
+
+    a: float
+    b: float
+    linear_only: float
+    linear: float
+    quadratic: float
+    omega: float
+    mean: float
+    extremes: np.ndarray
+    fitted: np.ndarray
+    off: float
+
+
+def decay(time, motion):
+    """`Decay` of a record, s, m.  Raises RecordError where it has fewer than three extremes or does not die out."""
+    t, x = checked(time, motion)
+    mean, omega, X = _extremes(t, x)
+    a, b, alone = _extinction(X)
+    start = [x[0], _slope(t, x), mean, omega, max(2 * alone * omega / np.pi, 1e-4 * omega), 0.0]
+    found, fitted = _fitted(t, x, np.array(start), X[0])
+    left = float(np.std(x - fitted) / np.std(x))
+    return Decay(a, b, alone, float(found[4]), float(found[5]), float(found[3]), float(found[2]), X, fitted, left)
+
+
+def _slope(t, x):
+    """m/s at the start, of a parabola through the first tenth of a cycle or eight values"""
+    n = min(8, len(t))
+    return float(np.polyfit(t[:n], x[:n], 2)[1])
+
+
+def _extremes(t, x):
+    """Mean, frequency, and the extremes between crossings of the mean, each from a parabola about it"""
+    mean = x[len(x) // 2 :].mean()
+    for _ in range(2):
+        y = x - mean
+        smooth = np.convolve(y, np.ones(5) / 5, mode="same")
+        ends = np.flatnonzero(np.diff(np.sign(smooth)) != 0)
+        least = 0.25 * np.median(np.diff(ends)) if len(ends) > 2 else 0
+        ends = [e for i, e in enumerate(ends) if i == 0 or e - ends[i - 1] > least]
+        if len(ends) <= FEWEST:
+            raise RecordError(f"the record crosses its mean {len(ends)} times; allowed: {FEWEST + 1} or more")
+        X = []
+        for i, j in pairwise(ends):
+            part = slice(i + 1 + (j - i) // 4, max(i + 4 + (j - i) // 4, j + 1 - (j - i) // 4))
+            c = np.polyfit(t[part] - t[i], y[part], 4 if part.stop - part.start > 8 else 2)
+            fine = np.linspace(t[part][0] - t[i], t[part][-1] - t[i], 400)
+            value = np.polyval(c, fine)
+            X.append(value[np.abs(value).argmax()])
+        X = np.array(X)
+        if len(X) >= 4:
+            mean += float(np.mean(0.25 * (X[:-2] + 2 * X[1:-1] + X[2:])))
+    return mean, float(np.pi * (len(ends) - 1) / (t[ends[-1]] - t[ends[0]])), np.abs(X)
+
+
+def _extinction(X):
+    """a, b and a with b = 0, by least squares over extremes (n,)"""
+    lost, middle = X[:-1] - X[1:], 0.5 * (X[:-1] + X[1:])
+    a, b = np.linalg.lstsq(np.stack([middle, middle**2], axis=1), lost, rcond=None)[0]
+    alone = float(lost @ middle / (middle @ middle))
+    if not alone > 0:
+        raise RecordError(f"the motion grows by {-100 * alone:.2g} % in half a cycle; allowed: one that dies out")
+    return float(a), float(b), alone
+
+
+def _fitted(t, x, start, size):
+    """Start, speed, mean, Ω, β₁, β₂ with which the solution passes the record best, and the solution (q,)"""
+    from scipy.optimize import least_squares
+
+    rate = start[3]
+    unit = np.array([size, size * rate, size, rate, rate, 1 / size])
+    step = t[1] - t[0]
+    parts = max(1, int(np.ceil(STEPS * step * rate / (2 * np.pi))))
+    shift = DIFFERENCE * np.eye(6)
+
+    def off(p):
+        return (_solutions((p * unit)[:, None], len(t), step, parts)[:, 0] - x) / size
+
+    def slope(p):
+        both = np.concatenate([p + shift, p - shift]) * unit
+        y = _solutions(both.T, len(t), step, parts) / size
+        return (y[:, :6] - y[:, 6:]) / (2 * DIFFERENCE)
+
+    found = least_squares(off, start / unit, jac=slope, method="lm", xtol=1e-13, ftol=1e-15, gtol=1e-15, max_nfev=50)
+    return found.x * unit, x + size * found.fun
+
+
+def _solutions(parameters, count, step, parts):
+    """(count, m) m of m sets of parameters (6, m), by Runge and Kutta's method `parts` steps in each of it"""
+    x, v, mean, omega, first, second = parameters
+    h, stiffness = step / parts, omega**2
+    out = np.empty((count, len(x)))
+
+    def pull(x, v):
+        return -v * (first + second * np.abs(v)) - stiffness * (x - mean)
+
+    for i in range(count):
+        out[i] = x
+        for _ in range(parts):
+            a = pull(x, v)
+            v1 = v + 0.5 * h * a
+            b = pull(x + 0.5 * h * v, v1)
+            v2 = v + 0.5 * h * b
+            c = pull(x + 0.5 * h * v1, v2)
+            v3 = v + h * c
+            d = pull(x + h * v2, v3)
+            x = x + h / 6 * (v + 2 * v1 + 2 * v2 + v3)
+            v = v + h / 6 * (a + 2 * b + 2 * c + d)
+    return out

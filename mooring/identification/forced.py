@@ -1,0 +1,68 @@
+"""Damping and added mass of a body that is moved by a sine: linear and quadratic.
+
+    x = X sin ωt,    reaction of the water F = −A ẍ − B₁ ẋ − B₂ ẋ|ẋ| = F₀ + Σ Fₙ sin(nωt + εₙ)
+
+by least squares of the whole record; and from its first and third harmonics,
+
+    B₁ = (−F₁ sin ε₁ + 5 F₃ sin ε₃)/(ωX),    B₂ = −15π F₃ sin ε₃/(8 ω²X²)
+
+(Shiraishi et al., Port and Airport Research Institute, eq. 1, 2; ẋ|ẋ| = V² [(8/3π) cos ωt + (8/15π) cos 3ωt − …]).  One
+coefficient with the same energy in a cycle is B₁ + (8/3π) ωX B₂; that with the same largest force is B₁ + ωX B₂.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .record import RecordError, Sine, checked, sine_of
+
+
+class Forced(NamedTuple):
+    """added_mass : kg; linear, quadratic : B₁ N s/m, B₂ N s²/m²; by_harmonics : the same two by the paper's formulas
+
+    motion : `record.Sine`; off : share of the force's deviation that is left
+    """
+
+    added_mass: float
+    linear: float
+    quadratic: float
+    by_harmonics: tuple
+    motion: Sine
+    off: float
+
+    @property
+    def same_energy(self):
+        """N s/m"""
+        return self.linear + 8 / (3 * np.pi) * self.motion.omega * self.motion.amplitude * self.quadratic
+
+    @property
+    def same_force(self):
+        """N s/m"""
+        return self.linear + self.motion.omega * self.motion.amplitude * self.quadratic
+
+
+def forced(time, motion, force):
+    """`Forced` of a record: s, m, and the reaction of the water on the body, N.  Raises RecordError."""
+    t, x, F = checked(time, motion, force)
+    sine = sine_of(t, x)
+    if not sine.amplitude > 0:
+        raise RecordError("the body does not move in the record")
+    theta, V = sine.omega * t + sine.phase, sine.omega * sine.amplitude
+    v, a = V * np.cos(theta), -V * sine.omega * np.sin(theta)
+    basis = np.stack([-a, -v, -v * np.abs(v), np.ones_like(t)], axis=1)
+    size = np.abs(basis).max(axis=0)
+    share = np.linalg.lstsq(basis / size, F, rcond=None)[0] / size
+    left = np.std(F - basis @ share) / np.std(F) if np.std(F) > 0 else 0.0
+    return Forced(*map(float, share[:3]), _by_harmonics(theta, F, sine), sine, float(left))
+
+
+def _by_harmonics(theta, force, sine, most=5):
+    columns = [np.ones_like(theta)]
+    for n in range(1, most + 1):
+        columns += [np.sin(n * theta), np.cos(n * theta)]
+    share = np.linalg.lstsq(np.stack(columns, axis=1), force, rcond=None)[0]
+    first, third = share[2], share[6]  # Fₙ sin εₙ, of cos nωt
+    V = sine.omega * sine.amplitude
+    return float((-first + 5 * third) / V), float(-15 * np.pi * third / (8 * V**2))

@@ -1,0 +1,123 @@
+"""`hakobune damping`: linear and quadratic damping from a record of a forced oscillation or of a free decay."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+COLUMNS = ("time_s", "motion_m", "force_kN")
+
+
+def damping(
+    record: Annotated[Path, Parameter(help="CSV: time_s, motion_m, and force_kN of the water where the body is moved")],
+    /,
+    *,
+    mass: Annotated[float | None, Parameter(help="t with added mass, of a decay", allow_leading_hyphen=True)] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+):
+    """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
+
+    With force_kN, the reaction of the water on the body that moves as a sine: B1, B2 and added mass.  Without, the body
+    is let go: a, b of its extinction by half cycles, and B1, B2, of --mass.
+    """
+    from ..common.picture import PLOTS, check_picture
+
+    if plot is not None:
+        check_picture(plot, PLOTS)
+    if mass is not None and not 0 < mass < float("inf"):
+        raise ValueError(f"--mass is {mass:g}; allowed: above 0, finite")
+    columns = read_record(record)
+    if "force_kN" in columns:
+        if mass is not None:
+            raise ValueError("--mass is given with force_kN in the record; allowed: of a decay")
+        drawn = _forced(columns)
+    else:
+        drawn = _decay(columns, mass)
+    if plot is not None:
+        _draw(plot, *drawn)
+        print(plot)
+    return 0
+
+
+def read_record(path):
+    """{column: list of numbers} of a CSV.  Raises ValueError."""
+    from meshing.text_files import read_text
+
+    lines = [line for line in read_text(path, ValueError).splitlines() if line.strip() and line[0] != "#"]
+    rows = list(csv.DictReader(lines))
+    names = list(rows[0]) if rows else []
+    wrong = [name for name in names if name not in COLUMNS]
+    if wrong or not {"time_s", "motion_m"} <= set(names):
+        shown = ", ".join(map(str, names)) or "no rows"
+        raise ValueError(f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved")
+    out = {name: [] for name in names}
+    for i, row in enumerate(rows, 1):
+        for name in names:
+            try:
+                out[name].append(float(row[name]))
+            except (TypeError, ValueError):
+                raise ValueError(f"{path}, row {i}: {name} is {row[name]!r}; allowed: a number") from None
+    return out
+
+
+def _forced(columns):
+    import numpy as np
+
+    from mooring.identification.forced import forced
+
+    time, motion, force = (np.array(columns[name]) for name in COLUMNS)
+    made = forced(time, motion, 1e3 * force)
+    sine = made.motion
+    print(
+        f"forced: amplitude {sine.amplitude:.4g} m, period {2 * np.pi / sine.omega:.5g} s; "
+        f"{100 * made.off:.2g} % of the force is left over"
+    )
+    print(f"added mass {made.added_mass / 1e3:.6g} t")
+    print(f"B1 = {made.linear / 1e3:.6g} kN s/m, B2 = {made.quadratic / 1e3:.6g} kN s²/m²; by first and third harmonic "
+          f"{made.by_harmonics[0] / 1e3:.5g} and {made.by_harmonics[1] / 1e3:.5g}")  # fmt: skip
+    print(f"as one coefficient: {made.same_energy / 1e3:.5g} kN s/m of the same energy, "
+          f"{made.same_force / 1e3:.5g} of the same largest force")  # fmt: skip
+    theta = sine.omega * (time - time[0]) + sine.phase
+    v, a = sine.omega * sine.amplitude * np.cos(theta), -(sine.omega**2) * sine.amplitude * np.sin(theta)
+    fitted = -made.added_mass * a - made.linear * v - made.quadratic * v * np.abs(v)
+    return time, force - force.mean(), fitted / 1e3, "reaction, kN"
+
+
+def _decay(columns, mass):
+    import numpy as np
+
+    from mooring.identification.decay import decay
+
+    time, motion = (np.array(columns[name]) for name in COLUMNS[:2])
+    made = decay(time, motion)
+    period, ratio = 2 * np.pi / made.omega, made.linear / (2 * made.omega)
+    print(
+        f"free decay: natural period {period:.5g} s, {len(made.extremes)} extremes from {made.extremes[0]:.4g} m; "
+        f"{100 * made.off:.2g} % of the motion is left over"
+    )
+    print(f"a = {made.a:.4g}, b = {made.b:.4g} 1/m by half cycles; a = {made.linear_only:.4g} with b = 0")
+    print(
+        f"B1/M = {made.linear:.6g} 1/s ({100 * ratio:.3g} % of critical), B2/M = {made.quadratic:.6g} 1/m, "
+        "M with added mass"
+    )
+    if mass is not None:
+        print(f"B1 = {made.linear * mass:.6g} kN s/m, B2 = {made.quadratic * mass:.6g} kN s²/m²")
+    return time, motion, made.fitted, "motion, m"
+
+
+def _draw(path, time, measured, fitted, label):
+    from matplotlib.figure import Figure
+
+    from ..common.picture import save
+
+    figure = Figure(figsize=(9.0, 4.5), layout="constrained")
+    axis = figure.add_subplot()
+    axis.plot(time, measured, ".", markersize=2.5, color="0.5", label="record")
+    axis.plot(time, fitted, linewidth=1.0, label="fitted")
+    axis.set(xlabel="time, s", ylabel=label)
+    axis.grid(alpha=0.3)
+    axis.legend()
+    save(figure, path, 110)

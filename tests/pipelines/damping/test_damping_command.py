@@ -1,0 +1,53 @@
+"""`hakobune damping` as a user calls it."""
+
+import numpy as np
+import pytest
+
+from pipelines import cli
+
+T = np.arange(0.0, 400.0, 1.0)
+OMEGA = 2 * np.pi / 50.0
+
+
+def written(path, **columns):
+    rows = np.stack(list(columns.values()), axis=1)
+    np.savetxt(path, rows, delimiter=",", header=",".join(columns), comments="")
+    return str(path)
+
+
+def test_a_forced_oscillation_is_told_and_drawn(tmp_path, capsys):
+    v = 3.0 * OMEGA * np.cos(OMEGA * T)
+    force = 1500 * 3.0 * OMEGA**2 * np.sin(OMEGA * T) - 40.0 * v - 25.0 * v * np.abs(v)
+    path = written(tmp_path / "forced.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=force)
+    assert cli.main(["damping", path, "--plot", str(tmp_path / "f.png")]) == 0
+    told = capsys.readouterr().out
+    assert "added mass 1500 t" in told and "B1 = 40 kN s/m, B2 = 25 kN s²/m²" in told
+    assert (tmp_path / "f.png").stat().st_size > 5000
+
+
+def test_a_free_decay_is_told_with_its_mass(tmp_path, capsys):
+    ratio = 0.04
+    turn = OMEGA * np.sqrt(1 - ratio**2)
+    path = written(tmp_path / "decay.csv", time_s=T, motion_m=2.0 * np.exp(-ratio * OMEGA * T) * np.cos(turn * T))
+    assert cli.main(["damping", path, "--mass", "5000"]) == 0
+    told = capsys.readouterr().out
+    assert "natural period 50 s" in told and "(4 % of critical)" in told
+    assert f"B1 = {2 * ratio * OMEGA * 5000:.5g}"[:11] in told
+
+
+@pytest.mark.parametrize(
+    "text, flags, says",
+    [
+        ("t,x\n0,0\n", [], "allowed: the columns time_s, motion_m"),
+        ("time_s,motion_m\n0,a\n", [], "row 1: motion_m is 'a'; allowed: a number"),
+        ("time_s,motion_m\n0,1\n1,2\n", [], "the record has 2 times"),
+        ("time_s,motion_m\n0,1\n1,2\n", ["--mass", "-1"], "--mass is -1; allowed: above 0"),
+        ("time_s,motion_m\n0,1\n1,2\n", ["--plot", "f.txt"], "has the suffix '.txt'"),
+    ],
+)
+def test_a_wrong_record_is_one_line_and_status_2(text, flags, says, tmp_path, capsys):
+    path = tmp_path / "record.csv"
+    path.write_text(text)
+    assert cli.main(["damping", str(path), *flags]) == 2
+    told = capsys.readouterr()
+    assert says in told.err and told.err.count("\n") == 1 and not told.out
