@@ -160,13 +160,9 @@ class SinglePoint:
             return self._one(place, R, 0, near)[1]
         found, refused = [], None
         first = int((R.T @ (self.origin - place))[1] * (self.ends[0, 1] - self.ends[1, 1]) < 0)
-        for attempt in (
-            self._both,
-            lambda *at: self._one(*at, first, near),
-            lambda *at: self._one(*at, 1 - first, near),
-        ):
+        for which in (None, first, 1 - first):
             try:
-                found.append(attempt(place, R))
+                found.append(self._both(place, R) if which is None else self._one(place, R, which, near))
             except SinglePointError as error:  # beyond reach: the buoy lies elsewhere
                 refused = error
             if found and found[-1][0] == 0.0:

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def series(
-    which: Literal["single-point", "dolphin"],
+    which: Literal["single-point", "appendix-2", "dolphin"],
     /,
     *,
     output: Annotated[Path, Parameter(help="folder, made if it is not there")] = Path("series"),
@@ -21,9 +21,16 @@ def series(
     """A design series of the SR179 report (1982) made again: table beside its prints, charts, its statements.
 
     single-point: floaters A and B on six to eighteen chains, contact and intermediate buoy, Tables 3.6.5.3 to 3.6.5.5.
+    appendix-2: the tests of model M3B at a single point, intermediate and contact buoy.
     dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method.
     A second call solves nothing; every case is kept as a study for `hakobune single-point`.
     """
+    if which == "appendix-2":
+        from .appendix_2 import make_appendix
+
+        if cases is not None or seeds != 1:
+            raise ValueError("--cases and --seeds are of single-point; allowed here: --only, --output, --fresh")
+        return make_appendix(output, only, fresh)
     if which == "dolphin":
         from .dolphin import make_series
 

@@ -29,6 +29,7 @@ SCHEMES = ("slow", "two_scale", "buoy")
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
 ALOFT = 104729  # added to the seed of the waves for that of the gusts
 MOST_SAMPLES = 1_000_000
+PATH = 400  # samples of the slow path along which wave motion is given
 MISSED = 0.05  # share of the energy of the waves
 SLOW_DRIFT = 1.2  # by which the report multiplies the tension of lines for the slow drift that it leaves out
 
@@ -68,7 +69,7 @@ def run(study, point, steady, db=None) -> Run:
         fast = 2 * np.pi / body.mean_omega / 30 if s.step is None else s.step
         record = two_scale(point, start, Steps(s.duration, s.slow_step, fast, s.waves_after), body, _wind(point, s))
     else:
-        slow = _slow(study, point, steady)
+        slow = _slow(study, point, steady, 1.0 if s.step is None else s.step)
         lines = line_tensions(point, slow.buoy)
         record = (slow.time, slow.place, slow.heading, np.zeros((len(slow.time), 6)), slow.buoy, slow.hawser, lines,
                   slow.wind_speed)  # fmt: skip
@@ -77,10 +78,9 @@ def run(study, point, steady, db=None) -> Run:
                watch_circle(place, point.origin))  # fmt: skip
 
 
-def _slow(study, point, steady):
+def _slow(study, point, steady, step):
     s = study.slewing
     start = turned_state(point, steady.state, np.radians(s.offset_deg))
-    step = 1.0 if s.step is None else s.step
     return slew(point, start, s.duration, step, tolerance=s.tolerance, wind_speed=_wind(point, s))
 
 
@@ -92,7 +92,7 @@ def _wave_body(study, db):
 def _with_buoy(study, point, steady, db):
     """Record of the body with its buoy in one equation; db : None without waves"""
     s, body, rope = study.slewing, *_buoy_and_rope(study)
-    path = _slow(study, point, steady)
+    path = _slow(study, point, steady, s.duration / PATH)
     start = turned_state(point, steady.state, np.radians(s.offset_deg))
     start[:2] = path.place[0] + (path.place[0] - steady.buoy) / np.hypot(*(path.place[0] - steady.buoy)) * (
         point.lengths.max() * rope.strain_at(steady.hawser.max())

@@ -77,3 +77,13 @@ def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
         assert file["run/line_tension"].shape == (121, 6) and np.ptp(file["run/wind_speed"][()]) > 1
     assert run(tmp_path, text + 'scheme = "two_scale"\n', monkeypatch=monkeypatch) == 2
     assert "allowed: with [waves] and --database" in capsys.readouterr().err
+
+
+def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch, capsys):
+    text = STUDY.replace("z = -3.0", "z = -3.0\nmass = 120.0\ndiameter = 8.0\nheight = 5.0")
+    text += '\n[hawser]\nlength = 25.0\n[slewing]\nduration = 100.0\nscheme = "buoy"\n'
+    assert run(tmp_path, text, monkeypatch=monkeypatch) == 2
+    assert "needs axial_stiffness" in capsys.readouterr().err
+    stiff = text.replace("length = 25.0", "length = 25.0\naxial_stiffness_kN = 2e4")
+    assert run(tmp_path, stiff, monkeypatch=monkeypatch) == 0
+    assert "hawser 1" in capsys.readouterr().out
