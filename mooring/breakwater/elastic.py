@@ -47,13 +47,23 @@ def elastic_exact(body, section, axial_stiffness):
     return ElasticMotion(*far_field(section, to_origin @ motion), motion, *(stretch @ motion))
 
 
-def _stiffness(body, axial_stiffness):
-    """Of water and lines about the centre of gravity, (3, 3), and δP of both lines, front first, of motions, (2, 3)"""
+def line_directions(body):
+    """u · J of both lines, front first, of sway, heave and roll about the centre of gravity, (2, 3)"""
+    return np.array([u @ moved for u, _, moved in _lines(body)])
+
+
+def _lines(body):
+    """Of both lines, front first: u, r, and J of motions about the centre of gravity"""
     s, c, below = np.sin(body.angle), np.cos(body.angle), body.attachment_z - body.z0
-    stiffness, stretch = np.diag([0.0, body.heave_stiffness, body.roll_stiffness]), []
     for side in (-1.0, 1.0):
         u, r = np.array([side * c, -s]), np.array([side * body.attachment, below])
-        moved = np.array([[1.0, 0.0, -r[1]], [0.0, 1.0, r[0]]])
+        yield u, r, np.array([[1.0, 0.0, -r[1]], [0.0, 1.0, r[0]]])
+
+
+def _stiffness(body, axial_stiffness):
+    """Of water and lines about the centre of gravity, (3, 3), and δP of both lines, front first, of motions, (2, 3)"""
+    stiffness, stretch = np.diag([0.0, body.heave_stiffness, body.roll_stiffness]), []
+    for u, r, moved in _lines(body):
         along, across = u @ moved, np.array([-u[1], u[0]]) @ moved
         stiffness += axial_stiffness / body.line * np.outer(along, along)
         stiffness += body.pretension / body.line * np.outer(across, across)

@@ -70,6 +70,10 @@ def _lines(study, found):
             yield f"  a line is slack in {share:.2g} of the cycles" if share > 1e-6 else "  no line goes slack"
     if found.pretension is not None:
         yield from _pretension_lines(study, found.pretension)
+    if found.snapping is not None:
+        level, period, snap = found.snapping
+        front, back = (f"{P / KN:.4g} kN/m, slack {share:.0%}" for P, share in zip(snap.peaks, snap.slack, strict=True))
+        yield f"in time, {period:.4g} s at {level} water: front snaps to {front} of the time; back to {back}"
 
 
 def _pretension_lines(study, held):

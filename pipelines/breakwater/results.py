@@ -14,7 +14,7 @@ from mooring.breakwater.transmission import Cells, equal_cells, greatest_of, sla
 from ..common.quantities import positive
 from ..common.seas import family_of, shape_of
 from .build import KN
-from .curves import curves, response
+from .curves import curves, response, sections
 from .study import periods
 
 SEA_CELLS = 120  # the height behind a circle is within 2e-4 of that of 2000
@@ -44,6 +44,14 @@ class Pretension(NamedTuple):
     most: float | None
     greatest: tuple
     slack: list
+
+
+class Snapping(NamedTuple):
+    """Lines that go slack, in time: level, period (s), `mooring.breakwater.snap.Snap`"""
+
+    level: str
+    period: float
+    found: object
 
 
 class SeaBehind(NamedTuple):
@@ -83,6 +91,7 @@ class Results(NamedTuple):
     sea: SeaBehind | None
     anchors: list
     warned: list
+    snapping: Snapping | None = None
 
 
 def results(breakwater):
@@ -100,7 +109,7 @@ def results(breakwater):
     warned = [*_breaking(breakwater, period), *left_out, *dict.fromkeys(str(w.message) for w in caught)]
     if study.lines is not None and not has_tensions:
         warned.append(f"holding {design(study)[0]} tells no tension of these lines: no pretension and no anchors")
-    return Results(period, made, tides, held, sea, rows, warned)
+    return Results(period, made, tides, held, sea, rows, warned, _snapping(breakwater, tides, held))
 
 
 def design(study):
@@ -158,6 +167,23 @@ def _pretension(breakwater, tides):
         if given is not None and sizes.goes_slack(given, -one.change, getattr(one, end))
     ]
     return Pretension(given, used, least, most, greatest, slack)
+
+
+def _snapping(breakwater, tides, held):
+    """`Snapping` at the first level where a line goes slack, at the period of its largest tension; None without"""
+    lines = breakwater.study.lines
+    if held is None or not held.slack or lines.axial_stiffness_kN is None:
+        return None
+    from mooring.breakwater.snap import snap
+
+    level, end = held.slack[0]
+    tide = next(one for one in tides if one.level == level)
+    period = getattr(tide, f"{end}_at")
+    (water,) = sections(breakwater, breakwater.wetted(tide.rise), tide.rise, 2 * np.pi / period)
+    stiffness = lines.axial_stiffness_kN * KN / lines.spacing
+    return Snapping(
+        level, period, snap(breakwater.taut(tide.rise), water, stiffness, breakwater.study.waves.height / 2)
+    )
 
 
 def spectrum_of(table, depth):

@@ -1,0 +1,140 @@
+"""Floating breakwaters by potential theory beside the tests of Kihara, Kitatani & Todoroki (1975), and their times.
+
+python tests/bench/breakwater.py [tables] [times] [snap]
+"""
+
+import csv
+import sys
+import time
+from collections import defaultdict
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT))
+
+from scipy.optimize import minimize_scalar
+
+from bem.sections.any_section import any_section, shape
+from bem.sections.coefficients import section
+from bem.sections.outline import circle, closed, rectangle
+from mooring.breakwater.body import TautBody
+from mooring.breakwater.exact import taut_exact
+from mooring.breakwater.holdings import exact_response
+from mooring.breakwater.snap import snap
+from mooring.breakwater.taut import TautRectangle
+
+WATER = {"density": 1000.0, "gravity": 9.8}
+BODY = {"half": 0.3, "draft": 0.3, "free_draft": 0.202, "depth": 0.6, "z0": -0.095, "inertia": 0.86 * 9.8,
+        "attachment": 0.3, **WATER}  # fmt: skip
+ARC = np.tan(3 * np.pi / 8)  # three quarters of a circle
+
+
+def published(name):
+    with open(ROOT / "tests" / "published" / name, encoding="utf-8") as file:
+        rows = csv.DictReader(line for line in file if line[0] != "#")
+        return [{key: float(value) for key, value in row.items()} for row in rows]
+
+
+def cut_circle(diameter):
+    """A circle without its lower quarter: three quarters of it on a flat bottom; the top, cut too, is in the air"""
+    corner = diameter / 2 * np.exp(-0.25j * np.pi)
+    return closed(np.array([corner, -corner.conjugate()]), (ARC, 0.0))
+
+
+def rectangles(angle, line, periods):
+    body = TautRectangle(angle=np.radians(angle), line=line, **BODY)
+    waters = [section(0.6, 0.3, 0.6, 2 * np.pi / T, **WATER) for T in periods]
+    return exact_response("taut", waters, body)
+
+
+def of_angle(angle):
+    """Periods and means over wave heights of transmission, front, back"""
+    by_period = defaultdict(list)
+    for row in published("breakwater_rectangle.csv"):
+        if row["angle_deg"] == angle:
+            by_period[row["period_s"]].append([row["transmission"], row["front"], row["back"]])
+    return np.array(list(by_period)), np.array([np.mean(rows, axis=0) for rows in by_period.values()])
+
+
+def tables():
+    for angle in (44, 90, 158):
+        periods, measured = of_angle(angle)
+
+        def ours(line, angle=angle, periods=periods):
+            made = rectangles(angle, line, periods)
+            return np.abs([made.transmission, made.front / (9800 * 0.3), made.back / (9800 * 0.3)]).T
+
+        def miss(line, ours=ours, measured=measured):
+            return np.sqrt(np.mean((ours(line)[:, 0] - measured[:, 0]) ** 2))
+
+        to_bed = 0.3 / np.sin(np.radians(angle))
+        fitted = minimize_scalar(miss, bounds=(0.05, 1.5), method="bounded").x if angle == 90 else to_bed
+        print(f"{angle}°: line to the bed {to_bed:.3f} m, taken {fitted:.3f} m; K_T, P_F, P_B over ρgad; measured")
+        for T, row, other in zip(periods, ours(fitted), measured, strict=True):
+            print(f"  {T:5.2f} s", *(f"{value:7.3f}" for value in (*row, *other)))
+        print(f"  root mean square of K_T's difference {miss(fitted):.3f}; with the line to the bed {miss(to_bed):.3f}")
+    print("Table 5.2, fixed: K_T, P_F, P_B over wHD, circle and cut circle; measured")
+    shapes = (circle(0.5).wetted(0.35), cut_circle(0.5).wetted(0.16 + 0.25 * np.sqrt(0.5)))
+    for row in published("breakwater_circles.csv"):
+        print(f"  {row['period_s']:5.2f} s", end="")
+        for wet, name in zip(shapes, ("circle", "cut"), strict=True):
+            water = any_section(wet, 0.6, 2 * np.pi / row["period_s"], **WATER)
+            made = exact_response("fixed", [water], None, np.pi / 4)
+            ours = [abs(made.transmission[0]), *(abs(P[0]) / 2 / 9800 / 0.5 for P in (made.front, made.back))]
+            other = [row[f"{name}_{part}"] for part in ("transmission", "front", "back")]
+            print(" ", *(f"{value:6.3f}" for value in (*ours, *other)), end="")
+        print()
+
+
+def times():
+    shapes = {"rectangle": rectangle(10, 7), "circle": circle(10), "cut circle": cut_circle(10)}
+    for name, outline in shapes.items():
+        wet = outline.wetted(5.0)
+        shape.cache_clear()
+        any_section(wet, 10.0, 0.9)
+        begin = time.process_time()
+        for omega in np.linspace(0.5, 1.5, 100):
+            any_section(wet, 10.0, omega)
+        print(f"{name}, panels: {10 * (time.process_time() - begin):.2f} ms for a period")
+    section(10.0, 5.0, 10.0, 0.8)
+    begin = time.process_time()
+    for omega in np.linspace(0.5, 1.5, 100):
+        section(10.0, 5.0, 10.0, omega)
+    print(f"rectangle, eigenfunctions: {10 * (time.process_time() - begin):.2f} ms for a period")
+    for name in ("rectangle", "circle"):
+        begin = time.process_time()
+        for draft in np.linspace(3.0, 6.0, 20):
+            wet = shapes[name].wetted(draft)
+            for T in np.linspace(4.0, 14.0, 200):
+                any_section(wet, 10.0, 2 * np.pi / T)
+        print(f"{name}, panels: {time.process_time() - begin:.1f} s for 200 periods and 20 drafts")
+
+
+def of_table_3_2(depth, draft, mass):
+    """The circle on lines at 45° towards its centre, and what is wet of it"""
+    wet, arm, z = circle(0.5).wetted(draft), 0.25 * np.sqrt(0.5), 0.25 - draft
+    return TautBody(
+        mass=mass, z0=z, inertia=0.04 * mass, area=wet.area, buoyancy_z=wet.center.imag, waterline=wet.waterline,
+        draft=draft, depth=depth, angle=np.pi / 4, attachment=arm, attachment_z=z - arm,
+        line=(depth + z - arm) * np.sqrt(2), **WATER,
+    ), wet  # fmt: skip
+
+
+def snaps():
+    (taut, deep), (loose, wet) = of_table_3_2(0.5, 0.25, 57.4), of_table_3_2(0.4, 0.15, 49.5)
+    print("Table 3.2, front P/wHD: slack by EA of 2e3, 1e4, 5e4 N per m, taut; measured slack, taut")
+    for row in published("breakwater_slack.csv"):
+        omega, unit = 2 * np.pi / row["period_s"], 9800 * 0.5
+        height = row["slack_height_cm"] / 100
+        water = any_section(wet, 0.4, omega, **WATER)
+        ours = [snap(loose, water, EA, height / 2).peaks[0] / unit / height for EA in (2e3, 1e4, 5e4)]
+        ours.append(abs(taut_exact(taut, any_section(deep, 0.5, omega, **WATER)).front) / 2 / unit)
+        other = [row[f"{k}_front"] * 9.8 / 0.235 / unit / row[f"{k}_height_cm"] * 100 for k in ("slack", "taut")]
+        print(f"  {row['period_s']:5.2f} s", *(f"{value:6.2f}" for value in (*ours, *other)))
+
+
+if __name__ == "__main__":
+    for asked in sys.argv[1:] or ("tables", "times", "snap"):
+        {"tables": tables, "times": times, "snap": snaps}[asked]()
