@@ -358,17 +358,26 @@ def _failure(state, clock, settings, scene, moored):
             f"{limit:.3g} m; take a larger one, or give it an overload stiffness"
         )
     name, tension = _tightest(scene.line_work, moored)
+    if state == integrator.NO_LINE and tension > (load := moored.system.breaking_load[_number(moored, name)]):
+        return (
+            f"{where}: line {name} pulls {tension:.3g} N, {tension / load:.2g} times its breaking load; it is lost: "
+            "take a stronger one, or weaken the loads"
+        )
     if state == integrator.NO_LINE:
         return (
             f"{where}: a line cannot reach its fairlead or its end is below the bed; lengthen it, or weaken the loads"
         )
     if state == integrator.TOO_SHORT:
-        rigid = name and not scene.lines.lines[moored.system.line_names.index(name), 2] > 0
+        rigid = name and not scene.lines.lines[_number(moored, name), 2] > 0
         way = "give it an axial stiffness" if rigid else "raise the tolerance or soften it"
         return (
             f"{where}: steps below {integrator.SHORTEST:g} s would be needed, line {name} pulls {tension:.3g} N; {way}"
         )
     return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
+
+
+def _number(moored, name):
+    return moored.system.line_names.index(name)
 
 
 def _tightest(kept, moored):

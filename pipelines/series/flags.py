@@ -9,34 +9,43 @@ from cyclopts import Parameter
 
 
 def series(
-    which: Literal["single-point", "appendix-2", "dolphin"],
+    which: Literal["single-point", "multi-point", "appendix-2", "dolphin"],
     /,
     *,
     output: Annotated[Path, Parameter(help="folder, made if it is not there")] = Path("series"),
     cases: Annotated[Path | None, Parameter(help="CSV of cases in place of the report's, with its columns")] = None,
-    only: Annotated[str | None, Parameter(help="cases a,b,c of the table")] = None,
-    seeds: Annotated[int, Parameter(help="records of waves, whose significant tensions are averaged")] = 1,
+    only: Annotated[str | None, Parameter(help="cases a,b,c of the table; multi-point: A, B-sinker, …")] = None,
+    seeds: Annotated[int, Parameter(help="records of waves, over which statistics are taken")] = 1,
+    hours: Annotated[float | None, Parameter(help="multi-point: of each run in time [3]")] = None,
     fresh: Annotated[bool, Parameter(help="replace the databases that are there", negative="")] = False,
 ):
     """A design series of the SR179 report (1982) made again: table beside its prints, charts, its statements.
 
     single-point: floaters A and B on six to eighteen chains, contact and intermediate buoy, Tables 3.6.5.3 to 3.6.5.5.
+    multi-point: A and B on chain, with a buoy or a sinker, over sea, depth, period and number of lines (section 3.5.5):
+    simplified method beside simulation, long-period motion by quick rule, spectrum and simulation.
     appendix-2: the tests of model M3B at a single point, intermediate and contact buoy.
     dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method.
-    A second call solves nothing; every case is kept as a study for `hakobune single-point`.
+    A second call makes what is not there; every case is kept as a study for `hakobune single-point`, or `simulate`.
     """
+    taken = {"single-point": {"cases", "only", "seeds"}, "multi-point": {"only", "seeds", "hours"},
+             "appendix-2": {"only"}, "dolphin": set()}  # fmt: skip
+    given = {"cases": cases, "only": only, "seeds": None if seeds == 1 else seeds, "hours": hours}
+    for name, value in given.items():
+        if value is not None and name not in taken[which]:
+            users = ", ".join(one for one, names in taken.items() if name in names)
+            raise ValueError(f"--{name} is given with {which}; allowed: with {users}")
+    if which == "multi-point":
+        from .multi_point import make_series
+
+        return make_series(output, only, seeds, 3.0 if hours is None else hours, fresh)
     if which == "appendix-2":
         from .appendix_2 import make_appendix
 
-        if cases is not None or seeds != 1:
-            raise ValueError("--cases and --seeds are of single-point; allowed here: --only, --output, --fresh")
         return make_appendix(output, only, fresh)
     if which == "dolphin":
         from .dolphin import make_series
 
-        for name, value in (("cases", cases), ("only", only), ("seeds", None if seeds == 1 else seeds)):
-            if value is not None:
-                raise ValueError(f"--{name} is given with dolphin; allowed: with single-point")
         return make_series(output, fresh)
     from .single_point import make_series
 

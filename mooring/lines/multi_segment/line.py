@@ -10,7 +10,8 @@ propagated; friction acts at bed vertices too, and only as far as equilibrium ne
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
 and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too; a
-buoy does not rise out of the sea but floats in its surface with a part of its lift.  Bending, current on the line and
+buoy does not rise out of the sea but floats in its surface with a part of its lift, or is lifted out of it by a
+fairlead that stands above.  Bending, current on the line and
 the weight of the line above water are neglected.
 """
 
@@ -170,8 +171,6 @@ class StaticLine:
             under = self.bed.depth_below(x, z)
             if not np.all(under > 0):
                 raise ValueError(f"the fairlead is {-under.min():g} m below the bed; allowed: above it")
-        if not np.all(z <= self.surface) and self.loads:
-            raise ValueError(f"line z is {z.max():g} m, above the sea surface at {self.surface:g} m; allowed: below it")
 
     def _judge(self, x, z, found, status):
         wrong = ~((found[:, 9] <= RESIDUAL) & (status != State.BEYOND_REACH))

@@ -87,23 +87,8 @@ def fill_row(row, one, A, B):
 
 
 def solution(one, A, B):
-    """StaticSolution of a Composite from A to B, (3,) m each; raises LineError or ValueError
-
-    The solver of buoys at the surface wants the upper end below it.  Where that is above, as on a deck, the line is
-    solved without a surface, and its buoys have to be under water.
-    """
-    x, z = np.hypot(B[0] - A[0], B[1] - A[1]), B[2] - A[2]
-    surface = one.line.surface
-    if z <= surface:
-        return one.line.solve(x, z)
-    found = replace(one.line, surface=np.inf).solve(x, z)
-    highest = found.at(one.buoys)[:, 1].max(initial=-np.inf) - surface
-    if highest > 0:
-        raise ValueError(
-            f"its upper end is {z - surface:.3g} m and its buoy would be {highest:.3g} m above the water; allowed: the "
-            "buoy under water, or the end"
-        )
-    return found
+    """StaticSolution of a Composite from A to B, (3,) m each; raises LineError or ValueError"""
+    return one.line.solve(np.hypot(B[0] - A[0], B[1] - A[1]), B[2] - A[2])
 
 
 def points_along(one, found, A, B, s):

@@ -9,6 +9,7 @@ import pytest
 from bem import DOFS
 from mooring.lines.catenary.state import State
 from mooring.lines.multi_segment.bed import Bed
+from mooring.lines.multi_segment.line import StaticLine
 from mooring.lines.multi_segment.segments import PointLoad, Segment
 from mooring.lines.system.equilibrium import held_at, moved, rest
 from mooring.lines.system.graph import System
@@ -198,16 +199,19 @@ def test_a_slack_line_on_a_bed_steeper_than_its_friction_is_named(friction):
     assert any("steeper than friction holds: L0;" in str(text.message) for text in said) == (friction < 0.3)
 
 
-def test_a_line_without_forces_at_its_ends_is_refused_and_one_too_short_is_marked():
-    def light(a, b):
-        return [composite("x", [(CHAIN, 250.0), (ROPE, 75.0)], a, b, [(300.0, -4e5)])]
+def test_a_floating_buoy_holds_a_fairlead_above_the_water_as_one_as_far_below():
+    """Between the buoy, in the surface, and the fairlead the line hangs as its mirror image: V + V' is its weight"""
+    upper = Segment(30.0, 4000.0, 2e9)
+    line = StaticLine((Segment(200.0, 4000.0, 2e9), upper), (PointLoad(200.0, -1e6, 1.5e5),), Bed.sloping(), 20.0)
+    above, below = line.solve(226.0, 23.0), line.solve(226.0, 17.0)
+    assert above.at(np.array([200.0]))[0, 1] == pytest.approx(20.0, abs=1e-9)
+    assert above.horizontal_fairlead == pytest.approx(below.horizontal_fairlead, rel=1e-9)
+    assert above.vertical_fairlead + below.vertical_fairlead == pytest.approx(30.0 * 4000.0, rel=1e-9)
 
-    system = three_legs(light)
-    starts, ends = rest(system).points[system.arrays.ends].swapaxes(0, 1).copy()
-    ends[0, 2] = 2.0
-    with pytest.raises(EquilibriumError, match="line x: its upper end is 2 m and its buoy would be"):
-        system.forces_between(starts, ends)
+
+def test_a_line_too_short_for_its_ends_is_marked():
     stiff = three_legs(lambda a, b: [composite("x", [(replace(CHAIN, axial_stiffness=np.inf), 320.0)], a, b)])
+    starts, ends = stiff.load().points[stiff.arrays.ends].swapaxes(0, 1).copy()
     far = starts[0] + [400.0, 0.0, 60.0]
     found = stiff.forces_between(starts, np.concatenate([far[None], ends[1:]]))
     assert found.status[0] == State.BEYOND_REACH and np.isinf(found.tension_b[0]) and np.isinf(found.utilisation[0])

@@ -1,0 +1,135 @@
+"""Long-period motion of a moored body in surge, sway and yaw, before any simulation: by a quick rule, by the spectrum.
+
+    m ẍ + N ẋ + K x = F₀ + F(t),    ω₀² = K/m,    ν = N/√(mK),    x_s = F₀/K
+
+Quick (SR179 report (1982), eq. 3.5.4.1):  σ = x_s/(2ν), with F₀ the mean drift.
+Spectrum:  σ² = ∫ S_F(ω) / {(K − mω²)² + (Nω)²} dω,  S_F of Newman's slow drift, of the
+waves themselves below the split, S|E|², and of gusts, (2F_w/U)² S_u(ω).  What subharmonics of stiffening lines and
+rectified line forces add only a simulation has: it says where the estimates fail.
+
+Each motion by itself: K is its entry of the mooring stiffness where the steady forces hold the body, m has the added
+mass of ω₀.  N = ∂F/∂ẋ of the water's drag, averaged over Gaussian velocities of waves and of the slow motion itself
+(statistical linearisation, Caughey 1963), of wave drift damping, and of radiation at ω₀.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..loads.box_current import current_force
+from ..loads.box_drag import about
+from ..motion.streams import turning_drag
+from ..response.linear import over_headings
+from ..response.sea_state import sea_state
+from ..response.seas import directions, heading_step
+from ..response.slow_drift import force_spectrum, held_beyond, signed_means
+from .wave_effects import sea_of
+
+PLANE = [0, 1, 5]
+LOWEST = 1e-3  # share of the waves' energy below the frequencies that are slow
+TURNS = 60  # of the iteration on the velocity of the slow motion
+SETTLED = 1e-6
+STILL = 1e-3  # m/s, or rad/s times the length, of a motion that has none
+
+
+class LongPeriod(NamedTuple):
+    """Of surge, sway and yaw, (3,) each: period s, nan where nothing holds the body; ν; x_s m, rad
+
+    quick, by_spectrum : standard deviations, m, rad; split : rad/s, the end of what is slow
+    """
+
+    period: np.ndarray
+    damping: np.ndarray
+    static: np.ndarray
+    quick: np.ndarray
+    by_spectrum: np.ndarray
+    split: float
+
+
+def long_period(db, hull, result, gusts=None):
+    """`LongPeriod` of a MultiPoint result in irregular waves; hull : ExposedBox; gusts : GustSpectrum, or None"""
+    conditions, body = result.conditions, db.reader.floating()
+    sea = sea_of(conditions)
+    state = sea_state(body, sea, conditions.duration)
+    split = float(sea.spectrum.quantile(LOWEST))
+    omega = np.linspace(0.0, split, 2001)[1:]
+    force = _drift_spectrum(body, sea, state.omega, omega) + _wave_spectrum(body, sea, omega)
+    if gusts is not None:
+        force += (2 * result.loads["wind"] / gusts.speed) ** 2 * gusts.density(omega)[:, None]
+    waves = np.sqrt(np.trapezoid(state.omega[:, None] ** 2 * state.spectrum[:, PLANE], state.omega, axis=0))
+    K = np.diag(result.equilibrium.stiffness)[PLANE]
+    drag = _drag_of(conditions.current, hull, db)
+    drift_damping = np.zeros((3, 2)) if state.slow.damping is None else state.slow.damping
+    rows = []
+    for j in range(3):
+        other = drift_damping[j, j] if j < 2 else 0.0
+        rows.append(_one(body, K[j], PLANE[j], omega, force[:, j], waves[j], lambda s, j=j: drag(j, s), other))
+    period, damping, spread = np.array(rows).T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        static = np.where(K > 0, np.abs(result.loads["drift"]) / K, np.nan)
+        quick = static / (2 * damping)
+    return LongPeriod(period, damping, static, quick, spread, split)
+
+
+def _one(body, K, mode, omega, force, waves, drag, other):
+    """Period, ν and σ of one motion; force : (n,) S_F at omega; waves : σ of its velocity in waves; other : N s/m"""
+    if not K > 0:
+        return np.nan, np.nan, np.nan
+    mass = body.inertia[mode, mode] + body.held_added_mass(0.0)[0, mode, mode]
+    for _ in range(3):  # the added mass of the natural frequency
+        natural = np.sqrt(K / mass)
+        mass = body.inertia[mode, mode] + body.held_added_mass(natural)[0, mode, mode]
+    natural = np.sqrt(K / mass)
+    inside = np.clip(natural, body.omega[0], body.omega[-1])
+    radiated = body.coefficients([inside])[1][0, mode, mode] * min(1.0, natural / inside)
+    slow = 0.0
+    for _ in range(TURNS):
+        N = drag(np.hypot(waves, slow)) + other + radiated
+        response = force / ((K - mass * omega**2) ** 2 + (N * omega) ** 2)
+        before, slow = slow, np.sqrt(np.trapezoid(omega**2 * response, omega))
+        if abs(slow - before) <= SETTLED * slow:
+            break
+        slow = 0.5 * (slow + before)
+    return 2 * np.pi / natural, N / np.sqrt(mass * K), np.sqrt(np.trapezoid(response, omega))
+
+
+def _drift_spectrum(body, sea, omega, difference):
+    """(d, 3) N² s/rad of Newman's slow drift at differences (d,) rad/s"""
+    heading, weights = directions(sea, omega, heading_step(body, sea, omega))
+    drift = signed_means(body.drift(omega, heading), weights)
+    coarse = np.linspace(0.0, difference[-1], 61)
+    found = force_spectrum(sea.spectrum, *held_beyond(omega, drift, sea.spectrum), coarse)
+    return np.stack([np.interp(difference, coarse, column) for column in found.T], axis=1)
+
+
+def _wave_spectrum(body, sea, omega):
+    """(d, 3) N² s/rad of the first-order waves within the stored band at omega (d,) rad/s"""
+    inside = np.linspace(body.omega[0], max(omega[-1], body.omega[0] * 1.001), 61)
+    heading, weights = directions(sea, inside)
+    squares = over_headings(np.abs(body.forces(inside, heading)[:, :, PLANE]) ** 2, weights)
+    found = np.asarray(sea.spectrum.density(inside))[:, None] * squares
+    return np.stack([np.interp(omega, inside, column, left=0.0) for column in found.T], axis=1)
+
+
+def _drag_of(current, hull, db):
+    """Function (motion 0 to 2, σ of its velocity) → E[∂F/∂ẋ] of the water's drag, N s/m or N m s"""
+    table = None if current is None else current.table
+    speed, direction = (0.0, 0.0) if current is None else (current.speed, current.direction)
+    stream = speed * np.array([np.cos(direction), np.sin(direction)])
+    nodes, weights = np.polynomial.hermite_e.hermegauss(24)
+    weights = weights / weights.sum()
+
+    def drag(mode, sigma):
+        if mode == 2:
+            return np.sqrt(8 / np.pi) * turning_drag(hull, db.density, db.water_depth, table) * sigma
+        sigma = max(sigma, STILL)
+        past = np.tile(stream, (len(nodes), 1))
+        past[:, mode] -= sigma * nodes
+        size, towards = np.hypot(*past.T), np.arctan2(past[:, 1], past[:, 0])
+        sizes = hull.length, hull.beam, hull.draft
+        force = about(current_force(size, towards, *sizes, db.density, table, db.water_depth), (0.0, 0.0), (0.0, 0.0))
+        return -float(weights @ (force[:, mode] * nodes)) / sigma
+
+    return drag
