@@ -140,7 +140,7 @@ class Breakwater:
 
     def taut(self, rise):
         """`TautBody`"""
-        body, lines, wetted = self.study.body, self.study.lines, self._mirrored(self.wetted(rise))
+        body, lines, wetted = self.study.body, self.study.lines, self.mirrored(self.wetted(rise))
         lowest = -wetted.draft
         return TautBody(
             mass=self.mass, z0=lowest + body.center_of_gravity, inertia=self.mass * body.gyration**2, area=wetted.area,
@@ -165,7 +165,7 @@ class Breakwater:
         """`FloatingBody` without lines, and its `Wetted`"""
         draft = self.outline.draft_of(self.mass / self.study.water.density)
         try:
-            wetted = self._mirrored(self.outline.wetted(draft))
+            wetted = self.mirrored(self.outline.wetted(draft))
         except OutlineError as error:
             raise StudyError(f"section afloat without lines: {error}") from None
         body = self.study.body
@@ -184,9 +184,10 @@ class Breakwater:
             return equal_area(section.diameter, draft)
         raise StudyError("theory long waves needs a rectangle or a circle; section.shape is 'outline'")
 
-    def _mirrored(self, wetted):
+    def mirrored(self, wetted):
+        """The `Wetted`, if it is its own mirror image.  Raises StudyError."""
         if not wetted.symmetric:
-            raise StudyError("section is not its own mirror image in y = 0; allowed where it moves; else holding fixed")
+            raise StudyError("section is not its own mirror image in y = 0; needed where it moves or loses head")
         return wetted
 
     def _check_clear(self):

@@ -43,13 +43,17 @@ def curves(breakwater, omega):
     return made, left_out
 
 
-def response(breakwater, holding, theory, rise, omega):
-    """`Response` at frequencies, rad/s.  Raises StudyError where a theory does not have a holding."""
+def response(breakwater, holding, theory, rise, omega, amplitude=None):
+    """`Response` at frequencies, rad/s.  Raises StudyError where a theory does not have a holding.
+
+    amplitude : m, of the waves, for what is lost; by default that of the study's regular waves
+    """
     angle = breakwater.angle
     if holding == "fixed":
         angle = angle if angle is not None and angle < np.pi / 2 else None
     if theory == THEORIES[0]:
-        return _exact(breakwater, holding, rise, omega, angle)
+        made = _exact(breakwater, holding, rise, omega, angle)
+        return _with_loss(breakwater, made, holding, rise, omega, amplitude)
     if holding not in ("fixed", "taut"):
         raise StudyError(f"theory {theory} has fixed and taut bodies only")
     half, draft = breakwater.equal_rectangle(rise)
@@ -67,6 +71,18 @@ def _exact(breakwater, holding, rise, omega, angle):
         stiffness = None if lines.axial_stiffness_kN is None else lines.axial_stiffness_kN * KN / lines.spacing
     wetted = wetted or breakwater.wetted(rise)
     return exact_response(holding, sections(breakwater, wetted, rise, omega), body, angle, stiffness)
+
+
+def _with_loss(breakwater, made, holding, rise, omega, amplitude):
+    study = breakwater.study
+    if study.loss is None:
+        return made
+    from mooring.breakwater.loss import Keel, with_loss
+
+    wetted = breakwater.afloat(rise)[1] if holding == "free" else breakwater.mirrored(breakwater.wetted(rise))
+    amplitude = study.waves.height / 2 if amplitude is None else amplitude
+    keel = Keel(wetted.waterline / 2, wetted.draft, breakwater.depth(rise), study.water.gravity)
+    return with_loss(made, study.loss.coefficient, amplitude, omega, keel)
 
 
 def sections(breakwater, wetted, rise, omega):

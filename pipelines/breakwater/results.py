@@ -9,6 +9,7 @@ import numpy as np
 
 from bem.waves import wavenumber
 from mooring.breakwater import anchors as sizes
+from mooring.breakwater.loss import GAUSSIAN
 from mooring.breakwater.transmission import Cells, equal_cells, greatest_of, slack_share
 
 from ..common.quantities import positive
@@ -198,22 +199,27 @@ def _sea(breakwater, made, tides, held):
     study = breakwater.study
     spectrum = spectrum_of(study.sea, study.water.depth)
     sea = equal_cells(spectrum, SEA_CELLS)
-    through = {}
+    amplitude, through = GAUSSIAN * sea.height / 4, {}
     for curve in made:
-        through[curve.name] = abs(response(breakwater, curve.holding, curve.theory, 0.0, sea.omega).transmission)
+        through[curve.name] = _through(breakwater, curve, sea.omega, amplitude)
     heights = {name: 4 * float(sea.deviation(K)) for name, K in through.items()}
     waves = positive("sea.duration_hours", study.sea.duration_hours) * 3600 / spectrum.T02
     if held is None:
         return SeaBehind(sea, heights, through, None, waves, None, None)
     deviations, shares = [], []
     for one in tides:
-        curve = response(breakwater, *design(study), one.rise, sea.omega)
+        curve = response(breakwater, *design(study), one.rise, sea.omega, amplitude)
         both = [float(sea.deviation(P)) for P in (curve.front, curve.back)]
         deviations.append(both)
         shares.append([slack_share(held.used + one.change, deviation) for deviation in both])
     deviation = tuple(np.max(deviations, axis=0))
     greatest = tuple(float(greatest_of(one, waves)) for one in deviation)
     return SeaBehind(sea, heights, through, deviation, waves, greatest, tuple(np.max(shares, axis=0)))
+
+
+def _through(breakwater, curve, omega, amplitude):
+    """|K_T| (m,) of a Curve"""
+    return abs(response(breakwater, curve.holding, curve.theory, 0.0, omega, amplitude).transmission)
 
 
 def _anchors(breakwater, period, held):

@@ -33,6 +33,9 @@ periods = { from = 3.5, to = 12.0, count = 60 }
 height = 2.0
 significant_period = 7.0
 
+[loss]                          # optional, of the flow under the keel, in potential flow
+coefficient = 1.5
+
 [anchors]                       # optional: sinker, common_sinker, pile, holding
 sinker = { friction = 0.3, width = 10.0, unit_weight_kN_per_m3 = 67.2 }
 ```
@@ -53,6 +56,7 @@ THEORIES = ("potential flow", "long waves")
 SHAPES = {"rectangle": ("beam", "height"), "circle": ("diameter",), "outline": ("points",)}
 MOST_PERIODS = 1000
 SHORTEST, LONGEST = 0.05, 1000.0  # s
+LARGEST_LOSS = 1e4
 
 
 class WaterTable(Table):
@@ -171,6 +175,12 @@ class AnchorsTable(Table):
     holding: HoldingTable | None = None
 
 
+class LossTable(Table):
+    """coefficient : C of the head that the flow under the keel loses, C U²/2g, in potential flow"""
+
+    coefficient: float
+
+
 class DesignTable(Table):
     """The curve that tensions and anchors are sized for"""
 
@@ -192,6 +202,7 @@ class BreakwaterStudy(Table):
     holdings: list[str] = msgspec.field(default_factory=lambda: ["fixed"])
     theories: list[str] = msgspec.field(default_factory=lambda: [THEORIES[0]])
     design: DesignTable = msgspec.field(default_factory=DesignTable)
+    loss: LossTable | None = None
     measured: str | None = None
 
 
@@ -210,6 +221,8 @@ def make_breakwater(raw):
     if study.lines is not None:
         _check_lines(study.lines)
     positive("waves.height", study.waves.height)
+    if study.loss is not None and not 0 <= study.loss.coefficient <= LARGEST_LOSS:
+        raise StudyError(f"loss.coefficient is {study.loss.coefficient:g}; allowed: 0 to {LARGEST_LOSS:g}")
     periods(study)
     _check_needs(study)
     return study

@@ -13,7 +13,9 @@ from mooring.breakwater.anchors import goes_slack
 from mooring.breakwater.body import TautBody
 from mooring.breakwater.elastic import elastic_exact
 from mooring.breakwater.exact import fixed_exact, free_exact, taut_exact
+from mooring.breakwater.holdings import exact_response
 from mooring.breakwater.long_waves import line_tensions, long_wave
+from mooring.breakwater.loss import Keel, fitted, with_loss
 from mooring.breakwater.snap import snap
 from mooring.breakwater.taut import TautRectangle
 
@@ -150,3 +152,22 @@ def test_a_circle_on_lines_towards_its_centre_is_held_as_if_it_were_fixed():
     assert abs(taut.roll) * 5 < 1e-6 and abs(taut.transmission - fixed.transmission) < 1e-6
     held = line_tensions(fixed.horizontal, fixed.vertical, np.pi / 4)
     assert [taut.front, taut.back] == pytest.approx(held, rel=1e-5)
+
+
+def test_the_energy_that_waves_lose_is_the_head_lost_times_the_discharge():
+    C, a, s, keel = 3.0, 0.05, 0.3, Keel(0.3, 0.3, 0.6, 9.8)
+    omega = 2 * np.pi / np.array(PERIODS)
+    waters = [section_at(T) for T in PERIODS]
+    for holding in ("fixed", "taut"):
+        free = exact_response(holding, waters, body_at(44))
+        lossy = with_loss(free, C, a, omega, keel)
+        k = np.array([water.k for water in waters])
+        n = 0.5 * (1 + 1.2 * k / np.sinh(1.2 * k))
+        f_B = np.sinh(k * s) / (k * s * np.cosh(0.6 * k))
+        Q = omega * n / (k * f_B) * a / 2 * (1 - (lossy.reflection - lossy.transmission) * np.exp(0.6j * k))
+        lost = 1 - abs(lossy.transmission) ** 2 - abs(lossy.reflection) ** 2
+        work = 8 / (3 * np.pi) * C * abs(Q) ** 3 / (2 * 9.8 * s**2)
+        assert np.all(lost > 0) and work == pytest.approx(lost * a**2 * n * omega / k, rel=1e-6)
+    assert with_loss(free, 0.0, a, omega, keel).transmission == pytest.approx(free.transmission, abs=1e-12)
+    found, miss = fitted(free, np.full(len(omega), a), abs(lossy.transmission), omega, keel)
+    assert found == pytest.approx(C, rel=1e-4) and miss < 1e-5

@@ -78,6 +78,18 @@ def test_lines_without_enough_pretension_are_said_to_go_slack(tmp_path, capsys):
     assert "LINES GO SLACK: front at mean water" in said and "front snaps to" in said
 
 
+def test_loss_under_the_keel_takes_from_what_is_transmitted(tmp_path, capsys):
+    behind = []
+    for coefficient in (0, 2):
+        text = RECTANGLE + f"[loss]\ncoefficient = {coefficient}\n"
+        assert run(tmp_path, text, "--output", str(tmp_path / "out.h5")) == 0
+        with h5py.File(tmp_path / "out.h5") as file:
+            behind.append(abs(file["taut/transmission"][()]))
+    assert np.all(behind[1] < behind[0])
+    assert run(tmp_path, RECTANGLE + "[loss]\ncoefficient = -1\n") == 2
+    assert "loss.coefficient is -1" in capsys.readouterr().err
+
+
 FAULTS = {
     ("angle_deg = 44.0", "angle_deg = 158.0\nattachment_height = 3.0"): "passes through the body",
     ("angle_deg = 44.0", "angle_deg = 44.0\nlength = 8.0"): "to the bed at 44° it is 7.198 m",
