@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 COUNT = 720  # half a degree; tables of coefficients have nodes every 5° or more
+SCAN = 360  # of a search for zeros; where the spline is too coarse the exact function decides
 TOUCH = 1e-3  # of the largest value: crests as near to 0 as that are searched on the exact function
 
 
@@ -42,7 +43,7 @@ class Ring:
         return self.spline(np.mod(angle, 2 * np.pi))
 
 
-def zeros(function, count=COUNT):
+def zeros(function, count=SCAN):
     """Rising angles (k,) in 0 … 2π at which a smooth periodic function is 0.
 
     function : callable of angles (n,) rad → (n,); where it is 0 all the way round there are none

@@ -59,9 +59,9 @@ def single_point(study_path, database, output, picture):
     maps = _maps(study, raw, folder, db, (study_path, output), console)
     written += maps
     for line in findings(study, made, found):
-        console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True)
+        console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
     for path in written:
-        console.print(f"written: {path}", highlight=False, soft_wrap=True)
+        console.print(f"written: {path}", highlight=False, soft_wrap=True, markup=False)
     return 0
 
 
@@ -80,7 +80,7 @@ def _maps(study, raw, folder, db, names, console):
         if found.failed:
             console.print(
                 f"warning: {found.failed} of {found.growth.size} places have no answer: {found.reason}",
-                style="yellow", highlight=False, soft_wrap=True,
+                style="yellow", highlight=False, soft_wrap=True, markup=False,
             )  # fmt: skip
     return paths
 

@@ -18,7 +18,7 @@ def show(console, study, made, found):
     best = preferred(found)
     console.print(_lines_table(best, study.allowable))
     for line in words(study, made, best):
-        console.print(line, highlight=False, soft_wrap=True)
+        console.print(line, highlight=False, soft_wrap=True, markup=False)
 
 
 def preferred(found):

@@ -167,7 +167,7 @@ def show(console, run: Run):
         table.add_row(name, *(f"{value / TONF:.4g}" for value in values))
     console.print(table)
     for line in words(run):
-        console.print(line, highlight=False, soft_wrap=True)
+        console.print(line, highlight=False, soft_wrap=True, markup=False)
 
 
 def datasets(run: Run):

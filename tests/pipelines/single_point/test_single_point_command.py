@@ -87,3 +87,36 @@ def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch,
     stiff = text.replace("length = 25.0", "length = 25.0\naxial_stiffness_kN = 2e4")
     assert run(tmp_path, stiff, monkeypatch=monkeypatch) == 0
     assert "hawser 1" in capsys.readouterr().out
+
+
+TANKER = """# area_x = 6000.0
+# area_y = 6000.0
+# length = 300.0
+angle,CX,CY,CN
+"""
+SHIP = (  # of the box's study: sizes, water and lines of a ship, and its own coefficients
+    ("length = 100.0", "length = 300.0"),
+    ("x = 50.0", "x = 150.0"),
+    ("draft = 10.0\n", "draft = 20.0\n"),
+    ("depth = 14.0", "depth = 60.0"),
+    ("length = 150.0", "length = 900.0"),
+    ("top_tension_tonf = 15.0", "top_tension_tonf = 40.0"),
+    ("turning = { beam_over_draft = 10.0 }", 'file = "tanker.csv"'),
+    ("incidence_deg = 30.0", "incidence_deg = 0.0"),
+    ("speed_knots = 1.5", "speed_knots = 3.0"),
+)
+
+
+def test_a_slender_ship_with_its_own_coefficients_does_not_lie_still_in_a_current(tmp_path, monkeypatch, capsys):
+    """Cross flow sideways, a moment that turns it broadside: head on it is no equilibrium that lasts"""
+    a = np.radians(np.arange(0, 181, 10))
+    columns = np.round([0.03 * np.cos(a), 0.6 * np.sin(a) ** 2, -0.055 * np.sin(2 * a)], 6).T + 0.0
+    rows = [f"{angle:.0f},{','.join(map(str, row))}" for angle, row in zip(np.degrees(a), columns, strict=True)]
+    (tmp_path / "tanker.csv").write_text(TANKER + "\n".join(rows) + "\n")
+    text = STUDY[: STUDY.index("[wind]")] + STUDY[STUDY.index("[current]") : STUDY.index("[waves]")]
+    for old, new in SHIP:
+        assert old in text
+        text = text.replace(old, new)
+    assert run(tmp_path, text + "\n[hawser]\nlength = 100.0\n", monkeypatch=monkeypatch) == 0
+    said = capsys.readouterr().out
+    assert "no heading is stable: the body slews; see the growth over hawser and attachment with [[maps]]" in said
