@@ -1,6 +1,6 @@
 """Floating breakwaters by potential theory beside the tests of Kihara, Kitatani & Todoroki (1975), and their times.
 
-python tests/bench/breakwater.py [tables] [times] [snap] [loss]
+python tests/bench/breakwater.py [tables] [times] [snap] [loss] [length]
 """
 
 import csv
@@ -16,6 +16,8 @@ sys.path.insert(0, str(ROOT))
 
 from scipy.optimize import minimize_scalar
 
+from bem.frequency import solve_frequency
+from bem.methods.shape_problem import ShapeProblem
 from bem.sections.any_section import any_section, shape
 from bem.sections.coefficients import section
 from bem.sections.outline import circle, closed, rectangle
@@ -131,6 +133,22 @@ def _print_fit(name, made, amplitude, measured, T, keel):
     print(f"{name}: C {C:.2f}, root mean square of K_T's difference {before:.3f} without, {after:.3f} with loss")
 
 
+def lengths():
+    """Boxes of 10 x 5 m in 10 m of water, beam sea, by the contour method, per metre beside their section"""
+    omega = 0.9
+    there = section(10.0, 5.0, 10.0, omega)
+    whole = there.added_mass + 1j * there.damping / omega
+    print("length, m: relative difference of A + iB/ω in sway, heave, roll; of the forces")
+    for length in (50.0, 100.0, 200.0, 400.0, 800.0):
+        sizes = (length, 10.0, 5.0)
+        body = ShapeProblem(method="contour", shape="box", sizes=sizes, depth=10.0, tolerance=1e-4).prepared()
+        made = solve_frequency(body, omega, [np.pi / 2], {"added_mass", "radiation_damping", "excitation_force"})
+        box = (made["added_mass"] + 1j * made["radiation_damping"] / omega).diagonal()[1:4] / length
+        force = made["excitation_force"][0][1:4] / length
+        misses = np.append(abs(box / whole.diagonal() - 1), abs(force / there.excitation - 1))
+        print(f"  {length:5.0f}", *(f"{miss:9.5f}" for miss in misses))
+
+
 def of_table_3_2(depth, draft, mass):
     """The circle on lines at 45° towards its centre, and what is wet of it"""
     wet, arm, z = circle(0.5).wetted(draft), 0.25 * np.sqrt(0.5), 0.25 - draft
@@ -155,5 +173,5 @@ def snaps():
 
 
 if __name__ == "__main__":
-    for asked in sys.argv[1:] or ("tables", "times", "snap", "loss"):
-        {"tables": tables, "times": times, "snap": snaps, "loss": losses}[asked]()
+    for asked in sys.argv[1:] or ("tables", "times", "snap", "loss", "length"):
+        {"tables": tables, "times": times, "snap": snaps, "loss": losses, "length": lengths}[asked]()

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from bem.frequency import solve_frequency
+from bem.methods.shape_problem import ShapeProblem
 from bem.sections.any_section import any_section, section_flow
 from bem.sections.coefficients import section
 from bem.sections.outline import circle, closed, rectangle
@@ -76,3 +78,17 @@ def test_what_it_cannot_solve_is_refused():
     for depth, omega, words in ((5.0, 1.0, "above the draft"), (10.0, 0.0, "above 0"), (500.0, 9.0, "panels at this")):
         with pytest.raises(ValueError, match=words):
             any_section(wet, depth, omega)
+
+
+def test_a_long_box_comes_to_its_section_per_metre_as_one_over_its_length():
+    wet, misses = rectangle(10, 7).wetted(5.0), []
+    there = any_section(wet, 10.0, 0.9)
+    for length in (100.0, 200.0, 400.0):
+        body = ShapeProblem(method="contour", shape="box", sizes=(length, 10.0, 5.0), depth=10.0).prepared()
+        made = solve_frequency(body, 0.9, [np.pi / 2], {"added_mass", "radiation_damping", "excitation_force"})
+        sway = made["added_mass"][1, 1] + 1j * made["radiation_damping"][1, 1] / 0.9
+        section_sway = there.added_mass[0, 0] + 1j * there.damping[0, 0] / 0.9
+        force = made["excitation_force"][0][1]
+        misses.append([abs(sway / length - section_sway), abs(force / length - there.excitation[0])])
+    orders = -np.diff(np.log2(misses), axis=0)
+    assert np.all(abs(orders - 1) < 0.15), orders
