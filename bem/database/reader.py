@@ -122,6 +122,12 @@ class Reader:
             _known(name, self.between.quantities[name])
         return replace(self, viscous=None, own=self.own and not self.viscous)
 
+    def without_drift(self):
+        """The same body with its motions alone, as one held unsymmetrically, whose drift has no mirror images"""
+        left_out = (*DRIFT, "kochin_diffraction")
+        kept = {name: values for name, values in self.between.quantities.items() if name not in left_out}
+        return replace(self, between=replace(self.between, quantities=kept))
+
     def critical_damping(self, mode):
         """2√(C (M + A)) of one mode alone (0 … 5), A at its own natural frequency, held outside the stored ones.
 

@@ -23,7 +23,8 @@ from .slow_drift import force_spectrum, held_beyond, signed_means
 from .wave_drift_damping import drift_and_damping, mean_damping
 
 TINY = 1e-6  # of the largest standard deviation of its unit: rounding of what symmetry makes zero
-DIFFERENCES = np.linspace(0.0, 0.2, 81)  # rad/s, of the spectrum of the slow force
+SLOWEST = 0.2, 100.0  # rad/s to which the spectrum of the slow force goes, of a hull of that length, m
+STEPS = 80
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,13 +200,25 @@ def slow_forces(body, sea, omega, heading, weights) -> SlowForces:
     except BetweenError:
         value, damping = body.drift(omega, heading), None
     inside, beyond = mean_drift(body, sea, omega, value, weights)
+    difference = differences(body)
     return SlowForces(
         inside + beyond.sum(axis=0),
         beyond,
-        DIFFERENCES,
-        force_spectrum(sea.spectrum, *held_beyond(omega, signed_means(value, weights), sea.spectrum), DIFFERENCES),
+        difference,
+        force_spectrum(sea.spectrum, *held_beyond(omega, signed_means(value, weights), sea.spectrum), difference),
         damping,
     )
+
+
+def differences(body):
+    """(d,) rad/s of the spectrum of the slow force: to 0.2 for a hull of 100 m, by Froude's law for others, and to
+    three times the natural frequency of surge, sway and yaw where the body is held"""
+    high = SLOWEST[0] * np.sqrt(SLOWEST[1] / body.between.length * body.gravity / 9.80665)
+    for mode in (0, 1, 5):
+        if body.stiffness[mode, mode] > 0:
+            mass = body.inertia[mode, mode] + body.held_added_mass(high)[0, mode, mode]
+            high = max(high, 3 * np.sqrt(body.stiffness[mode, mode] / mass))
+    return np.linspace(0.0, high, STEPS + 1)
 
 
 def _without_rounding(found, units):

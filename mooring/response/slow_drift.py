@@ -113,14 +113,40 @@ def force_spectrum(spectrum, omega, drift, difference):
     """
     omega, drift = np.asarray(omega, float), np.asarray(drift, float)
     parts = signed_means(drift[:, None]) if drift.ndim == 2 else drift
-    first = parts.reshape(len(omega), -1) * np.asarray(spectrum.density(omega))[:, None]
+    result = _over_pairs(spectrum, omega, parts.reshape(len(omega), -1), difference)
+    return result.reshape(len(result), 2, -1).sum(axis=1)
+
+
+def signed_products(drift, weights=(1.0,)):
+    """(q, 4, 3, 3) means over the headings of √(D_a D_b) of the parts of D_a and D_b of either sign
+
+    In the order ++, +−, −+, −−; drift : (q, p, 3); weights : (p,) or (q, p) shares of the energy per heading
+    """
+    roots = [np.sqrt(np.maximum(sign * drift, 0.0)) for sign in (1, -1)]
+    pairs = [np.einsum("qpa,qpb->qpab", a, b) for a in roots for b in roots]
+    return np.stack([over_headings(pair, weights) for pair in pairs], axis=1)
+
+
+def cross_spectrum(spectrum, omega, products, difference):
+    """(d, 3, 3) spectral densities of slow forces and of each two of them; products : `signed_products` at omega
+
+    In phase: T_ij of two forces in one pair of waves have no lag by Newman's rule.  Its diagonal is `force_spectrum`.
+    """
+    omega = np.asarray(omega, float)
+    found = _over_pairs(spectrum, omega, products.reshape(len(omega), -1), difference).reshape(-1, 4, 3, 3)
+    return np.einsum("s,dsab->dab", [1.0, -1.0, -1.0, 1.0], found)
+
+
+def _over_pairs(spectrum, omega, values, difference):
+    """(d, c) 8 ∫ S(ω) S(ω + Δω) v(ω) v(ω + Δω) dω of values (q, c)"""
+    first = values * np.asarray(spectrum.density(omega))[:, None]
     result = np.zeros((len(np.atleast_1d(difference)), first.shape[1]))
     for i, step in enumerate(np.atleast_1d(difference)):
         other = omega + step
         second = np.where(other <= omega[-1], spectrum.density(other), 0.0)[:, None]
-        D = np.stack([np.interp(other, omega, column) for column in parts.reshape(len(omega), -1).T], axis=-1)
-        result[i] = 8 * np.trapezoid(first * second * D, omega, axis=0)
-    return result.reshape(len(result), 2, -1).sum(axis=1)
+        v = np.stack([np.interp(other, omega, column) for column in values.T], axis=-1)
+        result[i] = 8 * np.trapezoid(first * second * v, omega, axis=0)
+    return result
 
 
 def held_beyond(omega, drift, spectrum):

@@ -17,6 +17,9 @@ def response(
     /,
     *,
     database: Path,
+    moored: Annotated[
+        Path | None, Parameter(help="mooring study (TOML): its lines, wind and current hold the body")
+    ] = None,
     output: Annotated[Path | None, Parameter(help=".csv or .h5")] = None,
     plot: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
 ):
@@ -33,12 +36,14 @@ def response(
     from .study import files_of, read_response_study
 
     read, text = read_response_study(study)
-    _check_places(output, plot, study, database, *files_of(read, study.parent))
+    if moored is not None and read.climate:
+        raise StudyError("--moored is given with [climate]; allowed: with [sea]")
+    _check_places(output, plot, study, database, *files_of(read, study.parent), *([moored] if moored else []))
     if read.sea:
         check_effort(read)
     db = open_database(database)
     points = read.places(db)
-    body = read.restrained(db.reader.floating())
+    body = db.reader.floating() if moored else read.restrained(db.reader.floating())
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         if db.has_viscous_motions and read.body.viscous is None:
@@ -47,10 +52,17 @@ def response(
                 "give it to the study as body.viscous", stacklevel=2
             )  # fmt: skip
         try:
-            result = _in_sea(read, body, db, points, study) if read.sea else _in_climate(read, body, points, study)
+            if moored is not None:
+                held = _moored(read, db, points, study, moored)
+                result = held.motion.fast
+            else:
+                held = None
+                result = _in_sea(read, body, db, points, study) if read.sea else _in_climate(read, body, points, study)
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
-    warned = [str(w.message) for w in caught] + list(result.warnings)
+    warned = list(
+        dict.fromkeys([str(w.message) for w in caught] + list(held.motion.warnings if held else result.warnings))
+    )
     if read.keel is not None and abs(read.keel.tide - read.keel.extra_draft) > FAR_FROM_DEPTH * gap_of(db):
         warned.append(
             f"tide and extra draft change the water under the keel by {read.keel.tide - read.keel.extra_draft:.3g} of "
@@ -59,7 +71,7 @@ def response(
     found = resonances(body)
     warned += resonance_lines([one for one in found if underdamped(one)])
     noted = resonance_lines([one for one in found if not underdamped(one)])
-    _write(read, result, body.radius, points, (noted, warned), text, database, output, plot)
+    _write(read, result, body.radius, points, (noted, warned), text, database, output, plot, held)
     return 0
 
 
@@ -91,6 +103,17 @@ def _in_sea(read, body, db, points, study):
     return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
 
 
+def _moored(read, db, points, study, path):
+    from ..common.first_use import tell_first_use
+    from ..common.quantities import positive
+    from .moored import moored
+    from .study import sea_of
+
+    tell_first_use()
+    sea = sea_of(read.sea, study, db.water_depth)
+    return moored(path, read, db, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
+
+
 def _in_climate(read, body, points, study):
     from ..common.quantities import StudyError
 
@@ -106,7 +129,7 @@ def _in_climate(read, body, points, study):
     return climate(body, **given, points=points)
 
 
-def _write(read, result, radius, points, said, text, database, output, plot):
+def _write(read, result, radius, points, said, text, database, output, plot, held=None):
     from . import output as response_output
     from . import report as response_report
 
@@ -114,16 +137,16 @@ def _write(read, result, radius, points, said, text, database, output, plot):
     rows = response_report.sea_rows(result) if read.sea else response_report.climate_rows(result, years)
     noted, warned = said
     warned = [*warned, *response_report.turned(rows)]
-    lines = response_report.notes(result, radius, years) + noted
+    lines = response_report.notes(result, radius, years) + noted + list(held.notes if held else ())
     if output is not None and output.suffix == ".csv":
-        response_output.write_csv(output, rows, lines + warned)
+        response_output.write_csv(output, rows, [*lines, *(held.csv() if held else ()), *warned])
     elif output is not None:
-        response_output.write_h5(output, result, rows, text, database, warned)
+        response_output.write_h5(output, result, rows, text, database, warned, held.datasets() if held else {})
     if plot is not None:
         from .plot import draw
 
         draw(result, plot)
-    response_report.show(rows, points, lines, warned, [path for path in (output, plot) if path])
+    response_report.show(rows, points, lines, warned, [path for path in (output, plot) if path], held)
 
 
 def _check_places(output, plot, *inputs):

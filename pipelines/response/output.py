@@ -23,8 +23,8 @@ def write_csv(path, rows, notes):
     write_sealed(path, "\n".join(lines) + "\n")
 
 
-def write_h5(path, result, rows, text, database, warned):
-    """Write a SeaState or a Climate with the table of Rows."""
+def write_h5(path, result, rows, text, database, warned, more):
+    """Write a SeaState or a Climate with the table of Rows; more : {name: (value, unit)} beside them."""
     import h5py
 
     from bem.database.file import beside
@@ -37,7 +37,7 @@ def write_h5(path, result, rows, text, database, warned):
         file.attrs["warnings"] = "\n".join(warned)
         for name, words in (("names", result.names), ("units", result.units)):
             file.create_dataset(f"response/{name}", data=words, dtype=h5py.string_dtype())
-        for name, (value, unit) in _values(result).items():
+        for name, (value, unit) in (_values(result) | more).items():
             file.create_dataset(name, data=np.asarray(value, float)).attrs["units"] = unit
         table = file.create_dataset("table", data=rows.values)
         table.attrs["columns"], table.attrs["rows"] = list(rows.columns), rows.names

@@ -88,8 +88,8 @@ def notes(result, radius, years=None):
     return [*lines, *_gaps_in_years(result, years), *_keel_in_years(result, years)]
 
 
-def show(rows, points, lines, warned, written):
-    """Print the table, lines of `notes`, warnings and the names of the files written."""
+def show(rows, points, lines, warned, written, held=None):
+    """Print the table, that of a `moored.Moored`, lines of `notes`, warnings and the names of the files written."""
     from rich.box import SIMPLE
     from rich.console import Console
     from rich.table import Table
@@ -104,6 +104,8 @@ def show(rows, points, lines, warned, written):
             table.add_row(f"{label}, {rows.units[i]}", *(f"{value:.3g}" for value in rows.values[i]))
         whole = Console(width=WIDEST).measure(table).maximum  # where lines are shorter they wrap: no number is cut
         (console if whole <= console.width else Console(width=whole)).print(table)
+    if held is not None:
+        held.show(console)
     for line in lines:
         console.print(line, highlight=False, soft_wrap=True)
     for text in warned:

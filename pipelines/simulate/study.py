@@ -20,11 +20,11 @@ from pathlib import Path
 import numpy as np
 
 from bem import DOFS
-from mooring.environment import gusts
 from mooring.motion.weather import Settings, Weather
 from mooring.response.seas import energy_outside
 
-from ..common.quantities import StudyError, positive, speed
+from ..common.quantities import StudyError, positive
+from ..moor.gusts import gusts_of
 from ..moor.study import SimulationTable
 from ..response.study import damping_of
 
@@ -33,9 +33,6 @@ MOST_SEEDS, FEWEST, MOST_SAMPLES = 10_000, 8, 2_000_000
 MOST_COMPONENTS = 100_000
 MISSED = 0.01  # share of the energy outside the stored frequencies that is not named; above MOST_MISSED refused
 MOST_MISSED = 0.25
-GUSTS = {"davenport": ("surface_drag",), "hino": ("surface_drag", "gust_height", "gust_exponent"),
-         "npd": ("gust_height",), "kaimal": ("gust_height", "gust_intensity")}  # fmt: skip
-GUST_DEFAULTS = {"surface_drag": 0.003, "gust_height": 10.0, "gust_exponent": 1 / 7, "gust_intensity": 0.12}
 
 
 @dataclass(frozen=True)
@@ -195,20 +192,3 @@ def _outside(spectrum, omega):
     if below + above > MOST_MISSED:
         raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %; {way_out}")
     return (f"{text} and is left out; {way_out}",)
-
-
-def gusts_of(table):
-    """The GustSpectrum of a WindTable, None without.  Raises StudyError."""
-    if table is None or table.gusts is None:
-        return None
-    if table.gusts not in GUSTS:
-        raise StudyError(f"wind.gusts is {table.gusts!r}; allowed: {', '.join(GUSTS)}")
-    for name in GUST_DEFAULTS:
-        if getattr(table, name) is not None and name not in GUSTS[table.gusts]:
-            raise StudyError(f"wind.{name} is given for {table.gusts}; allowed: {', '.join(GUSTS[table.gusts])}")
-    given = [getattr(table, name) for name in GUSTS[table.gusts]]
-    values = [GUST_DEFAULTS[n] if v is None else v for n, v in zip(GUSTS[table.gusts], given, strict=True)]
-    try:
-        return getattr(gusts, table.gusts)(speed("wind", table), *values)
-    except ValueError as error:
-        raise StudyError(f"wind.gusts: {error}") from None

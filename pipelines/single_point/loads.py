@@ -29,8 +29,8 @@ from mooring.studies.conditions import ExposedBox
 
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
+from ..moor.gusts import gusts_of
 from ..moor.study import coefficients_of, sea_of
-from ..simulate.study import gusts_of
 
 MIDDLE = (0.0, 0.0)
 ONE_OF = "allowed: one of turning, coefficients, file"

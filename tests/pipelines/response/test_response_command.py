@@ -275,3 +275,42 @@ def test_water_under_the_keel_is_that_of_tide_and_draft(folder, capsys):
     Path("study.toml").write_text(study.replace("-1.5", "-9.6"))
     assert main(["response", "study.toml", "--database", "box.h5"]) == 2
     assert "there is -0.1 m of water at rest, depth 20, tide -9.6, extra draft 0.5 m" in capsys.readouterr().err
+
+
+MOORING = """
+[water]
+depth = 20.0
+[hull]
+freeboard = 10.0
+[types.chain]
+weight_kg_per_m = 406.0
+axial_stiffness_tonf = 221700.0
+breaking_load_tonf = 1700.0
+[[spreads]]
+type = "chain"
+length = 260.0
+corner_headings_deg = [30, 60]
+pretension_tonf = 40.0
+[wind]
+speed = 20.0
+incidence_deg = 180.0
+gusts = "davenport"
+"""
+
+
+def test_a_body_on_lines_has_its_slow_motion_beside_that_of_the_waves(folder, capsys):
+    Path("moor.toml").write_text(MOORING)
+    damped = "[body]\ndamping_ratio = { surge = 0.05, sway = 0.05, yaw = 0.05 }\n[[points]]"
+    Path("study.toml").write_text(STUDY.replace("[[points]]", damped, 1))
+    words = ["response", "study.toml", "--database", "box.h5", "--moored", "moor.toml"]
+    assert main([*words, "--output", "out.h5"]) == 0
+    said = capsys.readouterr().out
+    assert "moored, mean and slow motion" in said and "moored by 8 lines of moor.toml: steady forces Fx" in said
+    assert "gusts of" in said and "mean drift: Fx" in said and "air gap at stern" in said
+    with h5py.File("out.h5") as file:
+        assert {"offset", "natural_period", "motion_spectrum", "largest"} <= set(file["moored"])
+        slow, fast = file["moored/slow_deviation"][0], file["moored/wave_deviation"][0]
+        assert file["moored/largest"][0] > abs(file["moored/offset"][0]) + 2 * np.hypot(slow, fast)
+    Path("study.toml").write_text(STUDY)
+    assert main(words) == 2
+    assert "slow yaw has damping 0, of the waves' drift and the study" in " ".join(capsys.readouterr().err.split())

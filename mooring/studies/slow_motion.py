@@ -1,0 +1,270 @@
+"""A moored body in a sea, in the frequency domain: its slow motion, that of the waves, and both together.
+
+    {−Ω²[M + A(Ω)] − iΩ[B_D + B′] + C + K} x(Ω) = F(Ω),    S_x = H S_F H*,    σ² = ∫ S_x dΩ
+
+K is the stiffness of the lines where the steady forces leave the body, B_D the wave drift damping, B′ what the study
+adds.  F is slow drift by Newman's rule with its cross spectra (`response.slow_drift`), and gusts, F̄ (1 + 2u/U), in
+phase over the hull.  Radiation damps nothing so slow, and lines in statics neither: their drag and the hull's are B′.
+Beside it two estimates of a mode alone, of its stiffness C, damping N and ν = N/N_critical:
+
+    σ ≈ √(π S_F(ω_n) / 2NC)  a flat spectrum,        x ≈ x_s / 2ν  a force that beats at ω_n, x_s = σ_F/C
+
+Waves move the held body as `response.sea_state` has it.  Slow drift is a quadratic form of the waves and far from
+Gaussian: with independent complex normal z_j
+
+    x = Σ_j λ_j |z_j|²,    λ the eigenvalues of  Q_il = H(ω_i − ω_l) √(D_i D_l) 2√(S_i S_l) Δω
+
+(Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  With f the density of the sum, from its
+characteristic function, levels are crossed f(x) σ_ẋ/√2π times a second.  Its largest value in head seas is a third
+above that of a Gaussian of the same variance.  The rule beside it (DNV-OS-E301, chapter 2, section 2) is the larger of
+slow significant + fast largest and slow largest + fast significant, both Gaussian.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from ..response.extremes import EULER, expected_maximum
+from ..response.linear import frequencies
+from ..response.sea_state import TINY, differences, sea_state
+from ..response.seas import directions, heading_step
+from ..response.slow_drift import cross_spectrum, held_beyond, signed_means, signed_products
+from .natural_periods import natural_periods
+
+PLANE = [0, 1, 5]
+NAMES = ("surge", "sway", "yaw")
+ABOUT = 60  # frequencies on either side of a resonance, to some widths from it
+FEWEST_WAVES, MOST_WAVES = 100, 500  # of the quadratic form, two within the half width of a resonance where possible
+REACH, POINTS = 30.0, 8192  # deviations, and points over twice that many, of the density of the motion
+SIGNIFICANT = 2.0  # amplitude over deviation, of a narrow spectrum
+NEAR = 1.5  # a natural period within this factor of a period of waves is named
+
+
+class SlowMotion(NamedTuple):
+    """Of surge, sway and yaw (3,), m, m, rad: mean offset, deviations of slow motion and of that of the waves, with
+    mean zero-crossing periods s; drift_share : of the slow variance, the rest gusts; period s, ratio of damping to
+    critical of each mode; estimates (3, 2) of the deviation, flat spectrum and beating force; largest : of all
+    together, and rule : DNV's, both expected and from rest
+
+    omega (d,) rad/s; force (d, 3, 3) and spectrum (d, 3) of the slow force and motion; fast : `SeaState` of the held
+    body, with the slow forces on the free one; duration s
+    """
+
+    offset: np.ndarray
+    slow: np.ndarray
+    slow_period: np.ndarray
+    fast_sigma: np.ndarray
+    fast_period: np.ndarray
+    drift_share: np.ndarray
+    period: np.ndarray
+    ratio: np.ndarray
+    estimates: np.ndarray
+    largest: np.ndarray
+    rule: np.ndarray
+    omega: np.ndarray
+    force: np.ndarray
+    spectrum: np.ndarray
+    fast: object
+    duration: float
+    warnings: tuple
+
+
+def slow_motion(free, held, sea, duration, offset=(0.0, 0.0, 0.0), gust=None, points=()) -> SlowMotion:
+    """`SlowMotion` of a body in a Sea for `duration` s.
+
+    free : `bem.database.reader.Reader`, `floating`; held : the same restrained by lines and damping
+    offset : (3,) m, m, rad of the steady forces; gust : None, or (GustSpectrum, (3,) mean wind force N, N, N m)
+    points : `response.points.Point`s of the fast part
+    raises : ValueError without drift in the database, and for a mode without restoring or damping
+    """
+    if not free.knows_drift:
+        raise ValueError("slow motion needs mean drift in the database; run its command again with --only kochin,drift")
+    state = sea_state(free, sea, duration)
+    damping = held.damping + _drift_damping(state.slow.damping)
+    mass, stiffness = held.inertia + held.held_added_mass(0.0)[0], held.stiffness
+    modes = _modes(held, mass, damping)
+    omega = _places(held, modes)
+    drift, forms = _drift_of(free, sea, omega, modes, mass, damping, stiffness)
+    gusts = np.zeros_like(drift) if gust is None else _gust_spectrum(*gust, omega)
+    respond = _response(omega, mass, damping, stiffness)
+    spectra = [np.einsum("dij,djk,dik->di", respond, force, respond.conj()).real for force in (drift, gusts)]
+    m0, m2 = (np.trapezoid(omega[:, None] ** n * sum(spectra), omega, axis=0) for n in (0, 2))
+    seen = m0 > TINY**2 * np.array([*2 * [m0[:2].max()], m0[2]])
+    fast = replace(sea_state(held.without_drift(), sea, duration, points), slow=state.slow)
+    f0, f2 = (moment[PLANE] for moment in (fast.moments.m0, fast.moments.m2))
+    m0, m2 = np.where(seen, m0, 0.0), np.where(seen, m2, 0.0)
+    of_drift = np.trapezoid(spectra[0], omega, axis=0)
+    offset = np.asarray(offset, float)
+    return SlowMotion(
+        offset,
+        np.sqrt(m0),
+        _crossing(m0, m2),
+        np.sqrt(f0),
+        _crossing(f0, f2),
+        np.where(m0 > 0, of_drift / np.maximum(m0, 1e-300), 1.0),
+        modes.period,
+        modes.ratio,
+        _estimates(drift + gusts, omega, modes),
+        np.abs(offset) + _largest_of_forms(forms, m0 - of_drift + f0, m2 + f2, seen, duration),
+        np.abs(offset) + _rule(np.sqrt(m0), _crossing(m0, m2), np.sqrt(f0), _crossing(f0, f2), duration),
+        omega,
+        drift + gusts,
+        sum(spectra),
+        fast,
+        float(duration),
+        (*dict.fromkeys((*state.warnings, *fast.warnings)), *_flags(modes, sea)),
+    )
+
+
+class _Modes(NamedTuple):
+    """Surge, sway and yaw (3,): natural period s, stiffness, damping and its ratio to critical, each alone"""
+
+    period: np.ndarray
+    stiffness: np.ndarray
+    damping: np.ndarray
+    ratio: np.ndarray
+
+
+def _modes(held, mass, damping):
+    period = natural_periods(held).period[PLANE]
+    C, N, M = (np.diag(matrix)[PLANE] for matrix in (held.stiffness, damping, mass))
+    for i, name in enumerate(NAMES):
+        if not (np.isfinite(period[i]) and C[i] > 0):
+            raise ValueError(
+                f"{name} has no restoring by the lines; slow motion of a body that drifts away is not defined"
+            )
+        if not N[i] > 0:
+            raise ValueError(
+                f"slow {name} has damping {N[i]:.3g}, of the waves' drift and the study; allowed: above 0; give "
+                f"body.damping_ratio = {{ {name} = 0.05 }} or so for the drag of lines and hull"
+            )
+    return _Modes(period, C, N, N / (2 * np.sqrt(C * M)))
+
+
+def _drift_damping(damping):
+    """(6, 6) of wave drift damping (3, 2), None for none"""
+    full = np.zeros((6, 6))
+    if damping is not None:
+        full[np.ix_(PLANE, [0, 1])] = damping
+    return full
+
+
+def _places(held, modes):
+    """(d,) rad/s, close about each resonance"""
+    natural = 2 * np.pi / modes.period
+    high = max(differences(held)[-1], 3 * natural.max())
+    steps = np.sinh(np.linspace(0, np.arcsinh(100.0), ABOUT))
+    about = [
+        w * (1 + sign * max(nu, 1e-4) * steps) for w, nu in zip(natural, modes.ratio, strict=True) for sign in (-1, 1)
+    ]
+    omega = np.unique(np.concatenate([np.linspace(0, high, 121), *about]))
+    return omega[(omega >= 0) & (omega <= high)]
+
+
+def _drift_of(free, sea, difference, modes, mass, damping, stiffness):
+    """Spectra (d, 3, 3) of the slow drift force, and eigenvalues (3, n) of the quadratic forms of the slow motion"""
+    omega = frequencies(free, sea.spectrum.density)
+    heading, weights = directions(sea, omega, heading_step(free, sea, omega))
+    D = free.drift(omega, heading)
+    products = signed_products(D, weights)
+    coarse = np.linspace(0, difference[-1], 121)  # the spectrum of the force is smooth, of the motion it is not
+    found = cross_spectrum(sea.spectrum, *held_beyond(omega, products, sea.spectrum), coarse)
+    columns = [np.interp(difference, coarse, column) for column in found.reshape(len(coarse), -1).T]
+    wide, parts = held_beyond(omega, signed_means(D, weights), sea.spectrum)
+    finest = (2 * np.pi / modes.period * modes.ratio).min() / 2
+    even = np.linspace(wide[0], wide[-1], int(np.clip(np.ptp(wide) / finest, FEWEST_WAVES, MOST_WAVES)))
+    parts = np.stack([np.interp(even, wide, column) for column in parts.reshape(len(wide), -1).T], axis=-1)
+    step = even[1] - even[0]
+    root = np.sqrt(2 * sea.spectrum.density(even)[:, None] * step * parts).reshape(len(even), 2, 3)
+    respond = _response(step * np.arange(len(even)), mass, damping, stiffness)
+    forms = [_eigenvalues(respond[:, mode], root) for mode in range(3)]
+    return np.stack(columns, axis=-1).reshape(-1, 3, 3), np.array(forms)
+
+
+def _eigenvalues(respond, root):
+    """(n,) of the form Σ_b Σ_± ±H_b(ω_i − ω_l) r_ib± r_lb±; respond (n, 3) at differences, root (n, 2, 3)"""
+    n = len(root)
+    apart = np.subtract.outer(np.arange(n), np.arange(n))
+    H = np.where((apart >= 0)[..., None], respond[np.abs(apart)], respond[np.abs(apart)].conj())
+    signed = np.einsum("s,isb,lsb->ilb", [1.0, -1.0], root, root)
+    return np.linalg.eigvalsh(np.sum(H * signed, axis=-1))
+
+
+def _largest_of_forms(forms, gaussian, speed, seen, duration):
+    """(3,) expected largest distance from the mean, on the side where it is larger, of form and Gaussian together
+
+    gaussian : (3,) variance of what is; speed : (3,) variance of the velocity
+    """
+    forms = np.where(seen[:, None], forms, 0.0)
+    return np.array([_expected_largest(*one, duration) for one in zip(forms, gaussian, speed, strict=True)])
+
+
+def _expected_largest(values, gaussian, speed, duration):
+    sigma = np.sqrt(np.sum(values**2) + gaussian)
+    if not sigma > 0:
+        return 0.0
+    width = 2 * np.pi / (2 * REACH * sigma)  # of the steps of the characteristic function
+    t = width * np.arange(POINTS // 2 + 1)
+    phi = np.exp(
+        -0.5 * gaussian * t**2 - np.sum(1j * values * t[:, None] + np.log(1 - 1j * values * t[:, None]), axis=1)
+    )
+    density = np.fft.irfft(phi.conj(), POINTS) / (2 * REACH * sigma / POINTS)
+    x = np.fft.fftfreq(POINTS, 1 / POINTS) * (2 * REACH * sigma / POINTS)
+    often = duration * np.sqrt(speed / (2 * np.pi)) * density
+    return max(np.abs(x[often > np.exp(-EULER)]).max(initial=0.0), SIGNIFICANT * sigma)
+
+
+def _gust_spectrum(spectrum, force, omega):
+    slope = 2 * np.asarray(force, float) / spectrum.speed
+    return np.multiply.outer(spectrum.density(omega), np.outer(slope, slope))
+
+
+def _response(omega, mass, damping, stiffness):
+    """(d, 3, 3) motion of surge, sway, yaw by forces along them; the others follow"""
+    w = omega[:, None, None]
+    return np.linalg.inv(-(w**2) * mass - 1j * w * damping + stiffness)[:, PLANE][:, :, PLANE]
+
+
+def _estimates(force, omega, modes):
+    """(3, 2) deviation by a flat spectrum, and by a force that beats at the natural period"""
+    own = np.array([np.interp(2 * np.pi / T, omega, force[:, i, i]) for i, T in enumerate(modes.period)])
+    of_force = np.sqrt([np.trapezoid(force[:, i, i], omega) for i in range(3)])
+    flat = np.sqrt(np.pi * own / (2 * modes.damping * modes.stiffness))
+    return np.stack([flat, of_force / modes.stiffness / (2 * modes.ratio)], axis=1)
+
+
+def _crossing(m0, m2):
+    return np.where(m2 > 0, 2 * np.pi * np.sqrt(m0 / np.where(m2 > 0, m2, 1.0)), np.inf)
+
+
+def _largest(sigma, period, duration):
+    """(3,) expected maxima; of a motion with fewer than three periods in `duration`, its significant amplitude"""
+    enough = duration / period > np.e
+    period = np.where(enough, period, duration / 10)
+    return np.where(enough, expected_maximum(sigma, duration, period), SIGNIFICANT * sigma)
+
+
+def _rule(slow, slow_period, fast, fast_period, duration):
+    largest = _largest(slow, slow_period, duration), _largest(fast, fast_period, duration)
+    return np.maximum(SIGNIFICANT * slow + largest[1], largest[0] + SIGNIFICANT * fast)
+
+
+def _flags(modes, sea):
+    """Natural periods near a period of waves, and lightly damped ones"""
+    for system in getattr(sea, "systems", (sea,)):
+        peak = system.spectrum.Tp
+        near = [f"{n} {T:.4g} s" for n, T in zip(NAMES, modes.period, strict=True) if peak / NEAR < T < peak * NEAR]
+        if near:
+            yield (
+                f"natural period of {', '.join(near)} is within a factor of {NEAR:g} of the waves' peak period "
+                f"{peak:.4g} s; change the stiffness of the lines"
+            )
+    light = [f"{n} {100 * v:.2g} %" for n, v in zip(NAMES, modes.ratio, strict=True) if v < 0.02]
+    if light:
+        yield (
+            f"slow motion is lightly damped: {', '.join(light)} of critical; give the drag of lines and hull as "
+            "body.damping_ratio"
+        )
