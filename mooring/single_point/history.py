@@ -10,7 +10,7 @@ from ..lines.system.graph import Pose
 from .body import NO_POINTS, SinglePoint
 
 LAST = 1 / 3  # of a run, in which it is looked at whether the slewing stays
-STAYS = 0.02  # rad, amplitude of a slewing that stays; and the share by which it may still fall from half to half
+STAYS, KEPT = 0.02, 0.8  # rad, amplitude of a slewing that stays, and its share that is left from half to half
 SETTLED = np.radians(0.2)  # of a heading that has come to rest
 
 
@@ -53,7 +53,8 @@ def cycle(time, heading) -> Cycle:
     if len(up) > 1:
         places = t[up] - x[up] * (t[up + 1] - t[up]) / (x[up + 1] - x[up])
         period = float(np.mean(np.diff(places)))
-    return Cycle(float(amplitude), period, float(growing), bool(amplitude > STAYS and growing > 1 - STAYS * 10))
+    stays = bool(amplitude > STAYS and growing > KEPT and np.isfinite(period))
+    return Cycle(float(amplitude), period, float(growing), stays)
 
 
 def settled_after(time, heading, final):

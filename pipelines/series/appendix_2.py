@@ -40,11 +40,14 @@ PIVOT, BUOY_AREA = 2.061, 0.2 * 0.5  # m ahead of the middle, m²
 DRAFTS = {"10": (0.194, 2.36, (0.348, 0.289, 0.364)), "20": (0.097, 2.63, (0.298, 0.318, 0.350))}
 DURATION = 360.0  # s
 SCALE, SAFETY, LARGEST_KGF = 26.0, 4.0, 1.5  # to the prototype; on the largest line tension of the model
+HAWSERS = ("hawser", "hawser_kgf", "of a hawser at the bow"), ("on_buoy", "buoy_kgf", "on the buoy")
 REPORT_CHAINS = {"2": 42, "3": 36, "R3S": 32}  # mm; R3S for the report's grade 4, which has no formula there
 
 
 class Outcome(NamedTuple):
-    """Of one test: pitch, ° significant amplitude; hawser, massless : kgf significant, with the buoy's mass and without
+    """Of one test: pitch, ° significant amplitude; hawser, on_buoy : kgf significant, of one at the bow, of both
+
+    massless : kgf, on the buoy by a buoy without mass
 
     settled : s of the heading to 1° of rest, nan where it is not; slews : whether it goes on
     periods : s, of the small motions, as text
@@ -53,6 +56,7 @@ class Outcome(NamedTuple):
     row: dict
     pitch: float
     hawser: float
+    on_buoy: float
     massless: float
     settled: float
     slews: bool
@@ -160,15 +164,17 @@ def computed(row, db) -> Outcome:
         waves, contact = study.waves is not None, row["buoy"] == "contact"
         massless = np.nan
         if waves and not contact:
-            massless = _hawser(run(make_study(study_of(row, "two_scale")), point, best, db))
+            massless = _on_buoy(run(make_study(study_of(row, "two_scale")), point, best, db))
     away = np.degrees(np.abs(record.heading - best.heading))
     outside = np.flatnonzero(away > 1.0)
     last = int(outside[-1]) + 1 if len(outside) else 0
     settled = float(record.time[last]) if last < len(away) else np.nan
-    hawser = _hawser(record) if waves and not contact else np.nan
-    periods = sorted(2 * np.pi / root.imag for root in best.roots if root.imag > 1e-6)
+    hawser, both = (_hawser(record), _on_buoy(record)) if waves and not contact else (np.nan, np.nan)
+    periods = " ".join(f"{2 * np.pi / root:.0f}" for root in sorted(best.roots.imag, reverse=True) if root > 1e-6)
     pitch = pitch_amplitude(db, study.waves.height, contact) if waves else np.nan
-    return Outcome(row, pitch, hawser, massless, settled, record.cycle.stays, " ".join(f"{one:.0f}" for one in periods))
+    return Outcome(
+        row, pitch, hawser, both, massless, settled, record.cycle.stays, " ".join(f"{one:.0f}" for one in periods)
+    )
 
 
 def pitch_amplitude(db, height, contact, period=PERIOD):
@@ -195,18 +201,24 @@ def summary(found):
                 )
                 ours, measured = (2 * pairs / heights[:, None]).mean(axis=0)
                 yield f"B/d {wide}, {buoy}: σ of pitch over σ of the waves {ours:.3f} °/cm, measured {measured:.3f}"
-    pairs = _pairs(found, "hawser", "hawser_kgf")
-    if len(pairs):
-        without = np.nanmean([one.massless for one in found])
-        ours, measured = pairs.mean(axis=0)
-        yield (
-            f"significant tension of a hawser at the bow, mean of {len(pairs)} tests: {ours:.2f} kgf with the buoy's "
-            f"mass, {without:.2f} without it, measured {measured:.2f}"
-        )
+    for words, current in (("waves and current", True), ("waves alone", False)):
+        own = [one for one in found if (float(one.row["current_cm_s"]) > 0) == current]
+        yield from _hawsers(words, own)
     late = [one for one in found if np.isfinite(one.settled)]
     slewing = [one.row["case"] for one in found if one.slews]
     names = ", ".join(slewing) or "none"
     yield f"slewing that stays: {names} of {len(found)}; the heading comes to rest in {len(late)}"
+
+
+def _hawsers(words, found):
+    """Lines on the hawsers of tests, computed beside measured"""
+    for name, column, place in HAWSERS:
+        chosen = [one for one in found if _is(one, name, column)]
+        if chosen:
+            ours, measured = np.mean([(getattr(one, name), float(one.row[column])) for one in chosen], axis=0)
+            without = f", {np.mean([one.massless for one in chosen]):.2f} without its mass"
+            left = without if name == "on_buoy" else ""
+            yield f"{words}, {len(chosen)} tests: {ours:.2f} kgf {place}{left}, measured {measured:.2f}"
 
 
 def chains():
@@ -227,7 +239,7 @@ def write_table(path, found):
     table = csv.writer(out, lineterminator="\n")
     table.writerow([*found[0].row, *Outcome._fields[1:]])
     for one in found:
-        numbers = ["" if np.isnan(v) else f"{v:.4g}" for v in one[1:5]]
+        numbers = ["" if np.isnan(v) else f"{v:.4g}" for v in one[1:6]]
         table.writerow([*one.row.values(), *numbers, "yes" if one.slews else "no", one.periods])
     write_whole(path, out.getvalue().encode())
 
@@ -244,6 +256,12 @@ def _hawser(record):
     """kgf, significant, mean of the hawsers, after the first third of a run, in which the heading settles"""
     late = record.time > record.time[-1] / 3
     return float(significant(record.hawser[late], record.steady.hawser).mean()) / KGF
+
+
+def _on_buoy(record):
+    """kgf, significant, of all hawsers together"""
+    late = record.time > record.time[-1] / 3
+    return float(significant(record.hawser[late].sum(axis=1), record.steady.hawser.sum())) / KGF
 
 
 def _breaking(grade, d):
@@ -272,7 +290,8 @@ def _told(one):
     rest = "does not settle" if np.isnan(one.settled) else f"at rest in {one.settled:.0f} s"
     parts = (
         f"{row['case']:5} {row['buoy']:12} B/d {row['B_over_d']}: pitch {beside(one.pitch, 'pitch_deg', '°')}",
-        f"hawser {beside(one.hawser, 'hawser_kgf', 'kgf')}, without mass {one.massless:.2f}",
+        f"hawser {beside(one.hawser, 'hawser_kgf', 'kgf')}, on the buoy {beside(one.on_buoy, 'buoy_kgf', 'kgf')}",
+        f"without mass {one.massless:.2f}",
         f"from {row['heading_deg']}° {rest}",
         f"periods {one.periods} ({row['short_s'] or '–'}, {row['long_s'] or '–'}) s",
     )
