@@ -41,6 +41,11 @@ def breakwater(
     measured = None if read.measured is None else read_measured(Path(study).parent / read.measured)
     asked = Breakwater(read)
     found = results(asked)
+    if read.optimisation is not None:
+        from .pareto import front
+
+        with Console(stderr=True).status("designs are tried"):
+            found = found._replace(front=front(read))
     if output is not None:
         write_csv(output, read, found) if output.suffix == ".csv" else write_h5(output, text, found)
     if plot is not None:

@@ -52,6 +52,11 @@ def write_h5(path, text, found):
                 value = getattr(held, name)
                 _put(file, f"pretension/{name}", np.nan if value is None else value, "N/m")
             file["pretension"].attrs["slack"] = ", ".join(f"{end} at {level}" for level, end in held.slack)
+        if found.front is not None:
+            for name, values in zip(found.front.names, found.front.designs.T, strict=True):
+                _put(file, f"front/{name}", values, "degree" if name == "angle_deg" else "m")
+            _put(file, "front/tension", found.front.tension, "N/m")
+            _put(file, "front/behind", found.front.behind, "m, or 1 without a sea")
         for one in found.anchors:
             _put(file, f"anchors/{one.name}", one.needed, one.unit)
 

@@ -17,13 +17,16 @@ def draw(path, breakwater, found, measured):
 
     held = [curve for curve in found.curves if np.isfinite(curve.response.front).all()]
     with matplotlib.rc_context({"font.size": 9, "svg.fonttype": "none"}):
-        figure = Figure(figsize=(11, 8), layout="constrained")
-        grid = figure.subplots(2, 2)
+        wide = found.front is not None
+        figure = Figure(figsize=(16 if wide else 11, 8), layout="constrained")
+        grid = figure.subplots(2, 3 if wide else 2)
         _transmission(grid[0, 0], found, measured)
         _tensions(grid[0, 1], held, found.period, measured)
         _sea(grid[1, 0], found.sea)
         _section(grid[1, 1], breakwater)
-        for axis in grid.ravel()[:3]:
+        if wide:
+            _front(grid[:, 2], breakwater.study, found.front)
+        for axis in (*grid[0], grid[1, 0], *grid[1, 2:]):
             axis.grid(True, color="0.9", linewidth=0.6)
             axis.spines[["top", "right"]].set_visible(False)
         figure.suptitle(breakwater.study.name, x=0.01, ha="left", fontsize=11)
@@ -97,3 +100,19 @@ def _section(axis, breakwater):
         axis.axhline(rise, color="C0", linewidth=1.2 if rise == 0 else 0.6, zorder=0)
     axis.axhspan(-depth * 1.1, -depth, color="0.6", linewidth=0)
     axis.set(xlim=(-wide, wide), ylim=(-1.1 * depth, None), aspect="equal", xlabel="y  m, to leeward", ylabel="z  m")
+
+
+def _front(axes, study, front):
+    """Best designs: what is left behind over tension, and what they are, each range from 0 to 1"""
+    axes[0].plot(front.tension / KN, front.behind, "o-", color="C4", markersize=4)
+    if study.optimisation.behind is not None:
+        axes[0].axhline(study.optimisation.behind, color="C3", linewidth=0.8, label="wanted")
+        axes[0].legend(frameon=False, fontsize=8)
+    axes[0].set(xlabel="greatest tension  kN/m", ylabel="K_T, greatest" if study.sea is None else "4√m₀ behind  m")
+    axes[0].set_title(f"best of {front.trials} designs", loc="left", fontsize=9)
+    for name, values in zip(front.names, front.designs.T, strict=True):
+        low, high = getattr(study.optimisation, name)
+        label = f"{name}, {low:g} to {high:g}"
+        axes[1].plot(front.tension / KN, (values - low) / (high - low), "o-", markersize=3, linewidth=1, label=label)
+    axes[1].set(xlabel="greatest tension  kN/m", ylabel="part of the range", ylim=(-0.02, 1.25))
+    axes[1].legend(frameon=False, fontsize=8, loc="upper left")

@@ -55,8 +55,37 @@ def _tables(study, found):
         ]
         yield _table("anchors", ["", "needed", "", "provided", "used"], rows)
 
+    if found.front is not None:
+        yield _front_table(study, found.front)
+
+
+def _front_table(study, front):
+    picked = np.unique(np.linspace(0, len(front.tension) - 1, min(ROWS, len(front.tension))).round().astype(int))
+    words = {"draft": "draft, m", "width": "width, m", "angle_deg": "lines, °"}
+    behind = "K_T, greatest" if study.sea is None else "4√m₀ behind, m"
+    columns = ["greatest tension, kN/m", behind, *(words[name] for name in front.names)]
+    rows = [
+        [f"{front.tension[i] / KN:.4g}", f"{front.behind[i]:.4g}", *(f"{x:.4g}" for x in front.designs[i])]
+        for i in picked
+    ]
+    return _table(f"best of {front.trials} designs", columns, rows)
+
+
+def _wanted(study, front):
+    """The design with the least tension that leaves no more behind than is wanted"""
+    wanted = study.optimisation.behind
+    enough = [] if wanted is None else np.flatnonzero(front.behind <= wanted)
+    if wanted is not None and not len(enough):
+        yield f"NO DESIGN leaves {wanted:g} or less behind; the best leaves {front.behind.min():.4g}"
+    elif wanted is not None:
+        i = enough[0]
+        sizes = ", ".join(f"{name} {x:.4g}" for name, x in zip(front.names, front.designs[i], strict=True))
+        yield f"{wanted:g} or less behind takes at least {front.tension[i] / KN:.4g} kN/m: {sizes}"
+
 
 def _lines(study, found):
+    if found.front is not None:
+        yield from _wanted(study, found.front)
     if found.sea is not None:
         yield f"sea of H1/3 {found.sea.cells.height:.4g} m; behind the breakwater 4√m₀ is"
         for name, height in found.sea.heights.items():

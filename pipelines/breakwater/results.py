@@ -83,7 +83,7 @@ class AnchorRow(NamedTuple):
 
 
 class Results(NamedTuple):
-    """period : (n,) s; curves : list of `Curve`; tides : list of Tide, None without lines"""
+    """period : (n,) s; curves : list of `Curve`; tides : list of Tide, None without lines; front : of `pareto`"""
 
     period: np.ndarray
     curves: list
@@ -93,6 +93,7 @@ class Results(NamedTuple):
     anchors: list
     warned: list
     snapping: Snapping | None = None
+    front: object = None
 
 
 def results(breakwater):
@@ -102,9 +103,9 @@ def results(breakwater):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         made, left_out = curves(breakwater, 2 * np.pi / period)
-        tides = _tides(breakwater, period) if study.lines is not None else None
+        tides = tides_of(breakwater, period) if study.lines is not None else None
         has_tensions = tides is not None and np.isfinite(tides[0].front)
-        held = _pretension(breakwater, tides) if has_tensions else None
+        held = pretension_of(breakwater, tides) if has_tensions else None
         sea = _sea(breakwater, made, tides, held) if study.sea is not None else None
         rows = _anchors(breakwater, period, held) if held is not None else []
     warned = [*_breaking(breakwater, period), *left_out, *dict.fromkeys(str(w.message) for w in caught)]
@@ -114,7 +115,7 @@ def results(breakwater):
 
 
 def design(study):
-    """(holding, theory) that tensions are of: as given, else the last of the holdings that has lines"""
+    """(holding, theory) that tensions are of: as given, else the first of the holdings that has lines"""
     held = [holding for holding in study.holdings if holding in ("taut", "elastic")]
     return study.design.holding or (held or study.holdings)[0], study.design.theory
 
@@ -137,7 +138,7 @@ def unbroken(breakwater, period):
     return breakwater.study.waves.height <= BREAKING * 2 * np.pi / k * np.tanh(k * breakwater.depth(0.0))
 
 
-def _tides(breakwater, period):
+def tides_of(breakwater, period):
     study, stands = breakwater.study, unbroken(breakwater, period)
     if not stands.any():
         raise ValueError(f"waves.height is {study.waves.height:g} m: waves of every period break; give lower waves")
@@ -152,7 +153,7 @@ def _tides(breakwater, period):
     return made
 
 
-def _pretension(breakwater, tides):
+def pretension_of(breakwater, tides):
     lines = breakwater.study.lines
     least = max(0.0, max(sizes.pretension_needed(max(one.front, one.back), -one.change) for one in tides))
     given = breakwater.pretension(0.0)
@@ -199,13 +200,13 @@ def _sea(breakwater, made, tides, held):
     study = breakwater.study
     spectrum = spectrum_of(study.sea, study.water.depth)
     sea = equal_cells(spectrum, SEA_CELLS)
-    amplitude, through = GAUSSIAN * sea.height / 4, {}
+    amplitude, behind = GAUSSIAN * sea.height / 4, {}
     for curve in made:
-        through[curve.name] = _through(breakwater, curve, sea.omega, amplitude)
-    heights = {name: 4 * float(sea.deviation(K)) for name, K in through.items()}
+        behind[curve.name] = through(breakwater, curve, sea.omega, amplitude)
+    heights = {name: 4 * float(sea.deviation(K)) for name, K in behind.items()}
     waves = positive("sea.duration_hours", study.sea.duration_hours) * 3600 / spectrum.T02
     if held is None:
-        return SeaBehind(sea, heights, through, None, waves, None, None)
+        return SeaBehind(sea, heights, behind, None, waves, None, None)
     deviations, shares = [], []
     for one in tides:
         curve = response(breakwater, *design(study), one.rise, sea.omega, amplitude)
@@ -214,10 +215,10 @@ def _sea(breakwater, made, tides, held):
         shares.append([slack_share(held.used + one.change, deviation) for deviation in both])
     deviation = tuple(np.max(deviations, axis=0))
     greatest = tuple(float(greatest_of(one, waves)) for one in deviation)
-    return SeaBehind(sea, heights, through, deviation, waves, greatest, tuple(np.max(shares, axis=0)))
+    return SeaBehind(sea, heights, behind, deviation, waves, greatest, tuple(np.max(shares, axis=0)))
 
 
-def _through(breakwater, curve, omega, amplitude):
+def through(breakwater, curve, omega, amplitude):
     """|K_T| (m,) of a Curve"""
     return abs(response(breakwater, curve.holding, curve.theory, 0.0, omega, amplitude).transmission)
 

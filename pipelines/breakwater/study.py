@@ -36,6 +36,9 @@ significant_period = 7.0
 [loss]                          # optional, of the flow under the keel, in potential flow
 coefficient = 1.5
 
+[optimisation]                  # optional: the least wave behind for every tension
+draft = [4.0, 6.0]              # and width, angle_deg; behind = 0.8, m or K_T, that is wanted
+
 [anchors]                       # optional: sinker, common_sinker, pile, holding
 sinker = { friction = 0.3, width = 10.0, unit_weight_kN_per_m3 = 67.2 }
 ```
@@ -181,6 +184,19 @@ class LossTable(Table):
     coefficient: float
 
 
+class OptimisationTable(Table):
+    """draft, width : m, and angle_deg, from and to; samples : designs that are tried first, a power of two
+    limits : of the tension, under which the wave behind is lowered; behind : m, or K_T, that is wanted
+    """
+
+    draft: tuple[float, float] | None = None
+    width: tuple[float, float] | None = None
+    angle_deg: tuple[float, float] | None = None
+    samples: int = 64
+    limits: int = 6
+    behind: float | None = None
+
+
 class DesignTable(Table):
     """The curve that tensions and anchors are sized for"""
 
@@ -203,6 +219,7 @@ class BreakwaterStudy(Table):
     theories: list[str] = msgspec.field(default_factory=lambda: [THEORIES[0]])
     design: DesignTable = msgspec.field(default_factory=DesignTable)
     loss: LossTable | None = None
+    optimisation: OptimisationTable | None = None
     measured: str | None = None
 
 
@@ -225,6 +242,8 @@ def make_breakwater(raw):
         raise StudyError(f"loss.coefficient is {study.loss.coefficient:g}; allowed: 0 to {LARGEST_LOSS:g}")
     periods(study)
     _check_needs(study)
+    if study.optimisation is not None:
+        _check_optimisation(study)
     return study
 
 
@@ -320,3 +339,21 @@ def _check_needs(study):
         raise StudyError(f"the body's weight: {state}; allowed: one of {', '.join(weights)}")
     if not given[0].startswith("lines"):
         positive(given[0], weights[given[0]])
+
+
+def _check_optimisation(study):
+    asked = study.optimisation
+    if study.lines is None or study.lines.length is not None:
+        raise StudyError("optimisation needs [lines] to the bed, without a length")
+    if study.section.shape == "outline":
+        raise StudyError("optimisation needs a rectangle or a circle; section.shape is 'outline'")
+    ranges = {key: getattr(asked, key) for key in ("draft", "width", "angle_deg") if getattr(asked, key) is not None}
+    if not ranges:
+        raise StudyError("optimisation has no range; allowed: draft, width, angle_deg, each [from, to]")
+    for key, (first, last) in ranges.items():
+        if not 0 < first < last < np.inf:
+            raise StudyError(f"optimisation.{key} is from {first:g} to {last:g}; allowed: above 0, rising")
+    if not 4 <= asked.samples <= 4096 or asked.samples & (asked.samples - 1):
+        raise StudyError(f"optimisation.samples is {asked.samples}; allowed: a power of two from 4 to 4096")
+    if not 1 <= asked.limits <= 100:
+        raise StudyError(f"optimisation.limits is {asked.limits}; allowed: 1 to 100")

@@ -91,6 +91,30 @@ def test_loss_under_the_keel_takes_from_what_is_transmitted(tmp_path, capsys):
     assert "loss.coefficient is -1" in capsys.readouterr().err
 
 
+def test_the_best_designs_trade_tension_for_what_is_left_behind(tmp_path, capsys):
+    ranges = "[optimisation]\ndraft = [4.5, 6.5]\nwidth = [8.0, 12.0]\nsamples = 8\nlimits = 2\nbehind = 0.1\n"
+    assert run(tmp_path, RECTANGLE + ranges, "--output", str(tmp_path / "out.h5")) == 0
+    with h5py.File(tmp_path / "out.h5") as file:
+        best = {name: item[()] for name, item in file["front"].items()}
+    assert len(best["tension"]) > 1
+    assert np.all(np.diff(best["tension"]) > 0) and np.all(np.diff(best["behind"]) < 0)
+    assert np.all((best["draft"] >= 4.5) & (best["draft"] <= 6.5) & (best["width"] >= 8) & (best["width"] <= 12))
+    assert "NO DESIGN leaves 0.1 or less behind" in capsys.readouterr().out
+    # a design of the front is a study of its own: as it is printed, it transmits and pulls as is said
+    d, b = best["draft"][0], best["width"][0]
+    text = RECTANGLE.replace('"fixed", "free", "taut", "elastic"', '"taut"')
+    text = text.replace("beam = 10.0\nheight = 6.7\ndraft = 5.0", f"beam = {b}\nheight = {6.7 * d / 5}\ndraft = {d}")
+    text = text.replace(
+        "3.4\ncenter_of_gravity = 3.4\ngyration = 4.4",
+        f"{3.4 * d / 5}\ncenter_of_gravity = {3.4 * d / 5}\ngyration = {0.44 * b}",
+    )
+    text = text.replace("attachment = 5.0", f"attachment = {b / 2}")
+    assert run(tmp_path, text, "--output", str(tmp_path / "one.h5")) == 0
+    with h5py.File(tmp_path / "one.h5") as file:
+        assert max(file["pretension/greatest"][()]) == pytest.approx(best["tension"][0], rel=1e-9)
+        assert abs(file["taut/transmission"][()]).max() == pytest.approx(best["behind"][0], rel=1e-9)
+
+
 FAULTS = {
     ("angle_deg = 44.0", "angle_deg = 158.0\nattachment_height = 3.0"): "passes through the body",
     ("angle_deg = 44.0", "angle_deg = 44.0\nlength = 8.0"): "to the bed at 44° it is 7.198 m",
@@ -102,6 +126,7 @@ FAULTS = {
     ("depth = 10.0", "depth = 10.0\ntide = 2.0"): "with the water at +2 m: draft is 7 m, the section is 6.7 m high",
     ("height = 1.5", "height = 90.0"): "waves of every period break",
     ("periods = [6.0, 8.0, 10.0]", "periods = [0]"): "waves.periods has 0 s",
+    ("[waves]", "[optimisation]\ndraft = [5.0, 4.0]\n[waves]"): "optimisation.draft is from 5 to 4",
     ("axial_stiffness_kN = 1e5", ""): "lines.axial_stiffness_kN is missing",
 }
 OUTLINE = 'shape = "outline"\npoints = {}\ndraft = 2.0'
