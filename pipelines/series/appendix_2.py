@@ -172,9 +172,7 @@ def computed(row, db) -> Outcome:
     hawser, both = (_hawser(record), _on_buoy(record)) if waves and not contact else (np.nan, np.nan)
     periods = " ".join(f"{2 * np.pi / root:.0f}" for root in sorted(best.roots.imag, reverse=True) if root > 1e-6)
     pitch = pitch_amplitude(db, study.waves.height, contact) if waves else np.nan
-    return Outcome(
-        row, pitch, hawser, both, massless, settled, record.cycle.stays, " ".join(f"{one:.0f}" for one in periods)
-    )
+    return Outcome(row, pitch, hawser, both, massless, settled, record.cycle.stays, periods)
 
 
 def pitch_amplitude(db, height, contact, period=PERIOD):
