@@ -152,8 +152,8 @@ def _slow_motion(raw, database):
     from mooring.studies.long_period import long_period
 
     from ..moor.command import studied
+    from ..moor.gusts import gusts_of
     from ..moor.study import make_study
-    from ..simulate.study import gusts_of
 
     made = make_study(raw | {"waves": raw["waves"] | {"motion_factor": 1e-3}})  # lines are asked at their mean alone
     db = open_database(database)
