@@ -12,7 +12,7 @@ from mooring.breakwater import anchors as sizes
 from mooring.breakwater.loss import GAUSSIAN
 from mooring.breakwater.transmission import Cells, equal_cells, greatest_of, slack_share
 
-from ..common.quantities import positive
+from ..common.quantities import StudyError, positive
 from ..common.seas import family_of, shape_of
 from .build import KN
 from .curves import curves, response, sections
@@ -232,19 +232,32 @@ def _anchors(breakwater, period, held):
         if asked.sinker is not None:
             one = asked.sinker
             weight = sizes.sinker(tension, angle, one.friction, one.lifted)
+            _check_not_lifted(weight, tension * np.sin(angle))
             rows.append(_sinker_row(f"sinker, {end}", one, weight))
         if asked.pile is not None:
             rows.append(_pile_row(end, asked.pile, tension, angle))
         if asked.holding is not None:
             one = asked.holding
             pull = tension * positive("anchors.holding.spacing", one.spacing)
-            capacity = positive("anchors.holding.capacity_kN", one.capacity_kN) * KN / one.safety
+            capacity = (
+                positive("anchors.holding.capacity_kN", one.capacity_kN)
+                * KN
+                / positive("anchors.holding.safety", one.safety)
+            )
             rows.append(
                 AnchorRow(f"anchor, {end}", pull / KN, "kN", f"every {one.spacing:g} m", capacity / KN, pull / capacity)
             )
     if asked.common_sinker is not None:
         rows.append(_common_row(breakwater, period))
     return rows
+
+
+def _check_not_lifted(weight, pull):
+    if weight < pull:
+        raise StudyError(
+            f"anchors.sinker: the line pulls up with {pull / KN:.4g} kN/m, more than the {weight / KN:.4g} that keep "
+            "it from sliding; give lifted = true"
+        )
 
 
 def _sinker_row(name, table, weight, note=""):

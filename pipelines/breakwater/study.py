@@ -328,6 +328,8 @@ def _check_needs(study):
     if body is None:
         return
     positive("body.gyration", body.gyration)
+    if not np.isfinite(body.center_of_gravity):
+        raise StudyError(f"body.center_of_gravity is {body.center_of_gravity:g}; allowed: finite")
     weights = {
         "body.mass_t_per_m": body.mass_t_per_m,
         "body.free_draft": body.free_draft,

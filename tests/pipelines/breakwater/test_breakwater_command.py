@@ -33,6 +33,7 @@ axial_stiffness_kN = 1e5
 height = 1.5
 periods = [6.0, 8.0, 10.0]
 """
+SINKER = "[anchors]\nsinker = { friction = 0.3, width = 9.0, unit_weight_kN_per_m3 = 67.0 }\n[lines]"
 
 
 def run(folder, text, *words):
@@ -127,6 +128,8 @@ FAULTS = {
     ("height = 1.5", "height = 90.0"): "waves of every period break",
     ("periods = [6.0, 8.0, 10.0]", "periods = [0]"): "waves.periods has 0 s",
     ("[waves]", "[optimisation]\ndraft = [5.0, 4.0]\n[waves]"): "optimisation.draft is from 5 to 4",
+    ("center_of_gravity = 3.4", "center_of_gravity = nan"): "body.center_of_gravity is nan",
+    ("[lines]\nangle_deg = 44.0", f"{SINKER}\nangle_deg = 90.0"): "give lifted = true",
     ("axial_stiffness_kN = 1e5", ""): "lines.axial_stiffness_kN is missing",
 }
 OUTLINE = 'shape = "outline"\npoints = {}\ndraft = 2.0'
