@@ -25,7 +25,7 @@ from mooring.response.linear import frequencies
 from mooring.single_point.equilibria import equilibria
 from mooring.single_point.scope import significant
 
-from ..common.outputs import check_folder
+from ..common.outputs import check_folder, check_output
 from ..common.quantities import StudyError
 from ..common.units import KGF
 from ..scene.scene import make_scene
@@ -33,6 +33,7 @@ from ..single_point.running import run
 from ..single_point.study import make
 from ..single_point.tables import make_study
 from ..solve import run as solving
+from .single_point import is_table
 
 TABLE = Path(__file__).parent / "appendix_2.csv"
 LENGTH, BEAM, DEPTH, PERIOD = 3.872, 1.936, 1.2, 2.19
@@ -69,14 +70,15 @@ def make_appendix(folder, only, fresh):
 
     console = Console()
     rows = read_rows(only)
+    path = folder / "appendix_2.csv"
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
+    check_output(path, "a table of the series", is_table, (".csv",))
     databases = {wide: _database(wide, folder, fresh) for wide in sorted({row["B_over_d"] for row in rows})}
     found = []
     for row in rows:
         found.append(computed(row, databases[row["B_over_d"]]))
         console.print(_told(found[-1]), highlight=False, soft_wrap=True, markup=False)
-    path = folder / "appendix_2.csv"
     write_table(path, found)
     for line in (*summary(found), *chains()):
         console.print(line, highlight=False, soft_wrap=True, markup=False)

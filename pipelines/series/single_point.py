@@ -14,7 +14,7 @@ from meshing.whole_files import write_whole
 from mooring.single_point.equilibria import equilibria
 from mooring.single_point.scope import length_without_uplift, peak, significant
 
-from ..common.outputs import check_folder
+from ..common.outputs import check_folder, check_output, opening
 from ..common.quantities import StudyError
 from ..common.units import TONF
 from ..single_point.report import preferred
@@ -53,15 +53,16 @@ def make_series(folder, cases_path, only, seeds, fresh):
     cases = read_cases(cases_path, only)
     if not 1 <= seeds <= MOST_SEEDS:
         raise StudyError(f"--seeds is {seeds}; allowed: 1 to {MOST_SEEDS}")
+    path = folder / "single_point.csv"
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
+    check_output(path, "a table of the series", is_table, (".csv",))
     databases = solved(cases, folder, fresh, console)
     results = []
     for case in cases:
         results.append(computed(case, databases[case.database], seeds))
         write_study(case, folder)
         _tell(console, results[-1])
-    path = folder / "single_point.csv"
     write_table(path, results)
     written = [path]
     written += draw(results, folder)
@@ -131,6 +132,11 @@ def write_study(case, folder):
 
     text = f"# Case {case.name} of the SR179 report's single-point series (1982)\n\n{tomli_w.dumps(study_of(case))}"
     write_whole(folder / f"{case.name}.toml", text.encode())
+
+
+def is_table(path):
+    """Whether a file is a table of a series made here"""
+    return opening(path)[0].startswith("# hakobune series")
 
 
 def write_table(path, results):

@@ -62,3 +62,10 @@ def test_a_row_without_a_number_names_the_case(tmp_path, capsys):
     (tmp_path / "t.csv").write_text(text)
     assert cli.main(["series", "single-point", "--cases", str(tmp_path / "t.csv")]) == 2
     assert "A1: " in capsys.readouterr().err
+
+
+def test_a_table_of_somebody_else_is_not_replaced(tmp_path, capsys):
+    (tmp_path / "single_point.csv").write_text("mine\n1\n")
+    assert cli.main(["series", "single-point", "--only", "A16", "--output", str(tmp_path)]) == 2
+    assert "is not a table of the series and is not replaced" in capsys.readouterr().err
+    assert [p.name for p in tmp_path.iterdir()] == ["single_point.csv"]
