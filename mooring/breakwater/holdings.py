@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bem.waves import group_factor, wavenumber
+
 from .elastic import elastic_exact
 from .exact import fixed_exact, free_exact, taut_exact
 from .long_waves import FixedBody, fixed_body, line_tensions
@@ -28,6 +30,15 @@ class Response(NamedTuple):
     roll: np.ndarray
     front: np.ndarray
     back: np.ndarray
+
+
+def mean_drift(response, omega, depth, *, density, gravity):
+    """Mean horizontal force (n,) towards +y per amplitude squared, N/m³, from the far field (Longuet-Higgins 1977)
+
+    ½ρg n (1 + K_R² − K_T²), n = C_g/C; without losses ρg n K_R²
+    """
+    n = group_factor(wavenumber(omega, depth, gravity), depth)
+    return density * gravity * n / 2 * (1 + abs(response.reflection) ** 2 - abs(response.transmission) ** 2)
 
 
 def fixed_response(body, angle=None):

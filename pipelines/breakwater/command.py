@@ -47,7 +47,7 @@ def breakwater(
         with Console(stderr=True).status("designs are tried"):
             found = found._replace(front=front(read))
     if output is not None:
-        write_csv(output, read, found) if output.suffix == ".csv" else write_h5(output, text, found)
+        write_csv(output, read, found) if output.suffix == ".csv" else write_h5(output, asked, text, found)
     if plot is not None:
         from .picture import draw
 

@@ -6,8 +6,11 @@ import numpy as np
 
 from bem.database.results import has_schema
 from meshing.seals import write_sealed
+from mooring.breakwater.holdings import mean_drift
 
 from ..common.outputs import opening
+from .curves import sections
+from .study import THEORIES
 
 SCHEMA = "hakobune breakwater study 1"
 UNITS = {
@@ -30,8 +33,9 @@ def write_csv(path, study, found):
     write_sealed(path, "\n".join([head, ",".join(names), *rows]) + "\n")
 
 
-def write_h5(path, text, found):
-    """Write Results with the text of the study."""
+def write_h5(path, breakwater, text, found):
+    """Write Results of a `Breakwater` with the text of its study, the mean drift of every curve, and what its energy
+    and Haskind's relation of its section miss."""
     from bem.database.file import beside
 
     with beside(path) as file:
@@ -40,6 +44,15 @@ def write_h5(path, text, found):
         for curve in found.curves:
             for part, unit in UNITS.items():
                 _put(file, f"{curve.name}/{part}", getattr(curve.response, part), unit)
+            omega = 2 * np.pi / found.period
+            drift = mean_drift(curve.response, omega, breakwater.depth(0.0), **breakwater.water)
+            _put(file, f"{curve.name}/mean_drift", drift, "N/m per m2")
+            parts = (curve.response.transmission, curve.response.reflection)
+            _put(file, f"checks/energy/{curve.name}", sum(abs(part) ** 2 for part in parts) - 1, "1")
+        if THEORIES[0] in breakwater.study.theories:
+            waters = sections(breakwater, breakwater.wetted(0.0), 0.0, 2 * np.pi / found.period)
+            misses = [abs(one.haskind - one.excitation).max() / abs(one.excitation).max() for one in waters]
+            _put(file, "checks/haskind", misses, "1")
         if found.sea is not None:
             _put_sea(file, found.sea)
         for one in found.tides or []:

@@ -13,7 +13,7 @@ from mooring.breakwater.anchors import goes_slack
 from mooring.breakwater.body import TautBody
 from mooring.breakwater.elastic import elastic_exact
 from mooring.breakwater.exact import fixed_exact, free_exact, taut_exact
-from mooring.breakwater.holdings import exact_response
+from mooring.breakwater.holdings import exact_response, mean_drift
 from mooring.breakwater.long_waves import line_tensions, long_wave
 from mooring.breakwater.loss import Keel, fitted, with_loss
 from mooring.breakwater.snap import snap
@@ -51,6 +51,13 @@ def test_energy_is_kept_however_the_body_is_held(period):
     assert abs(impedance[0, 2] - impedance[2, 0]) < 1e-8 * np.sqrt(abs(impedance[0, 0] * impedance[2, 2]))
     for degrees in (44, 90, 158):
         assert energy(taut_exact(body_at(degrees), water)) == pytest.approx(1, abs=1e-8)
+
+
+def test_mean_drift_of_the_far_field_is_that_of_the_section():
+    waters = [section_at(period) for period in PERIODS]
+    made = exact_response("fixed", waters, None)
+    drift = mean_drift(made, 2 * np.pi / np.array(PERIODS), 0.6, density=1000.0, gravity=9.8)
+    assert drift == pytest.approx([water.drift for water in waters], rel=1e-6)
 
 
 def published(name):

@@ -51,6 +51,7 @@ def test_the_paper_is_followed_from_waves_to_anchors(tmp_path, capsys):
         assert file["pretension/greatest"][()] / TONNE == pytest.approx([30.4, 25.3], rel=0.05)
         assert file["pretension/least"][()] / TONNE == pytest.approx(14.6, rel=0.05)
         levels = [{name: item[()] for name, item in level.items()} for level in file["tide"].values()]
+        assert abs(file["checks/energy/fixed"][()]).max() < 1e-6 and file["checks/haskind"][()].max() < 1e-5
         margins = [file["pretension/used"][()] + one["change"] - max(one["front"], one["back"]) for one in levels]
     assert min(margins) == pytest.approx(0, abs=1e-6 * TONNE)  # the least pretension is just enough at one level
     said = capsys.readouterr().out
