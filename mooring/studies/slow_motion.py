@@ -4,7 +4,8 @@
 
 K is the stiffness of the lines where the steady forces leave the body, B_D the wave drift damping, B′ what the study
 adds.  F is slow drift by Newman's rule with its cross spectra (`response.slow_drift`), and gusts, F̄ (1 + 2u/U), in
-phase over the hull.  Radiation damps nothing so slow, and lines in statics neither: their drag and the hull's are B′.
+phase over the hull.  The drag of the hull is that of `long_period`, linearised; lines in statics damp nothing, their
+drag is B′.
 Beside it two estimates of a mode alone, of its stiffness C, damping N and ν = N/N_critical:
 
     σ ≈ √(π S_F(ω_n) / 2NC)  a flat spectrum,        x ≈ x_s / 2ν  a force that beats at ω_n, x_s = σ_F/C
@@ -72,23 +73,24 @@ class SlowMotion(NamedTuple):
     warnings: tuple
 
 
-def slow_motion(free, held, sea, duration, offset=(0.0, 0.0, 0.0), gust=None, points=()) -> SlowMotion:
+def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
     """`SlowMotion` of a body in a Sea for `duration` s.
 
     free : `bem.database.reader.Reader`, `floating`; held : the same restrained by lines and damping
-    offset : (3,) m, m, rad of the steady forces; gust : None, or (GustSpectrum, (3,) mean wind force N, N, N m)
-    points : `response.points.Point`s of the fast part
+    loads : `Loads`, None for waves alone; points : `response.points.Point`s of the fast part
     raises : ValueError without drift in the database, and for a mode without restoring or damping
     """
     if not free.knows_drift:
         raise ValueError("slow motion needs mean drift in the database; run its command again with --only kochin,drift")
-    state = sea_state(free, sea, duration)
+    loads, state = loads or Loads(), sea_state(free, sea, duration)
     damping = held.damping + _drift_damping(state.slow.damping)
+    of_drift = np.diag(_drift_damping(state.slow.damping))[PLANE]
+    damping[PLANE, PLANE] += np.maximum(np.asarray(loads.water, float) - of_drift, 0.0)
     mass, stiffness = held.inertia + held.held_added_mass(0.0)[0], held.stiffness
     modes = _modes(held, mass, damping)
     omega = _places(held, modes)
     drift, forms = _drift_of(free, sea, omega, modes, mass, damping, stiffness)
-    gusts = np.zeros_like(drift) if gust is None else _gust_spectrum(*gust, omega)
+    gusts = np.zeros_like(drift) if loads.gust is None else _gust_spectrum(*loads.gust, omega)
     respond = _response(omega, mass, damping, stiffness)
     spectra = [np.einsum("dij,djk,dik->di", respond, force, respond.conj()).real for force in (drift, gusts)]
     m0, m2 = (np.trapezoid(omega[:, None] ** n * sum(spectra), omega, axis=0) for n in (0, 2))
@@ -96,19 +98,19 @@ def slow_motion(free, held, sea, duration, offset=(0.0, 0.0, 0.0), gust=None, po
     fast = replace(sea_state(held.without_drift(), sea, duration, points), slow=state.slow)
     f0, f2 = (moment[PLANE] for moment in (fast.moments.m0, fast.moments.m2))
     m0, m2 = np.where(seen, m0, 0.0), np.where(seen, m2, 0.0)
-    of_drift = np.trapezoid(spectra[0], omega, axis=0)
-    offset = np.asarray(offset, float)
+    by_drift = np.trapezoid(spectra[0], omega, axis=0)
+    offset = np.asarray(loads.offset, float)
     return SlowMotion(
         offset,
         np.sqrt(m0),
         _crossing(m0, m2),
         np.sqrt(f0),
         _crossing(f0, f2),
-        np.where(m0 > 0, of_drift / np.maximum(m0, 1e-300), 1.0),
+        np.where(m0 > 0, by_drift / np.maximum(m0, 1e-300), 1.0),
         modes.period,
         modes.ratio,
         _estimates(drift + gusts, omega, modes),
-        np.abs(offset) + _largest_of_forms(forms, m0 - of_drift + f0, m2 + f2, seen, duration),
+        np.abs(offset) + _largest_of_forms(forms, m0 - by_drift + f0, m2 + f2, seen, duration),
         np.abs(offset) + _rule(np.sqrt(m0), _crossing(m0, m2), np.sqrt(f0), _crossing(f0, f2), duration),
         omega,
         drift + gusts,
@@ -117,6 +119,18 @@ def slow_motion(free, held, sea, duration, offset=(0.0, 0.0, 0.0), gust=None, po
         float(duration),
         (*dict.fromkeys((*state.warnings, *fast.warnings)), *_flags(modes, sea)),
     )
+
+
+class Loads(NamedTuple):
+    """offset : (3,) m, m, rad of the steady forces; gust : None, or (GustSpectrum, (3,) mean wind force N, N, N m)
+
+    water : (3,) N s/m, N m s, damping of surge, sway and yaw by the water, that of the waves' drift included, as of
+    `long_period`; what of it is beyond that of the waves' drift is added to the damping of the held body
+    """
+
+    offset: np.ndarray = np.zeros(3)
+    gust: tuple | None = None
+    water: np.ndarray = np.zeros(3)
 
 
 class _Modes(NamedTuple):

@@ -46,8 +46,9 @@ class Moored(NamedTuple):
 def moored(path, read, db, sea, duration, points):
     """`Moored` of the mooring study at `path` and a ResponseStudy.  Raises ValueError, one line."""
     from mooring.studies.conditions import Waves
+    from mooring.studies.long_period import PLANE, long_period
     from mooring.studies.multi_point import multi_point
-    from mooring.studies.slow_motion import slow_motion
+    from mooring.studies.slow_motion import Loads, slow_motion
 
     from ..moor.study import read_study
 
@@ -64,12 +65,16 @@ def moored(path, read, db, sea, duration, points):
     held = read.restrained(free.restrained(stiffness=statics.equilibrium.stiffness))
     gusts = gusts_of(study.wind)
     gust = None if gusts is None else (gusts, statics.loads["wind"])
-    found = slow_motion(free, held, sea, duration, statics.displacement, gust, points)
+    alone = long_period(db, hull, statics, gusts)
+    K = np.diag(statics.equilibrium.stiffness)[PLANE]
+    water = np.where(np.isfinite(alone.period), alone.damping * K * alone.period / (2 * np.pi), 0.0)  # ν√(mK)
+    loads = Loads(statics.displacement, gust, water)
+    found = slow_motion(free, held, sea, duration, loads, points)
     notes = [
         f"moored by {len(system.lines)} lines of {path}: steady forces Fx {statics.steady_force[0] / 1e3:.4g}, "
         f"Fy {statics.steady_force[1] / 1e3:.4g} kN, Mz {statics.steady_force[2] / 1e3:.4g} kN m; "
-        "slow drift by Newman's rule" + ("" if gust is None else f", gusts of {gusts.name}") + "; lines in statics, "
-        "their drag is body.damping_ratio"
+        "slow drift by Newman's rule" + ("" if gust is None else f", gusts of {gusts.name}") + "; drag of the hull "
+        "linearised, that of the lines left to body.damping_ratio"
     ]
     if given.waves is not None:
         notes.append(f"waves of {path} are left out: those of the response study are taken")

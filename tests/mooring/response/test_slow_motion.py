@@ -11,7 +11,7 @@ from mooring.environment.spectra import issc, jonswap
 from mooring.response.extremes import EULER, expected_maximum
 from mooring.response.sea_state import differences, sea_state
 from mooring.response.slow_drift import cross_spectrum, force_spectrum, signed_means, signed_products
-from mooring.studies.slow_motion import _drift_damping, _drift_of, _expected_largest, _modes, slow_motion
+from mooring.studies.slow_motion import Loads, _drift_damping, _drift_of, _expected_largest, _modes, slow_motion
 
 HOUR, PERIOD = 3600.0, 5400.0
 SEA = Sea(jonswap(3.0, peak_period=10.0), np.radians(30.0))
@@ -61,10 +61,10 @@ def test_slow_force_that_is_slower_than_the_body_moves_it_by_its_stiffness(box_b
 
 def test_gusts_add_their_own_variance(box_body):
     body, wind = held(box_body, 0.1), (davenport(20.0, 0.003), np.array([-3e5, -2e5, 0.0]))
-    calm, gusty = slow_motion(box_body, body, SEA, HOUR), slow_motion(box_body, body, SEA, HOUR, gust=wind)
+    calm, gusty = slow_motion(box_body, body, SEA, HOUR), slow_motion(box_body, body, SEA, HOUR, Loads(gust=wind))
     assert np.all(calm.drift_share == 1.0)
     assert np.allclose(gusty.slow[:2] ** 2 * gusty.drift_share[:2], calm.slow[:2] ** 2, rtol=1e-6)
-    twice = slow_motion(box_body, body, SEA, HOUR, gust=(wind[0], 2 * wind[1]))
+    twice = slow_motion(box_body, body, SEA, HOUR, Loads(gust=(wind[0], 2 * wind[1])))
     rest = [m.slow[0] ** 2 * (1 - m.drift_share[0]) for m in (gusty, twice)]
     assert np.isclose(rest[1], 4 * rest[0], rtol=1e-6)
 
