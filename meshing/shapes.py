@@ -86,13 +86,13 @@ def box_counts(length, beam, draft, panels=500, longest=math.inf):
     longest : m, edges are not longer, even if that takes more panels (short waves)
     """
     a, b = length / 2, beam / 2
-    return _fitted((a, b, 2 * draft), lambda n: 4 * (n[0] * n[1] + (n[0] + n[1]) * n[2]), panels,
+    return fitted_counts((a, b, 2 * draft), lambda n: 4 * (n[0] * n[1] + (n[0] + n[1]) * n[2]), panels,
                    (_most(a, longest), _most(b, longest), _most(draft, longest)))  # fmt: skip
 
 
 def buoy_counts(radius, draft, panels=500, bottom=True, longest=math.inf):
     """(n_quarter, n_radius, n_draft) for at most `panels` on the whole hull, by the rule of `box_counts`."""
-    return _fitted((radius, radius, 2 * draft), lambda n: 4 * n[0] * (n[1] * bottom + n[2]), panels,
+    return fitted_counts((radius, radius, 2 * draft), lambda n: 4 * n[0] * (n[1] * bottom + n[2]), panels,
                    (_most(radius, longest), _most(radius, longest), _most(draft, longest)))  # fmt: skip
 
 
@@ -101,7 +101,7 @@ def _most(extent, longest):
     return math.ceil(math.pi / 2 * extent / longest) if longest < math.inf else 1
 
 
-def _fitted(edges, total, panels, needed):
+def fitted_counts(edges, total, panels, needed):
     """The largest counts in proportion to the roots of `edges` whose `total` stays within `panels`.
 
     What rounding leaves unused goes to the direction that is farthest below its wish; `needed` is kept in any case.

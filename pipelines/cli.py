@@ -77,6 +77,25 @@ def buoy(
 
 
 @app.command
+def ship(
+    scene: SceneFile = None,
+    /,
+    *,
+    length: Size = None,
+    beam: Size = None,
+    draft: Size = None,
+    block: Annotated[float | None, Parameter(help="block coefficient", allow_leading_hyphen=True)] = None,
+    bow: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
+    stern: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
+    flags: SceneFlags = SceneFlags(),  # noqa: B008
+    run: RunFlags = RunFlags(),  # noqa: B008
+):
+    """The same for a ship of flat bottom, bilge, pointed bow and stern; sizes in m, with x towards the bow."""
+    form = {"block": block, "bow": bow, "stern": stern}
+    return _solve(scene, {"shape": "ship", "length": length, "beam": beam, "draft": draft, **form}, flags, run)
+
+
+@app.command
 def solve(
     scene: SceneFile = None,
     /,
@@ -196,7 +215,7 @@ def _solve(file, body, flags, run):
 
     raw = read_scene(file) if file else {}
     shape = tables_of_bodies(raw)[0].get("shape", "box")
-    if file and body.get("shape") in ("box", "buoy") and shape != body["shape"]:
+    if file and body.get("shape") in ("box", "buoy", "ship") and shape != body["shape"]:
         raise SceneError(f"{file} has a body of shape {shape!r}; allowed here: {body['shape']}, or use solve")
     name = file.stem if file else body["shape"]
     raw = overlaid(raw, flags, {key: value for key, value in body.items() if value is not None})

@@ -7,7 +7,7 @@ import signal
 import sys
 
 # commands that solve large linear systems, which more than one BLAS thread serves
-SOLVING = ("box", "buoy", "solve", "bench", "stress", "compare", "sections")
+SOLVING = ("box", "buoy", "ship", "solve", "bench", "stress", "compare", "sections")
 
 
 def main():

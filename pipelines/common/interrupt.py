@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 AGAIN, PATIENCE = 0.01, 1.0  # s, between looks at what is at work, and altogether
-STORING = ("box", "buoy", "solve", "compare", "simulate")  # into files that the same command completes
+STORING = ("box", "buoy", "ship", "solve", "compare", "simulate")  # into files that the same command completes
 
 
 def interrupted(command, arguments):

@@ -27,9 +27,9 @@ class Method(NamedTuple):
 
 
 METHODS = {
-    "panel": Method(("box", "buoy", "mesh"), wall=True, panels=True),
+    "panel": Method(("box", "buoy", "ship", "mesh"), wall=True, panels=True),
     "contour": Method(("box", "buoy"), highest_gap=100.0),  # it keeps tolerances up to there, tests/bench/tolerance.py
-    "pressure": Method(("box", "buoy", "mesh"), wall=True, panels=True, without=("added_mass_infinity",)),
+    "pressure": Method(("box", "buoy", "ship", "mesh"), wall=True, panels=True, without=("added_mass_infinity",)),
     "strip": Method(("box",), without=(*FAR_FIELD, "pressure"), without_in_deep_water=LIMITS),
     "inverse-strip": Method(("box",), without=(*FAR_FIELD, "pressure"), without_in_deep_water=LIMITS),
 }
@@ -67,7 +67,7 @@ def _chosen(scene, bed):
 def _raised_bed(scene):
     """m, the bed over which contour answers a scene of short waves alone in deep water, or None"""
     body, water = scene.body, scene.water
-    if body.shape == "mesh" or _relative_gap(scene) <= METHODS["contour"].highest_gap:
+    if body.shape in ("ship", "mesh") or _relative_gap(scene) <= METHODS["contour"].highest_gap:
         return None
     longest = wavenumber(scene.omegas()[0], water.depth, water.gravity)
     bed = raised_bed(body.shape, tuple(scene.dimensions.values()), scene.accuracy, float(longest))

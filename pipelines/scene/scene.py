@@ -21,7 +21,12 @@ from . import products
 from .methods import approach, check_method, names_given
 from .viscous_table import viscous_of
 
-SHAPES = {"box": ("length", "beam", "draft"), "buoy": ("radius", "draft"), "mesh": ("file",)}
+SHAPES = {
+    "box": ("length", "beam", "draft"),
+    "buoy": ("radius", "draft"),
+    "ship": ("length", "beam", "draft", "block"),
+    "mesh": ("file",),
+}
 FREQUENCY_KEYS = ("omegas", "periods", "xi_B", "band")
 MOST = 10_000  # frequencies or headings in one list
 CLOSEST = 2e-9  # relative in omega, rad in heading: twice of what is one and the same in a database
@@ -61,7 +66,9 @@ class Water(_Table):
 
 
 class BodyTable(_Table):
-    """shape : box, buoy (vertical cylinder) or mesh; sizes : m; file : mesh file
+    """shape : box, buoy (vertical cylinder), ship or mesh; sizes : m; file : mesh file
+
+    block : coefficient of a ship; bow, stern : fullness of its waterplane there (`meshing.ship`)
 
     center_of_gravity : m; gyration : (kxx, kyy, kzz) m about it
     mass : kg, left out: that of the displaced water
@@ -73,6 +80,9 @@ class BodyTable(_Table):
     beam: float | None = None
     draft: float | None = None
     radius: float | None = None
+    block: float | None = None
+    bow: float | None = None
+    stern: float | None = None
     file: str | None = None
     mass: float | None = None
     center_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -126,7 +136,7 @@ class Scene(_Table, dict=True):  # where derived quantities are kept
     @property
     def dimensions(self):
         """{name: m} as the shape has them"""
-        keys = SHAPES[self.body.shape] if self.body.shape != "mesh" else ()
+        keys = [key for key in SHAPES[self.body.shape] if key not in ("file", "block")]
         return {key: getattr(self.body, key) for key in keys}
 
     @property
@@ -173,7 +183,7 @@ class Scene(_Table, dict=True):  # where derived quantities are kept
         return np.sort(values)
 
     def _beam(self):
-        return self.body.beam if self.body.shape == "box" else 2 * self.body.radius
+        return self.body.beam if self.body.beam is not None else 2 * self.body.radius
 
 
 def read_scene(path):
@@ -280,8 +290,12 @@ def _check_body(scene):
             raise SceneError(f"bodies[0].{key} is missing; a {body.shape} has {', '.join(own)}")
         if key not in own and value is not None:
             raise SceneError(f"bodies[0].{key} is {value!r}; a {body.shape} has {', '.join(own)}")
-        if key in own and key != "file":
+        if key in own and key not in ("file", "block"):
             _within(f"bodies[0].{key}", value, EXTENT)
+    if body.shape == "ship":
+        _check_ship(body)
+    elif body.bow is not None or body.stern is not None:
+        raise SceneError(f"bodies[0] has a fullness of bow or stern; a {body.shape} has {', '.join(own)}")
     if body.shape != "mesh" and body.draft >= scene.water.depth:
         raise SceneError(
             f"bodies[0].draft is {body.draft} in water {scene.water.depth} m deep; allowed: below the depth"
@@ -293,6 +307,15 @@ def _check_body(scene):
     for value in body.gyration or ():
         _within("bodies[0].gyration", value, EXTENT)
     _check_point("bodies[0].center_of_gravity", body.center_of_gravity)
+
+
+def _check_ship(body):
+    from meshing.ship import ship
+
+    try:
+        ship(body.length, body.beam, body.draft, body.block, bow=body.bow, stern=body.stern, counts=(8, 2, 3))
+    except ValueError as error:
+        raise SceneError(f"bodies[0]: {error}") from None
 
 
 def _check_point(key, point):

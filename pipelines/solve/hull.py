@@ -12,11 +12,10 @@ from meshing.lid import lid
 from meshing.mirror import folded
 from meshing.panels import PanelMesh
 from meshing.quality import findings, lid_findings
-from meshing.shapes import box, buoy
 
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
-from .panel_counts import coarse_counts, fine_counts, finer_counts, meshed, sizes
+from .panel_counts import coarse_counts, fine_counts, finer_counts, meshed
 
 MOST_PANELS = 20_000
 MOST_GIVEN = 100_000  # of a mesh file, or by --panels
@@ -138,7 +137,7 @@ def finer_hull(scene):
 
 
 def _meshed(body, panels):
-    return (box if body.shape == "box" else buoy)(*sizes(body), panels=panels)
+    return meshed(body, None, panels=panels)
 
 
 def _fine_enough(scene):
@@ -156,7 +155,7 @@ def _fine_enough(scene):
 
 
 def _wetted_area(body):
-    if body.shape == "box":
+    if body.shape != "buoy":
         return body.length * body.beam + 2 * (body.length + body.beam) * body.draft
     return math.pi * body.radius * (body.radius + 2 * body.draft)
 

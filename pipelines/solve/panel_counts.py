@@ -13,12 +13,15 @@ import numpy as np
 
 from bem.checks import ERROR_ORDER
 from meshing.shapes import box, box_counts, buoy, buoy_counts
+from meshing.ship import counts_of_ship, ship, ship_counts
 
-LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3)}  # a buoy of twelve sides has a yaw of its own
+MAKERS = {"box": (box, box_counts), "buoy": (buoy, buoy_counts), "ship": (ship, ship_counts)}
+LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3), "ship": (12, 3, 3)}  # a buoy of twelve sides has a yaw of its own
 LONGEST = 7  # breadths, up to which panels across were counted
 COARSE = 0.71  # of the counts: about half as many panels
 FEWEST = 2  # in a direction of the coarse mesh
 FINER = 2**0.5  # times the counts: about twice as many panels
+SHIP = 800.0  # panels of a ship at one per cent
 TOO_CLOSE = 0.8  # of the panels: a coarse mesh that is hardly coarser gives no estimate of the error
 
 
@@ -32,7 +35,9 @@ def panels_for(body, tolerance):
     more in short waves.
     """
     most = 250.0
-    if body.shape == "box":
+    if body.shape == "ship":
+        most = SHIP
+    elif body.shape == "box":
         breadth, length = sorted((body.length, body.beam))
         rolls_easily = 1 / (1 + (5 * math.log10(breadth / (2.3 * body.draft))) ** 2)
         most = 290 + 50 * (np.clip(length / breadth, 2, LONGEST) - 2) * rolls_easily
@@ -41,9 +46,7 @@ def panels_for(body, tolerance):
 
 def fine_counts(body, tolerance, longest):
     """Counts for a tolerance with no edge above `longest` (m), and in no direction below `LEAST`"""
-    counts = (box_counts if body.shape == "box" else buoy_counts)(
-        *sizes(body), panels=panels_for(body, tolerance), longest=longest
-    )  # fmt: skip
+    counts = MAKERS[body.shape][1](*sizes(body), panels=panels_for(body, tolerance), longest=longest)
     return tuple(max(pair) for pair in zip(counts, LEAST[body.shape], strict=True))
 
 
@@ -62,6 +65,8 @@ def finer_counts(body, mesh):
 
 def counts_of(body, mesh):
     """The counts that a quarter of the hull was meshed with"""
+    if body.shape == "ship":
+        return counts_of_ship(mesh)
     levels = [len(np.unique(np.round(column / np.ptp(column), 6))) - 1 for column in mesh.points.T]
     if body.shape == "box":
         return tuple(levels)
@@ -69,16 +74,19 @@ def counts_of(body, mesh):
     return rim, len(mesh) // rim - levels[2], levels[2]
 
 
-def meshed(body, counts):
-    """PanelMesh with these counts"""
-    return (box if body.shape == "box" else buoy)(*sizes(body), counts=counts)
+def meshed(body, counts, **panels):
+    """PanelMesh with these counts, or of None with so many `panels`"""
+    form = {"block": body.block, "bow": body.bow, "stern": body.stern} if body.shape == "ship" else {}
+    return MAKERS[body.shape][0](*sizes(body), **form, counts=counts, **panels)
 
 
 def sizes(body):
     """m, as the meshes of `meshing.shapes` take them"""
-    return (body.length, body.beam, body.draft) if body.shape == "box" else (body.radius, body.draft)
+    return (body.radius, body.draft) if body.shape == "buoy" else (body.length, body.beam, body.draft)
 
 
 def _total(body, counts):
     along, across, down = counts
+    if body.shape == "ship":
+        return along * (across + down)
     return along * across + (along + across) * down if body.shape == "box" else along * (across + down)

@@ -1,0 +1,112 @@
+"""Hull of a ship from a few numbers: flat bottom, bilge, upright stem and stern, parallel middle body.
+
+    y(x, s) = f(x) Y(s),  z = Z(s):    a rectangle B/2 × d with its corner rounded by r₀, drawn in towards the ends by
+    f = 1 − tᵖ,  t the share of entrance or run from its inner to its outer end,  p = φ/(1 − φ)
+
+φ is the fullness of the waterplane of bow or stern.  With the coefficient of the middle section
+C_M = 1 − (1 − π/4) 2r₀²/(B d) the block coefficient is
+
+    C_B = C_M {1 − l [(1 − φ_b) + (1 − φ_s)]},
+
+l the share of the length of entrance and of run: LONG, from which φ = φ_b = φ_s follows, or what follows from given
+φ_b and φ_s.  Panels are graded towards both ends, the bilge and the waterline; half-breadths are scaled so that their
+volume is L B d C_B, by a factor that tends to 1 with the square of the panel size.  x points to the bow.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from .panels import structured
+
+LONG, LONGEST = 0.4, 0.5  # of the length
+FULLNESS, BLOCKS = (0.3, 0.97), (0.4, 0.95)
+BILGE = 0.25  # radius over draft, and at most over half the beam
+CORNER = 1 - math.pi / 4
+FEWEST = 8, 2, 3
+
+
+def ship(length, beam, draft, block, *, bow=None, stern=None, panels=500, counts=None, longest=math.inf):
+    """`PanelMesh` of half a ship, y ≥ 0.
+
+    length, beam, draft : m; block : C_B; bow, stern : fullness φ of entrance and run, both or neither
+    panels : at most so many on the whole hull; counts : (n_length, n_bottom, n_side) over the length, half the bottom,
+    and bilge with side, instead: 2 n_length (n_bottom + n_side) on the whole hull; longest : as for `shapes.box`
+    raises : ValueError, one line
+    """
+    for name, value in (("length", length), ("beam", beam), ("draft", draft)):
+        if not 0 < value < math.inf:
+            raise ValueError(f"{name} is {value} m; allowed: a positive length")
+    radius = BILGE * min(draft, 0.5 * beam)
+    along, bow, stern = _form(block, 1 - CORNER * 2 * radius**2 / (beam * draft), bow, stern)
+    n_length, n_bottom, n_side = counts or ship_counts(length, beam, draft, panels, longest)
+    u = np.arange(n_length + 1) / n_length
+    x = 0.5 * (u - 0.5) - 0.25 * np.cos(np.pi * u)  # a pointed end is no edge: panels half as long as evenly spaced
+    t = np.clip((np.abs(x) - (0.5 - along)) / along, 0.0, 1.0)
+    fullness = np.where(x > 0, bow, stern)
+    f = 1 - t ** (fullness / (1 - fullness))
+    f[[0, -1]] = 0.0
+    girth = _girth(n_bottom, n_side, 0.5 * beam, draft, radius)[::-1]
+    points = np.stack(np.broadcast_arrays(length * x[:, None], np.outer(f, girth[:, 0]), girth[:, 1]), axis=-1)
+    name = f"ship {length:g} x {beam:g} x {draft:g} m, block coefficient {block:g}"
+    made = replace(structured(points), symmetry="y", name=name)
+    wide = np.array([1.0, block * length * beam * draft / made.volume, 1.0])
+    return replace(made, points=made.points * wide)
+
+
+def _form(block, middle, bow, stern):
+    """Share of the length of entrance and run, and the fullness of both"""
+    if not BLOCKS[0] <= block <= BLOCKS[1]:
+        raise ValueError(f"block coefficient is {block:g}; allowed: {BLOCKS[0]:g} to {BLOCKS[1]:g}")
+    if (bow is None) != (stern is None):
+        raise ValueError("fullness of bow and stern: one is given; allowed: both or neither")
+    missing = 1 - block / middle
+    if bow is None:
+        bow = stern = 1 - missing / (2 * LONG)
+        along = LONG
+    else:
+        for name, value in (("bow", bow), ("stern", stern)):
+            if not FULLNESS[0] <= value <= FULLNESS[1]:
+                raise ValueError(f"fullness of the {name} is {value:g}; allowed: {FULLNESS[0]:g} to {FULLNESS[1]:g}")
+        along = missing / (2 - bow - stern)
+    if missing <= 0 or not 0 < along <= LONGEST or not FULLNESS[0] <= bow <= FULLNESS[1]:
+        raise ValueError(
+            f"block coefficient {block:g} with fullness {bow:g} and {stern:g} needs an entrance of "
+            f"{100 * along:.3g} % of the length; allowed: up to {100 * LONGEST:g} %"
+        )
+    return along, bow, stern
+
+
+def ship_counts(length, beam, draft, panels=500, longest=math.inf):
+    """(n_length, n_bottom, n_side) for at most `panels` on the whole hull, by the rule of `shapes.box_counts`"""
+    from .shapes import fitted_counts
+
+    most = [1 if math.isinf(longest) else math.ceil(math.pi / 2 * edge / longest) for edge in (length, beam / 2, draft)]
+    needed = tuple(max(pair) for pair in zip(FEWEST, most, strict=True))
+    return fitted_counts((4 * length, beam / 2, 2 * draft), lambda n: 2 * n[0] * (n[1] + n[2]), panels, needed)
+
+
+def counts_of_ship(mesh):
+    """The counts that a mesh of `ship` was made with"""
+    x, _, z = mesh.points.T
+    stations = np.unique(np.round(x / np.ptp(x), 7))
+    middle = np.abs(x / np.ptp(x) - stations[len(stations) // 2]) < 1e-6
+    bottom = int(np.sum(middle & (z < -(1 - 1e-6) * mesh.draft))) - 1
+    n = len(stations) - 1
+    return n, bottom, len(mesh) // n - bottom
+
+
+def _girth(n_bottom, n_side, half, draft, radius):
+    """(n_bottom + n_side + 1, 2) y, z from the keel to the waterline: bottom, bilge and side"""
+    flat = (half - radius) * np.sin(0.5 * np.pi * np.arange(n_bottom + 1) / n_bottom)
+    n_bilge = max(1, round(n_side / 3))
+    turn = 0.5 * np.pi * np.arange(1, n_bilge + 1) / n_bilge
+    bilge = np.column_stack([half - radius + radius * np.sin(turn), -draft + radius * (1 - np.cos(turn))])
+    n_wall = n_side - n_bilge
+    z = (radius - draft) * np.cos(0.5 * np.pi * np.arange(1, n_wall + 1) / n_wall)
+    z[-1] = 0.0
+    return np.concatenate([np.column_stack([flat, np.full_like(flat, -draft)]), bilge,
+                           np.column_stack([np.full(n_wall, half), z])])  # fmt: skip

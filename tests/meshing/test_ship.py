@@ -1,0 +1,82 @@
+"""Ships: volume, form, counts, what cannot be one; a ship through the panel method."""
+
+import numpy as np
+import pytest
+
+from meshing.hydrostatics import hydrostatics
+from meshing.ship import CORNER, counts_of_ship, ship
+from pipelines import cli
+from pipelines.scene.scene import SceneError, make_scene
+
+TANKER, CONTAINER, FERRY = (300.0, 50.0, 18.0, 0.83), (280.0, 40.0, 14.0, 0.62), (120.0, 20.0, 5.34, 0.55)
+
+
+@pytest.mark.parametrize("sizes", [TANKER, CONTAINER, FERRY])
+def test_volume_is_that_of_the_block_coefficient_and_the_hull_closes(sizes):
+    length, beam, draft, block = sizes
+    for panels in (200, 500, 2000):
+        made = ship(*sizes, panels=panels)
+        assert made.volume == pytest.approx(block * length * beam * draft, rel=1e-12)
+        assert 0.8 * panels < made.total <= panels and made.draft == draft
+        whole = made.whole()
+        assert np.abs(whole.area_vectors[:, :2].sum(axis=0)).max() < 1e-9 * length * beam
+        assert made.normals[:, 2].max() <= 1e-9 and np.ptp(whole.points[:, 0]) == length
+
+
+def test_beam_of_the_panels_comes_to_the_ships_at_second_order():
+    off = [np.ptp(ship(*CONTAINER, counts=(n, n // 4, n // 4)).whole().points[:, 1]) / 40.0 - 1 for n in (24, 48, 96)]
+    assert np.all(np.array(off) > 0) and np.all(np.log2(np.divide(off[:-1], off[1:])) > 1.7), off
+
+
+def test_waterplane_is_what_the_middle_section_leaves():
+    """C_W = C_B/C_M of a hull whose sections are alike"""
+    length, beam, draft, block = TANKER
+    middle = 1 - CORNER * 2 * (0.25 * draft) ** 2 / (beam * draft)
+    made = hydrostatics(ship(*TANKER, panels=4000))
+    assert made.waterplane_area == pytest.approx(block / middle * length * beam, rel=2e-3)
+    assert abs(made.center_of_buoyancy[0]) < 1e-5 * length
+
+
+def test_a_fuller_bow_moves_the_buoyancy_ahead():
+    made = hydrostatics(ship(*TANKER, bow=0.85, stern=0.65, panels=500))
+    assert made.center_of_buoyancy[0] > 0.005 * TANKER[0]
+
+
+@pytest.mark.parametrize("counts", [(8, 2, 3), (31, 4, 5), (64, 7, 11)])
+def test_counts_are_found_again_in_the_mesh(counts):
+    assert counts_of_ship(ship(*FERRY, counts=counts)) == counts
+
+
+@pytest.mark.parametrize(
+    "change, says",
+    [
+        ({"block": 0.99}, "block coefficient is 0.99; allowed: 0.4 to 0.95"),
+        ({"bow": 0.8}, "fullness of bow and stern: one is given; allowed: both or neither"),
+        ({"block": 0.5, "bow": 0.9, "stern": 0.9}, "of the length; allowed: up to 50 %"),
+        ({"block": None}, "block is missing; a ship has length, beam, draft, block"),
+        ({"shape": "box", "block": None, "bow": 0.8}, "a box has length, beam, draft"),
+    ],
+)
+def test_what_cannot_be_a_ship_is_one_line(change, says):
+    body = dict(zip(("length", "beam", "draft", "block"), CONTAINER, strict=True)) | {"shape": "ship"} | change
+    raw = {
+        "water": {"depth": 30.0},
+        "bodies": [{k: v for k, v in body.items() if v is not None}],
+        "waves": {"omegas": [0.5]},
+    }
+    with pytest.raises(SceneError) as caught:
+        make_scene(raw)
+    assert says in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_ship_is_solved_from_its_dimensions(tmp_path):
+    from bem.database import open_database
+
+    path = tmp_path / "ship.h5"
+    words = "ship --length 120 --beam 20 --draft 5.34 --block 0.55 --depth inf --omega 0.1 --panels 160"
+    assert cli.main([*words.split(), "--only", "radiation", "--output", str(path)]) == 0
+    db = open_database(path)
+    A, mass = np.asarray(db["added_mass"])[0], 1025 * 0.55 * 120 * 20 * 5.34
+    assert float(db["displaced_volume"]) == pytest.approx(0.55 * 120 * 20 * 5.34, rel=1e-9)
+    assert 0.01 < A[0, 0] / mass < 0.1 and 0.6 < A[1, 1] / mass < 1.1 and A[2, 2] > A[1, 1]
+    assert db.dimensions == {"length": 120.0, "beam": 20.0, "draft": 5.34}
