@@ -89,6 +89,26 @@ def tables():
             other = [row[f"{name}_{part}"] for part in ("transmission", "front", "back")]
             print(" ", *(f"{value:6.3f}" for value in (*ours, *other)), end="")
         print()
+    prototypes()
+
+
+def prototypes():
+    """Table 4.4, circle of 10 m, and Table 6.2, the cut circle of 8.3 m in 10 m of water and waves of 3 m, in t/m"""
+    print("Table 4.4, circle: K_T, P_F, P_B in kN/m per m of amplitude; measured")
+    with open(ROOT / "pipelines" / "scenes" / "breakwater_circle.csv", encoding="utf-8") as file:
+        rows = [list(map(float, row)) for row in list(csv.reader(line for line in file if line[0] != "#"))[1:]]
+    for T, *measured in rows:
+        water = any_section(circle(10.0).wetted(5.0), 10.0, 2 * np.pi / T, **WATER)
+        made = exact_response("fixed", [water], None, np.pi / 4)
+        ours = [abs(made.transmission[0]), abs(made.front[0]) / 1e3, abs(made.back[0]) / 1e3]
+        print(f"  {T:5.1f} s", *(f"{value:7.2f}" for value in (*ours, *measured)))
+    print("Table 6.2, cut circle: K_T, P_F, P_B in t/m; measured")
+    wet = cut_circle(0.5).wetted(0.16 + 0.25 * np.sqrt(0.5))
+    for row in published("breakwater_circles.csv"):
+        made = exact_response("fixed", [any_section(wet, 0.6, 2 * np.pi / row["period_s"], **WATER)], None, np.pi / 4)
+        ours = [abs(made.transmission[0]), *(abs(P[0]) / 2 / 9800 / 0.5 * 3 * 8.3 for P in (made.front, made.back))]
+        measured = row["cut_transmission"], row["cut_front"] * 3 * 8.3, row["cut_back"] * 3 * 8.3
+        print(f"  {row['period_s'] * np.sqrt(16.7):5.1f} s", *(f"{value:7.2f}" for value in (*ours, *measured)))
 
 
 def times():
