@@ -10,6 +10,7 @@ import numpy as np
 from ..checks import estimate, share_left
 from ..frequency import FrequencyRun
 from ..green.tables import wave_table
+from ..kernels.progress import FINER, report_progress
 from ..kernels.threads import blas_threads
 from ..kochin import far_field_integrals
 from ..waves import depth_values
@@ -63,7 +64,11 @@ class PanelRun(FrequencyRun):
     def sharper(self):
         """On the next finer mesh of the problem; None where it has none, or no estimate asks for it"""
         finer = None if self.coarse is None else self.prepared.finer
-        return None if finer is None else partial(finer.run, *self.question, refined=self)
+        return None if finer is None else partial(self._on, finer)
+
+    def _on(self, finer):
+        report_progress(FINER, (finer, self.omega))
+        return finer.run(*self.question, refined=self)
 
     @property
     def kochin_errors(self):

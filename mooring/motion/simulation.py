@@ -14,6 +14,7 @@ from bem.time_domain.memory import MemoryArrays, memory_of_database
 from ..environment.sea import Components, joined
 from ..lines.system.equilibrium import rest
 from ..lines.system.findings import beyond_tables
+from ..response.bound_wave_drift import record as bound_wave_record
 from . import integrator
 from .contact_loads import DEPTH, contact_work
 from .contacts import at_rest, berth_stiffness, courses, no_berth
@@ -21,7 +22,7 @@ from .drift_damping import drift_damping_ring
 from .equation import FIRST_WORK, MEMORY, SLOW, WORKS, Body, Scene, room
 from .expected import expected_motion
 from .force_tables import TOLERANCE
-from .given_forces import sampled
+from .given_forces import GivenForce, sampled
 from .line_loads import body_lines, line_loads, line_work, tables_of, tensions_along
 from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
 from .wave_loads import WaveForces, no_waves, wave_forces, wave_table, waves_of
@@ -297,7 +298,8 @@ def _body(moored, weather, settings, components, drag, munk):
     quadratic[5] += drag
     mean = UNKNOWN if components is None else mean_frequency(components)
     try:
-        given = sampled(weather.forces, settings.ramp, settings.duration)
+        pushed = _bound_waves(weather, settings, components)
+        given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration)
     except ValueError as error:
         raise SimulationError(str(error)) from None
     ring = np.zeros((4, 6))
@@ -318,6 +320,14 @@ def _body(moored, weather, settings, components, drag, munk):
         ring,
         *given,
     )
+
+
+def _bound_waves(weather, settings, components):
+    """The force of bound long waves of a run as a GivenForce, or nothing"""
+    if weather.bound_waves is None or components is None:
+        return ()
+    t, force = bound_wave_record(weather.bound_waves, components, settings.ramp + settings.duration)
+    return (GivenForce(t - settings.ramp, force),)
 
 
 def mean_frequency(components):

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 YEAR = 365.25 * 86400.0  # s
+TINY = 1e-300  # crossings: exp(−x²/2σ²) of a small state may be none
 
 
 class LongTerm(NamedTuple):
@@ -34,10 +35,12 @@ class LongTerm(NamedTuple):
         """Value exceeded once on average in `time` s.  Raises ValueError where it is exceeded by no state so rarely."""
         from scipy.optimize import brentq
 
-        if not self.crossing_rate(0.0) * time > 1:
-            raise ValueError(f"{time:.3g} s hold {self.crossing_rate(0.0) * time:.3g} cycles; allowed: more than 1")
-        high = self.sigma.max() * np.sqrt(2 * np.log(self.crossing_rate(0.0) * time)) + self.sigma.max()
-        return brentq(lambda x: np.log(self.crossing_rate(x) * time), 0.0, high, xtol=1e-12 * high)
+        cycles = self.crossing_rate(0.0) * time
+        if not 1 < cycles < np.inf:
+            raise ValueError(f"{time:.3g} s hold {cycles:.3g} cycles; allowed: more than 1, finite")
+        largest = self.sigma[self.probability > 0].max()
+        high = largest * np.sqrt(2 * np.log(cycles)) + largest
+        return brentq(lambda x: np.log(max(self.crossing_rate(x) * time, TINY)), 0.0, high, xtol=1e-12 * high)
 
     def not_exceeded(self, x, time):
         """(…,) probability that the largest value in `time` s stays below x, crossings taken as independent"""

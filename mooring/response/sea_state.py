@@ -15,11 +15,12 @@ from bem.database.between_frequencies import BetweenError
 from ..seas.breaking import too_high
 from . import drift as drifts
 from . import findings
+from .bound_wave_drift import left_out
 from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor
 from .linear import Moments, frequencies, moments, response_spectrum
 from .points import KeelPoint, Point, keel_name, relative_name, transfer_functions
 from .seas import check_coverage, directions, heading_step
-from .slow_drift import force_spectrum, held_beyond, signed_means
+from .slow_drift import force_spectrum, force_spectrum_with, held_beyond, signed_means
 from .wave_drift_damping import drift_and_damping, mean_damping
 
 TINY = 1e-6  # of the largest standard deviation of its unit: rounding of what symmetry makes zero
@@ -33,6 +34,7 @@ class SlowForces:
 
     drift : (3,) mean; beyond : (2, 3) of it from waves below and above the stored band, D held at its ends
     difference : (d,) rad/s; spectrum : (d, 3) of the slow drift force, N² s/rad, D held above the stored band
+    with_bound_waves : (d, 6) the same of all modes with the force of bound long waves, None where it was not asked for
     damping : (3, 2) N s/m, N s: wave drift damping of velocities along x and y, waves within the stored band;
     None where drift has no slope over the headings, because the direction has no stored neighbours
     """
@@ -42,6 +44,12 @@ class SlowForces:
     difference: np.ndarray
     spectrum: np.ndarray
     damping: np.ndarray | None
+    with_bound_waves: np.ndarray | None = None
+
+    @property
+    def sigma_with_bound_waves(self):
+        """(6,) as `sigma`, of all modes"""
+        return np.sqrt(np.trapezoid(self.with_bound_waves, self.difference, axis=0))
 
     @property
     def sigma(self):
@@ -145,10 +153,11 @@ class SeaState:
         return np.where(np.isfinite(self.zero_period), values, 0.0)
 
 
-def sea_state(body, sea, duration, points=()) -> SeaState:
+def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
     """A `bem.database.reader.Reader`, `floating`, in a Sea for `duration` s.
 
-    points : of `Point` and `KeelPoint`
+    points : of `Point` and `KeelPoint`; bound : `bound_wave_drift.BoundWaveForces` of the sea
+    raises : ValueError for a duration that is no time, BetweenError outside the stored headings
     raises : ValueError for a duration that is no time, BetweenError outside the stored headings
     """
     if not 0 < duration < np.inf:
@@ -168,7 +177,8 @@ def sea_state(body, sea, duration, points=()) -> SeaState:
     ]
     slow, inside = None, None
     if body.knows_drift:
-        slow = slow_forces(body, sea, omega, heading, weights)
+        slow = slow_forces(body, sea, omega, heading, weights, bound)
+        warnings += left_out(body, sea) if bound is None else ()
         inside = slow.drift - slow.beyond.sum(axis=0)
         warnings += findings.drift_outside(body, inside, slow.beyond)
     errors = findings.errors_between(body, sea, omega, found.m0[:6], inside, slow and slow.damping)
@@ -192,21 +202,28 @@ def mean_drift(body, sea, omega, drift, weights):
     return inside, drifts.mean_in_sea_beyond(body, sea.spectrum, drift[[0, -1]], ends)
 
 
-def slow_forces(body, sea, omega, heading, weights) -> SlowForces:
-    """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it."""
+def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
+    """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it.
+
+    bound : `BoundWaveForces`, with long-crested waves only
+    """
     try:
         value, coefficients = drift_and_damping(body, omega, heading)
         damping = mean_damping(omega, coefficients, sea.spectrum.density(omega), weights)
     except BetweenError:
         value, damping = body.drift(omega, heading), None
     inside, beyond = mean_drift(body, sea, omega, value, weights)
-    difference = differences(body)
+    difference, with_bound = differences(body), None
+    if bound is not None:
+        held = held_beyond(omega, value[:, 0], sea.spectrum)
+        with_bound = force_spectrum_with(bound, sea.spectrum, *held, difference)
     return SlowForces(
         inside + beyond.sum(axis=0),
         beyond,
         difference,
         force_spectrum(sea.spectrum, *held_beyond(omega, signed_means(value, weights), sea.spectrum), difference),
         damping,
+        with_bound,
     )
 
 

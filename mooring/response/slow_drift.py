@@ -39,6 +39,7 @@ from .linear import over_headings
 
 MOST_OUTSIDE = 0.01  # share of the energy in components beyond the stored band that is taken at its ends
 FINE = np.deg2rad(5.0)  # between directions for which drift of short-crested waves is rebuilt
+HORIZONTAL = [0, 1, 5]  # surge, sway and yaw of six degrees of freedom
 ROWS = 256  # times or components handled at once: 256 × 500 complex numbers stay in the cache
 
 
@@ -91,7 +92,7 @@ def newman(components, drift, t):
     rows = wave * np.concatenate([positive, negative], axis=1).T
     used = np.flatnonzero(np.any(rows != 0, axis=1))
     power = np.zeros((len(rows), len(np.atleast_1d(t))))
-    power[used] = np.abs(_sums(rows[used], np.asarray(components.omega, float), np.atleast_1d(t))) ** 2
+    power[used] = np.abs(sums(rows[used], np.asarray(components.omega, float), np.atleast_1d(t))) ** 2
     n = drift.shape[1]
     return (power[:n] - power[n:]).T
 
@@ -146,6 +147,25 @@ def _over_pairs(spectrum, omega, values, difference):
         second = np.where(other <= omega[-1], spectrum.density(other), 0.0)[:, None]
         v = np.stack([np.interp(other, omega, column) for column in values.T], axis=-1)
         result[i] = 8 * np.trapezoid(first * second * v, omega, axis=0)
+    return result
+
+
+def force_spectrum_with(bound, spectrum, omega, drift, difference):
+    """(d, 6) as `force_spectrum` of long-crested waves, with the force of their bound waves: 8 ∫ S S |T|² dω
+
+    bound : T of them as a function of two frequencies, `bound_wave_drift.BoundWaveForces`; drift : (q, 3), in surge,
+    sway and yaw, to which Newman's part belongs
+    """
+    omega, drift = np.asarray(omega, float), np.asarray(drift, float)
+    density = np.asarray(spectrum.density(omega))
+    result = np.zeros((len(np.atleast_1d(difference)), 6))
+    for i, step in enumerate(np.atleast_1d(difference)):
+        other = omega + step
+        second = np.where(other <= omega[-1], spectrum.density(other), 0.0)
+        D = np.stack([np.interp(other, omega, column) for column in drift.T], axis=-1)
+        T = bound(other, omega)
+        T[:, HORIZONTAL] += np.where(drift * D > 0, np.sign(D) * np.sqrt(np.abs(drift * D)), 0.0)
+        result[i] = 8 * np.trapezoid((density * second)[:, None] * np.abs(T) ** 2, omega, axis=0)
     return result
 
 
@@ -231,16 +251,14 @@ def _own(body, omega, direction):
     return CubicSpline(grid, body.drift(omega, direction[0] + grid), axis=1)(offset)[pairs, pairs]
 
 
-def _sums(rows, omega, t):
+def sums(rows, omega, t):
     """(r, s) Σᵢ rowsᵢ exp(−iωᵢt); for equal steps t = t₁ + t₂ splits every phase into a coarse and a fine one"""
     step = np.diff(t)
     if len(t) > 2 * ROWS and np.ptp(step) <= 1e-9 * np.abs(t).max():
         fine = int(np.ceil(np.sqrt(len(t))))
-        coarse = t[::fine]
+        coarse = np.exp(-1j * np.outer(t[::fine], omega))
         turn = np.exp(-1j * np.outer(omega, (t[1] - t[0]) * np.arange(fine)))
-        return np.concatenate(
-            [(row * np.exp(-1j * np.outer(coarse, omega)) @ turn).reshape(1, -1)[:, : len(t)] for row in rows]
-        )
+        return np.stack([((row * coarse) @ turn).ravel()[: len(t)] for row in rows]).reshape(len(rows), len(t))
     parts = [rows @ np.exp(-1j * np.outer(omega, t[i : i + ROWS])) for i in range(0, len(t), ROWS)]
     return np.concatenate(parts, axis=1)
 

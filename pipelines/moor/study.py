@@ -151,6 +151,7 @@ class SimulationTable(Table):
     """duration : s that statistics are taken of, or duration_hours; ramp : s before it; step : s between samples
 
     seeds : how many, from 1 on, or which; keep_series : of how many seeds the records are stored
+    bound_waves : whether the slow force of bound long waves is solved for and added to that of slow drift
     damping_ratio : of critical, by motion, beyond waves, as in a response study
     linear_damping, quadratic_damping : B₁, B₂ by motion in kN s/m, kN s²/m² (kN m of rotations), as
     `hakobune damping` finds them; the rest as `weather.Settings`
@@ -166,6 +167,7 @@ class SimulationTable(Table):
     components: int | None = None
     slow_drift: str = "newman"
     wave_drift_damping: bool = True
+    bound_waves: bool = False
     memory: str = "states"
     estimate_error: bool = False
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)

@@ -100,7 +100,12 @@ def _in_sea(read, body, db, points, study):
             warnings.warn(
                 f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical", stacklevel=2
             )
-    return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
+    bound = None
+    if read.sea.bound_waves:
+        from mooring.response.bound_wave_drift import of_sea
+
+        bound = of_sea(db, sea)
+    return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points, bound)
 
 
 def _moored(read, db, points, study, path):

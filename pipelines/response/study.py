@@ -74,10 +74,14 @@ class SystemTable(Table):
 
 
 class SeaTable(SystemTable):
-    """A sea of one system of waves, or of several `systems` at once; duration_hours of it"""
+    """A sea of one system of waves, or of several `systems` at once; duration_hours of it
+
+    bound_waves : whether the slow force of the long waves bound to it is solved for, of one system of long crests
+    """
 
     systems: list[SystemTable] = msgspec.field(default_factory=list)
     duration_hours: float = 3.0
+    bound_waves: bool = False
 
 
 class DirectionTable(Table):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import tomllib
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -60,9 +60,27 @@ def prepared(task):
             warnings.simplefilter("always")
             berth = study.berth(hull, db.rotation_center)
             body = moored(db, system, hull, memory=task.memory, damping=extra, quadratic=quadratic(study), berth=berth)
+        plan, left = _with_bound_waves(plan, study, db)
         _prepared.clear()
-        _prepared[key] = body, plan, study, tuple(str(w.message) for w in caught)
+        _prepared[key] = body, plan, study, (*(str(w.message) for w in caught), *left)
     return _prepared[key]
+
+
+def _with_bound_waves(plan, study, db):
+    """The Plan with the forces of bound long waves where the study asks for them, and what leaving them out costs"""
+    from mooring.response.bound_wave_drift import left_out, of_sea
+
+    weather = plan.weather
+    if not (study.simulation and study.simulation.bound_waves):
+        body = db.reader.floating()
+        return plan, tuple(line for sea in weather.seas for line in left_out(body, sea))
+    if len(weather.seas) != 1:
+        raise StudyError("simulation.bound_waves is true; allowed: with one sea, of irregular waves")
+    try:
+        bound = of_sea(db, weather.seas[0])
+    except ValueError as error:
+        raise StudyError(f"simulation: {error}") from None
+    return replace(plan, weather=replace(weather, bound_waves=bound)), ()
 
 
 def simulate_seed(task, seed, kept, progress=None):

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 
 from bem.database.schema import ESTIMATES, QUANTITIES
+from bem.kernels.progress import FINER
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 from bem.waves import wavenumber
@@ -26,6 +28,7 @@ FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
 WORTH_SHARING_AXISYMMETRIC = 150
 ADAPTIVE = 27  # frequencies that an adaptive band takes, about
 NODES_WORTH_TELLING = 3000
+NODES_WORTH_ASKING = 1500  # a frequency on them takes two seconds, of which asking how long is a tenth
 COPIES = 3  # of a database while it is laid out: numbers, file, and the image of it that is written
 
 
@@ -109,6 +112,26 @@ def check_database(header, frequencies, headings, names):
     )
 
 
+@dataclass(frozen=True)
+class Telling:
+    """Callback of `bem.kernels.progress`: a frequency that needs many more panels is told with its time.
+
+    console : of rich; preparing : callback of everything else, or None
+    """
+
+    console: object
+    preparing: object = None
+
+    def __call__(self, stage, what):
+        if stage != FINER:
+            return self.preparing(stage, what) if self.preparing else None
+        finer, omega = what
+        if PER_PANEL * len(finer.problem.mesh) < NODES_WORTH_ASKING:
+            return None
+        text = f"ω {omega:.4g} rad/s: {finer.problem.mesh.total} panels for the tolerance take"
+        return told(text, _seconds_alone(finer, [omega]), partial(self.console.print, highlight=False, soft_wrap=True))
+
+
 def _check_memory(total, memory, processes):
     fewer = " or fewer processes (--executor)" if processes > 1 else ""
     check_memory(f"{total} panels need", memory, f"give fewer panels (--panels){fewer}", SceneError)
@@ -121,8 +144,12 @@ def _times(needed, limits):
     )
 
 
-def _time_alone(prepared, omegas):
+def _seconds_alone(prepared, omegas):
     from bem.panels.band.cost import seconds_alone
 
-    seconds = seconds_alone(prepared, max(omegas, default=np.nan))
+    return seconds_alone(prepared, max(omegas, default=np.nan))
+
+
+def _time_alone(prepared, omegas):
+    seconds = _seconds_alone(prepared, omegas)
     return f", about {duration(seconds)} for each frequency" if seconds >= WORTH_TELLING else ""

@@ -18,7 +18,7 @@ from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_ending
 from ..common.progress import Preparing, Progress
 from .adaptive import filled_band
-from .large import announced
+from .large import Telling, announced
 from .plan import KOCHIN, planned, resumed
 from .work import Here, in_order, limit_one, solve_one
 
@@ -108,8 +108,9 @@ def _fill(plan, executor, console, cost, file):
     failures, interrupted = [], False
     say = partial(console.print, highlight=False) if console else lambda text: None
     preparing = Preparing(console, cost) if console and cost and isinstance(executor, Here) else None
+    telling = Telling(console, preparing) if console else None
     jobs = [*_rows(file, plan, todo.rows), *_limits(file, plan, todo.limits)]
-    with ctrl_c(say) as stop, progress_callback(preparing):
+    with ctrl_c(say) as stop, progress_callback(telling):
         progress = Progress(console, len(jobs)) if console else None
         try:
             for job, result in zip(jobs, in_order(executor, (job.call for job in jobs)), strict=True):

@@ -113,6 +113,7 @@ def test_thousand_waves_have_the_factor_of_the_report():
         (lambda: long_term([1.0], [1.0], [1.2]), "shares of time sum to 1.2"),
         (lambda: long_term([0.0], [0.0], [1.0]), "zero in every sea state"),
         (lambda: long_term([1.0], [1.0], [1.0]).level(1.0), "cycles; allowed: more than 1"),
+        (lambda: long_term([1.0], [1.0], [1.0]).level(np.inf), "inf s hold inf cycles; allowed: more than 1, finite"),
     ],
 )
 def test_impossible_input_is_refused_in_one_line(call, words):
@@ -182,6 +183,13 @@ def test_one_sea_state_all_the_time_is_the_short_term():
     assert np.isclose(term.level(YEAR), 2.0 * np.sqrt(2 * np.log(cycles)), rtol=1e-9)
     assert np.isclose(term.crossing_rate(3.0) / term.crossing_rate(0.0), np.exp(-(3.0**2) / 8))
     assert np.isclose(term.not_exceeded(term.level(YEAR), YEAR), np.exp(-1))
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_state_that_never_comes_and_one_that_is_small_change_no_level():
+    alone = long_term([4.0], [1.0], [1.0])
+    more = long_term([4.0, 1e8, 1e-8], [1.0, 1e8, 1e-8], [1.0, 0.0, 1e-9])
+    assert more.level(YEAR) == pytest.approx(alone.level(YEAR), rel=1e-6)
 
 
 def test_long_term_level_of_many_storms_is_that_of_simulated_maxima():

@@ -4,12 +4,13 @@ import subprocess
 import sys
 from dataclasses import replace
 from io import StringIO
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from rich.console import Console
 
-from bem.kernels.progress import FACTORS, MATRICES, WAVES, progress_callback
+from bem.kernels.progress import FACTORS, FINER, MATRICES, WAVES, progress_callback
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 from bem.panels.band import cost
@@ -21,7 +22,7 @@ from pipelines.common import bounds, progress
 from pipelines.common.progress import Preparing, Progress
 from pipelines.scene.scene import SceneError, make_scene
 from pipelines.solve import large
-from pipelines.solve.large import announced, shared_band
+from pipelines.solve.large import Telling, announced, shared_band
 
 
 def scene(**waves):
@@ -83,6 +84,19 @@ def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, mon
     mesh = box(100, 50, 1, panels=8000)
     with pytest.raises(SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, 4.0 GB are free; give fewer panels"):
         announced(PanelProblem(mesh, **options), 0, None)
+
+
+def test_panels_for_the_tolerance_are_told_with_their_time(monkeypatch):
+    said, mesh = [], box(100, 50, 10, panels=500)
+    console = SimpleNamespace(print=lambda text, **_: said.append(text))
+    finer = PanelProblem(mesh, depth=20.0).prepared()
+    monkeypatch.setattr(cost, "seconds_alone", lambda *_: 42.0)
+    monkeypatch.setattr(large, "NODES_WORTH_ASKING", 100)
+    Telling(console)(FINER, (finer, 0.5))
+    assert said == [f"ω 0.5 rad/s: {mesh.total} panels for the tolerance take about 42 s"]
+    monkeypatch.setattr(cost, "seconds_alone", lambda *_: 2.0)
+    Telling(console)(FINER, (finer, 0.5))
+    assert len(said) == 1
 
 
 ALONE = """
