@@ -50,10 +50,11 @@ def named_shares(names, share):
 
 
 class Errors(NamedTuple):
-    """Estimated errors of what is known between stored waves only, relative: about one standard deviation
+    """Estimated errors of what is known between stored waves only, relative
 
-    motions : (6,) of standard deviations; drift : (2,) of the mean drift force and moment; damping : of wave drift
-    damping.  Those of drift are None without drift, the moment's of at least LEVER times the radius times the force.
+    motions : (6,) of standard deviations, three deviations of their own; drift : (2,) of the mean drift force and
+    moment; damping : of wave drift damping.  Those of drift are None without drift, the moment's of at least LEVER
+    times the radius times the force.
     """
 
     motions: np.ndarray
@@ -73,9 +74,9 @@ class Errors(NamedTuple):
 def errors_between(body, sea, omega, m0, drift, damping):
     """`Errors` of the six motions, of m0 (6,), mean drift (3,) and wave drift damping (3, 2), each of both or None.
 
-    The estimated errors of `Reader.at`, as if all of one sign: of σ twice ∫|X|δX S dω of ∫|X|² S dω, without which one
-    of five seas on headings 30° apart errs more than is said; of the mean force 2∫ δD S dω.  Over a gap γ between
-    headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.
+    The estimated errors of `Reader.at`, as if all of one sign: of σ three times ∫|X|δX S dω of ∫|X|² S dω, since with
+    twice that one of six seas on headings 30° apart errs more than is said; of the mean force 2∫ δD S dω.  Over a gap
+    γ between headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.
     """
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
     heading, weights = directions(sea, places)
@@ -84,7 +85,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
     both = [
         np.trapezoid(over_headings(np.abs(X) * part, weights) * density, places, axis=0) for part in (wrong, np.abs(X))
     ]
-    motions = np.where(m0 > 0, 2 * both[0] / np.maximum(both[1], 1e-300), 0.0)
+    motions = np.where(m0 > 0, 3 * both[0] / np.maximum(both[1], 1e-300), 0.0)
     if drift is None:
         return Errors(motions, None, None)
     ring = body.ring_of("drift_force")
