@@ -24,7 +24,7 @@ TOLERANCE = 2e-3  # of the tension there, or at rest if that is larger
 CHORDS, HEIGHTS = 161, 65  # nodes at most
 SAMPLES = 40
 SMALLEST = 2e-3  # of the range, between nodes
-OVERLOAD, STRAIN = 5.0, 0.02  # ends of the table: tension over the breaking load, strain where none is known
+OVERLOAD, STRAIN = 2.0, 0.02  # ends of the table: tension over the breaking load, strain where none is known
 
 
 class ForceTable(NamedTuple):

@@ -23,7 +23,7 @@ from .equation import FIRST_WORK, MEMORY, SLOW, WORKS, Body, Scene, room
 from .expected import expected_motion
 from .force_tables import TOLERANCE
 from .given_forces import GivenForce, sampled
-from .line_loads import body_lines, line_loads, line_work, tables_of, tensions_along
+from .line_loads import REACH, body_lines, line_loads, line_work, tables_of, tensions_along
 from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
 from .wave_loads import WaveForces, no_waves, wave_forces, wave_table, waves_of
 
@@ -375,7 +375,8 @@ def _failure(state, clock, settings, scene, moored):
         )
     if state == integrator.NO_LINE:
         return (
-            f"{where}: a line cannot reach its fairlead or its end is below the bed; lengthen it, or weaken the loads"
+            f"{where}: a line cannot reach its fairlead, its end is below the bed or, of segments, beyond the table of "
+            f"its forces, {REACH[1]:g} of the depth up or down; lengthen it, or weaken the loads"
         )
     if state == integrator.TOO_SHORT:
         rigid = name and not scene.lines.lines[_number(moored, name), 2] > 0

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from ..common.quantities import StudyError
 
 KINDS = ("chain", "buoy", "sinker")
-PERIODS = [6, 7, 8, 9, 10, 11, 12, 13, 14, 16, 18, 20, 25, 30, 40, 60, 100]  # s, of a database
+PERIODS = [4, 4.5, 5, 5.5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 16, 18, 20, 25, 30, 40, 60, 100]  # s, of a database
 INCIDENCE = 60.0  # degrees off the bow
 KNOTS = 3.0
 HEADINGS = [30, 45, 60]  # degrees off the x axis, of the lines of a corner
