@@ -111,7 +111,7 @@ class Workspace(NamedTuple):
 
     steps : (…, 3) step (see `touchdown`), facet or bed vertex, point load
     unknowns : (…,) H, V at the fairlead, then starts of spans and s at bed vertices
-    guesses : (…,) of the unknowns, nan without; count : (2,) steps and unknowns found
+    count : (2,) steps and unknowns found
     states, load_weights : states and weights (N) of the point loads
     q, at : state of the traversal, see `line_data`; trial_q, trial_at : state of a span that is tried
     g, rows : empty, for kernels that can also propagate derivatives or store pieces
@@ -119,7 +119,6 @@ class Workspace(NamedTuple):
 
     steps: np.ndarray
     unknowns: np.ndarray
-    guesses: np.ndarray
     count: np.ndarray
     states: np.ndarray
     load_weights: np.ndarray
@@ -137,7 +136,6 @@ def workspace_for(line):
     return Workspace(
         np.zeros((capacity, 3), np.int64),
         np.zeros(capacity),
-        np.full(capacity, np.nan),
         np.zeros(2, np.int64),
         np.zeros(len(line.loads), np.int64),
         np.zeros(len(line.loads)),

@@ -16,7 +16,7 @@ from bem.kernels.jit import kernel
 from ..catenary.state import BEYOND_REACH, SLACK
 from .line_data import HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, PIECE_COLUMNS, TAUT, workspace_for
 from .newton import continuation
-from .touchdown import GROUNDED_ANCHOR
+from .touchdown import GROUNDED_ANCHOR, between
 from .traverse import traverse
 
 # results of a search beside `State`: an equilibrium that is not slack; none found, though in reach
@@ -30,11 +30,11 @@ FINE = (*COARSE, 1e-9, 1e-12, 1e-15)
 @kernel()
 def horizontal_tension(line, w, x, z, guess, tolerance):
     """H at which no length is left over at the anchor, bracketed on ln H.  returns : H, state; w holds the traversal"""
-    for i in range(w.guesses.size):
-        w.guesses[i] = math.nan
     bottom, start = math.log(line.least), math.log(guess)
-    low, high, f_low, f_high, side = bottom, math.inf, math.nan, math.nan, 0
-    q = bottom
+    low, high, f_low, f_high = bottom, math.inf, math.nan, math.nan
+    q, wide, room = bottom, 0.0, 0.0
+    # the length may jump where a buoy comes out of the sea: the contacts on either side are tried before the last bit
+    narrow = 1e-5 if tolerance >= COARSE[0] else 1e-15
     for trial in range(200):
         value = traverse(line, w, math.exp(q), x, z)
         if trial == 0:
@@ -42,16 +42,12 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
                 return line.least, SLACK
             f_low, q = value, start
             continue
-        if abs(value) <= tolerance * line.length or high - low <= 1e-15 * max(1.0, abs(q)):
+        if abs(value) <= tolerance * line.length or high - low <= narrow * max(1.0, abs(q)):
             return math.exp(q), SOLVED
         if value > 0:
             high, f_high = q, value
-            f_low = 0.5 * f_low if side == 1 else f_low
-            side = 1
         else:
             low, f_low = q, value
-            f_high = 0.5 * f_high if side == -1 else f_high
-            side = -1
         if math.isinf(high):
             q += 2.0
             if q > start + 25:
@@ -59,10 +55,10 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
         elif low == bottom:
             # the length left over depends on ln H only near the root: approach it from above
             q -= 2.0 if q - 2.0 > low else 0.5 * (q - low)
-        elif trial % 3 == 2 or math.isnan(f_low + f_high):
-            q = 0.5 * (low + high)
         else:
-            q = low + (high - low) * f_low / (f_low - f_high)
+            wide = wide if wide > 0 else high - low
+            room = 0.5 * room if room > 0 else 2 * wide
+            q = between(low, high, -f_low, -f_high, wide, room, 2e-16 * max(1.0, abs(q)))
     return math.exp(q), LOST
 
 
@@ -109,16 +105,16 @@ def _solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
 
 def _with_heap(line, w, x, z, first, pieces, found):
     """Solve a slack line that slides away from its anchor: what is left over lies where it first touches the bed."""
-    low, high = 0.0, line.length
-    for _ in range(100):
-        heap = 0.5 * (low + high)
-        w.guesses[:] = math.nan
+    low, high, f_low, f_high = 0.0, line.length, math.nan, math.nan
+    room = 2 * line.length
+    while high - low > 1e-15 * line.length:
+        heap = between(low, high, f_low, f_high, line.length, room, 2e-16 * line.length)
+        room *= 0.5
         value = traverse(line._replace(heap=heap), w, line.least, x[first], z[first])
-        # nan: too much, all the line is in the heap
-        low, high = (heap, high) if value > 0 else (low, heap)
-        if high - low <= 1e-15 * line.length:
-            break
-    w.guesses[:] = math.nan
+        if value > 0:
+            low, f_low = heap, value
+        else:  # nan: too much, all the line is in the heap
+            high, f_high = heap, value
     traverse(line._replace(heap=low), w, line.least, x[first], z[first])
     if w.count[0] == 0:
         return first

@@ -25,6 +25,7 @@ from .on_bed import march_on_facet, pass_grounded_sinker
 NONE, TO_FACET, TO_VERTEX, TO_ANCHOR, ALONG, OFF_FACET = np.arange(6)
 BEND, OFF_VERTEX, GROUNDED_ANCHOR, OFF_SINKER, TO_SINKER, MISSED = np.arange(6, 12)
 FROM_FAIRLEAD, FROM_FACET, FROM_VERTEX, FROM_SINKER = np.arange(4)
+ROUNDING = 1e-12  # of the length: penetration by which a span may seem to begin
 WALK = 10_000  # pieces of one span, far above what a line can have: no walk goes on for ever
 
 
@@ -67,9 +68,11 @@ def first_contact(line, q, g, at, facet, states, load_weights):
 
     g : no columns; the first facet goes on beyond the anchor's place, so that the line ends on it somewhere
     states, load_weights : set to states and weights (N) of the point loads on the way
-    returns : gap (m, normal; negative where it penetrates), step, index; q and at are left there
+    returns : gap (m, normal; negative where it penetrates, else the least on the way), step, index; q and at are left
+        there
     """
-    value = 1.0
+    # what touches at once is the start itself, seen through rounding
+    least, begin, rounding = math.inf, q[S] - 1e-6 * line.length, ROUNDING * line.length
     for _ in range(WALK):
         if clears(line, q, at, facet):
             break
@@ -89,18 +92,20 @@ def first_contact(line, q, g, at, facet, states, load_weights):
             q[X], q[Z], q[V], q[S] = x, z, v, s
             value = span_to_vertex(q, g, weight, factor, flexibility, line.bed[facet, 0], line.bed[facet, 1])
             if facet == 0:
-                return value, TO_ANCHOR, facet
+                return min(value, least), TO_ANCHOR, facet
             if value < 0:
                 return value, TO_VERTEX, facet
+            least = min(least, value) if q[S] < begin else least
             facet -= 1
         elif ds == touch:
             q[V] = q[H] * tan
             value = height_over(line, q, facet)
-            if value < 0:
+            if value < (0.0 if q[S] < begin else -rounding):
                 return value, TO_FACET, facet
+            least = min(least, value) if q[S] < begin else least
         elif ds == s and not line.to_place:
             q[S] = 0.0
-            return height_at_end(line, q, facet), TO_ANCHOR, facet
+            return min(height_at_end(line, q, facet), least), TO_ANCHOR, facet
         elif ds == s - stop or s - ds <= stop:
             q[S] = stop
             if not is_load:
@@ -112,9 +117,10 @@ def first_contact(line, q, g, at, facet, states, load_weights):
                 value = height_over(line, q, facet)
                 if value < 0:
                     return value, TO_FACET, facet
+                least = min(least, value) if q[S] < begin else least
             q[V] -= force
             at[1] -= 1
-    return value, NONE, facet
+    return least, NONE, facet
 
 
 @kernel()
@@ -147,48 +153,52 @@ def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weight
 
 
 @kernel()
-def touching_start(line, origin, q, g, at, facet, low, high, guess, states, load_weights, rows):
+def between(low, high, f_low, f_high, wide, room, least):
+    """Where to look next for the root between low, with f ≥ 0, and high, with f < 0: the regula falsi.
+
+    It goes a little further towards the middle, to come to the root from both sides, and so far from it that the
+    interval is never larger than by bisection one step before, which serves where f jumps.
+    I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2020) 5, the ITP method.
+
+    wide : high − low to begin with; room : twice that, halved at every step; least : the smallest step
+    """
+    middle, half = 0.5 * (low + high), 0.5 * (high - low)
+    if not 0 < f_low - f_high < math.inf:
+        return middle
+    amount = low + (high - low) * f_low / (f_low - f_high)
+    push = max(0.8 * half * half / wide, least)
+    if push > abs(middle - amount):
+        return middle
+    amount += push if amount < middle else -push
+    reach = max(0.5 * room - half, 0.0)
+    return min(max(amount, middle - reach), middle + reach)
+
+
+@kernel()
+def touching_start(line, origin, q, g, at, facet, low, high, states, load_weights, rows):
     """Start of the span that just touches the bed; from `low` it stays clear, from `high` it penetrates.
 
-    guess : tried first, a small step to either side; nan for none
     q, at : left where it touches.  returns : start, step, index; the step is MISSED where none penetrated
     """
     q0, at0 = q.copy(), at.copy()
-    f_low, f_high, step, index, side = math.nan, math.nan, MISSED, facet, 0
-    width = 1e-9 * abs(guess) + 1e-13 * (high - low)
-    for trial in range(200):
+    step, index = MISSED, facet
+    # a span that starts free may touch its own start by rounding
+    f_low = max(try_span(line, origin, q0, at0, facet, low, q, g, at, states, load_weights, rows)[0], 0.0)
+    f_high, found, where = try_span(line, origin, q0, at0, facet, high, q, g, at, states, load_weights, rows)
+    if found != NONE:
+        step, index = found, where
+    wide = high - low
+    room = 2 * wide
+    for _ in range(200):
         least = 4e-16 * (abs(high) + abs(low))
-        # the first four trials: below and above the guess, then the ends where these do not bracket the root
-        if trial == 0:
-            amount = guess - width
-        elif trial == 1:
-            amount = guess + width
-        elif trial == 2:
-            amount = low
-        elif trial == 3:
-            amount = high
-        else:
-            if high - low <= 4 * least:
-                break
-            amount = 0.5 * (low + high)
-            if trial % 4 != 3 and f_low > f_high:
-                # at least a rounding step, also where the nearer end is the root
-                amount = min(max(low + (high - low) * f_low / (f_low - f_high), low + least), high - least)
-        if trial < 2 and not low < amount < high:
-            continue
-        if (trial == 2 and not math.isnan(f_low)) or (trial == 3 and not math.isnan(f_high)):
-            continue
+        if high - low <= 4 * least:
+            break
+        amount = between(low, high, f_low, f_high, wide, room, least)
+        room *= 0.5
         value, found, where = try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weights, rows)
-        if trial == 2:
-            # a span that starts free may touch its own start by rounding
-            low, f_low = amount, max(value, 0.0)
-        elif value < 0 or trial == 3:
-            high, f_high, step, index = amount, value, MISSED if found == NONE else found, where
-            f_low = 0.5 * f_low if side == 1 else f_low
-            side = 1
+        if value < 0:
+            high, f_high, step, index = amount, value, found, where
         else:
             low, f_low = amount, value
-            f_high = 0.5 * f_high if side == -1 else f_high
-            side = -1
     try_span(line, origin, q0, at0, facet, high, q, g, at, states, load_weights, rows)
     return high, step, index

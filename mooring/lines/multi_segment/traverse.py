@@ -35,6 +35,7 @@ from .touchdown import (
     OFF_FACET,
     OFF_SINKER,
     OFF_VERTEX,
+    ROUNDING,
     TO_ANCHOR,
     TO_FACET,
     TO_SINKER,
@@ -42,8 +43,6 @@ from .touchdown import (
     touching_start,
     try_span,
 )
-
-ROUNDING = 1e-12  # of the length: penetration by which a span below a heavy sinker may seem to begin
 
 
 @kernel()
@@ -57,9 +56,8 @@ def gap_of(line, w, origin, facet, amount):
 @kernel()
 def touching_span(line, w, origin, facet, low, high):
     """Integrate down the span that just touches the bed, and record its start.  returns : step, index"""
-    near = w.guesses[w.count[1]]
     start, step, index = touching_start(
-        line, origin, w.q, w.g, w.at, facet, low, high, near, w.states, w.load_weights, w.rows
+        line, origin, w.q, w.g, w.at, facet, low, high, w.states, w.load_weights, w.rows
     )
     add_unknown(w, start)
     return step, index
@@ -82,11 +80,11 @@ def first_span(line, w, facet):
     low -= 1e-9 * abs(low)
     wide = high - low
     for _ in range(200):
-        if low < w.guesses[1] < high or gap_of(line, w, FROM_FAIRLEAD, facet, low) >= 0:
+        if gap_of(line, w, FROM_FAIRLEAD, facet, low) >= 0:
             break
         low, wide = low - wide, 2 * wide
     for _ in range(200):
-        if low < w.guesses[1] < high or gap_of(line, w, FROM_FAIRLEAD, facet, high) < 0:
+        if gap_of(line, w, FROM_FAIRLEAD, facet, high) < 0:
             break
         high = low + 4 * (high - low)
     return touching_span(line, w, FROM_FAIRLEAD, facet, low, high)

@@ -90,7 +90,7 @@ def test_a_line_of_many_parts_is_the_one_that_quadrature_shoots_to_the_anchor(na
     F = np.array([found.horizontal_fairlead, found.vertical_fairlead])
     assert np.abs(shot(line, *F, x, 80.0)).max() < 1e-11 * line.length
     start = F * [1.003, 0.998]
-    root = fsolve(lambda f: shot(line, *(f * F), x, 80.0), start / F, xtol=1e-13) * F
+    root = fsolve(lambda f: shot(line, *(f * F), x, 80.0), start / F, xtol=1e-11) * F
     assert np.abs(root - F).max() < 1e-9 * found.tension_fairlead
 
 
@@ -195,6 +195,17 @@ def test_lines_with_sinker_and_buoy_are_found_over_any_bed_and_lie_on_it_or_abov
         assert T.min() >= 0
         if not (line.bed.friction or found.slack):
             assert abs(found.stiffness[0, 1] - found.stiffness[1, 0]) < 1e-6 * np.abs(found.stiffness).max()
+
+
+def test_the_length_left_over_at_the_anchor_grows_with_the_tension_beside_a_sinker_that_touches_its_own_place():
+    """Below a sinker a span begins parallel to the bed: rounding there is no contact from which to leave it."""
+    from mooring.lines.multi_segment.line_data import workspace_for
+    from mooring.lines.multi_segment.traverse import traverse
+
+    line, x, z = list(random_lines(59, 5))[-1]
+    data = line._data
+    left = [traverse(data, workspace_for(data), tension, x, z) for tension in np.linspace(440.0, 505.0, 200)]
+    assert np.all(np.diff(left) > 0)
 
 
 def edges(found):
