@@ -17,6 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "bench")]
 
+import numpy as np
 from moored_in_time import databases
 
 from mooring.environment.gusts import davenport
@@ -61,6 +62,11 @@ def cases(folder, hours):
         ("tolerance 1e-4", body, weather, replace(settings, tolerance=1e-4)),
     ):  # fmt: skip
         yield name, *best_of_three(one, what, how)
+    quay, _ = read_study(ROOT / "pipelines" / "scenes" / "simulate_quay.toml")
+    berth = quay.berth(quay.hull_of(db.dimensions), db.rotation_center)
+    ship = moored(db, memory=body.memory, berth=berth, damping=np.diag([1e5, 3e5, 0, 1e8, 0, 1e8]))
+    waves = Weather((Sea(issc(0.8, mean_period=8.0), 0.5 * np.pi),))
+    yield "at a quay: 12 ropes, 4 fenders", *best_of_three(ship, waves, settings)
 
 
 if __name__ == "__main__":
