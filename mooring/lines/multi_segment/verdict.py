@@ -153,6 +153,8 @@ def stands(line, rows, count, states, slack, q, below, g):
         elif not (line.no_bed or clears_bed(line, piece, q, g, far)):
             return False
         go_down(piece, q, g)
+        if piece[0] == 1 and q[X] > line.bed[0, 0] and abs(height_over_bed(line, q[X], q[Z])) > far:
+            return False
         if i + 1 < count:
             put_top(rows[i + 1], below)
             if not math.hypot(q[X] - below[X], q[Z] - below[Z]) <= far:
