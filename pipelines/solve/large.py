@@ -71,20 +71,19 @@ def announced(problem, limits, console, processes=1, omegas=()):
 
 
 def _announce_contour(problem, omegas, console, processes):
-    """Say what the contour method will take on a box where it is long; raises SceneError."""
+    """Say what the contour method will take where it is long; raises SceneError."""
     from bem.contour.cost import cost
 
     depth = problem.depth if problem.bed is None else problem.bed
     needed = cost(problem.prepared().solver, float(wavenumber(max(omegas), depth, problem.gravity)))
-    if needed is None:
-        return
-    box = " by ".join(f"{size:g} m" for size in problem.sizes[:2])
+    across = problem.sizes[:2] if problem.shape == "box" else problem.sizes[:1]
+    body = f"{problem.shape} of {' by '.join(f'{size:g} m' for size in across)}"
     way_out = "give a body less slender, longer waves, or another method (--method panel, strip)"
-    check_memory(f"box of {box}: its contour needs", processes * needed.memory, way_out, SceneError)
+    check_memory(f"{body}: its contour needs", processes * needed.memory, way_out, SceneError)
     seconds = needed.table + len(omegas) * needed.each / processes
-    check_seconds(f"box of {box}: its contour takes", seconds, way_out, SceneError)
+    check_seconds(f"{body}: its contour takes", seconds, way_out, SceneError)
     if console:
-        told(f"box of {box}: its contour takes", seconds, partial(console.print, highlight=False, soft_wrap=True))
+        told(f"{body}: its contour takes", seconds, partial(console.print, highlight=False, soft_wrap=True))
 
 
 def check_database(header, frequencies, headings, names):

@@ -86,6 +86,16 @@ def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, mon
         announced(PanelProblem(mesh, **options), 0, None)
 
 
+def test_a_buoy_of_hundreds_of_waves_is_told_with_its_time():
+    said = []
+    console = SimpleNamespace(print=lambda text, **_: said.append(text))
+    buoy_of_many = ShapeProblem(method="contour", shape="buoy", sizes=(1207.0, 0.026), depth=1.0269)
+    announced(buoy_of_many, 0, console, omegas=[2.577])
+    assert len(said) == 1 and said[0].startswith("buoy of 1207 m: its contour takes about 1 min")
+    announced(buoy_of_many, 0, console, omegas=[0.5])
+    assert len(said) == 1
+
+
 def test_panels_for_the_tolerance_are_told_with_their_time(monkeypatch):
     said, mesh = [], box(100, 50, 10, panels=500)
     console = SimpleNamespace(print=lambda text, **_: said.append(text))
