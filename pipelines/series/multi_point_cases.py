@@ -17,7 +17,7 @@ from typing import NamedTuple
 from ..common.quantities import StudyError
 
 KINDS = ("chain", "buoy", "sinker")
-PERIODS = [4, 4.5, 5, 5.5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 16, 18, 20, 25, 30, 40, 60, 100]  # s, of a database
+FREQUENCIES = {"from": 0.06, "to": 2.0, "count": 60}  # rad/s, of a database, close enough for the memory of the water
 INCIDENCE = 60.0  # degrees off the bow
 KNOTS = 3.0
 HEADINGS = [30, 45, 60]  # degrees off the x axis, of the lines of a corner
@@ -99,7 +99,7 @@ def scene(case):
     f = FLOATERS[case.floater]
     body = {"shape": "box", "length": f.length, "beam": f.beam, "draft": f.draft, "center_of_gravity": [0.0, 0.0, 0.0],
             "gyration": list(f.gyration)}  # fmt: skip
-    waves = {"periods": PERIODS, "headings_deg": {"from": 0, "to": 330, "count": 12}}
+    waves = {"omegas": FREQUENCIES, "headings_deg": {"from": 0, "to": 330, "count": 12}}
     return {"tolerance": 0.01, "water": {"depth": case.depth}, "bodies": [body], "waves": waves}
 
 
