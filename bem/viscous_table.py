@@ -23,7 +23,13 @@ MODES = ("heave", "roll", "pitch")
 
 
 class Law(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """drag : N s²/m² or N m s²; or b at amplitudes : m, amplitudes_deg : degrees"""
+    """Damping of one motion: drag, or b at amplitudes
+
+    drag : N s²/m², or N m s², force or moment over the square of the velocity
+    b : coefficient b of the SR179 report (1982), eq. 2.1.4.6, at each of the amplitudes
+    amplitudes : m, rising, of heave
+    amplitudes_deg : degrees, rising, of roll and pitch
+    """
 
     drag: float | None = None
     b: list[float] | None = None
@@ -32,7 +38,12 @@ class Law(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True)
 
 
 class Laws(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """Laws by motion; at least one"""
+    """Viscous damping by motion; at least one
+
+    heave : law of heave
+    roll : law of roll, or "Yamashita" for boxes in deep water with B/d from 5 to 10
+    pitch : law of pitch
+    """
 
     heave: Law | None = None
     roll: Law | str | None = None
@@ -40,7 +51,10 @@ class Laws(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
 
 
 class ViscousTable(Laws, frozen=True, kw_only=True):
-    """wave_height : m, of the regular waves in which the damping is linearised"""
+    """Damping of heave, roll and pitch that grows with the motion
+
+    wave_height : m, of the regular waves in which the damping is linearised
+    """
 
     wave_height: float
 

@@ -19,6 +19,7 @@ from .common.interrupt import interrupted
 from .damping.command import damping
 from .design.command import design
 from .fender.flags import fender
+from .keys.command import keys, new
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
 from .reports.compare_command import compare
@@ -184,6 +185,8 @@ app.command(breakwater)
 app.command(fender)
 app.command(berth)
 app.command(damping)
+app.command(keys)
+app.command(new)
 
 
 def main(arguments=None):

@@ -34,8 +34,14 @@ MOST_FENDERS = 200
 
 
 class ShipTable(Table):
-    """length (over all), beam, draft : m; one of displacement (t) and block; gyration : m in yaw [length/4]
+    """The ship that berths
 
+    length : m, over all
+    beam : m
+    draft : m
+    displacement : t; or give block
+    block : coefficient; or give displacement
+    gyration : m, radius in yaw [length/4]
     center : m, of the centre of gravity ahead of midship, for a database
     """
 
@@ -50,7 +56,12 @@ class ShipTable(Table):
 
 
 class SpeedsTable(Table):
-    """mean, deviation : m/s, of a Weibull distribution; contacts : how many the speed is reached once in"""
+    """Speeds of a berth, of a Weibull distribution
+
+    mean : m/s
+    deviation : m/s, standard
+    contacts : how many the speed is reached once in
+    """
 
     mean: float
     deviation: float
@@ -58,10 +69,16 @@ class SpeedsTable(Table):
 
 
 class ApproachTable(Table):
-    """speed : m/s across the berth, or speeds; angle_deg : bow nearer, above 0
+    """How the ship comes
 
-    offset (m) or eccentricity : instead of the x of the first fender; virtual_mass : a method, or a number
-    softness, configuration : C_s, C_c; abnormal : factor on the energy
+    speed : m/s, across the berth; or give speeds
+    angle_deg : between ship and berth, bow nearer above 0
+    offset : m, of the contact from the centre of gravity, in place of the x of the first fender
+    eccentricity : coefficient, in place of the offset
+    virtual_mass : ueda, vasco_costa, older or pianc, or a number
+    softness : C_s
+    configuration : C_c
+    abnormal : factor on the energy
     """
 
     speed: float | None = None
@@ -76,14 +93,21 @@ class ApproachTable(Table):
 
 
 class BerthFender(FenderTable, kw_only=True):
-    """A fender of the berth; x : m ahead of midship where the ship meets it; gap : m behind the foremost"""
+    """A fender of the berth
+
+    x : m, ahead of midship, where the ship meets it
+    gap : m, behind the foremost
+    """
 
     x: float | None = None
     gap: float = 0.0
 
 
 class BerthStudy(Table):
-    """depth : m of the water at the berth"""
+    """A ship, how it comes, and the fenders that it meets
+
+    depth : m, of the water at the berth
+    """
 
     ship: ShipTable
     approach: ApproachTable

@@ -63,7 +63,11 @@ LARGEST_LOSS = 1e4
 
 
 class WaterTable(Table):
-    """depth : m; tide : m above and below; density : kg/m³"""
+    """Water of the place
+
+    depth : m, at mean level
+    tide : m, above and below it
+    """
 
     depth: float
     tide: float = 0.0
@@ -72,7 +76,15 @@ class WaterTable(Table):
 
 
 class SectionTable(Table):
-    """beam, height, diameter, draft : m; points : y, z and bulge of the edge to the next, ending where they began"""
+    """Section of the breakwater
+
+    shape : rectangle, circle or outline
+    draft : m, on its lines, at mean level
+    beam : m, of a rectangle
+    height : m, of a rectangle
+    diameter : m, of a circle
+    points : m, [y, z] or [y, z, bulge of the edge to the next], … of an outline, ending where they began
+    """
 
     shape: str
     draft: float
@@ -83,7 +95,13 @@ class SectionTable(Table):
 
 
 class BodyTable(Table):
-    """center_of_gravity : m above the lowest point; gyration : radius of, m"""
+    """Weight of the section, not for a fixed one
+
+    center_of_gravity : m, above the lowest point
+    gyration : m, radius in roll
+    mass_t_per_m : of breakwater; or free_draft, or lines.pretension_kN_per_m
+    free_draft : m, without lines
+    """
 
     center_of_gravity: float
     gyration: float
@@ -92,9 +110,16 @@ class BodyTable(Table):
 
 
 class LinesTable(Table):
-    """attachment : m, half the distance of the upper ends; attachment_height : m above the lowest point of the body
+    """Pairs of taut lines
 
-    length : m, by default to the bed; allowable, stiffness : of one line
+    angle_deg : with the bed; above 90 they cross
+    attachment : m, half the distance of their upper ends
+    attachment_height : m, above the lowest point of the body
+    length : m, by default to the bed
+    spacing : m, of breakwater between pairs
+    pretension_kN_per_m : of breakwater, in place of the weight of the body
+    allowable_kN : of one line
+    axial_stiffness_kN : of one line, for holding "elastic"
     """
 
     angle_deg: float
@@ -108,20 +133,30 @@ class LinesTable(Table):
 
 
 class SpanTable(Table, rename={"first": "from", "last": "to"}):
+    """Evenly spaced numbers, both ends included"""
+
     first: float
     last: float
     count: int
 
 
 class WavesTable(Table):
-    """height : m, crest to trough, of regular waves; periods : s"""
+    """Regular waves
+
+    height : m, crest to trough
+    periods : s, a list or a span
+    """
 
     height: float
     periods: list[float] | SpanTable
 
 
 class SeaTable(Table):
-    """height : m, significant; one period (s)"""
+    """An irregular sea; one period of it
+
+    height : m, significant
+    duration_hours : of the largest tension
+    """
 
     height: float
     spectrum: str = "bretschneider"
@@ -135,7 +170,14 @@ class SeaTable(Table):
 
 
 class SinkerTable(Table):
-    """weight_kN_per_m : submerged, of what is there, if it is known; lifted : the line's upward pull is carried too"""
+    """A block on the bed under each line
+
+    friction : coefficient on the bed
+    width : m
+    unit_weight_kN_per_m3 : in air
+    weight_kN_per_m : submerged, of what is there, if it is known
+    lifted : whether the line's upward pull is carried too
+    """
 
     friction: float
     width: float
@@ -145,7 +187,13 @@ class SinkerTable(Table):
 
 
 class CommonSinkerTable(Table):
-    """One sinker under both lines; as `SinkerTable`"""
+    """One block on the bed under both lines
+
+    friction : coefficient on the bed
+    width : m
+    unit_weight_kN_per_m3 : in air
+    weight_kN_per_m : submerged, of what is there, if it is known
+    """
 
     friction: float
     width: float
@@ -154,7 +202,14 @@ class CommonSinkerTable(Table):
 
 
 class PileTable(Table):
-    """diameter, length : m; spacing : m between piles, if it is known"""
+    """Piles as anchors
+
+    diameter : m
+    length : m, in the ground
+    cohesion_kPa : undrained, of the ground
+    safety : factor asked for
+    spacing : m, between piles, if it is known
+    """
 
     diameter: float
     length: float
@@ -164,7 +219,12 @@ class PileTable(Table):
 
 
 class HoldingTable(Table):
-    """capacity_kN : of an anchor along its line; spacing : m between anchors"""
+    """Anchors of a known capacity
+
+    capacity_kN : of an anchor along its line
+    spacing : m, between anchors
+    safety : factor asked for
+    """
 
     capacity_kN: float
     spacing: float
@@ -172,6 +232,8 @@ class HoldingTable(Table):
 
 
 class AnchorsTable(Table):
+    """What holds the lines on the bed; any of them"""
+
     sinker: SinkerTable | None = None
     common_sinker: CommonSinkerTable | None = None
     pile: PileTable | None = None
@@ -179,14 +241,23 @@ class AnchorsTable(Table):
 
 
 class LossTable(Table):
-    """coefficient : C of the head that the flow under the keel loses, C U²/2g, in potential flow"""
+    """Head that the flow under the keel loses, in potential flow
+
+    coefficient : C of C U²/2g
+    """
 
     coefficient: float
 
 
 class OptimisationTable(Table):
-    """draft, width : m, and angle_deg, from and to; samples : designs that are tried first, a power of two
-    limits : of the tension, under which the wave behind is lowered; behind : m, or K_T, that is wanted
+    """The least wave behind for every tension, over ranges [from, to]
+
+    draft : m
+    width : m, beam or diameter
+    angle_deg : of the lines
+    samples : designs that are tried first, a power of two from 4 to 4096
+    limits : how many tensions, under which the wave behind is lowered, 1 to 100
+    behind : m, or K_T without a sea, that is wanted
     """
 
     draft: tuple[float, float] | None = None
@@ -198,14 +269,24 @@ class OptimisationTable(Table):
 
 
 class DesignTable(Table):
-    """The curve that tensions and anchors are sized for"""
+    """The curve that tensions and anchors are sized for
+
+    holding : one of holdings, by default the last
+    theory : "potential flow" or "long waves"
+    """
 
     holding: str | None = None
     theory: str = THEORIES[0]
 
 
 class BreakwaterStudy(Table):
-    """holdings, theories : that are compared; measured : CSV beside the study, columns as in `measured`"""
+    """A taut-moored floating breakwater, per metre of its length
+
+    name : for results and pictures
+    holdings : that are compared: fixed, free, taut, elastic
+    theories : that are compared: "potential flow", "long waves"
+    measured : CSV of tank tests beside the study, drawn in the pictures
+    """
 
     water: WaterTable
     section: SectionTable

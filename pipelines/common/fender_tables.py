@@ -17,10 +17,21 @@ MOST = 1000  # fenders side by side
 class FenderTable(Table):
     """A generic fender of a family, or the table of its maker, and the dolphin behind it
 
-    family : cell, v, h, cone, foam, tyre, pneumatic; table : CSV of the maker; height, length : m, the diameter of a
-    pneumatic one; rated_reaction : kN; pressure : kPa; overload : kN/m; rated_strain, allowable_strain, return_length
-    (m): of a maker's table; count : side by side; factor : on the reaction
-    dolphin : kN/m, its stiffness; dolphin_yield : kN, dolphin_beyond : kN/m: bilinear, or soft ground
+    family : cell, v, h, cone, foam, tyre or pneumatic; or give table
+    table : CSV of the maker, of deflection and reaction, beside the study
+    height : m, in the direction it is pressed; the diameter of a pneumatic one
+    length : m, along the quay
+    rated_reaction : kN, at the rated deflection, in place of the family's
+    pressure : kPa, at rest, of a pneumatic one
+    overload : kN/m, stiffness beyond the last deflection
+    rated_strain : deflection over height at which a maker's table is rated
+    allowable_strain : deflection over height that a maker's table allows
+    return_length : m, over which a fender of a maker's table falls back to its unloading curve
+    count : fenders side by side, 1 to 1000
+    factor : on the reaction
+    dolphin : kN/m, stiffness of the dolphin behind it
+    dolphin_yield : kN, at which the dolphin yields or the ground softens
+    dolphin_beyond : kN/m, stiffness of the dolphin beyond that force
     """
 
     height: float

@@ -19,9 +19,12 @@ from .units import KGF, TONF
 
 
 class MaterialTable(Table):
-    """Submerged weight, axial stiffness EA and breaking load, each in one of its units; EA left out: inextensible
+    """Submerged weight, axial stiffness EA and breaking load, each in one of its units
 
     catalogue : a name such as "R3 studless 76 mm", for what is not given
+    weight : submerged, for each metre
+    axial_stiffness : EA; left out: inextensible
+    breaking_load : of a new line
     """
 
     catalogue: str | None = None
@@ -34,10 +37,12 @@ class MaterialTable(Table):
 
 
 class TypeTable(MaterialTable):
-    """What a line is made of at rest
+    """What a line is made of, by the name that lines call it
 
-    A hawser has no weight and a table: tension_tonf or tension_kN over elongation_percent of its length, both from 0;
-    a spring that pulls and does not push has spring_kN_per_m.
+    bed_friction : coefficient of friction on the bed, 0 to 5
+    elongation_percent : % of its length, of a hawser without weight, from 0 on
+    tension : of a hawser, at each elongation, from 0 on
+    spring_kN_per_m : kN/m, of a spring that pulls and does not push
     """
 
     bed_friction: float = 0.0
@@ -53,7 +58,12 @@ class TypeTable(MaterialTable):
 
 
 class SegmentTable(Table):
-    """length : m, unstretched; elements : of a line that moves, by default 40 for all of it, shared out by length"""
+    """A segment of a line, counted from its anchor up
+
+    type : name of one of the types
+    length : m, unstretched
+    elements : of a line that moves, by default 40 for all of it, shared out by length
+    """
 
     type: str
     length: float
@@ -61,9 +71,13 @@ class SegmentTable(Table):
 
 
 class AttachedTable(Table):
-    """A clump or a buoy at the upper end of segment `after_segment`, from 1; mass : kg; volume : m³
+    """A clump or a buoy between two segments of a line
 
-    drag_area : C_d A, m²; added_mass : times the displaced mass; both of a line that moves
+    after_segment : at whose upper end it is, from 1
+    mass : kg
+    volume : m³, of the water it displaces
+    drag_area : m², C_d A, of a line that moves
+    added_mass : times the displaced mass, of a line that moves
     """
 
     after_segment: int
@@ -74,9 +88,10 @@ class AttachedTable(Table):
 
 
 class OwnBedTable(Table):
-    """The bed under a line; points : [x, z], …, m from its anchor along the line, flat if not given
+    """The bed under a line
 
     friction : by default that of the types of its segments
+    points : m, [x, z], … from its anchor along the line, flat if not given
     """
 
     friction: float | None = None
@@ -84,7 +99,11 @@ class OwnBedTable(Table):
 
 
 class LineTable(Table):
-    """Either type and length (m, unstretched) of a uniform line, or segments with the bodies between them"""
+    """Either type and length of a uniform line, or segments with the bodies between them
+
+    type : name of one of the types
+    length : m, unstretched
+    """
 
     type: str | None = None
     length: float | None = None

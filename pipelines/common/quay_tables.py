@@ -24,9 +24,13 @@ FARTHEST = 10.0  # m, of a fender from the hull at rest
 
 
 class QuayFenderTable(FenderTable, kw_only=True):
-    """The keys of a fender and: position : m, of its face; friction : μ, with shear : kN/m along the face
+    """A fender of the berth, met by the flat side of the hull that it stands before
 
+    name : for results and messages
+    position : m, x, y, z of its face with the body at rest
     on : name of the dolphin that it stands on
+    friction : coefficient μ of its face
+    shear : kN/m, stiffness along the face, up to friction
     """
 
     name: str
@@ -37,7 +41,13 @@ class QuayFenderTable(FenderTable, kw_only=True):
 
 
 class DolphinTable(Table):
-    """stiffness : kN/m; beyond yield_force, kN, stiffness_beyond, kN/m"""
+    """A dolphin that carries a fender
+
+    name : that a fender calls it by, with its key on
+    stiffness : kN/m
+    yield_force : kN, at which it yields or the ground softens
+    stiffness_beyond : kN/m, beyond that force
+    """
 
     name: str
     stiffness: float
@@ -46,9 +56,20 @@ class DolphinTable(Table):
 
 
 class RopeTable(Table):
-    """From the bollard to the fairlead, m; break_strain : of a new rope; exponent : T ∝ εⁿ; hardening : by use
+    """A rope from a bollard to the hull, with or without a tail
 
-    tail_length : m, with its own breaking load [that of the rope], break_strain and exponent
+    name : for results and messages
+    fairlead : m, x, y, z on the body at rest
+    bollard : m, x, y, z in space
+    breaking_load_kN : of the new rope
+    break_strain : at its breaking load, 0.1 is 10 %
+    pretension_kN : at rest
+    exponent : n of T ∝ εⁿ
+    hardening : factor on the stiffness by use
+    tail_length : m, 0 without a tail
+    tail_breaking_load_kN : by default that of the rope
+    tail_break_strain : at its breaking load
+    tail_exponent : n of T ∝ εⁿ
     """
 
     name: str

@@ -54,7 +54,9 @@ def _line(message, raw, kind):
     if named:
         keys = [field.encode_name for field in msgspec.structs.fields(_table(kind, path))]
         state = "is unknown" if named[1] == "contains unknown" else "is missing"
-        return f"{path + '.' if path else ''}{named[2]} {state}; allowed: {', '.join(keys)}"
+        return (
+            f"{path + '.' if path else ''}{named[2]} {state}; allowed: {', '.join(keys)} (hakobune keys explains them)"
+        )
     expected, _, got = what.removeprefix("Expected ").partition(", got ")
     expected = " or ".join(_words(part) for part in expected.split(" | ") if "null" not in part)
     return f"{path or 'the file'} is {_value(raw, path, got)}; allowed: {expected}"

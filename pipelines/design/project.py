@@ -54,7 +54,16 @@ DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
 
 class ProjectTable(Table):
-    """service_life : years; probability : that the value of an extreme state is not exceeded in them"""
+    """What is designed, and for how long
+
+    name : title of the report
+    study : mooring study beside this file
+    scene : file of the body's scene, solved at every level; or give database
+    database : file of the solved body; or give scene
+    service_life : years
+    probability : that the value of an extreme state is not exceeded in them
+    note : of the report
+    """
 
     name: str
     study: str
@@ -66,9 +75,16 @@ class ProjectTable(Table):
 
 
 class StateTable(Table):
-    """A state of weather, its directions, water levels and lines; `lost` : the "worst" line of the intact case, "each"
+    """A state of weather, its directions, water levels and lines
 
+    name : for results
+    state : normal or abnormal, as the rules have it
     incidence_deg : of waves; wind and current come from there too, and from as many degrees off as are listed
+    wind_off_deg : of the wind from the waves
+    current_off_deg : of the current from the waves
+    levels : names of water levels, "mean" for the study's own
+    lines : "intact", "one lost"
+    lost : the "worst" line of the intact case, or "each"
     """
 
     name: str
@@ -85,8 +101,11 @@ class StateTable(Table):
 
 
 class RuleTable(Table):
-    """A rule set and what of it applies; file : of the user's own in place of the tables
+    """A rule set and what of it applies
 
+    rule : its name
+    subject : what of it applies, by default all
+    file : of rules of one's own in place of the tables
     confirmed : whether criteria that nobody has checked in the book are judged; has to be said where there are any
     """
 
@@ -97,21 +116,32 @@ class RuleTable(Table):
 
 
 class WearTable(Table):
-    """What chain loses of its diameter: mm_per_year, over the service life or `years`"""
+    """What chain loses of its diameter
+
+    mm_per_year : of diameter
+    years : by default the service life
+    """
 
     mm_per_year: float
     years: float | None = None
 
 
 class AnchorsTable(Table):
-    """holding_kN : holding capacity of an anchor; of single lines by name in `lines`"""
+    """Holding capacity of the anchors
+
+    holding_kN : of an anchor
+    lines : kN, {name of a line = capacity of its anchor}, where it is another
+    """
 
     holding_kN: float
     lines: dict[str, float] = msgspec.field(default_factory=dict)
 
 
 class Project(Table):
-    """levels : {name: m above the water of the study}"""
+    """A site, its states of weather and the rules that judge them
+
+    levels : m, {name = above the water of the study}
+    """
 
     project: ProjectTable
     states: list[StateTable]

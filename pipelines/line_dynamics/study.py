@@ -15,7 +15,10 @@ from ..common.typed import read_toml, typed
 
 
 class WaterTable(Table):
-    """depth : m under the anchor, inf for a line that touches no bed; density : kg/m³"""
+    """Water at the anchor
+
+    depth : m, under the anchor, inf for a line that touches no bed
+    """
 
     depth: float
     density: float = 1025.0
@@ -23,7 +26,14 @@ class WaterTable(Table):
 
 
 class BedTable(Table):
-    """slope_deg, upwards towards uphill_deg (0: +x); stiffness, damping : kPa/m and kPa s/m, times diameter"""
+    """An elastic bed, a plane
+
+    friction : coefficient
+    slope_deg : upwards
+    uphill_deg : where to, 0 → +x
+    stiffness_kPa_per_m : times diameter
+    damping_kPa_s_per_m : times diameter
+    """
 
     friction: float = 0.0
     slope_deg: float = 0.0
@@ -33,9 +43,14 @@ class BedTable(Table):
 
 
 class DynamicTypeTable(MaterialTable):
-    """Properties of a line that moves; `catalogue` fills in what is not given
+    """What a line that moves is made of
 
-    mass_kg_per_m in air; diameter : m, of the displaced volume; drag_normal on D, drag_tangential on πD
+    mass_kg_per_m : in air
+    diameter : m, of the displaced volume
+    drag_normal : coefficient on D
+    drag_tangential : coefficient on πD
+    added_normal : coefficient of added mass across the line
+    added_tangential : coefficient of added mass along the line
     damping_ratio : structural damping over that which is critical for one element
     """
 
@@ -49,7 +64,12 @@ class DynamicTypeTable(MaterialTable):
 
 
 class HarmonicTable(Table):
-    """amplitude : m along x, y, z; phase_deg : lag of each behind the time origin"""
+    """A harmonic motion of the fairlead
+
+    amplitude : m, along x, y, z
+    period : s
+    phase_deg : lag of each behind the time origin
+    """
 
     amplitude: tuple[float, float, float]
     period: float
@@ -57,9 +77,11 @@ class HarmonicTable(Table):
 
 
 class FairleadTable(Table):
-    """Either position with harmonic motions about it, or table : CSV of t,x,y,z in s and m, beside this file
+    """Either a position with harmonic motions about it, or a table of positions
 
-    ramp : s in which the motion fades in from rest; by default the longest period, and none for a table
+    position : m, x, y, z of its mean
+    table : CSV of t,x,y,z in s and m, beside this file
+    ramp : s, in which the motion fades in from rest; by default the longest period, and none for a table
     """
 
     position: tuple[float, float, float] | None = None
@@ -69,9 +91,12 @@ class FairleadTable(Table):
 
 
 class CurrentTable(Table):
-    """speed at the surface : m/s, or speed_knots; direction_deg travelled to, or incidence_deg
+    """A current over the depth
 
-    exponent : α of U(z) = U₀ (1 + z/h)^α; or z, rising from the bed, with the speeds (m/s) there
+    speed : m/s, at the surface; or speed_knots
+    exponent : α of U(z) = U₀ (1 + z/h)^α
+    z : m, rising from the bed, in place of an exponent
+    speeds : m/s, at each z
     """
 
     speed: float | None = None
@@ -84,7 +109,12 @@ class CurrentTable(Table):
 
 
 class WaveTable(Table):
-    """A regular wave; height : m, crest to trough; phase_deg : lag at the origin"""
+    """A regular wave
+
+    height : m, crest to trough
+    period : s
+    phase_deg : lag at the origin
+    """
 
     height: float
     period: float
@@ -94,10 +124,14 @@ class WaveTable(Table):
 
 
 class LineDynamicsStudy(Table):
-    """anchor : m in space; duration : s, by default to the end of a table or twelve of the longest period
+    """One mooring line and the motion of its fairlead
 
-    tolerance : error of a step in any tension, of the largest; measure_from : s, where the figures begin, by default
-    at the end of the ramp; frames : pictures of the line that are stored, by default about 20 for each cycle
+    anchor : m, x, y, z in space
+    name : for results and pictures
+    duration : s, by default to the end of a table or twelve of the longest period
+    tolerance : error of a step in any tension, of the largest
+    measure_from : s, where the figures begin, by default at the end of the ramp
+    frames : pictures of the line that are stored, by default about 20 for each cycle
     """
 
     water: WaterTable

@@ -23,7 +23,10 @@ YAML, TOML = (".yaml", ".yml"), (".toml",)
 
 
 class WaterTable(Table):
-    """depth : m; density : kg/m³"""
+    """Water of the place
+
+    depth : m
+    """
 
     depth: float
     density: float = 1025.0
@@ -31,7 +34,15 @@ class WaterTable(Table):
 
 
 class BodyTable(Table):
-    """position : m; freedom : Surge … Yaw, what loads may move; force_kN, moment_kNm : steady"""
+    """A body that lines hold
+
+    name : that fairleads call it by
+    position : m, x, y, z at rest
+    heading_deg : of its x axis, 0 → +x
+    freedom : Surge, Sway, Heave, Roll, Pitch, Yaw: what loads may move
+    force_kN : steady, along x, y, z
+    moment_kNm : steady, about x, y, z
+    """
 
     name: str
     position: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -42,14 +53,23 @@ class BodyTable(Table):
 
 
 class AnchorTable(Table):
-    """position : m in space"""
+    """A fixed end of lines
+
+    name : that lines call it by
+    position : m, x, y, z in space
+    """
 
     name: str
     position: tuple[float, float, float]
 
 
 class FairleadTable(Table):
-    """position : m in the axes of the body"""
+    """A point of a body that lines end at
+
+    name : that lines call it by
+    body : its name
+    position : m, x, y, z in the axes of the body
+    """
 
     name: str
     body: str
@@ -57,7 +77,14 @@ class FairleadTable(Table):
 
 
 class PointTable(Table):
-    """A buoy, sinker or joint; mass : kg; volume : m³; height : m over which it comes out of the water"""
+    """A buoy, sinker or joint, free to move
+
+    name : that lines call it by
+    position : m, x, y, z where the search begins
+    mass : kg
+    volume : m³, of the water it displaces
+    height : m, over which it comes out of the water
+    """
 
     name: str
     position: tuple[float, float, float]
@@ -67,7 +94,12 @@ class PointTable(Table):
 
 
 class SystemLineTable(LineTable, kw_only=True):
-    """from and to : names of points"""
+    """A line between two anchors, fairleads or points
+
+    name : for results and messages
+    from : name of the point it begins at
+    to : name of the point it ends at
+    """
 
     name: str
     start: str = msgspec.field(name="from")
@@ -75,6 +107,8 @@ class SystemLineTable(LineTable, kw_only=True):
 
 
 class SystemTable(Table):
+    """A system of lines between bodies, anchors and free points"""
+
     water: WaterTable
     types: dict[str, TypeTable]
     lines: list[SystemLineTable]

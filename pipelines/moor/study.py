@@ -29,13 +29,22 @@ from ..common.typed import read_toml, typed
 
 
 class WaterTable(Table):
-    """depth : m"""
+    """Water of the place
+
+    depth : m
+    """
 
     depth: float
 
 
 class HullTable(Table):
-    """freeboard : m, depth of the hull less draft; the rest is taken from the database where it is known"""
+    """The hull as wind and current meet it
+
+    freeboard : m, depth of the hull less draft
+    length : m, by default that of the database
+    beam : m, by default that of the database
+    draft : m, by default that of the database
+    """
 
     freeboard: float
     length: float | None = None
@@ -44,7 +53,13 @@ class HullTable(Table):
 
 
 class Coefficients(Table):
-    """Drag coefficients of a box for angles from 0 to 90° between stream and x axis; lever over length"""
+    """Drag coefficients of a box
+
+    angles_deg : 0 to 90, between stream and x axis
+    x : of the force along x, on the front
+    y : of the force along y, on the side
+    lever : of the moment, over the length
+    """
 
     angles_deg: list[float]
     x: list[float]
@@ -53,7 +68,10 @@ class Coefficients(Table):
 
 
 class StreamTable(Table):
-    """speed : m/s, or speed_knots; direction_deg travelled to, or incidence_deg"""
+    """A uniform stream
+
+    speed : m/s; or speed_knots
+    """
 
     speed: float | None = None
     speed_knots: float | None = None
@@ -63,7 +81,14 @@ class StreamTable(Table):
 
 
 class WindTable(StreamTable):
-    """gusts : name of their spectrum; surface_drag K, height m, exponent of the profile, intensity where it has them"""
+    """Wind, at 10 m
+
+    gusts : davenport, hino, npd or kaimal, about the mean wind, for simulate
+    surface_drag : K, where the gusts have it
+    gust_height : m, where the gusts have it
+    gust_exponent : of the profile, where the gusts have it
+    gust_intensity : of turbulence, where the gusts have it
+    """
 
     gusts: str | None = None
     surface_drag: float | None = None
@@ -73,11 +98,13 @@ class WindTable(StreamTable):
 
 
 class WavesTable(Table):
-    """height : m, significant; period : s, mean; direction_deg travelled to, or incidence_deg
+    """The sea, or a regular wave
 
+    height : m, significant
+    period : s, mean
     method : "irregular", waves of a spectrum, or "regular_wave" of this height and period as in the SR179 report
-    spectrum, gamma, spreading : of irregular waves as in a response study; duration_hours : of the largest motions
-    motion_factor : by which these are multiplied before lines are tightened by them, 1.5 in some rules
+    duration_hours : of the largest motions
+    motion_factor : by which the motions are multiplied before lines are tightened by them, 1.5 in some rules
     """
 
     height: float
@@ -93,7 +120,12 @@ class WavesTable(Table):
 
 
 class Spread(LineTable, kw_only=True):
-    """Lines from the four corners of the hull; headings_deg from the x axis, for the corner at +x, +y"""
+    """Lines from the four corners of the hull
+
+    corner_headings_deg : 0 to 90, off the x axis, of the lines of the corner at +x, +y; the others are mirrored
+    pretension : horizontal, at rest
+    fairlead_z : m, above still water
+    """
 
     corner_headings_deg: list[float]
     pretension_tonf: float | None = None
@@ -102,9 +134,14 @@ class Spread(LineTable, kw_only=True):
 
 
 class OneLine(LineTable, kw_only=True):
-    """A line to an anchor at (x, y), or along heading_deg to where it carries the pretension; m
+    """A line to an anchor, along a heading to where it carries the pretension, or to a bollard
 
-    bollard : (x, y, z) m, still, in place of an anchor; a hawser to it has a length or a pretension
+    name : for results and messages
+    fairlead : m, x, y, z on the body at rest
+    anchor : m, x, y on the bed
+    bollard : m, x, y, z, still, in place of an anchor; a hawser to it has a length or a pretension
+    heading_deg : from the fairlead to the anchor, 0 → +x
+    pretension : horizontal, at rest
     """
 
     name: str
@@ -117,20 +154,31 @@ class OneLine(LineTable, kw_only=True):
 
 
 class LostTable(Table):
-    """A line that breaks; time : s from the end of the ramp"""
+    """A line that breaks
+
+    line : its name in results
+    time : s, from the end of the ramp
+    """
 
     line: str
     time: float
 
 
 class GivenForceTable(Table):
-    """file : CSV beside the study, of t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m) on the body"""
+    """A given force on the body
+
+    file : CSV beside the study, of t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m) on the body
+    """
 
     file: str
 
 
 class SeaTable(Table):
-    """A further sea beside [waves], as swell: its keys, of irregular waves"""
+    """A further sea beside [waves], as swell
+
+    height : m, significant
+    period : s, mean
+    """
 
     height: float
     period: float
@@ -148,13 +196,24 @@ class SeaTable(Table):
 
 
 class SimulationTable(Table):
-    """duration : s that statistics are taken of, or duration_hours; ramp : s before it; step : s between samples
+    """A run in time, for simulate
 
-    seeds : how many, from 1 on, or which; keep_series : of how many seeds the records are stored
+    duration : s, that statistics are taken of
+    duration_hours : the same in hours
+    ramp : s, before the duration, in which every load grows from nothing
+    step : s, between samples
+    tolerance : of the motions, relative to their standard deviations
+    seeds : how many, from 1 on, or a list of them
+    keep_series : of how many seeds the records are stored
+    components : of each sea, by default chosen by duration and bandwidth
+    slow_drift : "newman", "mean" or "none"
+    wave_drift_damping : whether slow velocities change the drift
     bound_waves : whether the slow force of bound long waves is solved for and added to that of slow drift
-    damping_ratio : of critical, by motion, beyond waves, as in a response study
-    linear_damping, quadratic_damping : B₁, B₂ by motion in kN s/m, kN s²/m² (kN m of rotations), as
-    `hakobune damping` finds them; the rest as `weather.Settings`
+    memory : "states", or "constant" for added mass and damping at one frequency
+    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
+    damping_ratio : {motion = share of critical}, beyond waves, as in a response study
+    linear_damping : kN s/m, {motion = B₁}, kN m s of rotations, as `hakobune damping` finds it
+    quadratic_damping : kN s²/m², {motion = B₂}, kN m s² of rotations, as `hakobune damping` finds it
     """
 
     duration: float | None = None
@@ -179,7 +238,10 @@ class SimulationTable(Table):
 
 
 class Study(Table):
-    """allowable : fraction of the breaking load a line may carry"""
+    """Water, hull, lines and the weather they have to stand
+
+    allowable : fraction of the breaking load a line may carry, above 0, at most 1
+    """
 
     water: WaterTable
     hull: HullTable

@@ -50,10 +50,13 @@ from ..common.typed import read_toml, typed
 
 
 class SystemTable(Table):
-    """One system of waves of a sea: height m, significant, and one period (s), or a file of a spectrum beside the study
+    """One system of waves of a sea; a height and one period, or a file of a spectrum
 
-    direction_deg travelled to, or incidence_deg; x_axis_compass_deg : what the x axis heads, for nautical directions of
-    a file; time, location : which of its spectra
+    height : m, significant
+    file : of a spectrum (SWAN, NDBC, CSV) beside the study
+    x_axis_compass_deg : what the x axis heads, for nautical directions of a file
+    time : which of the spectra of a file
+    location : which of the places of a file, from 1
     """
 
     height: float | None = None
@@ -74,8 +77,9 @@ class SystemTable(Table):
 
 
 class SeaTable(SystemTable):
-    """A sea of one system of waves, or of several `systems` at once; duration_hours of it
+    """A sea of one system of waves, or of several at once
 
+    duration_hours : of the largest motions
     bound_waves : whether the slow force of the long waves bound to it is solved for, of one system of long crests
     """
 
@@ -85,7 +89,10 @@ class SeaTable(SystemTable):
 
 
 class DirectionTable(Table):
-    """share of the time with waves of this direction"""
+    """A direction of the climate
+
+    share : of the time with waves of this direction
+    """
 
     share: float
     direction_deg: float | None = None
@@ -93,7 +100,11 @@ class DirectionTable(Table):
 
 
 class ClimateTable(Table):
-    """scatter : CSV file beside the study; years : return period of the extremes"""
+    """All seas of a place and how often they come
+
+    scatter : CSV file beside the study
+    years : return period of the extremes
+    """
 
     scatter: str
     directions: list[DirectionTable]
@@ -104,7 +115,12 @@ class ClimateTable(Table):
 
 
 class PointTable(Table):
-    """position : m, x, y, z; clearance : m above still water of what has to stay dry"""
+    """A point of the body whose motion is wanted
+
+    name : for results
+    position : m, x, y, z with the body at rest
+    clearance : m, above still water, of what has to stay dry
+    """
 
     name: str
     position: tuple[float, float, float]
@@ -112,9 +128,11 @@ class PointTable(Table):
 
 
 class KeelTable(Table):
-    """Water under the bottom: tide m, level above that of the database's depth; extra_draft m, beyond the hull's
+    """Water under the bottom
 
-    points : m, of the bottom, by default the corners of the hull's deepest part
+    tide : m, level above that of the database's depth
+    extra_draft : m, beyond the hull's
+    points : m, [x, y, z], … of the bottom, by default the corners of the hull's deepest part
     """
 
     tide: float = 0.0
@@ -123,9 +141,12 @@ class KeelTable(Table):
 
 
 class BodyTable(Table):
-    """damping_ratio : of critical, by motion, beyond radiation; damping, stiffness : 6 × 6 in SI units, added
+    """What acts on the body beside the waves
 
-    viscous : damping that grows with the motion
+    viscous : damping that grows with the motion, linearised in the sea
+    damping_ratio : {motion = share of critical}, beyond radiation
+    damping : 6 × 6 in SI units, added
+    stiffness : 6 × 6 in SI units, added
     """
 
     viscous: Laws | None = None
@@ -135,7 +156,7 @@ class BodyTable(Table):
 
 
 class ResponseStudy(Table):
-    """Either a sea or a climate"""
+    """A body of a database in one sea, or in a climate"""
 
     sea: SeaTable | None = None
     climate: ClimateTable | None = None

@@ -43,7 +43,7 @@ class _Table(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tr
 
 
 class Span(_Table):
-    """Evenly spaced numbers, both ends included."""
+    """Evenly spaced numbers, both ends included"""
 
     first: float = msgspec.field(name="from")
     last: float = msgspec.field(name="to")
@@ -51,14 +51,21 @@ class Span(_Table):
 
 
 class Band(_Table):
-    """rad/s, both ends included; which frequencies are solved in it `pipelines.solve.adaptive` chooses."""
+    """A band in which as many frequencies are solved as the tolerance asks for
+
+    from : rad/s
+    to : rad/s
+    """
 
     first: float = msgspec.field(name="from")
     last: float = msgspec.field(name="to")
 
 
 class Water(_Table):
-    """depth : m (may be inf); density : kg/m³; gravity : m/s²"""
+    """Water of the place
+
+    depth : m, inf for deep water
+    """
 
     depth: float
     density: float = 1025.0
@@ -66,12 +73,20 @@ class Water(_Table):
 
 
 class BodyTable(_Table):
-    """shape : box, buoy (vertical cylinder), ship or mesh; sizes : m; file : mesh file
+    """The floating body
 
-    block : coefficient of a ship; bow, stern : fullness of its waterplane there (`meshing.ship`)
-
-    center_of_gravity : m; gyration : (kxx, kyy, kzz) m about it
+    shape : box, buoy (vertical cylinder), ship or mesh
+    length : m, of a box or ship
+    beam : m, of a box or ship
+    draft : m, of a box, buoy or ship
+    radius : m, of a buoy
+    block : coefficient of a ship
+    bow : fullness of a ship's waterplane there
+    stern : fullness of a ship's waterplane there
+    file : of a mesh, beside the scene: .gdf .msh .vtu .pnl …
     mass : kg, left out: that of the displaced water
+    center_of_gravity : m, x, y, z; z above still water
+    gyration : m, [kxx, kyy, kzz] about the centre of gravity; without them no motions
     trimmed : whether something holds the body as it is drawn, though its weight would turn it
     """
 
@@ -91,9 +106,13 @@ class BodyTable(_Table):
 
 
 class Waves(_Table):
-    """omegas : rad/s, or periods : s, or xi_B = ω²B/2g; headings_deg : degrees the waves travel to
+    """Frequencies, in one of four ways, and headings
 
-    band : rad/s instead, in which as many frequencies are solved as the tolerance asks for
+    omegas : rad/s, a list or a span
+    periods : s, a list or a span
+    xi_B : ω²B/2g, a list or a span
+    band : in which as many frequencies are solved as the tolerance asks for
+    headings_deg : degrees the waves travel to, 0 → +x, 90 → +y, a list or a span
     """
 
     omegas: list[float] | Span | None = None
@@ -104,11 +123,15 @@ class Waves(_Table):
 
 
 class Scene(_Table, dict=True):  # where derived quantities are kept
-    """tolerance : wanted relative error, or panels : on the whole hull; rotation_center : m
+    """One floating body in water, its waves and what is wanted
 
-    want : names or groups of `pipelines.scene.products`, left out: everything; lid : interior lid against
-    irregular frequencies; method : auto or one of `pipelines.scene.methods`
-    wall : y in m of a vertical wall along x that reflects all waves
+    want : names or groups of results, left out: everything
+    tolerance : relative error asked for [0.01]; or give panels
+    panels : on the whole hull, in place of tolerance
+    method : auto, panel, contour, pressure, strip or inverse-strip
+    rotation_center : m, x, y, z that rotations and moments are about
+    lid : whether there is an interior lid against irregular frequencies
+    wall : m, y of a vertical wall along x that reflects all waves
     """
 
     water: Water

@@ -28,7 +28,15 @@ from ..moor.study import Coefficients, WaterTable, WindTable
 
 
 class HullTable(Table):
-    """length, beam, draft, freeboard : m; displacement : t, of the box if not given; center : m of mass from midship"""
+    """The hull
+
+    length : m
+    beam : m
+    draft : m
+    freeboard : m
+    displacement : t, of the box if not given
+    center : m, of mass ahead of midship
+    """
 
     length: float
     beam: float
@@ -39,7 +47,13 @@ class HullTable(Table):
 
 
 class MassTable(Table):
-    """added mass of slow surge, sway and yaw over the body's own; gyration : m in yaw, of a uniform box if not given"""
+    """Added mass of slow motion, over the body's own, in place of the database's
+
+    added_surge : over the mass
+    added_sway : over the mass
+    added_yaw : over the moment of inertia
+    gyration : m, in yaw, of a uniform box if not given
+    """
 
     added_surge: float
     added_sway: float
@@ -48,7 +62,12 @@ class MassTable(Table):
 
 
 class AttachmentTable(Table):
-    """x, y : m, from midship, where hawser or buoy is made fast to the hull; z : height over the water, in waves"""
+    """Where hawser or buoy is made fast to the hull
+
+    x : m, from midship
+    y : m, from the middle line
+    z : m, over the water, in waves
+    """
 
     x: float
     y: float = 0.0
@@ -56,9 +75,15 @@ class AttachmentTable(Table):
 
 
 class HawserTable(Table):
-    """length : m of each; count : 1 or 2; spacing : m between the ends of two on the hull
+    """The hawser; without one the buoy touches the hull, as a turret does
 
-    Of the scheme "buoy": axial_stiffness EA, or breaking_load at a strain, T = B (ε/strain)^exponent
+    length : m, of each
+    count : 1 or 2
+    spacing : m, between the ends of two on the hull
+    axial_stiffness : EA, for the scheme "buoy"
+    breaking_load : B of T = B (ε/strain)^exponent, for the scheme "buoy"
+    strain : at the breaking load
+    exponent : of T = B (ε/strain)^exponent
     """
 
     length: float
@@ -73,7 +98,13 @@ class HawserTable(Table):
 
 
 class BuoyTable(Table):
-    """z : m, where the lines are made fast, below 0; with mass (t), diameter and height (m) it rises and sinks"""
+    """The buoy; with mass, diameter and height it rises and sinks
+
+    z : m, where the lines are made fast, below 0
+    mass : t
+    diameter : m
+    height : m
+    """
 
     z: float
     mass: float | None = None
@@ -82,9 +113,13 @@ class BuoyTable(Table):
 
 
 class MooringTable(LineTable, kw_only=True):
-    """Equal lines from the buoy at rest: headings_deg, or count of them from the first heading on
+    """Equal lines from the buoy at rest
 
-    pretension : horizontal, at rest; or top_tension of a uniform line, along it at the buoy
+    headings_deg : of each, 0 → +x; or give count
+    count : of lines, evenly around
+    first_deg : heading of the first of count
+    pretension : horizontal, at rest; or give top_tension
+    top_tension : of a uniform line, along it at the buoy
     """
 
     headings_deg: list[float] | None = None
@@ -97,13 +132,21 @@ class MooringTable(LineTable, kw_only=True):
 
 
 class WindOfHull(WindTable):
-    """file : CSV of coefficients of a hull, beside the study, in place of those of a box"""
+    """Wind on the hull, at 10 m
+
+    file : CSV of coefficients of a hull, beside the study, in place of those of a box
+    """
 
     file: str | None = None
 
 
 class TurningTable(Table):
-    """Proportions whose turning tests are taken in place of the hull's own"""
+    """Turning tests of a box; proportions in place of the hull's own
+
+    length_over_beam : L/B
+    beam_over_draft : B/d
+    depth_over_draft : h/d
+    """
 
     length_over_beam: float | None = None
     beam_over_draft: float | None = None
@@ -111,10 +154,13 @@ class TurningTable(Table):
 
 
 class CurrentTable(Table):
-    """One of turning (tests of a box), coefficients (of a box) and file (CSV of a hull, beside the study)
+    """Current on the hull, by one of turning, coefficients and file
 
-    yaw_drag : N₂ in kN m s², by default that of the cross flow on a box; sway_damping : kN s/m;
-    yaw_damping : kN m s; beside coefficients or file alone: turning tests contain them
+    speed : m/s; or speed_knots
+    file : CSV of coefficients of a hull, beside the study
+    yaw_drag : kN m s², N₂, by default that of the cross flow on a box; turning tests contain it
+    sway_damping : kN s/m, beside coefficients or file alone
+    yaw_damping : kN m s, beside coefficients or file alone
     """
 
     speed: float | None = None
@@ -130,8 +176,10 @@ class CurrentTable(Table):
 
 
 class WavesTable(Table):
-    """height : m, significant; period : s, mean, of a spectrum as in `moor`, with a database
+    """The sea
 
+    height : m, significant
+    period : s, mean, with a database
     drift_tonf_per_m2 : of the square of the height, along the waves at every heading, in place of the database's drift
     """
 
@@ -146,7 +194,10 @@ class WavesTable(Table):
 
 
 class AxisTable(Table):
-    """key : of a number in this study, as "hawser.length" or "hull.length_over_beam" (of the same volume)"""
+    """A number of the study that is varied
+
+    key : its name, as "hawser.length" or "hull.length_over_beam" (of the same volume)
+    """
 
     key: str
     from_: float = msgspec.field(name="from")
@@ -155,20 +206,29 @@ class AxisTable(Table):
 
 
 class MapTable(Table):
-    """Growth of slewing over one or two numbers of the study"""
+    """Growth of slewing over one or two numbers of the study
+
+    x : the first number
+    y : the second number
+    """
 
     x: AxisTable
     y: AxisTable | None = None
 
 
 class SlewingTable(Table):
-    """A run in time: duration : s; step : s of the record [1 s, of waves a thirtieth of their period]
+    """A run in time
 
-    offset_deg : of the heading at its start from that of rest; waves_after : s, when the waves are added
-    scheme : "two_scale", with waves, or "slow"; the first where there are waves and a database; or "buoy", with the
-        buoy as a body of its own mass on an elastic hawser that falls slack and snaps
-    slow_step : s, of the slow motion with waves; tolerance : of place and heading without
-    components : of the waves; seed : of gusts and waves
+    duration : s
+    step : s, of the record [1 s, of waves a thirtieth of their period]
+    offset_deg : of the heading at its start from that of rest
+    waves_after : s, when the waves are added
+    scheme : "two_scale", with waves, "slow", without, or "buoy", with the buoy as a body on an elastic hawser that
+        falls slack and snaps; by default the first where there are waves and a database
+    slow_step : s, of the slow motion with waves
+    tolerance : of place and heading, without waves
+    components : of the waves
+    seed : of gusts and waves
     """
 
     duration: float = 1200.0
@@ -183,6 +243,11 @@ class SlewingTable(Table):
 
 
 class Study(Table):
+    """A hull on a buoy or turret
+
+    allowable : fraction of the breaking load a line may carry, above 0, at most 1
+    """
+
     water: WaterTable
     hull: HullTable
     attachment: AttachmentTable

@@ -1,0 +1,149 @@
+"""Kinds of files, the commands that read them, and an example of each."""
+
+from __future__ import annotations
+
+import importlib
+import tomllib
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import msgspec
+
+SCENES = Path(__file__).parents[1] / "scenes"
+SOLVED = "hakobune solve series_box_20m.toml --output box.h5"
+
+
+class Kind(NamedTuple):
+    """reader : "module:Struct" of what a file becomes; commands : that read it; example : file in `pipelines/scenes`
+
+    steps : commands that run the example, FILE for its name; beside : further files of `pipelines/scenes` they need
+    """
+
+    meaning: str
+    reader: str
+    commands: str
+    example: str
+    steps: tuple[str, ...]
+    beside: tuple[str, ...] = ()
+
+
+KINDS = {
+    "scene": Kind(
+        "a floating body in water and waves",
+        "pipelines.scene.scene:Scene",
+        "box, buoy, ship, solve, look",
+        "series_box.toml",
+        ("hakobune solve FILE --output box.h5",),
+    ),
+    "study": Kind(
+        "a moored body: water, hull, lines, weather",
+        "pipelines.moor.study:Study",
+        "moor, simulate",
+        "moor_chain_12.toml",
+        (SOLVED, "hakobune moor FILE --database box.h5 --output moor.h5"),
+        ("series_box_20m.toml",),
+    ),
+    "simulation": Kind(
+        "the same in time",
+        "pipelines.moor.study:Study",
+        "simulate",
+        "simulate_chain_12.toml",
+        (SOLVED, "hakobune simulate FILE --database box.h5 --output run.h5"),
+        ("series_box_20m.toml",),
+    ),
+    "response": Kind(
+        "a free body in a sea or a climate",
+        "pipelines.response.study:ResponseStudy",
+        "response",
+        "response_box_20m.toml",
+        (SOLVED, "hakobune response FILE --database box.h5"),
+        ("series_box_20m.toml",),
+    ),
+    "system": Kind(
+        "lines between bodies, anchors and free points",
+        "pipelines.lines.system_file:SystemTable",
+        "lines",
+        "lines_barge.toml",
+        ("hakobune lines FILE",),
+    ),
+    "line-dynamics": Kind(
+        "one line in motion",
+        "pipelines.line_dynamics.study:LineDynamicsStudy",
+        "line-dynamics",
+        "line_chain_60m.toml",
+        ("hakobune line-dynamics FILE",),
+    ),
+    "single-point": Kind(
+        "a hull on a buoy or turret",
+        "pipelines.single_point.tables:Study",
+        "single-point",
+        "single_point_A.toml",
+        ("hakobune single-point FILE",),
+    ),
+    "berth": Kind(
+        "a ship that comes alongside",
+        "pipelines.berth.study:BerthStudy",
+        "berth",
+        "berth_tanker.toml",
+        ("hakobune berth FILE",),
+    ),
+    "breakwater": Kind(
+        "a taut-moored floating breakwater",
+        "pipelines.breakwater.study:BreakwaterStudy",
+        "breakwater",
+        "breakwater_circle.toml",
+        ("hakobune breakwater FILE",),
+    ),
+    "design": Kind(
+        "a site, its weather and the rules that judge a mooring",
+        "pipelines.design.project:Project",
+        "design",
+        "design_chain_12.toml",
+        ("hakobune design FILE --output design",),
+    ),
+}
+
+
+def kind_named(name):
+    """A Kind by its own name or that of a command.  Raises ValueError."""
+    if name in KINDS:
+        return KINDS[name]
+    found = [kind for kind in KINDS.values() if name in kind.commands.split(", ")]
+    if not found:
+        raise ValueError(f"there are no files of kind {name!r}; allowed: {', '.join(KINDS)}, or a command")
+    return found[0]
+
+
+def struct_of(name):
+    """The msgspec.Struct that reads a kind of file"""
+    module, _, struct = kind_named(name).reader.partition(":")
+    return getattr(importlib.import_module(module), struct)
+
+
+@cache
+def examples_of(name):
+    """{path of a key: value} in the shipped files of a kind, the kind's own example first"""
+    struct, values = struct_of(name), {}
+    first = SCENES / kind_named(name).example
+    for path in (first, *sorted(SCENES.glob("*.toml"))):
+        raw = tomllib.loads(path.read_text(encoding="utf-8"))
+        try:
+            msgspec.convert(raw, struct)
+        except msgspec.ValidationError:
+            continue
+        _collect(raw, struct, "", values)
+    return values
+
+
+def _collect(raw, struct, path, values):
+    for key, value in raw.items():
+        place = f"{path}.{key}"
+        # names that the writer chooses stand under the key that holds them
+        for inner in value if isinstance(value, list) else [value]:
+            if isinstance(inner, dict):
+                _collect(inner, struct, place.lstrip("."), values)
+                for named in inner.values():
+                    if isinstance(named, dict):
+                        _collect(named, struct, f"{place}.NAME".lstrip("."), values)
+        values.setdefault(place if path else f".{key}", value)

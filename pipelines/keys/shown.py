@@ -1,0 +1,81 @@
+"""The reference of keys as text of the terminal's width, as JSON and as Markdown."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import textwrap
+
+from .kinds import KINDS
+from .reference import toml
+
+
+def kinds_text(as_json, as_markdown):
+    """All kinds of files, what they are and which commands read them"""
+    if as_json:
+        return json.dumps({name: {"meaning": k.meaning, "commands": k.commands} for name, k in KINDS.items()}, indent=1)
+    if as_markdown:
+        rows = [f"| {name} | {kind.meaning} | {kind.commands} |" for name, kind in KINDS.items()]
+        return "\n".join(["| kind | what it is | commands |", "|---|---|---|", *rows])
+    lines = [f"{name:<14} {kind.meaning}; read by {kind.commands}" for name, kind in KINDS.items()]
+    return "\n".join([*lines, "", "hakobune keys KIND explains its keys, hakobune new KIND writes one to begin with"])
+
+
+def having(tables, word):
+    """The tables whose heading has a word, and of the others the keys whose name has it; all without a word"""
+    if word is None:
+        return tables
+    word, kept = word.strip("[]").lower(), []
+    for table in tables:
+        if any(word in place.lower().strip("[]").split(".") for place in table.places):
+            kept.append(table)
+        else:
+            keys = tuple(key for key in table.keys if word in key.name.lower())
+            kept += [table._replace(keys=keys)] if keys else []
+    return tuple(kept)
+
+
+def default_of(key):
+    """What stands for a key that is not given, "needed" where it has to be"""
+    if key.needed:
+        return "needed"
+    return "" if key.default is None else toml(key.default)
+
+
+def explained(key):
+    """Meaning of a key, its type where that is no single number, and an example"""
+    kind = f" ({key.type})" if key.type not in ("number", "table", "tables", "text", "table by name") else ""
+    example = f"; e.g. {key.example}" if key.example and key.example != default_of(key) else ""
+    return f"{key.meaning or key.name.replace('_', ' ')}{kind}{example}"
+
+
+def as_text(tables):
+    width, lines = max(shutil.get_terminal_size((110, 24)).columns, 60), []
+    names = max(len(key.name) for table in tables for key in table.keys) + 2
+    units = max(len(key.unit) for table in tables for key in table.keys) + 2
+    for table in tables:
+        head = ", ".join(table.places) if table.places != ("",) else "before any table"
+        lines += ["", *textwrap.wrap(f"{head}  {table.meaning}", width, subsequent_indent="  ")]
+        for key in table.keys:
+            begin = f"  {key.name:<{names}}{key.unit:<{units}}"
+            default = default_of(key)
+            text = f"{explained(key)}{f' [{default}]' if default else ''}"
+            lines += textwrap.wrap(text, width, initial_indent=begin, subsequent_indent=" " * min(len(begin), 40))
+    return "\n".join(lines[1:])
+
+
+def as_json(tables):
+    rows = [key._asdict() | {"places": table.places} for table in tables for key in table.keys]
+    return json.dumps(rows, ensure_ascii=False, indent=1)
+
+
+def as_markdown(tables):
+    lines = []
+    for table in tables:
+        head = ", ".join(f"`{place}`" for place in table.places) if table.places != ("",) else "Before any table"
+        lines += [f"### {head}", "", f"{table.meaning}.", "", "| key | unit | default | meaning |", "|---|---|---|---|"]
+        for key in table.keys:
+            text = explained(key).replace("|", "\\|")
+            lines.append(f"| `{key.name}` | {key.unit} | {default_of(key)} | {text} |")
+        lines.append("")
+    return "\n".join(lines).rstrip()

@@ -1,0 +1,48 @@
+"""Keys that mean the same wherever they stand, and units that stand in the name of a key or before its meaning."""
+
+from __future__ import annotations
+
+COMMON = {
+    "angle_deg": "degrees",
+    "count": "how many numbers, both ends included",
+    "coefficients": "drag coefficients in place of the tables of a box",
+    "density": "kg/m³, of the water",
+    "direction_deg": "travelled to, 0 → +x, 90 → +y; or give incidence_deg",
+    "energy_period": "s, T₋₁₀",
+    "from": "the first",
+    "gamma": "peak factor of a spectrum that has one, as jonswap",
+    "gravity": "m/s²",
+    "incidence_deg": "the angle χ of the reports, 0 from ahead; or give direction_deg",
+    "mean_period": "s, T₀₁",
+    "peak_period": "s",
+    "significant_period": "s, T₁/₃",
+    "spectrum": "of the sea: issc, jonswap, tma, bretschneider …",
+    "speed_knots": "in place of speed",
+    "spreading": "over directions: cosine:N, half_cosine:S, mitsuyasu:SMAX or wrapped_normal:DEGREES, else long crests",
+    "to": "the last",
+    "zero_crossing_period": "s, T₀₂",
+}
+# in the order they are looked for: the longest endings first
+ENDINGS = {
+    "_kg_per_m": "kg/m",
+    "_N_per_m": "N/m",
+    "_t_per_m": "t/m",
+    "_kN_per_m3": "kN/m³",
+    "_kN_per_m": "kN/m",
+    "_tonf_per_m2": "tonf/m²",
+    "_kPa_per_m": "kPa/m",
+    "_kPa_s_per_m": "kPa s/m",
+    "_kNm": "kN m",
+    "_kPa": "kPa",
+    "_kN": "kN",
+    "_tonf": "tonf",
+    "_knots": "knots",
+    "_hours": "h",
+    "_deg": "°",
+    "_per_year": "mm/year",
+    "_percent": "%",
+}
+UNITS = (
+    *("kN s²/m²", "kN m s²", "kN m s", "kN s/m", "kN/m", "kN", "kPa", "kg/m³", "kg/m", "kg", "rad/s", "m/s²", "m/s"),
+    *("m³", "m²", "m", "s", "t", "years", "%", "degrees"),
+)

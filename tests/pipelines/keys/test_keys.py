@@ -1,0 +1,89 @@
+"""The reference of keys is whole, and the files to begin with are those that are shipped."""
+
+import ast
+import json
+import tomllib
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from pipelines import cli
+from pipelines.keys.beginning import commented
+from pipelines.keys.kinds import KINDS, SCENES, struct_of
+from pipelines.keys.reference import entries, reference, summary, tables_of
+from pipelines.keys.words import COMMON, ENDINGS
+
+PIPELINES = Path(cli.__file__).parent
+TABLES = list(dict.fromkeys(table for kind in KINDS for table in tables_of(kind)))
+
+
+def names(table):
+    return {field.encode_name for field in msgspec.structs.fields(table)}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_key_has_a_text(kind):
+    assert [(t.places, k.name) for t in reference(kind) for k in t.keys if not k.meaning and not k.unit] == []
+    assert [t.places for t in reference(kind) if not t.meaning] == []
+
+
+@pytest.mark.parametrize("table", TABLES, ids=lambda table: f"{table.__module__}.{table.__name__}")
+def test_every_text_has_a_key(table):
+    assert summary(table)
+    known = names(table)
+    stems = {name.removesuffix(ending) for name in known for ending in ENDINGS if name.endswith(ending)}
+    assert set(entries(table)) <= known | stems
+
+
+def test_every_common_word_is_a_key_somewhere():
+    assert set(COMMON) <= set().union(*map(names, TABLES))
+
+
+def test_every_file_that_is_read_into_a_table_is_a_kind():
+    read = set()
+    for file in PIPELINES.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "typed":
+                read.add((file.parent.name, node.args[1].id))
+    known = {(struct.__module__.split(".")[-2], struct.__name__) for struct in map(struct_of, KINDS)}
+    known.add(("solve", "Scene"))
+    assert read == known
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_file_to_begin_with_says_what_its_example_says(kind):
+    text, example = commented(kind), (SCENES / KINDS[kind].example).read_text(encoding="utf-8")
+    assert tomllib.loads(text) == tomllib.loads(example)
+    msgspec.convert(tomllib.loads(text), struct_of(kind))
+    explained = [line for line in text.splitlines() if "#" in line]
+    assert len(explained) > 5 and max(map(len, text.splitlines())) <= 160
+
+
+@pytest.mark.parametrize("kind", ["system", "berth", "single-point"])
+def test_a_file_to_begin_with_runs(kind, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["new", kind]) == 0
+    step = capsys.readouterr().out.splitlines()[-1].split()
+    assert step[0] == "hakobune" and cli.main(step[1:]) == 0
+
+
+def test_a_file_that_is_there_is_not_replaced(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["new", "study"]) == 0
+    assert cli.main(["new", "response"]) == 0  # the scene that both need is the same
+    (tmp_path / "series_box_20m.toml").write_text("changed")
+    assert cli.main(["new", "simulation"]) == 2
+    assert "series_box_20m.toml is there already and is not replaced" in capsys.readouterr().err
+    assert not (tmp_path / "simulation.toml").exists()
+
+
+def test_keys_are_found_by_command_table_and_name(capsys):
+    assert cli.main(["keys", "moor", "pretension", "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    assert {row["name"] for row in rows} == {"pretension_tonf", "pretension_kN"}
+    assert cli.main(["keys", "scene", "water"]) == 0
+    assert "inf for deep water" in capsys.readouterr().out
+    assert cli.main(["keys", "scene", "nothing"]) == 2
+    assert cli.main(["keys", "pasta"]) == 2
+    assert "allowed: scene, study" in capsys.readouterr().err
