@@ -94,9 +94,13 @@ def append(file, omega, headings, result):
         found = [crc(*parts) for parts in zip(*stored, strict=True)] if by_heading else crc(*stored)
         marks[name] = np.asarray(found if sealed else np.ones_like(found), file["stored"][name].dtype)
     _append_checks(file, i, result)
-    file.flush()
-    for name, value in marks.items():
-        _put(file["stored"][name], name, i, columns, value)
+    # motions before what they follow from: a run killed between the two would else make them again from what is
+    # stored, without their estimated errors
+    free = [name for name in marks if name in NEEDS_MOTION]
+    for names in (free, [name for name in marks if name not in NEEDS_MOTION]):
+        file.flush()
+        for name in names:
+            _put(file["stored"][name], name, i, columns, marks[name])
     mark_whole_rows(file)
     file.flush()
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database
+from bem.database import open_database, rows
 from bem.database.schema import BODY, QUANTITIES
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
@@ -13,6 +13,10 @@ LIGHT = {"gyration": [6.0, 12.0, 13.0]}
 HEAVY = {"gyration": [7.0, 11.0, 14.0], "mass": 3.9e6, "center_of_gravity": [0.5, -0.25, 1.5], "trimmed": True}
 DRAG = {"wave_height": 0.5, "pitch": {"drag": 1e7}, "heave": {"drag": 1e5}}
 WAVES = {"omegas": [0.4, 1.1], "headings_deg": [0.0, 30.0]}
+
+
+class Killed(BaseException):
+    """The run ends here"""
 
 
 class Counting(Here):
@@ -83,3 +87,27 @@ def test_new_frequencies_of_another_mass_are_the_only_ones_solved(tmp_path):
     assert solved(tmp_path / "box.h5", HEAVY, more, want=["motions"])[0] == 1
     solved(tmp_path / "other.h5", HEAVY, more, want=want)
     assert_equal(open_database(tmp_path / "box.h5"), open_database(tmp_path / "other.h5"))
+
+
+@pytest.mark.parametrize("marks", range(1, 8))
+def test_a_run_that_dies_among_the_marks_of_a_frequency_loses_no_estimated_error(marks, tmp_path, monkeypatch):
+    want, wave = (
+        ["radiation", "excitation_force", "kochin", "motions", "drift"],
+        {"omegas": [0.4], "headings_deg": [30]},
+    )
+    solved(tmp_path / "whole.h5", LIGHT, wave, want=want)
+    put, left = rows._put, [marks]
+
+    def dying(dataset, *arguments):
+        left[0] -= dataset.name.startswith("/stored/")
+        if left[0] < 0:
+            raise Killed
+        put(dataset, *arguments)
+
+    with monkeypatch.context() as patched, pytest.raises(Killed):
+        patched.setattr(rows, "_put", dying)
+        solved(tmp_path / "box.h5", LIGHT, wave, want=want)
+    solved(tmp_path / "box.h5", LIGHT, wave, want=want)
+    one, other = (open_database(tmp_path / name) for name in ("box.h5", "whole.h5"))
+    for name in ("rao", "drift_force"):
+        np.testing.assert_array_equal(one[f"estimated_error/{name}"], other[f"estimated_error/{name}"])
