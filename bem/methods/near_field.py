@@ -17,6 +17,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..second_order.rotations import first_order_loads, rotated_pairs
+
 
 def near_field_drift(run, moving):
     """(m, 3) as `bem.drift.mean_drift`, about the rotation centre, from the potentials of a solved frequency.
@@ -77,9 +79,6 @@ def _method(run, moving):
 
 def rotated_loads(run):
     """(m, 3) mean surge, sway and yaw of the first-order loads, which turn with the body, about the rotation centre"""
-    T, X, stiffness = run.problem.transform, run.rao, run.problem.hydrostatic_stiffness
-    load = run.excitation @ T.T + X @ (run.omega**2 * T @ run.radiation @ T.T - stiffness).T
-    moved, alpha = X[:, :3].conj(), X[:, 3:].conj()
-    force = np.cross(alpha, load[:, :3])
-    moment = np.cross(alpha, load[:, 3:]) + np.cross(moved, load[:, :3])
-    return 0.5 * np.column_stack([force[:, :2], moment[:, 2]]).real
+    pairs = rotated_pairs(first_order_loads(run), run.rao)
+    each = np.arange(len(run.headings))
+    return pairs[each, each][:, [0, 1, 5]].real

@@ -43,11 +43,11 @@ class LongWaveBody:
         least = LOWEST * np.sqrt(problem.gravity / problem.depth)
         run = PanelRun(self.prepared, max(omega, least), [0.0], {"added_mass"}, None, DOFS)
         number = np.atleast_2d(np.asarray(number, float))
-        return _forces(run, number) @ problem.transform.T
+        return long_wave_forces(run, number) @ problem.transform.T
 
 
-def _forces(run, number):
-    """(w, 6) about the origin"""
+def long_wave_forces(run, number):
+    """(w, 6) D about the origin, of waves of wavenumbers (w, 2) rad/m at the frequency of a `PanelRun`"""
     g, problem = run.geometry, run.problem
     nodes, weights, normals = run.hull
     size = np.hypot(*number.T)

@@ -1,4 +1,9 @@
-"""Mean drift from the pressure on the panels of a hull, by the formula of `bem.methods.near_field`.
+"""Loads of second order by the squares of first-order quantities, from the pressure on the panels of a hull.
+
+    T_ij = −¼ρg ∮ ζᵢζ̄ⱼ n dl + ¼ρ ∬ {∇φᵢ·∇φ̄ⱼ + Xᵢ·∇∂φ̄ⱼ/∂t + X̄ⱼ·∇∂φᵢ/∂t} n dS,        moments alike with x × n
+
+of two waves of unit amplitude: Re Σ Σ aᵢāⱼ T_ij exp{−i(ωᵢ − ωⱼ)t} is the load at difference frequencies, T_ii the mean
+drift (`bem.methods.near_field`).  T_ji is the conjugate of T_ij.
 
 The singularity at edges is integrated by `hull_interpolation`; what remains is the discretisation error of the
 potentials, mainly of the motions.
@@ -11,9 +16,8 @@ import warnings
 import numpy as np
 
 from ...drift import about
-from ...waves import incident_wave
-from .edges import coarsest_at_gap, sharp_sides
-from .hull_interpolation import hull_quadrature, side_quadrature
+from .edges import coarsest_at_gap
+from .hull_flow import hull_surfaces, wave_flow
 
 # largest length of panels next to the keel over the gap: box, gap 2 m, resonant roll, near and far field differ by 4 %
 # of the largest force on the fixed body with panels of 1.2 m, 9 % with 2.5 m, all of it with 7.3 m
@@ -26,15 +30,41 @@ def pressure_drift(run, motions):
     run : `bem.panels.one_frequency.PanelRun` of a mesh with four nodes a panel; motions : (m, 6) about the origin
     raises : ValueError for constant panels and for zero draft
     """
-    _check(run)
-    parts, loads = ((_hull(run), _hull_density), (_waterline(run), _waterline_density)), np.zeros((len(motions), 6))
-    for j, motion in enumerate(motions):
-        phi = _on_images(run, run.disturbance(j, bool(motion.any())))
-        for surface, density in parts:
-            for x, n, weight, value, gradient in surface.images(phi, j, motion):
-                load = density(run, value, gradient, n, displacement(motion, x)) * weight
-                loads[j] += np.concatenate([load @ n, load @ np.cross(x, n)])
-    return about(loads[:, [0, 1, 5]], run.problem.rotation_center)
+    check_panels(run.problem, run.geometry.mesh)
+    surfaces = hull_surfaces(run.geometry)
+    loads = pressure_pairs(surfaces, wave_flow(run, surfaces, motions), run.problem)
+    each = np.arange(len(motions))
+    return about(loads[each, each][:, [0, 1, 5]].real, run.problem.rotation_center)
+
+
+def pressure_pairs(surfaces, flow, problem):
+    """(f, f, 6) complex T of all pairs of the f waves of a `hull_flow.HullFlow`, about the origin; N/m², N m/m²"""
+    hull, line, rho = surfaces.hull, surfaces.waterline, problem.density
+    u, n = flow.velocity.reshape(len(flow.omega), -1), surfaces.hull_modes * hull.weights[:, None]
+    squares = np.stack([(u * np.repeat(weight, 3)) @ u.conj().T for weight in n.T], axis=-1)
+    carried = -1j * flow.omega[:, None, None] * carried_flow(surfaces, flow)
+    across = np.einsum("im,jmc->ijc", flow.motion, carried.conj())
+    rise = 1j * flow.omega[:, None] / problem.gravity * flow.potential
+    rise = rise - flow.motion @ unit_displacements(line.points)[..., 2]
+    crest = np.stack(
+        [(rise * weight) @ rise.conj().T for weight in (surfaces.waterline_modes * line.weights[:, None]).T], axis=-1
+    )
+    return 0.25 * rho * (squares + across + across.conj().swapaxes(0, 1) - problem.gravity * crest)
+
+
+def carried_flow(surfaces, flow):
+    """(f, 6, 6) ∬ e_m·∇φ n_c dS with the displacement e_m of unit motion m about the origin"""
+    hull = surfaces.hull
+    weighted = surfaces.hull_modes * hull.weights[:, None]
+    unit = unit_displacements(hull.points)
+    rows = np.einsum("mpd,pc->mcpd", unit, weighted).reshape(36, -1)
+    return (flow.velocity.reshape(len(flow.omega), -1) @ rows.T).reshape(-1, 6, 6)
+
+
+def unit_displacements(x):
+    """(6, p, 3) of points (p, 3) by unit motions about the origin"""
+    moves = np.eye(3)[:, None] + np.zeros((3, len(x), 3))
+    return np.concatenate([moves, np.cross(np.eye(3)[:, None], x)])
 
 
 def pressure_error(run):
@@ -42,101 +72,20 @@ def pressure_error(run):
 
     raises : ValueError as `pressure_drift`
     """
-    _check(run)
+    check_panels(run.problem, run.geometry.mesh)
     return run.estimated_error()
 
 
-def displacement(motion, x):
-    """(…, 3) of the points x (…, 3), motion (6,) about the origin"""
-    return motion[:3] + np.cross(motion[3:], x)
-
-
-def _on_images(run, parts):
-    """(images, nodes) φ without the incident waves, from its symmetry classes"""
-    return sum(np.multiply.outer(run.geometry.signs(cls), phi) for cls, (phi, _) in parts.items())
-
-
-def _check(run):
-    problem = run.problem
+def check_panels(problem, mesh):
+    """Raises ValueError for constant panels and zero draft; warns of panels long beside the gap under the keel"""
     if problem.nodes_per_panel != 4:
         raise ValueError(f"near-field drift with {problem.nodes_per_panel} node a panel; allowed: 4")
     if problem.zero_draft:
         raise ValueError("near-field drift at zero draft; allowed: a hull with sides, the far field is right without")
-    length, gap = coarsest_at_gap(run.geometry.mesh, problem.depth)
+    length, gap = coarsest_at_gap(mesh, problem.depth)
     if length > LONGEST_PER_GAP * gap:
         warnings.warn(
             f"near-field drift: panels next to the keel are {length:.3g} m long over a gap of {gap:.3g} m; "
             f"reliable: up to {LONGEST_PER_GAP * gap:.3g} m, with more panels or finer ones there",
             stacklevel=4,
         )
-
-
-def _hull_density(run, phi, gradient, normal, moved):
-    speed = -1j * run.omega * np.sum(moved * normal, axis=1)
-    gradient = gradient + speed[:, None] * normal
-    carried = np.sum(moved.conj() * (-1j * run.omega) * gradient, axis=1).real
-    return run.problem.density * (0.25 * np.sum(np.abs(gradient) ** 2, axis=1) + 0.5 * carried)
-
-
-def _waterline_density(run, phi, gradient, normal, moved):
-    relative = 1j * run.omega / run.problem.gravity * phi - moved[:, 2]
-    return -0.25 * run.problem.density * run.problem.gravity * np.abs(relative) ** 2
-
-
-class _Surface:
-    """Total first-order flow at quadrature points of the hull, or of its waterline, and of their images."""
-
-    def __init__(self, run, flow):
-        self.run, self.flow, q = run, flow, flow.points.shape[1]
-        self.points, self.weights = flow.points.reshape(-1, 3), flow.weights.ravel()
-        self.normals = np.repeat(run.geometry.mesh.normals[flow.panels], q, axis=0)
-        self.sharp = np.isfinite(flow.edge[:, 0])
-        self.mirrors = np.column_stack([run.geometry.images, np.ones(len(run.geometry.images))])
-        self.nodes = run.hull[0] * self.mirrors[:, None]
-
-    def images(self, phi, heading, motion):
-        """For each mirror image: points, normals, weights, total φ and tangential ∇φ per unit wave amplitude
-
-        The disturbance is interpolated between the nodes; near an edge, where the interpolation has only powers of r^μ,
-        together with the uniform flow of the incident waves relative to the moving edge.
-        """
-        flow, q = self.flow, self.flow.points.shape[1]
-        for image, mirror in enumerate(self.mirrors):
-            at, normal = self.points * mirror, self.normals * mirror
-            uniform = self.velocity_at_edge(flow.edge * mirror, heading, motion)
-            through = image ^ flow.images, flow.nodes
-            remainder = phi[through] + np.einsum("nc,nac->na", uniform, self.nodes[through])
-            uniform = uniform.repeat(q, axis=0)
-            wave, velocity = self.incident(at, heading)
-            known = velocity - uniform
-            known -= np.sum(known * normal, axis=1, keepdims=True) * normal
-            value = np.einsum("nqa,na->nq", flow.shape, remainder).ravel() + wave - np.sum(uniform * at, axis=1)
-            slope = np.einsum("nqia,na->nqi", flow.gradient, remainder).reshape(-1, 3) * mirror
-            yield at, normal, self.weights, value, slope + known
-
-    def velocity_at_edge(self, edge, heading, motion):
-        """(n, 3) m/s, velocity of the incident waves relative to the edge, 0 on panels without edge"""
-        out = np.zeros((len(edge), 3), complex)
-        at = edge[self.sharp]
-        out[self.sharp] = self.incident(at, heading)[1] + 1j * self.run.omega * displacement(motion, at)
-        return out
-
-    def incident(self, at, heading):
-        run = self.run
-        return incident_wave(at, run.headings[heading], run.omega, run.k, run.problem.depth, run.problem.gravity)
-
-
-def _hull(run):
-    mesh = run.geometry.mesh
-    return _Surface(run, hull_quadrature(mesh, sharp_sides(mesh), run.problem.depth))
-
-
-def _waterline(run):
-    mesh = run.geometry.mesh
-    v, level = mesh.vertices, 1e-6 * mesh.draft
-    wet = v[:, :, 2] > -level
-    long = np.linalg.norm(np.roll(v, -1, axis=1) - v, axis=2) > 0
-    sides = np.nonzero(wet & np.roll(wet, -1, axis=1) & long)
-    out = _Surface(run, side_quadrature(mesh, sharp_sides(mesh), *sides, run.problem.depth))
-    out.normals = out.normals / np.sqrt(1 - out.normals[:, 2:] ** 2)  # the wetted strip of an inclined side is wider
-    return out

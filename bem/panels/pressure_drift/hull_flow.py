@@ -1,0 +1,162 @@
+"""First-order flow at quadrature points of a hull and of its waterline, mirror images included, wave by wave.
+
+The disturbance is interpolated between the nodes; near an edge, where the interpolation has only powers of r^μ,
+together with the uniform flow of the incident waves relative to the moving edge.  The velocity along the normal is
+that of the body.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...modes import normal_velocities
+from ...waves import incident_wave
+from .edges import sharp_sides
+from .hull_interpolation import hull_quadrature, side_quadrature
+
+
+class Surface:
+    """Quadrature points of a hull, or of its waterline, and of their images: p in all, image by image.
+
+    points, normals : (p, 3) m, 1; weights : (p,) m², or m along the waterline
+    """
+
+    def __init__(self, geometry, flow, normals):
+        self.flow, self.copies = flow, len(geometry.images)
+        q = flow.points.shape[1]
+        self.mirrors = np.column_stack([geometry.images, np.ones(self.copies)])
+        self.nodes = geometry.elements.nodes[: geometry.hull] * self.mirrors[:, None]
+        self.sharp = np.isfinite(flow.edge[:, 0])
+        self.points = self._images(flow.points.reshape(-1, 3))
+        self.normals = self._images(np.repeat(normals, q, axis=0))
+        self.weights = np.tile(flow.weights.ravel(), self.copies)
+
+    def _images(self, vectors):
+        return (vectors * self.mirrors[:, None]).reshape(-1, 3)
+
+    def value(self, run, phi, waves, motion, headings):
+        """(f, p) potential and (f, p, 3) its gradient along the surface, of f flows.
+
+        phi : (f, images, nodes) disturbance; waves : (f,) amplitude of the incident wave; motion : (f, 6) about the
+        origin; headings : (f,) rad; run : of the frequency
+        """
+        f, flow, count = len(phi), self.flow, len(self.flow.weights)
+        shape = f, self.copies, count
+        known = self.points, self.normals
+        wave, velocity = _incident(run, known[0], waves, headings)
+        uniform = self._at_edge(run, waves, motion, headings)
+        remainder = np.empty((self.copies, count, flow.nodes.shape[1], f), complex)
+        for image in range(self.copies):
+            through = image ^ flow.images, flow.nodes
+            far = np.einsum("fnc,nac->naf", uniform[:, image], self.nodes[through])
+            remainder[image] = np.moveaxis(phi[:, *through], 0, -1) + far
+        parts = remainder.view(float)  # real and imaginary parts beside each other
+        q = flow.points.shape[1]
+        at = np.matmul(flow.shape, parts).view(complex).reshape(-1, f).T
+        slope = np.matmul(flow.gradient.reshape(count, 3 * q, -1), parts).view(complex)
+        slope = np.moveaxis(slope.reshape(self.copies, count, q, 3, f), -1, 0) * self.mirrors[:, None, None]
+        uniform = np.repeat(uniform.reshape(f, -1, 3), q, axis=1)
+        rest = velocity - uniform
+        rest -= np.sum(rest * known[1], axis=-1, keepdims=True) * known[1]
+        value = at.reshape(*shape[:1], -1) + wave - np.sum(uniform * known[0], axis=-1)
+        return value, slope.reshape(f, -1, 3) + rest
+
+    def _at_edge(self, run, waves, motion, headings):
+        """(f, images, n, 3) m/s, velocity of the incident waves relative to the edge, 0 on panels without edge"""
+        edge = self.flow.edge[self.sharp] * self.mirrors[:, None]
+        out = np.zeros((len(waves), self.copies, len(self.sharp), 3), complex)
+        relative = _incident(run, edge, waves, headings)[1]
+        relative += 1j * run.omega * (motion[:, None, None, :3] + np.cross(motion[:, None, None, 3:], edge))
+        out[:, :, self.sharp] = relative
+        return out
+
+
+@dataclass(frozen=True, eq=False)
+class HullSurfaces:
+    """The `Surface` of a hull and of its waterline, with generalised normals (p, 6) about the origin"""
+
+    hull: Surface
+    waterline: Surface
+
+    @property
+    def hull_modes(self):
+        """(p, 6)"""
+        return normal_velocities(self.hull.points, self.hull.normals)
+
+    @property
+    def waterline_modes(self):
+        """(l, 6)"""
+        return normal_velocities(self.waterline.points, self.waterline.normals)
+
+
+def hull_surfaces(geometry):
+    """`HullSurfaces` of a `bem.panels.influence.Geometry`"""
+    mesh = geometry.mesh
+    exponents = sharp_sides(mesh)
+    flow = hull_quadrature(mesh, exponents, geometry.depth)
+    v, level = mesh.vertices, 1e-6 * mesh.draft
+    wet = v[:, :, 2] > -level
+    long = np.linalg.norm(np.roll(v, -1, axis=1) - v, axis=2) > 0
+    line = side_quadrature(mesh, exponents, *np.nonzero(wet & np.roll(wet, -1, axis=1) & long), geometry.depth)
+    upright = mesh.normals[line.panels]
+    upright = upright / np.sqrt(1 - upright[:, 2:] ** 2)  # the wetted strip of an inclined side is wider
+    return HullSurfaces(Surface(geometry, flow, mesh.normals[flow.panels]), Surface(geometry, line, upright))
+
+
+@dataclass(frozen=True, eq=False)
+class HullFlow:
+    """First-order flow of f waves of unit amplitude, or of f motions of unit velocity.
+
+    omega : (f,) rad/s; motion : (f, 6) m, rad about the origin; velocity : (f, p, 3) ∇φ on the hull
+    potential : (f, l) along the waterline, m²/s; on_hull : (f, p) the same on the hull
+    """
+
+    omega: np.ndarray
+    motion: np.ndarray
+    velocity: np.ndarray
+    potential: np.ndarray
+    on_hull: np.ndarray
+
+    @classmethod
+    def joined(cls, flows):
+        """Those of several one after another"""
+        parts = ([getattr(flow, name) for flow in flows] for name in cls.__dataclass_fields__)
+        return cls(*(np.concatenate(part) for part in parts))
+
+
+def wave_flow(run, surfaces, motions):
+    """`HullFlow` in the waves of a `bem.panels.one_frequency.PanelRun`; motions : (m, 6) about the origin, m and rad"""
+    phi = [_on_images(run, run.disturbance(j, bool(motion.any()))) for j, motion in enumerate(motions)]
+    return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), motions, run.headings)
+
+
+def radiated_flow(run, surfaces):
+    """`HullFlow` of the six motions of unit velocity of a `PanelRun` that has solved for all"""
+    phi = np.zeros((6, len(run.geometry.images), run.geometry.hull), complex)
+    for cls, (moving, _) in run.columns.items():
+        signs = run.geometry.signs(cls)
+        for i, mode in enumerate(moving):
+            phi[mode] = np.multiply.outer(signs, run.potentials[cls][i])
+    return _flow(run, surfaces, phi, np.zeros(6), np.eye(6) / (-1j * run.omega), np.zeros(6))
+
+
+def _flow(run, surfaces, phi, waves, motions, headings):
+    hull = surfaces.hull
+    on_hull, gradient = hull.value(run, phi, waves, motions, headings)
+    gradient += (-1j * run.omega * motions @ surfaces.hull_modes.T)[..., None] * hull.normals
+    potential = surfaces.waterline.value(run, phi, waves, motions, headings)[0]
+    return HullFlow(np.full(len(phi), run.omega), np.asarray(motions, complex), gradient, potential, on_hull)
+
+
+def _incident(run, at, waves, headings):
+    """φ_I (f, …) and its gradient (f, …, 3) at points (…, 3)"""
+    problem = run.problem
+    parts = [incident_wave(at, beta, run.omega, run.k, problem.depth, problem.gravity) for beta in headings]
+    return tuple(np.array([a * part[i] for a, part in zip(waves, parts, strict=True)]) for i in range(2))
+
+
+def _on_images(run, parts):
+    """(images, nodes) φ without the incident waves, from its symmetry classes"""
+    return sum(np.multiply.outer(run.geometry.signs(cls), phi) for cls, (phi, _) in parts.items())

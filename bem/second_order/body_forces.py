@@ -1,0 +1,70 @@
+"""Force of the second-order potential that the moving hull makes in the first-order flow, by the indirect method.
+
+On the mean position of the hull, with u = ∇φ, displacement X, velocity V = ∂X/∂t and rotation α of first order,
+
+    ∂φ₂/∂n = −n·(X·∇)u + (α × n)·(V − u) + ∂(Hx)/∂t·n = n·∇×(X × u) + (α × n)·V + ∂(Hx)/∂t·n
+
+(H: `rotations`).  With ψ the radiation potential of unit velocity at the difference frequency Ω the force is
+−iρΩ ∬ ψ ∂φ₂/∂n dS (Haskind; Molin 1979), in which Stokes's theorem leaves no second derivatives:
+
+    ∬ ψ n·∇×(X × u) dS = ∮ ψ {(X·n) u_z − X_z (u·n)} dl − ∬ {(X·n) ∇ψ·u − (u·n) ∇ψ·X} dS,        u·n = V·n.
+
+Products are those of pairs, T as in `bem.panels.pressure_drift.mean_drift`.  The forcing of the free surface by
+products of first-order waves is not in it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..modes import normal_velocities
+from ..panels.pressure_drift.mean_drift import carried_flow, unit_displacements
+from .rotations import turned_twice
+
+
+def body_forces(surfaces, flow, one, two, radiated, problem):
+    """(q, 6) T about the origin, N/m², N m/m², of the pairs (one, two) of the waves of a `HullFlow`.
+
+    one, two : (q,) numbers of waves, all of one difference of their frequencies, that of `radiated`, the six motions
+    of unit velocity (`hull_flow.radiated_flow`)
+    """
+    difference = radiated.omega[0]
+    X, V = flow.motion, -1j * flow.omega[:, None] * flow.motion
+    linear, used = np.zeros((len(X), 2, 6, 6), complex), np.unique(np.concatenate([one, two]))
+    linear[used] = _of_flow(surfaces, flow, used, radiated, problem.gravity)
+    square = _of_motions(surfaces, radiated)
+    out = np.einsum("qm,qkm->qk", X[one], linear[two, 1]) + np.einsum("qm,qkm->qk", X[two].conj(), linear[one, 0])
+    out += np.einsum("qm,kmv,qv->qk", X[one], square, V[two].conj())
+    out += np.einsum("qm,kmv,qv->qk", X[two].conj(), square, V[one])
+    x = surfaces.hull.points - np.asarray(problem.rotation_center)
+    strain = np.einsum("kp,p,pa,pb->kab", radiated.on_hull, surfaces.hull.weights, surfaces.hull.normals, x,
+                       optimize=True)  # fmt: skip
+    H = np.array([turned_twice(X[[i, j]])[0, 1] for i, j in zip(one, two, strict=True)])
+    out = 0.25 * out - 1j * difference * np.einsum("qab,kab->qk", H, strain)
+    return -1j * problem.density * difference * out
+
+
+def _of_flow(surfaces, flow, used, radiated, gravity):
+    """(u, 2, 6, 6) ∮ ψ_k n_m u_z dl − ∬ n_m ∇ψ_k·u dS of the flow of the waves `used`, and with its conjugate"""
+    hull, line = surfaces.hull, surfaces.waterline
+    weighted = (surfaces.hull_modes * hull.weights[:, None]).T
+    rows = (radiated.velocity[:, None] * weighted[..., None]).reshape(36, -1)
+    steep = (flow.omega[used] ** 2 / gravity)[:, None] * flow.potential[used]
+    edge = (radiated.potential[:, None] * (surfaces.waterline_modes * line.weights[:, None]).T).reshape(36, -1)
+    velocity = flow.velocity[used].reshape(len(used), -1)
+    real, imaginary = ((edge @ z.T - rows @ u.T).T.reshape(-1, 6, 6) for z, u in
+                       ((steep.real, velocity.real), (steep.imag, velocity.imag)))  # fmt: skip
+    return np.stack([real + 1j * imaginary, real - 1j * imaginary], axis=1)
+
+
+def _of_motions(surfaces, radiated):
+    """(6, 6, 6) of mode k, displacement m and velocity v:  ∬ n_v ∇ψ·e_m + ψ (α_m × n)·e_v dS − ∮ ψ e_m·k n_v dl"""
+    hull, line = surfaces.hull, surfaces.waterline
+    out = carried_flow(surfaces, radiated)
+    unit = unit_displacements(hull.points)
+    turned = np.cross(np.eye(3)[:, None], hull.normals)
+    out[:, 3:] += np.einsum("kp,p,mpd,vpd->kmv", radiated.on_hull, hull.weights, turned, unit, optimize=True)
+    rise = unit_displacements(line.points)[..., 2]
+    modes = normal_velocities(line.points, line.normals)
+    out -= np.einsum("kl,l,ml,lv->kmv", radiated.potential, line.weights, rise, modes, optimize=True)
+    return out

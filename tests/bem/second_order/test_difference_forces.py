@@ -1,0 +1,160 @@
+"""Difference forces of pairs: exact sums on a cylinder, the far field on the diagonal, Stokes's theorem."""
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+from exact.second_order_cylinder import long_wave_force, quadratic_force
+from scipy.spatial.transform import Rotation
+
+from bem import DOFS
+from bem.methods.panel_problem import PanelProblem
+from bem.panels.influence import Geometry
+from bem.panels.pressure_drift.hull_flow import HullFlow, hull_surfaces
+from bem.panels.pressure_drift.mean_drift import pressure_pairs, unit_displacements
+from bem.second_order.body_forces import body_forces
+from bem.second_order.bound_waves import bound_waves
+from bem.second_order.difference_forces import difference_forces
+from bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
+from meshing.shapes import box, buoy
+
+RHO, G = 1025.0, 9.80665
+LENGTH, BEAM, DRAFT = 100.0, 50.0, 10.0
+VOLUME = LENGTH * BEAM * DRAFT
+INERTIA = RHO * VOLUME * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])
+STIFFNESS = RHO * G * np.diag([0, 0, LENGTH * BEAM, 15.83 * VOLUME, 78.33 * VOLUME, 0])
+CENTRE = np.array([3.0, -2.0, 1.5])
+
+
+@lru_cache
+def floating(depth=20.0, panels=200):
+    mesh = box(LENGTH, BEAM, DRAFT, panels=panels)
+    return PanelProblem(mesh, depth=depth, inertia_matrix=INERTIA, hydrostatic_stiffness=STIFFNESS)
+
+
+@lru_cache
+def of_box():
+    return difference_forces(floating(), np.linspace(0.5, 0.65, 4), np.radians([0, 40]), 0.1, True)
+
+
+def test_the_cylinder_on_the_bed_has_the_force_of_its_eigenfunctions():
+    radius, depth = 10.0, 20.0
+    omega = [np.sqrt(G * ka / radius * np.tanh(ka / radius * depth)) for ka in (0.6, 0.8)]
+    problem = PanelProblem(buoy(radius, depth, counts=(8, 1, 8), bottom=False), depth=depth)
+    found = difference_forces(problem, omega, [0.0], 1.0, False)
+    bound = bound_waves((omega[1], 0.0), (omega[0], 0.0), depth)
+    squares = quadratic_force(radius, depth, omega[1], omega[0])
+    exact = squares + bound.amplitude * long_wave_force(radius, depth, bound.omega, bound.number[0])
+    assert abs(found.squares[1, 0, 0, 0, 0] - squares) < 0.01 * abs(squares)
+    assert abs(found.total[1, 0, 0, 0, 0] - exact) < 0.01 * abs(exact)
+
+
+def test_on_the_diagonal_it_is_the_mean_drift_of_the_far_field():
+    found, prepared = of_box(), floating().prepared()
+    for i in (0, 3):
+        run = prepared.run(found.omega[i], found.headings, {"drift_force", "rao"}, None, DOFS)
+        near = found.squares[0, i, [0, 1], [0, 1]][:, [0, 1, 5]]
+        scale = np.abs(run.drift(False)[:, :2]).max() * np.array([1, 1, LENGTH / 2])
+        assert np.abs(near.imag).max() < 1e-9 * scale[0]
+        assert np.all(np.abs(near - run.drift(True)) < 0.02 * scale)
+
+
+def test_two_headings_in_the_other_order_give_the_conjugate():
+    found = of_box()
+    swapped = found.total[0].swapaxes(1, 2).conj()
+    assert np.abs(found.squares[0] - found.squares[0].swapaxes(1, 2).conj()).max() < 1e-12 * np.abs(swapped).max()
+    assert np.isnan(found.total[2, 2:]).all() and np.isfinite(found.total[2, :2]).all()
+
+
+def test_pairs_approach_the_diagonal_at_the_rate_of_their_difference():
+    """T(ω + Ω/2, ω − Ω/2) − T(ω, ω) is odd in Ω but for what is of second order"""
+    found = difference_forces(floating(), 0.6 + np.linspace(-0.04, 0.04, 9), [0.0], 0.08, True).squares[..., 0, 0, 0]
+    real = [found[m, 4 - m // 2].real - found[0, 4].real for m in (4, 8)]
+    assert abs(real[1] / real[0]) == pytest.approx(4, rel=0.4)
+
+
+@pytest.fixture(scope="module")
+def surfaces():
+    return hull_surfaces(Geometry(box(LENGTH, BEAM, DRAFT, panels=200), None, 20.0))
+
+
+def test_water_that_moves_with_the_body_needs_no_second_derivatives(surfaces):
+    """u = V of rigid motions: ∂φ₂/∂n = −n·(∂α/∂t × X) + ∂(Hx)/∂t·n, for polynomials in the place of ψ"""
+    rng = np.random.default_rng(1)
+    X, omega = rng.normal(size=(2, 6)) + 1j * rng.normal(size=(2, 6)), np.array([0.9, 0.6])
+    X[:, 3:] *= 0.1
+    hull, line = surfaces.hull, surfaces.waterline
+    V = -1j * omega[:, None] * X
+    u, rise = np.einsum("fm,mpd->fpd", V, unit_displacements(hull.points)), V @ unit_displacements(line.points)[..., 2]
+    flow = HullFlow(omega, X, u, G / omega[:, None] ** 2 * rise, np.zeros(u.shape[:2]))
+    powers = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 2, 1], [1, 0, 2], [2, 1, 0]])
+
+    def psi(x):
+        return np.prod(x[None] ** powers[:, None], axis=-1)
+
+    def slope(x):
+        lower = np.maximum(powers - np.eye(3, dtype=int)[:, None], 0)
+        return np.moveaxis(powers.T[..., None] * np.prod(x[None, None] ** lower[:, :, None], axis=-1), 0, -1)
+
+    difference = np.array([0.3] * 6)
+    made = HullFlow(difference, np.eye(6), slope(hull.points) + 0j, psi(line.points) + 0j, psi(hull.points) + 0j)
+    found = body_forces(surfaces, flow, np.array([0]), np.array([1]), made, floating())[0]
+    field = np.einsum("fm,mpd->fpd", X, unit_displacements(hull.points))
+    turning = -1j * omega[:, None] * X[:, 3:]
+    normal = (
+        0.25 * -(np.cross(turning[1].conj(), field[0]) + np.cross(turning[0], field[1].conj()))
+        - 0.3j * hull.points @ turned_twice(X)[0, 1].T
+    )
+    normal = np.sum(normal * hull.normals, axis=1)
+    expected = -1j * RHO * 0.3 * psi(hull.points) @ (hull.weights * normal)
+    error = np.abs(found / expected - 1)
+    assert error[:3].max() < 1e-12
+    assert error[3:].max() < 2e-6  # of the quadrature at edges, made for powers of r^(2/3), in ψ of third degree
+
+
+def hydrostatic_load(motion, weight):
+    """(6,) of a tall box about the fixed point CENTRE, by integration over its plan; weight : N and its place"""
+    R, (x, w) = Rotation.from_rotvec(motion[3:]).as_matrix(), np.polynomial.legendre.leggauss(6)
+    X, Y = np.meshgrid(x * LENGTH / 2 - CENTRE[0], x * BEAM / 2 - CENTRE[1])
+    area = np.outer(w, w) * LENGTH * BEAM / 4
+    top = -(CENTRE[2] + motion[2] + R[2, 0] * X + R[2, 1] * Y) / R[2, 2]  # from CENTRE, along the body's axis
+    low = -DRAFT - CENTRE[2]
+    volume = np.sum(area * (top - low))
+    at = np.array(
+        [np.sum(area * (top - low) * X), np.sum(area * (top - low) * Y), np.sum(area * (top**2 - low**2) / 2)]
+    )
+    moved = motion[:3] + R @ (at / volume), motion[:3] + R @ (weight[1] - CENTRE)
+    forces = RHO * G * volume * np.array([0, 0, 1.0]), np.array([0, 0, -weight[0]])
+    return np.concatenate([sum(forces), sum(np.cross(r, F) for r, F in zip(moved, forces, strict=True))])
+
+
+def test_a_body_turned_and_moved_in_still_water_has_its_hydrostatic_load(surfaces):
+    weight = RHO * G * VOLUME, np.array([0.0, 0.0, -3.0])
+    problem = floating().__class__(floating().mesh, depth=20.0, rotation_center=tuple(CENTRE))
+    e, rng = 1e-3, np.random.default_rng(4)
+    motion = rng.normal(size=6) * [1, 1, 1, 0.1, 0.1, 0.1]
+    slopes = [hydrostatic_load(e * d, weight) - hydrostatic_load(-e * d, weight) for d in np.eye(6)]
+    stiffness = -np.array(slopes).T / (2 * e)
+    second = (hydrostatic_load(e * motion, weight) + hydrostatic_load(-e * motion, weight)) / e**2  # of which 0 at rest
+    problem = PanelProblem(problem.mesh, depth=20.0, rotation_center=tuple(CENTRE), hydrostatic_stiffness=stiffness)
+    about_origin = motion[None] @ problem.transform
+    line = np.zeros((1, len(surfaces.waterline.points)), complex)
+    still = HullFlow(np.array([1e-9]), about_origin + 0j, np.zeros((1, len(surfaces.hull.points), 3), complex), line, 0)
+    found = pressure_pairs(surfaces, still, problem)[0, 0] @ problem.transform.T
+    found = found + rotated_pairs(-motion[None] @ stiffness.T, motion[None])[0, 0]
+    found = found + still_water_pairs(motion[None], problem, surfaces.hull)[0, 0]
+    assert found.real == pytest.approx(second / 4, abs=1e-5 * np.abs(second).max())
+
+
+def test_products_of_real_records_are_their_mean():
+    a, b = np.array([[1 + 2j]]), np.array([[0.5 - 1j]])
+    t = np.linspace(0, 2 * np.pi, 65)[:-1]
+    mean = np.mean((a[0, 0] * np.exp(-1j * t)).real * (b[0, 0] * np.exp(-1j * t)).real)
+    assert products(a, b)[0, 0, 0, 0] == pytest.approx(mean)
+
+
+def test_uneven_frequencies_and_a_body_without_inertia_are_refused():
+    with pytest.raises(ValueError, match="equal steps"):
+        difference_forces(floating(), [0.5, 0.6, 0.8], [0.0], 0.1, False)
+    with pytest.raises(ValueError, match="without inertia"):
+        difference_forces(PanelProblem(floating().mesh, depth=20.0), [0.5, 0.6], [0.0], 0.1, True)
