@@ -10,7 +10,8 @@ Exciting forces and radiated waves are related by (Haskind 1957; Newman 1975; n 
 
     F = ±2iρg (n/k) η,     B = 2ρg (n/kω) |η|²,     |R|² + |T|² = 1,     R = ½(e^{2iε_H} + e^{2iε_S})
 
-with η the elevation radiated towards +y per unit motion, − for heave, + for sway and roll.  The tables 2.1.3.1-20 of
+with η the elevation radiated towards +y per unit motion, − for heave, + for sway and roll.  At an angle θ with
+the normal, the motions too with exp(ikx sinθ) along the body, n cosθ stands for n.  The tables 2.1.3.1-20 of
 the SR179 report (1982) follow from a `Section` by `report_row`.
 """
 
@@ -28,6 +29,8 @@ TOLERANCE = 1e-6
 FINEST = 1e-8
 MOST_TERMS = 12
 DEEPEST = 300  # kd
+MOST_OBLIQUE = np.radians(89.9)
+ALONG = 1e-4  # sinθ, up to which waves are normal: 1e-8 of them, and less than what its square loses in digits
 MODES_PER_LENGTH = ((1e-3, 25), (1e-5, 50), (1e-6, 100), (FINEST, 400))
 
 
@@ -42,6 +45,7 @@ class Section(NamedTuple):
     reflection, transmission : complex, of the fixed body, referred to y = 0
     drift : mean sway force on the fixed body per amplitude squared, N/m³
     radiated_back : (3,) as `radiated`, towards −y
+    obliquity : θ of the waves with the normal, rad
     """
 
     beam: float
@@ -60,19 +64,21 @@ class Section(NamedTuple):
     transmission: complex
     drift: float
     radiated_back: np.ndarray
+    obliquity: float = 0.0
 
 
-def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=TOLERANCE):
+def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=TOLERANCE, obliquity=0.0):
     """`Section` of a rectangle at one frequency.
 
     beam, draft : m; depth : m, may be inf; omega : rad/s
+    obliquity : θ, rad, of waves and motions that run along the body with exp(ikx sinθ), in finite depth
     tolerance : relative error; of sway–roll coupling against √(sway · roll)
     Raises ValueError for what cannot be solved to the tolerance.
     """
-    flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance)
+    flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance, obliquity=obliquity)
     impedance = radiation(flow, density)
     reflected, transmitted = flow.reflection_transmission()
-    n = float(group_factor(flow.k, depth))
+    n = float(group_factor(flow.k, depth)) * np.cos(obliquity)
     radiated = omega**2 / gravity * np.array([flow.radiated_wave(mode) for mode in range(3)])
     return Section(
         beam, draft, depth, omega, density, gravity, flow.k,
@@ -83,12 +89,13 @@ def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, toler
         radiated=radiated,
         reflection=complex(reflected),
         transmission=complex(transmitted),
-        drift=density * gravity * n * abs(reflected) ** 2,
+        drift=density * gravity * n * np.cos(obliquity) * abs(reflected) ** 2,
         radiated_back=np.array([-1, 1, -1]) * radiated,
+        obliquity=obliquity,
     )  # fmt: skip
 
 
-def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERANCE):
+def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERANCE, obliquity=0.0):
     """The radiated and diffracted flows of a section, accurate to `tolerance`.  Raises ValueError."""
     check_shape(beam, draft, depth, tolerance)
     if not 0 < omega < np.inf:
@@ -99,6 +106,13 @@ def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERA
             f"omega is {omega:g} rad/s, the wavenumber times draft {kd:.0f}; allowed: up to {DEEPEST}, where waves are "
             "negligible: bem.sections.frequency_limits.added_mass_limit has the limit"
         )
+    if not abs(obliquity) <= MOST_OBLIQUE:
+        raise ValueError(
+            f"obliquity is {np.degrees(obliquity):.4g}°; allowed: up to ±{np.degrees(MOST_OBLIQUE):.4g}, waves along "
+            "a body without end pass it by"
+        )
+    if np.isinf(depth) and obliquity:
+        raise ValueError(f"obliquity is {np.degrees(obliquity):.4g}° in deep water; allowed: 0, or a finite depth")
     if np.isinf(depth):
         from .deep_water import DeepFlow
 
@@ -106,7 +120,8 @@ def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERA
     from .finite_depth import FiniteDepthFlow
 
     terms, modes = effort(beam, draft, depth, tolerance)
-    return FiniteDepthFlow(beam, draft, depth, omega, gravity, terms, modes)
+    sine = float(np.sin(abs(obliquity)))
+    return FiniteDepthFlow(beam, draft, depth, omega, gravity, terms, modes, sine if sine > ALONG else 0.0)
 
 
 def effort(beam, draft, depth, tolerance):

@@ -16,6 +16,10 @@ bottom's velocity 1 or y at the keel, none at the bed, and at y = b an even outf
 flow of u under a fixed keel does on the bottom, ∫ φ dy or ∫ yφ dy, and no term of roll grows with the gap.  (With
 (yζ² − y³/3) / 2s, which sends up to s/2 through it, the energy was kept to 1e-12 over thirty drafts of water.)
 
+Oblique waves, all with exp(iκx) along the body, κ = k sinθ: kₙ and l_q become √(kₙ² + κ²) and √(l_q² + κ²) in R and
+T and f, R₀ = 1/ik cosθ; the mean q = 0 is a mode of the rest, l₀ = κ, and ψ of heave is cosh κζ / κ sinh κs, for then
+there is no free constant; λₘ = √(μₘ² + κ²) stands in cosh and coth of roll and aₘ = 2 (−1)^(m+1) coth(λₘs) / bμₘ²λₘ.
+
 Galerkin: both potentials are equal on the gap when tested with every function of `bem.depth_modes.gap`, in the
 orthonormal combinations of `gap_profiles`, since they are nearly dependent.  Energy is then conserved to 1e-12 in the
 highest gaps, where the functions themselves give 4e-10, and another figure with another number of threads.  Unit
@@ -90,49 +94,66 @@ class SectionFlow(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def shape(beam, draft, depth, terms, modes):
-    """`Shape` with 3 · `terms` functions in the gap and `modes` modes per smallest length."""
+def shape(beam, draft, depth, terms, modes, along=0.0):
+    """`Shape` with 3 · `terms` functions in the gap and `modes` modes per smallest length; along : κ, rad/m"""
     gap, b = Gap(draft, depth, terms), beam / 2
     inner = gap.inner_modes(gap.inner_count(modes, b))
     profiles = Profiles(gap, SMALLEST).combinations[:-2, :-2]
     s = gap.height
     heave = Motion(keel=1.0, outflow=-b, bottom=2 * b * (s + b * b / s) / 3)
-    mu, a = _roll_series(b, s)
+    if along:
+        heave = Motion(keel=1.0, bottom=2 * b / (along * np.tanh(along * s)))
+    mu, a = _roll_series(b, s, along)
     roll = Motion((0.0, -1.0), keel=1.0, bottom=2 * np.abs(a) @ mu**-2.0)
     motions = (Motion(side=(1.0, 0.0)), heave, roll)
-    return Shape(gap, profiles, b, inner, motions, (_beneath(gap, b, inner, False), _beneath(gap, b, inner, True)))
+    beneath = tuple(_beneath(gap, b, inner, symmetric, along) for symmetric in (False, True))
+    return Shape(gap, profiles, b, inner, motions, beneath)
 
 
-def _roll_series(b, s, count=1000):
+def _roll_series(b, s, along=0.0, count=1000):
     """μₘ (m,) rad/m and aₘ (m,) of ψ in roll; its sums over the bottom, of m^(−5), leave 1e-14 of themselves"""
     mu = (np.arange(count) + 0.5) * np.pi / b
-    return mu, 2 * (-1.0) ** np.arange(count) / (b * mu**3 * np.tanh(mu * s))
+    rate = np.hypot(mu, along)
+    return mu, 2 * (-1.0) ** np.arange(count) / (b * mu**2 * rate * np.tanh(rate * s))
 
 
-def _beneath(gap, b, inner, symmetric):
-    l, tanh = inner.wavenumbers, np.tanh(inner.wavenumbers * b)
-    ratios = (1 / tanh if symmetric else tanh) / l
-    over_bottom = 2 * tanh / l if symmetric else 2 * (b / tanh - 1 / l) / l  # ∫ f_q dy, ∫ y f_q dy
-    rows = np.vstack([inner.rows[:-2], over_bottom * np.cos(l * gap.height)])
+def _beneath(gap, b, inner, symmetric, along):
+    ratios, over_bottom = _under(np.hypot(inner.wavenumbers, along), b, symmetric)
+    rows = np.vstack([inner.rows[:-2], over_bottom * np.cos(inner.wavenumbers * gap.height)])
     matrix = mode_sum(rows, np.append(gap.decays, 1.0), 2 / gap.height * ratios)
-    if not symmetric:
+    if along:
+        ratio, over_bottom = _under(along, b, symmetric)
+        mean = np.append(gap.mean, over_bottom)
+        matrix += ratio / gap.height * np.outer(mean, mean)
+    elif not symmetric:
         mean = np.append(gap.mean, 2 * b * b / 3)  # of y/b times y
         matrix += b / gap.height * np.outer(mean, mean)
     return Beneath(ratios, matrix[:-1, :-1], matrix[-1, :-1])
 
 
+def _under(l, b, symmetric):
+    """T of modes with rates l, and ∫ f dy or ∫ yf dy over the bottom"""
+    tanh = np.tanh(l * b)
+    return (1 / tanh / l, 2 * tanh / l) if symmetric else (tanh / l, 2 * (b / tanh - 1 / l) / l)
+
+
 class FiniteDepthFlow:
     """The three radiated flows and the diffracted ones at one frequency.
 
-    beam, draft, depth : m; omega : rad/s; gravity : m/s²; terms, modes : see `shape`
+    beam, draft, depth : m; omega : rad/s; gravity : m/s²; terms, modes : see `shape`; sine : of the waves' angle θ
+    with the normal; Haskind's integrals are of flows without waves along the body
     """
 
-    def __init__(self, beam, draft, depth, omega, gravity, terms, modes):
-        self.shape = shape(beam, draft, depth, terms, modes)
+    along = 0.0  # κ
+
+    def __init__(self, beam, draft, depth, omega, gravity, terms, modes, sine=0.0):
+        self.along = float(wavenumber(omega, depth, gravity)) * sine
+        self.shape = shape(beam, draft, depth, terms, modes, self.along)
         self.beam, self.draft, self.depth = beam, draft, depth
         self.omega, self.gravity = omega, gravity
         gap = self.shape.gap
         self.k = float(wavenumber(omega, depth, gravity))
+        self.across = self.k * np.sqrt(1 - sine**2)
         self.modes = gap.outer_modes(omega, gap.mode_count(self.k, modes), gravity)
         self.outside, self.wave_rows = self._outside()
         self.radiated = tuple(self._flow(i == HEAVE, motion) for i, motion in enumerate(self.shape.motions))
@@ -142,8 +163,9 @@ class FiniteDepthFlow:
         gap, modes = self.shape.gap, self.modes
         with_wave, with_others = gap.side_wave_moments(self.k, modes.wavenumbers)
         rows, wave_rows = np.vstack([modes.rows, with_others]), np.append(modes.wave_rows, with_wave)
-        local = mode_sum(rows, np.append(gap.outer_decays, 1.0), -1 / (modes.wavenumbers * modes.norms))
-        return local + np.outer(wave_rows, wave_rows) / (1j * self.k * modes.wave_norm), wave_rows
+        rates = np.hypot(modes.wavenumbers, self.along)
+        local = mode_sum(rows, np.append(gap.outer_decays, 1.0), -1 / (rates * modes.norms))
+        return local + np.outer(wave_rows, wave_rows) / (1j * self.across * modes.wave_norm), wave_rows
 
     def _flow(self, symmetric, motion=FIXED, incident=0.0):
         beneath, profiles = self.shape.beneath[symmetric], self.shape.profiles
@@ -151,7 +173,7 @@ class FiniteDepthFlow:
         matrix = profiles @ (beneath.matrix - self.outside[:f, :f]) @ profiles.T
         right = self.outside[:f, f : f + 2] @ motion.side + incident * self.wave_rows[:f]
         right = profiles @ (right - motion.keel / 2 * beneath.bottom)
-        if not symmetric:
+        if not symmetric or self.along:
             return SectionFlow(np.linalg.solve(matrix, right) @ profiles, 0.0, motion, incident)
         mean = profiles @ self.shape.gap.mean
         bordered = np.block([[matrix, mean[:, None]], [mean[None], np.zeros((1, 1))]])
@@ -161,7 +183,7 @@ class FiniteDepthFlow:
     @cached_property
     def diffracted(self):
         """Flows of the antisymmetric and symmetric part of a unit wave towards +y, fixed body included"""
-        incident = -1j * self.gravity / self.omega * np.exp(-1j * self.k * self.shape.half)
+        incident = -1j * self.gravity / self.omega * np.exp(-1j * self.across * self.shape.half)
         return self._flow(False, incident=-incident), self._flow(True, incident=incident)
 
     @property
@@ -194,13 +216,13 @@ class FiniteDepthFlow:
     def _radiated_wave(self, flow):
         f = len(flow.velocity)
         velocity = self.wave_rows[: f + 2] @ np.concatenate([flow.velocity, flow.motion.side])
-        return velocity / (1j * self.k * self.modes.wave_norm) * np.exp(-1j * self.k * self.shape.half)
+        return velocity / (1j * self.across * self.modes.wave_norm) * np.exp(-1j * self.across * self.shape.half)
 
     def reflection_transmission(self):
         """Complex R and T of the fixed body for a wave towards +y, both referred to y = 0"""
         amplitude = -1j * self.gravity / self.omega
         odd, even = (self._radiated_wave(flow) / amplitude for flow in self.diffracted)
-        back = np.exp(-2j * self.k * self.shape.half)  # reflection of the incident wave by the wall y = b
+        back = np.exp(-2j * self.across * self.shape.half)  # reflection of the incident wave by the wall y = b
         return back + even - odd, even + odd
 
     def haskind_integral(self, sines):

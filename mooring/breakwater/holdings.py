@@ -32,12 +32,12 @@ class Response(NamedTuple):
     back: np.ndarray
 
 
-def mean_drift(response, omega, depth, *, density, gravity):
+def mean_drift(response, omega, depth, *, density, gravity, obliquity=0.0):
     """Mean horizontal force (n,) towards +y per amplitude squared, N/m³, from the far field (Longuet-Higgins 1977)
 
-    ½ρg n (1 + K_R² − K_T²), n = C_g/C; without losses ρg n K_R²
+    ½ρg n cos²θ (1 + K_R² − K_T²), n = C_g/C; without losses ρg n cos²θ K_R²; obliquity : θ with the normal, rad
     """
-    n = group_factor(wavenumber(omega, depth, gravity), depth)
+    n = group_factor(wavenumber(omega, depth, gravity), depth) * np.cos(obliquity) ** 2
     return density * gravity * n / 2 * (1 + abs(response.reflection) ** 2 - abs(response.transmission) ** 2)
 
 

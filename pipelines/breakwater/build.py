@@ -62,6 +62,11 @@ class Breakwater:
         return self.study.water.density * self.study.water.gravity
 
     @property
+    def obliquity(self):
+        """Angle of the regular waves with the normal, rad"""
+        return np.radians(self.study.waves.obliquity_deg)
+
+    @property
     def angle(self):
         """α, rad, or None without lines"""
         return None if self.study.lines is None else np.radians(self.study.lines.angle_deg)

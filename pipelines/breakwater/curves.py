@@ -14,6 +14,7 @@ from .build import KN
 from .study import THEORIES
 
 TOLERANCE = 1e-5
+OBLIQUE_TOLERANCE = 1e-4  # a sea over directions takes a thousand sections
 
 
 class Curve(NamedTuple):
@@ -43,25 +44,29 @@ def curves(breakwater, omega):
     return made, left_out
 
 
-def response(breakwater, holding, theory, rise, omega, amplitude=None):
-    """`Response` at frequencies, rad/s.  Raises StudyError where a theory does not have a holding.
+def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity=None):
+    """`Response` at frequencies (n,) rad/s.  Raises StudyError where a theory does not have a holding.
 
-    amplitude : m, of the waves, for what is lost; by default that of the study's regular waves
+    amplitude : m, of the waves, for what is lost; obliquity : (n,) rad, angle with the normal; by default those of the
+    study's regular waves
     """
+    obliquity = breakwater.obliquity if obliquity is None else obliquity
     angle = breakwater.angle
     if holding == "fixed":
         angle = angle if angle is not None and angle < np.pi / 2 else None
     if theory == THEORIES[0]:
-        made = _exact(breakwater, holding, rise, omega, angle)
+        made = _exact(breakwater, holding, rise, omega, angle, obliquity)
         return _with_loss(breakwater, made, holding, rise, omega, amplitude)
     if holding not in ("fixed", "taut"):
         raise StudyError(f"theory {theory} has fixed and taut bodies only")
+    if np.any(obliquity):
+        raise StudyError(f"theory {theory} has waves along the normal only")
     half, draft = breakwater.equal_rectangle(rise)
     body = breakwater.taut_rectangle(rise) if holding == "taut" else None
     return long_wave_response(holding, half, draft, breakwater.depth(rise), omega, breakwater.water, angle, body)
 
 
-def _exact(breakwater, holding, rise, omega, angle):
+def _exact(breakwater, holding, rise, omega, angle, obliquity):
     body, wetted, stiffness = None, None, None
     if holding == "free":
         body, wetted = breakwater.afloat(rise)
@@ -70,7 +75,7 @@ def _exact(breakwater, holding, rise, omega, angle):
         lines = breakwater.study.lines
         stiffness = None if lines.axial_stiffness_kN is None else lines.axial_stiffness_kN * KN / lines.spacing
     wetted = wetted or breakwater.wetted(rise)
-    return exact_response(holding, sections(breakwater, wetted, rise, omega), body, angle, stiffness)
+    return exact_response(holding, sections(breakwater, wetted, rise, omega, obliquity), body, angle, stiffness)
 
 
 def _with_loss(breakwater, made, holding, rise, omega, amplitude):
@@ -85,19 +90,24 @@ def _with_loss(breakwater, made, holding, rise, omega, amplitude):
     return with_loss(made, study.loss.coefficient, amplitude, omega, keel)
 
 
-def sections(breakwater, wetted, rise, omega):
-    """(n,) `Section` of what is under water at frequencies, rad/s"""
+def sections(breakwater, wetted, rise, omega, obliquity=0.0):
+    """(n,) `Section` of what is under water at frequencies (n,) rad/s; obliquity : (n,) rad.  Raises StudyError."""
     water = (breakwater.depth(rise), *breakwater.water.values())
     if breakwater.study.section.shape == "rectangle":
-        return [_rectangle(wetted.waterline, wetted.draft, *water, float(one)) for one in np.atleast_1d(omega)]
+        waves = zip(*np.broadcast_arrays(np.atleast_1d(omega), np.abs(obliquity)), strict=True)
+        return [_rectangle(wetted.waterline, wetted.draft, *water, float(w), float(b)) for w, b in waves]
+    if np.any(obliquity):
+        raise StudyError(f"section.shape is {breakwater.study.section.shape!r}; waves at an angle need a rectangle")
     return [_outline(wetted, *water, float(one)) for one in np.atleast_1d(omega)]
 
 
-@lru_cache(maxsize=4096)
-def _rectangle(beam, draft, depth, density, gravity, omega):
+@lru_cache(maxsize=16384)
+def _rectangle(beam, draft, depth, density, gravity, omega, obliquity):
     from bem.sections.coefficients import section
 
-    return section(beam, draft, depth, omega, density=density, gravity=gravity, tolerance=TOLERANCE)
+    water = {"density": density, "gravity": gravity}
+    tolerance = OBLIQUE_TOLERANCE if obliquity else TOLERANCE
+    return section(beam, draft, depth, omega, tolerance=tolerance, obliquity=obliquity, **water)
 
 
 @lru_cache(maxsize=4096)

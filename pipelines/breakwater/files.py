@@ -44,13 +44,13 @@ def write_h5(path, breakwater, text, found):
         for curve in found.curves:
             for part, unit in UNITS.items():
                 _put(file, f"{curve.name}/{part}", getattr(curve.response, part), unit)
-            omega = 2 * np.pi / found.period
-            drift = mean_drift(curve.response, omega, breakwater.depth(0.0), **breakwater.water)
+            omega, water = 2 * np.pi / found.period, breakwater.water | {"obliquity": breakwater.obliquity}
+            drift = mean_drift(curve.response, omega, breakwater.depth(0.0), **water)
             _put(file, f"{curve.name}/mean_drift", drift, "N/m per m2")
             parts = (curve.response.transmission, curve.response.reflection)
             _put(file, f"checks/energy/{curve.name}", sum(abs(part) ** 2 for part in parts) - 1, "1")
         if THEORIES[0] in breakwater.study.theories:
-            waters = sections(breakwater, breakwater.wetted(0.0), 0.0, 2 * np.pi / found.period)
+            waters = sections(breakwater, breakwater.wetted(0.0), 0.0, 2 * np.pi / found.period, breakwater.obliquity)
             misses = [abs(one.haskind - one.excitation).max() / abs(one.excitation).max() for one in waters]
             _put(file, "checks/haskind", misses, "1")
         if found.sea is not None:

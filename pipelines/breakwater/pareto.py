@@ -19,11 +19,11 @@ from mooring.breakwater.transmission import equal_cells
 from ..common.quantities import StudyError
 from .build import Breakwater
 from .curves import Curve, response
-from .results import SEA_CELLS, design, pretension_of, spectrum_of, through, tides_of
+from .results import SEA_CELLS, WAYS, design, in_sea, pretension_of, spectrum_of, tides_of, ways_of
 from .study import periods
 
 KEYS = ("draft", "width", "angle_deg")
-FEW_PERIODS, FEW_CELLS = 10, 16  # of a trial; what is reported has all
+FEW_PERIODS, FEW_CELLS, FEW_WAYS = 10, 16, 4  # of a trial; what is reported has all
 TRIALS = 20  # for a limit
 OUT = 1e6
 
@@ -116,10 +116,11 @@ def objectives(study, values, few):
         return max(held.greatest), float(
             abs(response(breakwater, holding, theory, 0.0, 2 * np.pi / period).transmission).max()
         )
-    sea = equal_cells(spectrum_of(study.sea, study.water.depth), FEW_CELLS if few else SEA_CELLS)
-    curve = Curve(holding, theory, "mean", None)
-    K = through(breakwater, curve, sea.omega, study.waves.height / 2)
-    return max(held.greatest), 4 * float(sea.deviation(K))
+    spectrum = spectrum_of(study.sea, study.water.depth)
+    sea = equal_cells(spectrum, FEW_CELLS if few else SEA_CELLS)
+    ways = ways_of(study, spectrum, sea.omega, FEW_WAYS if few else WAYS)
+    found = in_sea(breakwater, Curve(holding, theory, "mean", None), 0.0, sea.omega, study.waves.height / 2, ways)
+    return max(held.greatest), 4 * float(sea.deviation(found.transmission))
 
 
 def changed(study, values):

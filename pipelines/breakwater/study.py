@@ -32,6 +32,7 @@ periods = { from = 3.5, to = 12.0, count = 60 }
 [sea]                           # optional
 height = 2.0
 significant_period = 7.0
+spreading = "cosine:4"          # optional, and obliquity_deg, of the mean direction with the normal: for rectangles
 
 [loss]                          # optional, of the flow under the keel, in potential flow
 coefficient = 1.5
@@ -60,6 +61,7 @@ SHAPES = {"rectangle": ("beam", "height"), "circle": ("diameter",), "outline": (
 MOST_PERIODS = 1000
 SHORTEST, LONGEST = 0.05, 1000.0  # s
 LARGEST_LOSS = 1e4
+MOST_OBLIQUE = 85  # degrees
 
 
 class WaterTable(Table):
@@ -145,16 +147,20 @@ class WavesTable(Table):
 
     height : m, crest to trough
     periods : s, a list or a span
+    obliquity_deg : of their way with the normal
     """
 
     height: float
     periods: list[float] | SpanTable
+    obliquity_deg: float = 0.0
 
 
 class SeaTable(Table):
     """An irregular sea; one period of it
 
     height : m, significant
+    obliquity_deg : of the mean direction with the normal
+    spreading : over directions: cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES
     duration_hours : of the largest tension
     """
 
@@ -166,7 +172,14 @@ class SeaTable(Table):
     peak_period: float | None = None
     significant_period: float | None = None
     gamma: float | None = None
+    obliquity_deg: float = 0.0
+    spreading: str | None = None
     duration_hours: float = 3.0
+
+    @property
+    def is_normal(self):
+        """Whether all of it comes along the normal"""
+        return self.spreading is None and self.obliquity_deg == 0
 
 
 class SinkerTable(Table):
@@ -319,6 +332,7 @@ def make_breakwater(raw):
     if study.lines is not None:
         _check_lines(study.lines)
     positive("waves.height", study.waves.height)
+    _check_directions(study)
     if study.loss is not None and not 0 <= study.loss.coefficient <= LARGEST_LOSS:
         raise StudyError(f"loss.coefficient is {study.loss.coefficient:g}; allowed: 0 to {LARGEST_LOSS:g}")
     periods(study)
@@ -326,6 +340,17 @@ def make_breakwater(raw):
     if study.optimisation is not None:
         _check_optimisation(study)
     return study
+
+
+def _check_directions(study):
+    for key in ("waves", "sea"):
+        table = getattr(study, key)
+        if table is not None and not -MOST_OBLIQUE <= table.obliquity_deg <= MOST_OBLIQUE:
+            raise StudyError(
+                f"{key}.obliquity_deg is {table.obliquity_deg:g}; allowed: {-MOST_OBLIQUE} to {MOST_OBLIQUE}"
+            )
+    if study.loss is not None and (study.waves.obliquity_deg or (study.sea is not None and not study.sea.is_normal)):
+        raise StudyError("loss is given with waves at an angle; allowed: with waves along the normal")
 
 
 def periods(study):

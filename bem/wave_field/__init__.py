@@ -1,0 +1,1 @@
+"""The waves around bodies, from what their far field is."""

@@ -1,0 +1,91 @@
+"""The waves a body scatters and radiates, anywhere around it, from its Kochin function.
+
+    η(p) = Σ_j s_j H₀(k|p − p_j|),      H(θ) = Σ_j s_j exp(−ik(x_j cosθ + y_j sinθ))
+
+H₀ Hankel's function of the first kind, sources on a rectangle inside the plan of the body.  The far field determines
+the propagating wave everywhere outside; the sources are its least-squares fit, without the combinations of them that
+send less than `SMALLEST` away, which are errors of H magnified.  Beyond the circle about the body the fit is as good as
+H; within it, beside a long body, detail finer than half a wave length is smoothed.  Waves that decay over the depth,
+like exp(−πr/h), are left out.  Unit of H: m per m of wave amplitude or of motion (`bem.kochin`).
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+from scipy.special import j0, y0
+
+SMALLEST = 1e-3
+INSIDE = 0.9  # of half length and breadth
+PER_WAVE = 8  # sources in a wave length of the contour
+FEWEST = 24
+AT_ONCE = 2_000_000
+
+
+class Sources:
+    """Sources inside a plan of `half` length and breadth (m) at wavenumber k, rad/m; theta : (t,) rad of H"""
+
+    def __init__(self, half, k, theta):
+        self.half, self.k = np.asarray(half, float), float(k)
+        self.points = contour(INSIDE * self.half, max(FEWEST, PER_WAVE * perimeter(INSIDE * self.half) * k / 2 / np.pi))
+        self.sent = np.exp(-1j * k * (directions(theta) @ self.points.T))
+
+    @cached_property
+    def of_far_field(self):
+        """(s, t) strengths of H (t,)"""
+        return regular_inverse(self.sent, SMALLEST)
+
+    def strengths(self, H):
+        """(…, s) of Kochin functions H (…, t), and the share of H that the sources do not send"""
+        found = H @ self.of_far_field.T
+        size = np.linalg.norm(H)
+        return found, float(np.linalg.norm(H - found @ self.sent.T) / size) if size > 0 else 0.0
+
+    def elevation(self, strengths, places):
+        """(…, p) at places (p, 2), m, of strengths (…, s)"""
+        step = max(1, AT_ONCE // len(self.points))
+        parts = [strengths @ waves(self.k, places[i : i + step], self.points).T for i in range(0, len(places), step)]
+        return np.concatenate(parts, axis=-1)
+
+    def covers(self, places):
+        """(p,) whether places (p, 2) lie in the plan, where there is no wave"""
+        return np.all(np.abs(places) < self.half, axis=1)
+
+
+def waves(k, places, points):
+    """H₀(k|p − p_j|), (p, s)"""
+    r = k * np.hypot(*(places[:, None] - points).transpose(2, 0, 1))
+    return j0(r) + 1j * y0(r)
+
+
+def incident(k, beta, places):
+    """exp(ik(x cosβ + y sinβ)) (b, p) of waves towards beta (b,) rad at places (p, 2)"""
+    return np.exp(1j * k * (directions(beta) @ places.T))
+
+
+def directions(angle):
+    """(a, 2)"""
+    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+
+def perimeter(half):
+    """m, of a rectangle"""
+    return 4 * float(np.sum(half))
+
+
+def contour(half, count):
+    """(n, 2) points on a rectangle of `half` length and breadth, about `count`, evenly spaced on each side"""
+    step = perimeter(half) / count
+    nx, ny = (max(2, int(np.ceil(2 * side / step))) for side in half)
+    x, y = ((np.arange(n) + 0.5) / n * 2 - 1 for n in (nx, ny))
+    ends = [np.stack([x, np.full(nx, sign)], axis=1) for sign in (-1.0, 1.0)]
+    sides = [np.stack([np.full(ny, sign), y], axis=1) for sign in (-1.0, 1.0)]
+    return np.concatenate([*ends, *sides]) * half
+
+
+def regular_inverse(matrix, smallest):
+    """Pseudo-inverse (n, m) without singular values below `smallest` of the largest"""
+    left, value, right = np.linalg.svd(matrix, full_matrices=False)
+    kept = value > smallest * value[0]
+    return (right[kept].conj().T / value[kept]) @ left[:, kept].conj().T

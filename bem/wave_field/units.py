@@ -1,0 +1,77 @@
+"""Equal bodies side by side in waves: what each sends the others, summed to the end.
+
+    s_u = F (H(β) e_u + H G Σ_v≠u W_uv s_v),      H_total(θ) = Σ_u H_u(θ) exp(−ik p_u·(cosθ, sinθ))
+
+s_u the `Sources` of unit u, F their fit to a far field, e_u the incident wave at its middle; W_uv the waves of the
+sources of v on the contour of u, G their least-squares fit by plane waves, H(β, θ) the Kochin functions of one unit in
+these, its motion on its lines included.  Waves that decay over the depth do not pass from unit to unit.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .sources import PER_WAVE, SMALLEST, Sources, contour, directions, incident, perimeter, regular_inverse, waves
+
+
+class Field(NamedTuple):
+    """sources : of one unit about its middle; middles : (u, 2) m; strengths : (b, u, s) by incident direction
+    beta : (b,) rad; missed : share of H that the sources do not send"""
+
+    sources: Sources
+    middles: np.ndarray
+    strengths: np.ndarray
+    beta: np.ndarray
+    missed: float
+
+    def elevation(self, places):
+        """(b, p) complex of the whole wave, incident too, at places (p, 2) m; nan in a body"""
+        total = incident(self.sources.k, self.beta, places)
+        for middle, strengths in zip(self.middles, self.strengths.swapaxes(0, 1), strict=True):
+            total += self.sources.elevation(strengths, places - middle)
+            total[:, self.sources.covers(places - middle)] = np.nan
+        return total
+
+    def far_field(self):
+        """(b, t) H of all units about the origin, in the directions of the sources"""
+        away = np.exp(-1j * self.sources.k * (self.middles @ self.directions.T))
+        return np.einsum("bus,ts,ut->bt", self.strengths, self.sources.sent, away)
+
+    @property
+    def directions(self):
+        """(t, 2) of the sources' far field"""
+        step = 2 * np.pi / len(self.sources.sent)
+        return directions(np.arange(len(self.sources.sent)) * step)
+
+
+def row(count, pitch):
+    """(u, 2) middles of units along x, `pitch` m apart, about the origin"""
+    return np.stack([(np.arange(count) - (count - 1) / 2) * pitch, np.zeros(count)], axis=1)
+
+
+def field(half, k, theta, own, ring, of_ring, beta, middles):
+    """`Field` of equal units.
+
+    half : (2,) m; k : rad/m; theta : (t,) rad, equally spaced from 0; own : (b, t) Kochin functions of a unit in the
+    waves asked for, towards beta (b,) rad; ring : (n,) rad of plane waves, of_ring : (n, t) the same in those, used
+    where there is more than one of the middles (u, 2)
+    """
+    sources = Sources(half, k, theta)
+    arriving = incident(k, beta, middles)
+    single, missed = sources.strengths(own)
+    first = arriving.T[:, :, None] * single
+    if len(middles) == 1:
+        return Field(sources, middles, first.swapaxes(0, 1), beta, missed)
+    edge = contour(sources.half, max(24, PER_WAVE * perimeter(sources.half) * k / 2 / np.pi))
+    answer = sources.of_far_field @ of_ring.T @ regular_inverse(incident(k, ring, edge).T, SMALLEST)
+    units, s = len(middles), len(sources.points)
+    matrix = np.eye(units * s, dtype=complex)
+    for u in range(units):
+        for v in range(units):
+            if u != v:
+                passed = waves(k, edge + middles[u] - middles[v], sources.points)
+                matrix[u * s : (u + 1) * s, v * s : (v + 1) * s] = -answer @ passed
+    solved = np.linalg.solve(matrix, first.transpose(0, 2, 1).reshape(units * s, -1))
+    return Field(sources, middles, solved.reshape(units, s, -1).transpose(2, 0, 1), beta, missed)
