@@ -96,9 +96,8 @@ class SectionFlow(NamedTuple):
 @lru_cache(maxsize=64)
 def shape(beam, draft, depth, terms, modes, along=0.0):
     """`Shape` with 3 · `terms` functions in the gap and `modes` modes per smallest length; along : κ, rad/m"""
-    gap, b = Gap(draft, depth, terms), beam / 2
-    inner = gap.inner_modes(gap.inner_count(modes, b))
-    profiles = Profiles(gap, SMALLEST).combinations[:-2, :-2]
+    b = beam / 2
+    gap, inner, profiles = _gap(beam, draft, depth, terms, modes)
     s = gap.height
     heave = Motion(keel=1.0, outflow=-b, bottom=2 * b * (s + b * b / s) / 3)
     if along:
@@ -108,6 +107,19 @@ def shape(beam, draft, depth, terms, modes, along=0.0):
     motions = (Motion(side=(1.0, 0.0)), heave, roll)
     beneath = tuple(_beneath(gap, b, inner, symmetric, along) for symmetric in (False, True))
     return Shape(gap, profiles, b, inner, motions, beneath)
+
+
+@lru_cache(maxsize=64)
+def _gap(beam, draft, depth, terms, modes):
+    """`Gap`, its modes beneath the body, and its profiles (p, f) of functions"""
+    gap = Gap(draft, depth, terms)
+    return gap, gap.inner_modes(gap.inner_count(modes, beam / 2)), Profiles(gap, SMALLEST).combinations[:-2, :-2]
+
+
+@lru_cache(maxsize=256)
+def _outer(gap, k, omega, modes, gravity):
+    """Modes outside at ω, the same for waves at any angle"""
+    return gap.outer_modes(omega, gap.mode_count(k, modes), gravity)
 
 
 def _roll_series(b, s, along=0.0, count=1000):
@@ -154,7 +166,7 @@ class FiniteDepthFlow:
         gap = self.shape.gap
         self.k = float(wavenumber(omega, depth, gravity))
         self.across = self.k * np.sqrt(1 - sine**2)
-        self.modes = gap.outer_modes(omega, gap.mode_count(self.k, modes), gravity)
+        self.modes = _outer(gap, self.k, omega, modes, gravity)
         self.outside, self.wave_rows = self._outside()
         self.radiated = tuple(self._flow(i == HEAVE, motion) for i, motion in enumerate(self.shape.motions))
 

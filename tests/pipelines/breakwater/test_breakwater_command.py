@@ -154,3 +154,21 @@ def test_an_outline_that_is_none_is_one_line(points, tmp_path, capsys):
     text = RECTANGLE.replace('shape = "rectangle"\nbeam = 10.0\nheight = 6.7\ndraft = 5.0', OUTLINE.format(points))
     assert run(tmp_path, text) == 2
     assert OUTLINES[points] in capsys.readouterr().err
+
+
+def test_short_crests_and_waves_at_an_angle_pass_a_rectangle(tmp_path, capsys):
+    """Energy is kept at an angle too; narrow spreading comes to long crests"""
+    sea, behind = '[sea]\nspectrum = "bretschneider"\nheight = 1.0\nsignificant_period = 6.0\n', []
+    text = RECTANGLE.replace('"fixed", "free", "taut", "elastic"', '"fixed"')
+    for spread in ("", 'spreading = "wrapped_normal:1"\n', 'spreading = "cosine:4"\n'):
+        assert run(tmp_path, text + sea + spread, "--output", str(tmp_path / "out.h5")) == 0
+        with h5py.File(tmp_path / "out.h5") as file:
+            behind.append(file["sea/behind/fixed"].attrs["height_m"])
+    assert behind[1] == pytest.approx(behind[0], rel=1e-3) and behind[2] > 1.005 * behind[0]
+    oblique = text.replace("height = 1.5\n", "height = 1.5\nobliquity_deg = 50\n")
+    assert run(tmp_path, oblique, "--output", str(tmp_path / "out.h5")) == 0
+    with h5py.File(tmp_path / "out.h5") as file:
+        assert abs(file["checks/energy/fixed"][()]).max() < 1e-6 and file["checks/haskind"][()].max() < 1e-5
+    capsys.readouterr()
+    assert run(tmp_path, oblique + "[loss]\ncoefficient = 1\n") == 2
+    assert "loss is given with waves at an angle" in capsys.readouterr().err
