@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import errno
+import os
+import signal
 import sys
 from importlib import metadata
 from pathlib import Path
@@ -195,7 +197,12 @@ def main(arguments=None):
     command = arguments[0] if arguments and arguments[0].replace("-", "").isalpha() and arguments[0][0] != "-" else ""
     name = f"hakobune {command}".strip()
     try:
-        return app(arguments, exit_on_error=False, print_error=False) or 0
+        status = app(arguments, exit_on_error=False, print_error=False) or 0
+        sys.stdout.flush()
+        return status
+    except BrokenPipeError:  # who read what is printed has gone, and with it the wish to know
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 128 + signal.SIGPIPE
     except (CycloptsError, ValueError, OSError, ImportError) as error:
         print(f"{name}: {' '.join(str(error).split())}", file=sys.stderr)
         return 1 if isinstance(error, NotWritten) or getattr(error, "errno", None) in FULL else 2

@@ -83,6 +83,15 @@ COMMANDS = {
     "simulate time.toml --database box.h5 --output time.h5 --seeds 3": ("time.toml", "time.h5"),
     "animate time.h5 --output new.gif --length 2 --seed 1": ("time.h5",),
     "check time.h5": ("time.h5",),
+    "ship --length 90 --beam 20 --draft 6 --block .8 --depth 9 --panels 60 --omega 0.5 --heading 0 --output new.h5": (),
+    "fender --family cell --height 2 --energy 900 --output new.png": (),
+    "fender --table fender.csv --height 1.2 --energy 50": ("fender.csv",),
+    "berth berth.toml --output new.csv": ("berth.toml",),
+    "damping decay.csv --mass 1000 --plot new.png": ("decay.csv",),
+    "breakwater breakwater.toml --output new.h5": ("breakwater.toml", "breakwater_rectangle.csv"),
+    "single-point single_point.toml --output new.h5": ("single_point.toml",),
+    "keys study lines": (),
+    "new study new.toml": (),
 }
 TIME = """
 [simulation]
@@ -94,6 +103,15 @@ tolerance = 1e-2
 memory = "constant"
 damping_ratio = { roll = 0.05 }
 lines_lost = [{ line = "fore port 1", time = 30.0 }]
+"""
+FENDER = """strain,reaction_kN
+0,0
+0.1,40
+0.2,90
+0.3,120
+0.4,130
+0.5,135
+0.55,180
 """
 NUMBERS = (
     "nan",
@@ -129,9 +147,17 @@ def good_inputs(folder):
             ("response_box_20m", "response"),
             ("response_climate", "climate"),
             ("line_chain_60m", "line"),
+            ("berth_tanker", "berth"),
+            ("breakwater_rectangle", "breakwater"),
+            ("single_point_A", "single_point"),
         ):
             shutil.copy(SCENES / f"{source}.toml", f"{name}.toml")
-        shutil.copy(SCENES / "response_climate.csv", "response_climate.csv")
+        for name in ("response_climate.csv", "breakwater_rectangle.csv"):
+            shutil.copy(SCENES / name, name)
+        Path("fender.csv").write_text(FENDER, encoding="utf-8")
+        times = [0.1 * i for i in range(400)]
+        decay = (f"{t},{math.exp(-0.02 * t) * math.cos(0.8 * t)}\n" for t in times)
+        Path("decay.csv").write_text("time_s,motion_m\n" + "".join(decay), encoding="utf-8")
         scene = tomllib.loads(Path("scene.toml").read_text(encoding="utf-8"))
         scene["waves"] = {"omegas": [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0], "headings_deg": [0, 45, 90]}
         Path("scene.toml").write_text(tomli_w.dumps(scene), encoding="utf-8")

@@ -194,3 +194,11 @@ def test_every_scene_that_is_shipped_runs(scene, tmp_path):
     words = ["--panels", "60", "--omega", "0.7", "--output", str(path)]
     assert main(["solve", str(scene), *words]) == 0
     assert open_database(path).complete
+
+
+def test_a_reader_of_the_output_that_goes_away_ends_the_command_without_a_word():
+    words = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())", "keys"]
+    run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    run.stdout.close()
+    assert (run.stderr.read(), run.wait()) == (b"", 128 + signal.SIGPIPE)
+    run.stderr.close()
