@@ -20,6 +20,7 @@ from .breakwater.command import breakwater
 from .common.interrupt import interrupted
 from .damping.command import damping
 from .design.command import design
+from .exchange.flags import export, import_
 from .fender.flags import fender
 from .keys.command import keys, new
 from .line_dynamics.flags import line_dynamics
@@ -187,6 +188,8 @@ app.command(breakwater)
 app.command(fender)
 app.command(berth)
 app.command(damping)
+app.command(export)
+app.command(import_, name="import")
 app.command(keys)
 app.command(new)
 

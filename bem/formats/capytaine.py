@@ -1,0 +1,141 @@
+"""The netCDF file of Capytaine (documentation, "Outputs"): labelled, SI, exp(−iωt), directions travelled to, as ours.
+
+Complex numbers have an axis `complex` of re, im at the end, as `capytaine.export_dataset` splits them.  The names are
+ours, which follow Capytaine's; modes are labelled, so that their order does not matter.  Capytaine has no mean drift.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from meshing.whole_files import write_whole
+
+from .. import DOFS
+from ..database.schema import BODY, QUANTITIES
+from ..waves import wavenumber
+from .values import FormatError, Values
+
+TAKEN = ("added_mass", "radiation_damping", "Froude_Krylov_force", "diffraction_force", "excitation_force")
+MATRICES = ("inertia_matrix", "hydrostatic_stiffness")
+VECTORS = {"center_of_mass": "center_of_mass", "center_of_buoyancy": "center_of_buoyancy"}
+SCALARS = {"disp_volume": "displaced_volume", "disp_mass": "mass", "waterplane_area": "waterplane_area"}
+WATER = {"g": "gravity", "rho": "density", "water_depth": "water_depth"}
+
+
+def write(values, place):
+    """Write NAME.nc.  Returns its path."""
+    values.need("added_mass", "radiation_damping")
+    place = Path(place)
+    with h5py.File(place, "w", driver="core", backing_store=False) as file:
+        _axes(file, values)
+        for name in TAKEN:
+            if values.get(name) is not None:
+                axes, unit, kind = QUANTITIES[name]
+                _put(file, name, axes, unit, values.get(name), kind is complex)
+        for name in MATRICES:
+            if values.get(name) is not None:
+                _put(file, name, BODY[name][0], BODY[name][1], values.get(name))
+        for name in VECTORS:
+            if values.get(name) is not None:
+                _put(file, name, ("xyz",), "m", values.get(name))
+        _put(file, "rotation_center", ("xyz",), "m", values.rotation_center)
+        for name, own in SCALARS.items():
+            if values.get(own) is not None:
+                _put(file, name, (), BODY[own][1], float(values.get(own)))
+        for name, own in WATER.items():
+            _put(file, name, (), "", float(getattr(values, own)))
+        file.create_dataset("body_name", data=values.name)
+        file.attrs["title"] = "hydrodynamic coefficients by hakobune"
+        file.flush()
+        image = file.id.get_file_image()
+    write_whole(place, b"", image)
+    return [place]
+
+
+def _axes(file, values):
+    omega = values.omega
+    axes = {"omega": omega, "wave_direction": values.wave_direction, "radiating_dof": DOFS, "influenced_dof": DOFS}
+    axes |= {"xyz": ("x", "y", "z"), "complex": ("re", "im")}
+    for name, data in axes.items():
+        texts = not isinstance(data, np.ndarray)
+        made = file.create_dataset(name, data=np.array(data, dtype=h5py.string_dtype() if texts else float))
+        made.make_scale(name)
+    file["omega"].attrs["units"], file["wave_direction"].attrs["units"] = "rad/s", "rad"
+    _put(file, "period", ("omega",), "s", 2 * np.pi / omega)
+    _put(file, "freq", ("omega",), "Hz", omega / (2 * np.pi))
+    _put(file, "wavenumber", ("omega",), "rad/m", wavenumber(omega, values.water_depth, values.gravity))
+
+
+def _put(file, name, axes, unit, data, split=False):
+    data = np.asarray(data)
+    data = np.stack([data.real, data.imag], axis=-1) if split else data
+    made = file.create_dataset(name, data=np.asarray(data, float))
+    for place, axis in enumerate((*axes, "complex") if split else axes):
+        made.dims[place].attach_scale(file[axis])
+    if unit:
+        made.attrs["units"] = unit
+
+
+def read(place, known=None):
+    """The Values of NAME.nc.  Raises FormatError."""
+    try:
+        with h5py.File(place) as file:
+            return _read(file, Path(place).stem)
+    except OSError as error:
+        raise FormatError(f"{place} cannot be opened: {str(error).splitlines()[0]}") from None
+    except KeyError as error:
+        raise FormatError(f"{place} is no file of Capytaine: {error.args[0]}") from None
+
+
+def _read(file, name):
+    axes = {axis: file[axis][()] for axis in ("omega", "wave_direction") if axis in file}
+    axes.setdefault("wave_direction", np.zeros(0))
+    for axis in ("radiating_dof", "influenced_dof"):
+        labels = [text.decode() if isinstance(text, bytes) else str(text) for text in file[axis][()]]
+        ends = [label.split("__")[-1] for label in labels]
+        if sorted(ends) != sorted(DOFS):
+            raise FormatError(f"{file.filename} has the modes {', '.join(labels)}; allowed: {', '.join(DOFS)}")
+        axes[axis] = [ends.index(dof) for dof in DOFS]
+    quantities = {}
+    for quantity in TAKEN:
+        if quantity in file:
+            quantities[quantity] = _ordered(file, quantity, QUANTITIES[quantity][0], axes)
+    if "excitation_force" not in quantities and {"diffraction_force", "Froude_Krylov_force"} <= set(quantities):
+        quantities["excitation_force"] = quantities["diffraction_force"] + quantities["Froude_Krylov_force"]
+    body = {own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file}
+    body |= {own: np.ravel(file[name][()]) for name, own in VECTORS.items() if name in file}
+    body |= {own: float(np.ravel(file[name][()])[0]) for name, own in SCALARS.items() if name in file}
+    g, rho, depth = (float(np.ravel(file[key][()])[0]) for key in WATER)
+    about = np.ravel(file["rotation_center"][()]) if "rotation_center" in file else np.zeros(3)
+    omega = np.ravel(axes["omega"])
+    return Values(omega, np.ravel(axes["wave_direction"]), depth, rho, g, quantities, body, about, name=name)
+
+
+def _ordered(file, name, axes, places):
+    """Values of a dataset on our axes in our order, from whichever order they are stored in"""
+    dataset = file[name]
+    stored = [_axis_name(dataset, place) for place in range(dataset.ndim)]
+    data = dataset[()]
+    if dataset.dtype.names:  # h5py reads a compound of r, i as complex, netCDF4 as two fields
+        data = data[dataset.dtype.names[0]] + 1j * data[dataset.dtype.names[1]]
+    if "complex" in stored:
+        data = np.moveaxis(data, stored.index("complex"), -1)
+        data = data[..., 0] + 1j * data[..., 1]
+        stored.remove("complex")
+    if sorted(stored) != sorted(axes):
+        raise FormatError(f"{file.filename}: {name} has the axes {', '.join(stored)}; allowed: {', '.join(axes)}")
+    data = data.transpose([stored.index(axis) for axis in axes])
+    for place, axis in enumerate(axes):
+        if axis.endswith("_dof"):
+            data = np.take(data, places[axis], axis=place)
+    return data
+
+
+def _axis_name(dataset, place):
+    scales = dataset.dims[place].values()
+    if not scales:
+        raise FormatError(f"{dataset.file.filename}: {dataset.name} has an axis without a name")
+    return scales[0].name.rsplit("/", 1)[-1]

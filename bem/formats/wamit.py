@@ -1,0 +1,124 @@
+"""Numeric output files of WAMIT (user manual, version 7.4, chapters 3 and 5): NAME.1 .3 .3fk .3sc .4 .8 .hst
+
+    .1            PER I J Ā B̄          A = ρ Ā,  B = ρω B̄; PER = −1 at ω = 0 and 0 at ω = ∞, without B̄
+    .3 .3fk .3sc  PER BETA I Mod Pha Re Im           X = ρg X̄ for each metre of wave amplitude
+    .4            the same                           ξ = ξ̄, rad for each metre of rotations
+    .8            PER BETA BETA I Mod Pha Re Im      F = ρg F̄, of the mean drift by momentum, I = 1, 2, 6
+    .hst          I J C̄                              C = ρg C̄
+
+with ULEN = 1 m, PER in s, BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of
+ours.  The .8 file is of the free body where motions are stored, which a .4 file beside it tells, else of the fixed one.
+Neither depth, density, gravity nor hull is in these files.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from ..database.schema import DOFS, DRIFT_DOFS
+from .values import FormatError, Values, gridded, table_of
+
+FORCES = {".3": "excitation_force", ".3fk": "Froude_Krylov_force", ".3sc": "diffraction_force", ".4": "rao"}
+LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
+DRIFT_INDEX = [DOFS.index(name) + 1 for name in DRIFT_DOFS]
+
+
+def write(values, place):
+    """Write NAME.1 … beside each other; place : NAME with or without a suffix.  Returns the paths."""
+    A, B = values.need("added_mass", "radiation_damping")
+    place, rho, rho_g = Path(place), values.density, values.density * values.gravity
+    files = {".1": _radiation(values, A / rho, B / (rho * values.omega[:, None, None]))}
+    for suffix, name in FORCES.items():
+        if values.get(name) is not None:
+            files[suffix] = _forces(values, np.conj(values.get(name)) / (1.0 if name == "rao" else rho_g))
+    drift = values.get("drift_force")
+    drift = values.get("drift_force_fixed") if drift is None else drift
+    if drift is not None:
+        files[".8"] = _forces(values, drift / rho_g, DRIFT_INDEX, twice=True)
+    if values.get("hydrostatic_stiffness") is not None:
+        C = values.get("hydrostatic_stiffness") / rho_g
+        files[".hst"] = [f"{i + 1:6d}{j + 1:6d} {C[i, j]: .6E}" for i in range(6) for j in range(6)]
+    paths = []
+    for suffix, lines in files.items():
+        paths.append(place.with_suffix(suffix))
+        paths[-1].write_text("\n".join(lines) + "\n", encoding="ascii")
+    return paths
+
+
+def _radiation(values, A, B):
+    lines = []
+    for period, name in LIMIT_PERIODS.items():
+        limit = values.get(name)
+        for i, j in np.ndindex(6, 6) if limit is not None and np.all(np.isfinite(limit)) else ():
+            lines.append(f"{period: .6E}{i + 1:6d}{j + 1:6d} {limit[i, j] / values.density: .6E}")
+    for n in np.argsort(-values.omega)[::-1]:
+        for i, j in np.ndindex(6, 6):
+            head = f"{2 * np.pi / values.omega[n]: .6E}{i + 1:6d}{j + 1:6d}"
+            lines.append(f"{head} {A[n, i, j]: .6E} {B[n, i, j]: .6E}")
+    return lines
+
+
+def _forces(values, X, index=range(1, 7), twice=False):
+    lines, degrees = [], np.degrees(values.wave_direction)
+    for n, omega in enumerate(values.omega):
+        for m, beta in enumerate(degrees):
+            head = f"{2 * np.pi / omega: .6E} {beta: .6E}" + (f" {beta: .6E}" if twice else "")
+            for i, x in zip(index, X[n, m], strict=True):
+                x = complex(x)
+                polar = f"{abs(x): .6E} {np.degrees(np.angle(x)): .6E}"
+                lines.append(f"{head}{i:6d} {polar} {x.real: .6E} {x.imag: .6E}")
+    return lines
+
+
+def read(place, known):
+    """The Values of NAME.1 and what lies beside it; known : {"water_depth", "density", "gravity"}.
+
+    Raises FormatError.
+    """
+    place = Path(place).with_suffix(".1")
+    rho, rho_g = known["density"], known["density"] * known["gravity"]
+    table = table_of(place, (4, 5))
+    quantities, solved = {}, table[:, 0] > 0
+    for period, name in LIMIT_PERIODS.items():
+        part = table[np.isclose(table[:, 0], period)] if period <= 0 else table[:0]
+        if len(part):
+            quantities[name] = rho * gridded(place, [part[:, 1], part[:, 2]], part[:, 3])[1]
+    rows = table[solved]
+    if not len(rows):
+        raise FormatError(f"{place} has no frequency between 0 and infinity")
+    omega = 2 * np.pi / rows[:, 0]
+    (omega, dofs, _), both = gridded(place, [omega, rows[:, 1], rows[:, 2]], rows[:, 3:5])
+    if len(dofs) != 6 or not np.all(np.isfinite(both)):
+        raise FormatError(f"{place} has {len(dofs)} modes, or lacks damping; allowed: six, of one body")
+    quantities |= {"added_mass": rho * both[..., 0], "radiation_damping": rho * omega[:, None, None] * both[..., 1]}
+    headings = np.zeros(0)
+    for suffix, name in FORCES.items():
+        if place.with_suffix(suffix).exists():
+            headings, X = _read_forces(place.with_suffix(suffix), omega, headings)
+            quantities[name] = np.conj(X) * (1.0 if name == "rao" else rho_g)
+    if place.with_suffix(".8").exists():
+        headings, F = _read_forces(place.with_suffix(".8"), omega, headings, DRIFT_INDEX)
+        quantities["drift_force" if "rao" in quantities else "drift_force_fixed"] = F.real * rho_g
+    body = {}
+    if place.with_suffix(".hst").exists():
+        rows = table_of(place.with_suffix(".hst"), (3,))
+        body["hydrostatic_stiffness"] = rho_g * gridded(place.with_suffix(".hst"), rows.T[:2], rows[:, 2])[1]
+    return Values(omega, headings, quantities=quantities, body=body, name=place.stem, **known)
+
+
+def _read_forces(path, omega, headings, index=range(1, 7)):
+    """Headings (m,) rad and complex values (n, m, modes)"""
+    table = table_of(path, (7,) if len(index) == 6 else (8,))
+    extra = table.shape[1] - 7
+    if extra and not np.array_equal(table[:, 1], table[:, 2]):
+        raise FormatError(f"{path} has drift of two headings at once; allowed: of one")
+    coordinates = [2 * np.pi / table[:, 0], np.radians(table[:, 1]), table[:, 2 + extra]]
+    (found, own, modes), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1])
+    same = len(found) == len(omega) and np.allclose(found, omega, rtol=1e-6)
+    if not same or (len(headings) and not (len(own) == len(headings) and np.allclose(own, headings, atol=1e-6))):
+        raise FormatError(f"{path} has other periods or headings than the files beside it; allowed: the same")
+    if list(modes) != list(index):
+        raise FormatError(f"{path} has modes {[int(m) for m in modes]}; allowed: {list(index)}")
+    return own, X

@@ -1,0 +1,1 @@
+"""`hakobune export` and `hakobune import`."""

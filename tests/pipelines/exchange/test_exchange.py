@@ -1,0 +1,48 @@
+"""`hakobune export` and `hakobune import`: what comes back is a database that its checks pass."""
+
+import numpy as np
+import pytest
+
+from bem.database import open_database
+from pipelines import cli
+
+BOX = "--length 40 --beam 20 --draft 5 --depth 20 --omega 0.3:0.9:3 --heading 0,45 --gyration 6,12,13"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    place = tmp_path_factory.mktemp("exchange")
+    assert cli.main(["box", *BOX.split(), "--output", str(place / "box.h5")]) == 0
+    return place
+
+
+@pytest.mark.parametrize("kind, place", [("wamit", "box.1"), ("hams", "box_hams"), ("nemoh", "box_nemoh")])
+def test_a_database_goes_out_and_comes_back(kind, place, folder, capsys):
+    assert cli.main(["export", str(folder / "box.h5"), "--to", kind]) == 0
+    assert "has no place for" in capsys.readouterr().err
+    back = folder / f"{kind}.h5"
+    depth = ["--depth", "20"] if kind == "wamit" else []
+    assert cli.main(["import", str(folder / place), "--from", kind, "--output", str(back), *depth]) == 0
+    assert cli.main(["check", str(back)]) == 0
+    true, found = open_database(folder / "box.h5"), open_database(back)
+    for name in ("added_mass", "excitation_force"):
+        assert np.abs(found[name] - true[name]).max() <= 1e-6 * np.abs(true[name]).max()
+
+
+def test_refusals_name_the_way_out(folder, capsys):
+    box = str(folder / "box.h5")
+    for arguments, said in (
+        (["export", box, "--to", "aqwa"], "allowed: wamit, nemoh"),
+        (["export", box, "--to", "bemio", "--output", box], "is the database itself"),
+        (["import", box, "--from", "bemio"], "no file of BEMIO"),
+        (["import", str(folder / "none.1"), "--from", "wamit"], "does not exist"),
+    ):
+        assert cli.main(arguments) == 2
+        assert said in capsys.readouterr().err
+    assert cli.main(["export", box, "--to", "capytaine"]) == 0
+    assert cli.main(["export", box, "--to", "capytaine"]) == 2
+    assert "--fresh" in capsys.readouterr().err
+    assert cli.main(["import", str(folder / "box.nc"), "--from", "capytaine"]) == 2
+    assert "give its mesh by --mesh" in capsys.readouterr().err
+    assert cli.main(["import", str(folder / "box.nc"), "--from", "wamit"]) == 2
+    assert "--depth is missing" in capsys.readouterr().err
