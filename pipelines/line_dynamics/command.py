@@ -28,7 +28,7 @@ from .study import read_line_dynamics
 KN = 1e3
 EVERY = 2.0  # s between two lines of progress
 FINEST = 1e-8  # tolerance; rounding of tensions is 1e-10 or so
-STEPS = 6.0  # for each longest step that the motion allows, at a tolerance of 1e-3: 2 to 12 were counted
+STEPS = 2.0  # for each longest step that the motion allows, at a tolerance of 1e-3: 1 to 4 were counted
 OF_ELEMENT, OF_STEP = 2e3, 600.0  # bytes
 OF_CALL, OF_ELEMENT_STEP = 2e-5, 4e-6  # s of a step, and of each element in it, with the run of fewer elements
 FRAMES = 20  # of a cycle, or of a run without one at least 200
@@ -81,6 +81,7 @@ def _run(study, text, folder, output, picture):
             tolerance=study.tolerance,
             frames=frames,
             progress=Progress(console, course.duration),
+            stops=window[:2],
         )
     harmonics = sum(any(part.amplitude) for part in study.fairlead.motions)
     found = figures(line, course, window, result, current, regime_of(line, course, harmonics))
@@ -115,7 +116,9 @@ def check_effort(study, line, course, frames):
 
     Steps are as many as the tolerance asks for, a guess within a factor of three: most in snapping lines.
     """
-    fastest = min(course.motion.longest_step, np.inf if study.wave is None else study.wave.period / 12)
+    from mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD
+
+    fastest = min(course.motion.longest_step, np.inf if study.wave is None else study.wave.period / PARTS_OF_PERIOD)
     fastest = min(fastest, course.duration / 100)
     steps = STEPS * (1e-3 / study.tolerance) ** 0.38 * course.duration / fastest
     what = f"{course.duration:g} s of {line.elements} elements"

@@ -38,8 +38,10 @@ class End:
 class Figures:
     """begin, end : s, the window; cycles : in it, or None where nothing repeats
 
-    work : J in the window, at the ends; losses : {name: J}; stored : J, change; change : of the largest tension from
-    the last cycle but one to the last, as a share; regime : HarmonicTension, or the reason for none
+    work : J in the window, at the ends, as what is lost and stored; losses : {name: J}; stored : J, change
+    of_forces : J, the same as the integral of force and velocity; exchanged : J, that went in or out between steps
+    change : of the largest tension from the last cycle but one to the last, as a share
+    regime : HarmonicTension, or the reason for none
     """
 
     begin: float
@@ -50,13 +52,15 @@ class Figures:
     work: float
     losses: dict = field(default_factory=dict)
     stored: float = 0.0
+    of_forces: float = 0.0
+    exchanged: float = 0.0
     change: float = np.nan
     regime: object = ""
 
     @property
     def imbalance(self):
-        """J, work less losses and stored energy: the error of the time steps"""
-        return self.work - sum(self.losses.values()) - self.stored
+        """J, work of the forces less losses and stored energy: the error of the time steps"""
+        return self.of_forces - self.work
 
     def attributes(self):
         """{name: number} in SI units, for a file of results"""
@@ -67,6 +71,7 @@ class Figures:
         return made | {
             "work": self.work,
             "work_stored": self.stored,
+            "work_of_forces": self.of_forces,
             **{f"work_{key}": value for key, value in self.losses.items()},
         }
 
@@ -83,10 +88,13 @@ def figures(line, course, window, result, current, regime):
         _end(result.time, tension, begin, end, static)
         for tension, static in zip((result.tension_fairlead, result.tension_anchor), statics.T, strict=True)
     ]
-    work, stored, *losses = (
+    E = result.energies
+    work, of_forces, stored, *losses = (
         float(np.diff(np.interp([begin, end], result.time, values))[0])
-        for values in (result.energies.work, result.energies.stored, *(getattr(result.energies, n) for n in LOSSES))
+        for values in (E.supplied, E.work, E.stored, *(getattr(E, name) for name in LOSSES))
     )
+    inside = (result.time[1:] > begin) & (result.time[1:] <= end)
+    exchanged = float(np.abs(np.diff(E.work))[inside].sum())
     change = np.nan
     if cycles is not None and cycles > 1:
         last, before = (
@@ -97,7 +105,8 @@ def figures(line, course, window, result, current, regime):
     if not isinstance(regime, str):
         away = places[np.nanargmax(statics[:, 0])] - course.motion.mean
         regime = regime(away) if np.any(np.isfinite(statics)) else "no static shape"
-    return Figures(begin, end, cycles, *ends, work, dict(zip(LOSSES, losses, strict=True)), stored, change, regime)
+    lost = dict(zip(LOSSES, losses, strict=True))
+    return Figures(begin, end, cycles, *ends, work, lost, stored, of_forces, exchanged, change, regime)
 
 
 def _end(time, tension, begin, end, static=(np.nan,)):

@@ -9,7 +9,7 @@ from .figures import LOSSES
 KN = 1e3
 STEADY = 0.02  # change of the largest tension between the last two cycles
 DYNAMIC = 0.1  # over the largest quasi-static tension, below which inertia and drag are reported as negligible
-BALANCE = 0.01  # of the work, or of what was lost: left over by the time steps
+BALANCE = 0.01  # of the work that goes in and out: left over by the time steps
 
 
 def show(console, name, found, course, result, breaking):
@@ -50,7 +50,7 @@ def _show_work(console, found, make_table):
     )
     rows = [("done on the line", found.work)]
     rows += [(name.replace("_", " "), found.losses[name]) for name in LOSSES]
-    rows += [("stored", found.stored), ("not found again", found.imbalance)]
+    rows += [("stored", found.stored), ("as force times velocity", found.of_forces)]
     for name, value in rows:
         share = _number(100 * value / found.work, ".2f") if found.work else "–"
         table.add_row(name, f"{value / count / KN:.4g}", share)
@@ -99,10 +99,12 @@ def findings(found, result, breaking):
             f"the largest tension changes by {found.change:.1%} between the last two cycles, allowed {STEADY:.0%}: "
             "give a longer duration; a line that snaps may never repeat"
         )
-    size = max(abs(found.work), sum(map(abs, found.losses.values())))
-    if abs(found.imbalance) > BALANCE * size > 0:
-        share = abs(found.imbalance) / size
-        yield f"{share:.1%} of the work is not found again, allowed {BALANCE:.0%}; give a smaller tolerance"
+    if abs(found.imbalance) > BALANCE * found.exchanged > 0:
+        share = abs(found.imbalance) / found.exchanged
+        yield (
+            f"{share:.1%} of the work that goes in and out is neither lost nor stored, allowed {BALANCE:.0%}; give a "
+            "smaller tolerance"
+        )
     dynamic = found.fairlead.largest / found.fairlead.quasi_static - 1
     if not isinstance(found.regime, str) and found.regime.regime == 1 and abs(dynamic) > DYNAMIC:
         yield (

@@ -25,7 +25,10 @@ class DynamicLineError(ValueError):
 
 
 class Energies(NamedTuple):
-    """All (n,) J, since the start: work done on the line at its ends, work lost to each cause, and energy stored."""
+    """All (n,) J, since the start: work done on the line at its ends, work lost to each cause, and energy stored.
+
+    work : integral of force and velocity, of first order in the error of the force; see `supplied`
+    """
 
     work: np.ndarray
     drag: np.ndarray
@@ -42,6 +45,15 @@ class Energies(NamedTuple):
     def lost(self):
         """(n,) J"""
         return self.drag + self.water_inertia + self.structural + self.bed + self.friction
+
+    @property
+    def supplied(self):
+        """(n,) J, work at the ends as what is lost and stored
+
+        In slow motion a line takes and gives back a thousand times what it loses.  The loss is a sum without signs and
+        the stored energy is least in equilibrium, so that this is of second order in the error of the state.
+        """
+        return self.lost + self.stored
 
     @property
     def stored(self):
@@ -95,7 +107,10 @@ class Result:
 
 
 class Case(NamedTuple):
-    """Input of a run, checked; times in s, stations are node numbers; progress : called with the time reached, s."""
+    """Input of a run, checked; times in s, stations are node numbers; progress : called with the time reached, s.
+
+    stops : rising times that a step has to end at
+    """
 
     line: DynamicLine
     motion: FairleadMotion
@@ -106,6 +121,7 @@ class Case(NamedTuple):
     frames: int
     stations: tuple
     progress: object = None
+    stops: tuple = ()
 
 
 class _Pictures(NamedTuple):
@@ -122,13 +138,24 @@ def _pictures(case, state):
     )
 
 
-def _control(case, state):
-    system = case.line.system
+def control_of(line, state, tolerance, longest):
+    """Control of steps from `state`, no longer than `longest` s"""
+    system = line.system
     length = np.linalg.norm(np.diff(state.position, axis=0), axis=1)
     tension = np.maximum(system.stiffness * (length / system.length - 1), 0.0).max()
-    longest = min(case.longest_step, case.motion.longest_step)
-    return Control(
-        case.tolerance, max(tension, np.abs(system.weight).max()), FREE * case.line.length, longest, SHORTEST * longest
+    least = np.abs(system.weight).max()
+    return Control(tolerance, max(tension, least), FREE * line.length, longest, SHORTEST * longest)
+
+
+def _control(case, state):
+    return control_of(case.line, state, case.tolerance, min(case.longest_step, case.motion.longest_step))
+
+
+def stopped(line, time, step, shortest, node):
+    """DynamicLineError of a run whose step became too short near a node"""
+    return DynamicLineError(
+        f"{line!r}: at t = {time:.6g} s the step fell to {step:.3g} s, below {shortest:.3g} s, "
+        f"near node {node} of {line.elements}; give a larger tolerance, more damping or a softer bed"
     )
 
 
@@ -136,13 +163,13 @@ def run_esdirk(case, state):
     """Result of steps chosen by their error; the kernel returns after each piece of history, where Ctrl-C acts."""
     from .lumped.esdirk import COLUMNS, DONE, TOO_SHORT, run, tableau
 
-    control, pictures, until = _control(case, state), _pictures(case, state), state.time + case.duration
+    control, pictures, end = _control(case, state), _pictures(case, state), state.time + case.duration
+    stops = [t for t in case.stops if state.time < t < end] + [end]
     first = state.step if np.isfinite(state.step) else FIRST * control.longest
     state = State(state.time, *(np.array(x) for x in state[1:5]), first)
     scheme, motion, counts, drawn = tableau(), case.motion.arrays, np.zeros(3, int), 0
     parts, marks, energy = [], [], np.zeros(6)
-    why = None
-    while why != DONE:
+    while stops:
         rows, station_rows = np.zeros((ROWS, COLUMNS)), np.zeros((ROWS, pictures.stations.size))
         rows[0, 7:13] = energy
         why, used, n, time, step, rejected, newton, worst = run(
@@ -152,7 +179,7 @@ def run_esdirk(case, state):
             control,
             scheme,
             state,
-            until,
+            stops[0],
             rows,
             pictures.time[drawn:],
             pictures.nodes[drawn:],
@@ -160,10 +187,8 @@ def run_esdirk(case, state):
             station_rows,
         )
         if why == TOO_SHORT:
-            raise DynamicLineError(
-                f"{case.line!r}: at t = {time:.6g} s the step fell to {step:.3g} s, below {control.shortest:.3g} s, "
-                f"near node {worst} of {case.line.elements}; give a larger tolerance, more damping or a softer bed"
-            )
+            raise stopped(case.line, time, step, control.shortest, worst)
+        stops = stops[1:] if why == DONE else stops
         drawn, counts, energy = drawn + n, counts + (used - 1, rejected, newton), rows[used - 1, 7:13]
         again = 1 if parts else 0  # each piece begins with the last row of the one before
         parts.append(rows[again:used])

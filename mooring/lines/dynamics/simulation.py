@@ -53,6 +53,7 @@ def simulate(
     check_mesh=True,
     mesh_tolerance=0.02,
     progress=None,
+    stops=(),
 ):
     """Motion and tension of `line` while its fairlead follows `motion`, from rest or from the end of another run.
 
@@ -64,6 +65,7 @@ def simulate(
     check_mesh : run half as many elements too, estimate the error of the largest tension by the square of the
     element length, and warn above `mesh_tolerance`
     progress : called with the time reached (s) after every thousand steps of "esdirk"
+    stops : times (s) at which a step of "esdirk" ends, so that the history is exact there
     returns : Result
     raises : ValueError for impossible input, LineError without a static shape, DynamicLineError for a run that stops
     """
@@ -72,7 +74,8 @@ def simulate(
     rest = at_rest(line, motion.at(0.0)[0], water) if start is None else start
     _check_joint(motion, rest, start is None)
     _check_above_bed(line, motion, rest.time, duration)
-    case = Case(line, motion, water, duration, tolerance, longest_step, frames, stations, progress)
+    stops = tuple(sorted(set(map(float, stops))))
+    case = Case(line, motion, water, duration, tolerance, longest_step, frames, stations, progress, stops)
     result = (run_esdirk if method == "esdirk" else run_houbolt)(case, rest)
     if start is None and check_mesh:
         result = replace(result, mesh_error=_mesh_error(case, result, mesh_tolerance))

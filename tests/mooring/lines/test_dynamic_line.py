@@ -121,6 +121,16 @@ def test_energy_is_in_the_books_of_every_cycle():
         assert min(cycle(moved, v, 10.0) for v in (E.drag, E.structural, E.bed)) > 0
 
 
+@pytest.mark.parametrize("friction", [0.0, 0.5])
+def test_work_of_a_slow_cycle_is_known_where_a_thousand_times_as_much_goes_in_and_out(friction):
+    line, T, found = chain(40, bed=ElasticBed(friction=friction)), 100.0, []
+    for tolerance in (1e-3, 1e-5):
+        run = quiet(line, surge(0.5, T), 2 * T, stops=[T], tolerance=tolerance)
+        found.append(cycle(run, run.energies.supplied, T))
+    assert T in run.time and np.ptp(run.energies.work) > 100 * found[1]
+    assert abs(found[0] / found[1] - 1) < 0.01
+
+
 def test_books_of_energy_close_at_second_order_in_time():
     gaps = []
     for step in (0.2, 0.1, 0.05):

@@ -73,7 +73,7 @@ def test_a_scene_prints_writes_and_draws_what_it_found(scene, tmp_path, monkeypa
     # a chord of the fairlead's path between two steps misses it by aω²Δt²/8, with steps of up to T/12
     assert np.abs(nodes[:, -1] - ends).max() < 3.0 * (2 * np.pi / 12) ** 2 / 8
     losses = sum(found[f"work_{name}"] for name in ("drag", "water_inertia", "structural", "bed", "friction", "stored"))
-    assert losses == pytest.approx(found["work"], rel=5e-3)  # five times the tolerance of a step
+    assert losses == pytest.approx(found["work_of_forces"], rel=5e-3)  # five times the tolerance of a step
 
 
 def test_a_slow_fairlead_pulls_as_the_catenary_at_its_outermost_place(tmp_path):

@@ -17,7 +17,7 @@ import numpy as np
 from bem.kernels.jit import kernel
 
 from .block_tridiagonal import factor, substitute
-from .forces import keep_slip, node_forces, stored_energy
+from .forces import FRICTION, keep_slip, node_forces, stored_energy
 from .stage import CONVERGED, add, change, copy, move, solve_stage, workspace
 from .surroundings import fairlead_at, water_at
 
@@ -159,12 +159,12 @@ def run(s, water, motion, control, scheme, state, until, rows, frame_times, fram
             continue
         scale = largest
         for j in range(stages):
-            for i in range(energy.size):
+            for i in range(FRICTION):
                 energy[i] += step * A[stages - 1, j] * power[j, i]
         while drawn < frame_times.size and frame_times[drawn] <= t + step:
             frame(frames[drawn], (frame_times[drawn] - t) / step, step, q, v, work.q, work.v)
             drawn += 1
-        keep_slip(s, work.q, slip, q)
+        energy[FRICTION] += keep_slip(s, work.q, work.v, slip, q, v)
         t = until if step == remaining else t + step
         copy(q, work.q)
         copy(v, work.v)

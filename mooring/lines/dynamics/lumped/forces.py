@@ -205,13 +205,29 @@ def bed_forces(s, q, v, slip, since, cq, cv, r, D, power):
 
 
 @kernel()
-def keep_slip(s, q, slip, since):
-    """Friction displacement of all nodes after a step; it is lost where a node has left the bed."""
-    n = s.bed_normal
+def pressing(s, j, q, v):
+    """N, reaction of the bed on node j, its damping included; 0 above the bed"""
+    n, h = s.bed_normal, s.bed_thickness[j]
+    p = s.bed_level + h - (n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2])
+    if p <= 0.0:
+        return 0.0
+    rise = n[0] * v[j, 0] + n[1] * v[j, 1] + n[2] * v[j, 2]
+    return max(0.0, bearing(s.bed_stiffness[j], h, p)[0] - s.bed_damping[j] * min(1.0, p / h) * rise)
+
+
+@kernel()
+def keep_slip(s, q, v, slip, since, before):
+    """Friction displacement of all nodes after a step from `since` (n, 3) m at `before` (n, 3) m/s to q at v.
+
+    It is lost where a node has left the bed.  Returns the work against friction, J: that of the path from end to end
+    of the step, elastic to δ and sliding beyond, because the power at the stages misses what turns within a millimetre.
+    """
+    n, work = s.bed_normal, 0.0
     for j in range(q.shape[0]):
         above = n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2] - s.bed_level - s.bed_thickness[j]
         if above < 0.0:
-            moved, _ = slipped(
+            held = slip[j, 0] ** 2 + slip[j, 1] ** 2 + slip[j, 2] ** 2
+            moved, cut = slipped(
                 n,
                 slip[j, 0] + q[j, 0] - since[j, 0],
                 slip[j, 1] + q[j, 1] - since[j, 1],
@@ -219,8 +235,14 @@ def keep_slip(s, q, slip, since):
                 s.bed_slip,
             )
             slip[j, 0], slip[j, 1], slip[j, 2] = moved
+            stretched = 0.5 * (moved[0] ** 2 + moved[1] ** 2 + moved[2] ** 2 - held)
+            path = stretched + s.bed_slip**2 * (1.0 / cut - 1.0)
+            if s.bed_friction > 0.0:
+                mean = 0.5 * (pressing(s, j, since, before) + pressing(s, j, q, v))
+                work += s.bed_friction / s.bed_slip * mean * path
         else:
             slip[j] = 0.0
+    return work
 
 
 @kernel()

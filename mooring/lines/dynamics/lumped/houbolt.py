@@ -15,7 +15,7 @@ import numpy as np
 from bem.kernels.jit import kernel
 
 from .esdirk import frame, mark, record
-from .forces import keep_slip, node_forces
+from .forces import FRICTION, keep_slip, node_forces
 from .stage import CONVERGED, copy, move, solve_stage, workspace
 from .surroundings import fairlead_at, water_at
 
@@ -54,13 +54,13 @@ def run_fixed(s, water, motion, control, state, step, rows, frame_times, frames,
         iterations += count
         if status != CONVERGED:
             return k - 1, iterations, worst
-        for i in range(energy.size):
+        for i in range(FRICTION):
             energy[i] += 0.5 * step * (before[i] + work.power[i])
             before[i] = work.power[i]
         while drawn < frame_times.size and (frame_times[drawn] <= t or k == rows.shape[0] - 1):
             frame(frames[drawn], 1.0 + min(0.0, (frame_times[drawn] - t) / step), step, q, v, work.q, work.v)
             drawn += 1
-        keep_slip(s, work.q, slip, q)
+        energy[FRICTION] += keep_slip(s, work.q, work.v, slip, q, v)
         copy(p2, p1)
         copy(p1, q)
         copy(q, work.q)
