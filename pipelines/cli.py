@@ -17,9 +17,11 @@ from meshing.whole_files import NotWritten
 from .bench.command import bench
 from .berth.flags import berth
 from .breakwater.command import breakwater
+from .common.console import new_console, tables_as, taken
 from .common.interrupt import interrupted
 from .damping.command import damping
 from .design.command import design
+from .doctor import doctor
 from .exchange.flags import export, import_
 from .fender.flags import fender
 from .keys.command import keys, new
@@ -36,9 +38,11 @@ from .single_point.flags import single_point
 from .stress.command import stress
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
+OWN_FORMS = ("keys",)  # commands that write JSON of their own
 app = App(
     name="hakobune",
-    help="From a floating body's dimensions to the tension in its last mooring line.",
+    help="From a floating body's dimensions to the tension in its last mooring line.\n\n"
+    "Any command prints its tables as CSV with --csv, as JSON with --json, a line for each table.",
     version=lambda: metadata.version("hakobune"),
     result_action="return_value",
     suppress_keyboard_interrupt=False,
@@ -158,7 +162,7 @@ def check(file: Path, /, *, repair: Annotated[bool, Parameter(negative=(), help=
         from .simulate.checking import check_run
 
         return check_run(file, print)
-    return check(file, _console(), repair)
+    return check(file, new_console(), repair)
 
 
 @app.command
@@ -188,6 +192,7 @@ app.command(breakwater)
 app.command(fender)
 app.command(berth)
 app.command(damping)
+app.command(doctor)
 app.command(export)
 app.command(import_, name="import")
 app.command(keys)
@@ -200,7 +205,9 @@ def main(arguments=None):
     command = arguments[0] if arguments and arguments[0].replace("-", "").isalpha() and arguments[0][0] != "-" else ""
     name = f"hakobune {command}".strip()
     try:
-        status = app(arguments, exit_on_error=False, print_error=False) or 0
+        arguments, form = (arguments, None) if command in OWN_FORMS else taken(arguments)
+        with tables_as(form):
+            status = app(arguments, exit_on_error=False, print_error=False) or 0
         sys.stdout.flush()
         return status
     except BrokenPipeError:  # who read what is printed has gone, and with it the wish to know
@@ -215,12 +222,6 @@ def main(arguments=None):
     except KeyboardInterrupt:
         print(f"{name}: {interrupted(command, arguments)}", file=sys.stderr)
         return 130
-
-
-def _console():
-    from rich.console import Console
-
-    return Console()
 
 
 def _solve(file, body, flags, run):
@@ -243,7 +244,7 @@ def _run(scene, output, flags):
 
     from .solve.work import executor_of
 
-    console, executor = _console(), executor_of(flags.executor)
+    console, executor = new_console(), executor_of(flags.executor)
     from .solve import run
     from .solve.report import failed_laws, print_outcome
 

@@ -19,10 +19,11 @@ LINEAR_TO = 0.15  # strain up to which Ueda (1981) takes a fender as a spring
 
 def show(study, approach, fender, bands):
     """Print ship, energies by each method, and what the fender that is met first does with them."""
-    from rich.console import Console
     from rich.table import Table
 
-    console, ship = Console(), approach.ship
+    from ..common.console import new_console
+
+    console, ship = new_console(), approach.ship
     print(
         f"{ship.mass / KILO:.0f} t, C_B {ship.block:.3f}; {approach.speed:.3g} m/s, contact {approach.offset:.1f} m "
         f"from the centre of gravity: C_e {approach.eccentricity:.3f}"

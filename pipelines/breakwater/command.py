@@ -24,6 +24,7 @@ def breakwater(
     """
     from rich.console import Console
 
+    from ..common.console import new_console
     from ..common.outputs import check_output
     from ..common.picture import PLOTS, check_picture
     from .build import Breakwater
@@ -52,7 +53,7 @@ def breakwater(
         from .picture import draw
 
         draw(plot, asked, found, measured)
-    show(_wide(Console()), read, found, [path for path in (output, plot) if path is not None])
+    show(_wide(new_console()), read, found, [path for path in (output, plot) if path is not None])
     return int(_fails(found))
 
 

@@ -20,13 +20,12 @@ def design(
 
     Status 1 where a criterion is not met, is not judged, or a case could not be run.
     """
-    from rich.console import Console
-
+    from ..common.console import new_console
     from ..common.outputs import check_folder
     from ..solve.work import executor_of
     from .project import read_project
 
-    console, read = Console(), read_project(project)
+    console, read = new_console(), read_project(project)
     check_folder(output)
     workers = executor_of(executor)
     try:

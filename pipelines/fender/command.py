@@ -50,10 +50,11 @@ def _compression(pair, strain, deflection, energy):
 
 
 def _show(pair, bands, factors, causes):
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console()
+    from ..common.console import new_console
+
+    console = new_console()
     table = Table(title=repr(pair)[1:-1])
     for name in ("strain %", "deflection m", "reaction kN", "energy kJ", "returned kJ"):
         table.add_column(name, justify="right", no_wrap=True)

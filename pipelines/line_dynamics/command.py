@@ -53,9 +53,9 @@ def line_dynamics(file, duration, tolerance, output, picture):
 
 
 def _run(study, text, folder, output, picture):
-    from rich.console import Console
-
     from mooring.lines.dynamics.simulation import simulate
+
+    from ..common.console import new_console
 
     _check_finest(study)
     tell_first_use()
@@ -67,7 +67,7 @@ def _run(study, text, folder, output, picture):
     current, wave = current_of(study), wave_of(study, course.ramp or None)
     frames = frames_of(study, course)
     check_effort(study, line, course, frames)
-    console = Console()
+    console = new_console()
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         check_reach(line, breaking, course)

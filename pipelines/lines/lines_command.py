@@ -102,9 +102,9 @@ def _warnings_shown(console):
 
 
 def _console():
-    from rich.console import Console
+    from ..common.console import new_console
 
-    return Console()
+    return new_console()
 
 
 def _check_effort(system):

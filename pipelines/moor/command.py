@@ -116,9 +116,9 @@ def _put(file, name, value, unit):
 
 
 def _show(result, resonant, output):
-    from rich.console import Console
+    from ..common.console import new_console
 
-    console = Console()
+    console = new_console()
     console.print(_loads_table(result))
     console.print(_periods_table(result))
     console.print(_lines_table(result))

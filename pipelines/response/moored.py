@@ -121,7 +121,6 @@ def lines_of_csv(motion):
 def show(motion, console):
     """Print the table of a SlowMotion"""
     from rich.box import SIMPLE
-    from rich.console import Console
     from rich.table import Table
 
     names, units, values = table(motion)
@@ -131,8 +130,7 @@ def show(motion, console):
         shown.add_column(short, justify="right", no_wrap=True)
     for name, unit, row in zip(names, units, values, strict=True):
         shown.add_row(f"{name}, {unit}", *(f"{value:.3g}" for value in row))
-    whole = Console(width=400).measure(shown).maximum
-    (console if whole <= console.width else Console(width=whole)).print(shown)
+    console.print(shown)
 
 
 def datasets(motion):

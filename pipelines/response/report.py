@@ -17,7 +17,6 @@ from ..common.units import TONF
 
 RAD = {"rad": ("°", 180 / np.pi)}
 FRACTILE = 0.9
-WIDEST = 400  # characters of a table
 WORTH_NAMING = 1e-3  # estimated error of a result
 MOTIONS = {name.upper() for name in DOFS}
 FELT = {f"{word} {axis}" for word in ("displacement", "velocity", "acceleration") for axis in "xyz"}
@@ -91,10 +90,11 @@ def notes(result, radius, years=None):
 def show(rows, points, lines, warned, written, held=None):
     """Print the table, that of a `moored.Moored`, lines of `notes`, warnings and the names of the files written."""
     from rich.box import SIMPLE
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console()
+    from ..common.console import new_console
+
+    console = new_console()
     for title, members in _groups(rows.names, points).items():
         table = Table(title=title, title_justify="left", box=SIMPLE, pad_edge=False)
         table.add_column("", no_wrap=True)
@@ -102,8 +102,7 @@ def show(rows, points, lines, warned, written, held=None):
             table.add_column(SHORT.get(column, column.replace("_", " ")), justify="right")
         for i, label in members.items():
             table.add_row(f"{label}, {rows.units[i]}", *(f"{value:.3g}" for value in rows.values[i]))
-        whole = Console(width=WIDEST).measure(table).maximum  # where lines are shorter they wrap: no number is cut
-        (console if whole <= console.width else Console(width=whole)).print(table)
+        console.print(table)
     if held is not None:
         held.show(console)
     for line in lines:

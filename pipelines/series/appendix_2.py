@@ -66,9 +66,9 @@ class Outcome(NamedTuple):
 
 def make_appendix(folder, only, fresh):
     """Exit status.  Raises ValueError, one line."""
-    from rich.console import Console
+    from ..common.console import new_console
 
-    console = Console()
+    console = new_console()
     rows = read_rows(only)
     path = folder / "appendix_2.csv"
     check_folder(folder)

@@ -62,9 +62,9 @@ class Row(NamedTuple):
 
 def make_series(folder, fresh):
     """Exit status 0.  Raises ValueError, one line."""
-    from rich.console import Console
+    from ..common.console import new_console
 
-    console = Console()
+    console = new_console()
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
     rows = []

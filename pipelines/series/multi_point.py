@@ -67,9 +67,9 @@ class Result(NamedTuple):
 
 def make_series(folder, only, seeds, hours, fresh):
     """Exit status: 0, or 1 with a case that has no answer by one of the methods.  Raises ValueError, one line."""
-    from rich.console import Console
+    from ..common.console import new_console
 
-    console, chosen = Console(), cases(only)
+    console, chosen = new_console(), cases(only)
     if not 1 <= seeds <= MOST_SEEDS:
         raise StudyError(f"--seeds is {seeds}; allowed: 1 to {MOST_SEEDS}")
     if not 0.1 <= hours <= LONGEST:

@@ -47,9 +47,9 @@ class Result(NamedTuple):
 
 def make_series(folder, cases_path, only, seeds, fresh):
     """Exit status: 0, or 1 with a case that has no static answer.  Raises ValueError, one line."""
-    from rich.console import Console
+    from ..common.console import new_console
 
-    console = Console()
+    console = new_console()
     cases = read_cases(cases_path, only)
     if not 1 <= seeds <= MOST_SEEDS:
         raise StudyError(f"--seeds is {seeds}; allowed: 1 to {MOST_SEEDS}")

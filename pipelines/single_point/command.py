@@ -22,9 +22,9 @@ SCHEMA = "hakobune single point 1"
 
 def single_point(study_path, database, output, picture):
     """Exit status.  Raises ValueError, one line, before anything is written."""
-    from rich.console import Console
-
     from bem.database import open_database
+
+    from ..common.console import new_console
 
     study, raw, text = read_study(study_path)
     inputs = (study_path, *(() if database is None else (database,)))
@@ -39,7 +39,7 @@ def single_point(study_path, database, output, picture):
     found = equilibria(made.point)
     for one in found:
         check_buoy(made, one)
-    console = Console()
+    console = new_console()
     show(console, study, made, found)
     written = []
     if picture is not None:

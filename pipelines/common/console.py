@@ -1,0 +1,99 @@
+"""The one way to print: a console whose tables are never cut, or come as CSV or JSON where the command line asks.
+
+A table wider than its terminal is printed at its own width.  With --csv or --json (`tables_as`) each table is a block
+of lines, its names first, or one line {"title", "rows": [{name: text}]}; everything else goes to stderr.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import json
+import sys
+from functools import cache
+
+FORMS = ("csv", "json")
+WIDEST = 1000  # characters
+_asked = None  # (form, file of tables) while they are asked for in another form than boxes
+
+
+@contextlib.contextmanager
+def tables_as(form):
+    """Context in which tables are printed as "csv" or "json", or with None as boxes; says where there was none"""
+    global _asked
+    if form is None:
+        yield
+        return
+    out, made = sys.stdout, io.StringIO()
+    _asked = form, made
+    try:
+        with contextlib.redirect_stdout(sys.stderr):
+            yield
+    finally:
+        _asked = None
+        out.write(made.getvalue())
+        if not made.getvalue():
+            print(f"no table was printed, so there is nothing for --{form}", file=sys.stderr)
+
+
+def taken(arguments):
+    """Arguments without --csv and --json, and which of them was asked for.  Raises ValueError for both."""
+    given = [form for form in FORMS if f"--{form}" in arguments]
+    if len(given) > 1:
+        raise ValueError("--csv and --json are given; allowed: one of the two")
+    return [word for word in arguments if not given or word != f"--{given[0]}"], given[0] if given else None
+
+
+def new_console(**options):
+    """A rich console for the output of a command"""
+    return _kind()(**options)
+
+
+@cache
+def _kind():
+    from rich.console import Console
+    from rich.table import Table
+
+    class TableConsole(Console):
+        def print(self, *objects, **options):
+            if not (len(objects) == 1 and isinstance(objects[0], Table)):
+                return super().print(*objects, **options)
+            (table,) = objects
+            if _asked is not None:
+                form, file = _asked
+                file.write(as_csv(table) if form == "csv" else as_json(table))
+                return None
+            whole = Console(width=WIDEST).measure(table).maximum
+            if whole <= self.width:
+                return super().print(table, **options)
+            return Console(file=self.file, width=whole, force_terminal=self.is_terminal).print(table, **options)
+
+    return TableConsole
+
+
+def _cells(table):
+    """Names of the columns of a rich table, and its rows, as texts"""
+    columns = [[_plain(cell) for cell in column.cells] for column in table.columns]
+    names = [_plain(column.header) for column in table.columns]
+    return names, list(zip(*columns, strict=True))
+
+
+def _plain(cell):
+    from rich.text import Text
+
+    return " ".join((Text.from_markup(cell) if isinstance(cell, str) else cell).plain.split())
+
+
+def as_csv(table):
+    names, rows = _cells(table)
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows([names, *rows])
+    return text.getvalue() + "\n"
+
+
+def as_json(table):
+    names, rows = _cells(table)
+    title = "" if table.title is None else _plain(table.title)
+    made = {"title": title, "rows": [dict(zip(names, row, strict=True)) for row in rows]}
+    return json.dumps(made, ensure_ascii=False) + "\n"

@@ -1,0 +1,66 @@
+"""`hakobune doctor`: what the command stands on: libraries, threads, memory, the folder of compiled kernels."""
+
+from __future__ import annotations
+
+import os
+import platform
+from importlib import metadata
+
+NEEDED = ("numpy", "scipy", "numba", "h5py", "gmsh", "meshio", "pyvista", "matplotlib", "msgspec", "cyclopts", "rich")
+OPTIONAL = {"xarray": "reads databases by their labels"}
+
+
+def doctor():
+    """Say what is installed and what is amiss; 1 where a command cannot work.
+
+    hakobune doctor
+    """
+    from .common.bounds import available_memory
+
+    amiss = []
+    print(
+        f"hakobune {_version('hakobune') or 'not installed'}, Python {platform.python_version()}, {platform.platform()}"
+    )
+    for name in NEEDED:
+        found = _version(name)
+        print(f"  {name:<12}{found or 'missing'}")
+        if found is None:
+            amiss.append(f"{name} is missing: pip install {name}")
+    for name, use in OPTIONAL.items():
+        print(f"  {name:<12}{_version(name) or 'missing'}   optional, {use}")
+    amiss += [said for said in (_gmsh(), _cache()) if said]
+    print(f"  {'memory':<12}{available_memory() / 1e9:.1f} GB free")
+    print(f"  {'processors':<12}{len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count()}")
+    print("\n".join(f"amiss: {line}" for line in amiss) if amiss else "nothing is amiss")
+    return int(bool(amiss))
+
+
+def _version(name):
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return None
+
+
+def _gmsh():
+    """The mesher's shared libraries are loaded when it is"""
+    from meshing.gmsh_session import session
+
+    try:
+        with session():
+            pass
+    except (ImportError, OSError) as error:
+        return f"gmsh cannot be loaded, meshes cannot be made: {' '.join(str(error).split())}"
+    return None
+
+
+def _cache():
+    from bem.kernels import jit
+
+    folder = jit.cache_folder(jit.__file__, jit.ROOT).parent
+    size = sum(file.stat().st_size for file in folder.rglob("*") if file.is_file()) if folder.is_dir() else 0
+    print(f"  {'kernels':<12}{folder}, {size / 1e6:.0f} MB compiled (HAKOBUNE_CACHE moves it)")
+    place = next(path for path in (folder, *folder.parents) if path.exists())
+    if not os.access(place, os.W_OK):
+        return f"{place} cannot be written, so kernels are compiled at every start; set HAKOBUNE_CACHE"
+    return ""
