@@ -17,7 +17,6 @@ from meshing.whole_files import NotWritten
 from .bench.command import bench
 from .berth.flags import berth
 from .breakwater.command import breakwater
-from .common.console import new_console, tables_as, taken
 from .common.interrupt import interrupted
 from .damping.command import damping
 from .design.command import design
@@ -27,6 +26,7 @@ from .fender.flags import fender
 from .keys.command import keys, new
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
+from .printing.console import new_console, tables_as, taken
 from .reports.compare_command import compare
 from .reports.sections_command import sections
 from .response.command import response

@@ -21,7 +21,7 @@ def show(study, approach, fender, bands):
     """Print ship, energies by each method, and what the fender that is met first does with them."""
     from rich.table import Table
 
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console, ship = new_console(), approach.ship
     print(

@@ -24,9 +24,9 @@ def breakwater(
     """
     from rich.console import Console
 
-    from ..common.console import new_console
     from ..common.outputs import check_output
     from ..common.picture import PLOTS, check_picture
+    from ..printing.console import new_console
     from .build import Breakwater
     from .files import is_breakwater, write_csv, write_h5
     from .measured import read_measured

@@ -20,8 +20,8 @@ def design(
 
     Status 1 where a criterion is not met, is not judged, or a case could not be run.
     """
-    from ..common.console import new_console
     from ..common.outputs import check_folder
+    from ..printing.console import new_console
     from ..solve.work import executor_of
     from .project import read_project
 

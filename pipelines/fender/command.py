@@ -52,7 +52,7 @@ def _compression(pair, strain, deflection, energy):
 def _show(pair, bands, factors, causes):
     from rich.table import Table
 
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console = new_console()
     table = Table(title=repr(pair)[1:-1])

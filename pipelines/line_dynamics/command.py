@@ -55,7 +55,7 @@ def line_dynamics(file, duration, tolerance, output, picture):
 def _run(study, text, folder, output, picture):
     from mooring.lines.dynamics.simulation import simulate
 
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     _check_finest(study)
     tell_first_use()

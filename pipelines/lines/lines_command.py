@@ -102,7 +102,7 @@ def _warnings_shown(console):
 
 
 def _console():
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     return new_console()
 

@@ -116,7 +116,7 @@ def _put(file, name, value, unit):
 
 
 def _show(result, resonant, output):
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console = new_console()
     console.print(_loads_table(result))

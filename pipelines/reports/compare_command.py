@@ -24,7 +24,7 @@ def compare(
     dimensions, 2.1.5.91-99; motions: 2.4.3.1-24; models: tank models M3A and M3B by five methods, 2.4.4.2-11.
     A second call solves nothing; sets in one folder share their databases.
     """
-    from ..common.console import new_console
+    from ..printing.console import new_console
     from .comparisons.sets import SETS, make
 
     return make(SETS[which], output, new_console(), xi=xi, fresh=fresh)

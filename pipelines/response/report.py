@@ -92,7 +92,7 @@ def show(rows, points, lines, warned, written, held=None):
     from rich.box import SIMPLE
     from rich.table import Table
 
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console = new_console()
     for title, members in _groups(rows.names, points).items():

@@ -18,7 +18,7 @@ SHARES = (1e-6, 1 - 1e-4)  # of its energy that lie below the first and the last
 
 def show(found, warned, written):
     """Print Findings, warnings and the names of the files written."""
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console = new_console()
     console.print(found.title, highlight=False, soft_wrap=True)

@@ -66,7 +66,7 @@ class Outcome(NamedTuple):
 
 def make_appendix(folder, only, fresh):
     """Exit status.  Raises ValueError, one line."""
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console = new_console()
     rows = read_rows(only)

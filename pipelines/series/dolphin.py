@@ -62,7 +62,7 @@ class Row(NamedTuple):
 
 def make_series(folder, fresh):
     """Exit status 0.  Raises ValueError, one line."""
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console = new_console()
     check_folder(folder)

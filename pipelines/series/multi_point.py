@@ -67,7 +67,7 @@ class Result(NamedTuple):
 
 def make_series(folder, only, seeds, hours, fresh):
     """Exit status: 0, or 1 with a case that has no answer by one of the methods.  Raises ValueError, one line."""
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console, chosen = new_console(), cases(only)
     if not 1 <= seeds <= MOST_SEEDS:

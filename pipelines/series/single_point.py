@@ -47,7 +47,7 @@ class Result(NamedTuple):
 
 def make_series(folder, cases_path, only, seeds, fresh):
     """Exit status: 0, or 1 with a case that has no static answer.  Raises ValueError, one line."""
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console = new_console()
     cases = read_cases(cases_path, only)

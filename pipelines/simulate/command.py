@@ -16,7 +16,7 @@ from .run import simulate as fill
 
 def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local"):
     """Exit status of the command: 0, 1 with a seed that failed, 130 interrupted.  Raises ValueError before anything."""
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     console, workers = new_console(), executor_of(executor)
     if seeds is not None and seeds < 1:

@@ -24,7 +24,7 @@ def single_point(study_path, database, output, picture):
     """Exit status.  Raises ValueError, one line, before anything is written."""
     from bem.database import open_database
 
-    from ..common.console import new_console
+    from ..printing.console import new_console
 
     study, raw, text = read_study(study_path)
     inputs = (study_path, *(() if database is None else (database,)))
