@@ -91,6 +91,21 @@ def froya_speed_at(height, hourly_speed, averaging=HOUR):
     return np.maximum(mean, 0.0) * gust
 
 
+def mean_over(speed, given, wanted, height=10.0):
+    """Mean wind over `wanted` s from that over `given` s, both in m/s at `height` m, by the Frøya formula.
+
+    raises : ValueError for averaging times outside 1 s to one hour, speeds outside 0 to 200 m/s
+    """
+    from scipy.optimize import brentq
+
+    within("wind speed", speed, 0.0, 200.0, "m/s")
+    within("averaging time", given, *AVERAGING, "s")
+    if speed == 0:
+        return 0.0
+    hourly = brentq(lambda u: float(froya_speed_at(height, u, given)) - speed, 1e-9, 200.0)
+    return float(froya_speed_at(height, hourly, wanted))
+
+
 def froya_intensity(height, hourly_speed):
     """(…) standard deviation of the wind within the hour over its mean, at heights (…) m"""
     positive("one-hour wind speed at 10 m", hourly_speed, "m/s")
