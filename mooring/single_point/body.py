@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import atan2, cos, inf, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +22,7 @@ from ..lines.system.parts import EquilibriumError
 from .loads import Loads
 
 SETTLED = 1e-11  # of the forces on a buoy
+NEAR = 1e-7  # of the pull, from where one more step of Newton's on a circle errs by its square
 STEPS = 60
 NO_POINTS = np.zeros((0, 3))
 
@@ -138,20 +140,19 @@ class SinglePoint:
             z += up / stiff
         return Pull(F[:2].copy(), K[:2, :2] - np.outer(K[:2, 2], K[2, :2]) / stiff, float(z))
 
-    def buoy_under(self, force):
-        """SystemEquilibrium of the buoy that a body pulls with (2,) N.  Raises SinglePointError."""
+    def buoy_under(self, force, start: Pose | None = None):
+        """SystemEquilibrium of the buoy that a body pulls with (2,) N, sought from a Pose.  Raises SinglePointError."""
         name = self.system.bodies[0].name
         load = np.array(self.system.bodies[0].load)
         load[:2] += force
         try:
-            return rest(self.system.with_loads({name: load}))
+            return rest(self.system.with_loads({name: load}), start)
         except EquilibriumError as error:
             raise SinglePointError(f"the lines do not hold {np.hypot(*force) / 1e3:.4g} kN: {error}") from None
 
     def hold(self, place, heading, near=None) -> Hold:
         """Hold on the body with its centre of mass at (2,) m; near : (2,) m, a guess of where the buoy is"""
-        cos, sin = np.cos(heading), np.sin(heading)
-        R = np.array([[cos, -sin], [sin, cos]])
+        R = _turned(heading)
         if self.lengths[0] == 0.0:
             buoy = place + R @ self.ends[0]
             force = R.T @ self.pull(buoy).force
@@ -170,6 +171,27 @@ class SinglePoint:
         if not found:
             raise refused
         return min(found, key=lambda one: one[0])[1]
+
+    def stiffness(self, heading, held: Hold):
+        """(3, 3) N/m, N … −1 times the derivatives of a Hold's force by the body's place in space and its heading
+
+        A taut hawser turns about the body's end until the lines pull along it, so that it yields sideways.
+        """
+        taut = np.flatnonzero(held.tension)
+        if not len(taut):
+            return np.zeros((3, 3))
+        K, (X, Y) = self.pull(held.buoy).stiffness, held.force[:2]
+        R = _turned(heading)
+        arm, length = (self.apex, 0.0) if len(taut) == 2 else (self.ends[taut[0]], self.lengths[taut[0]])
+        pull = np.hypot(X, Y)
+        across = R @ np.array([-Y, X]) / pull
+        side = K @ across
+        K = K - np.outer(side, side) * (length / (length * (across @ side) + pull))
+        out = np.empty((3, 3))
+        out[:2] = R.T @ K @ np.column_stack([np.eye(2), R @ np.array([-arm[1], arm[0]])])
+        out[:2, 2] += -Y, X
+        out[2] = arm[0] * out[1] - arm[1] * out[0]
+        return out
 
     def _both(self, place, R):
         """Hold of two taut hawsers, after 0, or where one would have to push, its share of the force in lengths, m"""
@@ -197,25 +219,36 @@ class SinglePoint:
     def _on_circle(self, bow, length, near):
         """Place of the buoy at the end of a taut hawser where its lines pull along it, and their pull, (2,) N
 
-        Newton's method on the angle, by halves where it leaves the half circle towards the buoy's place at rest.
+        Newton's method on the angle, by halves where it leaves the half circle towards the buoy's place at rest; the
+        pull of its last step follows from the stiffness of the lines.
         """
-        first = (self.origin if near is None else near) - bow
-        angle = np.arctan2(first[1], first[0])
-        middle = np.arctan2(*(self.origin - bow)[::-1])
-        angle = middle + np.clip(np.mod(angle - middle + np.pi, 2 * np.pi) - np.pi, -1.0, 1.0)
-        low, high = middle - 0.5 * np.pi, middle + 0.5 * np.pi
+        x, y = (self.origin if near is None else near) - bow
+        rest_x, rest_y = self.origin - bow
+        middle = atan2(rest_y, rest_x)
+        angle = middle + min(max((atan2(y, x) - middle + pi) % (2 * pi) - pi, -1.0), 1.0)
+        low, high = middle - 0.5 * pi, middle + 0.5 * pi
         for _ in range(STEPS):
-            n = np.array([np.cos(angle), np.sin(angle)])
-            t = np.array([-n[1], n[0]])
-            F, K, _ = self.pull(bow + length * n)
-            across, along = F @ t, F @ n
-            if abs(across) <= SETTLED * (abs(along) + abs(across)) or high - low < 1e-15:
+            cx, cy = cos(angle), sin(angle)  # along the hawser; (−cy, cx) across it
+            buoy = bow + np.array([length * cx, length * cy])
+            F, K, _ = self.pull(buoy)
+            (X, Y), ((a, b), (c, d)) = F.tolist(), K.tolist()
+            across, along = cx * Y - cy * X, cx * X + cy * Y
+            slope = -length * (cy * cy * a - cx * cy * (b + c) + cx * cx * d) - along
+            if abs(across) <= NEAR * along and slope < 0:
+                step = -across / slope * length * np.array([-cy, cx])
+                return buoy + step, F - K @ step
+            if high - low < 1e-15:
                 break
             low, high = (angle, high) if across > 0 else (low, angle)
-            slope = -length * (t @ K @ t) - along
-            following = angle - across / slope if slope < 0 else np.inf
+            following = angle - across / slope if slope < 0 else inf
             angle = following if low < following < high else 0.5 * (low + high)
-        return bow + length * n, F
+        return buoy, F
+
+
+def _turned(heading):
+    """(2, 2) from axes of the body into space"""
+    c, s = cos(heading), sin(heading)
+    return np.array([[c, -s], [s, c]])
 
 
 def _with_moment(force, arm):

@@ -18,7 +18,7 @@ from functools import cached_property
 import numpy as np
 
 from ..lines.system.equilibrium import SystemEquilibrium
-from .body import SinglePoint, SinglePointError
+from .body import Hold, SinglePoint, SinglePointError
 from .criterion import Lateral, Slewing, falling, moored_quartic, slewing
 from .rings import zeros
 from .slewing import at_rest_state, linearised
@@ -60,7 +60,7 @@ class Equilibrium:
     @cached_property
     def roots(self):
         """(6,) λ of small motions, 1/s, the fastest growing first"""
-        return falling(np.linalg.eigvals(linearised(self.point, self.state)))
+        return falling(np.linalg.eigvals(linearised(self.point, self.state, Hold(-self.force, self.hawser, self.buoy))))
 
     @cached_property
     def slewing(self) -> Slewing:
@@ -96,7 +96,8 @@ def equilibria(point: SinglePoint):
             force = point.loads.at_rest(np.array([heading]))[0]
             tension = _tensions(point, force, end, length, which)
             if tension is not None:
-                found.append(_at(point, heading, force, end, length, tension))
+                start = found[-1].lines.pose if found else None  # loads from one side pull alike at all headings
+                found.append(_at(point, heading, force, end, length, tension, start))
     if not found:
         raise SinglePointError("no heading is at rest: wind, current and waves exert no force; give one of them")
     return sorted(found, key=lambda one: one.heading)
@@ -140,11 +141,11 @@ def _tensions(point, force, end, length, which):
     return tension
 
 
-def _at(point, heading, force, end, length, tension):
+def _at(point, heading, force, end, length, tension, start):
     cos, sin = np.cos(heading), np.sin(heading)
     R = np.array([[cos, -sin], [sin, cos]])
     pull = R @ force[:2]
-    lines = point.buoy_under(pull)
+    lines = point.buoy_under(pull, start)
     buoy = lines.position[0, :2]
     bow = buoy + length * pull / np.hypot(*pull)
     return Equilibrium(point, float(heading), bow - R @ end, buoy, tension, force, lines)
@@ -154,8 +155,7 @@ def _derivatives(point, heading):
     """Y_v, Y_r, Y_ψ, N_v, N_r, N_ψ of the loads by motion over the ground, SI"""
     loads, (u, v) = point.loads, at_rest_state(point, (0.0, 0.0), heading)[3:5]
     turn = STEP
-    side = 8 * (loads.at_rest(heading + turn * np.array([1.0]))[0] - loads.at_rest(heading - turn * np.array([1.0]))[0])
-    side -= loads.at_rest(np.array([heading + 2 * turn]))[0] - loads.at_rest(np.array([heading - 2 * turn]))[0]
+    side = np.array([8, -8, -1, 1]) @ loads.at_rest(heading + turn * np.array([1, -1, 2, -2]))
     by_psi = side[1:] / (12 * turn)
 
     def by(step):

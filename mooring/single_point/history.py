@@ -28,17 +28,30 @@ class Cycle(NamedTuple):
 
 def line_tensions(point: SinglePoint, buoy, height=None):
     """(n, lines) N, the larger of both ends, with the buoy at (n, 2) m; height : (n,) m, None to find or hold it"""
-    out = np.empty((len(buoy), len(point.system.lines)))
-    turn, z = point.system.pose.turn, None
-    free = "Heave" in point.system.bodies[0].freedom
-    for i, place in enumerate(buoy):
-        if height is not None:
-            z = height[i]
-        elif free or z is None:
-            z = point.pull(place, z).height
-        rows = point.system.load(Pose(np.array([[place[0], place[1], z]]), turn, NO_POINTS)).rows
-        out[i] = np.maximum(np.hypot(rows[:, 1], rows[:, 3]), np.hypot(rows[:, 2], rows[:, 4]))
-    return out
+    system, turn = point.system, point.system.pose.turn
+    z = np.full(len(buoy), system.bodies[0].position[2]) if height is None else np.asarray(height, float)
+    if height is None and "Heave" in system.bodies[0].freedom:
+        for i, place in enumerate(buoy):
+            z[i] = point.pull(place, z[i - 1] if i else None).height
+    places = np.column_stack([buoy, z])
+    if system.composites or system.hawsers:
+        rows = np.array([system.load(Pose(place[None], turn, NO_POINTS)).rows for place in places])
+    else:
+        rows = _uniform_rows(system, places, turn)
+    return np.maximum(np.hypot(rows[..., 1], rows[..., 3]), np.hypot(rows[..., 2], rows[..., 4]))
+
+
+def _uniform_rows(system, places, turn):
+    """(n, lines, …) rows of `System.load` with the buoy at (n, 3) m, all at once"""
+    from ..lines.system.assembly import uniform_rows
+
+    arrays, n = system.arrays, len(places)
+    points = system.load(Pose(places[:1], turn, NO_POINTS)).points
+    moved = points + (arrays.owner >= 0)[:, None] * (places - places[0])[:, None]
+    ends = arrays.ends + len(points) * np.arange(n)[:, None, None]
+    rows = uniform_rows(moved.reshape(-1, 3), ends.reshape(-1, 2), np.tile(arrays.flipped, n),
+                        np.tile(arrays.lines, (n, 1)), arrays.bed)  # fmt: skip
+    return rows.reshape(n, len(system.lines), -1)
 
 
 def cycle(time, heading) -> Cycle:

@@ -22,13 +22,20 @@ class Ring:
     """Spline through values (count, …) at equal angles, the first at 0."""
 
     def __init__(self, values):
-        from scipy.interpolate import CubicSpline
+        from scipy.fft import irfft, rfft
+        from scipy.interpolate import PPoly
 
-        values = np.asarray(values, float)
-        at = np.arange(len(values) + 1) * (2 * np.pi / len(values))
-        self.spline = CubicSpline(at, np.concatenate([values, values[:1]]), bc_type="periodic")
-        self._pieces = np.ascontiguousarray(np.moveaxis(self.spline.c, 1, 0))  # (count, 4, …)
-        self._step = 2 * np.pi / len(values)
+        f = np.asarray(values, float)
+        n, h = len(f), 2 * np.pi / len(f)
+        # second derivatives M: M₋ + 4M + M₊ = 6 (f₋ − 2f + f₊)/h², a circulant, which Fourier's sums solve
+        cos = np.cos(np.arange(n // 2 + 1) * h)
+        gain = (6 * (cos - 1) / (h * h * (2 + cos))).reshape(-1, *[1] * (f.ndim - 1))
+        M = irfft(gain * rfft(f, axis=0), n, axis=0)
+        f1, M1 = np.roll(f, -1, axis=0), np.roll(M, -1, axis=0)
+        pieces = [(M1 - M) / (6 * h), 0.5 * M, (f1 - f) / h - h / 6 * (2 * M + M1), f]
+        self.spline = PPoly.construct_fast(np.stack(pieces), h * np.arange(n + 1), extrapolate="periodic")
+        self._pieces = np.stack(pieces, axis=1)  # (count, 4, …)
+        self._step = h
 
     def __call__(self, angle):
         """(…) of one angle, rad"""

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .body import SinglePoint, SinglePointError
+from .body import Hold, SinglePoint, SinglePointError
 
 LONGEST = 40.0, 2.0  # s, of a step in steady and in gusty wind
 STEP = 1e-4  # of a derivative, in m, rad, m/s, rad/s over the scales of `linearised`
@@ -40,16 +40,22 @@ def rates(point: SinglePoint, state, wind_speed=None, near=None):
     """(6,) rates of the state x, y, ψ, u, v, r, and the Hold of the mooring"""
     x, y, heading, u, v, r = state
     held = point.hold(np.array([x, y]), heading, near)
-    force = point.loads.moving(heading, (u, v, r), wind_speed) + held.force
-    if not point.loads.water.turning:
-        along, across = point.mass[:2] @ np.array([u, v, r])
-        force[:2] += across * r, -along * r
     cos, sin = np.cos(heading), np.sin(heading)
     current = point.loads.water.velocity
     out = np.empty(6)
     out[:3] = cos * u - sin * v + current[0], sin * u + cos * v + current[1], r
-    out[3:] = point.inverse @ force
+    out[3:] = accelerations(point, heading, (u, v, r), held.force, wind_speed)
     return out, held
+
+
+def accelerations(point: SinglePoint, heading, velocity, pull, wind_speed=None):
+    """(3,) rates of u, v, r under a force (3,) N, N, N m of the mooring"""
+    u, v, r = velocity
+    force = point.loads.moving(heading, velocity, wind_speed) + pull
+    if not point.loads.water.turning:
+        along, across = point.mass[:2] @ np.array([u, v, r])
+        force[:2] += across * r, -along * r
+    return point.inverse @ force
 
 
 def at_rest_state(point: SinglePoint, place, heading):
@@ -59,31 +65,39 @@ def at_rest_state(point: SinglePoint, place, heading):
     return np.array([*place, heading, -cos * x - sin * y, sin * x - cos * y, 0.0])
 
 
-def linearised(point: SinglePoint, state):
+def linearised(point: SinglePoint, state, held: Hold | None = None):
     """(6, 6) derivatives of the `rates` by displacements (m, m, rad) at an equilibrium and by their rates.
 
     Unknowns are the place, the heading and the velocity over the ground in axes that do not turn, so that no rate is
-    left at rest.  Differences of fourth order.
+    left at rest.  The mooring yields by its stiffness, loads by differences of fourth order.
+    held : what the mooring does there, sought if not given
     """
     state, current = np.asarray(state, float), point.loads.water.velocity
-    scale = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])
+    held = point.hold(state[:2], state[2]) if held is None else held
+    scale = np.array([0.02, 0.1, 0.1, 2e-3])
 
     def motion(z):
-        cos, sin = np.cos(z[2]), np.sin(z[2])
-        over = z[3:5] - current
+        """Acceleration in space at a heading and a velocity over the ground, the pull of the mooring as it is"""
+        heading, r = z[0], z[3]
+        cos, sin = np.cos(heading), np.sin(heading)
+        over = z[1:3] - current
         u, v = cos * over[0] + sin * over[1], -sin * over[0] + cos * over[1]
-        found = rates(point, np.array([*z[:3], u, v, z[5]]))[0]
+        found = accelerations(point, heading, (u, v, r), held.force)
         # Galilean: acceleration in space of the velocity through the water, whose axes turn
-        du, dv = found[3] - z[5] * v, found[4] + z[5] * u
-        return np.array([*z[3:], cos * du - sin * dv, sin * du + cos * dv, found[5]])
+        du, dv = found[0] - r * v, found[1] + r * u
+        return np.array([cos * du - sin * dv, sin * du + cos * dv, found[2]])
 
-    centre = np.concatenate([state[:3], np.zeros(3)])
-    J = np.empty((6, 6))
-    for j in range(6):
+    centre = np.array([state[2], 0.0, 0.0, 0.0])
+    J = np.zeros((6, 6))
+    J[:3, 3:] = np.eye(3)
+    for j in range(4):
         h = 10 * STEP * scale[j]
-        step = np.eye(6)[j] * h
+        step = np.eye(4)[j] * h
         near, far = (motion(centre + k * step) - motion(centre - k * step) for k in (1, 2))
-        J[:, j] = (8 * near - far) / (12 * h)
+        J[3:, 2 + j] = (8 * near - far) / (12 * h)
+    yields = point.inverse @ point.stiffness(state[2], held)
+    cos, sin = np.cos(state[2]), np.sin(state[2])
+    J[3:, :3] -= np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]]) @ yields
     return J
 
 

@@ -142,13 +142,13 @@ def _still():
 
 def _advanced(point, state, step, parts, speed):
     """State after a slow step, by Runge and Kutta's method of fourth order"""
-    h = step / parts
+    h, near = step / parts, None
     for _ in range(parts):
-        k1 = rates(point, state, speed)[0]
-        k2 = rates(point, state + 0.5 * h * k1, speed)[0]
-        k3 = rates(point, state + 0.5 * h * k2, speed)[0]
-        k4 = rates(point, state + h * k3, speed)[0]
-        state = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        k1, held = rates(point, state, speed, near)
+        k2, held = rates(point, state + 0.5 * h * k1, speed, held.buoy)
+        k3, held = rates(point, state + 0.5 * h * k2, speed, held.buoy)
+        k4, held = rates(point, state + h * k3, speed, held.buoy)
+        state, near = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), held.buoy
     return state
 
 
@@ -163,15 +163,15 @@ class _Newmark:
     def run(self, point, state, held, motion, forces, wave, buoy, hawser):
         """Motion (place, velocity, acceleration) after forces (m, 6) of a slow step; fills the rows of its record"""
         x, v, a = motion
-        h, body, near = self.step, self.body, held.buoy
+        h, body, near, before = self.step, self.body, held.buoy, held.buoy
         cos, sin = np.cos(state[2]), np.sin(state[2])
         for i, force in enumerate(forces):
             foreseen = x + h * v + 0.5 * h * h * a
             surge = foreseen[0] + body.lever * foreseen[4]
             sway = foreseen[1] - body.lever * foreseen[3]
             place = state[:2] + np.array([cos * surge - sin * sway, sin * surge + cos * sway])
-            now = point.hold(place, state[2] + foreseen[5], near)
-            near = now.buoy
+            now = point.hold(place, state[2] + foreseen[5], 2 * near - before)
+            near, before = now.buoy, near
             X, Y, N = now.force - held.force
             T = np.array([X, Y, 0.0, -body.lever * Y, body.lever * X, N])
             half = x + h * v + 0.25 * h * h * a

@@ -73,6 +73,23 @@ def test_two_hawsers_that_meet_at_a_point_hold_as_one_there():
     assert np.allclose(np.sort(one.roots.real), np.sort(other.roots.real), atol=1e-9)
 
 
+@pytest.mark.parametrize("ends, lengths", [
+    ([(50.0, 0.0)], [0.0]), ([(50.0, 0.0)], [25.0]), ([(50.0, 5.0), (50.0, -5.0)], [25.0, 25.0]),
+    ([(50.0, 20.0), (50.0, -20.0)], [150.0, 150.0]),
+])  # fmt: skip
+def test_the_stiffness_of_a_mooring_is_the_derivative_of_its_force(ends, lengths):
+    """A contact buoy, a hawser, a bridle of which both legs are taut, and one of which the lee leg is slack"""
+    for one in equilibria(replace(floater_A(90.0), ends=ends, lengths=lengths)):
+        differences = np.empty((3, 3))
+        for j, step in enumerate(np.diag([1e-3, 1e-3, 1e-5])):
+            ahead, behind = (one.point.hold(one.place + k * step[:2], one.heading + k * step[2], one.buoy).force
+                             for k in (1, -1))  # fmt: skip
+            differences[:, j] = (behind - ahead) / (2 * step[j])
+        held = one.point.hold(one.place, one.heading, one.buoy)
+        error = np.abs(one.point.stiffness(one.heading, held) - differences).max()
+        assert error < 1e-5 * np.abs(differences).max()
+
+
 def test_of_two_hawsers_the_lee_one_falls_slack_under_a_load_from_the_side():
     point = floater_A(90.0)
     bridle = replace(point, ends=[(50.0, 20.0), (50.0, -20.0)], lengths=[150.0, 150.0])
