@@ -17,7 +17,7 @@ import numpy as np
 from scipy.special import j0, y0
 
 SMALLEST = 1e-3
-INSIDE = 0.9  # of half length and breadth
+INSET = 0.1  # from the plan, of its smaller half
 PER_WAVE = 8  # sources in a wave length of the contour
 FEWEST = 24
 AT_ONCE = 2_000_000
@@ -28,7 +28,8 @@ class Sources:
 
     def __init__(self, half, k, theta):
         self.half, self.k = np.asarray(half, float), float(k)
-        self.points = contour(INSIDE * self.half, max(FEWEST, PER_WAVE * perimeter(INSIDE * self.half) * k / 2 / np.pi))
+        inner = self.half - INSET * self.half.min()
+        self.points = contour(inner, max(FEWEST, PER_WAVE * perimeter(inner) * k / 2 / np.pi))
         self.sent = np.exp(-1j * k * (directions(theta) @ self.points.T))
 
     @cached_property

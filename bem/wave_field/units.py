@@ -13,7 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .sources import PER_WAVE, SMALLEST, Sources, contour, directions, incident, perimeter, regular_inverse, waves
+from .sources import PER_WAVE, Sources, contour, directions, incident, perimeter, regular_inverse, waves
+
+ARRIVING = 1e-3  # smallest singular value of plane waves on the contour
 
 
 class Field(NamedTuple):
@@ -65,7 +67,7 @@ def field(half, k, theta, own, ring, of_ring, beta, middles):
     if len(middles) == 1:
         return Field(sources, middles, first.swapaxes(0, 1), beta, missed)
     edge = contour(sources.half, max(24, PER_WAVE * perimeter(sources.half) * k / 2 / np.pi))
-    answer = sources.of_far_field @ of_ring.T @ regular_inverse(incident(k, ring, edge).T, SMALLEST)
+    answer = sources.of_far_field @ of_ring.T @ regular_inverse(incident(k, ring, edge).T, ARRIVING)
     units, s = len(middles), len(sources.points)
     matrix = np.eye(units * s, dtype=complex)
     for u in range(units):

@@ -17,8 +17,12 @@ def breakwater(
     *,
     output: Annotated[Path | None, Parameter(help=".csv of the curves, or .h5 of everything")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+    database: Annotated[Path | None, Parameter(help="of a unit of finite length along x, for [map]")] = None,
+    map_plot: Annotated[Path | None, Parameter(help="picture of the waves around it: .png, .svg or .pdf")] = None,
 ):
     """A floating breakwater in two dimensions: transmission, a sea behind it, line tensions, pretension, anchors.
+
+    With a database of a unit of finite length, the waves around a row of them.
 
     Status 1 where a line goes slack, no pretension is allowed, or an anchor is too small.
     """
@@ -36,9 +40,11 @@ def breakwater(
 
     if output is not None:
         check_output(output, "the result of a breakwater", is_breakwater, ENDINGS, [study])
-    if plot is not None:
-        check_picture(plot, PLOTS)
+    for picture in (plot, map_plot):
+        if picture is not None:
+            check_picture(picture, PLOTS)
     read, text = read_breakwater(study)
+    _check_map(read, database, map_plot)
     measured = None if read.measured is None else read_measured(Path(study).parent / read.measured)
     asked = Breakwater(read)
     found = results(asked)
@@ -47,14 +53,34 @@ def breakwater(
 
         with Console(stderr=True).status("designs are tried"):
             found = found._replace(front=front(read))
+    if database is not None:
+        from bem.database import open_database
+
+        from .lee import lee
+
+        around = lee(asked, open_database(database))
+        found = found._replace(lee=around, warned=[*found.warned, *around.warned])
     if output is not None:
         write_csv(output, read, found) if output.suffix == ".csv" else write_h5(output, asked, text, found)
     if plot is not None:
         from .picture import draw
 
         draw(plot, asked, found, measured)
-    show(_wide(new_console()), read, found, [path for path in (output, plot) if path is not None])
+    if map_plot is not None:
+        from .map_picture import draw_map
+
+        draw_map(map_plot, read.name, found.lee)
+    show(_wide(new_console()), read, found, [path for path in (output, plot, map_plot) if path is not None])
     return int(_fails(found))
+
+
+def _check_map(study, database, map_plot):
+    from ..common.quantities import StudyError
+
+    if study.map is not None and database is None:
+        raise StudyError("the study has a [map]; give --database of a unit of finite length, or leave the table out")
+    if study.map is None and (database is not None or map_plot is not None):
+        raise StudyError("the study has no [map]; add one, or leave --database and --map-plot out")
 
 
 def _wide(console):

@@ -70,6 +70,11 @@ def write_h5(path, breakwater, text, found):
                 _put(file, f"front/{name}", values, "degree" if name == "angle_deg" else "m")
             _put(file, "front/tension", found.front.tension, "N/m")
             _put(file, "front/behind", found.front.behind, "m, or 1 without a sea")
+        if found.lee is not None:
+            for name, unit in (("x", "m"), ("y", "m"), ("ratio", "1"), ("units", "m")):
+                _put(file, f"map/{name}", getattr(found.lee, name), unit)
+            _put(file, "map/behind", found.lee.behind, "m, 1")
+            file["map"].attrs["waves"] = found.lee.waves
         for one in found.anchors:
             _put(file, f"anchors/{one.name}", one.needed, one.unit)
 

@@ -97,6 +97,10 @@ def _lines(study, found):
             yield f"  greatest tension amplitude of {found.sea.waves:.0f} waves, kN/m: {spread}"
             share = max(found.sea.slack)
             yield f"  a line is slack in {share:.2g} of the cycles" if share > 1e-6 else "  no line goes slack"
+    if found.lee is not None:
+        units = f"{len(found.lee.units)} unit{'s' * (len(found.lee.units) > 1)} of {2 * found.lee.half[0]:.4g} m"
+        yield f"behind {units} in {found.lee.waves}, K over their breadth, height over that of the waves that come:"
+        yield "  " + ", ".join(f"{K:.3f} at {y:.4g} m" for y, K in found.lee.behind)
     if found.pretension is not None:
         yield from _pretension_lines(study, found.pretension)
     if found.snapping is not None:

@@ -85,7 +85,8 @@ class AnchorRow(NamedTuple):
 
 
 class Results(NamedTuple):
-    """period : (n,) s; curves : list of `Curve`; tides : list of Tide, None without lines; front : of `pareto`"""
+    """period : (n,) s; curves : list of `Curve`; tides : list of Tide, None without lines; front : of `pareto`
+    lee : of `lee`"""
 
     period: np.ndarray
     curves: list
@@ -96,6 +97,7 @@ class Results(NamedTuple):
     warned: list
     snapping: Snapping | None = None
     front: object = None
+    lee: object = None
 
 
 def results(breakwater):
@@ -229,10 +231,10 @@ def in_sea(breakwater, curve, rise, omega, amplitude, ways):
     return Response(*(np.sqrt(np.mean(np.abs(part) ** 2, axis=0)) for part in zip(*over, strict=True)))
 
 
-def ways_of(study, spectrum, omega, count=WAYS):
+def ways_of(study, spectrum, omega, count=WAYS, any_section=False):
     """(d, m) rad, angles with the normal of waves of equal energy at frequencies (m,) rad/s.  Raises StudyError."""
     mean, spread = np.radians(study.sea.obliquity_deg), spreading_of("sea", study.sea, spectrum)
-    if study.section.shape != "rectangle" and not study.sea.is_normal:
+    if not any_section and study.section.shape != "rectangle" and not study.sea.is_normal:
         warnings.warn(
             "waves at an angle are told for rectangles: the sea in two dimensions is taken along the normal",
             stacklevel=2,

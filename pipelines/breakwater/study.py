@@ -40,6 +40,10 @@ coefficient = 1.5
 [optimisation]                  # optional: the least wave behind for every tension
 draft = [4.0, 6.0]              # and width, angle_deg; behind = 0.8, m or K_T, that is wanted
 
+[map]                           # optional, with --database: waves around units of finite length
+units = 3
+gap = 12.0                      # m
+
 [anchors]                       # optional: sinker, common_sinker, pile, holding
 sinker = { friction = 0.3, width = 10.0, unit_weight_kN_per_m3 = 67.2 }
 ```
@@ -62,6 +66,7 @@ MOST_PERIODS = 1000
 SHORTEST, LONGEST = 0.05, 1000.0  # s
 LARGEST_LOSS = 1e4
 MOST_OBLIQUE = 85  # degrees
+MOST_UNITS = 30
 
 
 class WaterTable(Table):
@@ -253,6 +258,24 @@ class AnchorsTable(Table):
     holding: HoldingTable | None = None
 
 
+class MapTable(Table):
+    """Waves around units of finite length, of a database of one, its length along x
+
+    period : s, of regular waves of the study's obliquity; without, the sea is taken
+    units : in a row
+    gap : m, between them
+    x, y : m, from and to, along the row and to leeward, about the middle
+    points : of the map along each
+    """
+
+    period: float | None = None
+    units: int = 1
+    gap: float = 0.0
+    x: tuple[float, float] | None = None
+    y: tuple[float, float] | None = None
+    points: int = 61
+
+
 class LossTable(Table):
     """Head that the flow under the keel loses, in potential flow
 
@@ -313,6 +336,7 @@ class BreakwaterStudy(Table):
     theories: list[str] = msgspec.field(default_factory=lambda: [THEORIES[0]])
     design: DesignTable = msgspec.field(default_factory=DesignTable)
     loss: LossTable | None = None
+    map: MapTable | None = None
     optimisation: OptimisationTable | None = None
     measured: str | None = None
 
@@ -339,6 +363,8 @@ def make_breakwater(raw):
     _check_needs(study)
     if study.optimisation is not None:
         _check_optimisation(study)
+    if study.map is not None:
+        _check_map(study)
     return study
 
 
@@ -447,6 +473,25 @@ def _check_needs(study):
         raise StudyError(f"the body's weight: {state}; allowed: one of {', '.join(weights)}")
     if not given[0].startswith("lines"):
         positive(given[0], weights[given[0]])
+
+
+def _check_map(study):
+    asked = study.map
+    if asked.period is None and study.sea is None:
+        raise StudyError("map has no waves; allowed: map.period, or [sea]")
+    if asked.period is not None:
+        positive("map.period", asked.period)
+    check_count("map.units", asked.units, 1, MOST_UNITS, StudyError)
+    check_count("map.points", asked.points, 2, 401, StudyError)
+    if not (0 < asked.gap < np.inf if asked.units > 1 else asked.gap == 0):
+        state = "above 0 between units" if asked.units > 1 else "0 with one unit"
+        raise StudyError(f"map.gap is {asked.gap:g} m; allowed: {state}")
+    for key in ("x", "y"):
+        ends = getattr(asked, key)
+        if ends is not None and not -np.inf < ends[0] < ends[1] < np.inf:
+            raise StudyError(f"map.{key} is from {ends[0]:g} to {ends[1]:g} m; allowed: rising, finite")
+    if study.loss is not None:
+        raise StudyError("map is given with loss; the waves of a database lose none; leave one of them out")
 
 
 def _check_optimisation(study):

@@ -1,0 +1,181 @@
+"""Waves around breakwaters of finite length, of a database of their units: how high, over how high they came.
+
+    K(x, y)² = Σ_ω,β |η(x, y; ω, β)|² S_i Δω Δβ / Σ S_i Δω Δβ,      η with what every unit scatters and radiates
+
+x along the row of units, y to leeward, a unit being the study's section over the database's length, held as the study
+holds it (`mooring.breakwater.unit`), its neighbours apart by a gap (`bem.wave_field.units`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.database.between_frequencies import KOCHIN
+from bem.kochin import angles
+from bem.wave_field.units import field, row
+from bem.waves import wavenumber
+from mooring.breakwater import unit
+from mooring.breakwater.transmission import equal_cells
+
+from ..common.quantities import StudyError
+from .build import KN
+from .results import design, spectrum_of, ways_of
+
+MOVING = ("added_mass", "radiation_damping", "excitation_force")
+SAME = 0.02  # by which the database's hull may differ from the study's section
+CELLS, WAYS = 16, 10  # of a sea
+LEAST = 0.9  # of its energy within the database
+MISSED = 0.02  # share of a far field that its sources may miss without a word
+BEHIND = (0.25, 0.5, 1.0, 2.0)  # of the length of the row, where it is told
+
+
+class Lee(NamedTuple):
+    """x (a,), y (b,) m; ratio : (b, a) K, nan in the bodies; units : (u, 2) m, middles; half : (2,) m of one
+    behind : [(y m, mean K over the breadth of the row)]; waves : in words; warned : one line each"""
+
+    x: np.ndarray
+    y: np.ndarray
+    ratio: np.ndarray
+    units: np.ndarray
+    half: np.ndarray
+    behind: list
+    waves: str
+    warned: list
+
+
+def lee(breakwater, db):
+    """`Lee` of a `Breakwater` whose study has a MapTable.  Raises ValueError for another body's database."""
+    asked, reader = breakwater.study.map, db.reader
+    length = _check_same(breakwater, db)
+    fixed = design(breakwater.study)[0] == "fixed"
+    db.require(*KOCHIN, *(() if fixed else MOVING))
+    moved = None if fixed else held(breakwater, reader, length)
+    middles = row(asked.units, length + asked.gap)
+    half = np.array([length, breakwater.wetted(0.0).waterline]) / 2
+    omega, ways, share, words = waves_of(breakwater.study, reader)
+    x, y = _grid(asked, 2 * (middles[-1, 0] + length / 2), half[1])
+    total = middles[-1, 0] + length / 2
+    told = [half[1] + part * 2 * total for part in BEHIND]
+    across = np.linspace(-total, total, 41)
+    places = [np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)]
+    places += [np.stack([across, np.full(41, one)], axis=1) for one in told]
+    power, missed = np.zeros(sum(map(len, places))), 0.0
+    for w, betas, part in zip(omega, ways, share, strict=True):
+        found = _field(reader, moved, w, betas, half, middles)
+        power += part * np.mean(np.abs(found.elevation(np.concatenate(places))) ** 2, axis=0)
+        missed = max(missed, found.missed)
+    ratio, rest = np.sqrt(power[: len(places[0])]), np.sqrt(power[len(places[0]) :]).reshape(-1, 41)
+    behind = list(zip(told, np.sqrt(np.mean(rest**2, axis=1)), strict=True))
+    warned = list(_remarks(breakwater, asked, missed))
+    return Lee(x, y, ratio.reshape(len(y), len(x)), middles, half, behind, words, warned)
+
+
+def held(breakwater, reader, length):
+    """The `Reader` of a unit with the study's weight and holding"""
+    study, center = breakwater.study, float(reader.rotation_center[2])
+    if np.any(np.abs(reader.rotation_center[:2]) > 0):
+        raise StudyError("the database's rotation_center is off the middle of the hull; solve it again about x = y = 0")
+    holding = design(study)[0]
+    body = breakwater.afloat(0.0)[0] if holding == "free" else breakwater.taut(0.0)
+    stiffness = unit.buoyancy(body, length, center)
+    if holding != "free":
+        lines = study.lines
+        EA = lines.axial_stiffness_kN * KN / lines.spacing if holding == "elastic" else None
+        stiffness = stiffness + unit.line_matrix(body, length, center, lines.spacing, EA)
+    inertia = unit.inertia(body, length, center)
+    return replace(reader, inertia=inertia, stiffness=stiffness, damping=np.zeros((6, 6)), own=False, viscous=None)
+
+
+def waves_of(study, reader):
+    """ω (n,) rad/s, directions (n, d) rad travelled to, 90° to leeward, share of the energy (n,), and all in words
+
+    Raises StudyError for waves outside the database.
+    """
+    asked, (low, high) = study.map, reader.between.span
+    if asked.period is not None:
+        omega = np.array([2 * np.pi / asked.period])
+        if not low <= omega[0] <= high:
+            raise StudyError(
+                f"map.period is {asked.period:g} s; the database has {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g}"
+            )
+        at = f"regular waves of {asked.period:g} s at {study.waves.obliquity_deg:g}° with the normal"
+        return omega, np.array([[np.pi / 2 - np.radians(study.waves.obliquity_deg)]]), np.ones(1), at
+    spectrum = spectrum_of(study.sea, study.water.depth)
+    sea = equal_cells(spectrum, CELLS)
+    inside = (sea.omega >= low) & (sea.omega <= high)
+    part = sea.energy[inside].sum() / sea.energy.sum()
+    if part < LEAST:
+        raise StudyError(
+            f"the database has {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s, {part:.0%} of the sea's energy; "
+            f"allowed: {LEAST:.0%} or more; solve more frequencies"
+        )
+    omega = sea.omega[inside]
+    angle = ways_of(study, spectrum, omega, WAYS, any_section=True).T
+    spread = "long crests" if study.sea.spreading is None else study.sea.spreading
+    words = f"the sea, {spread}, at {study.sea.obliquity_deg:g}° with the normal"
+    words += "" if part == 1 else f", {part:.0%} of it, in the database"
+    share = sea.energy[inside] / sea.energy[inside].sum()
+    return omega, np.pi / 2 - angle, share, words
+
+
+def _field(reader, moved, omega, betas, half, middles):
+    """`Field` of all units at one frequency"""
+    k, theta = float(wavenumber(omega, reader.depth, reader.gravity)), reader.between.theta
+    own = _far_field(reader, moved, omega, betas)
+    ring = angles(k, float(np.hypot(*half))) if len(middles) > 1 else np.zeros(0)
+    return field(half, k, theta, own, ring, _far_field(reader, moved, omega, ring), betas, middles)
+
+
+def _far_field(reader, moved, omega, betas):
+    """(b, t) H of one unit, its motions included"""
+    if not len(betas):
+        return np.zeros((0, len(reader.between.theta)))
+    radiated, diffracted = reader.far_field([omega], betas)
+    if moved is None:
+        return diffracted[0]
+    return diffracted[0] + moved.motions([omega], betas)[0] @ radiated[0]
+
+
+def _grid(asked, whole, half_width):
+    """x, y m of the map; by default a breadth and a half of the row, as far behind it, a half before"""
+    x = asked.x or (-0.75 * whole, 0.75 * whole)
+    y = asked.y or (-0.5 * whole, 1.5 * whole)
+    return (np.linspace(*ends, asked.points) for ends in (x, y))
+
+
+def _check_same(breakwater, db):
+    """Length of the unit, m.  Raises StudyError where the database is of another body or other water."""
+    wet, points = breakwater.wetted(0.0), db.mesh.whole().points
+    if db.water_depth is None or np.isinf(db.water_depth):
+        raise StudyError("the database is of deep water; allowed: that of the study's depth")
+    length, beam = np.ptp(points[:, 0]), np.ptp(points[:, 1])
+    pairs = {
+        "depth": (db.water_depth, breakwater.depth(0.0)),
+        "density": (db.density, breakwater.study.water.density),
+        "gravity": (db.gravity, breakwater.study.water.gravity),
+        "draft": (-points[:, 2].min(), wet.draft),
+        "displaced volume": (float(db.displaced_volume), wet.area * length),
+        "breadth": (beam, max(abs(edge.at(u).real) for edge in wet.edges for u in (0.0, 0.5, 1.0)) * 2),
+    }
+    for name, (there, here) in pairs.items():
+        if abs(there / here - 1) > SAME:
+            raise StudyError(
+                f"the database has {name} {there:.5g}, the study {here:.5g}; solve the study's section, its length "
+                "along x, at the study's depth"
+            )
+    return float(length)
+
+
+def _remarks(breakwater, asked, missed):
+    depth = breakwater.depth(0.0)
+    if asked.units > 1 and asked.gap < depth:
+        left = np.exp(-np.pi * asked.gap / depth)
+        yield (
+            f"map.gap is {asked.gap:g} m, less than the depth of {depth:g} m: waves that decay over the depth, "
+            f"{left:.0%} of them from unit to unit, are left out"
+        )
+    if missed > MISSED:
+        yield f"the waves close to the body are fitted to {missed:.1%} of its far field; allowed: {MISSED:.0%}"

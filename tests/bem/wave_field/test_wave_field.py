@@ -1,0 +1,84 @@
+"""Waves around bodies from their Kochin functions: sources found again, cylinders in closed form, energy of a row."""
+
+import numpy as np
+import pytest
+from scipy.special import h1vp, hankel1, jvp
+
+from bem.frequency import solve_frequency
+from bem.kochin import angles
+from bem.methods.shape_problem import ShapeProblem
+from bem.wave_field.sources import Sources, directions, waves
+from bem.wave_field.units import field, row
+from bem.waves import wavenumber
+
+ORDERS = np.arange(-20, 21)
+
+
+def test_waves_of_sources_in_a_body_are_found_again_half_a_wave_from_it():
+    random, k, half = np.random.default_rng(1), 2 * np.pi / 40, np.array([50.0, 5.0])
+    inside = (random.random((6, 2)) * 2 - 1) * 0.85 * half
+    strength = random.standard_normal(6) + 1j * random.standard_normal(6)
+    theta = angles(k, 51.0)
+    H = np.exp(-1j * k * (directions(theta) @ inside.T)) @ strength
+    found = Sources(half, k, theta)
+    made, missed = found.strengths(H)
+    assert missed < 1e-3
+    for away, allowed in ((10.0, 0.03), (20.0, 0.005), (40.0, 0.001)):
+        there = np.stack([np.linspace(-50, 50, 101), np.full(101, 5.0 + away)], axis=1)
+        exact = waves(k, there, inside) @ strength
+        assert np.linalg.norm(found.elevation(made, there) - exact) < allowed * np.linalg.norm(exact)
+
+
+def of_cylinder(k, a, beta, theta):
+    """H (b, t) of a cylinder on the bed"""
+    ratio = -jvp(ORDERS, k * a) / h1vp(ORDERS, k * a)
+    return np.exp(1j * ORDERS * (theta[None, :, None] - beta[:, None, None])) @ ratio
+
+
+def of_cylinders(k, a, middles, beta, places):
+    """Elevation (p,) about cylinders on the bed, by Graf's theorem (Linton and Evans, J. Fluid Mech. 215, 1990)"""
+    Z, count = jvp(ORDERS, k * a) / h1vp(ORDERS, k * a), len(ORDERS)
+    arriving = np.exp(1j * k * (middles @ directions(beta)))[:, None] * np.exp(1j * ORDERS * (np.pi / 2 - beta))
+    matrix = np.eye(len(middles) * count, dtype=complex)
+    for j, one in enumerate(middles):
+        for i, other in enumerate(middles):
+            if i != j:
+                apart, way = np.hypot(*(one - other)), np.arctan2(*(one - other)[::-1])
+                n = ORDERS[None] - ORDERS[:, None]  # from order n of i to order m of j
+                block = Z[None] * hankel1(n, k * apart) * np.exp(1j * n * way)
+                matrix[j * count : (j + 1) * count, i * count : (i + 1) * count] = block
+    A = np.linalg.solve(matrix, -arriving.reshape(-1)).reshape(len(middles), count)
+    total = np.exp(1j * k * (places @ directions(beta)))
+    for middle, own in zip(middles, A, strict=True):
+        r, way = np.hypot(*(places - middle).T), np.arctan2(*(places - middle).T[::-1])
+        total += (Z * own * hankel1(ORDERS, k * r[:, None]) * np.exp(1j * ORDERS * way[:, None])).sum(axis=1)
+    return total
+
+
+@pytest.mark.parametrize(("pitch", "allowed"), [(2.2, 2e-2), (3.0, 3e-3)])  # gaps of a twentieth and a quarter wave
+def test_cylinders_shelter_each_other_as_the_closed_form_has_it(pitch, allowed):
+    a, k, beta = 1.0, 1.5, np.array([np.radians(60)])
+    theta, ring = angles(k, np.sqrt(2)), angles(k, np.sqrt(2)) + 0.1
+    middles = row(3, pitch)
+    made = field((a, a), k, theta, of_cylinder(k, a, beta, theta), ring, of_cylinder(k, a, ring, theta), beta, middles)
+    places = np.stack(np.meshgrid(np.linspace(-6, 6, 25), [2.5, 4.0, 8.0]), axis=-1).reshape(-1, 2)
+    exact = of_cylinders(k, a, middles, beta[0], places)
+    assert np.linalg.norm(made.elevation(places)[0] - exact) < allowed * np.linalg.norm(exact)
+
+
+def test_a_row_of_units_keeps_the_energy_of_the_waves():
+    """(1/2π) ∫ |H|² dθ = −Re H(β) of all units together, however near they are"""
+    omega, half = 1.0, np.array([20.0, 5.0])
+    k = float(wavenumber(omega, 10.0, 9.80665))
+    body = ShapeProblem(method="contour", shape="box", sizes=(40.0, 10.0, 5.0), depth=10.0, tolerance=1e-3).prepared()
+    ring = angles(k, np.hypot(*half))
+    found = solve_frequency(body, omega, ring, {"kochin_diffraction"})["kochin_diffraction"]
+    theta = np.arange(found.shape[1]) * 2 * np.pi / found.shape[1]
+    towards = np.array([7, 11])
+    for gap in (12.0, 3.0):
+        made = field(half, k, theta, found[towards], ring, found, ring[towards], row(3, 40.0 + gap))
+        ahead = [
+            np.sum(strengths * np.exp(-1j * k * ((made.sources.points + made.middles[:, None]) @ directions(beta))))
+            for strengths, beta in zip(made.strengths, made.beta, strict=True)
+        ]
+        assert np.mean(abs(made.far_field()) ** 2, axis=1) == pytest.approx(-np.real(ahead), rel=3e-3)
