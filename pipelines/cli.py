@@ -27,6 +27,7 @@ from .keys.command import keys, new
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
 from .printing.console import new_console, tables_as, taken
+from .qtf.command import qtf
 from .reports.compare_command import compare
 from .reports.sections_command import sections
 from .response.command import response
@@ -176,6 +177,7 @@ def moor(study: Path, /, *, database: Path, output: Path | None = None):
 
 app.command(sea)
 app.command(response)
+app.command(qtf)
 app.command(sections)
 app.command(compare)
 app.command(bench)

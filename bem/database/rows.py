@@ -226,7 +226,7 @@ class Database:
         """Solved rows of a quantity, axes as in `schema.QUANTITIES`; also period, wavenumber, theta."""
         if name in QUANTITIES:
             self.require(name)
-        with self._opened() as file:
+        with self.opened() as file:
             if name not in file:
                 known = ", ".join(n for n in (*COORDINATES, *DERIVED, *self.names))
                 raise DatabaseError(f"{self.path} holds no {name!r}; it holds: {known}")
@@ -281,7 +281,7 @@ class Database:
 
     def checks(self):
         """{name: (n,)} of `schema.CHECKS` for the solved frequencies; NaN where a check did not apply."""
-        with self._opened() as file:
+        with self.opened() as file:
             check_rows(file, self.rows)
             return {name: file["checks"][name][()][self.rows] for name in CHECKS}
 
@@ -291,7 +291,7 @@ class Database:
         NaN where the method gives no estimate, and in a file of a time before there were any.
         """
         names = [name for name in ESTIMATES if name in self.names]
-        with self._opened() as file:
+        with self.opened() as file:
             for name in names:
                 check_cells(file, name, None, self.rows)
             return {
@@ -303,7 +303,7 @@ class Database:
 
     def wall_times(self):
         """(n,) dictionaries {step: s} of the solved frequencies."""
-        with self._opened() as file:
+        with self.opened() as file:
             check_rows(file, self.rows)
             return [json.loads(text) for text in file["wall_time"][()][self.rows]]
 
@@ -347,11 +347,12 @@ class Database:
         """PanelMesh of the interior free surface, or None"""
         return self.header.lid
 
-    def _opened(self):
+    def opened(self):
+        """Context of the open HDF5 file"""
         return opened(self.file or self.path, checked=True)  # a closed file is false
 
     def _stored(self, name):
-        with self._opened() as file:
+        with self.opened() as file:
             return bool(file["stored"][name][()])
 
     def _remedy(self, missing):

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from .file import LATER, beside, lay_out, read_header
+from .groups import GROUPS, content, fill
 from .integrity import ROWS, has_checksums, remark, row_crc
 from .rows import estimate_of, mark_whole_rows, places_on, same_heading, same_omega, writing
 from .schema import CHECKS, QUANTITIES, cell_axes
@@ -36,11 +37,26 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
         if grown:
             with beside(old.filename, LATER) as file:
                 lay_out(file, header, wider_omega, wider_heading, wider)
-                _take_over(old, file, anew)
+                take_over(old, file, anew)
+                if header.scene_hash == kept.scene_hash and not anew:
+                    for name in (name for name in GROUPS if name in old):
+                        fill(file, name, *content(old, name))
     return grown
 
 
-def _take_over(old, new, anew):
+def write_group(path, name, datasets, attributes):
+    """Put a group into a database, in place of one of that name; a new file takes the name when it is whole.
+
+    As `groups.fill`.
+    """
+    with writing(path) as old, beside(old.filename, LATER) as file:
+        quantities = [quantity for quantity in QUANTITIES if quantity in old]
+        lay_out(file, read_header(old), old["omega"][()], old["wave_direction"][()], quantities)
+        take_over(old, file)
+        fill(file, name, datasets, attributes)
+
+
+def take_over(old, new, anew=()):
     """Copy numbers and marks of quantities not in `anew`, checks and wall times to their places in a wider file."""
     i = places_on(new, old["omega"], "omega")
     j = places_on(new, old["wave_direction"], "wave_direction")

@@ -48,12 +48,14 @@ def _of_flow(surfaces, flow, used, radiated, gravity):
     """(u, 2, 6, 6) ∮ ψ_k n_m u_z dl − ∬ n_m ∇ψ_k·u dS of the flow of the waves `used`, and with its conjugate"""
     hull, line = surfaces.hull, surfaces.waterline
     weighted = (surfaces.hull_modes * hull.weights[:, None]).T
-    rows = (radiated.velocity[:, None] * weighted[..., None]).reshape(36, -1)
+    rows = (radiated.parts[:, :, None] * np.repeat(weighted, 3, axis=1)).reshape(72, -1)
     steep = (flow.omega[used] ** 2 / gravity)[:, None] * flow.potential[used]
     edge = (radiated.potential[:, None] * (surfaces.waterline_modes * line.weights[:, None]).T).reshape(36, -1)
-    velocity = flow.velocity[used].reshape(len(used), -1)
-    real, imaginary = ((edge @ z.T - rows @ u.T).T.reshape(-1, 6, 6) for z, u in
-                       ((steep.real, velocity.real), (steep.imag, velocity.imag)))  # fmt: skip
+    out = []
+    for z, u in zip((steep.real, steep.imag), flow.parts[:, used], strict=True):
+        over_hull = (rows @ u.T).reshape(2, 36, -1)
+        out.append((edge @ z.T - over_hull[0] - 1j * over_hull[1]).T.reshape(-1, 6, 6))
+    real, imaginary = out
     return np.stack([real + 1j * imaginary, real - 1j * imaginary], axis=1)
 
 

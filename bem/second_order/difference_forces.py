@@ -17,7 +17,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .. import DOFS
-from ..panels.one_frequency import PanelRun
 from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
 from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
 from .body_forces import body_forces
@@ -26,6 +25,7 @@ from .long_wave_forces import LOWEST, long_wave_forces
 from .rotations import first_order_loads, rotated_pairs, still_water_pairs
 
 EVEN = 1e-6  # of the step between frequencies
+MANY = 12  # differences, from which they share their work: what they share takes as long as some of them
 PARTS = ("squares", "bound_wave", "body")
 
 
@@ -62,7 +62,7 @@ def difference_forces(problem, omega, headings, highest, moving, report=lambda d
     if moving and problem.inertia_matrix is None:
         raise ValueError("difference forces on a floating body without inertia; solve it with --gyration kxx,kyy,kzz")
     steps = min(int(highest / step + EVEN), len(omega) - 1)
-    prepared = problem.prepared()
+    prepared = _sharing(problem, omega[0], omega[-1], len(omega))
     check_panels(problem, prepared.geometry.mesh)
     surfaces = hull_surfaces(prepared.geometry)
     parts, loads, rao = [], [], []
@@ -80,7 +80,7 @@ def difference_forces(problem, omega, headings, highest, moving, report=lambda d
         squares += rotated_pairs(np.concatenate(loads), rao) + still_water_pairs(rao, problem, surfaces.hull)
     shape = steps + 1, len(omega), len(headings), len(headings), 6
     out = {name: np.full(shape, np.nan, complex) for name in PARTS}
-    long = replace(problem, lid=None, coarse=None, finer=None, band=None).prepared()
+    long = _sharing(replace(problem, lid=None, coarse=None, finer=None), step, step * steps, steps)
     squares = squares.reshape(2 * (len(omega), len(headings)) + (6,))
     for m in range(steps + 1):
         pairs = _Pairs(omega, headings, m)
@@ -93,6 +93,14 @@ def difference_forces(problem, omega, headings, highest, moving, report=lambda d
         out["body"][m, : pairs.count] = pairs.shaped(made @ problem.transform.T)
         report(len(omega) + m + 1, len(omega) + steps + 1)
     return DifferenceForces(omega, step * np.arange(steps + 1), headings, **out)
+
+
+def _sharing(problem, low, high, count):
+    """The problem prepared, its frequencies in a band that shares work where there are many; a round body needs none"""
+    alone = replace(problem, band=None).prepared()
+    if count < MANY or alone.axisymmetric_geometry.sectors:
+        return alone
+    return replace(problem, band=(low, high)).prepared()
 
 
 class _Pairs:
@@ -120,7 +128,7 @@ def _long_run(prepared, omega):
     """Radiation at a difference frequency, without lid: these waves are as long as the body or longer"""
     problem = prepared.problem
     scale = problem.depth if np.isfinite(problem.depth) else prepared.draft
-    return PanelRun(prepared, max(omega, LOWEST * np.sqrt(problem.gravity / scale)), [0.0], {"added_mass"}, None, DOFS)
+    return prepared.run(max(omega, LOWEST * np.sqrt(problem.gravity / scale)), [0.0], {"added_mass"}, None, DOFS)
 
 
 def _step(omega):

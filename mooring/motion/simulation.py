@@ -14,7 +14,7 @@ from bem.time_domain.memory import MemoryArrays, memory_of_database
 from ..environment.sea import Components, joined
 from ..lines.system.equilibrium import rest
 from ..lines.system.findings import beyond_tables
-from ..response.bound_wave_drift import record as bound_wave_record
+from ..response.bound_wave_drift import record as pair_record
 from . import integrator
 from .contact_loads import DEPTH, contact_work
 from .contacts import at_rest, berth_stiffness, courses, no_berth
@@ -298,7 +298,7 @@ def _body(moored, weather, settings, components, drag, munk):
     quadratic[5] += drag
     mean = UNKNOWN if components is None else mean_frequency(components)
     try:
-        pushed = _bound_waves(weather, settings, components)
+        pushed = _pairs(weather, settings, components)
         given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration)
     except ValueError as error:
         raise SimulationError(str(error)) from None
@@ -322,11 +322,11 @@ def _body(moored, weather, settings, components, drag, munk):
     )
 
 
-def _bound_waves(weather, settings, components):
-    """The force of bound long waves of a run as a GivenForce, or nothing"""
-    if weather.bound_waves is None or components is None:
+def _pairs(weather, settings, components):
+    """The force of pairs of waves beside Newman's, of a run, as a GivenForce, or nothing"""
+    if weather.beside_newman is None or components is None:
         return ()
-    t, force = bound_wave_record(weather.bound_waves, components, settings.ramp + settings.duration)
+    t, force = pair_record(weather.beside_newman, components, settings.ramp + settings.duration)
     return (GivenForce(t - settings.ramp, force),)
 
 

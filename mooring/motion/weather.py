@@ -16,8 +16,8 @@ class Weather:
     regular : waves of one height, period and direction (`mooring.studies.conditions.Waves`), in place of seas
     wind, current : `mooring.studies.conditions.Wind` and `Current`; gusts : `mooring.environment.gusts.GustSpectrum`
     forces : tuple of `mooring.motion.given_forces.GivenForce`
-    bound_waves : `mooring.response.bound_wave_drift.BoundWaveForces` in the one sea that there is, of long crests; they
-        push on the body at its place and heading at rest
+    beside_newman : of `mooring.response.pair_levels.beside_newman` in the one sea that there is, of long crests: forces
+        of pairs that push on the body at its place and heading at rest
 
     The current carries the body; lengths and frequencies of waves are those in water at rest.
     """
@@ -28,15 +28,15 @@ class Weather:
     gusts: object = None
     current: object = None
     forces: tuple = ()
-    bound_waves: object = None
+    beside_newman: object = None
 
     def __post_init__(self):
         object.__setattr__(self, "seas", tuple(self.seas))
         object.__setattr__(self, "forces", tuple(self.forces))
         if self.seas and self.regular is not None:
             raise ValueError("weather has seas and a regular wave; allowed: one of them")
-        if self.bound_waves is not None and len(self.seas) != 1:
-            raise ValueError("weather has bound waves; allowed: with one sea")
+        if self.beside_newman is not None and len(self.seas) != 1:
+            raise ValueError("weather has forces of pairs beside Newman's; allowed: with one sea")
         if self.gusts is not None and self.wind is None:
             raise ValueError("weather has gusts and no wind; allowed: gusts about a mean wind")
 

@@ -28,7 +28,7 @@ FREQUENCIES, SPEEDS = 10, 8  # of the grid
 SAMPLES = 64  # of a record in the shortest period
 LEAST = 1e-4  # of the largest eigenvalue, of those that are kept
 SLOW = (0.4, 0.6)  # of the mean frequency: differences below have the whole force, those above none
-SHALLOW = 1.0  # kh at the mean period, below which what is left out is estimated
+SHALLOW = 1.5  # kh at the mean period, below which what is left out is estimated
 WORTH_NAMING = 0.2  # of the slow force by Newman's approximation
 
 
@@ -46,6 +46,7 @@ class BoundWaveForces:
     coefficients: np.ndarray
     depth: float
     gravity: float
+    level = "bound-wave"
 
     @property
     def error(self):
@@ -88,7 +89,7 @@ def group_speed(omega, depth, gravity):
 def of_sea(db, sea) -> BoundWaveForces:
     """`BoundWaveForces` of an opened database in a Sea.  raises : ValueError for short crests and several systems"""
     if not isinstance(sea, Sea) or sea.spreading is not None:
-        raise ValueError("bound_waves is true in a sea of several directions; allowed: in one system of long crests")
+        raise ValueError("forces of pairs in a sea of several directions; allowed: one system of long crests")
     mean = float(sea.spectrum.moment(1) / sea.spectrum.moment(0))
     return bound_wave_forces(problem_of(db), sea.spectrum.quantile((1e-4, 0.999)), mean, sea.direction)
 
@@ -119,11 +120,24 @@ def bound_wave_forces(problem, band, mean, direction) -> BoundWaveForces:
 
 
 def problem_of(db):
-    """The `PanelProblem` of a database's body, of which long waves ask for no more panels than it has"""
+    """The `PanelProblem` of a database's body on its panels.  Raises ValueError for a body beside a wall."""
+    import tomllib
+
     from bem.methods.panel_problem import PanelProblem
 
+    if "wall" in tomllib.loads(db.header.scene):
+        raise ValueError(f"{db.path} is of a body beside a wall; allowed for second order: open water")
+    body = db.reader
     return PanelProblem(
-        db.mesh, depth=db.water_depth, density=db.density, gravity=db.gravity, rotation_center=tuple(db.rotation_center)
+        db.mesh,
+        db.lid,
+        depth=db.water_depth,
+        density=db.density,
+        gravity=db.gravity,
+        rotation_center=tuple(db.rotation_center),
+        inertia_matrix=body.inertia,
+        hydrostatic_stiffness=body.stiffness,
+        viscous=body.viscous,
     )
 
 
@@ -153,11 +167,24 @@ def left_out(body, sea):
 
     body : `bem.database.reader.Reader` that knows drift and inertia; sea : its mean direction is taken for all waves
     """
+    ratio = bound_to_newman(body, sea)
+    if ratio is None or ratio <= WORTH_NAMING or _kh(body, sea) >= SHALLOW:
+        return
+    yield (
+        f"kh is {_kh(body, sea):.2f} at the mean wave period: bound long waves, left out, push slowly with up to about "
+        f"{ratio:.1f} times the slow force by Newman's approximation; "
+        'qtf = "bound-wave" or "body" of a response study or a simulation adds them'
+    )
+
+
+def bound_to_newman(body, sea):
+    """Estimated slow force of bound waves over that by Newman's approximation, of waves as short as the body too large;
+    None in deep water, and where drift or inertia are not known.  Arguments as of `left_out`
+    """
     spectrum = sea.spectrum
     mean = float(spectrum.moment(1) / spectrum.moment(0))
-    kh = float(wavenumber(mean, body.depth, body.gravity)) * body.depth if np.isfinite(body.depth) else np.inf
-    if kh >= SHALLOW or not body.knows_drift or body.inertia is None:
-        return
+    if not np.isfinite(body.depth) or not body.knows_drift or body.inertia is None:
+        return None
     omega = np.linspace(*np.clip(spectrum.quantile((0.005, 0.995)), body.omega[0], body.omega[-1]), 81)
     D, parts = body.drift(omega, [sea.direction])[:, 0, :2], []
     for step in SLOW[0] * mean * np.array([0.25, 0.5, 1.0]):
@@ -166,12 +193,13 @@ def left_out(body, sea):
         T = estimated_forces(body, other, omega, sea.direction)
         parts.append([np.trapezoid(energy * np.sum(part, axis=1), omega) for part in (np.abs(T) ** 2, D**2)])
     bound, newman = np.sqrt(np.mean(parts, axis=0))
-    if bound > WORTH_NAMING * newman:
-        yield (
-            f"kh is {kh:.2f} at the mean wave period: bound long waves, left out, push slowly with about "
-            f"{bound / max(newman, 1e-300):.1f} times the slow force by Newman's approximation; "
-            "bound_waves = true of a response study or a simulation adds them"
-        )
+    return bound / max(newman, 1e-300)
+
+
+def _kh(body, sea):
+    """At the mean frequency of a sea"""
+    mean = float(sea.spectrum.moment(1) / sea.spectrum.moment(0))
+    return float(wavenumber(mean, body.depth, body.gravity)) * body.depth if np.isfinite(body.depth) else np.inf
 
 
 def estimated_forces(body, one, two, direction):

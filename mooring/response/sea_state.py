@@ -34,7 +34,8 @@ class SlowForces:
 
     drift : (3,) mean; beyond : (2, 3) of it from waves below and above the stored band, D held at its ends
     difference : (d,) rad/s; spectrum : (d, 3) of the slow drift force, N² s/rad, D held above the stored band
-    with_bound_waves : (d, 6) the same of all modes with the force of bound long waves, None where it was not asked for
+    of_pairs : (d, 6) the same of all modes by a level of the force of pairs above Newman's rule, `level` its name; None
+    where it was not asked for
     damping : (3, 2) N s/m, N s: wave drift damping of velocities along x and y, waves within the stored band;
     None where drift has no slope over the headings, because the direction has no stored neighbours
     """
@@ -44,12 +45,13 @@ class SlowForces:
     difference: np.ndarray
     spectrum: np.ndarray
     damping: np.ndarray | None
-    with_bound_waves: np.ndarray | None = None
+    of_pairs: np.ndarray | None = None
+    level: str = "newman"
 
     @property
-    def sigma_with_bound_waves(self):
+    def sigma_of_pairs(self):
         """(6,) as `sigma`, of all modes"""
-        return np.sqrt(np.trapezoid(self.with_bound_waves, self.difference, axis=0))
+        return np.sqrt(np.trapezoid(self.of_pairs, self.difference, axis=0))
 
     @property
     def sigma(self):
@@ -156,7 +158,7 @@ class SeaState:
 def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
     """A `bem.database.reader.Reader`, `floating`, in a Sea for `duration` s.
 
-    points : of `Point` and `KeelPoint`; bound : `bound_wave_drift.BoundWaveForces` of the sea
+    points : of `Point` and `KeelPoint`; bound : of `pair_levels.beside_newman`
     raises : ValueError for a duration that is no time, BetweenError outside the stored headings
     raises : ValueError for a duration that is no time, BetweenError outside the stored headings
     """
@@ -205,7 +207,7 @@ def mean_drift(body, sea, omega, drift, weights):
 def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
     """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it.
 
-    bound : `BoundWaveForces`, with long-crested waves only
+    bound : of `pair_levels.beside_newman`, with long-crested waves only
     """
     try:
         value, coefficients = drift_and_damping(body, omega, heading)
@@ -224,6 +226,7 @@ def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
         force_spectrum(sea.spectrum, *held_beyond(omega, signed_means(value, weights), sea.spectrum), difference),
         damping,
         with_bound,
+        "newman" if bound is None else bound.level,
     )
 
 

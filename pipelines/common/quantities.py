@@ -39,6 +39,15 @@ def below(key, value, limit, why=""):
     return value
 
 
+def level_of(key, value):
+    """One of `mooring.response.pair_levels.LEVELS`.  Raises StudyError."""
+    from mooring.response.pair_levels import LEVELS
+
+    if value not in LEVELS:
+        raise StudyError(f"{key} is {value!r}; allowed: {', '.join(LEVELS)}")
+    return value
+
+
 def friction(key, value):
     """The coefficient of friction, 0 to ROUGHEST.  Raises StudyError."""
     if not 0 <= value <= ROUGHEST:

@@ -208,7 +208,7 @@ class SimulationTable(Table):
     components : of each sea, by default chosen by duration and bandwidth
     slow_drift : "newman", "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift
-    bound_waves : whether the slow force of bound long waves is solved for and added to that of slow drift
+    qtf : slow force of pairs of waves: "newman", "bound-wave", "body" or "auto", as in a response study
     memory : "states", or "constant" for added mass and damping at one frequency
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
     damping_ratio : {motion = share of critical}, beyond waves, as in a response study
@@ -226,7 +226,7 @@ class SimulationTable(Table):
     components: int | None = None
     slow_drift: str = "newman"
     wave_drift_damping: bool = True
-    bound_waves: bool = False
+    qtf: str = "newman"
     memory: str = "states"
     estimate_error: bool = False
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)

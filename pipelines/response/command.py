@@ -83,10 +83,11 @@ def gap_of(db):
 def _in_sea(read, body, db, points, study):
     from bem import DOFS
     from bem.viscous_table import laws_of
+    from mooring.response.pair_levels import beside_newman
     from mooring.response.sea_state import sea_state
     from mooring.response.viscous import linearised
 
-    from ..common.quantities import positive
+    from ..common.quantities import level_of, positive
     from .study import sea_of
 
     sea = sea_of(read.sea, study, db.water_depth)
@@ -100,20 +101,21 @@ def _in_sea(read, body, db, points, study):
             warnings.warn(
                 f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical", stacklevel=2
             )
-    bound = None
-    if read.sea.bound_waves:
-        from mooring.response.bound_wave_drift import of_sea
-
-        bound = of_sea(db, sea)
+    level_of("sea.qtf", read.sea.qtf)
+    bound, said = beside_newman(db, sea, read.sea.qtf)
+    for line in said:
+        warnings.warn(line, stacklevel=2)
     return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points, bound)
 
 
 def _moored(read, db, points, study, path):
     from ..common.first_use import tell_first_use
-    from ..common.quantities import positive
+    from ..common.quantities import StudyError, positive
     from .moored import moored
     from .study import sea_of
 
+    if read.sea.qtf != "newman":
+        raise StudyError(f"sea.qtf is {read.sea.qtf!r}; allowed with --moored: newman")
     tell_first_use()
     sea = sea_of(read.sea, study, db.water_depth)
     return moored(path, read, db, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)

@@ -70,9 +70,9 @@ def _sea_values(result):
         values["drift/mean_beyond_stored_frequencies"] = (slow.beyond, "N, N, N m")
         values["drift/difference"] = (slow.difference, "rad/s")
         values["drift/spectrum"] = (slow.spectrum, "N2 s/rad, N2 s/rad, N2 m2 s/rad")
-        if slow.with_bound_waves is not None:
+        if slow.of_pairs is not None:
             unit = ", ".join(["N2 s/rad"] * 3 + ["N2 m2 s/rad"] * 3)
-            values["drift/spectrum_with_bound_waves"] = (slow.with_bound_waves, unit)
+            values["drift/spectrum_qtf"] = (slow.of_pairs, unit)
         if slow.damping is not None:
             values["drift/damping"] = (slow.damping, "N s/m, N s/m, N s")
     return values

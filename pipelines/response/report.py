@@ -165,8 +165,8 @@ def _drift_lines(slow, radius):
         f"mean drift: {_forces(slow.drift, radius)}",
         f"standard deviation of slow drift, beats up to {slow.difference[-1]:g} rad/s: {_forces(slow.sigma, radius)}",
     ]
-    if slow.with_bound_waves is not None:
-        lines.append(f"with bound long waves: {_forces(slow.sigma_with_bound_waves[[0, 1, 5]], radius)}")
+    if slow.of_pairs is not None:
+        lines.append(f'by qtf = "{slow.level}": {_forces(slow.sigma_of_pairs[[0, 1, 5]], radius)}')
     if slow.damping is None:
         return [*lines, "no wave drift damping: the direction has no stored neighbours to differentiate drift over"]
     along, across = slow.damping[0, 0] / TONF, slow.damping[1, 1] / TONF

@@ -80,12 +80,13 @@ class SeaTable(SystemTable):
     """A sea of one system of waves, or of several at once
 
     duration_hours : of the largest motions
-    bound_waves : whether the slow force of the long waves bound to it is solved for, of one system of long crests
+    qtf : slow force of pairs of waves: "newman", "bound-wave" (with the long waves bound to them), "body" (all that
+    `hakobune qtf` stores) or "auto" (the cheapest that is enough); above "newman" of one system of long crests
     """
 
     systems: list[SystemTable] = msgspec.field(default_factory=list)
     duration_hours: float = 3.0
-    bound_waves: bool = False
+    qtf: str = "newman"
 
 
 class DirectionTable(Table):
@@ -192,8 +193,7 @@ class ResponseStudy(Table):
 
 def keel_points(table, db):
     """`KeelPoint`s of a KeelTable.  Raises StudyError where there is no water under one at rest."""
-    from mooring.response.keel import corners_of_bottom
-    from mooring.response.points import KeelPoint
+    from mooring.response.points import KeelPoint, corners_of_bottom
 
     if not math.isfinite(db.water_depth):
         raise StudyError("[keel] is given and the water of the database has no bed; solve it in finite depth")

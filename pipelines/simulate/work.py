@@ -13,7 +13,7 @@ import numpy as np
 from bem import DOFS
 from mooring.motion.statistics import record_statistics
 
-from ..common.quantities import StudyError
+from ..common.quantities import StudyError, level_of
 from ..moor.study import make_study
 from .file import LONGEST, SERIES
 from .study import damping, plan_of, quadratic
@@ -60,27 +60,28 @@ def prepared(task):
             warnings.simplefilter("always")
             berth = study.berth(hull, db.rotation_center)
             body = moored(db, system, hull, memory=task.memory, damping=extra, quadratic=quadratic(study), berth=berth)
-        plan, left = _with_bound_waves(plan, study, db)
+        plan, left = _with_pairs(plan, study, db)
         _prepared.clear()
         _prepared[key] = body, plan, study, (*(str(w.message) for w in caught), *left)
     return _prepared[key]
 
 
-def _with_bound_waves(plan, study, db):
-    """The Plan with the forces of bound long waves where the study asks for them, and what leaving them out costs"""
-    from mooring.response.bound_wave_drift import left_out, of_sea
+def _with_pairs(plan, study, db):
+    """The Plan with what the study's level of the force of pairs has beside Newman's rule, and remarks on it"""
+    from mooring.response.bound_wave_drift import left_out
+    from mooring.response.pair_levels import beside_newman
 
-    weather = plan.weather
-    if not (study.simulation and study.simulation.bound_waves):
-        body = db.reader.floating()
-        return plan, tuple(line for sea in weather.seas for line in left_out(body, sea))
-    if len(weather.seas) != 1:
-        raise StudyError("simulation.bound_waves is true; allowed: with one sea, of irregular waves")
+    weather, level = plan.weather, level_of("simulation.qtf", study.simulation.qtf if study.simulation else "newman")
+    if level != "newman" and len(weather.seas) != 1:
+        raise StudyError(f"simulation.qtf is {level!r}; allowed: newman, or with one sea of irregular waves")
     try:
-        bound = of_sea(db, weather.seas[0])
+        found, said = beside_newman(db, weather.seas[0], level) if level != "newman" else (None, ())
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None
-    return replace(plan, weather=replace(weather, bound_waves=bound)), ()
+    if found is None:
+        body = db.reader.floating()
+        said = (*said, *(line for sea in weather.seas for line in left_out(body, sea)))
+    return replace(plan, weather=replace(weather, beside_newman=found)), tuple(said)
 
 
 def simulate_seed(task, seed, kept, progress=None):

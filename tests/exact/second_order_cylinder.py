@@ -8,7 +8,7 @@ waves travel along x; time factor exp(−iωt); nothing of the product is used.
 from __future__ import annotations
 
 import numpy as np
-from scipy.special import h1vp, hankel1, jv, jvp, kve
+from scipy.special import h1vp, hankel1, hankel1e, hankel2, hankel2e, jv, jvp, kve
 
 from .water_waves import cosh_ratio, evanescent_wavenumbers, sinh_ratio, wave_norm, wavenumber
 
@@ -62,3 +62,96 @@ def _wave(radius, depth, omega, gravity):
     side = np.where(m, 2, 1) * 1j**m * 2j / (np.pi * x * h1vp(m, x)) * -1j * gravity / omega
     zeta = depth * (np.polynomial.legendre.leggauss(POINTS)[0] + 1) / 2
     return cosh_ratio(zeta, k, depth), k * sinh_ratio(zeta, k, depth), side
+
+
+def free_surface_force(radius, depth, one, two, density=1025.0, gravity=9.80665, modes=200):
+    """Surge T, N/m², of the forcing of the surface by products of the waves, less that of the incident waves alone.
+
+    iΩρ/g ∬ ψ Q dS with the radiation potential ψ of unit surge velocity at Ω = one − two > 0 (Molin 1979; Eatock
+    Taylor and Hung 1987), on the real axis to where Hankel functions of all orders oscillate, then along r ± it, where
+    the product of three of them decays
+    """
+    a, h, omega = radius, depth, one - two
+    k, q = (wavenumber(w, h, gravity) for w in (one, two))
+    K, L, far = one**2 / gravity, two**2 / gravity, wavenumber(omega, h, gravity)
+    count = int(k * a + 5 * np.cbrt(k * a) + 8)
+    end = (count + 10) / min(k, q)
+    size = -0.5j * omega, 0.5j * omega * K * L + 0.25j * (two * (k**2 - K**2) - one * (q**2 - L**2))
+    ψ = _surge_radiation(a, h, omega, gravity, modes)
+
+    def kernel(r, pieces, wave):
+        """Integrand at r (p,); pieces : of (kind of i, kind of j, coefficient (m, n))"""
+        total = 0.0
+        for first, second, weight in pieces:
+            f, g = _radial(first, count, k, r), _radial(second, count, q, r)
+            total = total + _forcing(f, g, weight, r, (-size[0], size[1]))
+        return total * wave(r) * r
+
+    b, c = (_diffracted(count, x * a) for x in (k, q))
+    scale = np.multiply.outer(_turns(count) / one, _turns(count).conj() / two) * gravity**2
+    cut = np.ones((count, count))
+    inside = [
+        ("H", "h", scale * np.multiply.outer(b, c.conj())),
+        ("J", "h", -scale * cut * c.conj()),
+        ("H", "J", -scale * cut * b[:, None]),
+    ]
+    x, w = np.polynomial.legendre.leggauss(16)
+    edges = a + (end - a) * np.linspace(0, 1, int(4 + 4 * (k + q + far) * (end - a) / np.pi)) ** 1.5
+    r = (edges[:-1, None] + np.diff(edges)[:, None] * (1 + x) / 2).ravel()
+    total = np.sum((np.diff(edges)[:, None] * w / 2).ravel() * kernel(r, inside, lambda r: ψ[0](r) + ψ[1](r)))
+    t, v = np.polynomial.laguerre.laggauss(50)
+    tails = [
+        (k - q + far, [("H e", "h e", scale * (np.multiply.outer(0.5 - b, 0.5 - c.conj()) - 0.25))]),
+        (k + q + far, [("H e", "H e", scale * -0.5 * cut * b[:, None])]),
+        (far - k - q, [("h e", "h e", scale * -0.5 * cut * c.conj())]),
+    ]
+    for slope, pieces in tails:
+        turn = 1j / slope  # exponents of the three Hankel functions make exp(i slope r) = exp(i slope end − t)
+        total += np.exp(1j * slope * end) * turn * (v @ kernel(end + turn * t, pieces, ψ[2]))
+    return 1j * omega * density / gravity * total
+
+
+def _turns(count):
+    """ε_m iᵐ of orders 0 … count − 1, times −i"""
+    m = np.arange(count)
+    return -1j * np.where(m, 2, 1) * 1j**m
+
+
+def _diffracted(count, x):
+    """J′/H′ of orders 0 … count − 1"""
+    m = np.arange(count)
+    return jvp(m, x) / h1vp(m, x)
+
+
+def _surge_radiation(a, h, omega, gravity, modes):
+    """The wave and the local part of ψ at the surface over r, and the wave without exp(ikr)"""
+    k, kn = wavenumber(omega, h, gravity), evanescent_wavenumbers(omega, h, modes, gravity)
+    norms = h / 2 * (1 + np.sin(2 * kn * h) / (2 * kn * h)) / np.cos(kn * h) ** 2
+    wave = np.tanh(k * h) / k / wave_norm(k, h) / (k * h1vp(1, k * a))
+    x = kn * a
+    local = np.tan(kn * h) / kn / norms / (-kn * (kve(0, x) + kve(1, x) / x))
+    return (
+        lambda r: wave * hankel1(1, k * r),
+        lambda r: sum(c * kve(1, n * r) * np.exp(-n * (r - a)) for c, n in zip(local, kn, strict=True)),
+        lambda r: wave * hankel1e(1, k * r),
+    )
+
+
+def _radial(kind, count, k, r):
+    """Values and slopes (2, m, p) of J, H⁽¹⁾ (H) or H⁽²⁾ (h), e: of the latter without their exponentials"""
+    function = {"J": jv, "H": hankel1, "h": hankel2, "H e": hankel1e, "h e": hankel2e}[kind]
+    value = function(np.arange(-1, count + 1)[:, None], k * r)
+    return np.stack([value[1:-1], k * (value[:-2] - value[2:]) / 2])
+
+
+def _forcing(f, g, weight, r, size):
+    """(p,) ∫ cosθ Q dθ of orders one apart; size : of ∇φ·∇φ̄ along the surface, of φφ̄"""
+    m, total = np.arange(len(f[0]) - 1), 0.0
+    share, turned = np.where(m == 0, np.pi, np.pi / 2)[:, None], (m * (m + 1) * np.pi / 2)[:, None] / r**2
+    for one, two, c in (
+        (f[:, :-1], g[:, 1:], np.diagonal(weight, 1)),
+        (f[:, 1:], g[:, :-1], np.diagonal(weight, -1)),
+    ):
+        value, slope = one[0] * two[0], one[1] * two[1]
+        total = total + c @ (size[0] * (share * slope + turned * value) + size[1] * share * value)
+    return total

@@ -8,6 +8,7 @@ that of the body.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -119,11 +120,17 @@ class HullFlow:
     potential: np.ndarray
     on_hull: np.ndarray
 
+    @cached_property
+    def parts(self):
+        """(2, f, 3p) real and imaginary part of the velocity, one after another in memory"""
+        flat = self.velocity.reshape(len(self.omega), -1)
+        return np.stack([flat.real, flat.imag])
+
     @classmethod
     def joined(cls, flows):
         """Those of several one after another"""
-        parts = ([getattr(flow, name) for flow in flows] for name in cls.__dataclass_fields__)
-        return cls(*(np.concatenate(part) for part in parts))
+        fields = ([getattr(flow, name) for flow in flows] for name in cls.__dataclass_fields__)
+        return cls(*(np.concatenate(field) for field in fields))
 
 
 def wave_flow(run, surfaces, motions):

@@ -17,10 +17,10 @@ def test_on_linear_springs_they_add_what_their_force_does_alone(database, on_spr
     """To the first order in what they add: waves are felt where the body slowly is, 16 µm beside with them"""
     low = Sea(jonswap(0.02, peak_period=14.0), 0.4)
     settings = Settings(duration=200.0, ramp=100.0, tolerance=1e-6, components=30, slow_drift="none")
-    with_them = Weather(seas=(low,), bound_waves=of_sea(database, low))
+    with_them = Weather(seas=(low,), beside_newman=of_sea(database, low))
     both, waves = (simulate(on_springs, weather, settings, 3) for weather in (with_them, Weather(seas=(low,))))
     parts = wave_components(on_springs, with_them, settings, 3)
-    t, force = record(with_them.bound_waves, parts, 300.0)
+    t, force = record(with_them.beside_newman, parts, 300.0)
     alone = simulate(on_springs, Weather(forces=(GivenForce(t - 100.0, force),)), settings)
     added = both.motion - waves.motion
     largest = np.abs(alone.motion).max(axis=0)[:3]
@@ -31,14 +31,14 @@ def test_on_linear_springs_they_add_what_their_force_does_alone(database, on_spr
 def test_what_is_left_out_is_said_of_swell_and_not_of_short_waves(database):
     body = database.reader.floating()
     said = list(left_out(body, SWELL))
-    assert len(said) == 1 and said[0].startswith("kh is 0.8") and "bound_waves = true" in said[0]
+    assert len(said) == 1 and said[0].startswith("kh is 0.8") and 'qtf = "bound-wave"' in said[0]
     assert not list(left_out(body, Sea(jonswap(0.5, peak_period=6.0), 0.4)))
 
 
 def test_several_seas_have_no_bound_waves(database):
     bound = object()
     with pytest.raises(ValueError, match="allowed: with one sea"):
-        Weather(seas=(SWELL, SWELL), bound_waves=bound)
+        Weather(seas=(SWELL, SWELL), beside_newman=bound)
     from mooring.seas.systems import Systems
 
     with pytest.raises(ValueError, match="several directions"):

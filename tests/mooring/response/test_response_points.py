@@ -4,10 +4,10 @@ import numpy as np
 from made_up_body import made_up_body
 
 from bem.waves import wavenumber
-from mooring.response.keel import corners_of_bottom
 from mooring.response.points import (
     Point,
     acceleration,
+    corners_of_bottom,
     displacement,
     felt_acceleration,
     relative_elevation,

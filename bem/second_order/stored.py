@@ -1,0 +1,92 @@
+"""Difference forces of pairs in a database: its group `qtf`, and T between the frequencies of it.
+
+Between stored pairs T is interpolated over the mean (ω₁ + ω₂)/2, cubically at each stored difference, then over the
+difference, in which its real part is even and its imaginary part odd.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import DOFS
+from ..database.file import DatabaseError
+from ..database.groups import read_group
+from ..database.widening import write_group
+from .difference_forces import PARTS, DifferenceForces
+
+GROUP = "qtf"
+AXES = ("difference", "omega", "wave_direction_1", "wave_direction_2", "influenced_dof")
+MEANING = (
+    "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference towards "
+    "wave_direction_1 and omega towards wave_direction_2; the other order has the conjugate; T_ii is the mean drift"
+)
+
+
+def write_forces(path, forces, moving):
+    """Put a `DifferenceForces` into a database; moving : whether of the freely floating body"""
+    unit, names = "N/m2, N m/m2", np.array(DOFS, dtype="S8")
+    datasets = {
+        "omega": (("omega",), "rad/s", forces.omega),
+        "difference": (("difference",), "rad/s", forces.difference),
+        "wave_direction_1": (("wave_direction_1",), "rad", forces.headings),
+        "wave_direction_2": (("wave_direction_2",), "rad", forces.headings),
+        "influenced_dof": (("influenced_dof",), "", names),
+        **{part: (AXES, unit, getattr(forces, part)) for part in PARTS},
+    }
+    attributes = {"meaning": MEANING, "body": "floating" if moving else "fixed", "free_surface_integral": "left out"}
+    write_group(path, GROUP, datasets, attributes)
+
+
+def read_forces(db):
+    """`DifferenceForces` of an opened database and whether the body floats.  Raises DatabaseError where it has none."""
+    found = read_group(db, GROUP)
+    if found is None:
+        raise DatabaseError(f"{db.path} holds no difference forces of pairs; 'hakobune qtf {db.path}' adds them")
+    datasets, attributes = found
+    values = {name: part[2] for name, part in datasets.items()}
+    forces = DifferenceForces(
+        values["omega"], values["difference"], values["wave_direction_1"], *(values[part] for part in PARTS)
+    )
+    return forces, attributes["body"] == "floating"
+
+
+@dataclass(frozen=True, eq=False)
+class BetweenPairs:
+    """T of waves of one direction each between stored pairs.
+
+    omega : (n,) rad/s, even; difference : (d,) rad/s, even, from 0; values : (d, n, 6), as a part of
+    `DifferenceForces` at two headings
+    """
+
+    omega: np.ndarray
+    difference: np.ndarray
+    values: np.ndarray
+
+    def __call__(self, one, two):
+        """(…, 6) complex T(ω₁, ω₂) of frequencies that broadcast, rad/s, those of pairs beyond the stored ones held"""
+        one, two = np.broadcast_arrays(np.asarray(one, float), np.asarray(two, float))
+        size, middle = np.abs(one - two).ravel(), 0.5 * (one + two).ravel()
+        rows = np.stack([self._row(m, middle) for m in range(len(self.difference))])
+        out = np.einsum("qd,dqk->qk", self._weights(size), rows)
+        out = np.where((one < two).ravel()[:, None], out.conj(), out)
+        return out.reshape(*one.shape, 6)
+
+    def _row(self, m, middle):
+        """(q, 6) at mean frequencies (q,) and the stored difference m, held beyond the last pairs"""
+        known = self.values[m, : len(self.omega) - m]
+        at = self.omega[: len(known)] + 0.5 * self.difference[m]
+        return _through(at, known, np.clip(middle, at[0], at[-1]))
+
+    def _weights(self, size):
+        """(q, d) of the stored differences in T at differences (q,), held beyond the last"""
+        d = self.difference
+        return _through(d, np.eye(len(d)), np.minimum(size, d[-1]))
+
+
+def _through(x, y, at):
+    """(q, …) at (q,) of a cubic spline through y (n, …), of a polynomial through fewer than four"""
+    from scipy.interpolate import BarycentricInterpolator, CubicSpline
+
+    return (CubicSpline if len(x) > 3 else BarycentricInterpolator)(x, y)(at)

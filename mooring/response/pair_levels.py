@@ -1,0 +1,116 @@
+"""The slow force of pairs of waves by levels of its quadratic transfer function T, each dearer and nearer the whole.
+
+newman      √(DᵢDⱼ) of the mean drift: nothing beside what every study has (`slow_drift`)
+bound-wave  and the long wave bound to the pair, diffracted (`bound_wave_drift`): a second for a sea
+body        squares at their difference frequency, bound wave and the moving hull (`bem.second_order`), as
+            `hakobune qtf` stores them, of the freely floating body; the forcing of the surface around it is left out
+auto        newman where bound long waves are estimated to push with less than ENOUGH of it, else body where it is
+            stored, else bound-wave
+
+What a study adds to Newman's force is T less Newman's, of pairs at their difference.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bem.second_order.stored import BetweenPairs, read_forces
+
+from ..environment.sea import Sea
+from .bound_wave_drift import bound_to_newman, of_sea, slow_share
+from .slow_drift import HORIZONTAL
+
+LEVELS = ("newman", "bound-wave", "body", "auto")
+ENOUGH = 0.05  # of Newman's slow force: what "auto" leaves out
+SAME = 1e-6  # rad, between headings that are one
+MOST_OUTSIDE = (
+    0.05  # share of the energy of the waves beyond the stored pairs at either end, for which Newman's rule is left
+)
+AT_ONCE = 20_000  # pairs
+
+
+@dataclass(frozen=True, eq=False)
+class PairForces:
+    """T of stored pairs less Newman's, in waves of one direction.
+
+    between : `BetweenPairs` at this heading; omega : (q,) rad/s; drift : (q, 3) N/m², N m/m² there
+    """
+
+    between: BetweenPairs
+    omega: np.ndarray
+    drift: np.ndarray
+    level = "body"
+
+    @property
+    def highest(self):
+        """rad/s, difference from which on there is none beside Newman's"""
+        return float(self.between.difference[-1])
+
+    def __call__(self, one, two):
+        """(…, 6) of pairs of frequencies that broadcast, rad/s; zero where one is beyond the stored pairs"""
+        one, two = np.broadcast_arrays(np.asarray(one, float), np.asarray(two, float))
+        flat = one.ravel(), two.ravel()
+        parts = [self._of(*(w[i : i + AT_ONCE] for w in flat)) for i in range(0, one.size, AT_ONCE)]
+        return np.concatenate(parts).reshape(*one.shape, 6)
+
+    def _of(self, one, two):
+        T = self.between(one, two)
+        D, E = (np.stack([np.interp(w, self.omega, d) for d in self.drift.T], axis=-1) for w in (one, two))
+        T[:, HORIZONTAL] -= np.where(D * E > 0, np.sign(D) * np.sqrt(np.abs(D * E)), 0.0)
+        low, high = self.between.omega[[0, -1]]
+        known = (np.minimum(one, two) >= low) & (np.maximum(one, two) <= high)
+        return T * (known * slow_share((one - two) / self.highest))[:, None]
+
+
+def beside_newman(db, sea, level):
+    """What a level has beside Newman's rule: a function of two frequencies, or None; and remarks, lines of text.
+
+    raises : ValueError for a sea of several directions, pairs that are not stored, infinite depth with "bound-wave"
+    """
+    if level == "newman":
+        return None, ()
+    if level == "body":
+        return stored_pairs(db, sea), ()
+    if level == "bound-wave":
+        return of_sea(db, sea), ()
+    ratio = bound_to_newman(db.reader.floating(), sea)
+    if ratio is None or ratio < ENOUGH:
+        size = "there are none" if ratio is None else f"they push with {100 * ratio:.2g} % of its slow force"
+        return None, (f'qtf = "auto" takes newman: of bound long waves {size}',)
+    why = (
+        f'qtf = "auto" takes {{}}: bound long waves push with about {ratio:.2g} times the slow force of Newman\'s rule'
+    )
+    try:
+        return stored_pairs(db, sea), (why.format("body"),)
+    except ValueError as missing:
+        return of_sea(db, sea), (f"{why.format('bound-wave')}; not body: {missing}",)
+
+
+def stored_pairs(db, sea) -> PairForces:
+    """`PairForces` of an opened database.  Raises ValueError, one line, for what is not stored in it"""
+    if not isinstance(sea, Sea) or sea.spreading is not None:
+        raise ValueError('qtf = "body" in a sea of several directions; allowed: one system of long crests')
+    forces, floats = read_forces(db)
+    if not floats:
+        raise ValueError(
+            f"the pairs in {db.path} are of a fixed body; 'hakobune qtf {db.path} --fresh' solves it afloat"
+        )
+    apart = np.abs(np.angle(np.exp(1j * (forces.headings - sea.direction))))
+    h, degrees = int(np.argmin(apart)), np.degrees(sea.direction) % 360
+    if apart[h] > SAME:
+        raise ValueError(
+            f"{db.path} has no pairs of waves towards {degrees:.4g}°; "
+            f"'hakobune qtf {db.path} --heading {degrees:.4g}' solves them"
+        )
+    low, high = forces.omega[[0, -1]]
+    first, last = sea.spectrum.quantile((MOST_OUTSIDE, 1 - MOST_OUTSIDE))
+    if not (low <= first and last <= high):
+        raise ValueError(
+            f"pairs are stored from {low:.4g} to {high:.4g} rad/s; 90 % of the waves are within {first:.4g} to "
+            f"{last:.4g}: 'hakobune qtf {db.path}' of a wider database"
+        )
+    body, omega = db.reader.floating(), np.linspace(low, high, 8 * len(forces.omega))
+    between = BetweenPairs(forces.omega, forces.difference, forces.total[:, :, h, h])
+    return PairForces(between, omega, body.drift(omega, [sea.direction])[:, 0])

@@ -1,0 +1,1 @@
+"""Difference forces of pairs of waves: computed, stored, drawn."""

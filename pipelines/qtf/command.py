@@ -1,0 +1,133 @@
+"""`hakobune qtf`: difference-frequency forces of pairs of waves of a database's body, stored in it."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+FREQUENCIES = 41  # of the stored band, where none are asked for
+SHARE = 0.4  # of the mean of the band: largest difference, where none is asked for
+MOST_WAVES = 1500  # frequencies times headings: their flow on the hull of a thousand panels takes 2 GB
+
+
+def qtf(
+    database: Annotated[Path, Parameter(help="database of a body, with its inertia where it floats")],
+    /,
+    *,
+    omega: Annotated[str | None, Parameter(help="rad/s at even steps, start:stop:count, in the stored band")] = None,
+    heading: Annotated[str | None, Parameter(help="degrees the waves travel to; all pairs of them")] = None,
+    difference: Annotated[float | None, Parameter(help="rad/s, the largest", allow_leading_hyphen=True)] = None,
+    fixed: Annotated[bool, Parameter(negative=(), help="of the body held, instead of floating")] = False,
+    fresh: Annotated[bool, Parameter(negative=(), help="again, though they are stored")] = False,
+    plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+):
+    """Slow forces of pairs of waves: squares of the first order, bound long waves, the moving hull; without the
+    forcing of the surface around it.
+
+    They go into the database, for qtf = "body" of response studies and simulations; its body is solved on its panels.
+    What is stored there already is told and drawn again.
+    """
+    from bem.database import DatabaseError, open_database
+    from bem.second_order.stored import read_forces, write_forces
+
+    from ..common.picture import PLOTS, check_picture
+    from .report import told
+
+    if plot is not None:
+        check_picture(plot, PLOTS)
+    db = open_database(database)
+    waves = _waves(db, omega, heading, difference)
+    forces = None
+    if not fresh:
+        try:
+            stored, floats = read_forces(db)
+            asked = any(value is not None for value in (omega, heading, difference)) or fixed == floats
+            forces = stored if not asked or _covers(stored, floats, waves, fixed) else None
+        except DatabaseError:
+            pass
+    if forces is None:
+        forces, floats = _solved(db, waves, not fixed), not fixed
+        write_forces(database, forces, floats)
+        print(f"{database}: group qtf")
+        db = open_database(database)
+    for line in told(forces, db, floats):
+        print(line)
+    if plot is not None:
+        from .plot import draw
+
+        draw(forces, db, floats, plot)
+        print(plot)
+    return 0
+
+
+def _solved(db, waves, moving):
+    import sys
+    import warnings
+
+    from bem.second_order.difference_forces import difference_forces
+    from mooring.response.bound_wave_drift import problem_of
+
+    def report(done, of):
+        if sys.stderr.isatty():
+            print(f"\r{done}/{of} frequencies", end="\n" if done == of else "", file=sys.stderr, flush=True)
+
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        forces = difference_forces(problem_of(db), *waves, moving, report)
+    for line in dict.fromkeys(str(w.message) for w in caught):
+        print(line, file=sys.stderr)
+    return forces
+
+
+def _waves(db, omega, heading, difference):
+    """Frequencies (n,) rad/s, headings (m,) rad and the largest difference that are asked for.  Raises ValueError."""
+    import numpy as np
+
+    from ..scene.scene import numbers
+
+    low, high = float(db.omega[0]), float(db.omega[-1]) if len(db.omega) else 0.0
+    if len(db.omega) < 2:
+        raise ValueError(f"{db.path} has {len(db.omega)} solved frequencies; allowed: two or more")
+    if omega is None:
+        frequencies = np.linspace(low, high, FREQUENCIES)
+    else:
+        given = numbers("--omega", omega)
+        given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else np.array(given)
+        if not (np.all(np.isfinite(given)) and given.min() >= low * (1 - 1e-9) and given.max() <= high * (1 + 1e-9)):
+            raise ValueError(f"--omega is {omega}; allowed: within the stored {low:.4g} to {high:.4g} rad/s")
+        frequencies = given
+    if heading is None:
+        headings = db.wave_direction
+    else:
+        given = numbers("--heading", heading)
+        given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else given
+        headings = np.radians(np.asarray(given, float))
+        if not np.all(np.isfinite(headings)):
+            raise ValueError(f"--heading is {heading}; allowed: finite, degrees")
+    if difference is not None and not 0 < difference < math.inf:
+        raise ValueError(f"--difference is {difference:g}; allowed: above 0, finite, rad/s")
+    if len(frequencies) * len(headings) > MOST_WAVES:
+        raise ValueError(
+            f"{len(frequencies)} frequencies and {len(headings)} headings are asked for; allowed: {MOST_WAVES} waves "
+            "in all, choose with --omega and --heading"
+        )
+    return frequencies, np.unique(headings), difference or SHARE * float(frequencies.mean())
+
+
+def _covers(stored, floats, waves, fixed):
+    """Whether what is stored holds what is asked for"""
+    import numpy as np
+
+    omega, headings, difference = waves
+    step = stored.omega[1] - stored.omega[0]
+    return (
+        floats != fixed
+        and stored.omega[0] <= omega[0] + 1e-9
+        and stored.omega[-1] >= omega[-1] - 1e-9
+        and step <= (omega[1] - omega[0]) * (1 + 1e-9)
+        and stored.difference[-1] > difference - step
+        and all(np.abs(np.exp(1j * stored.headings) - np.exp(1j * h)).min() < 1e-9 for h in headings)
+    )

@@ -1,0 +1,53 @@
+"""Picture of difference forces: level lines over both frequencies, Newman's rule over them, sizes by each level."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..common.picture import save
+from .report import MODES, NAMES, levels, newman
+
+
+def draw(forces, db, floats, path):
+    """Write the picture of the heading with the largest force to `path`; returns the matplotlib figure"""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    diagonal = np.arange(len(forces.headings))
+    size = np.nanmax(np.abs(forces.total[:, :, diagonal, diagonal][..., MODES]), axis=(0, 1))  # (m, 3)
+    h = int(np.argmax(size[:, :2].max(axis=1)))
+    mode = int(np.argmax(size[h, :2]))
+    total = forces.total[:, :, h, h, mode]
+    with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
+        figure = Figure(figsize=(13, 4.2), layout="constrained")
+        axes = figure.subplots(1, 3)
+        low, Ω = np.meshgrid(forces.omega, forces.difference)
+        _levels(figure, axes[0], low, low + Ω, np.abs(total) / 1e3, f"|T| of {NAMES[mode]}, kN/m²")
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ratio = np.log10(np.abs(newman(forces, mode, h)) / np.abs(total))
+        _levels(figure, axes[1], low, low + Ω, np.clip(ratio, -2, 0.5), "log10 of Newman's rule over it")
+        _over_difference(axes[2], forces, h, mode)
+        depth = f"water {db.water_depth:g} m" if np.isfinite(db.water_depth) else "deep water"
+        figure.suptitle(
+            f"slow force of pairs of waves, {NAMES[mode]}, {np.degrees(forces.headings[h]):.4g}°, "
+            f"{'floating' if floats else 'fixed'}, {depth}", x=0.01, ha="left", fontsize=11,
+        )  # fmt: skip
+        save(figure, path, 130)
+    return figure
+
+
+def _levels(figure, axis, one, two, value, title):
+    known = np.isfinite(value)
+    drawn = axis.tricontourf(one[known], two[known], value[known], levels=14, cmap="viridis")
+    figure.colorbar(drawn, ax=axis)
+    axis.plot([one.min(), one.max()], [one.min(), one.max()], color="k", linewidth=0.6)
+    axis.set(title=title, xlabel="ω₂  rad/s", ylabel="ω₁  rad/s")
+
+
+def _over_difference(axis, forces, h, mode):
+    for name, value in levels(forces, mode, h).items():
+        axis.plot(forces.difference, np.sqrt(np.nanmean(np.abs(value) ** 2, axis=1)) / 1e3, label=name)
+    axis.set(title="root mean square over frequencies, kN/m²", xlabel="difference of frequencies  rad/s")
+    axis.set_ylim(bottom=0)
+    axis.grid(True, color="0.9", linewidth=0.6)
+    axis.legend(frameon=False)

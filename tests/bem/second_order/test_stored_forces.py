@@ -1,0 +1,84 @@
+"""Difference forces in a database: read as written, kept while it grows, interpolated between pairs."""
+
+import shutil
+
+import h5py
+import numpy as np
+import pytest
+
+from bem.database import DatabaseError, extend, open_database
+from bem.database.integrity import DamagedError
+from bem.second_order.difference_forces import PARTS, DifferenceForces
+from bem.second_order.stored import BetweenPairs, read_forces, write_forces
+from pipelines.cli import main
+
+OMEGA, HEADINGS = np.linspace(0.5, 1.1, 13), np.array([0.3, 1.0])
+
+
+def smooth(one, two):
+    """(…, 6) Hermitian and smooth"""
+    middle, apart = 0.5 * (one + two), one - two
+    value = np.cos(3 * middle) + 1j * np.sin(2 * apart) * middle - apart**2
+    return value[..., None] * np.arange(1, 7)
+
+
+def made_up():
+    place, low = np.arange(5)[:, None] + np.arange(13), OMEGA
+    values = smooth(OMEGA[np.minimum(place, 12)], low)
+    values[place > 12] = np.nan
+    forces = np.repeat(np.repeat(values[:, :, None, None], 2, axis=2), 2, axis=3)
+    return DifferenceForces(OMEGA, 0.05 * np.arange(5), HEADINGS, forces, 0.5 * forces, 0.0 * forces)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    path = tmp_path_factory.mktemp("pairs") / "box.h5"
+    words = "box --length 40 --beam 20 --draft 5 --depth 15 --panels 40 --omega 0.5,0.8 --heading 0 --only radiation"
+    assert main([*words.split(), "--output", str(path)]) == 0
+    return path
+
+
+@pytest.fixture
+def path(made, tmp_path):
+    return shutil.copy(made, tmp_path / "box.h5")
+
+
+def test_they_are_read_as_they_were_written_and_the_rest_stays(path):
+    with pytest.raises(DatabaseError, match="hakobune qtf"):
+        read_forces(open_database(path))
+    before = open_database(path)["added_mass"]
+    write_forces(path, made_up(), True)
+    db = open_database(path)
+    found, floats = read_forces(db)
+    assert floats and np.array_equal(db["added_mass"], before)
+    for part in PARTS:
+        np.testing.assert_array_equal(getattr(found, part), getattr(made_up(), part))
+    with h5py.File(path) as file:
+        assert file["qtf/squares"].dims[1][0].name.endswith("qtf/omega") and file["qtf"].attrs["meaning"]
+
+
+def test_they_stay_while_a_database_grows_and_are_replaced_whole(path):
+    write_forces(path, made_up(), True)
+    assert extend(path, omega=[0.6])
+    assert np.array_equal(read_forces(open_database(path))[0].omega, OMEGA)
+    write_forces(path, made_up(), False)
+    assert not read_forces(open_database(path))[1]
+
+
+def test_damage_in_them_is_found(path):
+    write_forces(path, made_up(), True)
+    data = bytearray(path.read_bytes())
+    place = data.find(made_up().squares[2, 3, 0, 0].tobytes())
+    data[place + 3] ^= 1
+    path.write_bytes(data)
+    with pytest.raises(DamagedError, match="qtf/squares"):
+        open_database(path)
+
+
+def test_between_stored_pairs_a_smooth_force_is_met_and_the_other_order_is_the_conjugate():
+    forces = made_up()
+    between = BetweenPairs(OMEGA, forces.difference, forces.squares[:, :, 0, 0])
+    np.testing.assert_allclose(between(OMEGA[4:9], OMEGA[2:7]), smooth(OMEGA[4:9], OMEGA[2:7]), rtol=1e-12)
+    one, two = np.array([0.81, 0.93]), np.array([0.74, 0.86])
+    assert np.abs(between(one, two) - smooth(one, two)).max() < 1e-4
+    np.testing.assert_allclose(between(two, one), between(one, two).conj())

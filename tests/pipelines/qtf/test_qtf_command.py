@@ -1,0 +1,88 @@
+"""`hakobune qtf` as a person runs it, and the studies that use what it stores."""
+
+import re
+
+import numpy as np
+import pytest
+
+from bem.database import open_database
+from bem.second_order.stored import read_forces
+from mooring.environment.sea import Sea
+from mooring.environment.spectra import jonswap
+from mooring.response.pair_levels import beside_newman, stored_pairs
+from mooring.response.slow_drift import HORIZONTAL
+from pipelines.cli import main
+
+BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28 --heading 0,180"
+SWELL = Sea(jonswap(1.0, peak_period=11.0), np.pi)
+STUDY = '[sea]\nspectrum = "jonswap"\nheight = 1.0\npeak_period = 11.0\ndirection_deg = 180.0\nqtf = "{}"\n'
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    path = tmp_path_factory.mktemp("qtf") / "box.h5"
+    assert main([*BOX.split(), "--omega", "0.3:1.2:10", "--output", str(path)]) == 0
+    assert main(["qtf", str(path), "--omega", "0.3:1.2:13", "--heading", "180", "--difference", "0.3"]) == 0
+    return path
+
+
+def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path):
+    before = path.read_bytes()
+    assert main(["qtf", str(path), "--plot", str(tmp_path / "qtf.png")]) == 0
+    said = capsys.readouterr().out
+    assert "13 frequencies 0.3 to 1.2 rad/s, differences to 0.3" in said and "left out" in said
+    assert float(re.search(r"far field differ by (\S+) %", said)[1]) < 10
+    assert path.read_bytes() == before and (tmp_path / "qtf.png").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(
+    "words, said",
+    [
+        ("--omega 0.1:2:5", "within the stored 0.3 to 1.2"),
+        ("--omega 0.4,0.5,0.9 --fresh", "equal steps"),
+        ("--difference -1", "--difference is -1"),
+        ("--heading nan", "--heading is nan"),
+        ("--plot x.doc", "suffix"),
+    ],
+)
+def test_wrong_questions_are_refused_in_one_line(path, words, said, capsys):
+    assert main(["qtf", str(path), *words.split()]) == 2
+    line = capsys.readouterr().err.strip().splitlines()[-1]
+    assert line.startswith("hakobune qtf:") and said in line
+
+
+def test_what_is_added_to_newman_makes_the_stored_force_of_a_pair(path):
+    db = open_database(path)
+    forces, pairs = read_forces(db)[0], stored_pairs(db, SWELL)
+    one, two = forces.omega[6:8], forces.omega[5:7]
+    D, E = (db.reader.floating().drift(w, [np.pi])[:, 0] for w in (one, two))
+    rule = np.where(D * E > 0, np.sign(D) * np.sqrt(np.abs(D * E)), 0.0)
+    whole = forces.total[1, 5:7, 0, 0]
+    added = pairs(one, two)
+    scale = np.abs(whole[:, 0]).max()
+    assert np.abs(added[:, HORIZONTAL] + rule - whole[:, HORIZONTAL])[:, 0].max() < 0.02 * scale
+    assert not pairs(1.25, 1.2).any() and not pairs(1.2, 0.85).any()
+
+
+def test_studies_take_the_level_they_ask_for(path, tmp_path, capsys):
+    found = {}
+    for level in ("newman", "bound-wave", "body", "auto"):
+        (tmp_path / "study.toml").write_text(STUDY.format(level))
+        assert main(["response", str(tmp_path / "study.toml"), "--database", str(path)]) == 0
+        said = capsys.readouterr().out
+        force = re.search(r'by qtf = "(\S+)": Fx (\S+),', said)
+        found[level] = (force[1], float(force[2])) if force else None
+    assert found["newman"] is None and found["auto"] == found["body"]
+    assert found["body"][1] != found["bound-wave"][1]
+    (tmp_path / "study.toml").write_text(STUDY.format("full"))
+    assert main(["response", str(tmp_path / "study.toml"), "--database", str(path)]) == 2
+    assert "sea.qtf is 'full'; allowed: newman, bound-wave, body, auto" in capsys.readouterr().err
+
+
+def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
+    db = open_database(path)
+    with pytest.raises(ValueError, match=r"no pairs of waves towards 0°.*--heading 0"):
+        beside_newman(db, Sea(SWELL.spectrum, 0.0), "body")
+    with pytest.raises(ValueError, match=r"pairs are stored from 0.3 to 1.2"):
+        beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "body")
+    assert "not body" in beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")[1][0]
