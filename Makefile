@@ -2,6 +2,7 @@
 # make test    ruff and all tests, in two processes (PROCESSES=1 in one)
 # make test-nojit   kernels as plain Python (a subset); make test-bounds: with array bounds checked
 # make bench   error against time beside capytaine and HAMS, into bench/ (20 to 40 minutes; QUICK=1 a minute)
+# make docs    the guide with the reference of all keys, into docs/html
 # make lint    ruff alone
 # make venv    .venv with everything installed (done by the others when needed)
 
@@ -16,7 +17,7 @@ NOJIT := tests/bem/kernels/test_interpolative_decomposition.py tests/bem/kernels
 BOUNDS := tests/bem/green tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 
-.PHONY: demo test test-nojit test-bounds bench lint venv format clean
+.PHONY: docs demo test test-nojit test-bounds bench lint venv format clean
 .DELETE_ON_ERROR:
 
 venv: $(STAMP)
@@ -41,6 +42,9 @@ demo: venv
 	$(BIN)/hakobune response $(SCENES)/response_box_20m.toml --database demo/box_20m.h5 \
 	  --output demo/response.csv --plot demo/response.png
 	$(BIN)/hakobune moor $(SCENES)/moor_chain_12.toml --database demo/box_20m.h5 --output demo/moor.h5
+
+docs: venv
+	$(BIN)/python docs/build.py docs/html
 
 bench: venv $(PEERS)/.installed
 	$(BIN)/hakobune bench --peer $(PEERS)/bin/python --output bench $(if $(QUICK),--quick)
@@ -73,4 +77,4 @@ format: venv
 	$(BIN)/ruff format .
 
 clean:
-	rm -rf demo bench build *.egg-info
+	rm -rf demo bench build docs/html *.egg-info

@@ -1,29 +1,41 @@
-"""README: every Python example runs as it is printed, and every command and flag that is shown exists."""
+"""README and the guide: Python runs as printed, commands and flags exist, TOML is read, links lead somewhere."""
 
+import importlib.util
 import io
 import re
 import sys
+import tomllib
 import warnings
 from contextlib import redirect_stdout
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from pipelines import cli
+from pipelines.keys.kinds import KINDS, struct_of
 
-README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
-EXAMPLES = re.findall(r"```python\n(.*?)```", README, re.S)
-# indented blocks, with continued lines joined; `hakobune …` in the text and in tables
-SHELL = re.findall(r"^    (hakobune .*)$", README.replace("\\\n", " "), re.M)
-COMMANDS = SHELL + re.findall(r"`(hakobune [a-z][^`]*)`", README)
+ROOT = Path(__file__).parents[1]
+PAGES = {path.relative_to(ROOT): path.read_text(encoding="utf-8") for path in (ROOT / "docs").glob("*.md")}
+PAGES[Path("README.md")] = (ROOT / "README.md").read_text(encoding="utf-8")
+EXAMPLES = [
+    (str(page), text) for page, whole in PAGES.items() for text in re.findall(r"```python\n(.*?)```", whole, re.S)
+]
+TABLES = [(str(page), text) for page, whole in PAGES.items() for text in re.findall(r"```toml\n(.*?)```", whole, re.S)]
 
 
-FIRST_RUN = SHELL[1:4]  # the database of a box, its checks, its picture
+def shell(text):
+    """Indented commands of a page, continued lines joined"""
+    return re.findall(r"^    (hakobune .*)$", text.replace("\\\n", " "), re.M)
+
+
+COMMANDS = {line for text in PAGES.values() for line in shell(text) + re.findall(r"`(hakobune [a-z][^`]*)`", text)}
+FIRST_RUN = shell(PAGES[Path("docs/first_hour.md")])[:3]  # the database of a box, its checks, its picture
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """A folder after the first run of README"""
+    """A folder after the first run of the guide"""
     place = tmp_path_factory.mktemp("readme")
     assert [line.split()[1] for line in FIRST_RUN] == ["box", "check", "plot"]
     for line in FIRST_RUN:
@@ -34,15 +46,27 @@ def folder(tmp_path_factory):
     return place
 
 
-@pytest.mark.parametrize("text", EXAMPLES, ids=lambda text: text.strip().splitlines()[0].strip("# "))
-def test_python_examples_run_as_printed(text, folder, monkeypatch):
+@pytest.mark.parametrize("page, text", EXAMPLES, ids=lambda text: text.strip().splitlines()[0].strip("# "))
+def test_python_examples_run_as_printed(page, text, folder, monkeypatch):
     monkeypatch.chdir(folder)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        exec(compile(text, "README.md", "exec"), {"__name__": "README"})
+        exec(compile(text, page, "exec"), {"__name__": "README"})
 
 
-@pytest.mark.parametrize("command", sorted(set(COMMANDS)))
+@pytest.mark.parametrize("page, text", TABLES, ids=lambda text: text.strip().splitlines()[0])
+def test_tables_shown_are_read(page, text):
+    raw, faults = tomllib.loads(text), []
+    for kind in KINDS:
+        try:
+            msgspec.convert(raw, struct_of(kind))
+            return
+        except msgspec.ValidationError as fault:
+            faults.append(str(fault))
+    raise AssertionError(faults)
+
+
+@pytest.mark.parametrize("command", sorted(COMMANDS))
 def test_commands_and_flags_shown_exist(command, capsys):
     name, *words = command.split()[1:]
     if name.startswith("-"):
@@ -50,6 +74,21 @@ def test_commands_and_flags_shown_exist(command, capsys):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sys, "argv", ["hakobune"])
         assert cli.main([name, "--help"]) == 0
-    known = set(re.findall(r"--[a-z][a-z-]*", capsys.readouterr().out))
+    known = {*re.findall(r"--[a-z][a-z-]*", capsys.readouterr().out), "--csv", "--json"}
     flags = {word.split("=")[0] for word in words if re.match(r"--[a-z]", word)}
     assert flags <= known, flags - known
+    if name in ("keys", "new") and words and words[0] not in ("KIND",):
+        assert words[0] in KINDS
+
+
+def test_links_of_the_guide_lead_somewhere(tmp_path):
+    spec = importlib.util.spec_from_file_location("build", ROOT / "docs" / "build.py")
+    build = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(build)
+    written = {path.name: path.read_text(encoding="utf-8") for path in build.build(tmp_path)}
+    assert len(written) > len(KINDS) + 10
+    for name, text in written.items():
+        for target in re.findall(r'(?:href|src)="([^"#:]+)"', text):
+            assert (tmp_path / target).exists() or (ROOT / "docs" / target).exists(), f"{name}: {target}"
+    reached = {link for page in ("index.html", "keys.html") for link in re.findall(r'href="([^"#]+)"', written[page])}
+    assert set(written) <= reached | {"index.html"}
