@@ -51,7 +51,7 @@ class DynamicTypeTable(MaterialTable):
     drag_tangential : coefficient on πD
     added_normal : coefficient of added mass across the line
     added_tangential : coefficient of added mass along the line
-    damping_ratio : structural damping over that which is critical for one element
+    damping_ratio : structural damping over that which is critical for one element, or a fortieth of its segment
     """
 
     mass_kg_per_m: float | None = None

@@ -9,6 +9,7 @@ import numpy as np
 
 from .lumped.system import System
 
+DAMPED = 40  # elements of a segment from which on damping is the line's, and no longer the mesh's
 SOFT = 1e-2  # damping fades in up to this part of the strain under the line's own weight
 
 
@@ -18,7 +19,7 @@ class DynamicSegment:
 
     length : m, unstretched; mass : kg/m in air; weight : N/m in water; diameter : m, of the displaced volume
     axial_stiffness : EA in N; structural_damping : BA in N s, or None for `damping_ratio`, the part of the critical
-    damping of one element, ℓ√(EA m)
+    damping ℓ√(EA m) of an element of length ℓ, or of a fortieth of the segment where the elements are shorter
     drag_normal on D, drag_tangential on πD (the report's coefficient, on D, is π times larger)
     added_normal, added_tangential : times the displaced mass
     """
@@ -56,7 +57,8 @@ class DynamicSegment:
     @property
     def damping(self):
         """N s, BA"""
-        critical = self.size * np.sqrt(self.axial_stiffness * self.mass)
+        size = max(self.size, self.length / DAMPED)
+        critical = size * np.sqrt(self.axial_stiffness * self.mass)
         return self.damping_ratio * critical if self.structural_damping is None else self.structural_damping
 
 

@@ -205,6 +205,11 @@ def test_snap_after_slack_is_bounded_and_converges():
     assert np.ptp(peaks) < 0.01 * peaks[-1] and abs(peaks[2] - peaks[1]) < abs(peaks[1] - peaks[0]), peaks
 
 
+def test_a_snap_is_the_line_s_and_not_that_of_its_elements():
+    peaks = [quiet(chain(n), surge(3.0, 7.0), 14.0, tolerance=5e-3).tension_fairlead.max() for n in (40, 80)]
+    assert abs(peaks[1] / peaks[0] - 1) < 0.01, peaks
+
+
 def test_a_run_in_two_parts_is_the_run_in_one():
     line, motion = chain(20), surge(2.0, 10.0)
     whole = quiet(line, motion, 12.0, tolerance=1e-4)

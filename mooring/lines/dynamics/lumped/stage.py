@@ -71,7 +71,10 @@ def add(y, f, x):
 
 @kernel()
 def change(s, q, x, scale):
-    """Largest change of any element's tension (N) and of any node's position (m) by displacements scale · x."""
+    """Largest change of any element's tension (N) and of any node's position (m) by displacements ± scale · x.
+
+    A slack element has no tension to change until it is taut.
+    """
     tension, distance, worst = 0.0, 0.0, 0
     for e in range(s.length.size):
         axial, length, moved = 0.0, 0.0, 0.0
@@ -80,7 +83,9 @@ def change(s, q, x, scale):
             axial += d * (x[e + 1, i] - x[e, i])
             length += d * d
             moved += x[e + 1, i] ** 2
-        here = s.stiffness[e] / s.length[e] * abs(axial) * scale / math.sqrt(length)
+        length = math.sqrt(length)
+        slack = max(0.0, s.length[e] - length)
+        here = s.stiffness[e] / s.length[e] * max(0.0, abs(axial) * scale / length - slack)
         if not here <= tension:
             tension, worst = here, e
         distance = max(distance, scale * math.sqrt(moved))
