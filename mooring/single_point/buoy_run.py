@@ -23,6 +23,7 @@ from ..motion.streams import GUST_STEP, Stream
 from .body import SinglePoint, SinglePointError
 from .buoy_equation import Buoy, Floating, Sea, room, steps
 from .slewing import SlowMotion
+from .waves import at_heading, headings, mean_frequency, share_of_height
 
 PER_PERIOD = 20  # steps in the shortest period
 DAMPING = 0.05  # of critical, of a hawser between its ends
@@ -87,20 +88,15 @@ def given_waves(reader, components, path: SlowMotion, buoy, draft, waves_after=0
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     order = np.argsort(omega)
     omega, amplitude, phase, direction = (part[order] for part in (omega, amplitude, phase, direction))
-    mean = omega @ amplitude**2 / (amplitude @ amplitude)
     step = 2 * np.pi / omega[-1] / 12
     t = step * (np.arange(int(np.ceil(path.time[-1] / step)) + 2 * EDGE + 2) - EDGE)
     k = wavenumber(omega, reader.depth, reader.gravity)
-    ring = np.arange(72) * (2 * np.pi / 72)
-    motions = reader.floating().motions(omega, ring)  # (n, 72, 6)
+    motions = reader.floating().motions(omega, headings())  # (n, RING, 6)
     x, y, heading = (np.interp(t, path.time, part) for part in (*path.place.T, path.heading))
     out, water = np.zeros((12, len(t))), np.zeros((7, len(t)))
-    grown = np.clip((t - waves_after) * mean / (4 * np.pi), 0.0, 1.0)
+    grown = share_of_height(t, waves_after, mean_frequency(omega, amplitude))
     for i, w in enumerate(omega):
-        turn = np.mod(direction[i] - heading, 2 * np.pi) * (72 / (2 * np.pi))
-        low = np.floor(turn).astype(int)
-        share = (turn - low)[:, None]
-        X = (1 - share) * motions[i, low % 72] + share * motions[i, (low + 1) % 72]
+        X = at_heading(motions[i], direction[i] - heading)
         cos, sin = np.cos(direction[i]), np.sin(direction[i])
         carried = amplitude[i] * np.exp(1j * (k[i] * (cos * x + sin * y) + phase[i] - w * t)) * grown
         found = X.T * carried

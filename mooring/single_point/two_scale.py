@@ -22,9 +22,7 @@ from bem.waves import wavenumber
 from .body import SinglePoint
 from .history import line_tensions
 from .slewing import rates
-
-RING = 72  # headings of the forces of a component
-GROWS = 2  # mean periods in which waves grow to their height
+from .waves import RING, at_heading, headings, mean_frequency, share_of_height
 
 
 @dataclass(frozen=True)
@@ -62,11 +60,7 @@ class WaveBody:
 
     def forces_at(self, place, heading, times):
         """(m, 6) N, N m at times (m,) s on a body whose slow place, (2,) m, and heading are held"""
-        turn = np.mod(self.direction - heading, 2 * np.pi) * (RING / (2 * np.pi))
-        low = np.floor(turn).astype(int)
-        share = (turn - low)[:, None]
-        at = np.arange(len(low))
-        near = (1 - share) * self.force[at, low % RING] + share * self.force[at, (low + 1) % RING]
+        near = at_heading(self.force, self.direction - heading)
         cos, sin = np.cos(heading), np.sin(heading)
         cx, cy = self.center
         r = place - np.array([cos * cx - sin * cy, sin * cx + cos * cy])
@@ -78,13 +72,12 @@ class WaveBody:
 def wave_body(reader, components, lever) -> WaveBody:
     """WaveBody of a `bem.database.reader.Reader` with the coefficients of the mean frequency of its Components"""
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
-    mean = float(omega @ amplitude**2 / (amplitude @ amplitude))
+    mean = mean_frequency(omega, amplitude)
     body = reader.floating()
     A, B = body.coefficients(np.array([mean]))
     order = np.argsort(omega)
-    ring = np.arange(RING) * (2 * np.pi / RING)
     force = np.empty((len(omega), RING, 6), complex)
-    force[order] = body.forces(omega[order], ring)
+    force[order] = body.forces(omega[order], headings())
     number = wavenumber(omega, reader.depth, reader.gravity)
     center = np.asarray(reader.rotation_center, float)[:2]
     return WaveBody(body.inertia + A[0], B[0], body.stiffness, force, omega, amplitude, phase, direction, number,
@@ -127,7 +120,7 @@ def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = N
         if body is None or k * steps.slow < steps.waves_after - 1e-9:
             buoy[rows], hawser[rows] = held.buoy, held.tension
         else:
-            grown = np.clip((time[rows] - steps.waves_after) * body.mean_omega / (2 * np.pi * GROWS), 0.0, 1.0)
+            grown = share_of_height(time[rows], steps.waves_after, body.mean_omega)
             forces = grown[:, None] * body.forces_at(state[:2], state[2], time[rows])
             motion = newmark.run(point, state, held, motion, forces, wave[rows], buoy[rows], hawser[rows])
         state = _advanced(point, state, steps.slow, steps.parts, speed)

@@ -49,11 +49,11 @@ def test_a_body_without_water_forces_keeps_its_momentum():
 
 @pytest.mark.parametrize("hawser", [0.0, 25.0])
 def test_the_heading_of_a_box_decays_from_two_degrees(hawser):
-    """Section 3.6.5 of the report: by 400 s; here to a quarter"""
+    """Section 3.6.5 of the report: to nothing by 400 s; here to a twentieth"""
     stable = next(one for one in equilibria(floater_A(0.0, hawser)) if one.slewing.stable)
     found = slew(stable.point, turned_state(stable.point, stable.state, np.radians(2)), 600.0, 2.0)
     assert np.degrees(found.heading[0] - stable.heading) == pytest.approx(2.0)
-    assert np.abs(np.degrees(found.heading[200:])).max() < 0.55
+    assert np.abs(np.degrees(found.heading[200:])).max() < 0.1
     tension = line_tensions(stable.point, found.buoy)
     assert np.all(tension.min(axis=0) < stable.lines.tension) and np.all(tension.max(axis=0) > stable.lines.tension)
 

@@ -1,0 +1,34 @@
+"""Waves at a body that slews: forces or motions of each component over the headings, and how the waves begin."""
+
+from __future__ import annotations
+
+import numpy as np
+
+RING = 72  # headings of the forces or motions of a component
+GROWS = 2  # mean periods in which waves grow to their height
+
+
+def headings():
+    """(RING,) rad from 0, directions of the waves from the bow"""
+    return np.arange(RING) * (2 * np.pi / RING)
+
+
+def mean_frequency(omega, amplitude):
+    """rad/s of components (n,), weighted with their energy"""
+    return float(omega @ amplitude**2 / (amplitude @ amplitude))
+
+
+def share_of_height(time, after, mean_omega):
+    """(n,) of waves that are none before `after`, s, and grow over GROWS periods of `mean_omega`, rad/s"""
+    return np.clip((time - after) * mean_omega / (2 * np.pi * GROWS), 0.0, 1.0)
+
+
+def at_heading(ring, turn):
+    """(m, …) of tables (RING, …), or of one for each angle (m, RING, …), at angles (m,) rad from the bow; linear"""
+    place = np.mod(turn, 2 * np.pi) * (RING / (2 * np.pi))
+    low = np.floor(place).astype(int)
+    share = (place - low)[:, None]
+    if ring.ndim == 2:
+        return (1 - share) * ring[low % RING] + share * ring[(low + 1) % RING]
+    one = np.arange(len(low))
+    return (1 - share) * ring[one, low % RING] + share * ring[one, (low + 1) % RING]
