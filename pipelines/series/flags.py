@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def series(
-    which: Literal["single-point", "multi-point", "appendix-2", "dolphin"],
+    which: Literal["single-point", "multi-point", "appendix-2", "dolphin", "lines"],
     /,
     *,
     output: Annotated[Path, Parameter(help="folder, made if it is not there")] = Path("series"),
@@ -26,10 +26,11 @@ def series(
     simplified method beside simulation, long-period motion by quick rule, spectrum and simulation.
     appendix-2: the tests of model M3B at a single point, intermediate and contact buoy.
     dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method.
+    lines: static lines, charts 1.7.1 to 1.7.6: friction, scope, slope, hills, sinker and buoys, elasticity.
     A second call makes what is not there; every case is kept as a study for `hakobune single-point`, or `simulate`.
     """
     taken = {"single-point": {"cases", "only", "seeds"}, "multi-point": {"only", "seeds", "hours"},
-             "appendix-2": {"only"}, "dolphin": set()}  # fmt: skip
+             "appendix-2": {"only"}, "dolphin": set(), "lines": set()}  # fmt: skip
     given = {"cases": cases, "only": only, "seeds": None if seeds == 1 else seeds, "hours": hours}
     for name, value in given.items():
         if value is not None and name not in taken[which]:
@@ -47,6 +48,10 @@ def series(
         from .dolphin import make_series
 
         return make_series(output, fresh)
+    if which == "lines":
+        from .line_charts import make_series
+
+        return make_series(output)
     from .single_point import make_series
 
     return make_series(output, cases, only, seeds, fresh)
