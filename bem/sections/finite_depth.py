@@ -223,9 +223,10 @@ class FiniteDepthFlow:
 
     def radiated_wave(self, mode):
         """Potential at z = 0 of the wave that `mode` radiates towards y → ∞, referred to y = 0"""
-        return self._radiated_wave(self.radiated[mode])
+        return self.sent(self.radiated[mode])
 
-    def _radiated_wave(self, flow):
+    def sent(self, flow):
+        """Potential at z = 0 of the wave of a `SectionFlow` towards y → ∞, referred to y = 0"""
         f = len(flow.velocity)
         velocity = self.wave_rows[: f + 2] @ np.concatenate([flow.velocity, flow.motion.side])
         return velocity / (1j * self.across * self.modes.wave_norm) * np.exp(-1j * self.across * self.shape.half)
@@ -233,7 +234,7 @@ class FiniteDepthFlow:
     def reflection_transmission(self):
         """Complex R and T of the fixed body for a wave towards +y, both referred to y = 0"""
         amplitude = -1j * self.gravity / self.omega
-        odd, even = (self._radiated_wave(flow) / amplitude for flow in self.diffracted)
+        odd, even = (self.sent(flow) / amplitude for flow in self.diffracted)
         back = np.exp(-2j * self.across * self.shape.half)  # reflection of the incident wave by the wall y = b
         return back + even - odd, even + odd
 

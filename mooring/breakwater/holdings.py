@@ -9,7 +9,7 @@ import numpy as np
 from bem.waves import group_factor, wavenumber
 
 from .elastic import elastic_exact
-from .exact import fixed_exact, free_exact, taut_exact
+from .exact import fixed_exact, free_exact, moved_to_origin, taut_exact
 from .long_waves import FixedBody, fixed_body, line_tensions
 from .taut import taut_long_wave
 
@@ -70,6 +70,38 @@ def exact_response(holding, sections, body, angle=None, axial_stiffness=None):
             held = elastic_exact(body, section, axial_stiffness)
             rows.append((held.transmission, held.reflection, *held.motion, held.front, held.back))
     return Response(*np.array(rows, complex).T)
+
+
+def response_with_loss(holding, flows, body, coefficient, amplitude, angle=None, axial_stiffness=None):
+    """`Response` of a rectangle whose flow under the keel loses head, motions and tensions included.
+
+    flows : (n,) `bem.sections.keel_loss.KeelFlow`; coefficient : C; amplitude : of the waves, m; others as of
+    `exact_response`.  The resistance κ = (2C/3πω) a |U| is found with the motion that it damps.
+    """
+    from scipy.optimize import brentq
+
+    rows = []
+    for flow in flows:
+        unit = 2 * coefficient * amplitude / (3 * np.pi * flow.section.omega)
+
+        def held(kappa, flow=flow):
+            return exact_response(holding, [flow.resisted(kappa)], body, angle, axial_stiffness)
+
+        def more(kappa, held=held, flow=flow, unit=unit):
+            motion = np.array([part[0] for part in held(kappa)[2:5]])
+            about_origin = motion if body is None else moved_to_origin(body.z0) @ motion
+            return kappa - unit * abs(flow.through(about_origin) / (1 - 1j * kappa * flow.own))
+
+        kappa = 0.0 if unit == 0 else brentq(more, 0.0, _bracket(more, unit), rtol=1e-10)
+        rows.append([part[0] for part in held(kappa)])
+    return Response(*np.array(rows, complex).T)
+
+
+def _bracket(function, start):
+    """A number, from `start` on by fours, where an increasing function is above 0"""
+    while function(start) <= 0:
+        start *= 4
+    return start
 
 
 def long_wave_response(holding, half, draft, depth, omega, water, angle=None, body=None):

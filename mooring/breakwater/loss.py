@@ -10,7 +10,8 @@ O = 1 before a wall.  The loss adds to its impedance:
 
 The even part, K_R + K_T, has no flow underneath and stays.  The difference of the tensions of a fixed body grows with
 the head; motions and tensions of a moving one stay those of potential flow, since its odd waves are not of the head
-alone.  Power lost is that of the head, ½ρg Re ΔH Q*.  s keel clearance; C by the user, or by `fitted` to measured K_T.
+alone: `bem.sections.keel_loss` has the same loss for rectangles in the whole flow, motions and tensions too.  Power
+lost is that of the head, ½ρg Re ΔH Q*.  s keel clearance; C by the user, or by `fitted` to measured K_T.
 """
 
 from __future__ import annotations

@@ -62,6 +62,11 @@ class Breakwater:
         return self.study.water.density * self.study.water.gravity
 
     @property
+    def loses_exactly(self):
+        """Whether the flow under the keel loses head by `bem.sections.keel_loss`, which is of rectangles"""
+        return self.study.loss is not None and self.study.section.shape == "rectangle"
+
+    @property
     def obliquity(self):
         """Angle of the regular waves with the normal, rad"""
         return np.radians(self.study.waves.obliquity_deg)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.breakwater.holdings import Response, exact_response, long_wave_response
+from mooring.breakwater.holdings import Response, exact_response, long_wave_response, response_with_loss
 
 from ..common.quantities import StudyError
 from .build import KN
@@ -55,7 +55,7 @@ def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity
     if holding == "fixed":
         angle = angle if angle is not None and angle < np.pi / 2 else None
     if theory == THEORIES[0]:
-        made = _exact(breakwater, holding, rise, omega, angle, obliquity)
+        made = _exact(breakwater, holding, rise, omega, angle, obliquity, amplitude)
         return _with_loss(breakwater, made, holding, rise, omega, amplitude)
     if holding not in ("fixed", "taut"):
         raise StudyError(f"theory {theory} has fixed and taut bodies only")
@@ -66,7 +66,7 @@ def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity
     return long_wave_response(holding, half, draft, breakwater.depth(rise), omega, breakwater.water, angle, body)
 
 
-def _exact(breakwater, holding, rise, omega, angle, obliquity):
+def _exact(breakwater, holding, rise, omega, angle, obliquity, amplitude):
     body, wetted, stiffness = None, None, None
     if holding == "free":
         body, wetted = breakwater.afloat(rise)
@@ -75,12 +75,18 @@ def _exact(breakwater, holding, rise, omega, angle, obliquity):
         lines = breakwater.study.lines
         stiffness = None if lines.axial_stiffness_kN is None else lines.axial_stiffness_kN * KN / lines.spacing
     wetted = wetted or breakwater.wetted(rise)
+    if breakwater.loses_exactly:
+        flows = [_keel(wetted.waterline, wetted.draft, breakwater.depth(rise), *breakwater.water.values(), float(one))
+                 for one in np.atleast_1d(omega)]  # fmt: skip
+        amplitude = breakwater.study.waves.height / 2 if amplitude is None else amplitude
+        C = breakwater.study.loss.coefficient
+        return response_with_loss(holding, flows, body, C, amplitude, angle, stiffness)
     return exact_response(holding, sections(breakwater, wetted, rise, omega, obliquity), body, angle, stiffness)
 
 
 def _with_loss(breakwater, made, holding, rise, omega, amplitude):
     study = breakwater.study
-    if study.loss is None:
+    if study.loss is None or breakwater.loses_exactly:
         return made
     from mooring.breakwater.loss import Keel, with_loss
 
@@ -108,6 +114,13 @@ def _rectangle(beam, draft, depth, density, gravity, omega, obliquity):
     water = {"density": density, "gravity": gravity}
     tolerance = OBLIQUE_TOLERANCE if obliquity else TOLERANCE
     return section(beam, draft, depth, omega, tolerance=tolerance, obliquity=obliquity, **water)
+
+
+@lru_cache(maxsize=4096)
+def _keel(beam, draft, depth, density, gravity, omega):
+    from bem.sections.keel_loss import keel_flow
+
+    return keel_flow(beam, draft, depth, omega, density=density, gravity=gravity, tolerance=TOLERANCE)
 
 
 @lru_cache(maxsize=4096)

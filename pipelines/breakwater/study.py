@@ -277,7 +277,7 @@ class MapTable(Table):
 
 
 class LossTable(Table):
-    """Head that the flow under the keel loses, in potential flow
+    """Head that the flow under the keel loses, in potential flow; of moving bodies with its tensions for rectangles
 
     coefficient : C of C U²/2g
     """

@@ -1,6 +1,6 @@
 """Floating breakwaters by potential theory beside the tests of Kihara, Kitatani & Todoroki (1975), and their times.
 
-python tests/bench/breakwater.py [tables] [times] [snap] [loss] [length]
+python tests/bench/breakwater.py [tables] [times] [snap] [loss] [moving] [length]
 """
 
 import csv
@@ -20,10 +20,11 @@ from bem.frequency import solve_frequency
 from bem.methods.shape_problem import ShapeProblem
 from bem.sections.any_section import any_section, shape
 from bem.sections.coefficients import section
+from bem.sections.keel_loss import keel_flow
 from bem.sections.outline import circle, closed, rectangle
 from mooring.breakwater.body import TautBody
 from mooring.breakwater.exact import taut_exact
-from mooring.breakwater.holdings import exact_response
+from mooring.breakwater.holdings import exact_response, response_with_loss
 from mooring.breakwater.loss import Keel, fitted
 from mooring.breakwater.snap import snap
 from mooring.breakwater.taut import TautRectangle
@@ -147,6 +148,28 @@ def losses():
     _print_fit("circle", made, np.full(len(T), 0.025), K, T, Keel(np.sqrt(0.0525), 0.35, 0.6, 9.8))
 
 
+def moving_losses():
+    """C fitted to measured K_T with the loss in the whole flow, and what it does to the tensions, over ρgad"""
+    for angle, line in ((44, 0.4319), (90, 0.205), (158, 0.8008)):
+        rows = [row for row in published("breakwater_rectangle.csv") if row["angle_deg"] == angle]
+        measured = np.array([[row[key] for key in ("transmission", "front", "back")] for row in rows])
+        body = TautRectangle(angle=np.radians(angle), line=line, **BODY)
+        flows = {T: keel_flow(0.6, 0.3, 0.6, 2 * np.pi / T, **WATER) for T in {row["period_s"] for row in rows}}
+
+        def ours(C, rows=rows, body=body, flows=flows):
+            made = [response_with_loss("taut", [flows[r["period_s"]]], body, C, r["height_cm"] / 200) for r in rows]
+            unit = np.array([1.0, 9800 * 0.3, 9800 * 0.3])
+            return np.array([[abs(one.transmission[0]), abs(one.front[0]), abs(one.back[0])] for one in made]) / unit
+
+        def misses(C, ours=ours, measured=measured):
+            return np.sqrt(np.mean((ours(C) - measured) ** 2, axis=0))
+
+        C = minimize_scalar(lambda C, misses=misses: misses(C)[0], bounds=(0, 30), method="bounded").x
+        for one in (0.0, C):
+            mean = ours(one).mean(axis=0)
+            print(f"{angle}°, C {one:.2f}: K_T, P_F, P_B differ by", *np.round(misses(one), 3), "mean", *mean.round(3))
+
+
 def _print_fit(name, made, amplitude, measured, T, keel):
     before = np.sqrt(np.mean((abs(made.transmission) - measured) ** 2))
     C, after = fitted(made, amplitude, measured, 2 * np.pi / T, keel)
@@ -193,5 +216,7 @@ def snaps():
 
 
 if __name__ == "__main__":
-    for asked in sys.argv[1:] or ("tables", "times", "snap", "loss", "length"):
-        {"tables": tables, "times": times, "snap": snaps, "loss": losses, "length": lengths}[asked]()
+    for asked in sys.argv[1:] or ("tables", "times", "snap", "loss", "moving", "length"):
+        {"tables": tables, "times": times, "snap": snaps, "loss": losses, "moving": moving_losses, "length": lengths}[
+            asked
+        ]()

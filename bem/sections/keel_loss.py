@@ -1,0 +1,76 @@
+"""A rectangular section whose flow under the keel loses head: exact potential flow with a resistance across the gap.
+
+    p(0⁻) − p(0⁺) = ½ρC |U| U  →  (4/3π) ρ C |U| U,     U mean velocity under the keel at y = 0, amplitudes
+
+To every flow that is odd in y a flow g is added, driven by ±1 of potential on either half of the gap:
+
+    δ = iκU,   κ = (2C/3πω) |U|,      U = U₀ + δ U_g,      φ = φ₀ + δ φ_g,      δ = iκ U₀ / (1 − iκ U_g)
+
+so that of a resistance κ, in m, a `Section` follows, with which a body moves as with any other.  The power lost is that
+of the head, ½ (4/3π) ρ C |U|³ s.  The even flow, heave, sends none from side to side.  Linearised as in
+`mooring.breakwater.loss`, which is of any section and of the propagating wave alone.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .coefficients import HEAVE, ROLL, SWAY, Section, section, section_flow
+from .finite_depth import FIXED, SectionFlow
+
+
+class KeelFlow(NamedTuple):
+    """Of a rectangle at one frequency, sway, heave, roll.
+
+    section : without loss; moved (at y = 0) : (3,) U of unit velocities; scattered : U of a unit wave; own : U_g, 1/m
+    force : (3,) ∮ φ_g n dl; wave : elevation that g radiates towards +y over what a unit of φ at z = 0 is
+    """
+
+    section: Section
+    moved: np.ndarray
+    scattered: complex
+    own: complex
+    force: np.ndarray
+    wave: complex
+
+    def through(self, motion):
+        """U₀, m/s per unit wave amplitude, of motions (3,) about the origin"""
+        return self.scattered - 1j * self.section.omega * (self.moved @ motion)
+
+    def resisted(self, kappa):
+        """`Section` of a resistance κ, m"""
+        there, share = self.section, 1j * kappa / (1 - 1j * kappa * self.own)
+        rho, omega, g = there.density, there.omega, there.gravity
+        impedance = there.added_mass + 1j * there.damping / omega
+        impedance = impedance - rho * share * np.outer(self.force, self.moved)
+        waves = omega**2 / g * share * self.moved * self.wave
+        lost = share * self.scattered * self.wave / (-1j * g / omega)
+        R, T = there.reflection - lost, there.transmission + lost
+        return there._replace(
+            added_mass=impedance.real,
+            damping=omega * impedance.imag,
+            excitation=there.excitation - 1j * rho * omega * share * self.scattered * self.force,
+            radiated=there.radiated + waves,
+            radiated_back=there.radiated_back - waves,
+            reflection=complex(R),
+            transmission=complex(T),
+            haskind=np.full(3, np.nan + 0j),  # not of a flow that loses
+            drift=there.drift * (1 + abs(R) ** 2 - abs(T) ** 2) / (2 * abs(there.reflection) ** 2),
+        )
+
+
+def keel_flow(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=1e-6):
+    """`KeelFlow`; arguments as of `coefficients.section`, in finite depth.  Raises ValueError."""
+    there = section(beam, draft, depth, omega, density=density, gravity=gravity, tolerance=tolerance)
+    flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance)
+    gap, profiles, f = flow.shape.gap, flow.shape.profiles, len(flow.shape.gap.mean)
+    matrix = profiles @ (flow.shape.beneath[False].matrix - flow.outside[:f, :f]) @ profiles.T
+    driven = SectionFlow(-np.linalg.solve(matrix, profiles @ gap.mean) @ profiles, 0.0, FIXED, 0.0)
+    mean = gap.mean / gap.height
+    moved = np.array([mean @ one.velocity if mode != HEAVE else 0.0 for mode, one in enumerate(flow.radiated)])
+    force = np.array([flow.force(driven, SWAY), 0.0, flow.force(driven, ROLL) - (beam / 2) ** 2])
+    wave = flow.sent(driven)
+    moved[ROLL] += (beam / 2) ** 2 / 2 / gap.height  # at y = 0: what the bottom draws in beyond the keel's edge
+    return KeelFlow(there, moved, mean @ flow.diffracted[0].velocity, mean @ driven.velocity, force, wave)
