@@ -8,6 +8,10 @@ by least squares of the whole record; and from its first and third harmonics,
 
 (Shiraishi et al., Port and Airport Research Institute, eq. 1, 2; ẋ|ẋ| = V² [(8/3π) cos ωt + (8/15π) cos 3ωt − …]).  One
 coefficient with the same energy in a cycle is B₁ + (8/3π) ωX B₂; that with the same largest force is B₁ + ωX B₂.
+
+Noise without memory on the force moves B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, M the columns of the
+fit and s what it leaves over: no unbiased estimate has less (Cramér and Rao).  That on the motion moves its phase, and
+with it a share A ω δφ of the inertia into B₁.
 """
 
 from __future__ import annotations
@@ -23,6 +27,7 @@ class Forced(NamedTuple):
     """added_mass : kg; linear, quadratic : B₁ N s/m, B₂ N s²/m²; by_harmonics : the same two by the paper's formulas
 
     motion : `record.Sine`; off : share of the force's deviation that is left
+    error : standard errors of B₁ and B₂ by noise without memory
     """
 
     added_mass: float
@@ -31,6 +36,7 @@ class Forced(NamedTuple):
     by_harmonics: tuple
     motion: Sine
     off: float
+    error: tuple
 
     @property
     def same_energy(self):
@@ -55,7 +61,10 @@ def forced(time, motion, force):
     size = np.abs(basis).max(axis=0)
     share = np.linalg.lstsq(basis / size, F, rcond=None)[0] / size
     left = np.std(F - basis @ share) / np.std(F) if np.std(F) > 0 else 0.0
-    return Forced(*map(float, share[:3]), _by_harmonics(theta, F, sine), sine, float(left))
+    spread = np.sqrt(np.diag(np.linalg.inv((basis / size).T @ (basis / size)))) / size * left * np.std(F)
+    phase = np.sqrt(2 / len(t)) * sine.off / sine.amplitude
+    error = float(np.hypot(spread[1], share[0] * sine.omega * phase)), float(spread[2])
+    return Forced(*map(float, share[:3]), _by_harmonics(theta, F, sine), sine, float(left), error)
 
 
 def _by_harmonics(theta, force, sine, most=5):

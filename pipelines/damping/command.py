@@ -78,6 +78,8 @@ def _forced(columns):
     print(f"added mass {made.added_mass / 1e3:.6g} t")
     print(f"B1 = {made.linear / 1e3:.6g} kN s/m, B2 = {made.quadratic / 1e3:.6g} kN s²/m²; by first and third harmonic "
           f"{made.by_harmonics[0] / 1e3:.5g} and {made.by_harmonics[1] / 1e3:.5g}")  # fmt: skip
+    first, second = made.error
+    print(f"standard errors by noise: {first / 1e3:.2g} kN s/m of B1 and {second / 1e3:.2g} kN s²/m² of B2")
     print(f"as one coefficient: {made.same_energy / 1e3:.5g} kN s/m of the same energy, "
           f"{made.same_force / 1e3:.5g} of the same largest force")  # fmt: skip
     theta = sine.omega * (time - time[0]) + sine.phase

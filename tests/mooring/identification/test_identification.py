@@ -55,6 +55,22 @@ def test_noise_moves_the_damping_of_a_forced_oscillation_within_its_limit(noise,
         assert forced(*moved(noise, seed)).same_energy == pytest.approx(exact, rel=off)
 
 
+def test_linear_and_quadratic_damping_scatter_as_little_as_any_unbiased_estimate_can():
+    """The bound of Cramér and Rao for noise of the force of 5 %: 4.9 and 9.8 % of each; as much is told of one record
+
+    Sixty records know their scatter to 9 %; three times that is allowed.
+    """
+    noise, (t, _, F) = 0.05, moved()
+    v = X * OMEGA * np.cos(OMEGA * t + 0.3)
+    columns = np.stack([X * OMEGA**2 * np.sin(OMEGA * t + 0.3), v, v * np.abs(v), np.ones_like(t)], axis=1)
+    bound = noise * F.std() * np.sqrt(np.diag(np.linalg.inv(columns.T @ columns)))[1:3]
+    found = [forced(*moved(noise, seed)) for seed in range(60)]
+    scatter = np.std([(one.linear, one.quadratic) for one in found], axis=0)
+    told = np.mean([one.error for one in found], axis=0)
+    assert np.all(scatter < 1.27 * bound) and np.allclose(told, scatter, rtol=0.27), (scatter / bound, told / scatter)
+    assert np.all(bound < 0.1 * np.array([B1, B2]))
+
+
 def test_free_decay_gives_back_what_it_was_made_of(let_go):
     found = decay(TIME, let_go)
     assert (found.linear, found.quadratic, found.omega) == pytest.approx((LINEAR, QUADRATIC, OMEGA), rel=1e-6)
