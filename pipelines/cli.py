@@ -37,6 +37,7 @@ from .series.flags import series
 from .simulate.flags import animate, simulate
 from .single_point.flags import single_point
 from .stress.command import stress
+from .sweep.command import sweep
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
 OWN_FORMS = ("keys",)  # commands that write JSON of their own
@@ -197,6 +198,7 @@ app.command(damping)
 app.command(doctor)
 app.command(export)
 app.command(import_, name="import")
+app.command(sweep)
 app.command(keys)
 app.command(new)
 

@@ -95,6 +95,13 @@ KINDS = {
         "breakwater_circle.toml",
         ("hakobune breakwater FILE",),
     ),
+    "sweep": Kind(
+        "many cases of one study",
+        "pipelines.sweep.study:SweepTable",
+        "sweep",
+        "sweep_berth.toml",
+        ("hakobune sweep FILE --output sweep.h5",),
+    ),
     "design": Kind(
         "a site, its weather and the rules that judge a mooring",
         "pipelines.design.project:Project",

@@ -1,0 +1,95 @@
+"""The results of a sweep: one HDF5 file that fills case by case and can be killed at any instant.
+
+/keys/NAME (case,);  /status (case,): −1 to do, else that of the command;  /message (case,);  /tables/N/COLUMN
+(case, row) with its title as an attribute and the labels of its rows in /tables/N/row.  Numbers have the digits that
+the command prints; what is no number is NaN.  The status is written last.
+"""
+
+from __future__ import annotations
+
+import h5py
+import numpy as np
+
+from bem.database.file import software_version
+
+SCHEMA = "hakobune sweep 1"
+PENDING = -1
+
+
+def is_sweep(path):
+    """Whether a file is the result of a sweep"""
+    if not (path.is_file() and h5py.is_hdf5(path)):
+        return False
+    with h5py.File(path) as file:
+        return file.attrs.get("schema") == SCHEMA
+
+
+def create(path, keys, values, texts):
+    """Make the file with every case to do; texts : {name: text} of sweep and study, kept as attributes"""
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"schema": SCHEMA, "software_version": software_version(), **texts})
+        count = len(values)
+        file.create_dataset("case", data=np.arange(count)).make_scale("case")
+        for name, column in zip(keys, zip(*values, strict=True), strict=True):
+            numbers = all(isinstance(value, int | float) for value in column)
+            data = np.array(column, float if numbers else h5py.string_dtype())
+            _on(file, f"keys/{name}", data)
+        _on(file, "status", np.full(count, PENDING, np.int16))
+        _on(file, "message", np.array([""] * count, h5py.string_dtype()))
+
+
+def _on(file, name, data):
+    dataset = file.create_dataset(name, data=data)
+    dataset.dims[0].attach_scale(file["case"])
+    return dataset
+
+
+def pending(path):
+    """Numbers of the cases still to do"""
+    with h5py.File(path) as file:
+        return np.flatnonzero(file["status"][()] == PENDING).tolist()
+
+
+def store(path, case, status, message, tables):
+    """Keep what a case gave: tables as [{"title", "rows": [{name: text}]}], then its status"""
+    with h5py.File(path, "r+") as file:
+        for number, table in enumerate(tables):
+            message = _store_table(file, number, case, table) or message
+        file["message"][case] = message
+        file.flush()
+        file["status"][case] = status
+
+
+def _store_table(file, number, case, table):
+    """Numbers of a table into its columns; says why where it is another than the first case's"""
+    rows = table["rows"]
+    if not rows:
+        return ""
+    names = list(rows[0])
+    labels = [row[names[0]] for row in rows]
+    place = f"tables/{number}"
+    if place not in file:
+        group = file.create_group(place)
+        group.attrs["title"] = table["title"]
+        group.create_dataset("row", data=np.array(labels, h5py.string_dtype())).make_scale("row")
+        for name in names:
+            data = np.full((len(file["case"]), len(rows)), np.nan)
+            made = _on(file, f"{place}/{_safe(name)}", data)
+            made.dims[1].attach_scale(group["row"])
+    group = file[place]
+    if len(group["row"]) != len(rows) or any(_safe(name) not in group for name in names):
+        return f"table {number} has {len(rows)} rows, {len(group['row'])} in the first case; it is left out"
+    for name in names:
+        group[_safe(name)][case] = [_number(row[name]) for row in rows]
+    return ""
+
+
+def _safe(name):
+    return name.strip().replace("/", " per ") or "label"
+
+
+def _number(text):
+    try:
+        return float(text.replace("−", "-"))
+    except ValueError:
+        return np.nan

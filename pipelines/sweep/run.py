@@ -1,0 +1,84 @@
+"""The cases of a sweep, run through their command wherever an executor puts them, stored as they come."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import tempfile
+import tomllib
+from pathlib import Path
+
+from . import file
+from .study import StudyError, cases, put
+
+
+def sweep(table, text, folder, output, executor, say):
+    """Run what is pending.  Returns (cases, failed).  Raises StudyError before any work.
+
+    table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; say : takes a line
+    """
+    study = Path(folder) / table.study
+    if not study.is_file():
+        raise StudyError(f"study is {table.study!r}; there is no such file beside the sweep")
+    study_text = study.read_text(encoding="utf-8")
+    raw, keys, values = tomllib.loads(study_text), [one.key for one in table.vary], cases(table)
+    for key, value in zip(keys, values[0], strict=True):
+        put(raw, key, value)  # is there a place for it?
+    texts = {"sweep": text, "study": study_text}
+    if output.exists():
+        _check_same(output, texts)
+    else:
+        file.create(output, keys, values, texts)
+    todo, done = file.pending(output), 0
+    say(f"{len(values)} cases, {len(values) - len(todo)} are there")
+    together = 1 if executor.count == 1 else BATCH * executor.count
+    for batch in (todo[i : i + together] for i in range(0, len(todo), together)):
+        asked = {}
+        for number in batch:
+            varied = raw
+            for key, value in zip(keys, values[number], strict=True):
+                varied = put(varied, key, value)
+            asked[number] = executor.submit(one_case, table.command, varied, str(study), tuple(table.arguments))
+        for number, future in asked.items():
+            file.store(output, number, *future.result())
+            done += 1
+        say(f"{len(values) - len(todo) + done} of {len(values)} cases")
+    return len(values), _failed(output)
+
+
+BATCH = 8  # cases that each process is given at once, which are lost with it
+
+
+def _check_same(output, texts):
+    import h5py
+
+    with h5py.File(output) as stored:
+        for name, text in texts.items():
+            if stored.attrs[name] != text:
+                raise StudyError(f"{output} is of another {name}; give --fresh to replace it, or another name")
+
+
+def _failed(output):
+    import h5py
+
+    with h5py.File(output) as stored:
+        status, message = stored["status"][()], stored["message"].asstr()[()]
+    return [(int(i), int(status[i]), message[i]) for i in range(len(status)) if status[i] > 0]
+
+
+def one_case(command, raw, study, arguments):
+    """(exit status, last line of stderr, tables) of a command on a study; the varied study lies beside it meanwhile"""
+    import tomli_w
+
+    from .. import cli
+
+    out, said, folder = io.StringIO(), io.StringIO(), Path(study).parent
+    with tempfile.NamedTemporaryFile("wb", suffix=".toml", prefix=".case_", dir=folder) as place:
+        place.write(tomli_w.dumps(raw).encode())
+        place.flush()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(said):
+            status = cli.main([command, place.name, *arguments, "--json"])
+    lines = [line for line in said.getvalue().splitlines() if line.strip()]
+    tables = [json.loads(line) for line in out.getvalue().splitlines()]
+    return status, lines[-1] if status and lines else "", tables

@@ -1,0 +1,123 @@
+"""A sweep as typed TOML: a command, a study, and the keys of it that are varied.
+
+command = "berth"                 [[vary]]
+study = "berth_tanker.toml"       key = "approach.speed"
+sampling = "grid"                 values = [0.1, 0.15, 0.2]
+                                  [[vary]]
+                                  key = "fender[0].dolphin"
+                                  from = 2e4
+                                  to = 5e4
+                                  count = 4
+
+A grid has every combination; a Latin hypercube `samples` of them, evenly in each range (scipy.stats.qmc).
+"""
+
+from __future__ import annotations
+
+import copy
+import itertools
+import re
+
+import msgspec
+import numpy as np
+
+from ..common.bounds import check_count
+from ..common.quantities import StudyError, Table
+from ..common.typed import read_toml, typed
+
+SAMPLINGS = ("grid", "latin-hypercube")
+MOST = 100_000  # cases
+COMMANDS = ("moor", "response", "lines", "line-dynamics", "single-point", "berth", "breakwater", "simulate")
+
+
+class VaryTable(Table):
+    """A key that is varied, by values or a range
+
+    key : its place in the study, as "waves.height", "lines[0].length" or "types.chain.weight_kg_per_m"
+    values : that it takes; or give from and to
+    count : how many numbers of a grid, both ends included
+    """
+
+    key: str
+    values: list[float | str | bool] | None = None
+    first: float | None = msgspec.field(default=None, name="from")
+    last: float | None = msgspec.field(default=None, name="to")
+    count: int | None = None
+
+
+class SweepTable(Table):
+    """Many cases of one study
+
+    command : moor, response, lines, line-dynamics, single-point, berth, breakwater or simulate
+    study : file beside this one whose keys are varied
+    arguments : of the command after the study, as ["--database", "box.h5"], seen from where the sweep is run
+    sampling : grid, every combination, or latin-hypercube, samples evenly over ranges
+    samples : how many, of a Latin hypercube
+    seed : of a Latin hypercube
+    """
+
+    command: str
+    study: str
+    vary: list[VaryTable]
+    arguments: list[str] = msgspec.field(default_factory=list)
+    sampling: str = "grid"
+    samples: int | None = None
+    seed: int = 1
+
+
+def read_sweep(path):
+    """The SweepTable of a TOML file and its text.  Raises StudyError."""
+    raw, text = read_toml(path, "a sweep", StudyError)
+    sweep = typed(raw, SweepTable, StudyError)
+    for key, value, allowed in (("command", sweep.command, COMMANDS), ("sampling", sweep.sampling, SAMPLINGS)):
+        if value not in allowed:
+            raise StudyError(f"{key} is {value!r}; allowed: {', '.join(allowed)}")
+    if not sweep.vary:
+        raise StudyError("vary is empty; allowed: at least one [[vary]]")
+    keys = [one.key for one in sweep.vary]
+    if len(set(keys)) < len(keys):
+        raise StudyError(f"two [[vary]] have the key {max(keys, key=keys.count)!r}; allowed: each its own")
+    return sweep, text
+
+
+def cases(sweep):
+    """[(value of each key), …] in the order they are run.  Raises StudyError."""
+    if sweep.sampling == "grid":
+        if sweep.samples is not None:
+            raise StudyError('samples is given; allowed: with sampling = "latin-hypercube"')
+        axes = [_values(f"vary[{i}]", one) for i, one in enumerate(sweep.vary)]
+        check_count("the sweep", int(np.prod([len(axis) for axis in axes])), 1, MOST, StudyError)
+        return list(itertools.product(*axes))
+    check_count("samples", sweep.samples or 0, 1, MOST, StudyError)
+    from scipy.stats import qmc
+
+    for i, one in enumerate(sweep.vary):
+        if one.values is not None or one.first is None or one.last is None or not one.first < one.last:
+            raise StudyError(f"vary[{i}]: a Latin hypercube needs from and to, rising; allowed: no values")
+    unit = qmc.LatinHypercube(len(sweep.vary), rng=sweep.seed).random(sweep.samples)
+    low, high = np.array([(one.first, one.last) for one in sweep.vary]).T
+    return [tuple(row) for row in (low + unit * (high - low)).tolist()]
+
+
+def _values(where, one):
+    if (one.values is None) == (one.first is None or one.last is None or one.count is None):
+        raise StudyError(f"{where} ({one.key}): allowed: values, or from, to and count")
+    if one.values is not None:
+        check_count(f"{where}.values", len(one.values), 1, MOST, StudyError)
+        return one.values
+    check_count(f"{where}.count", one.count, 2, MOST, StudyError)
+    return np.linspace(one.first, one.last, one.count).tolist()
+
+
+def put(raw, key, value):
+    """A copy of nested tables with a value in the place of a key.  Raises StudyError where its table is not there."""
+    made = copy.deepcopy(raw)
+    *path, last = re.findall(r"[^.\[\]]+", key)
+    at = made
+    try:
+        for part in path:
+            at = at[int(part)] if isinstance(at, list) else at[part]
+        at[int(last) if isinstance(at, list) else last] = value
+    except (KeyError, IndexError, ValueError, TypeError):
+        raise StudyError(f"the study has no table for the key {key!r}; give it there first") from None
+    return made

@@ -1,0 +1,90 @@
+"""Many cases of one study: the same numbers from every executor, taken up where they stopped."""
+
+import shutil
+
+import h5py
+import numpy as np
+import pytest
+
+from pipelines import cli
+from pipelines.keys.kinds import SCENES
+from pipelines.sweep import run
+from pipelines.sweep.study import SweepTable, VaryTable, cases, put
+
+SWEEP = """command = "berth"
+study = "berth_tanker.toml"
+[[vary]]
+key = "approach.speed"
+values = [0.1, 0.15, 0.2]
+"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    shutil.copy(SCENES / "berth_tanker.toml", tmp_path)
+    (tmp_path / "sweep.toml").write_text(SWEEP)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def numbers(path):
+    found = {}
+    with h5py.File(path) as file:
+        file.visititems(lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
+    return found
+
+
+def test_processes_give_the_file_of_one(folder):
+    assert cli.main(["sweep", "sweep.toml", "--output", "one.h5"]) == 0
+    assert cli.main(["sweep", "sweep.toml", "--output", "two.h5", "--executor", "processes:2"]) == 0
+    one, two = numbers("one.h5"), numbers("two.h5")
+    assert one.keys() == two.keys()
+    assert all(np.array_equal(one[name], two[name], equal_nan=one[name].dtype.kind == "f") for name in one)
+    energy = one["tables/0/energy kJ"][:, 0]
+    assert np.allclose(energy / one["keys/approach.speed"] ** 2, energy[0] / 0.01, rtol=1e-3)  # ½ m v²
+    assert sorted(path.name for path in folder.iterdir()) == ["berth_tanker.toml", "one.h5", "sweep.toml", "two.h5"]
+
+
+def test_a_sweep_that_stopped_is_taken_up(folder, monkeypatch, capsys):
+    whole, done = run.one_case, []
+
+    def stopping(*arguments):
+        if len(done) == 1:
+            raise KeyboardInterrupt
+        done.append(arguments)
+        return whole(*arguments)
+
+    monkeypatch.setattr(run, "one_case", stopping)
+    assert cli.main(["sweep", "sweep.toml"]) == 130
+    monkeypatch.setattr(run, "one_case", whole)
+    assert cli.main(["sweep", "sweep.toml"]) == 0
+    assert "3 cases, 1 are there" in capsys.readouterr().err
+    found = numbers("sweep.h5")
+    assert np.all(found["status"] == 0) and np.all(np.isfinite(found["tables/0/C_M"]))
+
+
+def test_a_case_that_is_refused_is_kept_with_its_reason(folder, capsys):
+    (folder / "sweep.toml").write_text(SWEEP.replace("0.1, 0.15, 0.2", "0.1, -1.0"))
+    assert cli.main(["sweep", "sweep.toml"]) == 1
+    assert "case 1: status 2" in capsys.readouterr().out
+    (folder / "sweep.toml").write_text(SWEEP)
+    assert cli.main(["sweep", "sweep.toml"]) == 2
+    assert "is of another sweep; give --fresh" in capsys.readouterr().err
+
+
+def test_a_latin_hypercube_has_one_sample_in_every_layer():
+    vary = [VaryTable(key="a.b", first=0.0, last=1.0), VaryTable(key="c", first=-2.0, last=2.0)]
+    table = SweepTable(command="berth", study="x", vary=vary, sampling="latin-hypercube", samples=20)
+    points = np.array(cases(table))
+    for column, (low, high) in zip(points.T, ((0, 1), (-2, 2)), strict=True):
+        assert sorted(np.floor(20 * (column - low) / (high - low)).astype(int)) == list(range(20))
+    assert cases(table) == cases(table)
+
+
+def test_a_key_goes_to_its_place_and_nowhere_else():
+    raw = {"a": [{"b": 1.0}, {"b": 2.0}], "c": {"d": 3.0}}
+    assert put(put(raw, "a[1].b", 5.0), "c.e", 6.0) == {"a": [{"b": 1.0}, {"b": 5.0}], "c": {"d": 3.0, "e": 6.0}}
+    assert raw["a"][1]["b"] == 2.0
+    for key in ("x.y", "a[7].b", "c.d.e"):
+        with pytest.raises(ValueError, match="has no table for the key"):
+            put(raw, key, 1.0)
