@@ -17,8 +17,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..modes import normal_velocities
-from ..panels.pressure_drift.mean_drift import carried_flow, unit_displacements
+from ..panels.pressure_drift.hull_flow import unit_displacements
+from ..panels.pressure_drift.mean_drift import carried_flow
 from .rotations import turned_twice
 
 
@@ -36,9 +36,9 @@ def body_forces(surfaces, flow, one, two, radiated, problem):
     out = np.einsum("qm,qkm->qk", X[one], linear[two, 1]) + np.einsum("qm,qkm->qk", X[two].conj(), linear[one, 0])
     out += np.einsum("qm,kmv,qv->qk", X[one], square, V[two].conj())
     out += np.einsum("qm,kmv,qv->qk", X[two].conj(), square, V[one])
-    x = surfaces.hull.points - np.asarray(problem.rotation_center)
-    strain = np.einsum("kp,p,pa,pb->kab", radiated.on_hull, surfaces.hull.weights, surfaces.hull.normals, x,
-                       optimize=True)  # fmt: skip
+    strain = (radiated.on_hull @ surfaces.strained).reshape(6, 3, 3)
+    level = radiated.on_hull @ (surfaces.hull.normals * surfaces.hull.weights[:, None])
+    strain -= level[..., None] * np.asarray(problem.rotation_center)
     H = np.array([turned_twice(X[[i, j]])[0, 1] for i, j in zip(one, two, strict=True)])
     out = 0.25 * out - 1j * difference * np.einsum("qab,kab->qk", H, strain)
     return -1j * problem.density * difference * out
@@ -61,12 +61,10 @@ def _of_flow(surfaces, flow, used, radiated, gravity):
 
 def _of_motions(surfaces, radiated):
     """(6, 6, 6) of mode k, displacement m and velocity v:  ∬ n_v ∇ψ·e_m + ψ (α_m × n)·e_v dS − ∮ ψ e_m·k n_v dl"""
-    hull, line = surfaces.hull, surfaces.waterline
+    line = surfaces.waterline
     out = carried_flow(surfaces, radiated)
-    unit = unit_displacements(hull.points)
-    turned = np.cross(np.eye(3)[:, None], hull.normals)
-    out[:, 3:] += np.einsum("kp,p,mpd,vpd->kmv", radiated.on_hull, hull.weights, turned, unit, optimize=True)
+    out[:, 3:] += (radiated.on_hull @ surfaces.turned).reshape(6, 3, 6)
     rise = unit_displacements(line.points)[..., 2]
-    modes = normal_velocities(line.points, line.normals)
-    out -= np.einsum("kl,l,ml,lv->kmv", radiated.potential, line.weights, rise, modes, optimize=True)
+    weighted = radiated.potential * line.weights
+    out -= np.einsum("kl,mlv->kmv", weighted, rise[..., None] * surfaces.waterline_modes)
     return out

@@ -81,15 +81,39 @@ class HullSurfaces:
     hull: Surface
     waterline: Surface
 
-    @property
+    @cached_property
     def hull_modes(self):
         """(p, 6)"""
         return normal_velocities(self.hull.points, self.hull.normals)
 
-    @property
+    @cached_property
     def waterline_modes(self):
         """(l, 6)"""
         return normal_velocities(self.waterline.points, self.waterline.normals)
+
+    @cached_property
+    def carried(self):
+        """(36, 3p) m²: e_m n_c dS, displacement of unit motion m times generalised normal c"""
+        weighted = self.hull_modes * self.hull.weights[:, None]
+        return np.einsum("mpd,pc->mcpd", unit_displacements(self.hull.points), weighted).reshape(36, -1)
+
+    @cached_property
+    def turned(self):
+        """(p, 18) m²: (α_r × n)·e_v dS of unit rotation r and unit motion v"""
+        turned = np.cross(np.eye(3)[:, None], self.hull.normals * self.hull.weights[:, None])
+        return np.einsum("rpd,vpd->prv", turned, unit_displacements(self.hull.points)).reshape(-1, 18)
+
+    @cached_property
+    def strained(self):
+        """(p, 9) m³: n_a x_b dS, x from the origin"""
+        weighted = self.hull.normals * self.hull.weights[:, None]
+        return np.einsum("pa,pb->pab", weighted, self.hull.points).reshape(-1, 9)
+
+
+def unit_displacements(x):
+    """(6, p, 3) of points (p, 3) by unit motions about the origin"""
+    moves = np.eye(3)[:, None] + np.zeros((3, len(x), 3))
+    return np.concatenate([moves, np.cross(np.eye(3)[:, None], x)])
 
 
 def hull_surfaces(geometry):

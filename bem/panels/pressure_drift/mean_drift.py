@@ -17,7 +17,7 @@ import numpy as np
 
 from ...drift import about
 from .edges import coarsest_at_gap
-from .hull_flow import hull_surfaces, wave_flow
+from .hull_flow import hull_surfaces, unit_displacements, wave_flow
 
 # largest length of panels next to the keel over the gap: box, gap 2 m, resonant roll, near and far field differ by 4 %
 # of the largest force on the fixed body with panels of 1.2 m, 9 % with 2.5 m, all of it with 7.3 m
@@ -54,17 +54,8 @@ def pressure_pairs(surfaces, flow, problem):
 
 def carried_flow(surfaces, flow):
     """(f, 6, 6) ∬ e_m·∇φ n_c dS with the displacement e_m of unit motion m about the origin"""
-    hull = surfaces.hull
-    weighted = surfaces.hull_modes * hull.weights[:, None]
-    unit = unit_displacements(hull.points)
-    rows = np.einsum("mpd,pc->mcpd", unit, weighted).reshape(36, -1)
-    return (flow.velocity.reshape(len(flow.omega), -1) @ rows.T).reshape(-1, 6, 6)
-
-
-def unit_displacements(x):
-    """(6, p, 3) of points (p, 3) by unit motions about the origin"""
-    moves = np.eye(3)[:, None] + np.zeros((3, len(x), 3))
-    return np.concatenate([moves, np.cross(np.eye(3)[:, None], x)])
+    real, imaginary = flow.parts @ surfaces.carried.T
+    return (real + 1j * imaginary).reshape(-1, 6, 6)
 
 
 def pressure_error(run):

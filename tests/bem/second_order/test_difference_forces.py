@@ -10,8 +10,8 @@ from scipy.spatial.transform import Rotation
 from bem import DOFS
 from bem.methods.panel_problem import PanelProblem
 from bem.panels.influence import Geometry
-from bem.panels.pressure_drift.hull_flow import HullFlow, hull_surfaces
-from bem.panels.pressure_drift.mean_drift import pressure_pairs, unit_displacements
+from bem.panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, unit_displacements
+from bem.panels.pressure_drift.mean_drift import pressure_pairs
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
 from bem.second_order.difference_forces import difference_forces
