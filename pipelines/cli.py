@@ -37,7 +37,6 @@ from .series.flags import series
 from .simulate.flags import animate, simulate
 from .single_point.flags import single_point
 from .stress.command import stress
-from .sweep.command import sweep
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
 OWN_FORMS = ("keys",)  # commands that write JSON of their own
@@ -176,6 +175,24 @@ def moor(study: Path, /, *, database: Path, output: Path | None = None):
     return 0
 
 
+@app.command
+def sweep(
+    study: Path,
+    /,
+    *,
+    output: Annotated[Path | None, Parameter(help="one file of all cases, .h5 [beside the sweep]")] = None,
+    executor: Annotated[str, Parameter(help="local or processes:N")] = "local",
+    fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
+):
+    """Run many cases of a study over its keys; a second call takes up where the first stopped.
+
+    hakobune new sweep
+    """
+    from .sweep.command import sweep
+
+    return sweep(study, output, executor, fresh, main)
+
+
 app.command(sea)
 app.command(response)
 app.command(qtf)
@@ -198,7 +215,6 @@ app.command(damping)
 app.command(doctor)
 app.command(export)
 app.command(import_, name="import")
-app.command(sweep)
 app.command(keys)
 app.command(new)
 

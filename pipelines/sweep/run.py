@@ -13,10 +13,11 @@ from . import file
 from .study import StudyError, cases, put
 
 
-def sweep(table, text, folder, output, executor, say):
+def sweep(table, text, folder, output, executor, main, say):
     """Run what is pending.  Returns (cases, failed).  Raises StudyError before any work.
 
-    table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; say : takes a line
+    table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; main : the command line as
+    a function of its words, which can be sent to a process; say : takes a line
     """
     study = Path(folder) / table.study
     if not study.is_file():
@@ -39,7 +40,7 @@ def sweep(table, text, folder, output, executor, say):
             varied = raw
             for key, value in zip(keys, values[number], strict=True):
                 varied = put(varied, key, value)
-            asked[number] = executor.submit(one_case, table.command, varied, str(study), tuple(table.arguments))
+            asked[number] = executor.submit(one_case, main, table.command, varied, str(study), tuple(table.arguments))
         for number, future in asked.items():
             file.store(output, number, *future.result())
             done += 1
@@ -67,18 +68,16 @@ def _failed(output):
     return [(int(i), int(status[i]), message[i]) for i in range(len(status)) if status[i] > 0]
 
 
-def one_case(command, raw, study, arguments):
+def one_case(main, command, raw, study, arguments):
     """(exit status, last line of stderr, tables) of a command on a study; the varied study lies beside it meanwhile"""
     import tomli_w
-
-    from .. import cli
 
     out, said, folder = io.StringIO(), io.StringIO(), Path(study).parent
     with tempfile.NamedTemporaryFile("wb", suffix=".toml", prefix=".case_", dir=folder) as place:
         place.write(tomli_w.dumps(raw).encode())
         place.flush()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(said):
-            status = cli.main([command, place.name, *arguments, "--json"])
+            status = main([command, place.name, *arguments, "--json"])
     lines = [line for line in said.getvalue().splitlines() if line.strip()]
     tables = [json.loads(line) for line in out.getvalue().splitlines()]
     return status, lines[-1] if status and lines else "", tables
