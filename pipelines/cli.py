@@ -36,6 +36,7 @@ from .sea.command import sea
 from .series.flags import series
 from .simulate.flags import animate, simulate
 from .single_point.flags import single_point
+from .site.command import site
 from .stress.command import stress
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
@@ -205,6 +206,7 @@ app.command(lines)
 app.command(line_dynamics)
 app.command(simulate)
 app.command(animate)
+app.command(site)
 app.command(design)
 app.command(single_point)
 app.command(series)

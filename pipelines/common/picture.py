@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import base64
 import io
 import os
 import sys
+import tempfile
 from pathlib import Path
 
 from bem.database.file import check_place
@@ -26,6 +28,14 @@ def save(figure, path, dpi):
     drawn = io.BytesIO()
     figure.savefig(drawn, dpi=dpi, format=Path(path).suffix[1:].lower() or "png")
     write_whole(path, drawn.getvalue())
+
+
+def data_address(draw):
+    """A picture (PNG) as the address of an `img` that needs no file; draw : writes it to a path"""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "picture.png"
+        draw(path)
+        return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode()
 
 
 def check_display():

@@ -46,6 +46,7 @@ from mooring.criteria.strength import kind_and_size
 from ..common.quantities import StudyError, Table, positive
 from ..common.typed import read_toml, typed
 from ..moor.study import SimulationTable, StreamTable, WavesTable, WindTable, make_study
+from ..site.link import laid_in, named, read_study_at_site, site_file
 
 STATES = ("normal", "abnormal")
 LINES = ("intact", "one lost")
@@ -60,6 +61,7 @@ class ProjectTable(Table):
     study : mooring study beside this file
     scene : file of the body's scene, solved at every level; or give database
     database : file of the solved body; or give scene
+    site : file of values of a site, by hakobune site, for weather, levels and service life
     service_life : years
     probability : that the value of an extreme state is not exceeded in them
     note : of the report
@@ -69,6 +71,7 @@ class ProjectTable(Table):
     study: str
     scene: str | None = None
     database: str | None = None
+    site: str | None = None
     service_life: float | None = None
     probability: float | None = None
     note: str = ""
@@ -85,6 +88,7 @@ class StateTable(Table):
     levels : names of water levels, "mean" for the study's own
     lines : "intact", "one lost"
     lost : the "worst" line of the intact case, or "each"
+    weather : name of a state of the site, for wind, current and waves that are not given here
     """
 
     name: str
@@ -95,6 +99,7 @@ class StateTable(Table):
     levels: list[str] = msgspec.field(default_factory=lambda: [MEAN])
     lines: list[str] = msgspec.field(default_factory=lambda: ["intact"])
     lost: str = "worst"
+    weather: str | None = None
     wind: WindTable | None = None
     current: StreamTable | None = None
     waves: WavesTable | None = None
@@ -175,6 +180,7 @@ def read_project(path):
     """The Read of a TOML file.  Raises StudyError, or the one line of the study, the rules or a table in it."""
     path = Path(path)
     raw, text = read_toml(path, "a project", StudyError)
+    raw = _at_site(raw, path.parent)
     project = typed(raw, Project, StudyError)
     own = project.project
     if (own.scene is None) == (own.database is None):
@@ -184,10 +190,37 @@ def read_project(path):
         raise StudyError("project: allowed: service_life and probability together, or neither")
     _check_states(project)
     folder = path.parent
-    study, study_text = read_toml(folder / own.study, "a mooring study", StudyError)
+    study, study_text = read_study_at_site(folder / own.study, "a mooring study")
     make_study(study)
     _check_wear(project, study)
     return Read(project, raw, text, study, study_text, _criteria(project, folder), folder)
+
+
+def _at_site(raw, folder):
+    """Tables of a project with the weather, levels and service life of its site.  Raises StudyError."""
+    own, states = raw.get("project", {}), raw.get("states", [])
+    own_site = own.get("site") if isinstance(own, dict) else None
+    asked = [state for state in states if isinstance(state, dict) and "weather" in state]
+    if not isinstance(own_site, str):
+        if asked:
+            raise StudyError("states have weather of a site and project.site is not given; give its file")
+        return raw
+    values = site_file(folder / own_site)
+    laid = []
+    for i, state in enumerate(states):
+        if not (isinstance(state, dict) and "weather" in state):
+            laid.append(state)
+            continue
+        found = dict(state)
+        for key, table in named(f"states[{i}].weather", state["weather"], values.states).items():
+            found[key] = laid_in(f"states[{i}].{key}", state.get(key, {}), table)
+        laid.append(found)
+    used = {level for state in laid if isinstance(state, dict) for level in state.get("levels", [])}
+    levels = {name: value for name, value in values.levels.items() if name in used} | raw.get("levels", {})
+    life = {}
+    if not {"service_life", "probability"} & set(own):
+        life = {key: values.site[key] for key in ("service_life", "probability") if key in values.site}
+    return {**raw, "project": {**own, **life}, "states": laid, **({"levels": levels} if levels else {})}
 
 
 def worn_diameters(project, study):

@@ -5,7 +5,6 @@ Nothing of it depends on when or where it is made: the same inputs give the same
 
 from __future__ import annotations
 
-import base64
 import csv
 import io
 from importlib.resources import files
@@ -15,6 +14,7 @@ import numpy as np
 from meshing.seals import write_sealed
 from meshing.whole_files import write_whole
 
+from ..common.picture import data_address
 from .project import MEAN, versions
 from .verdict import FAILS, OPEN, PASSES
 
@@ -340,13 +340,13 @@ def _plans(verdict, paths):
     for name in list(dict.fromkeys(one.governing.case for one in judged))[:MOST_PLANS]:
         case = by_name[name].case
         result, hull = studied(make_study(case.study), open_database(paths[case.level]))
-        yield {"name": name, "data": _picture(lambda path, r=result, h=hull: draw_plan(r, h, path))}
+        yield {"name": name, "data": data_address(lambda path, r=result, h=hull: draw_plan(r, h, path))}
 
 
 def _body_picture(db):
     from ..view.plots import plot
 
-    return _picture(lambda path: plot(db, path))
+    return data_address(lambda path: plot(db, path))
 
 
 def _use_picture(verdict):
@@ -373,7 +373,7 @@ def _use_picture(verdict):
         axes.set(xlabel="utilisation of the criterion, %", xlim=(0, max(115.0, 1.12 * max(used, default=0.0))))
         save(figure, path, 130)
 
-    return _picture(draw)
+    return data_address(draw)
 
 
 def _short(c):
@@ -381,14 +381,3 @@ def _short(c):
     parts += [c.state] if c.state != "any" else []
     parts += [c.lines] if c.lines != "any" else []
     return ", ".join(parts)
-
-
-def _picture(draw):
-    """A picture as a data address; draw : writes it to a path"""
-    import tempfile
-    from pathlib import Path
-
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "picture.png"
-        draw(path)
-        return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode()

@@ -102,6 +102,13 @@ KINDS = {
         "sweep_berth.toml",
         ("hakobune sweep FILE --output sweep.h5",),
     ),
+    "site": Kind(
+        "what a site asks of a mooring: yearly maxima, levels, earthquake",
+        "pipelines.site.study:SiteStudy",
+        "site",
+        "site_bay.toml",
+        ("hakobune site FILE --output bay_values.toml",),
+    ),
     "design": Kind(
         "a site, its weather and the rules that judge a mooring",
         "pipelines.design.project:Project",

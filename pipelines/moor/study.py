@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -25,7 +26,8 @@ from ..common.line_tables import LineTable, TypeTable, hawser_at_tension, line_o
 from ..common.quantities import StudyError, Table, below, direction, force, positive, speed, water_depth
 from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
 from ..common.seas import family_of, shape_of, spreading_of
-from ..common.typed import read_toml, typed
+from ..common.typed import typed
+from ..site.link import SiteLink, read_study_at_site
 
 
 class WaterTable(Table):
@@ -245,6 +247,7 @@ class Study(Table):
 
     water: WaterTable
     hull: HullTable
+    site: SiteLink | None = None
     types: dict[str, TypeTable] = msgspec.field(default_factory=dict)
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
@@ -362,13 +365,15 @@ def sea_of(where, waves, towards, depth):
 
 def read_study(path):
     """The Study of a TOML file and its text.  Raises StudyError."""
-    raw, text = read_toml(path, "a study", StudyError)
+    raw, text = read_study_at_site(Path(path), "a study")
     return make_study(raw), text
 
 
 def make_study(raw):
     """The Study of nested dictionaries as TOML gives them.  Raises StudyError."""
     study = typed(raw, Study, StudyError)
+    if study.site is not None:
+        raise StudyError("site is given to tables without a file; allowed: in a study file, read by read_study")
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
     water_depth("water.depth", study.water.depth)

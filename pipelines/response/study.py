@@ -46,7 +46,8 @@ from bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive
 from ..common.seas import family_of, shape_of, spreading_of
-from ..common.typed import read_toml, typed
+from ..common.typed import typed
+from ..site.link import SiteLink, read_study_at_site
 
 
 class SystemTable(Table):
@@ -159,6 +160,7 @@ class BodyTable(Table):
 class ResponseStudy(Table):
     """A body of a database in one sea, or in a climate"""
 
+    site: SiteLink | None = None
     sea: SeaTable | None = None
     climate: ClimateTable | None = None
     body: BodyTable = msgspec.field(default_factory=BodyTable)
@@ -215,7 +217,7 @@ def keel_points(table, db):
 
 def read_response_study(path):
     """The ResponseStudy of a TOML file and its text.  Raises StudyError."""
-    raw, text = read_toml(path, "a study", StudyError)
+    raw, text = read_study_at_site(Path(path), "a study", "sea", "mean_period")
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"

@@ -1,0 +1,298 @@
+"""What is known of a site, as typed TOML, and the values a mooring has to stand there.
+
+    R = 1/(1 − q^(1/T))                       return period from service life T and probability q
+    U₁₀ = U(h, 10 min)/C_H(h)                 after the mean over another time became one of 10 minutes
+    high = spring tide + surge,  tsunami high, low = spring tide ± tsunami
+
+SR179 report (1982), chapter 4, sections 3.2 to 3.10.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import msgspec
+
+from mooring.environment.allowed import positive, within
+from mooring.environment.current_profile import WIND_DRIFT
+from mooring.environment.tables import column_of, read_table
+from mooring.environment.wind_profile import mean_over, speed_at
+from mooring.response.return_period import probability_not_exceeded, return_period
+from mooring.site.extremes import ENOUGH, ExtremeFit, fit_extremes
+from mooring.site.seismic import seismic_coefficient
+
+from ..common.quantities import StudyError, Table, water_depth
+from ..common.typed import read_toml, typed
+
+TEN_MINUTES = 600.0
+
+
+class PlaceTable(Table):
+    """The place, and how rare a value has to be
+
+    name : for results
+    depth : m, at mean water
+    service_life : years
+    probability : that the extreme state is not exceeded in them; or give return_period
+    return_period : years; or give probability
+    confidence : of the intervals of return values
+    """
+
+    name: str
+    depth: float
+    service_life: float
+    probability: float | None = None
+    return_period: float | None = None
+    confidence: float = 0.9
+
+
+class MaximaTable(Table):
+    """Yearly maxima
+
+    maxima : one a year; or give file
+    file : CSV beside the site; or give maxima
+    column : of the file, by default its last
+    family : gumbel, weibull or gev
+    """
+
+    maxima: list[float] | None = None
+    file: str | None = None
+    column: str | None = None
+    family: str = "gumbel"
+
+
+class SiteWindTable(MaximaTable, kw_only=True):
+    """Wind of the extreme state, from yearly maxima in m/s or given
+
+    speed : m/s at height, in place of maxima
+    averaging_s : s, over which maxima or speed are means
+    height : m above the sea, where they are measured
+    exponent : of the profile; by default the report's table
+    heights : m, of the profile that the page shows
+    """
+
+    speed: float | None = None
+    averaging_s: float = TEN_MINUTES
+    height: float = 10.0
+    exponent: float | None = None
+    heights: list[float] = msgspec.field(default_factory=list)
+
+
+class SiteWavesTable(MaximaTable, kw_only=True):
+    """Waves of the extreme state, from yearly maxima of the significant height in m or given
+
+    height : m, significant, in place of maxima
+    period : s, mean, with the extreme height
+    """
+
+    period: float
+    height: float | None = None
+
+
+class SiteCurrentTable(Table):
+    """Current at the surface in the extreme state
+
+    speed : m/s, of tide and sea
+    wind_driven : whether 0.01 of the wind is added
+    """
+
+    speed: float
+    wind_driven: bool = False
+
+
+class LevelsTable(Table):
+    """Levels, m above mean water
+
+    spring_high : mean high water of spring tides
+    spring_low : mean low water of spring tides
+    surge : largest deviation by storms
+    tsunami : largest deviation by tsunamis, up and down
+    """
+
+    spring_high: float = 0.0
+    spring_low: float = 0.0
+    surge: float | None = None
+    tsunami: float | None = None
+
+
+class EarthquakeTable(Table):
+    """Seismic coefficient of a rule
+
+    rule : A, C, E or F of the report
+    factors : {name = value} of the rule
+    """
+
+    rule: str
+    factors: dict[str, float]
+
+
+class OperatingTable(Table):
+    """Weather in which the place is used
+
+    wind : m/s at 10 m, mean of 10 minutes
+    current : m/s
+    wave_height : m, significant
+    wave_period : s, mean
+    """
+
+    wind: float | None = None
+    current: float | None = None
+    wave_height: float | None = None
+    wave_period: float | None = None
+
+
+class SiteStudy(Table):
+    """A site: its measurements, levels and rules"""
+
+    site: PlaceTable
+    wind: SiteWindTable | None = None
+    waves: SiteWavesTable | None = None
+    current: SiteCurrentTable | None = None
+    levels: LevelsTable | None = None
+    earthquake: EarthquakeTable | None = None
+    operating: OperatingTable | None = None
+
+
+class Extreme(NamedTuple):
+    """value with its interval, low and high (equal to it where it is given); fit : ExtremeFit, or None"""
+
+    value: float
+    low: float
+    high: float
+    fit: ExtremeFit | None
+
+
+class SiteValues(NamedTuple):
+    """years : return period; probability : not exceeded in the service life; wind : as measured; waves : height
+
+    wind_10 : m/s, ten minutes at 10 m; levels : {name: m}; states : tables by name as studies have them;
+    seismic : coefficient or None; findings : lines that a reader has to know
+    """
+
+    years: float
+    probability: float
+    wind: Extreme | None
+    wind_10: float | None
+    waves: Extreme | None
+    levels: dict
+    states: dict
+    seismic: float | None
+    findings: tuple[str, ...]
+
+
+def read_site(path):
+    """SiteStudy of a TOML file and its text.  Raises StudyError."""
+    raw, text = read_toml(path, "a site", StudyError)
+    return typed(raw, SiteStudy, StudyError), text
+
+
+def site_values(study, folder):
+    """SiteValues of a SiteStudy; folder : of its files.  Raises ValueError, one line."""
+    own, findings = study.site, []
+    water_depth("site.depth", own.depth)
+    if (own.probability is None) == (own.return_period is None):
+        raise StudyError("site: allowed: one of probability, return_period")
+    years = own.return_period or float(return_period(own.service_life, own.probability))
+    probability = float(probability_not_exceeded(own.service_life, years))
+    wind = _extreme("wind", study.wind, "speed", years, own.confidence, folder, findings)
+    waves = _extreme("waves", study.waves, "height", years, own.confidence, folder, findings)
+    wind_10 = None if wind is None else _wind_10(study.wind, wind.value)
+    states = {"extreme": _extreme_state(study, wind_10, waves)}
+    if study.operating is not None:
+        states["operating"] = _operating_state(study.operating)
+    for name, state in states.items():
+        if not state:
+            raise StudyError(f"the {name} state has no wind, current or waves; allowed: at least one")
+    levels = _levels(study.levels, own.depth)
+    quake = study.earthquake
+    seismic = None if quake is None else seismic_coefficient(quake.rule, **quake.factors)
+    return SiteValues(years, probability, wind, wind_10, waves, levels, states, seismic, tuple(findings))
+
+
+def _extreme(where, table, given, years, confidence, folder, findings):
+    if table is None:
+        return None
+    sources = [key for key in (given, "maxima", "file") if getattr(table, key) is not None]
+    if len(sources) != 1:
+        state = " and ".join(sources) + " are given" if sources else "nothing is given"
+        raise StudyError(f"{where}: {state}; allowed: one of {given}, maxima, file")
+    if sources == [given]:
+        value = positive(f"{where}.{given}", getattr(table, given), "")
+        return Extreme(value, value, value, None)
+    try:
+        fit = fit_extremes(_maxima(table, folder), table.family)
+    except ValueError as error:
+        raise StudyError(f"{where}: {error}") from None
+    found = Extreme(float(fit.value(years)), *fit.interval(years, confidence), fit)
+    count = len(fit.maxima)
+    if count < ENOUGH:
+        findings.append(
+            f"{where}: {count} yearly maxima, fewer than {ENOUGH}: the value of {years:.0f} years is "
+            f"{found.value:.4g}, its {100 * confidence:.0f} % interval {found.low:.4g} to {found.high:.4g}"
+        )
+    if years > 4 * count:
+        findings.append(f"{where}: {years:.0f} years are more than four times the {count} measured: an extrapolation")
+    if not found.value > 0:
+        raise StudyError(f"{where}: the value of {years:.0f} years is {found.value:.4g}; allowed: above 0")
+    return found
+
+
+def _maxima(table, folder):
+    if table.maxima is not None:
+        return table.maxima
+    names, values = read_table(Path(folder) / table.file)
+    column = -1 if table.column is None else column_of(table.file, names, table.column)
+    return values[:, column]
+
+
+def _wind_10(table, speed):
+    ten = mean_over(speed, table.averaging_s, TEN_MINUTES, table.height)
+    return ten / float(speed_at(table.height, 1.0, table.exponent))
+
+
+def _extreme_state(study, wind_10, waves):
+    state = {}
+    if wind_10 is not None:
+        state["wind"] = {"speed": wind_10}
+    if study.current is not None:
+        speed = within("current.speed", study.current.speed, 0.0, 20.0, "m/s")
+        if study.current.wind_driven:
+            if wind_10 is None:
+                raise StudyError("current.wind_driven is true and there is no [wind]; give it, or leave it out")
+            speed += WIND_DRIFT * wind_10
+        state["current"] = {"speed": speed}
+    if waves is not None:
+        state["waves"] = {"height": waves.value, "period": positive("waves.period", study.waves.period, "s")}
+    return state
+
+
+def _operating_state(table):
+    state = {}
+    for key in ("wind", "current"):
+        if getattr(table, key) is not None:
+            state[key] = {"speed": positive(f"operating.{key}", getattr(table, key), "m/s")}
+    if (table.wave_height is None) != (table.wave_period is None):
+        raise StudyError("operating: allowed: wave_height and wave_period together, or neither")
+    if table.wave_height is not None:
+        height = positive("operating.wave_height", table.wave_height, "m")
+        state["waves"] = {"height": height, "period": positive("operating.wave_period", table.wave_period, "s")}
+    return state
+
+
+def _levels(table, depth):
+    """{name: m above mean water} of the tide, storms and tsunamis.  Raises StudyError."""
+    if table is None:
+        return {}
+    if table.spring_low > table.spring_high:
+        raise StudyError(f"levels.spring_low is {table.spring_low:g}; allowed: at most spring_high")
+    for key in ("surge", "tsunami"):
+        if getattr(table, key) is not None and not 0 <= getattr(table, key) < depth:
+            raise StudyError(f"levels.{key} is {getattr(table, key):g}; allowed: 0 to the depth, {depth:g} m")
+    levels = {"high": table.spring_high + (table.surge or 0.0), "low": table.spring_low}
+    if table.tsunami is not None:
+        levels |= {"tsunami high": table.spring_high + table.tsunami, "tsunami low": table.spring_low - table.tsunami}
+    lowest = min(levels.values())
+    if not depth + lowest > 0:
+        raise StudyError(f"levels: the lowest is {lowest:g} m in {depth:g} m of water; allowed: above the bed")
+    return levels

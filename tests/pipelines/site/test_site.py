@@ -1,0 +1,126 @@
+"""A site from its measurements to the study that stands in it"""
+
+import tomllib
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+import tomli_w
+
+from mooring.response.return_period import return_period
+from pipelines import cli
+from pipelines.common.quantities import StudyError
+from pipelines.design.project import read_project
+from pipelines.moor.study import read_study
+from pipelines.response.study import read_response_study
+from pipelines.site.study import SiteStudy, read_site, site_values
+
+BAY = Path(cli.__file__).parent / "scenes" / "site_bay.toml"
+STUDY = {
+    "site": {"file": "bay.toml", "state": "extreme", "level": "high"},
+    "hull": {"freeboard": 5.0},
+    "wind": {"incidence_deg": 0.0},
+    "current": {"incidence_deg": 0.0},
+    "waves": {"incidence_deg": 0.0},
+}
+
+
+@pytest.fixture
+def bay(tmp_path, capsys):
+    assert cli.main(["site", str(BAY), "--output", str(tmp_path / "bay.toml")]) == 0
+    capsys.readouterr()
+    return tmp_path
+
+
+def values_of(**tables):
+    raw = {"site": {"name": "x", "depth": 10.0, "service_life": 20.0, "probability": 0.5}, **tables}
+    import msgspec
+
+    return site_values(msgspec.convert(raw, SiteStudy), Path())
+
+
+def study(folder, **changes):
+    path = folder / "study.toml"
+    path.write_text(tomli_w.dumps({key: value for key, value in (STUDY | changes).items() if value is not None}))
+    return path
+
+
+def test_return_periods_are_those_of_the_report():
+    assert float(return_period(20, 0.5)) == pytest.approx(29.36, abs=5e-3)
+    assert float(return_period(50, 0.36787944)) == pytest.approx(50.5, abs=5e-2)
+
+
+def test_the_same_site_gives_the_same_bytes_and_a_page_that_needs_nothing(bay):
+    first = (bay / "bay.toml").read_bytes(), (bay / "bay.html").read_bytes()
+    assert cli.main(["site", str(BAY), "--output", str(bay / "bay.toml")]) == 0
+    assert first == ((bay / "bay.toml").read_bytes(), (bay / "bay.html").read_bytes())
+    sources = []
+
+    class Page(HTMLParser):
+        def handle_starttag(self, tag, attrs):
+            sources.extend(value for key, value in attrs if key in ("src", "href"))
+
+    Page().feed(first[1].decode())
+    assert len(sources) == 2 and all(source.startswith("data:image/png") for source in sources)
+
+
+def test_levels_are_tide_and_surge_and_tsunami_and_the_wind_drives_a_hundredth_of_itself():
+    levels = {"spring_high": 1.0, "spring_low": -0.9, "surge": 0.8, "tsunami": 0.5}
+    values = values_of(wind={"speed": 30.0}, current={"speed": 0.6, "wind_driven": True}, levels=levels)
+    assert values.levels == pytest.approx({"high": 1.8, "low": -0.9, "tsunami high": 1.5, "tsunami low": -1.4})
+    assert values.states["extreme"]["wind"]["speed"] == pytest.approx(30.0)
+    assert values.states["extreme"]["current"]["speed"] == pytest.approx(0.9)
+
+
+def test_fewer_than_ten_maxima_are_said_with_the_interval():
+    values = values_of(wind={"maxima": [20, 22, 25, 21, 28, 23, 24]})
+    assert "7 yearly maxima" in values.findings[0] and f"{values.wind.high:.4g}" in values.findings[0]
+
+
+def test_a_study_takes_water_and_weather_from_its_site_and_its_text_holds_them(bay):
+    values = tomllib.loads((bay / "bay.toml").read_text())
+    read, text = read_study(study(bay))
+    assert read.water.depth == pytest.approx(21.8)
+    assert read.wind.speed == values["states"]["extreme"]["wind"]["speed"]
+    assert (read.waves.height, read.waves.period) == tuple(values["states"]["extreme"]["waves"].values())
+    assert tomllib.loads(text)["wind"]["speed"] == read.wind.speed
+    path = study(bay, hull=None, wind=None, current=None, waves=None, sea={"incidence_deg": 0.0})
+    assert read_response_study(path)[0].sea.mean_period == 7.0
+
+
+def test_a_project_takes_weather_levels_and_service_life_from_its_site(bay):
+    study(bay, site=None, wind=None, current=None, waves=None, water={"depth": 20.0})
+    state = {"state": "abnormal", "incidence_deg": [0.0], "levels": ["mean", "high"]}
+    project = {
+        "project": {"name": "x", "study": "study.toml", "scene": "box.toml", "site": "bay.toml"},
+        "states": [{"name": "storm", "weather": "extreme", **state}],
+        "rules": [{"rule": "JSCE", "subject": "chain of a multi-point mooring"}],
+    }
+    (bay / "project.toml").write_text(tomli_w.dumps(project))
+    read = read_project(bay / "project.toml")
+    assert read.project.levels == {"high": pytest.approx(1.8)}
+    assert read.raw["states"][0]["waves"]["period"] == 7.0
+    assert read.project.project.service_life == 20.0
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"wind": {"speed": 20.0, "incidence_deg": 0.0}}, "wind.speed is given by the study and by its site"),
+        ({"wind": None}, "wind of the site's state 'extreme' has no direction"),
+        ({"site": {"file": "bay.toml", "state": "typhoon"}}, "site.state is 'typhoon'; allowed: extreme, operating"),
+        ({"site": {"file": "bay.toml", "level": "ebb"}}, "site.level is 'ebb'; allowed: high"),
+        ({"site": {"file": "bay.toml", "leave_out": ["ice"]}}, "allowed: wind, current, waves"),
+    ],
+)
+def test_what_a_site_cannot_give_is_one_line(bay, changes, words):
+    with pytest.raises(StudyError, match=words):
+        read_study(study(bay, **changes))
+
+
+def test_a_site_without_a_source_is_one_line():
+    with pytest.raises(StudyError, match="wind: nothing is given"):
+        values_of(wind={})
+    with pytest.raises(StudyError, match="no wind, current or waves"):
+        values_of()
+    assert read_site(BAY)[0].site.depth == 20.0
