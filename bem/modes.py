@@ -41,3 +41,10 @@ def class_of(dof, symmetry):
     """Symmetry class (sign in x, sign in y) that holds mode number `dof`."""
     x, y = PARITY[dof]
     return (x if "x" in symmetry else 1, y if "y" in symmetry else 1)
+
+
+def with_net_flux(added_mass, flux, area):
+    """`added_mass` with infinite entries between modes whose net flux (6,) m² is more than rounding of `area` m²."""
+    product = np.outer(flux, flux)
+    significant = np.abs(product) > 1e-9 * area * area
+    return np.where(significant, np.copysign(np.inf, product), added_mass)

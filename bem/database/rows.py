@@ -76,41 +76,44 @@ def append(file, omega, headings, result):
     """
     (i,) = places_on(file, [omega], "omega")
     columns = places_on(file, headings, "wave_direction")
+    datasets = {name: file[name] for name in QUANTITIES if name in result and name not in LIMITS and name in file}
     cells = {}
-    for name in (name for name in QUANTITIES if name in file and name in result and name not in LIMITS):
+    for name, dataset in datasets.items():
         by_heading = "wave_direction" in cell_axes(name)
-        shape = ((len(columns),) if by_heading else ()) + file[name].shape[2 if by_heading else 1 :]
+        shape = ((len(columns),) if by_heading else ()) + dataset.shape[2 if by_heading else 1 :]
         cells[name] = _checked(name, result[name], shape, f"omega = {omega:.6g} rad/s")
-    marks, sealed = {}, has_checksums(file)
+    found, sealed, errors = {}, has_checksums(file), result.get("estimated_error", {})
     for name, value in cells.items():
         stored = [value]
         if estimate_of(name) in file:
-            unknown, kind = np.full(value.shape, np.nan), file[estimate_of(name)].dtype
-            error = np.asarray(result.get("estimated_error", {}).get(name, unknown), float)
-            stored.append(np.minimum(error, np.finfo(kind).max).astype(kind))
-            _put(file[estimate_of(name)], name, i, columns, stored[1])
-        _put(file[name], name, i, columns, value)
+            estimate = file[estimate_of(name)]
+            error = np.asarray(errors.get(name, np.full(value.shape, np.nan)), float)
+            stored.append(np.minimum(error, np.finfo(estimate.dtype).max).astype(estimate.dtype))
+            _put(estimate, name, i, columns, stored[1])
+        _put(datasets[name], name, i, columns, value)
         by_heading = len(cell_axes(name)) > 1
-        found = [crc(*parts) for parts in zip(*stored, strict=True)] if by_heading else crc(*stored)
-        marks[name] = np.asarray(found if sealed else np.ones_like(found), file["stored"][name].dtype)
+        found[name] = [crc(*parts) for parts in zip(*stored, strict=True)] if by_heading else crc(*stored)
     _append_checks(file, i, result)
+    marks = dict(file["stored"].items())
     # motions before what they follow from: a run killed between the two would else make them again from what is
     # stored, without their estimated errors
-    free = [name for name in marks if name in NEEDS_MOTION]
-    for names in (free, [name for name in marks if name not in NEEDS_MOTION]):
+    free = [name for name in found if name in NEEDS_MOTION]
+    for names in (free, [name for name in found if name not in NEEDS_MOTION]):
         file.flush()
         for name in names:
-            _put(file["stored"][name], name, i, columns, marks[name])
-    mark_whole_rows(file)
+            mark = np.asarray(found[name] if sealed else np.ones_like(found[name]), marks[name].dtype)
+            _put(marks[name], name, i, columns, mark)
+    file["solved"][i] = all(np.all(mark[i] != 0) for name, mark in marks.items() if name not in LIMITS)
     file.flush()
 
 
 def _append_checks(file, i, result):
     """The worst of each check of a frequency, and its wall times, summed"""
-    checks = {name: file["checks"][name][i] for name in CHECKS}
-    for name, value in result.get("checks", {}).items():
-        if name in CHECKS:
-            checks[name] = file["checks"][name][i] = np.fmax(checks[name], value)
+    checks, places = {}, file["checks"]
+    for name in CHECKS:
+        checks[name] = (place := places[name])[i]
+        if name in result.get("checks", {}):
+            checks[name] = place[i] = np.fmax(checks[name], result["checks"][name])
     seconds = dict(json.loads(file["wall_time"][i]))
     for step, value in result.get("wall_time", {}).items():
         seconds[step] = round(seconds.get(step, 0.0) + float(value), 6)

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..kernels.threads import blas_threads
 from ..modes import displacing
-from ..panels.axisymmetric_frequency import AxisymmetricRun
-from ..panels.band.one_frequency import BandRun
-from ..panels.frequency_limits import added_mass_limit
-from ..panels.influence import Geometry
-from ..panels.one_frequency import PanelRun
-from ..panels.zero_draft import ZeroDraftRun, flattened, rigid_surface_limit
 from ..problem import Problem
+
+if TYPE_CHECKING:  # the methods load their kernels when they are at work: a contour needs none of them
+    from ..panels.influence import Geometry
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +47,9 @@ class PanelProblem(Problem):
 
     def prepared_beside(self, coarse):
         """`PreparedPanelProblem` with the one of a coarser mesh, or None"""
+        from ..panels.influence import Geometry
+        from ..panels.zero_draft import flattened
+
         mesh, lid = (flattened(self.mesh), None) if self.zero_draft else (self.mesh, self.lid)
         return PreparedPanelProblem(self, Geometry(mesh, lid, self.depth, self.nodes_per_panel, self.wall), coarse)
 
@@ -90,6 +91,8 @@ class PreparedPanelProblem:
             return g
         from meshing.lid import polar_lid
 
+        from ..panels.influence import Geometry
+
         lid = polar_lid(problem.mesh, float(np.sqrt(problem.lid.areas.mean())))
         return g if lid is None else Geometry(problem.mesh, lid, problem.depth, problem.nodes_per_panel)
 
@@ -129,9 +132,16 @@ class PreparedPanelProblem:
 
     def _kind(self, omega):
         if self.problem.zero_draft:
+            from ..panels.zero_draft import ZeroDraftRun
+
             return ZeroDraftRun
         if self.in_band(omega):
+            from ..panels.band.one_frequency import BandRun
+
             return BandRun
+        from ..panels.axisymmetric_frequency import AxisymmetricRun
+        from ..panels.one_frequency import PanelRun
+
         axisymmetric = self.axisymmetric_geometry.at(omega**2 / self.problem.gravity).sectors
         return AxisymmetricRun if axisymmetric else PanelRun
 
@@ -142,6 +152,9 @@ class PreparedPanelProblem:
 
     def added_mass_limit(self, which):
         """`bem.panels.frequency_limits.added_mass_limit`"""
+        from ..panels.frequency_limits import added_mass_limit
+        from ..panels.zero_draft import rigid_surface_limit
+
         return (rigid_surface_limit if self.problem.zero_draft else added_mass_limit)(self, which)
 
 

@@ -12,7 +12,7 @@ from .. import DOFS
 from ..checks import enlarged
 from ..contour.raised_bed import SHARE, bed_share, with_bed
 from ..frequency import DRIFT, FrequencyRun
-from ..panels.frequency_limits import with_net_flux
+from ..modes import with_net_flux
 from ..problem import Problem
 
 

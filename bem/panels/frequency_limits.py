@@ -10,6 +10,7 @@ import numpy as np
 
 from ..green.tables import limit_table
 from ..kernels.threads import blas_threads
+from ..modes import with_net_flux
 from .axisymmetric import sector_rows, solved_by_harmonics
 from .influence import ROWS
 from .wave_influence import wave_blocks
@@ -78,10 +79,3 @@ def added_mass_of(prepared, potentials, which):
         even = [1.0 if d in g.members((1, 1)) else 0.0 for d in range(6)]  # mirror planes leave no net flux in others
         out = with_net_flux(out, T @ modes.sum(axis=0) * even, g.elements.weights[: g.hull].sum() * g.copies)
     return out
-
-
-def with_net_flux(added_mass, flux, area):
-    """`added_mass` with infinite entries between modes whose net flux (6,) m² is more than rounding of `area` m²."""
-    product = np.outer(flux, flux)
-    significant = np.abs(product) > 1e-9 * area * area
-    return np.where(significant, np.copysign(np.inf, product), added_mass)
