@@ -14,6 +14,8 @@ from .bodies import cross_matrix, hydrostatic_load
 from .equilibrium import SystemEquilibrium, held_at, rest
 from .parts import EquilibriumError, LineSystemError
 
+FREE, PULLED = 1e-12, 1e-6  # of the largest stiffness and of the largest force: rounding, and what equilibrium leaves
+
 
 @dataclass(frozen=True)
 class OffsetCurve:
@@ -65,12 +67,24 @@ def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
     rest_of = np.flatnonzero(follows)
     if not len(rest_of):
         return K[np.ix_(own, own)]
-    inner = K[np.ix_(rest_of, rest_of)]
-    if np.linalg.cond(inner) > 1e14:
+    inner, away, back = K[np.ix_(rest_of, rest_of)], K[np.ix_(own, rest_of)], K[np.ix_(rest_of, own)]
+    return K[np.ix_(own, own)] - away @ _following(inner, back)
+
+
+def _following(inner, pulled):
+    """K_ee⁻¹ K_eb, least where a motion, as of a clamp about its line, is held by nothing and pulled by nothing.
+
+    raises : LineSystemError where one held by nothing is pulled
+    """
+    size = np.sqrt(np.abs(np.diag(inner)))
+    size[size <= FREE * size.max()] = 1.0  # N/m or N m/rad
+    left, held, right = np.linalg.svd(inner / np.outer(size, size))
+    good, b = held > FREE * held.max(), left.T @ (pulled / size[:, None])
+    if np.abs(b[~good]).max(initial=0.0) > PULLED * np.abs(b).max(initial=0.0):
         raise LineSystemError(
             "a free point or another body is held by nothing in some direction; hold it, or give it weight"
         )
-    return K[np.ix_(own, own)] - K[np.ix_(own, rest_of)] @ np.linalg.solve(inner, K[np.ix_(rest_of, own)])
+    return (right[good].T @ (b[good] / held[good, None])) / size[:, None]
 
 
 def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=None) -> OffsetCurve:

@@ -587,3 +587,17 @@ def test_systems_and_files_load_no_compiler_before_something_is_solved():
     code = f"import sys, {modules}; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
     assert done.stdout.strip() == "False"
+
+
+def test_a_body_hung_at_its_center_turns_freely_and_passes_on_what_a_point_of_its_weight_does():
+    def stiffness(joint, *bodies):
+        hull = MooredBody("hull", position=(300.0, 0, 0, 0, 0, 0), freedom=())
+        points = Anchor("A", (0.0, 0.0, -80.0)), joint, Fairlead("F", "hull", (0.0, 0.0, 0.0))
+        parts = UniformLine("low", CHAIN, 160.0, "A", "J"), UniformLine("high", ROPE, 160.0, "J", "F")
+        return mooring_stiffness(rest(System(80.0, parts, points, (hull, *bodies))), "hull")
+
+    place, weight = (150.0, 0.0, -60.0), 5e3
+    body = MooredBody("clump", position=(*place, 0, 0, 0), freedom=DOFS, load=(0, 0, -weight, 0, 0, 0))
+    K = stiffness(Fairlead("J", "clump", (0.0, 0.0, 0.0)), body)
+    expected = stiffness(FreePoint("J", place, mass=weight / 9.80665))
+    assert np.abs(K - expected).max() < 1e-6 * np.abs(expected).max()
