@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import signal
 import sys
 from importlib import metadata
@@ -236,7 +237,7 @@ def main(arguments=None):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 128 + signal.SIGPIPE
     except (CycloptsError, ValueError, OSError, ImportError) as error:
-        print(f"{name}: {' '.join(str(error).split())}", file=sys.stderr)
+        print(f"{name}: {_one_line(error)}", file=sys.stderr)
         return 1 if isinstance(error, NotWritten) or getattr(error, "errno", None) in FULL else 2
     except MemoryError as error:
         print(f"{name}: there is not enough memory: {error or 'more was asked for than is free'}", file=sys.stderr)
@@ -244,6 +245,11 @@ def main(arguments=None):
     except KeyboardInterrupt:
         print(f"{name}: {interrupted(command, arguments)}", file=sys.stderr)
         return 130
+
+
+def _one_line(error):
+    """Its message, in which a file of one long word is not told whole"""
+    return re.sub(r"\S{500,}", lambda word: f"{word[0][:100]}…", " ".join(str(error).split()))[:5000]
 
 
 def _solve(file, body, flags, run):

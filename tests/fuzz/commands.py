@@ -37,8 +37,9 @@ MEMORY, MOST = 4e3, 12e9  # MB, that a case may take; bytes of address space, be
 TOLD = re.compile(r"about ((?:[\d.e+]+ (?:s|min|h|days|years) ?)+)|([^,|\n]+) left")
 TIMES = re.compile(r"([\d.e+]+) (s|min|h|days|years)\b")  # as `pipelines.common.progress.duration` writes them
 UNITS = {"s": 1, "min": 60, "h": 3600, "days": 86400, "years": 3e7}
+READ = 10**6  # bytes of what is said; times are looked for in them
 LARGE = 10**9  # bytes, of a file that is not looked at afterwards
-MOST_LINES = 6  # of a message that refuses
+MOST_LINES, MOST_LETTERS = 6, 6000  # of a message that refuses
 START = "import sys; from pipelines.start import main; sys.exit(main())"
 COLUMNS = ("case", "status", "seconds", "processor_seconds", "megabytes", "wrong", "message")
 
@@ -77,7 +78,7 @@ def answered(words, folder):
             _, _, usage = os.wait4(process.pid, 0)
         process.returncode = 0
         said.seek(0)
-        text = said.read().decode(errors="replace")
+        text = said.read(READ).decode(errors="replace")
     return Answer(status, time.perf_counter() - begin, usage.ru_utime + usage.ru_stime, peak, text)
 
 
@@ -110,6 +111,8 @@ def wrong_with(answer, before, after):
         return "traceback"
     if status == 2 and not 1 <= lines <= MOST_LINES:
         return f"a message of {lines} lines"
+    if status == 2 and len(answer.text) > MOST_LETTERS:
+        return f"a message of {len(answer.text)} letters"
     if any("partial" in name or ".tmp" in name for name in after):
         return "left a part of a file"
     lost = [name for name, mark in before.items() if after.get(name) != mark and name != "box.h5"]

@@ -257,3 +257,12 @@ def test_a_database_in_use_is_neither_extended_nor_replaced(things, fails, tmp_p
             line = fails(shlex.split(f"{BODY} {MASS} --omega 0.5 --output {path} {more}"))
             assert "another process has it open" in line
         other.communicate(b"\n")
+
+
+def test_a_file_of_one_long_word_is_not_told_whole(tmp_path, capsys):
+    (tmp_path / "new.toml").write_text("1" * 10**6)
+    assert main(["lines", str(tmp_path / "new.toml")]) == 2
+    assert len(capsys.readouterr().err) < 1000
+    (tmp_path / "waves.csv").write_text("1" * 10**6)
+    assert main(["sea", str(tmp_path / "waves.csv")]) == 2
+    assert len(capsys.readouterr().err) < 1000
