@@ -15,10 +15,9 @@ from ..environment.sea import Components, joined
 from ..lines.system.equilibrium import rest
 from ..lines.system.findings import beyond_tables
 from ..response.bound_wave_drift import record as pair_record
-from . import integrator
+from . import integrator, slow_damping
 from .contact_loads import DEPTH, contact_work
 from .contacts import at_rest, berth_stiffness, courses, no_berth
-from .drift_damping import drift_damping_ring
 from .equation import FIRST_WORK, MEMORY, SLOW, WORKS, Body, Scene, room
 from .expected import expected_motion
 from .force_tables import TOLERANCE
@@ -154,6 +153,9 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     wind, current, drag = _streams(moored, weather, seed, end, findings)
     lines = body_lines(moored.system, [(name, settings.ramp + t) for name, t in settings.lines_lost], moored.tables)
     body = _body(moored, weather, settings, components, drag, current is not None)
+    if components is not None:
+        mean, constant = mean_frequency(components), settings.memory == "constant"
+        findings += slow_damping.findings(moored, body, mean, constant, current is not None)
     streams = wind, calm() if current is None else current
     contacts = moored.berth.arrays
     scene = Scene(body, lines, line_work(lines), *streams, contacts, contact_work(contacts), room(table.steps))
@@ -304,7 +306,7 @@ def _body(moored, weather, settings, components, drag, munk):
         raise SimulationError(str(error)) from None
     ring = np.zeros((4, 6))
     if components is not None and settings.wave_drift_damping and settings.slow_drift != "none" and reader.knows_drift:
-        ring = drift_damping_ring(moored.waves, weather, reader.depth, reader.gravity)
+        ring = slow_damping.drift_damping_ring(moored.waves, weather, reader.depth, reader.gravity)
     return Body(
         np.linalg.inv(reader.inertia + added),
         reader.inertia,

@@ -17,7 +17,7 @@ from bem.database import open_database
 from bem.database.integrity import row_crc
 from pipelines.cli import main
 
-STUDIES = ("moor", "response", "line", "simulate", "design", "berth", "breakwater", "single_point")
+STUDIES = ("site", "sweep", "moor", "response", "line", "simulate", "design", "berth", "breakwater", "single_point")
 SCENES = sorted(
     path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith(STUDIES)
 )

@@ -300,3 +300,14 @@ def test_hawsers_that_snap_taut_keep_energy_and_pull_as_the_system_says(on_sprin
         + 0.5 * np.einsum("ti,ij,tj->t", run.motion, reader.stiffness, run.motion)
     )
     assert np.ptp(energy) < 1e-6 * energy[0]
+
+
+def test_coefficients_of_a_wave_are_named_where_they_damp_slow_motion(on_springs):
+    """Free surge decays by what the database radiates at its natural frequency, not by what waves take"""
+    soft = replace(on_springs, stiffness=np.diag([3e5, 3e5, *np.diag(on_springs.stiffness)[2:]]))
+    sea = Sea(jonswap(2.0, peak_period=10.0), 0.0)
+    said = [simulate(soft, Weather(seas=(sea,)), replace(CALM, duration=2.0, memory=m)) for m in ("constant", "states")]
+    named = [line for line in said[0].findings if "damps slow motion as waves" in line]
+    assert len(named) == 1 and "surge" in named[0] and "states" in named[0]
+    assert not any("damps slow motion as waves" in line for line in said[1].findings)
+    assert any("slow motion is lightly damped: surge" in line for line in said[1].findings)

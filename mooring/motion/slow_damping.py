@@ -1,0 +1,97 @@
+"""What damps slow surge, sway and yaw of a body in time: drift of the waves, radiated waves, and what a study gives.
+
+Each as a share ζ = B/2√(CM) of critical at the natural period.  Waves radiated at slow frequencies take next to nothing
+(B → 0 with ω), so that σ of slow motion, which goes like 1/√ζ, is decided by what else there is.  Coefficients of one
+wave frequency, as in the SR179 report (1982), put the damping of waves in its place: a box of 100 m in 20 m of water
+has 5e6 N s/m at 0.6 rad/s and 2e4 at 0.05.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.waves import wavenumber
+
+from ..response.wave_drift_damping import from_slopes
+from .interpolation import ring_table
+from .wave_loads import HEADINGS
+
+PLANE = ((0, "surge"), (1, "sway"), (5, "yaw"))
+SLOW = 0.5  # of the mean frequency of the waves, below which a natural frequency is slow
+TOO_MUCH = 2.0  # times the damping at the natural frequency
+LIGHT = 0.02  # of critical
+
+
+def drift_damping_ring(forces, weather, depth, gravity):
+    """(HEADINGS + 3, 6) B over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; N s/m …
+
+    Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.
+    """
+    headings, omega = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), forces.omega
+    by_omega = forces.curves[1](omega, 1)
+    around = np.concatenate([forces.drift[:, -1:], forces.drift, forces.drift[:, :1]], axis=1)
+    by_heading = (around[:, 2:] - around[:, :-2]) * (HEADINGS / (4 * np.pi))
+    k = wavenumber(omega, depth, gravity)
+    B = from_slopes(omega, headings, k, depth, forces.drift, by_omega, by_heading).reshape(len(omega), HEADINGS, 6)
+    if weather.regular is not None:
+        w = weather.regular
+        place = np.clip(w.omega, omega[0], omega[-1])
+        one = np.array([[np.interp(place, omega, B[:, j, c]) for c in range(6)] for j in range(HEADINGS)])
+        turned = np.mod(w.direction - headings, 2 * np.pi)
+        rows = [np.interp(turned, headings, one[:, c], period=2 * np.pi) for c in range(6)]
+        return ring_table((0.5 * w.height) ** 2 * np.stack(rows, axis=-1))
+    total = np.zeros((HEADINGS, 6))
+    for sea in weather.seas:
+        mean = 2 * np.trapezoid(B * np.asarray(sea.spectrum.density(omega))[:, None, None], omega, axis=0)
+        for i, heading in enumerate(headings):
+            total[i] += sea.directional(headings + heading) @ mean
+    return ring_table(total)
+
+
+def shares(moored, damping, drift_damping):
+    """{motion: (natural frequency rad/s, share by `damping` (6, 6), by the memory, by wave drift (3, 2))}, uncoupled"""
+    out = {}
+    mass = moored.reader.inertia + moored.slow_added_mass
+    for i, name in PLANE:
+        stiffness = moored.stiffness[i, i]
+        if stiffness > 0:
+            omega, critical = np.sqrt(stiffness / mass[i, i]), 2 * np.sqrt(stiffness * mass[i, i])
+            radiated = moored.memory.transform(np.array([omega]))[0][i, i].real
+            drift = drift_damping[i, i] if i < 2 else 0.0
+            out[name] = omega, damping[i, i] / critical, radiated / critical, drift / critical
+    return out
+
+
+def findings(moored, body, mean, constant, dragged):
+    """Lines on slow motion that is damped too much by constant coefficients, or lightly.
+
+    body : `equation.Body`; mean : rad/s, of the waves; constant : whether coefficients are those of `mean`
+    dragged : whether the water drags at the hull, which damps beside these
+    """
+    drift = body.drift_damping[1].reshape(3, 2)
+    own = {name: v for name, v in shares(moored, moored.damping, drift).items() if v[0] < SLOW * mean}
+    if constant:
+        found = shares(moored, body.damping, drift)
+        much = [
+            f"{name} {100 * found[name][1]:.2g} for {100 * (given + radiated):.2g} % of critical at "
+            f"{2 * np.pi / omega:.3g} s"
+            for name, (omega, given, radiated, _) in own.items()
+            if found[name][1] > TOO_MUCH * (given + radiated)
+        ]
+        if much:
+            yield (
+                f'memory = "constant" damps slow motion as waves of {mean:.3g} rad/s do: {", ".join(much)}; '
+                'its σ comes out too small, give memory = "states"'
+            )
+        return
+    still = dragged or np.any(body.quadratic[[i for i, _ in PLANE]] > 0)
+    light = [
+        f"{name} {100 * sum(parts):.2g} % of critical at {2 * np.pi / omega:.3g} s"
+        for name, (omega, *parts) in own.items()
+        if sum(parts) < LIGHT and not still
+    ]
+    if light:
+        yield (
+            f"slow motion is lightly damped: {', '.join(light)}; give the drag of lines and hull as "
+            "simulation.damping_ratio or quadratic_damping"
+        )
