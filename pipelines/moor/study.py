@@ -29,6 +29,8 @@ from ..common.seas import family_of, shape_of, spreading_of
 from ..common.typed import typed
 from ..site.link import SiteLink, read_study_at_site
 
+MOST_LINES = 500  # of a study; they take three seconds
+
 
 class WaterTable(Table):
     """Water of the place
@@ -319,6 +321,12 @@ class Study(Table):
             if self.at_berth:
                 return None
             raise StudyError("the study has no lines; allowed: at least one [[spreads]] or [[lines]]")
+        count = len(self.lines) + sum(4 * len(spread.corner_headings_deg) for spread in self.spreads)
+        if count > MOST_LINES:
+            raise StudyError(
+                f"the study has {count} lines; allowed: up to {MOST_LINES}; give lines that pull alike as one of their "
+                "summed weight, stiffness and breaking load"
+            )
         legs = []
         for i, spread in enumerate(self.spreads):
             prefix = f"spread {i + 1} " if len(self.spreads) > 1 else ""
