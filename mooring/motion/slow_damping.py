@@ -71,17 +71,16 @@ def findings(moored, body, mean, constant, dragged):
     drift = body.drift_damping[1].reshape(3, 2)
     own = {name: v for name, v in shares(moored, moored.damping, drift).items() if v[0] < SLOW * mean}
     if constant:
-        found = shares(moored, body.damping, drift)
+        found = {name: part + by_drift for name, (_, part, _, by_drift) in shares(moored, body.damping, drift).items()}
         much = [
-            f"{name} {100 * found[name][1]:.2g} for {100 * (given + radiated):.2g} % of critical at "
-            f"{2 * np.pi / omega:.3g} s"
-            for name, (omega, given, radiated, _) in own.items()
-            if found[name][1] > TOO_MUCH * (given + radiated)
+            f"{name} {100 * found[name]:.2g} for {100 * sum(parts):.2g} % of critical at {2 * np.pi / omega:.3g} s"
+            for name, (omega, *parts) in own.items()
+            if found[name] > TOO_MUCH * sum(parts)
         ]
         if much:
             yield (
-                f'memory = "constant" damps slow motion as waves of {mean:.3g} rad/s do: {", ".join(much)}; '
-                'its σ comes out too small, give memory = "states"'
+                f'memory = "constant" damps slow motion as waves of {mean:.3g} rad/s do: {", ".join(much)}'
+                f'{", beside the drag of the water" * bool(dragged)}; its σ comes out too small, give memory = "states"'
             )
         return
     still = dragged or np.any(body.quadratic[[i for i, _ in PLANE]] > 0)
