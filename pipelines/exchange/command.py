@@ -41,6 +41,7 @@ FORMATS = {
     "bemio": Format("bemio", "_bemio.h5"),
     "hydrochrono": Format("bemio", "_hydrochrono.h5"),
     "capytaine": Format("capytaine", ".nc"),
+    "orcaflex": Format("orcaflex", ".yml", silent=("gravity",)),
 }
 
 
@@ -92,6 +93,9 @@ def _left_out(db, values, to):
         yield f"{', '.join(endless)} is not finite and left out"
     if to not in ("wamit", "hams"):
         lost += [name for name in ("rao", "drift_force", "drift_force_fixed") if name in db.names]
+        if to == "orcaflex":
+            kept, gone = ("rao",), ("Froude_Krylov_force", "diffraction_force", "added_mass_zero")
+            lost = [name for name in lost if name not in kept] + [name for name in gone if name in db.names]
         lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono")]
     elif "drift_force" in db.names and "drift_force_fixed" in db.names:
         lost.append("drift_force_fixed")

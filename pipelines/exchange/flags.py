@@ -7,7 +7,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-FORMATS = "wamit, nemoh, hams, bemio (of WEC-Sim), hydrochrono (the same) or capytaine"
+FORMATS = "wamit, nemoh, hams, bemio (of WEC-Sim), hydrochrono (the same), capytaine or orcaflex"
 Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 
 

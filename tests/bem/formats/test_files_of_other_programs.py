@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from bem.database import open_database
-from bem.formats import bemio, capytaine, hams, nemoh, wamit
+from bem.formats import bemio, capytaine, hams, nemoh, orcaflex, wamit
 from bem.formats.values import FormatError, values_of
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
@@ -100,7 +100,7 @@ def test_xarray_reads_the_file_of_capytaine_by_labels(values, tmp_path):
 @pytest.mark.parametrize(
     "form, name, digits",
     [(wamit, "barge", DIGITS), (hams, "folder", DIGITS), (nemoh, "folder", 1e-9), (bemio, "b.h5", 1e-14),
-     (capytaine, "b.nc", 1e-15)],
+     (capytaine, "b.nc", 1e-15), (orcaflex, "b.yml", 1e-14)],
     ids=lambda value: getattr(value, "__name__", ""),
 )  # fmt: skip
 def test_what_is_written_is_read_to_the_printed_digits(form, name, digits, values, tmp_path):
@@ -111,10 +111,32 @@ def test_what_is_written_is_read_to_the_printed_digits(form, name, digits, value
     assert (found.water_depth, found.density, found.gravity) == (DEPTH, RHO, G)
     for quantity, value in found.quantities.items():
         true = values.get(quantity)
+        if form is orcaflex and true.shape[-2:] == (6, 6) and quantity != "rao":
+            true = (true + np.swapaxes(true, -1, -2)) / 2  # reciprocity made exact, which OrcaFlex demands
         size = np.abs(true).max(axis=tuple(range(1, true.ndim)) if true.ndim > 2 else None, keepdims=True)
         assert np.all(np.abs(value - true) <= 2 * digits * size + 1e-15 * np.abs(true).max()), quantity
     stiffness = values.get("hydrostatic_stiffness")
     assert np.allclose(found.get("hydrostatic_stiffness"), stiffness, rtol=0, atol=1e-6 * stiffness.max())
+
+
+def test_orcaflex_gets_symmetric_matrices_the_weight_apart_and_phases_that_lag(values, tmp_path):
+    from ruamel.yaml import YAML
+
+    orcaflex.write(values, tmp_path / "barge.yml")
+    vessel = YAML(typ="safe", pure=True).load((tmp_path / "barge.yml").read_text())["VesselTypes"][0]
+    draught = vessel["Draughts"][0]
+    rows = draught["FrequencyDependentAddedMassAndDamping"]
+    assert rows[0]["AMDPeriodOrFrequency"] == "Infinity"
+    for row in rows:
+        A = np.array(next(row[key] for key in row if key.startswith("AddedMassMatrixX,")))
+        assert np.array_equal(A, A.T)
+    V, zB = values.get("displaced_volume"), values.get("center_of_buoyancy")[2]
+    waterplane = 40.0 * 20.0**3 / 12 + 40.0 * 20.0 * 1.0**2  # about the rotation centre, at y = 1 m and z = −1 m
+    K = draught["HydrostaticStiffnessz, HydrostaticStiffnessRx, HydrostaticStiffnessRy"]
+    assert np.isclose(K[1][1], RHO * G / 1e3 * (waterplane + V * (zB + 1.0)))
+    heading = draught["LoadRAOs"]["RAOs"][2]
+    heave = [row[5] * np.exp(1j * np.radians(row[6])) for row in heading[orcaflex.RAO_COLUMNS]]
+    assert heading["RAODirection"] == 90 and np.allclose(heave, values.get("excitation_force")[:, 2, 2] / 1e3)
 
 
 def test_deep_water_comes_back_as_deep_water(values, tmp_path):

@@ -1,0 +1,35 @@
+"""YAML as dictionaries, lists and scalars; what is not plain data is refused by line."""
+
+from __future__ import annotations
+
+
+class YamlFault(ValueError):
+    """A text is not YAML of plain data; line : from 1, or None where it has none."""
+
+    def __init__(self, line, text):
+        super().__init__(text)
+        self.line = line
+
+
+def parse(text):
+    """Dictionaries, lists and scalars of a text, of YAML 1.2 unless it says 1.1.  Raises YamlFault.
+
+    In YAML 1.1 a number without a dot, 12e3, comes as text.
+    """
+    from warnings import catch_warnings, simplefilter
+
+    from ruamel.yaml import YAML
+    from ruamel.yaml.error import MarkedYAMLError, YAMLError
+
+    try:
+        with catch_warnings():
+            simplefilter("ignore")
+            return YAML(typ="safe", pure=True).load(text)
+    except MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        what = " ".join(part for part in (error.context, error.problem) if part)
+        raise YamlFault(mark.line + 1 if mark else None, what.splitlines()[0]) from None
+    except RecursionError:
+        raise YamlFault(None, "lists and tables are nested too deep") from None
+    except (YAMLError, ValueError) as error:
+        raise YamlFault(None, str(error).splitlines()[0]) from None
