@@ -2,6 +2,8 @@
 
 Between the rows they follow monotone cubics (Fritsch and Carlson 1980; `scipy.interpolate.PchipInterpolator`), which do
 not overshoot.  Before the first row they are those of the first, grown by the ramp as every load is.
+
+Drift by half waves (`mooring.response.slow_drift.half_wave_drift`; SR179 report (1982), eq. 3.7.1.5) is such a force.
 """
 
 from __future__ import annotations
@@ -11,10 +13,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..environment.tables import TableError, read_table
+from ..environment.wave_records import elevation
+from ..response.slow_drift import half_wave_drift, half_waves
 
 COLUMNS = ("t", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
 FINE = 4  # samples of the shortest interval, between which polynomials of fifth degree are 1e-4 off
 MOST = 2_000_000  # samples
+FREQUENCIES = 500  # of the drift, straight between
+SURFACE_STEP, PASSING = 0.1, 0.2  # s, of the surface; in which the drift of a half wave passes to that of the next
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,6 +52,26 @@ def read_force(path):
         return GivenForce(values[:, 0], values[:, 1:])
     except ValueError as error:
         raise TableError(f"{path}: {error}") from None
+
+
+def drift_of_half_waves(reader, components, heading, ramp, duration):
+    """`GivenForce` of the drift by half waves at a body that lies at a heading, rad.  Raises ValueError for no waves.
+
+    reader : `bem.database.reader.Reader` that knows its drift; components : of waves, which come from their mean
+    direction; ramp, duration : s
+    """
+    t = SURFACE_STEP * np.arange(int(np.ceil((ramp + duration) / SURFACE_STEP)) + 2)
+    waves = half_waves(elevation(components, t, depth=reader.depth, gravity=reader.gravity), SURFACE_STEP)
+    energy = components.amplitude**2
+    towards = np.arctan2(*(energy @ f(components.direction) for f in (np.sin, np.cos)))
+    omega = np.linspace(reader.omega[0], reader.omega[-1], FREQUENCIES)
+    drift = reader.drift(omega, [towards - heading])[:, 0]
+    ends = np.append(waves.start, waves.end)
+    wide = np.minimum(0.25 * np.diff(ends), 0.5 * PASSING)
+    times = np.stack([ends[:-1] + wide, ends[1:] - wide], axis=1).ravel()
+    force = np.zeros((len(times), 6))
+    force[:, [0, 1, 5]] = half_wave_drift(waves, omega, drift, times)
+    return GivenForce(np.concatenate([[0.0], times, t[-1:]]) - ramp, force[[0, *range(len(force)), -1]])
 
 
 def sampled(forces, ramp, duration):

@@ -21,7 +21,7 @@ from .contacts import at_rest, berth_stiffness, courses, no_berth
 from .equation import FIRST_WORK, MEMORY, SLOW, WORKS, Body, Scene, room
 from .expected import expected_motion
 from .force_tables import TOLERANCE
-from .given_forces import GivenForce, sampled
+from .given_forces import GivenForce, drift_of_half_waves, sampled
 from .line_loads import REACH, body_lines, line_loads, line_work, tables_of, tensions_along
 from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
 from .wave_loads import WaveForces, no_waves, wave_forces, wave_table, waves_of
@@ -147,7 +147,7 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     table, expected = no_waves(), expected_motion(moored, components)
     if components is not None:
         reader = moored.reader
-        wanted = settings.slow_drift != "none"
+        wanted = settings.slow_drift in ("newman", "mean")
         table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
     end = settings.ramp + settings.duration
     wind, current, drag = _streams(moored, weather, seed, end, findings)
@@ -300,7 +300,7 @@ def _body(moored, weather, settings, components, drag, munk):
     quadratic[5] += drag
     mean = UNKNOWN if components is None else mean_frequency(components)
     try:
-        pushed = _pairs(weather, settings, components)
+        pushed = *_pairs(weather, settings, components), *_half_waves(moored, settings, components)
         given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration)
     except ValueError as error:
         raise SimulationError(str(error)) from None
@@ -330,6 +330,13 @@ def _pairs(weather, settings, components):
         return ()
     t, force = pair_record(weather.beside_newman, components, settings.ramp + settings.duration)
     return (GivenForce(t - settings.ramp, force),)
+
+
+def _half_waves(moored, settings, components):
+    """The drift by half waves of a run, as a GivenForce, or nothing"""
+    if settings.slow_drift != "half-waves" or components is None or not moored.reader.knows_drift:
+        return ()
+    return (drift_of_half_waves(moored.reader, components, moored.start[5], settings.ramp, settings.duration),)
 
 
 def mean_frequency(components):

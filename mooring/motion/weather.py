@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-SLOW_DRIFT = ("newman", "mean", "none")
+SLOW_DRIFT = ("newman", "half-waves", "mean", "none")
 MEMORY = ("states", "constant")
 
 
@@ -48,7 +48,8 @@ class Settings:
     duration : s that statistics are taken of; ramp : s before it, in which every load grows from nothing
     step : s between samples that are kept; tolerance : of the motions, relative to their standard deviations
     components : number of wave components of each sea, None to choose it by duration and bandwidth
-    slow_drift : "newman", "mean" or "none"; wave_drift_damping : whether slow velocities change the drift
+    slow_drift : "newman", "half-waves" (the report's), "mean" or "none"
+    wave_drift_damping : whether slow velocities change the drift
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it

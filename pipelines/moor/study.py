@@ -210,7 +210,7 @@ class SimulationTable(Table):
     seeds : how many, from 1 on, or a list of them
     keep_series : of how many seeds the records are stored
     components : of each sea, by default chosen by duration and bandwidth
-    slow_drift : "newman", "mean" or "none"
+    slow_drift : "newman", "half-waves" of the SR179 report, "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift
     qtf : slow force of pairs of waves: "newman", "bound-wave", "body" or "auto", as in a response study
     memory : "states", or "constant" for added mass and damping at one frequency

@@ -93,8 +93,35 @@ def scene_of(floater, depth):
     """The Scene of a floater in its water, waves on the beam"""
     f = FLOATERS[floater]
     body = {"shape": "box", "length": f.length, "beam": f.beam, "draft": f.draft, "gyration": GYRATION[floater]}
-    periods = [4.0, 4.5, 5, 5.5, 6, 6.5, 7, 7.5, 8, 8.5, 9, 9.5, 10, 10.5, 11, 12, 13, 14, 15, 17, 20, 25, 30, 40]
-    waves = {"periods": periods, "headings_deg": [90]}
+    periods = [
+        4.0,
+        4.5,
+        5,
+        5.5,
+        6,
+        6.5,
+        7,
+        7.5,
+        8,
+        8.5,
+        9,
+        9.5,
+        10,
+        10.5,
+        11,
+        12,
+        13,
+        14,
+        15,
+        17,
+        20,
+        25,
+        30,
+        40,
+        60,
+        100,
+    ]
+    waves = {"periods": periods, "headings_deg": [0, 45, 90]}
     want = ["added_mass", "radiation_damping", "excitation_force", "rao", "drift_force"]
     return make_scene({"water": {"depth": depth}, "bodies": [body], "waves": waves, "want": want, "tolerance": 0.01})
 

@@ -9,13 +9,13 @@ from bem.time_domain.fast_states import slow_memory
 from bem.time_domain.memory import MemoryArrays
 from bem.time_domain.retardation import fourier_weights
 from bem.time_domain.whole_axis import ends_of, whole_axis
-from mooring.environment.sea import Sea
+from mooring.environment.sea import Components, Sea
 from mooring.environment.spectra import issc, jonswap
 from mooring.lines.system.bodies import rotation
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.hawser import Hawser, pull_of_points
 from mooring.lines.system.moored_body import Leg, moored_body
-from mooring.motion.given_forces import GivenForce
+from mooring.motion.given_forces import GivenForce, drift_of_half_waves
 from mooring.motion.simulation import FASTEST, SimulationError, _with_error, simulate, wave_components
 from mooring.motion.weather import Settings, Weather
 from mooring.response.drift import mean_in_sea
@@ -254,6 +254,23 @@ def test_a_force_given_in_time_moves_the_body_as_a_spring_of_its_frequency(on_sp
     assert np.abs(harmonic(late, omega, 0.0) - wanted)[0] <= 2e-3 * abs(wanted[0])
     with pytest.raises(SimulationError, match="given from"):
         simulate(damped, Weather(forces=(force,)), replace(LINEAR, duration=900.0))
+
+
+def test_drift_by_half_waves_of_a_regular_wave_is_its_mean_drift(on_springs):
+    reader, omega, direction = on_springs.reader, 0.8, 0.7
+    one = Components(*(np.array([value]) for value in (omega, 1.5, 0.3, direction)))
+    wanted = 1.5**2 * reader.drift([omega], [direction])[0, 0]
+    by_halves = drift_of_half_waves(reader, one, 0.0, 20.0, 100.0)
+    found = by_halves.force[(by_halves.times > -15) & (by_halves.times < 95)][:, [0, 1, 5]].mean(axis=0)
+    assert found == pytest.approx(wanted, rel=5e-3)  # the record's mean over part of a wave is not 0
+    weather = Weather(regular=Waves(2.0, 2 * np.pi / omega, direction))
+    damped = replace(on_springs, damping=np.diag([4e7, 6e7, 0, 0, 0, 5e10]))
+    runs = [
+        simulate(damped, weather, replace(CALM, duration=60.0, ramp=120.0, slow_drift=word))
+        for word in ("half-waves", "mean", "none")
+    ]
+    halves, mean, none = (run.motion[run.time >= 0, :2].mean(axis=0) for run in runs)
+    assert halves - none == pytest.approx(mean - none, rel=0.02)
 
 
 def test_an_error_beyond_the_tolerance_is_said(on_springs):
