@@ -143,7 +143,7 @@ def _volumes(surface, mesh):
     volume = float(np.median(volumes))
     if not volume > 0:
         raise ValueError(
-            f"hydrostatics: the volume is {volume:.6g} m³; normals point inward (use flipped()) "
+            f"hydrostatics: the volume is {volume:.6g} m³; normals point inward (`hakobune mesh --flip`) "
             "or the hull is not closed"
         )
     difference = float(np.ptp(volumes)) / volume

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 SYMMETRIES = ("", "x", "y", "xy")
+SAME_SIDE = 1e-9  # of the size of the hull: closer to a plane is on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,6 +141,41 @@ class PanelMesh:
         base = self.whole()
         return replace(base, points=base.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]))
 
+    def scaled(self, factor):
+        """A copy with its points multiplied by `factor`, a positive number or one for each axis."""
+        return replace(self, points=self.points * np.asarray(factor, float))
+
+    def mirrored(self, axis):
+        """A copy that its image in the plane `axis` = 0 ("x" or "y") is added to; it must lie on one side of it.
+
+        Raises ValueError where it does not, or has that image already.
+        """
+        side = self.vertices[..., "xy".index(axis)]
+        reach = SAME_SIDE * np.abs(self.points).max(initial=0.0)
+        if axis in self.symmetry or (side.min() < -reach and side.max() > reach):
+            raise ValueError(f"the hull lies on both sides of {axis} = 0 already; allowed: a half of it to mirror")
+        return replace(self, symmetry="".join(sorted(self.symmetry + axis)))
+
+    def clipped(self):
+        """The part below z = 0: panels that the surface cuts end there, as quadrilaterals and triangles.
+
+        Raises ValueError where nothing lies below.
+        """
+        z = self.points[:, 2]
+        points = np.where(np.abs(z) <= SAME_SIDE * np.abs(self.points).max(initial=0.0), 0.0, z)
+        points = np.column_stack([self.points[:, :2], points])
+        wet = points[self.corners, 2].min(axis=1) < 0
+        dry = points[self.corners, 2].max(axis=1) > 0
+        if not wet.any():
+            raise ValueError(f"nothing of the hull lies below z = 0, its lowest point is at {z.min():.4g} m")
+        cut, corners = [], list(self.corners[wet & ~dry])
+        for panel in self.corners[wet & dry]:
+            ring = _below(points, panel, cut)
+            corners += [np.array([ring[0], *ring[i : i + 3]])[[0, 1, 2, -1]] for i in range(1, len(ring) - 1, 2)]
+        made = PanelMesh(np.concatenate([points, np.reshape(cut, (-1, 3))]), corners, self.symmetry).merged()
+        used, corners = np.unique(made.corners, return_inverse=True)
+        return replace(self, points=made.points[used], corners=corners.reshape(-1, 4))
+
     def flipped(self):
         """A copy with the normals reversed."""
         return replace(self, corners=self.corners[:, ::-1])
@@ -154,6 +190,20 @@ class PanelMesh:
             return_inverse=True,
         )
         return replace(self, points=self.points[first], corners=back.reshape(-1)[self.corners])
+
+
+def _below(points, panel, cut):
+    """Numbers of the corners of a panel's part below z = 0; points of its edges in the surface are added to `cut`"""
+    ring, corners = [], [n for i, n in enumerate(panel) if n != panel[i - 1]]
+    for a, b in zip(corners, corners[1:] + corners[:1], strict=True):
+        if points[a, 2] <= 0:
+            ring.append(a)
+        if points[a, 2] * points[b, 2] < 0:
+            low, high = sorted((a, b))  # the same number from both panels of an edge
+            share = points[low, 2] / (points[low, 2] - points[high, 2])
+            ring.append(len(points) + len(cut))
+            cut.append([*(points[low] + share * (points[high] - points[low]))[:2], 0.0])
+    return ring
 
 
 def joined(meshes):

@@ -116,7 +116,7 @@ def _position(mesh):
         yield Finding(
             "error",
             f"{_count(dry)} above the water, up to z = {top:.4g} m; allowed: z ≤ 0; "
-            "cut the hull at the waterline or move it down",
+            "cut the hull there (`hakobune mesh --clip`) or move it down (`--move`)",
         )
     flat = np.abs(mesh.vertices[..., 2]).max(axis=1) <= AT_SURFACE * max(mesh.draft, 0.0)
     lids = flat & (mesh.area_vectors[:, 2] > 0)
@@ -214,7 +214,7 @@ def _orientation(mesh, edges):
         yield Finding(
             "error",
             f"the normals of {_count(panels)} point into the body (volume {volume[inward].sum():.6g} m³); "
-            "use flipped()",
+            "turn them round (`hakobune mesh --flip`)",
         )
 
 
@@ -284,7 +284,7 @@ def lid_findings(mesh, lid):
     if off > AT_SURFACE * max(mesh.draft, 0.0):
         yield Finding("error", f"the lid is {off:.4g} m off the water surface; allowed: z = 0")
     if len(lid) and lid.area_vectors[:, 2].min() < 0:
-        yield Finding("error", "the lid has normals that point down; allowed: up; use flipped()")
+        yield Finding("error", "the lid has normals that point down; allowed: up")
     if lid.symmetry != mesh.symmetry:
         yield Finding("error", f"the lid has the symmetry {lid.symmetry!r}, the hull {mesh.symmetry!r}")
     inside = -mesh.copies * mesh.area_vectors[:, 2].sum()

@@ -14,13 +14,13 @@ LID, LID_EDGE, WATERLINE, NORMAL, BED, TEXT = "#5ec4b6", "#146c62", "#0b3c5d", "
 MOST_NORMALS = 300  # arrows; more hide the hull
 
 
-def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.inf, off_screen=False):
+def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.inf, off_screen=False, font=None):
     """A pyvista Plotter with the whole hull in it.
 
     mesh, lid : PanelMesh
     field : (n,) one value a panel of `mesh`, or of the whole hull; coloured, with a colour bar `field_name`
     normals : arrows out of the hull, on a part of the panels if there are many
-    depth : m, draws the sea bed unless infinite
+    depth : m, draws the sea bed unless infinite; font : file of one with the letters of the name, or None
     Raises ValueError for a field that has not one value a panel.
     """
     import pyvista as pv
@@ -40,7 +40,7 @@ def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.in
         plotter.add_mesh(line, color=WATERLINE, line_width=5, render_lines_as_tubes=True)
     if math.isfinite(depth):
         plotter.add_mesh(_bed(whole, depth), color=BED, opacity=0.5, lighting=False)
-    plotter.add_text(_caption(mesh, lid, depth), position="upper_left", font_size=11, color=TEXT)
+    plotter.add_text(_caption(mesh, lid, depth), position="upper_left", font_size=11, color=TEXT, font_file=font)
     plotter.add_axes(color=TEXT)
     _place_camera(plotter, whole)
     return plotter

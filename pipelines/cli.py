@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import math
 import os
 import re
 import signal
@@ -135,6 +136,29 @@ def look(
     from .view.looking import look
 
     return look(file, screenshot, field, omega, heading)
+
+
+@app.command
+def mesh(
+    file: Path,
+    /,
+    *,
+    output: Annotated[Path, Parameter(help=".gdf, .pnl, .nemoh, .dat, .msh or .vtu")],
+    scale: Annotated[str, Parameter(help="a factor, or three")] = "1",
+    turn: Annotated[float, Parameter(help="degrees about z", allow_leading_hyphen=True)] = 0.0,
+    move: Annotated[str, Parameter(help="m, x,y,z", allow_leading_hyphen=True)] = "0,0,0",
+    flip: Annotated[bool, Parameter(help="turn the normals round", negative="")] = False,
+    mirror: Annotated[str, Parameter(help="x, y or xy: add the images in these planes")] = "",
+    clip: Annotated[bool, Parameter(help="cut the hull at z = 0, keep what is below", negative="")] = False,
+    fold: Annotated[bool, Parameter(help="keep a half or quarter of a symmetric hull", negative="")] = False,
+):
+    """Change a mesh file, in the order of the flags below, and write it in the format of the new name.
+
+    hakobune mesh hull.stl --scale 0.001 --move 0,0,-4 --clip --output hull.gdf
+    """
+    from .view.changing import change
+
+    return change(file, output, scale, math.radians(turn), move, flip, mirror, clip, fold)
 
 
 @app.command

@@ -15,12 +15,13 @@ from functools import cached_property
 
 import numpy as np
 
+from bem.database.natural_periods import NaturalPeriods, natural_periods
+
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
 from ..lines.system.graph import LineForces, System
 from ..lines.system.parts import Anchor, Fairlead
 from .conditions import Conditions
 from .multi_point_findings import HORIZONTAL, findings
-from .natural_periods import NaturalPeriods, natural_periods
 from .places import check_places, place_findings
 from .steady_loads import steady_loads, with_coefficients
 from .wave_effects import WaveEffects, wave_effects

@@ -1,99 +1,13 @@
-"""Natural periods of the moored body with added mass taken at each mode's own frequency.
-
-    (C + K_mooring) q = ω² (M + A(ω)) q
-
-For the j-th smallest eigenvalue λⱼ(ω) the natural frequency is the root of ω² = λⱼ(ω).  λⱼ is continuous,
-positive and bounded, so every j has a root, whichever motion it belongs to at each frequency.
-"""
+"""Natural periods of a body on its mooring."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from bem.database.resonances import by_motion, natural_modes, zeros
+from bem.database.natural_periods import natural_periods
 
 from ..lines.system.equilibrium import SystemEquilibrium
 from ..lines.system.studies import about_body_axes, body_number, mooring_stiffness
-
-NAMES = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
-
-
-@dataclass(frozen=True)
-class NaturalPeriods:
-    """Modes in the order Surge … Yaw of the motion that carries most of their kinetic energy.
-
-    names : (6,); period : (6,) s, inf without restoring, nan where the body is unstable
-    shapes : (6, 6), rows are modes, largest component 1 after rotations are multiplied by `scale` m
-    inside : (6,) False where the added mass had to be held at the end of the stored frequencies
-    """
-
-    names: tuple[str, ...]
-    period: np.ndarray
-    shapes: np.ndarray
-    inside: np.ndarray
-    scale: float
-
-    def __repr__(self):
-        return (
-            "<NaturalPeriods " + ", ".join(f"{n} {t:.4g} s" for n, t in zip(self.names, self.period, strict=True)) + ">"
-        )
-
-
-def natural_periods(body, coupled=True) -> NaturalPeriods:
-    """Natural periods of a body with frequency-dependent added mass.
-
-    body : `bem.database.reader.Reader`, `restrained` by its mooring; its added mass is kept at its end value outside
-    what is known, and `inside` says so.  coupled : False for each motion alone
-    raises : ValueError where inertia, stiffness or added mass are not stored
-    """
-    if body.inertia is None or body.stiffness is None:
-        raise ValueError("natural periods need the inertia of the body; give --gyration kxx,kyy,kzz and solve again")
-    kept = 1.0 if coupled else np.eye(6)
-    scale = float(np.sqrt(body.inertia[5, 5] / body.inertia[0, 0]))
-    unit = np.outer(*2 * [np.array([1, 1, 1, scale, scale, scale])])
-    C = kept * 0.5 * (body.stiffness + body.stiffness.T) / unit
-
-    def modes(w):
-        """λ (q, 6), vectors in columns (q, 6, 6) and the mass (q, 6, 6) they are of"""
-        M = kept * (body.inertia + body.held_added_mass(w)) / unit
-        M = 0.5 * (M + M.swapaxes(1, 2))
-        return *natural_modes(M, C), M
-
-    frequencies = _own_frequencies(lambda w: modes(w)[0])
-    own = np.arange(6)
-    _, vectors, M = modes(np.abs(frequencies))
-    vectors = vectors[own, :, own]
-    energies = np.abs(vectors * np.einsum("mij,mj->mi", M, vectors))
-    shapes = vectors / np.take_along_axis(vectors, np.abs(vectors).argmax(axis=1)[:, None], axis=1)
-    order = by_motion(energies)
-    frequencies, shapes = frequencies[order], shapes[order]
-    # eigenvalues of a mode without restoring are rounding errors of the stiffest one
-    free = np.abs(frequencies) <= 1e-6 * np.abs(frequencies).max()
-    with np.errstate(divide="ignore"):
-        period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
-    return NaturalPeriods(NAMES, period, shapes, body.knows_added_mass(frequencies), scale)
-
-
-def _own_frequencies(eigenvalues):
-    """(6,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode"""
-    own, start = np.arange(6), eigenvalues(np.zeros(1))[0]
-
-    def excess(w):
-        return np.sqrt(np.maximum(eigenvalues(w)[own, own], 0)) - w
-
-    low, above = np.zeros(6), np.sqrt(np.maximum(start, 0))
-    high, below = np.where(start > 0, above, 1.0), np.full(6, -1.0)
-    for _ in range(200):
-        below = excess(high)
-        if np.all((below < 0) | (start <= 0)):
-            break
-        short = (below >= 0) & (start > 0)
-        low, above = np.where(short, high, low), np.where(short, below, above)
-        high = np.where(short, 2 * high, high)
-    w = zeros(excess, low, above, high, below)
-    return np.where(start > 0, w, -np.sqrt(np.maximum(-start, 0)))
 
 
 def moored_periods(state: SystemEquilibrium, body, db):

@@ -28,12 +28,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bem.database.natural_periods import natural_periods
+
 from ..response.extremes import EULER, expected_maximum
 from ..response.linear import frequencies
 from ..response.sea_state import TINY, differences, sea_state
 from ..response.seas import directions, heading_step
 from ..response.slow_drift import cross_spectrum, held_beyond, signed_means, signed_products
-from .natural_periods import natural_periods
 
 PLANE = [0, 1, 5]
 NAMES = ("surge", "sway", "yaw")

@@ -13,6 +13,8 @@ from bem.database.file import check_place
 from meshing.whole_files import write_whole
 
 PLOTS = (".png", ".svg", ".pdf")
+FIRST_OF_OTHERS = "\u2e80"  # from here on letters of China, Korea and Japan, which matplotlib's own font has none of
+BOXES = "Last Resort"  # a font of matplotlib that has a box for every letter
 VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 
@@ -24,10 +26,55 @@ def check_picture(path, kinds):
 
 
 def save(figure, path, dpi):
-    """Write a matplotlib Figure in the format of its suffix.  Raises `meshing.whole_files.NotWritten`."""
+    """Write a matplotlib Figure in the format of its suffix.  Raises `meshing.whole_files.NotWritten`.
+
+    Letters that matplotlib's own font lacks, as those of Japanese names, come from an installed font that has them;
+    where there is none, a warning says so.
+    """
+    _give_letters(figure)
     drawn = io.BytesIO()
     figure.savefig(drawn, dpi=dpi, format=Path(path).suffix[1:].lower() or "png")
     write_whole(path, drawn.getvalue())
+
+
+def font_file(text):
+    """Path of an installed font with the letters of a text for VTK, whose own has none but Latin, or None for that"""
+    if text.isascii():
+        return None
+    found = font_with({letter for letter in text if not letter.isascii() and letter.isprintable()})
+    return None if found is None else found.fname
+
+
+def _give_letters(figure):
+    """Put a font behind that of every text with letters which that lacks"""
+    from matplotlib.text import Text
+
+    texts = [text for text in figure.findobj(Text) if not text.get_text().isascii()]
+    strange = {letter for text in texts for letter in text.get_text() if letter > FIRST_OF_OTHERS}
+    if not strange:
+        return
+    font = font_with(strange)
+    if font is None:
+        name = next(text.get_text() for text in texts if set(text.get_text()) & strange)
+        print(
+            f"warning: no installed font has the letters of {name!r}, which the picture leaves empty; install one, as "
+            "fonts-noto-cjk of Debian or Ubuntu",
+            file=sys.stderr,
+        )
+        return
+    for text in texts:
+        text.set_fontfamily([*text.get_fontfamily(), font.name])
+
+
+def font_with(letters):
+    """The first installed font that has these letters, as matplotlib's FontEntry, or None"""
+    from matplotlib.font_manager import fontManager, get_font
+
+    codes = {ord(letter) for letter in letters}
+    for entry in sorted(fontManager.ttflist, key=lambda entry: (entry.weight != 400, entry.name)):
+        if not entry.name.startswith(BOXES) and codes <= get_font(entry.fname).get_charmap().keys():
+            return entry
+    return None
 
 
 def data_address(draw):

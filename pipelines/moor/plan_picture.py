@@ -9,6 +9,7 @@ from mooring.studies.multi_point import line_ends
 
 from ..common.picture import save
 
+LABEL = 0.3  # of a line from its anchor, where lines are apart
 UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
 
 
@@ -25,14 +26,15 @@ def draw_plan(result, hull, path):
     used = result.utilisation
     colours = ScalarMappable(Normalize(0, max(1.0, used[np.isfinite(used)].max(initial=0.0))), "turbo")
     anchors, at_rest = line_ends(result.rest)
-    for anchor, rest, now, share in zip(anchors, at_rest, line_ends(result.equilibrium)[1], used, strict=True):
+    names = result.equilibrium.system.line_names
+    rows = zip(names, anchors, at_rest, line_ends(result.equilibrium)[1], used, strict=True)
+    for name, anchor, rest, now, share in rows:
         axes.plot([anchor[0], rest[0]], [anchor[1], rest[1]], color="0.75", lw=1, ls="--")
         axes.plot([anchor[0], now[0]], [anchor[1], now[1]], color=_colour(colours, share), lw=2.5)
         axes.plot(*anchor[:2], "k^", ms=5)
-        ends = np.array([anchor[:2], now[:2]])
         axes.annotate(
-            _words(share),
-            ends.mean(axis=0),
+            f"{name}\n{_words(share)}",
+            anchor[:2] + LABEL * (now[:2] - anchor[:2]),
             fontsize=8,
             ha="center",
             va="center",
@@ -48,7 +50,7 @@ def draw_plan(result, hull, path):
     moved = pose.place[0] + (outline - result.rest.pose.place[0]) @ pose.turn[0].T
     axes.plot(outline[:, 0], outline[:, 1], color="0.6", ls="--", label="at rest")
     axes.plot(moved[:, 0], moved[:, 1], color="k", label="under steady forces")
-    _draw_loads(axes, result, hull)
+    _draw_loads(axes, result)
     figure.colorbar(colours, ax=axes, label="largest tension / breaking load", shrink=0.8)
     axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=_title(result))
     figure.legend(loc="outside lower center", ncols=5, fontsize=8)
@@ -64,21 +66,20 @@ def _words(share):
     return "unknown" if np.isnan(share) else "beyond reach" if np.isinf(share) else f"{100 * share:.0f} %"
 
 
-def _draw_loads(axes, result, hull):
-    """Arrows of the directions wind, current and waves travel to, pointing at the hull."""
+def _draw_loads(axes, result):
+    """Arrows of the directions wind, current and waves travel to, side by side left of the plan"""
     conditions = result.conditions
-    for i, (name, load) in enumerate(
-        (("wind", conditions.wind), ("current", conditions.current), ("waves", conditions.waves))
-    ):
-        if load is None:
-            continue
-        to = np.array([np.cos(load.direction), np.sin(load.direction)])
-        side = np.array([-to[1], to[0]]) * (i - 1) * 0.3 * hull.beam
-        size = 0.5 * np.hypot(hull.length, hull.beam)
-        start, end = side - 2.2 * size * to, side - 1.3 * size * to
-        colour = f"C{i}"
-        axes.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 2})
-        axes.plot([], [], color=colour, lw=2, label=name)
+    loads = {"wind": conditions.wind, "current": conditions.current, "waves": conditions.waves}
+    loads = {name: load for name, load in loads.items() if load is not None}
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    size = 0.06 * max(right - left, high - low)
+    for i, (name, load) in enumerate(loads.items()):
+        to = size * np.array([np.cos(load.direction), np.sin(load.direction)])
+        middle = np.array([left - 1.5 * size, high - (1 + 2.5 * i) * size])
+        axes.annotate("", middle + to, middle - to, arrowprops={"arrowstyle": "-|>", "color": f"C{i}", "lw": 2})
+        axes.plot([], [], color=f"C{i}", lw=2, label=name)
+    if loads:
+        axes.set_xlim(left - 3 * size, right)
 
 
 def _title(result):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bem.database.natural_periods import natural_periods
 from bem.database.resonances import resonances
 from bem.stored_laws import damping_errors
 
@@ -138,6 +139,18 @@ def _body_rows(db):
     yield "waterplane", f"{db.waterplane_area:.6g}", "m²"
     yield "GM transverse", f"{db.transverse_metacentric_height:.4g}", "m"
     yield "GM longitudinal", f"{db.longitudinal_metacentric_height:.4g}", "m"
+    yield from _free_periods(db)
+
+
+def _free_periods(db):
+    """Heave, roll and pitch of the free body; a period outside the stored band, where A is held, is marked by ~"""
+    if db.reader.inertia is None or "added_mass" not in db.names or not len(db.omega):
+        return
+    periods = natural_periods(db.reader)
+    for mode in (2, 3, 4):
+        period, known = periods.period[mode], periods.inside[mode]
+        if np.isfinite(period):
+            yield f"natural period, {periods.names[mode].lower()}", f"{'' if known else '~'}{period:.4g}", "s"
 
 
 def _point(point):

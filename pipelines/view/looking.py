@@ -10,7 +10,7 @@ from meshing.panels import PanelMesh
 from meshing.quality import findings
 
 from ..common.bounds import told
-from ..common.picture import VIEWS, check_display, check_picture
+from ..common.picture import VIEWS, check_display, check_picture, font_file
 from ..scene.scene import Scene, SceneError, make_scene, read_scene
 
 FIELDS = {
@@ -83,6 +83,7 @@ def drawn(picture, off_screen=True):
         normals=picture.field is None,
         depth=picture.depth,
         off_screen=off_screen,
+        font=font_file(picture.mesh.name),
     )
     fit(plotter, picture.mesh, bar=picture.field is not None)
     return plotter

@@ -8,7 +8,7 @@ import pytest
 
 import pipelines
 from bem.database import open_database
-from mooring.studies.natural_periods import natural_periods
+from bem.database.natural_periods import natural_periods
 from pipelines.cli import main
 
 SCENES = Path(pipelines.__file__).parent / "scenes"

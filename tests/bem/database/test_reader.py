@@ -79,9 +79,9 @@ def test_added_mass_tends_to_its_limits_beyond_the_band(coarse):
 
 def test_studies_read_the_same_numbers(coarse):
     """Multi-point mooring and irregular response, on and between stored waves, and periods with and without lines"""
+    from bem.database.natural_periods import natural_periods
     from mooring.response.points import transfer_functions
     from mooring.studies.conditions import Conditions, Waves
-    from mooring.studies.natural_periods import natural_periods
     from mooring.studies.wave_effects import wave_effects
 
     body = coarse.reader.floating()

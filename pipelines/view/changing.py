@@ -1,0 +1,61 @@
+"""`hakobune mesh`: a mesh file scaled, turned, moved, turned inside out, mirrored, cut at the surface, folded."""
+
+from __future__ import annotations
+
+import math
+
+from meshing.files import WRITABLE, read_mesh, write_mesh
+from meshing.mirror import folded
+from meshing.panels import SYMMETRIES
+from meshing.quality import findings
+
+from ..common.outputs import check_ending
+from ..scene.scene import numbers
+
+
+def change(place, output, scale="1", turn=0.0, move="0,0,0", flip=False, mirror="", clip=False, fold=False):
+    """Write a changed mesh and say what is in it and amiss with it; 1 where an error is left.  Raises ValueError.
+
+    The changes are made in the order of the arguments.
+    scale : a factor or three; turn : rad about z; move : m, x,y,z; mirror : x, y or xy, planes whose images are
+    added; clip : only what lies below z = 0; fold : keep a half or quarter where images make the hull whole
+    """
+    from bem.database.file import check_place
+
+    if mirror not in SYMMETRIES:
+        raise ValueError(f"--mirror is {mirror!r}; allowed: x, y, xy")
+    check_ending(output, WRITABLE)
+    check_place(output)
+    if output.exists() and output.resolve() == place.resolve():
+        raise ValueError(f"{output} is the mesh itself; give another name by --output")
+    factors = _finite("--scale", scale, (1, 3), "a factor above 0, or three")
+    if min(factors) <= 0:
+        raise ValueError(f"--scale is {scale!r}; allowed: a factor above 0, or three")
+    shift = _finite("--move", move, (3,), "three distances in m, as 0,0,-2")
+    if not math.isfinite(turn):
+        raise ValueError(f"--turn is {turn:g}; allowed: degrees")
+    mesh = _changed(read_mesh(place), factors, turn, shift, flip, mirror, clip, fold)
+    write_mesh(mesh, output)
+    print(f"{output}: {mesh!r}")
+    left = findings(mesh)
+    for finding in left:
+        print(f"{output}: {finding}")
+    return int(any(finding.severity == "error" for finding in left))
+
+
+def _finite(flag, text, counts, allowed):
+    values = numbers(flag, text)
+    if not isinstance(values, list) or len(values) not in counts or not all(map(math.isfinite, values)):
+        raise ValueError(f"{flag} is {text!r}; allowed: {allowed}")
+    return values
+
+
+def _changed(mesh, factors, turn, shift, flip, mirror, clip, fold):
+    mesh = mesh.scaled(factors)
+    mesh = mesh.rotated(turn) if turn else mesh
+    mesh = mesh.moved(*shift) if any(shift) else mesh
+    mesh = mesh.flipped() if flip else mesh
+    for axis in mirror:
+        mesh = mesh.mirrored(axis)
+    mesh = mesh.clipped() if clip else mesh
+    return folded(mesh) if fold else mesh
