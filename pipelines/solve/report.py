@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bem.database.between_frequencies import BetweenError
 from bem.database.natural_periods import natural_periods
 from bem.database.resonances import resonances
 from bem.stored_laws import damping_errors
@@ -146,7 +147,10 @@ def _free_periods(db):
     """Heave, roll and pitch of the free body; a period outside the stored band, where A is held, is marked by ~"""
     if db.reader.inertia is None or "added_mass" not in db.names or not len(db.omega):
         return
-    periods = natural_periods(db.reader)
+    try:
+        periods = natural_periods(db.reader)
+    except (BetweenError, np.linalg.LinAlgError):  # too few frequencies to interpolate, or no positive inertia
+        return
     for mode in (2, 3, 4):
         period, known = periods.period[mode], periods.inside[mode]
         if np.isfinite(period):
