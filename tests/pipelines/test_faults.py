@@ -81,7 +81,7 @@ WAVES = {
 }
 MESHES = {
     "solve --mesh hole.gdf --depth 20 --omega 0.5": ("hole.gdf: the hull is open along 2 edges", "close it"),
-    "solve --mesh inward.gdf --depth 20 --omega 0.5": ("inward.gdf: the normals of 8 of 8 panels", "flipped"),
+    "solve --mesh inward.gdf --depth 20 --omega 0.5": ("inward.gdf: the normals of 8 of 8 panels", "--flip"),
     "solve --mesh mixed.gdf --depth 20 --omega 0.5": ("mixed.gdf: normals change side across 4 edges",),
     "solve --mesh above.gdf --depth 20 --omega 0.5": ("above.gdf: 3 of 8 panels above the water", "z ≤ 0"),
     "solve --mesh hole.gdf --mesh-only --output x.gdf": ("hole.gdf: the hull is open",),
