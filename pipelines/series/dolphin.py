@@ -1,4 +1,4 @@
-"""`hakobune series dolphin`: floaters A and B between dolphins with fenders, by the design spectrum method.
+"""`hakobune series dolphin`: floaters A and B between dolphins with fenders, by the design spectrum method and in time.
 
 SR179 report (1982), section 3.7.5: fenders of 700 tonf/m (C2000H, floater A) and 1200 tonf/m (C3000H, B), ISSC spectra,
 waves, wind and current on the beam; strains of at most 10 % under the steady loads and 35 % in all.  Fenders stand on
@@ -28,6 +28,7 @@ from ..common.picture import save
 from ..common.units import KNOT, TONF
 from ..scene.scene import make_scene
 from ..solve import run as solving
+from . import dolphin_simulated
 from .single_point_cases import FLOATERS
 
 DEPTHS = {"A": (12.0, 14.0, 20.0, 50.0), "B": (40.0, 100.0)}
@@ -67,61 +68,40 @@ def make_series(folder, fresh):
     console = new_console()
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    rows = []
+    rows, paths = [], {}
     for floater, depths in DEPTHS.items():
         for depth in depths:
-            path = folder / f"{floater}_{depth:g}m_beam.h5"
+            path = paths[floater, depth] = folder / f"{floater}_{depth:g}m_beam.h5"
             outcome = solving.solve(scene_of(floater, depth), path, fresh=fresh)
             if outcome.interrupted:
                 raise KeyboardInterrupt
             console.print(f"{path}: {outcome.stored} of {outcome.total} frequencies", highlight=False, markup=False)
             rows += rows_of(floater, depth, open_database(path))
-    path = folder / "dolphin.csv"
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(Row._fields)
-    table.writerows([f"{value:.6g}" if isinstance(value, float) else value for value in row] for row in rows)
-    write_whole(path, text.getvalue().encode())
-    for line in statements(rows):
+    simulated = dolphin_simulated.simulated_rows(paths)
+    console.print(dolphin_simulated.table_of(simulated))
+    for line in (*statements(rows), *dolphin_simulated.statements(simulated)):
         console.print(line, highlight=False, soft_wrap=True, markup=False)
-    for written in (path, *(_draw(rows, floater, folder) for floater in DEPTHS)):
+    tables = _written(folder / "dolphin.csv", rows), _written(folder / "dolphin_simulated.csv", simulated)
+    for written in (*tables, *(_draw(rows, floater, folder) for floater in DEPTHS)):
         console.print(f"written: {written}", highlight=False, soft_wrap=True, markup=False)
     return 0
+
+
+def _written(path, rows):
+    """The path of a CSV of named tuples"""
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(rows[0]._fields)
+    table.writerows([f"{value:.6g}" if isinstance(value, float) else value for value in row] for row in rows)
+    write_whole(path, text.getvalue().encode())
+    return path
 
 
 def scene_of(floater, depth):
     """The Scene of a floater in its water, waves on the beam"""
     f = FLOATERS[floater]
     body = {"shape": "box", "length": f.length, "beam": f.beam, "draft": f.draft, "gyration": GYRATION[floater]}
-    periods = [
-        4.0,
-        4.5,
-        5,
-        5.5,
-        6,
-        6.5,
-        7,
-        7.5,
-        8,
-        8.5,
-        9,
-        9.5,
-        10,
-        10.5,
-        11,
-        12,
-        13,
-        14,
-        15,
-        17,
-        20,
-        25,
-        30,
-        40,
-        60,
-        100,
-    ]
-    waves = {"periods": periods, "headings_deg": [0, 45, 90]}
+    waves = {"band": {"from": 0.05, "to": 1.6}, "headings_deg": [0, 45, 90]}
     want = ["added_mass", "radiation_damping", "excitation_force", "rao", "drift_force"]
     return make_scene({"water": {"depth": depth}, "bodies": [body], "waves": waves, "want": want, "tolerance": 0.01})
 

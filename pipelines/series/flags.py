@@ -25,7 +25,8 @@ def series(
     multi-point: A and B on chain, with a buoy or a sinker, over sea, depth, period and number of lines (section 3.5.5):
     simplified method beside simulation, long-period motion by quick rule, spectrum and simulation.
     appendix-2: the tests of model M3B at a single point, intermediate and contact buoy.
-    dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method.
+    dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method, and
+    Table 3.7.5.2 in time.
     lines: static lines, charts 1.7.1 to 1.7.6: friction, scope, slope, hills, sinker and buoys, elasticity.
     A second call makes what is not there; every case is kept as a study for `hakobune single-point`, or `simulate`.
     """
