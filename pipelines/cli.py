@@ -23,6 +23,7 @@ from .common.interrupt import interrupted
 from .damping.command import damping
 from .design.command import design
 from .doctor import doctor
+from .earthquake.flags import earthquake
 from .exchange.flags import export, import_
 from .fender.flags import fender
 from .keys.command import keys, new
@@ -239,6 +240,7 @@ app.command(breakwater)
 app.command(fender)
 app.command(berth)
 app.command(damping)
+app.command(earthquake)
 app.command(doctor)
 app.command(export)
 app.command(import_, name="import")

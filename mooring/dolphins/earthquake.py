@@ -1,12 +1,18 @@
 """Earthquake at dolphins: ground motion y_g at the roots of the fenders, body and water otherwise at rest.
 
-    (M + a) η̈ + N η̇ + k (η − y_g) = 0,    R = k (η − y_g)
+    (M + a) η̈ + N η̇ + R(η − y_g) = 0,    with the water's memory in place of a and N where a database gives it
+
+For springs, R = k (η − y_g), in steady motion of the ground
 
     R/(ω² y_g M) = (k/ω²M) |−ω²(M + a) + iωN| / |k − ω²(M + a) + iωN|
 
 stiff fenders → (M + a)/M, soft ones → k/(ω²M) → 0; 1 is the method of the seismic coefficient.  SR179 report (1982),
 section 3.7.4.  A record of acceleration is integrated twice with velocity and displacement 0 at both ends: a straight
 line and a parabola of acceleration are taken off it.
+
+In the body's motion against the ground, u = η − y_g, the ground drives as −(M + a) ÿ_g where N is small, so that a
+response spectrum S_a gives R = (M + a) S_a(T, ζ), with period and damping of the equivalent spring at its own u.  A
+spectrum of one damping is taken to another by √(0.10/(0.05 + ζ)), at least 0.55 (EN 1998-1, 3.2.2.2).
 """
 
 from __future__ import annotations
@@ -15,14 +21,73 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..fenders.hysteresis import advanced_one, contact_table, reaction_of
+from .linearised import equivalent
+
+FINE = 90  # steps of the shortest period of the body on its fenders; 1e-6 of the reaction
+ROUNDS, SETTLED = 200, 1e-6  # of the equivalent spring
+LEAST = 0.55  # of a spectrum by damping
+
+
+class EarthquakeError(ValueError):
+    """An earthquake cannot be followed; one line names what is wrong and what is allowed."""
+
 
 class Ground(NamedTuple):
-    """time (n,) s; acceleration, velocity, displacement (n,) in m; all 0 at both ends but the acceleration"""
+    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; 0 at both ends but the first"""
 
     time: np.ndarray
     acceleration: np.ndarray
     velocity: np.ndarray
     displacement: np.ndarray
+
+
+class Floater(NamedTuple):
+    """A body in one motion: mass, added_mass (infinite frequency with a memory), kg; damping N s/m beside the memory
+
+    a (m, m), b (m,), c (m,) : memory, force c·x against the motion, ẋ = a x + b η̇; of no states without
+    """
+
+    mass: float
+    added_mass: float
+    damping: float
+    a: np.ndarray = np.zeros((0, 0))
+    b: np.ndarray = np.zeros(0)
+    c: np.ndarray = np.zeros(0)
+
+    def water(self, omega):
+        """Added mass (q,) kg and damping (q,) N s/m at omega (q,) rad/s"""
+        s = 1j * np.atleast_1d(omega)
+        eye = np.eye(len(self.b))
+        memory = np.array([self.c @ np.linalg.solve(at * eye - self.a, self.b) if len(self.b) else 0.0 for at in s])
+        return self.added_mass + memory.imag / s.imag, self.damping + memory.real
+
+
+class Fenders(NamedTuple):
+    """fender : of one, with its dolphin; count : on each side; clearance : m from the body at rest, on each side"""
+
+    fender: object
+    count: int = 1
+    clearance: float = 0.0
+
+
+class Course(NamedTuple):
+    """time (n,) s; body (n,) m in space; deflection (n,) m of the fenders pressed; reaction (n,) N on all dolphins"""
+
+    time: np.ndarray
+    body: np.ndarray
+    deflection: np.ndarray
+    reaction: np.ndarray
+
+
+class Spectral(NamedTuple):
+    """period s and damping ratio of the equivalent spring; deflection m; reaction N; acceleration m/s², damped"""
+
+    period: float
+    ratio: float
+    deflection: float
+    reaction: float
+    acceleration: float
 
 
 def normalised_reaction(omega, mass, added_mass, damping, stiffness):
@@ -32,25 +97,20 @@ def normalised_reaction(omega, mass, added_mass, damping, stiffness):
     return stiffness / (omega**2 * mass) * np.abs(water) / np.abs(stiffness + water)
 
 
-def seismic_force(coefficient, mass, gravity=9.80665):
-    """N of the method of the seismic coefficient"""
-    return coefficient * mass * gravity
+def ground_of_record(time, acceleration, after=0.0):
+    """`Ground` of a record of acceleration, m/s², with its base line corrected, at rest for `after` s behind it.
 
-
-def ground_of_record(time, acceleration):
-    """`Ground` of a record of acceleration, m/s², with its base line corrected.
-
-    raises : ValueError for a record with gaps, or values that are none
+    raises : EarthquakeError for a record with gaps, or values that are none
     """
     t, a = np.asarray(time, float), np.asarray(acceleration, float)
     if len(t) < 4 or t.shape != a.shape or not (np.all(np.isfinite(t)) and np.all(np.isfinite(a))):
-        raise ValueError(
+        raise EarthquakeError(
             f"the record has {len(t)} times and {len(a)} finite accelerations; allowed: 4 or more, as many"
         )
     steps = np.diff(t)
     if not np.all(np.abs(steps - steps[0]) <= 1e-3 * abs(steps[0])) or steps[0] <= 0:
         i = int(np.argmax(np.abs(steps - np.median(steps))))
-        raise ValueError(
+        raise EarthquakeError(
             f"the record steps by {steps[i]:g} s after {t[i]:g} s, else by {np.median(steps):g} s; allowed: no gaps"
         )
     s = (t - t[0]) / (t[-1] - t[0])
@@ -58,7 +118,9 @@ def ground_of_record(time, acceleration):
     ends = np.array([[x[-1] for x in _integrated(t, shape)] for shape in (*shapes, a)]).T
     share = np.linalg.solve(ends[:, :2], -ends[:, 2])
     corrected = a + share[0] * shapes[0] + share[1] * shapes[1]
-    return Ground(t, corrected, *_integrated(t, corrected))
+    still = np.zeros(round(after / steps[0]))
+    t = np.concatenate([t, t[-1] + steps[0] * np.arange(1, len(still) + 1)])
+    return Ground(t, *(np.concatenate([x, still]) for x in (corrected, *_integrated(t[: len(a)], corrected))))
 
 
 def _integrated(time, acceleration):
@@ -91,36 +153,119 @@ def _largest(ground, omega, ratio):
     return float(omega**2 * np.abs(out[:, 0]).max())
 
 
+def both_sides(fenders):
+    """Function of a path u (n,) m of the body against the ground → (n,) N that the fenders of both sides exert"""
+    fender, count, clearance = fenders
+
+    def one_side(depth):
+        s, before, out = 1.0, 0.0, np.empty(len(depth))
+        table = contact_table([fender])
+        for i, now in enumerate(depth):
+            s = advanced_one(s, before, now, fender.return_length)
+            out[i], before = reaction_of(table, 0, now, s), now
+        return out
+
+    def force(path):
+        twice = np.concatenate([path, path])  # so that the loop is the steady one
+        return count * (one_side(twice - clearance) - one_side(-twice - clearance))[len(path) :]
+
+    return force
+
+
+def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
+    """`Spectral` reaction to a response spectrum, with the spring that is equivalent at its own deflection.
+
+    spectrum : function of the period, s → m/s² at a damping ratio of spectrum_ratio
+    raises : EarthquakeError where the fenders are pressed beyond their table, or no deflection fits
+    """
+    fender = fenders.fender
+    law, limit = both_sides(fenders), fender.limit + fenders.clearance
+
+    def answer(u):
+        found = equivalent(law, 0.0, u, points=128)
+        omega = _natural(floater, found.stiffness)
+        A, B = (float(x[0]) for x in floater.water(omega))
+        mass = floater.mass + A
+        ratio = (B * omega + found.loss) / (2 * found.stiffness)
+        factor = max(LEAST, np.sqrt((0.05 + spectrum_ratio) / (0.05 + ratio)))
+        acceleration = factor * float(spectrum(2 * np.pi / omega))
+        return 2 * np.pi / omega, ratio, acceleration * mass / found.stiffness, acceleration
+
+    low, high = fenders.clearance + 1e-6 * fender.limit, limit * (1 - 1e-9)
+    if answer(high)[2] > high:
+        raise EarthquakeError(
+            f"the spectrum presses {fender.name} beyond its table, which ends at {fender.limit:.3g} m; take more or "
+            "larger fenders"
+        )
+    for _ in range(ROUNDS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if answer(middle)[2] > middle else (low, middle)
+        if high - low <= SETTLED * high:
+            break
+    period, ratio, _, acceleration = answer(high)
+    deflection = max(high - fenders.clearance, 0.0)
+    return Spectral(period, ratio, deflection, fenders.count * float(fender.reaction(deflection)), acceleration)
+
+
+def _natural(floater, stiffness):
+    """rad/s of a body on a spring, with the added mass of that frequency"""
+    omega = np.sqrt(stiffness / (floater.mass + floater.added_mass))
+    for _ in range(ROUNDS):
+        before, omega = omega, np.sqrt(stiffness / (floater.mass + float(floater.water(omega)[0][0])))
+        if abs(omega - before) <= SETTLED * omega:
+            break
+    return float(omega)
+
+
+def course(ground, floater, fenders):
+    """`Course` of a body between fenders on a ground that moves, by Runge and Kutta's method of fourth order.
+
+    Fenders on each side return less than they take (`mooring.fenders.hysteresis`).  The ground is the cubic through
+    its displacements and velocities.
+    raises : FenderError where a fender without overload stiffness is pressed beyond its table
+    """
+    fender, count, clearance = fenders
+    table, whole = contact_table([fender]), floater.mass + floater.added_mass
+    h = float(ground.time[1] - ground.time[0])
+    stiffest = count * float(fender.loading.slope(np.linspace(0, fender.limit, 200)).max())
+    steps = max(1, int(np.ceil(h * FINE / (2 * np.pi) * np.sqrt(stiffest / whole))))
+    h /= steps
+    kept = [(1.0, 0.0), (1.0, 0.0)]  # state and deflection of each side at the start of a step
+
+    def met(u):
+        """States, deflections and the force on the dolphins towards +"""
+        out, force = [], 0.0
+        for side, (s, before) in zip((1.0, -1.0), kept, strict=True):
+            depth = side * u - clearance
+            now = advanced_one(s, before, depth, fender.return_length)
+            out.append((now, depth))
+            force += side * count * reaction_of(table, 0, depth, now)
+        return out, force
+
+    def rate(y, at):
+        force = met(y[0] - at)[1] + floater.damping * y[1]
+        if not len(floater.b):
+            return np.array([y[1], -force / whole])
+        x = y[2:]
+        return np.concatenate([[y[1], -(force + floater.c @ x) / whole], floater.a @ x + floater.b * y[1]])
+
+    y = np.zeros(2 + len(floater.b))
+    rows = [(0.0, 0.0, 0.0)]
+    for i in range(len(ground.time) - 1):
+        for j in range(steps):
+            at = [_between(ground, i, (j + s) / steps) for s in (0.0, 0.5, 1.0)]
+            p = rate(y, at[0])
+            q = rate(y + 0.5 * h * p, at[1])
+            r = rate(y + 0.5 * h * q, at[1])
+            y = y + h / 6 * (p + 2 * q + 2 * r + rate(y + h * r, at[2]))
+            kept, force = met(y[0] - at[2])
+        rows.append((y[0], max(depth for _, depth in kept), force))
+    body, deflection, reaction = np.array(rows).T
+    fender.reaction(max(deflection.max(), 0.0))  # raises beyond its table
+    return Course(ground.time, body, np.maximum(deflection, 0.0), reaction)
+
+
 def _between(ground, i, s):
     """m of the ground at a share s of step i, by the cubic through its displacements and velocities"""
     (y, z), (u, v) = ground.displacement[i : i + 2], (ground.time[1] - ground.time[0]) * ground.velocity[i : i + 2]
     return y + s * (u + s * (3 * (z - y) - 2 * u - v + s * (2 * (y - z) + u + v)))
-
-
-def fender_forces(ground, fender, count, mass, added_mass, damping, steps=4):
-    """(n,) N on the dolphins, and (n,) m of the body, of `count` fenders on each side without clearance, in time.
-
-    The fender's loading curve, the same on both sides; Runge and Kutta's method with `steps` for each of the record
-    """
-    whole = mass + added_mass
-
-    def force(stretch):
-        return count * np.sign(stretch) * fender.loading(np.abs(stretch))
-
-    def rate(state, ground_at):
-        return np.array([state[1], -(force(state[0] - ground_at) + damping * state[1]) / whole])
-
-    y, out = np.zeros(2), [np.zeros(2)]
-    h = (ground.time[1] - ground.time[0]) / steps
-    for i in range(len(ground.time) - 1):
-        for j in range(steps):
-            at = [_between(ground, i, (j + s) / steps) for s in (0.0, 0.5, 1.0)]
-            a = rate(y, at[0])
-            b = rate(y + 0.5 * h * a, at[1])
-            c = rate(y + 0.5 * h * b, at[1])
-            d = rate(y + h * c, at[2])
-            y = y + h / 6 * (a + 2 * b + 2 * c + d)
-        out.append(y)
-    moved = np.array(out)[:, 0]
-    fender.reaction(np.abs(moved - ground.displacement).max())  # raises beyond its table
-    return force(moved - ground.displacement), moved

@@ -88,6 +88,13 @@ KINDS = {
         "berth_tanker.toml",
         ("hakobune berth FILE",),
     ),
+    "earthquake": Kind(
+        "a body between dolphins while the ground moves",
+        "pipelines.earthquake.study:EarthquakeStudy",
+        "earthquake",
+        "earthquake_box.toml",
+        ("hakobune earthquake FILE",),
+    ),
     "breakwater": Kind(
         "a taut-moored floating breakwater",
         "pipelines.breakwater.study:BreakwaterStudy",

@@ -6,12 +6,14 @@ from scipy.special import ellipk
 
 from mooring.dolphins.design_spectrum import LARGEST, Beam, DolphinError, Dolphins, limit_height, springs, strains
 from mooring.dolphins.earthquake import (
+    Fenders,
+    Floater,
     Ground,
-    fender_forces,
+    by_spectrum,
+    course,
     ground_of_record,
     normalised_reaction,
     response_spectrum,
-    seismic_force,
 )
 from mooring.dolphins.linearised import amplitudes, equivalent, exact_frequency, free_frequency
 from mooring.environment.spectra import issc
@@ -112,26 +114,64 @@ def test_limit_height_is_where_the_strain_is_just_allowed_and_grows_with_the_fen
         strains(sway(), Dolphins(CELL, np.zeros((1, 3))), 1e9, issc(1.0, mean_period=8.0))
 
 
-def test_reaction_to_an_earthquake_is_its_closed_form_in_time():
-    k, mass, added, damping, omega, size = 3e6, 1e6, 4e5, 8e5, 1.3, 0.05
-    t = np.arange(0, 90, 0.1)
-    motion = Ground(
-        t, -(omega**2) * size * np.sin(omega * t), omega * size * np.cos(omega * t), size * np.sin(omega * t)
-    )
-    spring = fender_of_points("spring", 1.0, [0.0, 1.0], [0.0, k])
-    force, _ = fender_forces(motion, spring, 1, mass, added, damping)
-    late = np.abs(force[t > 60])
-    found = np.sqrt(2 * np.mean(force[t > t[-1] - 4 * 2 * np.pi / omega] ** 2)) / (omega**2 * size * mass)
-    exact = normalised_reaction(omega, mass, added, damping, k)
-    assert late.max() / (omega**2 * size * mass) == pytest.approx(exact, rel=1e-3)
-    assert found == pytest.approx(exact, rel=1e-3)
+def ground_of_sine(omega, size, duration, step=0.05):
+    t = np.arange(0, duration, step)
+    turn = omega * t
+    return Ground(t, -(omega**2) * size * np.sin(turn), omega * size * np.cos(turn), size * np.sin(turn))
+
+
+def amplitude(t, x, omega):
+    basis = np.stack([np.cos(omega * t), np.sin(omega * t)], axis=1)
+    return np.hypot(*np.linalg.lstsq(basis, x, rcond=None)[0])
+
+
+def spring(k):
+    return fender_of_points("spring", 1.0, [0.0, 1.0], [0.0, k])
+
+
+@pytest.mark.parametrize("omega", [0.8, 2.1])
+def test_reaction_to_an_earthquake_is_its_closed_form_in_time(omega):
+    mass, added, damping, size = 1e6, 4e5, 8e5, 0.05
+    run = course(ground_of_sine(omega, size, 90.0), Floater(mass, added, damping), Fenders(spring(1.5e6), 2))
+    late = run.time > 60
+    found = amplitude(run.time[late], run.reaction[late], omega) / (omega**2 * size * mass)
+    assert found == pytest.approx(normalised_reaction(omega, mass, added, damping, 3e6), rel=1e-6)
+
+
+def test_memory_of_the_water_has_the_reaction_of_its_coefficients():
+    """One state: c/(s + 1/τ) in place of damping, whose added mass and damping vary with frequency"""
+    floater = Floater(1e6, 2e5, 4e5, np.array([[-0.5]]), np.array([1.0]), np.array([4e5]))
+    A, B = (float(x[0]) for x in floater.water(1.3))
+    assert pytest.approx(A, rel=1e-12) == 2e5 - 4e5 / (0.25 + 1.69)
+    assert pytest.approx(B, rel=1e-12) == 4e5 + 4e5 * 0.5 / (0.25 + 1.69)
+    run = course(ground_of_sine(1.3, 0.05, 120.0), floater, Fenders(spring(3e6)))
+    late = run.time > 90
+    found = amplitude(run.time[late], run.reaction[late], 1.3) / (1.69 * 0.05 * 1e6)
+    assert found == pytest.approx(normalised_reaction(1.3, 1e6, A, B, 3e6), rel=1e-6)
 
 
 def test_reaction_to_an_earthquake_has_its_limits():
     assert normalised_reaction(0.5, 1e6, 4e5, 10.0, 1e15) == pytest.approx(1.4, rel=1e-6)
-    high = normalised_reaction(1e3, 1e6, 4e5, 1e3, 1e6)
-    assert high == pytest.approx(1e6 / (1e6 * 1e6), rel=1e-5)
-    assert seismic_force(0.2, 1e6) == pytest.approx(0.2 * 9.80665e6)
+    assert normalised_reaction(2e3, 1e6, 4e5, 1e3, 1e6) == pytest.approx(1e6 / (4e6 * 1e6), rel=1e-6)
+
+
+def test_spectrum_of_a_record_gives_the_reaction_of_springs_in_time():
+    rng, t = np.random.default_rng(1), np.arange(0, 20, 0.02)
+    ground = ground_of_record(t, rng.standard_normal(len(t)) * np.sin(np.pi * t / 20), after=5.0)
+    floater, fenders = Floater(1e6, 4e5, 2 * 0.05 * np.sqrt(1.4e6 * 3e7)), Fenders(spring(1.5e7), 2)
+    found = by_spectrum(floater, fenders, lambda T: response_spectrum(ground, [T])[0])
+    assert found.ratio == pytest.approx(0.05, rel=1e-6)
+    assert found.period == pytest.approx(2 * np.pi * np.sqrt(1.4e6 / 3e7), rel=1e-9)
+    run = course(ground, floater, fenders)
+    assert found.reaction == pytest.approx(np.abs(run.reaction).max(), rel=0.1)  # damped against water, not ground
+
+
+def test_clearance_lets_the_ground_go_by_and_returns_lose_energy():
+    ground, floater = ground_of_sine(1.3, 0.04, 30.0), Floater(1e6, 4e5, 0.0)
+    assert np.abs(course(ground, floater, Fenders(CELL, 1, 0.05)).reaction).max() == 0.0
+    quiet = fender_of_points("no loss", 2.0, np.linspace(0, 1.0, 40), CELL.loading(np.linspace(0, 1.0, 40)))
+    with_loss, without = (course(ground, floater, Fenders(one)).body[-200:].std() for one in (CELL, quiet))
+    assert with_loss < without
 
 
 def test_record_of_an_earthquake_begins_and_ends_at_rest():

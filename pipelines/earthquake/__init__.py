@@ -1,0 +1,1 @@
+"""`hakobune earthquake`: a floating body between dolphins while the ground moves."""

@@ -1,0 +1,26 @@
+"""The flags of `hakobune earthquake`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def earthquake(
+    study: Annotated[Path, Parameter(help="body, fenders, and what is known of the earthquake (TOML)")],
+    /,
+    *,
+    database: Annotated[Path | None, Parameter(help="of the body, for its mass and the memory of the water")] = None,
+    output: Annotated[Path | None, Parameter(help="course in time, .csv")] = None,
+    plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
+):
+    """Reaction of the fenders of a floating body when the ground under its dolphins moves.
+
+    By the rule's seismic coefficient, a response spectrum, and a record in time, beside each other; the normalised
+    reaction over frequency.  hakobune earthquake earthquake_box.toml --plot earthquake.png
+    """
+    from .command import earthquake
+
+    return earthquake(study, database, output, plot)

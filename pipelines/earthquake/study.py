@@ -1,0 +1,216 @@
+"""An earthquake at dolphins as typed TOML: a body, its fenders, and what is known of the ground.
+
+motion = "sway"         [fender]            # keys of `hakobune fender`   [spectrum]
+                        family = "cell"                                   periods = [0.1, 0.5, 1.0, 5.0]
+[body]  # or --database height = 2.0                                      acceleration = [2.0, 5.0, 4.0, 0.5]
+mass = 51250.0      # t count = 3           # on each side
+added_mass = 40000.0    clearance = 0.0                                   [record]          # and, or
+damping = 500.0  # kN s/m                                                 file = "akashi.csv"
+
+[rule]                  # as in a site file
+rule = "A"
+factors = { coefficient = 0.2 }
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from mooring.dolphins.earthquake import EarthquakeError, Fenders, Floater, ground_of_record
+from mooring.site.seismic import seismic_coefficient
+
+from ..common.fender_tables import FenderTable, fender_of, pair_of
+from ..common.quantities import StudyError, Table, below, positive
+from ..common.typed import read_toml, typed
+from ..site.study import EarthquakeTable
+
+MOTIONS = ("surge", "sway")
+COLUMNS = {"acceleration_m_s2": 1.0, "acceleration_gal": 0.01}
+STRONGEST, LONGEST, WIDEST = 50.0, 600.0, 5.0  # m/s²; s; m of clearance
+
+
+class BodyTable(Table):
+    """The body, where no database gives it
+
+    mass : t
+    added_mass : t, of the motion
+    damping : kN s/m, of the motion
+    """
+
+    mass: float
+    added_mass: float = 0.0
+    damping: float = 0.0
+
+
+class SideFender(FenderTable, kw_only=True):
+    """The fenders of one side; the other side has the same
+
+    count : fenders on each side, 1 to 1000
+    clearance : m, from the body at rest
+    """
+
+    clearance: float = 0.0
+
+
+class RecordTable(Table):
+    """A record of the ground, corrected so that it ends at rest
+
+    file : CSV beside the study, of time_s and acceleration_m_s2 or acceleration_gal, equally spaced
+    scale : on its accelerations
+    after : s, that the ground stands still behind it
+    """
+
+    file: str
+    scale: float = 1.0
+    after: float = 20.0
+
+
+class SpectrumTable(Table):
+    """A response spectrum
+
+    periods : s, rising; straight between
+    acceleration : m/s², of each period
+    damping_ratio : that it is given for
+    """
+
+    periods: list[float]
+    acceleration: list[float]
+    damping_ratio: float = 0.05
+
+
+class EarthquakeStudy(Table):
+    """A floating body between dolphins, and what is known of the earthquake
+
+    motion : sway, across the dolphins, or surge
+    """
+
+    fender: SideFender
+    motion: str = "sway"
+    body: BodyTable | None = None
+    record: RecordTable | None = None
+    spectrum: SpectrumTable | None = None
+    rule: EarthquakeTable | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Quake:
+    """What a study and a database make: values of `mooring.dolphins.earthquake`
+
+    ground, spectrum : None where it is not given; spectrum : function of the period; ratio : its damping
+    coefficient : of the rule, or None
+    """
+
+    motion: str
+    floater: Floater
+    fenders: Fenders
+    ground: object
+    spectrum: object
+    ratio: float
+    coefficient: float | None
+
+
+def read_study(path):
+    """The EarthquakeStudy of a TOML file.  Raises StudyError."""
+    study = typed(read_toml(path, "an earthquake study", StudyError)[0], EarthquakeStudy, StudyError)
+    if study.motion not in MOTIONS:
+        raise StudyError(f"motion is {study.motion!r}; allowed: {', '.join(MOTIONS)}")
+    if study.record is None and study.spectrum is None and study.rule is None:
+        raise StudyError("nothing is told of the earthquake; allowed: [record], [spectrum] or [rule], one or more")
+    return study
+
+
+def quake_of(study, folder, database=None):
+    """`Quake` of a study whose files lie in a folder.  Raises StudyError or EarthquakeError."""
+    fender = pair_of(study.fender, fender_of(_one(study.fender)))
+    if not 0 <= study.fender.clearance <= WIDEST:
+        raise StudyError(f"fender.clearance is {study.fender.clearance:g} m; allowed: 0 to {WIDEST:g}")
+    fenders = Fenders(fender, study.fender.count, study.fender.clearance)
+    floater = _floater(study, database)
+    coefficient = None
+    if study.rule is not None:
+        try:
+            coefficient = seismic_coefficient(study.rule.rule, **study.rule.factors)
+        except ValueError as error:
+            raise StudyError(f"rule: {error}") from None
+    spectrum = None if study.spectrum is None else _spectrum(study.spectrum)
+    ratio = 0.05 if study.spectrum is None else study.spectrum.damping_ratio
+    ground = None if study.record is None else _ground(study.record, Path(folder))
+    return Quake(study.motion, floater, fenders, ground, spectrum, ratio, coefficient)
+
+
+def _one(table):
+    """The table of one of the fenders"""
+    import msgspec
+
+    if not 1 <= table.count <= 1000:
+        raise StudyError(f"fender.count is {table.count}; allowed: 1 to 1000 on each side")
+    return msgspec.structs.replace(table, count=1)
+
+
+def _floater(study, database):
+    if (study.body is None) == (database is None):
+        state = "neither is given" if database is None else "both are given"
+        raise StudyError(f"[body] and --database: {state}; allowed: one of them")
+    if database is None:
+        body = study.body
+        for name in ("added_mass", "damping"):
+            if not 0 <= getattr(body, name) < math.inf:
+                raise StudyError(f"body.{name} is {getattr(body, name):g}; allowed: 0 or more, finite")
+        return Floater(1e3 * positive("body.mass", body.mass), 1e3 * body.added_mass, 1e3 * body.damping)
+    from bem.database import open_database
+    from bem.time_domain.memory import memory_of_database
+
+    db, i = open_database(database), MOTIONS.index(study.motion)
+    memory = memory_of_database(db, 3e-3)
+    a, b, c = memory.matrices
+    keep = np.flatnonzero((b[:, i] != 0) | (c[i] != 0))
+    mass = float(db.reader.floating().inertia[i, i])
+    return Floater(mass, float(memory.added_mass_infinity[i, i]), 0.0, a[np.ix_(keep, keep)], b[keep, i], c[i, keep])
+
+
+def _spectrum(table):
+    T, S = np.array(table.periods, float), np.array(table.acceleration, float)
+    if len(T) < 2 or T.shape != S.shape:
+        raise StudyError(f"spectrum has {len(T)} periods and {len(S)} accelerations; allowed: as many, at least 2")
+    if not (np.all(np.isfinite(T)) and T[0] > 0 and np.all(np.diff(T) > 0)):
+        raise StudyError("spectrum.periods do not rise; allowed: s, above 0, rising")
+    if not (np.all(S > 0) and np.all(S <= STRONGEST)):
+        wrong = S[np.argmax(~((S > 0) & (S <= STRONGEST)))]
+        raise StudyError(f"spectrum.acceleration has {wrong:g}; allowed: above 0, at most {STRONGEST:g} m/s²")
+    below("spectrum.damping_ratio", table.damping_ratio, 0.5)
+
+    def at(period):
+        if period > T[-1]:
+            raise EarthquakeError(
+                f"the body swings with {period:.3g} s on its fenders, the spectrum ends at {T[-1]:g} s; give it further"
+            )
+        return np.interp(period, T, S)
+
+    return at
+
+
+def _ground(table, folder):
+    from mooring.environment.tables import TableError, read_table
+
+    path = folder / table.file
+    try:
+        names, values = read_table(path)
+    except TableError as error:
+        raise StudyError(str(error)) from None
+    names = [name.strip() for name in names or ()]
+    known = [name for name in names if name in COLUMNS]
+    if "time_s" not in names or len(known) != 1:
+        raise StudyError(
+            f"{path} has {', '.join(names) or 'no names'}; allowed: time_s, and one of {', '.join(COLUMNS)}"
+        )
+    if not 0 <= table.after <= LONGEST:
+        raise StudyError(f"record.after is {table.after:g} s; allowed: 0 to {LONGEST:g}")
+    scale = positive("record.scale", table.scale) * COLUMNS[known[0]]
+    try:
+        return ground_of_record(values[:, names.index("time_s")], scale * values[:, names.index(known[0])], table.after)
+    except EarthquakeError as error:
+        raise StudyError(f"{path}: {error}") from None

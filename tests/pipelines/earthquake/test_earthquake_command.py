@@ -1,0 +1,60 @@
+"""`hakobune earthquake` as a user calls it."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pipelines
+from pipelines import cli
+
+SCENE = Path(pipelines.__file__).parent / "scenes" / "earthquake_box.toml"
+T = np.arange(0.0, 8.0, 0.02)
+
+
+@pytest.fixture
+def study(tmp_path):
+    """The shipped study with a record of 8 s beside it"""
+    shaken = 100 * np.sin(np.pi * T / 8) * np.sin(3.0 * T)
+    rows = np.stack([T, shaken], axis=1)
+    np.savetxt(tmp_path / "record.csv", rows, delimiter=",", header="time_s,acceleration_gal", comments="")
+    path = tmp_path / "earthquake.toml"
+    path.write_text(SCENE.read_text() + '\n[record]\nfile = "record.csv"\nafter = 2.0\n')
+    return path
+
+
+def test_methods_stand_beside_each_other_and_the_course_is_kept(study, tmp_path, capsys):
+    words = ["earthquake", str(study), "--output", str(tmp_path / "c.csv"), "--plot", str(tmp_path / "p.png"), "--csv"]
+    assert cli.main(words) == 0
+    out, told = capsys.readouterr()
+    rows = {line.split(",")[0]: line.split(",") for line in out.splitlines() if line}
+    assert rows["seismic coefficient 0.2"][5] == "0.200" and rows["seismic coefficient 0.2"][6] == "–"
+    assert "warning: seismic coefficient 0.2: cell 2 m: 3.351e+04 kN press it" in told
+    names, *course = (tmp_path / "c.csv").read_text().splitlines()[2:]
+    course = np.array([line.split(",") for line in course], float)
+    assert float(rows["record in time"][4]) == pytest.approx(np.abs(course[:, 5]).max() / 1e3, abs=0.5)
+    assert names.startswith("t,ground,") and len(course) == len(T) + 100 and abs(course[-1, 1]) < 1e-9
+    assert (tmp_path / "p.png").stat().st_size > 5000
+    assert float(rows["20"][1]) > 1.0 > float(rows["5"][1])  # soft fenders keep short periods away
+
+
+@pytest.mark.parametrize(
+    "old, new, says",
+    [
+        ('motion = "sway"', 'motion = "heave"', "motion is 'heave'; allowed: surge, sway"),
+        ("count = 3", "count = 0", "fender.count is 0; allowed: 1 to 1000 on each side"),
+        ("[0.1, 0.2, 0.6", "[0.1, 0.6, 0.2", "spectrum.periods do not rise"),
+        ("coefficient = 0.2", "coefficient = 0.9", "rule: coefficient of rule A is 0.9; allowed: 0 to 0.3"),
+        ("record.csv", "none.csv", "none.csv does not exist"),
+    ],
+)
+def test_a_wrong_study_is_told_in_one_line(study, capsys, old, new, says):
+    study.write_text(study.read_text().replace(old, new))
+    assert cli.main(["earthquake", str(study)]) == 2
+    told = capsys.readouterr().err
+    assert says in told and told.count("\n") == 1
+
+
+def test_a_body_comes_from_the_study_or_a_database(study, capsys):
+    assert cli.main(["earthquake", str(study), "--database", "box.h5"]) == 2
+    assert "[body] and --database: both are given; allowed: one of them" in capsys.readouterr().err
