@@ -3,8 +3,8 @@
     m ẍ + N ẋ + K x = F₀ + F(t),    ω₀² = K/m,    ν = N/√(mK),    x_s = F₀/K
 
 Quick (SR179 report (1982), eq. 3.5.4.1):  σ = x_s/(2ν), with F₀ the mean drift.
-Spectrum:  σ² = ∫ S_F(ω) / {(K − mω²)² + (Nω)²} dω,  S_F of Newman's slow drift, of the
-waves themselves below the split, S|E|², and of gusts, (2F_w/U)² S_u(ω).  What subharmonics of stiffening lines and
+Spectrum:  σ² = ∫ S_F(ω) / {(K − mω²)² + (Nω)²} dω,  S_F of slow drift, gusts and the
+waves themselves below the split (`slow_spectrum`).  What subharmonics of stiffening lines and
 rectified line forces add only a simulation has: it says where the estimates fail.
 
 Each motion by itself: K is its entry of the mooring stiffness where the steady forces hold the body, m has the added
@@ -21,13 +21,10 @@ import numpy as np
 from ..loads.box_current import current_force
 from ..loads.box_drag import about
 from ..motion.streams import turning_drag
-from ..response.linear import over_headings
 from ..response.sea_state import sea_state
-from ..response.seas import directions, heading_step
-from ..response.slow_drift import force_spectrum, held_beyond, signed_means
+from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum, wave_spectrum
 from .wave_effects import sea_of
 
-PLANE = [0, 1, 5]
 LOWEST = 1e-3  # share of the waves' energy below the frequencies that are slow
 TURNS = 60  # of the iteration on the velocity of the slow motion
 SETTLED = 1e-6
@@ -55,9 +52,10 @@ def long_period(db, hull, result, gusts=None):
     state = sea_state(body, sea, conditions.duration)
     split = float(sea.spectrum.quantile(LOWEST))
     omega = np.linspace(0.0, split, 2001)[1:]
-    force = _drift_spectrum(body, sea, state.omega, omega) + _wave_spectrum(body, sea, omega)
+    both = drift_of_sea(body, sea).slow_spectrum(omega)
     if gusts is not None:
-        force += (2 * result.loads["wind"] / gusts.speed) ** 2 * gusts.density(omega)[:, None]
+        both += gust_spectrum(gusts, result.loads["wind"], omega)
+    force = np.einsum("dii->di", both) + wave_spectrum(body, sea, omega)
     waves = np.sqrt(np.trapezoid(state.omega[:, None] ** 2 * state.spectrum[:, PLANE], state.omega, axis=0))
     K = np.diag(result.equilibrium.stiffness)[PLANE]
     drag = _drag_of(conditions.current, hull, db)
@@ -93,24 +91,6 @@ def _one(body, K, mode, omega, force, waves, drag, other):
             break
         slow = 0.5 * (slow + before)
     return 2 * np.pi / natural, N / np.sqrt(mass * K), np.sqrt(np.trapezoid(response, omega))
-
-
-def _drift_spectrum(body, sea, omega, difference):
-    """(d, 3) N² s/rad of Newman's slow drift at differences (d,) rad/s"""
-    heading, weights = directions(sea, omega, heading_step(body, sea, omega))
-    drift = signed_means(body.drift(omega, heading), weights)
-    coarse = np.linspace(0.0, difference[-1], 61)
-    found = force_spectrum(sea.spectrum, *held_beyond(omega, drift, sea.spectrum), coarse)
-    return np.stack([np.interp(difference, coarse, column) for column in found.T], axis=1)
-
-
-def _wave_spectrum(body, sea, omega):
-    """(d, 3) N² s/rad of the first-order waves within the stored band at omega (d,) rad/s"""
-    inside = np.linspace(body.omega[0], max(omega[-1], body.omega[0] * 1.001), 61)
-    heading, weights = directions(sea, inside)
-    squares = over_headings(np.abs(body.forces(inside, heading)[:, :, PLANE]) ** 2, weights)
-    found = np.asarray(sea.spectrum.density(inside))[:, None] * squares
-    return np.stack([np.interp(omega, inside, column, left=0.0) for column in found.T], axis=1)
 
 
 def _drag_of(current, hull, db):

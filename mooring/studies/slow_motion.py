@@ -3,9 +3,8 @@
     {−Ω²[M + A(Ω)] − iΩ[B_D + B′] + C + K} x(Ω) = F(Ω),    S_x = H S_F H*,    σ² = ∫ S_x dΩ
 
 K is the stiffness of the lines where the steady forces leave the body, B_D the wave drift damping, B′ what the study
-adds.  F is slow drift by Newman's rule with its cross spectra (`response.slow_drift`), and gusts, F̄ (1 + 2u/U), in
-phase over the hull.  The drag of the hull is that of `long_period`, linearised; lines in statics damp nothing, their
-drag is B′.
+adds.  F is slow drift by Newman's rule with its cross spectra and gusts, in phase over the hull (`slow_spectrum`).  The
+drag of the hull is that of `long_period`, linearised; lines in statics damp nothing, their drag is B′.
 Beside it two estimates of a mode alone, of its stiffness C, damping N and ν = N/N_critical:
 
     σ ≈ √(π S_F(ω_n) / 2NC)  a flat spectrum,        x ≈ x_s / 2ν  a force that beats at ω_n, x_s = σ_F/C
@@ -31,12 +30,9 @@ import numpy as np
 from bem.database.natural_periods import natural_periods
 
 from ..response.extremes import EULER, expected_maximum
-from ..response.linear import frequencies
 from ..response.sea_state import TINY, differences, sea_state
-from ..response.seas import directions, heading_step
-from ..response.slow_drift import cross_spectrum, held_beyond, signed_means, signed_products
+from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum
 
-PLANE = [0, 1, 5]
 NAMES = ("surge", "sway", "yaw")
 ABOUT = 60  # frequencies on either side of a resonance, to some widths from it
 FEWEST_WAVES, MOST_WAVES = 100, 500  # of the quadratic form, two within the half width of a resonance where possible
@@ -90,8 +86,9 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
     mass, stiffness = held.inertia + held.held_added_mass(0.0)[0], held.stiffness
     modes = _modes(held, mass, damping)
     omega = _places(held, modes)
-    drift, forms = _drift_of(free, sea, omega, modes, mass, damping, stiffness)
-    gusts = np.zeros_like(drift) if loads.gust is None else _gust_spectrum(*loads.gust, omega)
+    of_sea = drift_of_sea(free, sea)
+    drift, forms = of_sea.slow_spectrum(omega), _forms_of(of_sea, modes, mass, damping, stiffness)
+    gusts = np.zeros_like(drift) if loads.gust is None else gust_spectrum(*loads.gust, omega)
     respond = _response(omega, mass, damping, stiffness)
     spectra = [np.einsum("dij,djk,dik->di", respond, force, respond.conj()).real for force in (drift, gusts)]
     m0, m2 = (np.trapezoid(omega[:, None] ** n * sum(spectra), omega, axis=0) for n in (0, 2))
@@ -179,24 +176,16 @@ def _places(held, modes):
     return omega[(omega >= 0) & (omega <= high)]
 
 
-def _drift_of(free, sea, difference, modes, mass, damping, stiffness):
-    """Spectra (d, 3, 3) of the slow drift force, and eigenvalues (3, n) of the quadratic forms of the slow motion"""
-    omega = frequencies(free, sea.spectrum.density)
-    heading, weights = directions(sea, omega, heading_step(free, sea, omega))
-    D = free.drift(omega, heading)
-    products = signed_products(D, weights)
-    coarse = np.linspace(0, difference[-1], 121)  # the spectrum of the force is smooth, of the motion it is not
-    found = cross_spectrum(sea.spectrum, *held_beyond(omega, products, sea.spectrum), coarse)
-    columns = [np.interp(difference, coarse, column) for column in found.reshape(len(coarse), -1).T]
-    wide, parts = held_beyond(omega, signed_means(D, weights), sea.spectrum)
+def _forms_of(drift, modes, mass, damping, stiffness):
+    """(3, n) eigenvalues of the quadratic forms of the slow motion"""
+    wide, parts = drift.mean_parts()
     finest = (2 * np.pi / modes.period * modes.ratio).min() / 2
     even = np.linspace(wide[0], wide[-1], int(np.clip(np.ptp(wide) / finest, FEWEST_WAVES, MOST_WAVES)))
     parts = np.stack([np.interp(even, wide, column) for column in parts.reshape(len(wide), -1).T], axis=-1)
     step = even[1] - even[0]
-    root = np.sqrt(2 * sea.spectrum.density(even)[:, None] * step * parts).reshape(len(even), 2, 3)
+    root = np.sqrt(2 * drift.spectrum.density(even)[:, None] * step * parts).reshape(len(even), 2, 3)
     respond = _response(step * np.arange(len(even)), mass, damping, stiffness)
-    forms = [_eigenvalues(respond[:, mode], root) for mode in range(3)]
-    return np.stack(columns, axis=-1).reshape(-1, 3, 3), np.array(forms)
+    return np.array([_eigenvalues(respond[:, mode], root) for mode in range(3)])
 
 
 def _eigenvalues(respond, root):
@@ -230,11 +219,6 @@ def _expected_largest(values, gaussian, speed, duration):
     x = np.fft.fftfreq(POINTS, 1 / POINTS) * (2 * REACH * sigma / POINTS)
     often = duration * np.sqrt(speed / (2 * np.pi)) * density
     return max(np.abs(x[often > np.exp(-EULER)]).max(initial=0.0), SIGNIFICANT * sigma)
-
-
-def _gust_spectrum(spectrum, force, omega):
-    slope = 2 * np.asarray(force, float) / spectrum.speed
-    return np.multiply.outer(spectrum.density(omega), np.outer(slope, slope))
 
 
 def _response(omega, mass, damping, stiffness):

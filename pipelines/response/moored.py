@@ -46,9 +46,10 @@ class Moored(NamedTuple):
 def moored(path, read, db, sea, duration, points):
     """`Moored` of the mooring study at `path` and a ResponseStudy.  Raises ValueError, one line."""
     from mooring.studies.conditions import Waves
-    from mooring.studies.long_period import PLANE, long_period
+    from mooring.studies.long_period import long_period
     from mooring.studies.multi_point import multi_point
     from mooring.studies.slow_motion import Loads, slow_motion
+    from mooring.studies.slow_spectrum import PLANE
 
     from ..moor.study import read_study
 

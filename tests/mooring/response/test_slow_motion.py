@@ -11,7 +11,8 @@ from mooring.environment.spectra import issc, jonswap
 from mooring.response.extremes import EULER, expected_maximum
 from mooring.response.sea_state import differences, sea_state
 from mooring.response.slow_drift import cross_spectrum, force_spectrum, signed_means, signed_products
-from mooring.studies.slow_motion import Loads, _drift_damping, _drift_of, _expected_largest, _modes, slow_motion
+from mooring.studies.slow_motion import Loads, _drift_damping, _expected_largest, _forms_of, _modes, slow_motion
+from mooring.studies.slow_spectrum import drift_of_sea
 
 HOUR, PERIOD = 3600.0, 5400.0
 SEA = Sea(jonswap(3.0, peak_period=10.0), np.radians(30.0))
@@ -118,7 +119,7 @@ def test_eigenvalues_of_the_slow_motion_have_its_variance(box_body):
     moored = held(box_body, 0.1)
     found, mass = slow_motion(box_body, moored, SEA, HOUR), moored.inertia + moored.held_added_mass(0.0)[0]
     damping = moored.damping + _drift_damping(sea_state(box_body, SEA, HOUR).slow.damping)
-    _, forms = _drift_of(box_body, SEA, found.omega, _modes(moored, mass, damping), mass, damping, moored.stiffness)
+    forms = _forms_of(drift_of_sea(box_body, SEA), _modes(moored, mass, damping), mass, damping, moored.stiffness)
     assert np.allclose(np.sqrt(np.sum(forms[:2] ** 2, axis=1)), found.slow[:2], rtol=0.03)
 
 

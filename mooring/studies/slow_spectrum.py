@@ -1,0 +1,62 @@
+"""Spectra of the slow forces on a moored body, of surge, sway and yaw with each other.
+
+    S_F(Ω) = S_drift(Ω) + (2/U)² F̄ F̄ᵀ S_u(Ω) + S(Ω) ⟨|E|²⟩
+
+Slow drift by Newman's rule with its cross spectra (`response.slow_drift`); gusts of a wind of force F̄ and speed U,
+F̄ (1 + 2u/U), in phase over the hull; the waves themselves where they are slow, E their exciting force.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..response.linear import frequencies, over_headings
+from ..response.seas import directions, heading_step
+from ..response.slow_drift import cross_spectrum, held_beyond, signed_means, signed_products
+
+PLANE = [0, 1, 5]
+COARSE = 121  # differences at which that of drift, which is smooth, is summed
+
+
+class DriftOfSea(NamedTuple):
+    """Mean drift (q, p, 3) N/m² at omega (q,) rad/s and the headings of a sea; weights : their shares of its energy"""
+
+    spectrum: object
+    omega: np.ndarray
+    drift: np.ndarray
+    weights: np.ndarray
+
+    def slow_spectrum(self, difference):
+        """(d, 3, 3) N² s/rad, of moments with N m: slow drift at rising differences (d,) rad/s"""
+        coarse, products = np.linspace(0.0, difference[-1], COARSE), signed_products(self.drift, self.weights)
+        found = cross_spectrum(self.spectrum, *held_beyond(self.omega, products, self.spectrum), coarse)
+        columns = [np.interp(difference, coarse, column) for column in found.reshape(COARSE, -1).T]
+        return np.stack(columns, axis=-1).reshape(-1, 3, 3)
+
+    def mean_parts(self):
+        """omega (q,) to where the waves end, and `signed_means` (q, 2, 3) of the drift there"""
+        return held_beyond(self.omega, signed_means(self.drift, self.weights), self.spectrum)
+
+
+def drift_of_sea(body, sea):
+    """`DriftOfSea` of a `bem.database.reader.Reader`, `floating`.  raises : BetweenError outside what is stored"""
+    omega = frequencies(body, sea.spectrum.density)
+    heading, weights = directions(sea, omega, heading_step(body, sea, omega))
+    return DriftOfSea(sea.spectrum, omega, body.drift(omega, heading), weights)
+
+
+def gust_spectrum(spectrum, force, omega):
+    """(d, 3, 3) of gusts: `environment.gusts.GustSpectrum` and (3,) mean wind force N, N, N m, at omega (d,) rad/s"""
+    slope = 2 * np.asarray(force, float) / spectrum.speed
+    return np.multiply.outer(spectrum.density(omega), np.outer(slope, slope))
+
+
+def wave_spectrum(body, sea, omega):
+    """(d, 3) of the first-order waves within the stored band, at omega (d,) rad/s below its middle"""
+    inside = np.linspace(body.omega[0], max(omega[-1], body.omega[0] * 1.001), 61)
+    heading, weights = directions(sea, inside)
+    squares = over_headings(np.abs(body.forces(inside, heading)[:, :, PLANE]) ** 2, weights)
+    found = np.asarray(sea.spectrum.density(inside))[:, None] * squares
+    return np.stack([np.interp(omega, inside, column, left=0.0) for column in found.T], axis=1)
