@@ -5,9 +5,10 @@ A line hangs in equilibrium if every part of it does.  Along a free part H is co
     dx/ds = (1 + ε) H/T,    dz/ds = (1 + ε) V/T,    T = √(H² + V²),    ε = ε(T) of the material,
 
 which Gauss's rule integrates here on intervals that shrink towards V = 0.  Along a part on the bed of slope β, dT/ds
-lies between w (sin β − μ cos β) and w (sin β + μ cos β), and T ≥ 0.  Where parts meet, the pulls, the load and the
-reaction of the bed add up to nothing; the reaction points out of the bed, and there is none off it.  Nothing is below
-the bed; a buoy is under water, in the surface with a part of its lift, or out of the water without it.
+lies between w (sin β − μ cos β) and w (sin β + μ cos β), and T ≥ 0; on a leg that goes back up the slope, towards the
+anchor, β is larger by π and cos β stands for |cos β|.  Where parts meet, the pulls, the load and the reaction of the
+bed add up to nothing; the reaction points out of the bed, and there is none off it.  Nothing is below the bed; a buoy
+is under water, in the surface with a part of its lift, or out of the water without it.
 
 Nothing of the solver is used here but the state at the upper end of each part, which is what it claims.
 """
@@ -56,8 +57,8 @@ def segment_at(line, s):
 
 def bed_height(line, x):
     px, pz = line.bed.points.T
-    last = (pz[-1] - pz[-2]) / (px[-1] - px[-2])
-    return np.where(x > px[-1], pz[-1] + last * (x - px[-1]), np.interp(x, px, pz))
+    slope = np.diff(pz) / np.diff(px)
+    return np.interp(x, px, pz) + slope[-1] * np.maximum(x - px[-1], 0.0) + slope[0] * np.minimum(x, 0.0)
 
 
 def slopes_at(line, x, far):
@@ -129,13 +130,13 @@ def on_bed(line, p, segment, heap, sliding, far, force, out):
     out.note("compressed", -min(T, T - rate * down) / force)
     out.note("bed", abs(z - bed_height(line, x)) / far)
     if sliding or max(T, T - rate * down) > force:
-        grip = abs(rate - weight * np.sin(beta)) - weight * line.bed.friction * np.cos(beta)
+        grip = abs(rate - weight * np.sin(beta)) - weight * line.bed.friction * abs(np.cos(beta))
         out.note("friction", grip * down / force)
     half = 0.5 * down
     moved = half * WEIGHTS @ (1 + strain(segment, np.maximum(T - rate * half * (1 + NODES), 0.0)))
     place = x - moved * np.cos(beta), z - moved * np.sin(beta)
     middle = 0.5 * (x + place[0])
-    out.note("bed", np.abs(slopes_at(line, middle, 0.0) - beta).min() * moved / far)
+    out.note("bed", np.abs(np.sin(slopes_at(line, middle, 0.0) - beta)).min() * abs(moved) / far)
     if place[0] > -far:
         out.note("bed", abs(place[1] - bed_height(line, max(place[0], 0.0))) / far)
     return place

@@ -9,7 +9,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Bed:
-    """Straight facets between the vertices `points`, the last one without end; Coulomb friction.
+    """Straight facets between the vertices `points`, the first and the last one without end; Coulomb friction.
 
     points : (k, 2) m, x from the anchor towards the fairlead, rising strictly, and z; the anchor lies on the first
         (given points are shifted so that it is at (0, 0))
@@ -71,8 +71,9 @@ class Bed:
     def depth_below(self, x, z):
         """Height of points (x, z) above the bed, m; negative under it."""
         px, pz = self.points.T
-        last = (pz[-1] - pz[-2]) / (px[-1] - px[-2])
-        return z - np.where(x > px[-1], pz[-1] + last * (x - px[-1]), np.interp(x, px, pz))
+        slope = np.diff(pz) / np.diff(px)
+        beyond = slope[0] * np.minimum(x, 0.0) + slope[-1] * np.maximum(x - px[-1], 0.0)
+        return z - np.interp(x, px, pz) - beyond
 
 
 def _bilinear(x, y, z, at):

@@ -1,10 +1,11 @@
 """Kernels for the residuals of a line's equilibrium, and their exact derivatives.
 
 The contacts with the bed, found by `traverse` as a list of steps, fix which equations hold: a span ends on a facet, at
-a bed vertex or at the anchor, a floating buoy lies in the surface, and the anchor is reached with no length left over.
-The unknowns are, in this order, H and V at the fairlead, the place, angle or normal force with which each span begins,
-s at bed vertices, and the weights of floating buoys; the last two columns of the derivatives are those by x and z of
-the fairlead.
+a bed vertex or at the anchor, a floating buoy lies in the surface, a line that slides into a heap at a vertex has no
+tension there, or a sinker, and the anchor is reached with no length left over.  The unknowns are, in this order, H and
+V at the fairlead, the place, angle or normal force with which each span begins, s at bed vertices, the length of such
+a heap, and the weights of floating buoys; the last two columns of the derivatives are those by x and z of the
+fairlead.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import numpy as np
 from bem.kernels.jit import kernel
 
 from .free_span import free_step, free_table_row, level_in_sea, tangent_beyond
-from .friction import bend_at_vertex, leave_bed, place_on_vertex
+from .friction import bend_at_vertex, leave_bed, place_on_vertex, slides_down
 from .line_data import (
     DERIVATIVE_ROWS,
     EMERGED,
@@ -30,6 +31,7 @@ from .line_data import (
     STATE_ROWS,
     H,
     S,
+    T,
     V,
     X,
     Z,
@@ -40,6 +42,8 @@ from .line_data import (
 from .on_bed import leave_heap, march_on_facet, pass_grounded_sinker, put_on_facet, touch_down
 from .touchdown import (
     BEND,
+    GROUNDED_ANCHOR,
+    HEAP_AT_VERTEX,
     OFF_FACET,
     OFF_SINKER,
     OFF_VERTEX,
@@ -98,8 +102,8 @@ def pass_load(line, e):
     """Pass a point load on a free span; a floating buoy adds its weight as an unknown and the equation z = surface."""
     load = e.at[1]
     if e.states[load] == FLOATING:
-        above = level_in_sea(line, e.q[X], e.q[Z]) - line.surface
-        write_equation(e, above, 1.0, Z, -tangent_beyond(line, e.q[X]), X)
+        above = level_in_sea(line, e.q) - line.surface
+        write_equation(e, above, 1.0, Z, -tangent_beyond(line, e.q), X)
         unknown = min(e.done[2], e.u.size - 1)
         e.q[V] -= e.u[unknown]
         e.g[V, unknown] -= 1.0
@@ -191,6 +195,16 @@ def step_on_bed(line, e, step, index, load, rows):
     """A step that starts on the bed."""
     q, g = e.q, e.g
     amount, unknown, last_load = math.inf, NOTHING, NOTHING
+    if step == HEAP_AT_VERTEX:
+        unknown = next_unknown(e)
+        if load >= 0:
+            write_equation(e, q[S] - line.loads[load, 0], 1.0, S, 0.0, S)
+        else:
+            write_equation(e, q[T] / line.weight * line.length, line.length / line.weight, T, 0.0, T)
+        q[T] = 0.0
+        mix(g, T, 0.0, T, 0.0, T)
+        leave_heap(line, q, g, e.at, e.u[unknown], 0.0, unknown, rows)
+        return
     if step == OFF_FACET or step == OFF_VERTEX or step == OFF_SINKER:  # noqa: SIM109
         unknown = next_unknown(e)
         amount = e.u[unknown]
@@ -208,7 +222,7 @@ def step_on_bed(line, e, step, index, load, rows):
         if step == TO_SINKER:
             last_load = load
         # beyond the anchor's place, where a buoy has lifted something from the heap
-        if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0]):
+        if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0] or slides_down(line, e.at, 0)):
             amount = amount if step == OFF_FACET else q[S]
         march_on_facet(line, q, g, e.at, index, amount, unknown, last_load, rows)
         if math.isinf(amount) and step != TO_SINKER:
@@ -243,17 +257,21 @@ def equations(line, e, x, z, steps, left, rows):
     rows : pieces are stored there, see `record`
     """
     start_equations(line, e, x, z, left)
-    last = steps.shape[0] - 1
+    last, slides = steps.shape[0] - 1, False
     for i in range(last + 1):
         step, index, load = steps[i, 0], steps[i, 1], steps[i, 2]
         if step <= TO_ANCHOR:
             span_step(line, e, step, index, load, steps[min(i + 1, last), 0], left == HEAP_AT_ANCHOR, rows)
             if i == 0 and left == HEAP_AT_TOUCHDOWN:
-                leave_heap(line, e.q, e.g, e.at, e.u[0], 0, rows)
+                leave_heap(line, e.q, e.g, e.at, e.u[0], line.bed[index, 2] if step == TO_FACET else 0.0, 0, rows)
         else:
+            slides = step == GROUNDED_ANCHOR and slides_down(line, e.at, 0)
             step_on_bed(line, e, step, index, load, rows)
     if steps[last, 0] > TO_ANCHOR:
-        write_equation(e, e.q[S], 1.0, S, 0.0, S)
+        if slides:
+            write_equation(e, e.q[X] - line.bed[0, 0], 1.0, X, 0.0, X)
+        else:
+            write_equation(e, e.q[S], 1.0, S, 0.0, S)
         leave_bed(line, e.q, e.g)
     if left == HEAP_AT_ANCHOR:
         row = e.u.size - 1

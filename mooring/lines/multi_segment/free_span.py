@@ -11,7 +11,7 @@ import math
 
 from bem.kernels.jit import kernel
 
-from .line_data import EMERGED, FLOATING, LENGTH, SUBMERGED, H, S, V, X, Z, strain_row
+from .line_data import EMERGED, FLOATING, LENGTH, SUBMERGED, H, S, V, X, Z, slides_on, strain_row
 
 
 @kernel()
@@ -65,19 +65,22 @@ def free_table_row(line, q, segment):
 
 
 @kernel()
-def tangent_beyond(line, x):
+def tangent_beyond(line, q):
     """Slope of the bed at x m beyond the anchor's place, 0 above the bed itself.
 
     What is left over of a slack line lies in a heap at its anchor.  It is laid out along the first facet, past the
     anchor, and the sea surface over it goes with the facet: what a buoy lifts there stands as high as over the anchor.
+    Down a slope on which it slides, pulled, it lies where it is.
     """
-    return math.tan(line.bed[0, 2]) if x < line.bed[0, 0] and not line.no_bed else 0.0
+    if q[X] >= line.bed[0, 0] or line.no_bed or (slides_on(line, 0) and q[H] > 2 * line.least):
+        return 0.0
+    return math.tan(line.bed[0, 2])
 
 
 @kernel()
-def level_in_sea(line, x, z):
-    """Height z of a point, moved with the bed to the anchor where it lies beyond it."""
-    return z - (x - line.bed[0, 0]) * tangent_beyond(line, x)
+def level_in_sea(line, q):
+    """Height of the line here, moved with the bed to the anchor where it lies beyond it."""
+    return q[Z] - (q[X] - line.bed[0, 0]) * tangent_beyond(line, q)
 
 
 @kernel()

@@ -3,6 +3,8 @@
 On a facet of slope β, going down: T₋ = T − w (sin β ± μ cos β) Δs; plus where the line slides towards the fairlead,
 minus where it slides towards the anchor, and the tension kept from the position before where that lies between the two.
 At a bed vertex T changes by exp(∓μ Δβ), the capstan equation, limit of the same law on a rounded bed.
+A line without tension slides down a facet on which sin β > μ cos β, and pulls: there T goes on below zero while the
+traversal seeks the tension that holds it (`on_bed`).
 SR179 report (1982), section 3.1.1, eq. 3.1.6.
 """
 
@@ -12,7 +14,7 @@ import math
 
 from bem.kernels.jit import kernel
 
-from .line_data import HIGH, LENGTH, LOW, PHI, H, S, T, V, X, Z, mix
+from .line_data import HIGH, LENGTH, LOW, PHI, H, S, T, V, X, Z, mix, slides_on
 
 
 @kernel()
@@ -50,7 +52,7 @@ def kept_within(line, q, g, low, high):
 @kernel()
 def pass_weight_on_bed(line, q, g, angle, weight):
     """Pass a weight (N) on the bed, whose derivatives are g[LENGTH]."""
-    along, across = math.sin(angle), line.friction * math.cos(angle)
+    along, across = math.sin(angle), line.friction * abs(math.cos(angle))
     pull, give = along + across, along - across
     mix(g, LOW, 1.0, T, -pull, LENGTH)
     mix(g, HIGH, 1.0, T, -give, LENGTH)
@@ -79,9 +81,15 @@ def bend_at_vertex(line, q, g, angle, unknown):
 
 
 @kernel()
+def slides_down(line, at, facet):
+    """Whether a line without tension slides down this facet, and pulls; not above a buoy, which may lift it."""
+    return slides_on(line, facet) and at[1] < line.lowest_buoy
+
+
+@kernel()
 def friction_rate(line, q, weight, angle):
     """dT/ds on the bed, the length for which it holds, and the kept tension reached at its end (nan: not reached)."""
-    along, across = weight * math.sin(angle), weight * line.friction * math.cos(angle)
+    along, across = weight * math.sin(angle), weight * line.friction * abs(math.cos(angle))
     kept, slope, until = kept_tension(line, q[S])
     available = q[S] - until
     t = q[T]

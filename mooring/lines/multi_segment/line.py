@@ -11,8 +11,9 @@ propagated; friction acts at bed vertices too, and only as far as equilibrium ne
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
 and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too; a
 buoy does not rise out of the sea but floats in its surface with a part of its lift, or is lifted out of it by a
-fairlead that stands above.  Bending, current on the line and
-the weight of the line above water are neglected.
+fairlead that stands above.  On a slope steeper than friction holds a line without tension slides down: into a heap
+above the next vertex that stops it, or in a bight below its anchor, which then holds it.  Bending, current on the
+line and the weight of the line above water are neglected.
 """
 
 from __future__ import annotations
@@ -144,7 +145,7 @@ class StaticLine:
         H, V, H_anchor, V_anchor = (column.reshape(x.shape)[()] for column in found[:, :4].T)
         words = ("submerged", "floating", "emerged")
         one = x.ndim == 0
-        if one and slack[0]:
+        if one and slack[0] and not np.any(pieces[:, 10] > 0.5 * np.pi):  # the bight of a line that slides
             tangent = 0.0 if self.bed is None else self.bed.points[1, 1] / self.bed.points[1, 0]
             pieces = heaped(pieces, tangent)
         return StaticSolution(
@@ -216,5 +217,7 @@ class StaticLine:
             LEAST * self.weight,
             len(points) > 2,
             0.0,
+            0,
+            self.weight,
             np.empty((0, 4)),
         )

@@ -10,6 +10,7 @@ arrays of a Workspace, and records its steps and unknowns there.
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -23,6 +24,7 @@ STATE_ROWS, DERIVATIVE_ROWS, PIECE_COLUMNS = 7, 11, 11
 SUBMERGED, FLOATING, EMERGED = 0, 1, 2
 # what is left over of a line: nothing; it lies in a heap at the anchor; where the line first touches the bed
 TAUT, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN = 0, 1, 2
+STEEP = 1e-12  # of a slope, by which it is steeper than friction holds
 HEAP = 1e-300  # λ of a piece in a heap, which has no extent
 
 
@@ -38,7 +40,8 @@ class LineData(NamedTuple):
         a facet and those before it; no_bed : the line touches the anchor alone
     friction : μ; least : lower limit of the tension of a free span, N
     to_place : whether a traversal ends at the anchor's place, with some length left over, else with the line, somewhere
-    heap : m that lie in a heap where the line first touches the bed
+    heap : m that lie in a heap, where the line first touches the bed or, from 1 on, at the bed vertex `foot`
+    weight : N, of the whole line
     kept : (j, 4) rows of s₀, s₁, T₀, T₁ on the bed at the position before, downwards: the tension that friction keeps
     """
 
@@ -56,6 +59,8 @@ class LineData(NamedTuple):
     least: float
     to_place: bool
     heap: float
+    foot: int
+    weight: float
     kept: np.ndarray
 
 
@@ -72,6 +77,12 @@ def copy_state(q, at, q0, at0):
         q[i] = q0[i]
     for i in range(at0.size):
         at[i] = at0[i]
+
+
+@kernel()
+def slides_on(line, facet):
+    """Whether a line without tension slides down a facet, away from the fairlead; with a history it stays."""
+    return math.tan(line.bed[facet, 2]) > line.friction + STEEP and line.kept.shape[0] == 0
 
 
 @kernel()
@@ -111,7 +122,7 @@ class Workspace(NamedTuple):
 
     steps : (…, 3) step (see `touchdown`), facet or bed vertex, point load
     unknowns : (…,) H, V at the fairlead, then starts of spans and s at bed vertices
-    count : (2,) steps and unknowns found
+    count : (3,) steps and unknowns found; bed vertex above which a line without tension slides down, 0 for none
     states, load_weights : states and weights (N) of the point loads
     q, at : state of the traversal, see `line_data`; trial_q, trial_at : state of a span that is tried
     g, rows : empty, for kernels that can also propagate derivatives or store pieces
@@ -136,7 +147,7 @@ def workspace_for(line):
     return Workspace(
         np.zeros((capacity, 3), np.int64),
         np.zeros(capacity),
-        np.zeros(2, np.int64),
+        np.zeros(3, np.int64),
         np.zeros(len(line.loads), np.int64),
         np.zeros(len(line.loads)),
         np.zeros(STATE_ROWS),
@@ -145,6 +156,30 @@ def workspace_for(line):
         np.zeros(3, np.int64),
         np.empty((DERIVATIVE_ROWS, 0)),
         np.empty((0, PIECE_COLUMNS)),
+    )
+
+
+@kernel()
+def with_heap(line, heap, foot):
+    """LineData of the line with a heap."""
+    return LineData(
+        line.segments,
+        line.length,
+        line.first_row,
+        line.strain_table,
+        line.loads,
+        line.lowest_buoy,
+        line.surface,
+        line.soft,
+        line.bed,
+        line.no_bed,
+        line.friction,
+        line.least,
+        line.to_place,
+        heap,
+        foot,
+        line.weight,
+        line.kept,
     )
 
 
@@ -170,7 +205,7 @@ def start_traverse(line, w, horizontal, x, z):
     w.at[0], w.at[1] = line.segments.shape[0] - 1, line.loads.shape[0] - 1
     for load in range(w.states.size):
         w.states[load] = SUBMERGED
-    w.count[0], w.count[1], w.unknowns[0] = 0, 1, horizontal
+    w.count[0], w.count[1], w.count[2], w.unknowns[0] = 0, 1, 0, horizontal
     facet = line.bed.shape[0] - 1
     while facet > 0 and line.bed[facet, 0] >= x:
         facet -= 1

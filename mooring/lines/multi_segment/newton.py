@@ -131,17 +131,18 @@ def store(e, A, residual, result):
 
 
 @kernel()
-def continuation(line, w, x, z, first, left, rows, result):
+def continuation(line, w, x, z, first, left, heap, rows, result):
     """Solve positions from number `first` on, for as long as the contacts with the bed stay those recorded in w.
 
     Each begins from the one before, extrapolated by its derivatives, and is judged by its pieces (`verdict`).
+    heap : m where the line first touches the bed
     rows : pieces of the last position solved; result : (n, 11) see `store`; w.states : left as they were
     returns : number of the first position that was not solved
     """
     e = equations_for(w)
     n = e.u.size
     if left == HEAP_AT_TOUCHDOWN:
-        e.u[0] = line.heap
+        e.u[0] = heap
     A, steps = np.empty((n, n + 3)), w.steps[: w.count[0]].copy()
     i = first
     while i < x.size:

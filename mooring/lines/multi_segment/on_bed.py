@@ -1,4 +1,10 @@
-"""Kernels that integrate a line downwards along a facet of the bed, and that put a line or a sinker on the facet."""
+"""Kernels that integrate a line downwards along a facet of the bed, and that put a line or a sinker on the facet.
+
+On a facet steeper than friction holds (`friction.slides_down`) a line needs its tension down to the lower end: where
+it runs out before, T goes on below zero, and the position is no equilibrium.  The first facet goes on below the
+anchor: there a line that slides hangs in a bight.  It turns where T = 0, and its other leg lies up the slope to the
+anchor, which holds it with w (sin β − μ cos β) a length; on that leg β is larger by π.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +12,7 @@ import math
 
 from bem.kernels.jit import kernel
 
-from .friction import bed_step, friction_rate, kept_tension, pass_weight_on_bed
+from .friction import bed_step, friction_rate, kept_tension, pass_weight_on_bed, slides_down
 from .line_data import END, HEAP, LENGTH, PHI, H, S, T, V, X, Z, mix, next_stop, record, strain_row
 
 # what ends a piece on the bed: a row of the tension table, the tension kept from an earlier position, tension 0, a
@@ -23,24 +29,24 @@ def length_for(distance, t, rate, factor, flexibility):
 
 
 @kernel()
-def length_on(line, q, facet):
+def length_on(line, q, at, facet):
     """Length to march on a facet: to its lower end, for which inf stands, and on the first one all that is left."""
-    return math.inf if facet > 0 or line.to_place else q[S]
+    return q[S] if facet == 0 and (not line.to_place or slides_down(line, at, facet)) else math.inf
 
 
 @kernel()
-def bed_piece(line, q, g, at, angle):
+def bed_piece(line, q, g, at, angle, slides, folds):
     """dT/ds and row of the tension table here; length for which they hold; what ends it; kept tension reached."""
     segment = at[0]
     rate, ds, kept = friction_rate(line, q, line.segments[segment, 1], angle)
-    if rate < 0 and q[X] <= line.bed[0, 0]:  # what lies in a heap at the anchor does not pull there
+    if rate < 0 and q[X] <= line.bed[0, 0] and not folds:  # what lies in a heap at the anchor does not pull there
         rate = 0.0
-    if q[T] <= 0 and rate > 0:
+    if q[T] <= 0 and rate > 0 and not slides:
         q[T], rate = 0.0, 0.0
         mix(g, T, 0.0, T, 0.0, T)
     row = strain_row(line, segment, q[T], rate > 0)
     why = TABLE_ROW if math.isnan(kept) else KEPT_TENSION
-    if rate > 0:
+    if rate > 0 and not (slides and not folds and row == line.first_row[segment]):
         available = (q[T] - line.strain_table[row, 0]) / rate
         if available < ds:
             ds, why = available, TABLE_ROW if line.strain_table[row, 0] > 0 else NO_TENSION
@@ -55,7 +61,7 @@ def bed_piece(line, q, g, at, angle):
 def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
     """Integrate down along a facet by a length, or to its lower end where `amount` is infinite.
 
-    Stops at a buoy and at the point load `last_load`.
+    Stops at a buoy and at the point load `last_load`.  On the first facet a line that slides is folded where T = 0.
     unknown : index of the unknown that the length is, below 0 for none; rows : see `record`
     """
     angle = line.bed[facet, 2]
@@ -64,8 +70,12 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
     mix(g, END, 1.0, S, 0.0, S)
     if unknown >= 0:
         g[END, unknown] -= 1.0
+    slides = slides_down(line, at, facet)
+    folds, folded = slides and facet == 0 and amount == q[S], False
+    if folds:
+        mix(g, END, 0.0, S, 0.0, S)
     for _ in range(10_000):
-        rate, row, ds, why, kept = bed_piece(line, q, g, at, angle)
+        rate, row, ds, why, kept = bed_piece(line, q, g, at, angle, slides, folds)
         factor, flexibility = line.strain_table[row, 1], line.strain_table[row, 2]
         stop, is_load = next_stop(line, at)
         if q[S] - stop <= ds:
@@ -73,7 +83,7 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
         end = q[S] - target
         if math.isinf(amount):
             end = length_for((q[X] - line.bed[facet, 0]) / cos, q[T], rate, factor, flexibility)
-        elif q[X] > line.bed[0, 0]:
+        elif q[X] > line.bed[0, 0] and not folds:
             to_origin = length_for((q[X] - line.bed[0, 0]) / cos, q[T], rate, factor, flexibility)
             if facet == 0 and to_origin < ds:
                 ds, why = to_origin, ORIGIN
@@ -86,6 +96,8 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
             mix(g, LENGTH, 1 / cos / low_stretch, X, -flexibility * ds / low_stretch, T)
         elif why == DONE:
             mix(g, LENGTH, 1.0, S, -1.0, END)
+        elif why == NO_TENSION and folds:
+            mix(g, LENGTH, 1 / rate, T, 0.0, T)
         else:
             mix(g, LENGTH, 0.0, S, 0.0, S)
         record(rows, at, q, ds, rate, line.segments[at[0], 1], row, angle, True, line.strain_table)
@@ -96,6 +108,8 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
         elif why == NO_TENSION:
             q[T] = 0.0
             mix(g, T, 0.0, T, 0.0, T)
+            if folds:
+                folded, angle, cos = True, angle + math.pi, -cos
         elif why == ORIGIN:
             q[X], q[Z] = line.bed[0, 0], line.bed[0, 1]
             if rate < 0:
@@ -105,9 +119,17 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
             q[S] = stop
             if is_load and (line.loads[at[1], 1] < 0 or at[1] == last_load):
                 return
-            pass_on_bed(line, q, g, at, angle, is_load)
+            if is_load and slides and not folded:
+                if pass_sliding_sinker(line, q, g, at, angle, folds):
+                    folded, angle, cos = True, angle + math.pi, -cos
+            else:
+                pass_on_bed(line, q, g, at, angle, is_load)
         elif why == DONE:
-            return
+            if folds:
+                q[S] = 0.0
+            break
+    if folded:
+        q[PHI] = angle
 
 
 @kernel()
@@ -122,16 +144,36 @@ def pass_on_bed(line, q, g, at, angle, is_load):
 
 
 @kernel()
-def leave_heap(line, q, g, at, amount, unknown, rows):
+def pass_sliding_sinker(line, q, g, at, angle, folds):
+    """Pass a sinker where the line slides.  returns : whether the line is folded there
+
+    A sinker that the line above does not pull up the slope hangs between both legs: what friction and that line do
+    not hold is the other leg's.
+    """
+    weight = line.loads[at[1], 1]
+    along, across = math.sin(angle), line.friction * math.cos(angle)
+    at[1] -= 1
+    rest = q[T] - (along + across) * weight
+    if rest >= 0 or not folds:
+        q[T] = rest
+        return False
+    rest = (along - across) * weight - q[T]
+    q[T] = max(rest, 0.0)
+    mix(g, T, -1.0 if rest > 0 else 0.0, T, 0.0, T)
+    return True
+
+
+@kernel()
+def leave_heap(line, q, g, at, amount, angle, unknown, rows):
     """Leave an unstretched length of line, the unknown of the given index, in a heap here, with all sinkers on it.
 
-    returns : False where a buoy would lift the heap
+    angle : slope of the bed there.  returns : False where a buoy would lift the heap
     """
     end = q[S] - amount
     for _ in range(10_000):
         stop, is_load = next_stop(line, at)
         down = q[S] - max(stop, end)
-        record(rows, at, q, down, 0.0, line.segments[at[0], 1], line.first_row[at[0]], 0.0, True, line.strain_table)
+        record(rows, at, q, down, 0.0, line.segments[at[0], 1], line.first_row[at[0]], angle, True, line.strain_table)
         if 0 < at[2] <= rows.shape[0]:
             rows[at[2] - 1, 5], rows[at[2] - 1, 8], rows[at[2] - 1, 9] = 0.0, HEAP, 0.0
         q[S] = max(stop, end)

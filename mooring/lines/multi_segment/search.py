@@ -14,13 +14,14 @@ import numpy as np
 from bem.kernels.jit import kernel
 
 from ..catenary.state import BEYOND_REACH, SLACK
-from .line_data import HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, PIECE_COLUMNS, TAUT, workspace_for
+from .line_data import HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, PIECE_COLUMNS, TAUT, with_heap, workspace_for
 from .newton import continuation
 from .touchdown import GROUNDED_ANCHOR, between
 from .traverse import traverse
 
-# results of a search beside `State`: an equilibrium that is not slack; none found, though in reach
-SOLVED, LOST = -1, -2
+# results of a search beside `State`: an equilibrium that is not slack; none found, though in reach; one with a heap
+# at the bed vertex to which the line slides
+SOLVED, LOST, SLIDES = -1, -2, -3
 # of the length, left over at the anchor by a search: those to begin with, and those where these find nothing, which
 # take ten times as long; each begins with the tension of the one before
 COARSE = 1e-3, 1e-6
@@ -29,10 +30,14 @@ FINE = (*COARSE, 1e-9, 1e-12, 1e-15)
 
 @kernel()
 def horizontal_tension(line, w, x, z, guess, tolerance):
-    """H at which no length is left over at the anchor, bracketed on ln H.  returns : H, state; w holds the traversal"""
+    """H at which no length is left over at the anchor, bracketed on ln H.
+
+    Where a line slides down to a bed vertex, a lower limit of H is that with which it arrives there without tension.
+    returns : H, state; w holds the traversal, or at least in w.count that vertex
+    """
     bottom, start = math.log(line.least), math.log(guess)
     low, high, f_low, f_high = bottom, math.inf, math.nan, math.nan
-    q, wide, room = bottom, 0.0, 0.0
+    q, wide, room, foot, passed = bottom, 0.0, 0.0, 0, 0
     # the length may jump where a buoy comes out of the sea: the contacts on either side are tried before the last bit
     narrow = 1e-5 if tolerance >= COARSE[0] else 1e-15
     for trial in range(200):
@@ -42,8 +47,20 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
                 return line.least, SLACK
             f_low, q = value, start
             continue
-        if abs(value) <= tolerance * line.length or high - low <= narrow * max(1.0, abs(q)):
-            return math.exp(q), SOLVED
+        slid, narrowed = w.count[0] == 0, high - low <= narrow * max(1.0, abs(q))
+        near = abs(value) <= tolerance * line.length
+        if value < 0:
+            foot = w.count[2]
+        if foot > 0 and foot != passed and ((slid and near) or narrowed):
+            h = math.exp(q if slid else low)
+            if traverse(with_heap(line, 0.0, foot), w, h, x, z) > 0:
+                w.count[2] = foot
+                return h, SLIDES
+            passed = foot
+            if narrowed:
+                return h, LOST
+        if narrowed or (near and not slid):
+            return math.exp(q), LOST if slid else SOLVED
         if value > 0:
             high, f_high = q, value
         else:
@@ -88,14 +105,18 @@ def _solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
     """Solve one position and those after it with the same contacts.  returns : the position after them, state"""
     for tolerance in tolerances:
         guess, state = horizontal_tension(line, w, x[first], z[first], guess, tolerance)
-        if state in (BEYOND_REACH, LOST) or w.count[0] == 0:
+        if state == SLIDES:
+            _heap(line, w, w.count[2], guess, x[first], z[first], tolerance)
+        elif state in (BEYOND_REACH, LOST) or w.count[0] == 0:
             return first, BEYOND_REACH if state == BEYOND_REACH else LOST
         # a span that gets to the anchor's place with some length left over is not slack in that measure
         slack = state == SLACK and (not line.to_place or w.steps[w.count[0] - 1, 0] == GROUNDED_ANCHOR)
         left = HEAP_AT_ANCHOR if slack else TAUT
-        after = continuation(line, w, x, z, first, left, pieces, found)
+        after = continuation(line, w, x, z, first, left, 0.0, pieces, found) if w.count[0] > 0 else first
         if after == first and slack:
-            after = _with_heap(line, w, x, z, first, pieces, found)
+            heap = _heap(line, w, np.int64(0), line.least, x[first], z[first], 1e-15)
+            if w.count[0] > 0:
+                after = continuation(line, w, x, z, first, HEAP_AT_TOUCHDOWN, heap, pieces, found)
         if after > first:
             return after, SLACK if slack else SOLVED
         if state == SLACK:  # whatever the tolerance
@@ -103,19 +124,20 @@ def _solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
     return first, LOST
 
 
-def _with_heap(line, w, x, z, first, pieces, found):
-    """Solve a slack line that slides away from its anchor: what is left over lies where it first touches the bed."""
+def _heap(line, w, foot, horizontal, x, z, tolerance):
+    """Length, m, that lies in a heap where a line that slides first touches the bed, or above the bed vertex `foot`.
+
+    tolerance : of the line's length; w : left with the traversal; no steps where there is none
+    """
     low, high, f_low, f_high = 0.0, line.length, math.nan, math.nan
     room = 2 * line.length
-    while high - low > 1e-15 * line.length:
+    while high - low > tolerance * line.length:
         heap = between(low, high, f_low, f_high, line.length, room, 2e-16 * line.length)
         room *= 0.5
-        value = traverse(line._replace(heap=heap), w, line.least, x[first], z[first])
+        value = traverse(with_heap(line, heap, foot), w, horizontal, x, z)
         if value > 0:
             low, f_low = heap, value
         else:  # nan: too much, all the line is in the heap
             high, f_high = heap, value
-    traverse(line._replace(heap=low), w, line.least, x[first], z[first])
-    if w.count[0] == 0:
-        return first
-    return continuation(line._replace(heap=low), w, x, z, first, HEAP_AT_TOUCHDOWN, pieces, found)
+    traverse(with_heap(line, low, foot), w, horizontal, x, z)
+    return low

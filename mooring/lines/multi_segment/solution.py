@@ -100,12 +100,15 @@ class StaticSolution:
 
     @property
     def slides(self):
-        """Whether a part without tension lies on a bed steeper than friction holds.
+        """Whether a part without tension lies on a bed steeper than friction holds, in a heap at the anchor too.
 
-        It is taken to lie where it is laid; in truth it would slide to the nearest hollow, and pull there.
+        It is taken to lie where it is laid; in truth it would slide to the nearest hollow, and pull there.  What
+        slides away from the fairlead is solved, so that this is left of lines with buoys or that slide towards it.
         """
         if self.line.bed is None:
             return False
+        if self.slack and abs(np.tan(self.line.anchor_slope)) > self.line.bed.friction + 1e-12:
+            return True
         p = self._one[self._one[:, 0] == 1]
         idle = np.maximum(p[:, 5], p[:, 5] - p[:, 6] * p[:, 2]) <= 1e-9 * self.line.weight
         steep = np.abs(np.tan(p[:, 10])) > self.line.bed.friction + 1e-12

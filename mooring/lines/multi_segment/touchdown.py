@@ -21,9 +21,10 @@ from .on_bed import march_on_facet, pass_grounded_sinker
 # TO_FACET, TO_VERTEX, TO_ANCHOR: a free span that ends there; ALONG: on a facet to its lower end; BEND: from a facet
 # over its lower vertex onto the next; OFF_FACET, OFF_VERTEX, OFF_SINKER: a free span begins inside a facet, at a
 # vertex, below a sinker on the bed; TO_SINKER: on a facet to a sinker; GROUNDED_ANCHOR: on the bed to the anchor;
-# NONE: the line stays on the bed; MISSED: a free span from which no start touches the bed
+# NONE: the line stays on the bed; MISSED: a free span from which no start touches the bed; HEAP_AT_VERTEX: a heap
+# above a vertex, to which the line slides; SLID: a line without tension slides down to a vertex
 NONE, TO_FACET, TO_VERTEX, TO_ANCHOR, ALONG, OFF_FACET = np.arange(6)
-BEND, OFF_VERTEX, GROUNDED_ANCHOR, OFF_SINKER, TO_SINKER, MISSED = np.arange(6, 12)
+BEND, OFF_VERTEX, GROUNDED_ANCHOR, OFF_SINKER, TO_SINKER, MISSED, HEAP_AT_VERTEX, SLID = np.arange(6, 14)
 FROM_FAIRLEAD, FROM_FACET, FROM_VERTEX, FROM_SINKER = np.arange(4)
 ROUNDING = 1e-12  # of the length: penetration by which a span may seem to begin
 WALK = 10_000  # pieces of one span, far above what a line can have: no walk goes on for ever
@@ -111,7 +112,7 @@ def first_contact(line, q, g, at, facet, states, load_weights):
             if not is_load:
                 at[0] -= 1
                 continue
-            force, states[at[1]] = smoothed_weight(line, at[1], level_in_sea(line, q[X], q[Z]))
+            force, states[at[1]] = smoothed_weight(line, at[1], level_in_sea(line, q))
             load_weights[at[1]] = force
             if not line.no_bed and q[V] > q[H] * tan >= q[V] - force:
                 value = height_over(line, q, facet)

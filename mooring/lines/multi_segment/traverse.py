@@ -19,8 +19,8 @@ import math
 
 from bem.kernels.jit import kernel
 
-from .friction import bend_at_vertex, leave_bed, place_on_vertex
-from .line_data import NOTHING, PHI, H, S, X, Z, add_step, add_unknown, copy_state, start_traverse
+from .friction import bend_at_vertex, leave_bed, place_on_vertex, slides_down
+from .line_data import NOTHING, PHI, H, S, T, X, Z, add_step, add_unknown, copy_state, start_traverse
 from .on_bed import is_at_sinker, leave_heap, length_on, march_on_facet, normal_force_on, touch_down
 from .touchdown import (
     ALONG,
@@ -30,12 +30,14 @@ from .touchdown import (
     FROM_SINKER,
     FROM_VERTEX,
     GROUNDED_ANCHOR,
+    HEAP_AT_VERTEX,
     MISSED,
     NONE,
     OFF_FACET,
     OFF_SINKER,
     OFF_VERTEX,
     ROUNDING,
+    SLID,
     TO_ANCHOR,
     TO_FACET,
     TO_SINKER,
@@ -43,6 +45,8 @@ from .touchdown import (
     touching_start,
     try_span,
 )
+
+AT_FOOT = 1e-3  # of the length: how far from a sinker in a hollow the search leaves the hollow
 
 
 @kernel()
@@ -114,7 +118,7 @@ def lift_off(line, w, facet, reached):
         if line.loads[load, 1] < 0 or begin - line.loads[load, 0] >= reached:
             break
         q0, at0 = w.q.copy(), w.at.copy()
-        march_on_facet(line, w.q, w.g, w.at, facet, length_on(line, w.q, facet), NOTHING, load, w.rows)
+        march_on_facet(line, w.q, w.g, w.at, facet, length_on(line, w.q, w.at, facet), NOTHING, load, w.rows)
         leave_bed(line, w.q, w.g)
         normal_force = line.loads[load, 1] * math.cos(angle)
         if gap_of(line, w, FROM_SINKER, facet, normal_force) < -ROUNDING * line.length:
@@ -145,14 +149,24 @@ def penetrating_length(line, w, facet, reached):
 
 
 @kernel()
+def sinker_at_foot(line, q, at):
+    """Index of the sinker, just passed, without which the tension would not have run out here; NOTHING for none."""
+    load = at[1] + 1
+    if q[T] < 0 and load < line.loads.shape[0] and line.loads[load, 0] - q[S] < AT_FOOT * line.length:
+        return load
+    return NOTHING
+
+
+@kernel()
 def along_facet(line, w, facet):
     """Integrate along a facet.
 
-    returns : step, index of the span that leaves it; NONE at its end, GROUNDED_ANCHOR at the anchor
+    returns : step, index of the span that leaves it; NONE at its end, GROUNDED_ANCHOR at the anchor, SLID where the
+        line has no tension left that holds it here
     """
     q, at = w.q, w.at
     q0, at0 = q.copy(), at.copy()
-    march_on_facet(line, q, w.g, at, facet, length_on(line, q, facet), NOTHING, NOTHING, w.rows)
+    march_on_facet(line, q, w.g, at, facet, length_on(line, q, at, facet), NOTHING, NOTHING, w.rows)
     reached = q0[S] - q[S]
     at_buoy = at[1] >= 0 and line.loads[at[1], 1] < 0 and q[S] == line.loads[at[1], 0]
     if not at_buoy:
@@ -166,6 +180,16 @@ def along_facet(line, w, facet):
             add_step(w, GROUNDED_ANCHOR, facet, NOTHING)
             return GROUNDED_ANCHOR, facet
         q[X], q[Z] = line.bed[facet, 0], line.bed[facet, 1]
+        sinker = sinker_at_foot(line, q, at)
+        if line.foot == facet and leave_heap(line, q, w.g, at, line.heap, 0.0, NOTHING, w.rows):
+            q[T] = 0.0
+            add_step(w, ALONG, facet, NOTHING)
+            add_step(w, HEAP_AT_VERTEX, facet, sinker)
+            add_unknown(w, line.heap)
+            return NONE, facet
+        if q[T] < 0:
+            w.count[2] = 0 if slides_down(line, at, facet - 1) else facet
+            return SLID, facet
         copy_state(w.trial_q, w.trial_at, q, at)
         leave_bed(line, w.trial_q, w.g)
         if first_contact(line, w.trial_q, w.g, w.trial_at, facet - 1, w.states, w.load_weights)[0] >= 0:
@@ -179,7 +203,7 @@ def along_facet(line, w, facet):
 def over_vertex(line, w, facet):
     """Bend over a vertex onto the facet below, or leave the bed.  returns : step, index of the span, NONE on the bed"""
     lower = line.bed[facet - 1, 2]
-    if gap_of(line, w, FROM_VERTEX, facet, lower) < 0:
+    if facet != line.foot and gap_of(line, w, FROM_VERTEX, facet, lower) < 0:
         add_step(w, OFF_VERTEX, facet, NOTHING)
         return touching_span(line, w, FROM_VERTEX, facet, w.q[PHI], lower)
     add_step(w, BEND, facet, NOTHING)
@@ -188,11 +212,18 @@ def over_vertex(line, w, facet):
 
 
 @kernel()
+def left_over(line, w):
+    """Length left over at the anchor's place, m; of a line that ends with all its length, how far beyond it."""
+    return w.q[S] if line.to_place and w.q[S] != 0.0 else line.bed[0, 0] - w.q[X]
+
+
+@kernel()
 def traverse(line, w, horizontal, x, z):
     """Traverse a line from its fairlead (x, z) to its end with the horizontal tension `horizontal`, N.
 
     returns : length left over at the anchor's place, or how far beyond it the line ends (`LineData.to_place`; m,
-        negative where it is too short); nan and no steps where no span that is needed touches the bed
+        negative where it is too short), or, in the same measure and below zero, the tension that a part misses that
+        slides down the bed, with no steps; nan and no steps where no span that is needed touches the bed
     """
     facet = start_traverse(line, w, horizontal, x, z)
     step, index = first_span(line, w, facet)
@@ -200,7 +231,7 @@ def traverse(line, w, horizontal, x, z):
     while step != MISSED and w.count[0] + 4 < w.steps.shape[0]:
         add_step(w, step, index, w.at[1])
         if step == TO_ANCHOR:
-            return w.q[S] if line.to_place else line.bed[0, 0] - w.q[X]
+            return left_over(line, w)
         facet, on_facet = index, step == TO_FACET
         if on_facet:
             step, index = after_touchdown(line, w, facet)
@@ -208,8 +239,8 @@ def traverse(line, w, horizontal, x, z):
             add_unknown(w, w.q[S])
             place_on_vertex(line, w.q, w.g, facet)
             step = NONE
-        heap = line.heap if first else 0.0
-        if heap > 0 and (step != NONE or not leave_heap(line, w.q, w.g, w.at, heap, NOTHING, w.rows)):
+        heap = line.heap if first and line.foot == 0 else 0.0
+        if heap > 0 and (step != NONE or not leave_heap(line, w.q, w.g, w.at, heap, 0.0, NOTHING, w.rows)):
             break
         first = False
         while step == NONE and w.count[0] + 4 < w.steps.shape[0]:
@@ -220,6 +251,9 @@ def traverse(line, w, horizontal, x, z):
                 facet -= 1
             on_facet = not on_facet
         if step == GROUNDED_ANCHOR:
-            return w.q[S] if line.to_place else line.bed[0, 0] - w.q[X]
+            return left_over(line, w)
+        if step == SLID:
+            w.count[0] = 0
+            return w.q[T] / line.weight * line.length
     w.count[0] = 0
     return math.nan

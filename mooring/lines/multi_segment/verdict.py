@@ -17,7 +17,7 @@ from bem.kernels.jit import kernel
 
 from .free_span import free_step, length_to, level_in_sea
 from .friction import bed_step
-from .line_data import EMERGED, FLOATING, H, S, T, V, X, Z
+from .line_data import EMERGED, FLOATING, H, S, T, V, X, Z, slides_on
 
 FAR = 1e-8  # of the line's length: largest penetration, and distance of a buoy from where its state has it
 STRAY = 1e-7  # of the largest tension: largest imbalance
@@ -90,16 +90,19 @@ def lies_well(line, piece, far, stray):
     if piece[3] <= line.bed[0, 0]:
         return True
     grip = abs(piece[6] - piece[7] * math.sin(piece[10])) * piece[2]
-    most = piece[7] * line.friction * math.cos(piece[10]) * piece[2]
+    most = piece[7] * line.friction * abs(math.cos(piece[10])) * piece[2]
     return grip <= most + stray or max(piece[5], end) <= stray
 
 
 @kernel()
-def balanced(line, q, below, load, states, far, stray):
-    """Whether forces balance where the pieces above and below meet: q below the one, `below` above the other."""
+def balanced(line, q, below, load, states, slack, far, stray):
+    """Whether forces balance where the pieces above and below meet: q below the one, `below` above the other.
+
+    slack : whether what lies beyond the anchor's place is a heap there (`free_span.tangent_beyond`)
+    """
     weight = 0.0
     if load >= 0:
-        level = level_in_sea(line, q[X], q[Z]) - line.surface
+        level = (level_in_sea(line, q) if slack else q[Z]) - line.surface
         weight = line.loads[load, 2 if states[load] == EMERGED else 1]
         if states[load] == FLOATING:
             weight = min(max(q[V] - below[V], line.loads[load, 1]), line.loads[load, 2])
@@ -133,7 +136,10 @@ def heaps(line, rows, count, far, stray):
             return False
         if piece[0] == 1 and piece[3] <= line.bed[0, 0] and piece[5] > stray:
             return False
-    return rows[count - 1, 3] <= line.bed[0, 0] + far or rows[count - 1, 0] == 1
+    last = rows[count - 1]
+    if slides_on(line, 0) and last[0] == 1 and last[5] - last[6] * last[2] > stray:  # what is pulled is no heap
+        return False
+    return last[3] <= line.bed[0, 0] + far or last[0] == 1
 
 
 @kernel()
@@ -161,7 +167,7 @@ def stands(line, rows, count, states, slack, q, below, g):
                 return False
             q[X], q[Z] = below[X], below[Z]
             at_load = load >= 0 and abs(line.loads[load, 0] - below[S]) <= 1e-14 * line.length
-            if not balanced(line, q, below, load if at_load else -1, states, far, stray):
+            if not balanced(line, q, below, load if at_load else -1, states, slack, far, stray):
                 return False
             load -= 1 if at_load else 0
     if slack:

@@ -187,10 +187,10 @@ def test_a_bed_of_its_own_lies_under_a_line_whichever_way_it_swings():
 
 
 @pytest.mark.parametrize("friction", [0.2, 0.4])
-def test_a_slack_line_on_a_bed_steeper_than_its_friction_is_named(friction):
+def test_a_slack_line_on_a_bed_that_falls_more_steeply_than_its_friction_holds_is_named(friction):
     def first(a, b):
-        bed = Bed([[0.0, 0.0], [300.0, 90.0], [600.0, 90.0]], friction)
-        return [composite("L0", [(CHAIN, 410.0)], a, b, bed=bed, bed_friction=friction)]
+        bed = Bed([[0.0, 0.0], [300.0, -90.0], [600.0, -90.0]], friction)
+        return [composite("L0", [(CHAIN, 620.0)], a, b, bed=bed, bed_friction=friction)]
 
     system = held_at(three_legs(first, z=40.0), {"hull": (0, 0, 0, 0, 0, 0)})
     with warnings.catch_warnings(record=True) as said:

@@ -55,8 +55,9 @@ def test_one_segment_on_a_plane_is_the_uniform_line():
         z = max(0.0, x * np.tan(slope)) + length * rng.uniform(0.05, 0.3)
         uniform = solve_lines(x, z, length, weight, stiffness, friction, slope)
         line = StaticLine([Segment(length, weight, stiffness)], bed=Bed.sloping(slope, friction)).solve(x, z)
-        if line.slides or uniform.horizontal_fairlead < 0:
+        if uniform.horizontal_fairlead < 0:  # hangs beyond its fairlead, down the slope
             continue
+        assert not line.slides
         T = uniform.tension_fairlead
         assert abs(line.horizontal_fairlead - uniform.horizontal_fairlead) < 1e-9 * T
         assert abs(line.vertical_fairlead - uniform.vertical_fairlead) < 1e-9 * T
@@ -64,6 +65,31 @@ def test_one_segment_on_a_plane_is_the_uniform_line():
         if not line.slack:
             assert abs(line.tension_anchor - uniform.tension_anchor) < 1e-9 * T
             assert abs(line.grounded_length - uniform.grounded_length) < 1e-9 * length
+
+
+def test_a_line_that_slides_without_friction_weighs_down_to_the_hollow_and_to_the_bottom_of_its_bight():
+    """Without friction T − w z is the same all along an inextensible line; T = 0 where it turns or lies in a heap."""
+    hollow = StaticLine([Segment(70.0, 500.0), Segment(90.0, 500.0)], bed=Bed([[0, 0], [30, -8], [90, 12], [120, 15]]))
+    found = hollow.solve(80.0, 40.0)
+    assert not found.slides and not found.slack
+    assert np.isclose(found.tension_fairlead, 500.0 * 48.0, rtol=1e-9)
+    assert np.isclose(found.tension_anchor, 500.0 * 8.0, rtol=1e-9)
+    bight = StaticLine([Segment(60.0, 500.0), Segment(58.0, 500.0)], bed=Bed([[0, 0], [50, 10], [90, 15]]))
+    found = bight.solve(80.0, 40.0)
+    lowest = found.profile(2001)[:, 2].min()
+    assert not found.slides and lowest < -0.5
+    assert np.isclose(found.tension_fairlead, 500.0 * (40.0 - lowest), rtol=1e-3)
+    assert np.isclose(found.tension_fairlead - found.tension_anchor, 500.0 * 40.0, rtol=1e-9)
+
+
+@pytest.mark.parametrize(("x", "friction"), [(80.0, 0.0), (80.0, 0.15), (70.0, 0.05)])
+def test_stiffness_of_a_line_that_slides_into_a_hollow_is_the_derivative_of_its_forces(x, friction):
+    segments = [Segment(70.0, 500.0, 1e6), Segment(80.0, 700.0, 2e6)]
+    line = StaticLine(segments, [PointLoad(95.0, 2e3)], Bed([[0, 0], [30, -8], [90, 12], [120, 15]], friction))
+    found = line.solve(x, 40.0)
+    assert not found.slides and not found.slack
+    rough = difference_stiffness(line, x, 40.0, 0.02)
+    assert np.abs(found.stiffness - rough).max() < 1e-6 * np.abs(rough).max()
 
 
 def test_all_rows_of_the_slope_table_are_met_in_span_and_tension():
