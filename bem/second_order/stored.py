@@ -24,8 +24,11 @@ MEANING = (
 )
 
 
-def write_forces(path, forces, moving):
-    """Put a `DifferenceForces` into a database; moving : whether of the freely floating body"""
+def write_forces(path, forces, moving, share=None):
+    """Put a `DifferenceForces` into a database.
+
+    moving : whether of the freely floating body; share : of the surface's forcing in it, estimated where it is left out
+    """
     unit, names = "N/m2, N m/m2", np.array(DOFS, dtype="S8")
     datasets = {
         "omega": (("omega",), "rad/s", forces.omega),
@@ -33,23 +36,39 @@ def write_forces(path, forces, moving):
         "wave_direction_1": (("wave_direction_1",), "rad", forces.headings),
         "wave_direction_2": (("wave_direction_2",), "rad", forces.headings),
         "influenced_dof": (("influenced_dof",), "", names),
-        **{part: (AXES, unit, getattr(forces, part)) for part in PARTS},
+        **{part: (AXES, unit, value) for part in PARTS if (value := getattr(forces, part)) is not None},
     }
-    attributes = {"meaning": MEANING, "body": "floating" if moving else "fixed", "free_surface_integral": "left out"}
+    attributes = {
+        "meaning": MEANING,
+        "body": "floating" if moving else "fixed",
+        "free_surface_integral": "left out" if forces.surface is None else "included",
+    }
+    if share is not None:
+        attributes["free_surface_share"] = share
     write_group(path, GROUP, datasets, attributes)
 
 
 def read_forces(db):
     """`DifferenceForces` of an opened database and whether the body floats.  Raises DatabaseError where it has none."""
+    forces, attributes = _read(db)
+    return forces, attributes["body"] == "floating"
+
+
+def stored_share(db):
+    """Share of the surface's forcing as stored beside the forces, a number, or None"""
+    return _read(db)[1].get("free_surface_share")
+
+
+def _read(db):
     found = read_group(db, GROUP)
     if found is None:
         raise DatabaseError(f"{db.path} holds no difference forces of pairs; 'hakobune qtf {db.path}' adds them")
     datasets, attributes = found
     values = {name: part[2] for name, part in datasets.items()}
     forces = DifferenceForces(
-        values["omega"], values["difference"], values["wave_direction_1"], *(values[part] for part in PARTS)
+        values["omega"], values["difference"], values["wave_direction_1"], *(values.get(part) for part in PARTS)
     )
-    return forces, attributes["body"] == "floating"
+    return forces, attributes
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,9 +3,10 @@
 newman      √(DᵢDⱼ) of the mean drift: nothing beside what every study has (`slow_drift`)
 bound-wave  and the long wave bound to the pair, diffracted (`bound_wave_drift`): a second for a sea
 body        squares at their difference frequency, bound wave and the moving hull (`bem.second_order`), as
-            `hakobune qtf` stores them, of the freely floating body; the forcing of the surface around it is left out
-auto        newman where bound long waves are estimated to push with less than ENOUGH of it, else body where it is
-            stored, else bound-wave
+            `hakobune qtf` stores them, of the freely floating body
+full        and the forcing of the surface around it, as `hakobune qtf --level full` stores it
+auto        newman where bound long waves are estimated to push with less than ENOUGH of it, else full or body,
+            whichever is stored, else bound-wave
 
 What a study adds to Newman's force is T less Newman's, of pairs at their difference.
 """
@@ -16,13 +17,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bem.second_order.stored import BetweenPairs, read_forces
+from bem.second_order.stored import BetweenPairs, read_forces, stored_share
 
 from ..environment.sea import Sea
 from .bound_wave_drift import bound_to_newman, of_sea, slow_share
 from .slow_drift import HORIZONTAL
 
-LEVELS = ("newman", "bound-wave", "body", "auto")
+LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # of Newman's slow force: what "auto" leaves out
 SAME = 1e-6  # rad, between headings that are one
 MOST_OUTSIDE = (
@@ -41,7 +42,7 @@ class PairForces:
     between: BetweenPairs
     omega: np.ndarray
     drift: np.ndarray
-    level = "body"
+    level: str = "body"
 
     @property
     def highest(self):
@@ -71,8 +72,8 @@ def beside_newman(db, sea, level):
     """
     if level == "newman":
         return None, ()
-    if level == "body":
-        return stored_pairs(db, sea), ()
+    if level in ("body", "full"):
+        return stored_pairs(db, sea, level), _surface_left_out(db, level)
     if level == "bound-wave":
         return of_sea(db, sea), ()
     ratio = bound_to_newman(db.reader.floating(), sea)
@@ -83,20 +84,37 @@ def beside_newman(db, sea, level):
         f'qtf = "auto" takes {{}}: bound long waves push with about {ratio:.2g} times the slow force of Newman\'s rule'
     )
     try:
-        return stored_pairs(db, sea), (why.format("body"),)
+        found = stored_pairs(db, sea, "auto")
+        return found, (why.format(found.level), *_surface_left_out(db, found.level))
     except ValueError as missing:
-        return of_sea(db, sea), (f"{why.format('bound-wave')}; not body: {missing}",)
+        return of_sea(db, sea), (f"{why.format('bound-wave')}; not full: {missing}",)
 
 
-def stored_pairs(db, sea) -> PairForces:
-    """`PairForces` of an opened database.  Raises ValueError, one line, for what is not stored in it"""
+def _surface_left_out(db, level):
+    """Remark on what the forcing of the surface is, where it is left out of the level `body`"""
+    share = stored_share(db)
+    if level == "full" or share is None:
+        return ()
+    return (f'qtf = "body" leaves out the forcing of the surface, about {100 * share:.2g} % of the slow force',)
+
+
+def stored_pairs(db, sea, level="body") -> PairForces:
+    """`PairForces` of an opened database at a level, "auto" the highest that is stored.
+
+    raises : ValueError, one line, for what is not stored in it
+    """
     if not isinstance(sea, Sea) or sea.spreading is not None:
-        raise ValueError('qtf = "body" in a sea of several directions; allowed: one system of long crests')
+        raise ValueError(f'qtf = "{level}" in a sea of several directions; allowed: one system of long crests')
     forces, floats = read_forces(db)
     if not floats:
         raise ValueError(
             f"the pairs in {db.path} are of a fixed body; 'hakobune qtf {db.path} --fresh' solves it afloat"
         )
+    if level == "full" and forces.surface is None:
+        raise ValueError(
+            f"the pairs in {db.path} lack the forcing of the surface; 'hakobune qtf {db.path} --level full' adds it"
+        )
+    level = {"auto": "body" if forces.surface is None else "full"}.get(level, level)
     apart = np.abs(np.angle(np.exp(1j * (forces.headings - sea.direction))))
     h, degrees = int(np.argmin(apart)), np.degrees(sea.direction) % 360
     if apart[h] > SAME:
@@ -112,5 +130,6 @@ def stored_pairs(db, sea) -> PairForces:
             f"{last:.4g}: 'hakobune qtf {db.path}' of a wider database"
         )
     body, omega = db.reader.floating(), np.linspace(low, high, 8 * len(forces.omega))
-    between = BetweenPairs(forces.omega, forces.difference, forces.total[:, :, h, h])
-    return PairForces(between, omega, body.drift(omega, [sea.direction])[:, 0])
+    values = forces.total if level == "full" else forces.to_body
+    between = BetweenPairs(forces.omega, forces.difference, values[:, :, h, h])
+    return PairForces(between, omega, body.drift(omega, [sea.direction])[:, 0], level)

@@ -212,7 +212,7 @@ class SimulationTable(Table):
     components : of each sea, by default chosen by duration and bandwidth
     slow_drift : "newman", "half-waves" of the SR179 report, "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift
-    qtf : slow force of pairs of waves: "newman", "bound-wave", "body" or "auto", as in a response study
+    qtf : slow force of pairs of waves: "newman", "bound-wave", "body", "full" or "auto", as in a response study
     memory : "states", or "constant" for added mass and damping at one frequency
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
     damping_ratio : {motion = share of critical}, beyond waves, as in a response study

@@ -10,6 +10,8 @@ from cyclopts import Parameter
 
 FREQUENCIES = 41  # of the stored band, where none are asked for
 SHARE = 0.4  # of the mean of the band: largest difference, where none is asked for
+LEVELS = ("body", "full", "auto")
+ENOUGH = 0.05  # of the force: what "auto" leaves out
 MOST_WAVES = 1500  # frequencies times headings: their flow on the hull of a thousand panels takes 2 GB
 
 
@@ -21,23 +23,26 @@ def qtf(
     heading: Annotated[str | None, Parameter(help="degrees the waves travel to; all pairs of them")] = None,
     difference: Annotated[float | None, Parameter(help="rad/s, the largest", allow_leading_hyphen=True)] = None,
     fixed: Annotated[bool, Parameter(negative=(), help="of the body held, instead of floating")] = False,
+    level: Annotated[str, Parameter(help="body, full (with the surface's forcing) or auto")] = "body",
     fresh: Annotated[bool, Parameter(negative=(), help="again, though they are stored")] = False,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
-    """Slow forces of pairs of waves: squares of the first order, bound long waves, the moving hull; without the
-    forcing of the surface around it.
+    """Slow forces of pairs of waves: squares of the first order, bound long waves, the moving hull and, with
+    --level full, the forcing of the surface around it, whose size is estimated where it is left out.
 
-    They go into the database, for qtf = "body" of response studies and simulations; its body is solved on its panels.
-    What is stored there already is told and drawn again.
+    They go into the database, for qtf = "body" or "full" of response studies and simulations; its body is solved on its
+    panels.  What is stored there already is told and drawn again.
     """
     from bem.database import DatabaseError, open_database
-    from bem.second_order.stored import read_forces, write_forces
+    from bem.second_order.stored import read_forces, stored_share, write_forces
 
     from ..common.picture import PLOTS, check_picture
     from .report import told
 
     if plot is not None:
         check_picture(plot, PLOTS)
+    if level not in LEVELS:
+        raise ValueError(f"--level is {level!r}; allowed: {', '.join(LEVELS)}")
     db = open_database(database)
     waves = _waves(db, omega, heading, difference)
     forces = None
@@ -45,15 +50,17 @@ def qtf(
         try:
             stored, floats = read_forces(db)
             asked = any(value is not None for value in (omega, heading, difference)) or fixed == floats
-            forces = stored if not asked or _covers(stored, floats, waves, fixed) else None
+            lacks = stored.surface is None and _adds_surface(level, stored_share(db))
+            forces = None if lacks or (asked and not _covers(stored, floats, waves, fixed)) else stored
         except DatabaseError:
             pass
     if forces is None:
-        forces, floats = _solved(db, waves, not fixed), not fixed
-        write_forces(database, forces, floats)
+        forces, share = _solved(db, waves, not fixed, level)
+        floats = not fixed
+        write_forces(database, forces, floats, share)
         print(f"{database}: group qtf")
         db = open_database(database)
-    for line in told(forces, db, floats):
+    for line in told(forces, db, floats, stored_share(db)):
         print(line)
     if plot is not None:
         from .plot import draw
@@ -63,23 +70,39 @@ def qtf(
     return 0
 
 
-def _solved(db, waves, moving):
+def _solved(db, waves, moving, level):
+    """`DifferenceForces`, and what the surface's forcing is of them or None where it cannot be told"""
     import sys
     import warnings
 
-    from bem.second_order.difference_forces import difference_forces
+    from bem.second_order.difference_forces import difference_forces, share_of, surface_share
     from mooring.response.bound_wave_drift import problem_of
 
     def report(done, of):
         if sys.stderr.isatty():
             print(f"\r{done}/{of} frequencies", end="\n" if done == of else "", file=sys.stderr, flush=True)
 
+    problem, share = problem_of(db), None
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        forces = difference_forces(problem_of(db), *waves, moving, report)
+        if level != "full":
+            try:
+                share = surface_share(problem, *waves, moving)
+            except ValueError as error:
+                if "surface" not in str(error):
+                    raise
+                warnings.warn(str(error), stacklevel=2)
+        full = _adds_surface(level, share)
+        forces = difference_forces(problem, *waves, moving, report, full)
+        share = share_of(forces) if full else share
     for line in dict.fromkeys(str(w.message) for w in caught):
         print(line, file=sys.stderr)
-    return forces
+    return forces, share
+
+
+def _adds_surface(level, share):
+    """Whether a level takes the forcing of the surface, which is that share of the force or unknown"""
+    return level == "full" or (level == "auto" and share is not None and share > ENOUGH)
 
 
 def _waves(db, omega, heading, difference):

@@ -31,8 +31,8 @@ def diagonal_gap(forces, db, floats):
     return float(np.abs(near - far).max() / np.abs(far).max())
 
 
-def told(forces, db, floats):
-    """Lines of text"""
+def told(forces, db, floats, share):
+    """Lines of text; share : what the surface's forcing is of the force, or None"""
     yield (
         f"{'floating' if floats else 'fixed'} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
         f"{forces.omega[-1]:.4g} rad/s, differences to {forces.difference[-1]:.3g} rad/s, {len(forces.headings)} "
@@ -45,11 +45,16 @@ def told(forces, db, floats):
             + ("; more panels bring them together" if gap > 0.05 else "")
         )
     yield "root mean square over frequencies, kN/m² (yaw MN m/m²), by Newman's rule and with each next part:"
-    yield f"{'':29}Newman  + bound wave  + squares in its place  + body"
+    last = "" if forces.surface is None else "  + surface"
+    yield f"{'':29}Newman  + bound wave  + squares in its place  + body{last}"
     for h, beta in enumerate(forces.headings):
         for mode, name in zip(MODES, NAMES, strict=True):
             yield from _rows(forces, h, beta, mode, name)
-    yield "left out: the forcing of the surface around the body, on a cylinder on the bed 0.2 to 6 % of the force"
+    size = "unknown" if share is None else f"{100 * share:.2g} % of the force in surge and sway"
+    if forces.surface is None:
+        yield f"left out: the forcing of the surface around the body, estimated from few pairs: {size}; --level full"
+    else:
+        yield f"the forcing of the surface around the body is {size}, root mean square"
 
 
 def levels(forces, mode, heading):
@@ -58,12 +63,15 @@ def levels(forces, mode, heading):
     bound, squares, body = (
         getattr(forces, part)[:, :, heading, heading, mode] for part in ("bound_wave", "squares", "body")
     )
-    return {
+    out = {
         "Newman": rule,
         "Newman + bound wave": rule + bound,
         "squares + bound wave": squares + bound,
         "+ body": squares + bound + body,
     }
+    if forces.surface is not None:
+        out["+ surface"] = out["+ body"] + forces.surface[:, :, heading, heading, mode]
+    return out
 
 
 def _rows(forces, h, beta, mode, name):
@@ -76,7 +84,7 @@ def _rows(forces, h, beta, mode, name):
         rms = [np.sqrt(np.nanmean(np.abs(level[m]) ** 2)) / unit for level in found.values()]
         yield (
             f"  {np.degrees(beta):6.4g}° {name:5} Ω {forces.difference[m]:.3f} {rms[0]:12.4g} {rms[1]:13.4g} "
-            f"{rms[2]:23.4g} {rms[3]:7.4g}"
+            f"{rms[2]:23.4g} {rms[3]:7.4g}" + "".join(f" {value:10.4g}" for value in rms[4:])
         )
 
 

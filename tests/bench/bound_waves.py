@@ -42,7 +42,8 @@ STIFFNESS = RHO * G * np.diag([0, 0, 5000.0, 15.83 * VOLUME, 78.33 * VOLUME, 0])
 def cylinder(panels):
     side = int(np.sqrt(panels / 4))
     problem = PanelProblem(buoy(RADIUS, DEPTH, counts=(side, 1, side), bottom=False), depth=DEPTH)
-    print("cylinder on the bed: T over ρga\n  ka          Newman  + bound  squares  + surface    off: squares, all")
+    print("cylinder on the bed: T over ρga, and how far panels are off: squares, + bound, surface, all")
+    print("  ka          Newman  + bound  squares  + surface")
     for pair in PAIRS:
         two, one = (np.sqrt(G * ka / RADIUS * np.tanh(ka / RADIUS * DEPTH)) for ka in pair)
         bound = bound_waves((one, 0.0), (two, 0.0), DEPTH)
@@ -51,14 +52,17 @@ def cylinder(panels):
         newman = np.sqrt(drift(RADIUS, DEPTH, one)[0] * drift(RADIUS, DEPTH, two)[0])
         levels = (newman, newman + long, squares + long, squares + long + surface)
         sizes = [abs(value) / (RHO * G * RADIUS) for value in levels]
-        found = difference_forces(problem, [two, one], [0.0], 9.0, False)
-        off = [
-            abs(value[1, 0, 0, 0, 0] / exact - 1)
-            for value, exact in ((found.squares, squares), (found.total, squares + long))
-        ]
+        found = difference_forces(problem, [two, one], [0.0], 9.0, False, surface=True)
+        known = (
+            (found.squares, squares),
+            (found.to_body, squares + long),
+            (found.surface, surface),
+            (found.total, squares + long + surface),
+        )
+        off = [abs(value[1, 0, 0, 0, 0] / exact - 1) for value, exact in known]
         print(
             f"  {pair[0]}, {pair[1]}   {sizes[0]:8.4f} {sizes[1]:8.4f} {sizes[2]:8.4f} {sizes[3]:10.4f} "
-            f"{off[0]:12.1e} {off[1]:9.1e}"
+            f"{off[0]:12.1e} {off[1]:9.1e} {off[2]:9.1e} {off[3]:9.1e}"
         )
 
 
@@ -69,12 +73,16 @@ def seas(panels):
         problem = PanelProblem(mesh, depth=depth, inertia_matrix=INERTIA, hydrostatic_stiffness=STIFFNESS)
         for moving in (False, True):
             start = time.process_time()
-            found = difference_forces(problem, omega, [np.pi], 0.36, moving)
+            found = difference_forces(problem, omega, [np.pi], 0.36, moving, surface=True)
             seconds = time.process_time() - start
             D = found.squares[0, :, 0, 0][:, [0, 1, 5]].real
-            pairs = PairForces(BetweenPairs(omega, found.difference, found.total[:, :, 0, 0]), omega, D)
+            pairs = [
+                PairForces(BetweenPairs(omega, found.difference, values[:, :, 0, 0]), omega, D)
+                for values in (found.to_body, found.total)
+            ]
             print(f"series box {'afloat' if moving else 'held'} in {depth:g} m, {mesh.total} panels, σ of surge, kN")
-            print(f"  {'Newman':>15} {'+ bound wave':>13} {'body':>8}   s of processor: bound wave; body {seconds:.1f}")
+            heads = f"  {'Newman':>15} {'+ bound wave':>13} {'body':>8} {'full':>8}"
+            print(f"{heads}   s of processor: bound wave; full {seconds:.1f}")
             for peak in (8.0, 10.0, 12.0, 14.0):
                 spectrum = jonswap(1.0, peak_period=peak)
                 mean = float(spectrum.moment(1) / spectrum.moment(0))
@@ -82,9 +90,10 @@ def seas(panels):
                 bound = bound_wave_forces(problem, spectrum.quantile((1e-4, 0.999)), mean, np.pi)
                 seconds_bound = time.process_time() - start
                 spectra = [force_spectrum(spectrum, omega, D, difference)]
-                spectra += [force_spectrum_with(part, spectrum, omega, D, difference) for part in (bound, pairs)]
+                spectra += [force_spectrum_with(part, spectrum, omega, D, difference) for part in (bound, *pairs)]
                 sigma = [np.sqrt(np.trapezoid(S[:, 0], difference)) / 1e3 for S in spectra]
-                print(f"  Tp {peak:2g} s {sigma[0]:8.1f} {sigma[1]:13.1f} {sigma[2]:8.1f} {seconds_bound:12.1f}")
+                values = " ".join(f"{value:{width}.1f}" for value, width in zip(sigma, (8, 13, 8, 8), strict=True))
+                print(f"  Tp {peak:2g} s {values} {seconds_bound:12.1f}")
 
 
 if __name__ == "__main__":

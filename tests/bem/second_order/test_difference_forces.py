@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 import pytest
-from exact.second_order_cylinder import long_wave_force, quadratic_force
+from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 from scipy.spatial.transform import Rotation
 
 from bem import DOFS
@@ -12,10 +12,12 @@ from bem.methods.panel_problem import PanelProblem
 from bem.panels.influence import Geometry
 from bem.panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, unit_displacements
 from bem.panels.pressure_drift.mean_drift import pressure_pairs
+from bem.second_order import surface_near
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
 from bem.second_order.difference_forces import difference_forces
 from bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
+from meshing.panels import joined
 from meshing.shapes import box, buoy
 
 RHO, G = 1025.0, 9.80665
@@ -41,12 +43,32 @@ def test_the_cylinder_on_the_bed_has_the_force_of_its_eigenfunctions():
     radius, depth = 10.0, 20.0
     omega = [np.sqrt(G * ka / radius * np.tanh(ka / radius * depth)) for ka in (0.6, 0.8)]
     problem = PanelProblem(buoy(radius, depth, counts=(8, 1, 8), bottom=False), depth=depth)
-    found = difference_forces(problem, omega, [0.0], 1.0, False)
+    found = difference_forces(problem, omega, [0.0], 1.0, False, surface=True)
     bound = bound_waves((omega[1], 0.0), (omega[0], 0.0), depth)
     squares = quadratic_force(radius, depth, omega[1], omega[0])
     exact = squares + bound.amplitude * long_wave_force(radius, depth, bound.omega, bound.number[0])
     assert abs(found.squares[1, 0, 0, 0, 0] - squares) < 0.01 * abs(squares)
-    assert abs(found.total[1, 0, 0, 0, 0] - exact) < 0.01 * abs(exact)
+    surface = free_surface_force(radius, depth, omega[1], omega[0])
+    assert abs(found.surface[1, 0, 0, 0, 0] - surface) < 0.02 * abs(surface)
+    assert abs(found.total[1, 0, 0, 0, 0] - exact - surface) < 0.01 * abs(exact + surface)
+
+
+@pytest.mark.parametrize("depth", [20.0, np.inf])
+def test_the_forcing_of_the_surface_is_the_same_wherever_the_sums_of_hankel_functions_begin(monkeypatch, depth):
+    found = []
+    for beyond in (1.0, 2.0):
+        monkeypatch.setattr(surface_near, "SIDES_BEYOND", beyond)
+        forces = difference_forces(floating(depth), [0.6, 0.75], [0.6], 1.0, True, surface=True)
+        found.append(forces.surface[1, 0, 0, 0])
+    assert np.abs(found[1] - found[0])[:5].max() < 5e-3 * np.abs(found[0])[:5].max()
+    assert abs(found[1] - found[0])[5] < 0.02 * LENGTH / 2 * np.abs(found[0])[:2].max()
+
+
+def test_around_two_waterlines_or_none_the_forcing_of_the_surface_is_refused():
+    two = joined([box(20, 6, 3, panels=60).moved(dy=20), box(20, 6, 3, panels=60).moved(dy=-20)])
+    for mesh in (two, floating().mesh.moved(dz=-5.0)):
+        with pytest.raises(ValueError, match="forcing of the surface"):
+            difference_forces(PanelProblem(mesh, depth=40.0), [0.5, 0.6], [0.0], 0.1, False, surface=True)
 
 
 def test_on_the_diagonal_it_is_the_mean_drift_of_the_far_field():

@@ -9,7 +9,7 @@ import pytest
 from bem.database import DatabaseError, extend, open_database
 from bem.database.integrity import DamagedError
 from bem.second_order.difference_forces import PARTS, DifferenceForces
-from bem.second_order.stored import BetweenPairs, read_forces, write_forces
+from bem.second_order.stored import BetweenPairs, read_forces, stored_share, write_forces
 from pipelines.cli import main
 
 OMEGA, HEADINGS = np.linspace(0.5, 1.1, 13), np.array([0.3, 1.0])
@@ -27,7 +27,7 @@ def made_up():
     values = smooth(OMEGA[np.minimum(place, 12)], low)
     values[place > 12] = np.nan
     forces = np.repeat(np.repeat(values[:, :, None, None], 2, axis=2), 2, axis=3)
-    return DifferenceForces(OMEGA, 0.05 * np.arange(5), HEADINGS, forces, 0.5 * forces, 0.0 * forces)
+    return DifferenceForces(OMEGA, 0.05 * np.arange(5), HEADINGS, forces, 0.5 * forces, 0.0 * forces, 0.1 * forces)
 
 
 @pytest.fixture(scope="module")
@@ -47,9 +47,10 @@ def test_they_are_read_as_they_were_written_and_the_rest_stays(path):
     with pytest.raises(DatabaseError, match="hakobune qtf"):
         read_forces(open_database(path))
     before = open_database(path)["added_mass"]
-    write_forces(path, made_up(), True)
+    write_forces(path, made_up(), True, 0.1)
     db = open_database(path)
     found, floats = read_forces(db)
+    assert stored_share(db) == 0.1
     assert floats and np.array_equal(db["added_mass"], before)
     for part in PARTS:
         np.testing.assert_array_equal(getattr(found, part), getattr(made_up(), part))

@@ -22,7 +22,8 @@ STUDY = '[sea]\nspectrum = "jonswap"\nheight = 1.0\npeak_period = 11.0\ndirectio
 def path(tmp_path_factory):
     path = tmp_path_factory.mktemp("qtf") / "box.h5"
     assert main([*BOX.split(), "--omega", "0.3:1.2:10", "--output", str(path)]) == 0
-    assert main(["qtf", str(path), "--omega", "0.3:1.2:13", "--heading", "180", "--difference", "0.3"]) == 0
+    words = "--omega 0.3:1.2:13 --heading 180 --difference 0.3 --level full"
+    assert main(["qtf", str(path), *words.split()]) == 0
     return path
 
 
@@ -30,7 +31,8 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
     before = path.read_bytes()
     assert main(["qtf", str(path), "--plot", str(tmp_path / "qtf.png")]) == 0
     said = capsys.readouterr().out
-    assert "13 frequencies 0.3 to 1.2 rad/s, differences to 0.3" in said and "left out" in said
+    assert "13 frequencies 0.3 to 1.2 rad/s, differences to 0.3" in said
+    assert 1 < float(re.search(r"forcing of the surface around the body is (\S+) %", said)[1]) < 50
     assert float(re.search(r"far field differ by (\S+) %", said)[1]) < 10
     assert path.read_bytes() == before and (tmp_path / "qtf.png").stat().st_size > 10_000
 
@@ -43,6 +45,7 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
         ("--difference -1", "--difference is -1"),
         ("--heading nan", "--heading is nan"),
         ("--plot x.doc", "suffix"),
+        ("--level more", "--level is 'more'"),
     ],
 )
 def test_wrong_questions_are_refused_in_one_line(path, words, said, capsys):
@@ -53,7 +56,7 @@ def test_wrong_questions_are_refused_in_one_line(path, words, said, capsys):
 
 def test_what_is_added_to_newman_makes_the_stored_force_of_a_pair(path):
     db = open_database(path)
-    forces, pairs = read_forces(db)[0], stored_pairs(db, SWELL)
+    forces, pairs = read_forces(db)[0], stored_pairs(db, SWELL, "full")
     one, two = forces.omega[6:8], forces.omega[5:7]
     D, E = (db.reader.floating().drift(w, [np.pi])[:, 0] for w in (one, two))
     rule = np.where(D * E > 0, np.sign(D) * np.sqrt(np.abs(D * E)), 0.0)
@@ -66,17 +69,17 @@ def test_what_is_added_to_newman_makes_the_stored_force_of_a_pair(path):
 
 def test_studies_take_the_level_they_ask_for(path, tmp_path, capsys):
     found = {}
-    for level in ("newman", "bound-wave", "body", "auto"):
+    for level in ("newman", "bound-wave", "body", "full", "auto"):
         (tmp_path / "study.toml").write_text(STUDY.format(level))
         assert main(["response", str(tmp_path / "study.toml"), "--database", str(path)]) == 0
         said = capsys.readouterr().out
         force = re.search(r'by qtf = "(\S+)": Fx (\S+),', said)
         found[level] = (force[1], float(force[2])) if force else None
-    assert found["newman"] is None and found["auto"] == found["body"]
+    assert found["newman"] is None and found["auto"] == found["full"] != found["body"]
     assert found["body"][1] != found["bound-wave"][1]
-    (tmp_path / "study.toml").write_text(STUDY.format("full"))
+    (tmp_path / "study.toml").write_text(STUDY.format("all"))
     assert main(["response", str(tmp_path / "study.toml"), "--database", str(path)]) == 2
-    assert "sea.qtf is 'full'; allowed: newman, bound-wave, body, auto" in capsys.readouterr().err
+    assert "sea.qtf is 'all'; allowed: newman, bound-wave, body, full, auto" in capsys.readouterr().err
 
 
 def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
@@ -85,4 +88,4 @@ def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
         beside_newman(db, Sea(SWELL.spectrum, 0.0), "body")
     with pytest.raises(ValueError, match=r"pairs are stored from 0.3 to 1.2"):
         beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "body")
-    assert "not body" in beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")[1][0]
+    assert "not full" in beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")[1][0]

@@ -1,0 +1,153 @@
+"""First-order waves on the free surface beyond a circle about the body, as sums over their orders around it.
+
+    φ = −(ig/ω) Σ_m e^{imθ} {iᵐ c_m H_m(kr) + iᵐ e^{−imβ} J_m(kr)} + local part
+
+c_m of the Kochin function H(θ) = Σ c_m e^{imθ} of the far field; what is left of the potential near the circle, which
+decays over the depth, or in deep water over some wave lengths, is interpolated between rings.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..kochin import far_field_integrals
+from ..waves import depth_values
+
+RING_POINTS, GROWTH = 6, 1.6  # rings of one interval of radii, and by how much the next one is wider
+DEPTHS, WAVES, RADII = 2.0, 8.0, 10.0  # from the circle to where no local part is left: depths, 1/k, radii of it
+LOCAL = 2.0  # directions of rings for an order that is sent
+MORE = 1  # orders beyond ka + 4 (ka)^(1/3)
+
+
+def orders_sent(x):
+    """Largest order that a body within a circle of kr = x sends"""
+    return (x + 4 * np.cbrt(x) + MORE).astype(int) if isinstance(x, np.ndarray) else int(x + 4 * np.cbrt(x) + MORE)
+
+
+@dataclass(frozen=True, eq=False)
+class Rings:
+    """Radii and directions at which local parts are known: w intervals of r rings, n directions.
+
+    edges : (w + 1,) m; count : n, a multiple of four, none on an axis; centre : (2,) m
+    """
+
+    edges: np.ndarray
+    count: int
+    centre: np.ndarray
+
+    @property
+    def radii(self):
+        """(w, r) m"""
+        x = np.polynomial.legendre.leggauss(RING_POINTS)[0]
+        low, high = self.edges[:-1, None], self.edges[1:, None]
+        return low + (high - low) * (1 + x) / 2
+
+    @property
+    def directions(self):
+        """(n,) rad"""
+        return 2 * np.pi * (np.arange(self.count) + 0.5) / self.count
+
+    @property
+    def orders(self):
+        """(n,) in the order of `numpy.fft`; the last of an even count is left out by all"""
+        return np.fft.fftfreq(self.count, 1 / self.count).astype(int)
+
+    def transform(self, values):
+        """(…, n) parts e^{imθ} of values (…, n) at the directions"""
+        return np.fft.fft(values, axis=-1) / self.count * np.exp(-1j * np.pi * self.orders / self.count)
+
+    def interpolation(self, w, x):
+        """Two (n, r) from values on the rings of interval w to values and slopes in 1/m at places x (n,), −1 … 1"""
+        legendre = np.polynomial.legendre
+        inverse = np.linalg.inv(legendre.legvander(legendre.leggauss(RING_POINTS)[0], RING_POINTS - 1))
+        slope = legendre.legval(x, legendre.legder(np.eye(RING_POINTS))).T
+        width = self.edges[w + 1] - self.edges[w]
+        return legendre.legvander(x, RING_POINTS - 1) @ inverse, 2 / width * slope @ inverse
+
+    def within(self, radius):
+        """Count of intervals inside a radius"""
+        return int(np.searchsorted(self.edges, radius * (1 - 1e-9)))
+
+
+def rings_about(circle, depth, k, most_orders):
+    """`Rings` from a `surface_near.Circle` to where no wave of wavenumbers k (…) has a local part"""
+    end = max(reach_of_local(circle, depth, one) for one in np.atleast_1d(k))
+    width = 0.5 * min(depth, circle.radius)
+    edges = [circle.radius]
+    while edges[-1] < end:
+        edges.append(edges[-1] + width)
+        width *= GROWTH
+    return Rings(np.array(edges), 4 * int(np.ceil((LOCAL * most_orders + 4) / 4)), circle.centre)
+
+
+def directions(most):
+    """How many resolve a product of three waves of up to so many orders"""
+    return 4 * (most + 1)
+
+
+def reach_of_local(circle, depth, k):
+    """m, radius beyond which the local part of waves k is neglected"""
+    return circle.radius + min(DEPTHS * depth, max(WAVES / k, circle.radius), (RADII - 1) * circle.radius)
+
+
+def sent_orders(run, flows, most, centre):
+    """(c, 2 most + 1) parts −most … most of H about the centre of flows {class: (φ (c, n), V (c, n))}"""
+    g, count = run.geometry.without_lid, 2 * most + 6
+    theta = 2 * np.pi * (np.arange(count) + 0.5) / count
+    nodes, weights, normals = run.hull
+    total = 0.0
+    for cls, (phi, V) in flows.items():
+        Z = depth_values(run.k, run.problem.depth)(nodes[:, 2])
+        total = (
+            total
+            + far_field_integrals(
+                theta, run.k, nodes, weights, normals, Z, g.images, g.signs(cls), np.asarray(phi), np.asarray(V)
+            )[0]
+        )
+    H = -(run.k**2) / (4 * run.group_factor * run.omega) * total
+    H = H * np.exp(1j * run.k * (np.cos(theta) * centre[0] + np.sin(theta) * centre[1]))
+    m = np.arange(-most, most + 1)
+    return H @ np.exp(-1j * np.outer(theta, m)) / count
+
+
+def hankel_orders(kind, most, z):
+    """(most + 1, …) H_m of order 0 … most and the next order, of kind 1 or 2, without e^{±iz}; z (…) complex or real
+
+    By recurrence, which is stable for them.
+    """
+    from scipy.special import hankel1e, hankel2e
+
+    of = hankel1e if kind == 1 else hankel2e
+    out = np.empty((most + 2, *z.shape), complex)
+    out[0], out[1] = of(0, z), of(1, z)
+    for m in range(1, most + 1):
+        out[m + 1] = (2 * m / z) * out[m] - out[m - 1]
+    return out
+
+
+def bessel_orders(most, z):
+    """(most + 2, …) J_m of order 0 … most + 1 without e^{|Im z|}; z (…) complex, Im z ≥ 0
+
+    Half the sum of both Hankel functions, but where these grow with the order and cancel.
+    """
+    from scipy.special import jve
+
+    one, two = (hankel_orders(kind, most, z) for kind in (1, 2))
+    out = 0.5 * (two * np.exp(-1j * z.real) + one * np.exp(1j * z.real - 2 * z.imag))
+    few = np.abs(z) < most + 12
+    out[:, few] = jve(np.arange(most + 2)[:, None], z[few])
+    return out
+
+
+def both_signs(values):
+    """(2M + 1, …) of orders −M … M from those of 0 … M"""
+    sign = np.where(np.arange(len(values) - 1, 0, -1) % 2, -1.0, 1.0)
+    return np.concatenate([values[:0:-1] * sign.reshape(-1, *[1] * (values.ndim - 1)), values])
+
+
+def slopes(values, k):
+    """(most + 1, …) values and k f_m′ of orders 0 … most + 1 of functions of kr:  f_m′ = (f_{m−1} − f_{m+1})/2"""
+    before = np.concatenate([-values[1:2], values[:-2]])
+    return values[:-1], 0.5 * k * (before - values[1:])

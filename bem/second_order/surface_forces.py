@@ -1,0 +1,296 @@
+"""Difference-frequency force of what products of first-order waves do on the free surface around a body.
+
+On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ₂/∂z = −Q, in products as of `difference_forces`
+
+    Q = ½iΩ (∇φᵢ·∇φ̄ⱼ + KᵢKⱼ φᵢφ̄ⱼ) − ¼iωᵢ φᵢ (φ̄ⱼ,zz − Kⱼ² φ̄ⱼ) + ¼iωⱼ φ̄ⱼ (φᵢ,zz − Kᵢ² φᵢ),        T = (iΩρ/g) ∬ ψ Q dS
+
+less the same of the incident waves alone, which the bound wave meets (ψ as in `body_forces`; Molin 1979).  With
+φ,zz = −∇²φ along the surface and Green's theorem no second derivative is left:
+
+    ∬ ψQ dS = ∬ ψ {¼iΩ ∇φᵢ·∇φ̄ⱼ + ¼i (2Ω KᵢKⱼ + ωᵢKⱼ² − ωⱼKᵢ²) φᵢφ̄ⱼ} − ¼i ∇ψ·(ωᵢ φᵢ∇φ̄ⱼ − ωⱼ φ̄ⱼ∇φᵢ) dS
+              − ¼i ∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl
+
+∇ along the surface, n out of the body.  Up to a circle about the body the waves are those of its panels
+(`surface_near`), beyond it sums of Hankel functions (`surface_far`): over real r to where all orders oscillate, then
+along r ± ix, where products of three of them decay.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..kernels.threads import blas_threads
+from ..waves import incident_wave
+from .surface_far import bessel_orders, both_signs, directions, hankel_orders, orders_sent, slopes
+from .surface_waves import Field
+
+PER_RADIAN, FEW = 0.6, 6  # radii of an interval for a radian of the fastest product, and beside
+GROWTH = 1.6  # of intervals beyond the rings
+TAIL, TAIL_PANELS, TAIL_POINTS = 30.0, 9, 4  # decay at the end of the tail, its intervals, points of each
+AT_ONCE = 1_000_000  # products of pairs at points
+
+
+class Products(NamedTuple):
+    """Factors of a pair's products, each (q,): of ψ∇φᵢ·∇φ̄ⱼ, of ψφᵢφ̄ⱼ, of −∇ψ·φᵢ∇φ̄ⱼ, of ∇ψ·φ̄ⱼ∇φᵢ, all over ¼i"""
+
+    steep: np.ndarray
+    level: np.ndarray
+    one: np.ndarray
+    two: np.ndarray
+
+    @classmethod
+    def of(cls, one, two, gravity):
+        K, L = one**2 / gravity, two**2 / gravity
+        return cls(one - two, 2 * (one - two) * K * L + one * L**2 - two * K**2, one, two)
+
+
+def integrated(products, terms, psi, weights):
+    """(q, 6) of ∬ ψQ dS over ¼i without the line's: terms [(φᵢ, φ̄ⱼ)] of `Field` (q, p), ψ a `Field` (q or 1, 6, p)"""
+    c = Products(*(part[:, None] for part in products))
+    scalar, x, y = 0.0, 0.0, 0.0
+    for f, g in terms:
+        scalar = scalar + c.steep * (f.slope[0] * g.slope[0] + f.slope[1] * g.slope[1]) + c.level * (f.value * g.value)
+        first, second = c.one * f.value, c.two * g.value
+        x = x + second * f.slope[0] - first * g.slope[0]
+        y = y + second * f.slope[1] - first * g.slope[1]
+    out = 0.0
+    for part, wave in zip((scalar, x, y), (psi.value, *psi.slope), strict=True):
+        weighted = part * weights
+        shared = len(wave) == 1
+        out = out + (weighted @ wave[0].T if shared else np.matmul(wave, weighted[..., None])[..., 0])
+    return out
+
+
+@dataclass(frozen=True, eq=False)
+class Difference:
+    """All pairs of one difference of frequencies: omega rad/s; one, two : (q,) numbers of waves
+
+    near : `Field` (6, p) of ψ near the body; far : its six `Wave`; line : (q, 6) integral along the waterline
+    """
+
+    omega: float
+    one: np.ndarray
+    two: np.ndarray
+    near: Field
+    far: list
+    line: np.ndarray
+
+
+def surface_forces(waves, differences):
+    """[(q, 6)] T about the origin, N/m², N m/m², of a `SurfaceWaves` and several `Difference`"""
+    with blas_threads(1):  # many small products
+        return _forces(waves, differences)
+
+
+def _forces(waves, differences):
+    problem, omega = waves.problem, np.array([wave.omega for wave in waves.waves])
+    products = [Products.of(omega[d.one], omega[d.two], problem.gravity) for d in differences]
+    total = [d.line.astype(complex) for d in differences]
+    whole, incident = waves.joined()
+    for d, factors, out in zip(differences, products, total, strict=True):
+        for chunk in _chunks(len(d.one), len(waves.weights)):
+            i, j = d.one[chunk], d.two[chunk]
+            own, psi = Products(*(f[chunk] for f in factors)), d.near[None]
+            out[chunk] += integrated(own, [(whole[i], whole[j].conj())], psi, waves.weights)
+            out[chunk] -= integrated(own, [(incident[i], incident[j].conj())], psi, waves.weights)
+    edges, ends = _intervals(waves)
+    for w in range(len(edges) - 1):
+        _add_interval(waves, differences, products, edges, w, ends, total)
+    for d, factors, out in zip(differences, products, total, strict=True):
+        _add_tail(waves, d, factors, edges[ends[d.one]], out)
+    scale = 0.25j * 1j * problem.density / problem.gravity
+    return [scale * d.omega * out for d, out in zip(differences, total, strict=True)]
+
+
+def line_integral(surfaces, flow, radiated, waves, one, two):
+    """(q, 6) −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of the waves of a `HullFlow`, those of `waves`, less that of
+    the incident ones, n out of the body
+
+    ∂φ/∂n along the surface: of an inclined side n·V = n·∇φ has a part of ∂φ/∂z = Kφ
+    """
+    line, g = surfaces.waterline, waves.problem.gravity
+    V = -1j * flow.omega[:, None] * (flow.motion @ surfaces.waterline_modes.T)
+    across = V - flow.omega[:, None] ** 2 / g * flow.potential * line.normals[:, 2]
+    incident = [
+        incident_wave(line.points, wave.direction, wave.omega, wave.k, waves.problem.depth, g) for wave in waves.waves
+    ]
+    alone = np.array([phi for phi, _ in incident])
+    alone_across = np.array(
+        [velocity[:, 0] * line.normals[:, 0] + velocity[:, 1] * line.normals[:, 1] for _, velocity in incident]
+    )
+    weighted, out = radiated.potential * line.weights, 0.0
+    for phi, normal, sign in ((flow.potential, across, -1.0), (alone, alone_across, 1.0)):
+        first = (flow.omega[one, None] * phi[one]) * normal[two].conj()
+        second = (flow.omega[two, None] * phi[two].conj()) * normal[one]
+        out = out + sign * (first - second) @ weighted.T
+    return out
+
+
+def _chunks(count, points):
+    step = max(1, AT_ONCE // points)
+    return [slice(start, min(start + step, count)) for start in range(0, count, step)]
+
+
+def _intervals(waves):
+    """Edges of radii (w + 1,) m; of each wave the number of the edge where its pairs' tails begin, as the faster one"""
+    edges, k = list(waves.rings.edges), np.array([wave.k for wave in waves.waves])
+    radius = waves.circle.radius
+    needed = (1.2 * orders_sent(k * radius) + 4) / k
+    width = edges[-1] - edges[-2]
+    while edges[-1] < needed.max():
+        width *= GROWTH
+        edges.append(edges[-1] + width)
+    edges, local = np.array(edges), np.array([len(wave.local) for wave in waves.waves])
+    return edges, np.maximum(np.searchsorted(edges, needed), np.maximum(local, 1))
+
+
+def _add_interval(waves, differences, products, edges, w, ends, total):
+    """∬ over radii edges[w] … edges[w + 1] of all pairs whose tail begins beyond"""
+    active = [np.flatnonzero(ends[d.one] > w) for d in differences]
+    both = zip(differences, active, strict=True)
+    used = np.unique(np.concatenate([np.concatenate([d.one[a], d.two[a]]) for d, a in both]))
+    if not len(used):
+        return
+    fastest = max(waves.waves[i].k for i in used)
+    slow = max(d.far[0].k for d, a in zip(differences, active, strict=True) if len(a))
+    low, high = edges[w : w + 2]
+    x, v = np.polynomial.legendre.leggauss(int(FEW + PER_RADIAN * (2 * fastest + slow) * (high - low) / 2))
+    r = low + (high - low) * (1 + x) / 2
+    local = w < len(waves.rings.edges) - 1
+    count = directions(orders_sent(fastest * waves.circle.radius))
+    grid = _Grid(r, count, waves.rings if local else None, w, x)
+    weights = np.repeat((high - low) / 2 * v * r * 2 * np.pi / count, count)
+    place = {wave: n for n, wave in enumerate(used)}
+    sent, incident = grid.fields([waves.waves[i] for i in used])
+    whole = sent + incident
+    for d, factors, a, out in zip(differences, products, active, total, strict=True):
+        if not len(a):
+            continue
+        psi = grid.fields(d.far)[0][None]
+        for chunk in _chunks(len(a), len(weights)):
+            own = a[chunk]
+            i, j = (np.array([place[n] for n in side[own]]) for side in (d.one, d.two))
+            terms = [(whole[i], sent[j].conj()), (sent[i], incident[j].conj())]
+            out[own] += integrated(Products(*(f[own] for f in factors)), terms, psi, weights)
+
+
+class _Grid:
+    """Radii r (n,) m times `count` directions; rings : `surface_far.Rings` of whose interval w they are the places x
+    (n,), or None"""
+
+    def __init__(self, r, count, rings, w, x):
+        self.r, self.count, self.rings, self.w = r, count, rings, w
+        self.m = np.fft.fftfreq(count, 1 / count).astype(int)
+        self.turn = np.exp(1j * np.outer(self.m, 2 * np.pi * (np.arange(count) + 0.5) / count))
+        self.interpolation = None if rings is None else rings.interpolation(w, x)
+
+    def fields(self, waves):
+        """(sent and local, incident) `Field` (f, n count) of [`Wave`]"""
+        out = []
+        most = self.count // 2 - 1
+        for wave in waves:
+            z = wave.k * self.r
+            H = hankel_orders(1, wave.most, z) * np.exp(1j * z)
+            sent = self._orders(wave.sent, *slopes(H, wave.k))
+            if self.rings is not None and self.w < len(wave.local):
+                for part, matrix in zip(sent, self.interpolation, strict=True):
+                    part[:, self.rings.orders] += matrix @ wave.local[self.w]
+            coming = None
+            if wave.incident:
+                J = bessel_orders(most, z + 0j)
+                coming = self._orders(wave.incident_orders(most), *slopes(J, wave.k))
+            out.append((sent, coming))
+        zero = np.zeros((len(self.r), self.count)), np.zeros((len(self.r), self.count))
+        return [self._field([parts[n] or zero for parts in out]) for n in range(2)]
+
+    def _orders(self, coefficients, value, slope):
+        """Two (n, count) of value and slope"""
+        most = len(coefficients) // 2
+        m, out = np.arange(-most, most + 1), []
+        for part in (value, slope):
+            whole = np.zeros((len(self.r), self.count), complex)
+            whole[:, m] = (coefficients[:, None] * both_signs(part)).T
+            out.append(whole)
+        return out
+
+    def _field(self, parts):
+        value, slope = (np.array([part[n] for part in parts]) for n in range(2))
+        across = 1j * self.m * value / self.r[:, None]
+        size = len(parts), -1
+        value, slope, across = ((part @ self.turn).reshape(size) for part in (value, slope, across))
+        return Field(value, np.stack([slope, across]))
+
+
+def _add_tail(waves, d, factors, start, out):
+    """∬ beyond radii `start` (q,) of the pairs of a `Difference`, along r = start + ix and, of what comes in, − ix"""
+    wave = d.far[0]
+    k, q = (np.array([waves.waves[n].k for n in side]) for side in (d.one, d.two))
+    most = max(max(waves.waves[n].most for n in side) for side in (d.one, d.two))
+    count = directions(most)
+    points = TAIL_PANELS * TAIL_POINTS * count
+    for chunk in _chunks(len(d.one), 2 * points):
+        own = Products(*(f[chunk] for f in factors))
+        i, j = ([waves.waves[n] for n in side[chunk]] for side in (d.one, d.two))
+        for sign, slope in ((1, (k - q + wave.k)[chunk]), (-1, (k + q - wave.k)[chunk])):
+            tail = _Tail(sign, slope, start[chunk], i, j, d.far, count)
+            out[chunk] += tail.integral(own)
+
+
+class _Tail:
+    """Along r = start ± ix, exponentials of three waves together exp(−slope x); sign : of ±
+
+    Upwards sent with sent, sent with incoming, and of the first incident wave what goes out; downwards what comes in.
+    """
+
+    def __init__(self, sign, slope, start, one, two, psi, count):
+        self.sign, self.one, self.two, self.psi, self.count = sign, one, two, psi, count
+        x, w = np.polynomial.legendre.leggauss(TAIL_POINTS)
+        ends = np.concatenate([[0.0], 2.0 ** np.arange(1 - TAIL_PANELS, 1)])
+        t = (ends[:-1, None] + np.diff(ends)[:, None] * (1 + x) / 2).ravel() * TAIL
+        w = (np.diff(ends)[:, None] * w / 2).ravel() * TAIL
+        self.x = t / slope[:, None]
+        self.r = start[:, None] + sign * 1j * self.x
+        self.start = start
+        weights = sign * 1j * w / slope[:, None] * np.exp(-t) * np.exp(sign * 1j * (slope * start)[:, None])
+        self.weights = np.repeat(weights * self.r * 2 * np.pi / count, count, axis=1)
+        self.theta = 2 * np.pi * (np.arange(count) + 0.5) / count
+
+    def integral(self, factors):
+        kind, k = (1, 2)[self.sign < 0], np.array([wave.k for wave in self.one])
+        q, size = np.array([wave.k for wave in self.two]), self.psi[0].most
+        psi = self._of([np.array([wave.sent for wave in self.psi])] * len(k), 1, np.full(len(k), self.psi[0].k))
+        most = [wave.most + size for wave in self.two]
+        coming = self._of([0.5 * wave.incident_orders(m) for wave, m in zip(self.one, most, strict=True)], kind, k)
+        away = self._of([wave.sent.conj() for wave in self.two], 2, q, -1)
+        if self.sign < 0:
+            return integrated(factors, [(coming, away)], psi, self.weights)
+        sent = self._of([wave.sent for wave in self.one], 1, k)
+        most = [wave.most + size for wave in self.one]
+        other = self._of([wave.incident_orders(m).conj() for wave, m in zip(self.two, most, strict=True)], 0, q, -1)
+        return integrated(factors, [(sent + coming, away), (sent, other)], psi, self.weights)
+
+    def _of(self, coefficients, kind, k, turn=1):
+        """`Field` (q, (6,) n count) of sums of Hankel functions of a kind, of Bessel functions for 0, e^{±imθ}"""
+        most = max(c.shape[-1] // 2 for c in coefficients)
+        z = k[:, None] * self.r
+        start = np.exp(1j * k * self.start)[:, None]
+        values = hankel_orders(kind, most, z) if kind else bessel_orders(most, z) * start
+        c = np.zeros((len(k), *coefficients[0].shape[:-1], 2 * most + 1), complex)
+        for row, own in zip(c, coefficients, strict=True):
+            size = own.shape[-1] // 2
+            row[..., most - size : most + size + 1] = own
+        several = c.ndim == 3
+        value, slope = (np.moveaxis(both_signs(part), 0, -1) for part in slopes(values, k[:, None]))
+        if several:
+            value, slope, c, r = value[:, None], slope[:, None], c[:, :, None], self.r[:, None, :, None]
+        else:
+            c, r = c[:, None], self.r[..., None]
+        m = turn * np.arange(-most, most + 1)
+        angles, value = np.exp(1j * np.outer(m, self.theta)), c * value
+        parts = value, c * slope, 1j * m * value / r
+        shape = (*value.shape[:-2], -1)
+        value, slope, across = ((part @ angles).reshape(shape) for part in parts)
+        return Field(value, np.stack([slope, across]))

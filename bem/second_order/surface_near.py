@@ -1,0 +1,234 @@
+"""Quadrature points on the free surface between a hull and the circle about it, and the potential there.
+
+Each side of a panel along the waterline begins a strip that ends on the circle.  Its points are Radau points from
+waterline to circle, the first on the hull, and Gauss points along the side; derivatives are those of the polynomials
+through them.  Potentials on the hull are interpolated there (`hull_interpolation`), those beside it follow from the
+solved φ and its normal derivative V on the panels,
+
+    4πφ = ∬ (φ ∂G/∂n − V G) dS.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..green.tables import wave_table
+from ..panels.elements import quadrature
+from ..panels.wave_influence import COARSE, PER_WAVE, Pairs
+from ..waves import depth_values
+
+BEYOND, SIDES_BEYOND = 1.08, 2.0  # radius of the circle over that of the body; sides of panels beyond it, at least
+ROWS = 256  # points at once
+OUTWARDS, PER_RADIAN = 8, 0.4  # points of a strip from hull to circle, for a radian of the wave between
+FEWEST, MOST = 3, 9  # along a side
+SPREADS = 0.3, 0.15, 0.0  # of the strips from the rays of the middle to those of an ellipse
+LEAST = 1e-4  # smallest weight in a strip, of the largest
+CLOSE = 10  # points each way on panels close to a point, whose image the wave part of G is singular at
+
+
+@dataclass(frozen=True, eq=False)
+class Circle:
+    """centre : (2,) m; radius : m, within which the hull is; half : (2,) m, half extents of the waterline"""
+
+    centre: np.ndarray
+    radius: float
+    half: np.ndarray
+
+
+def circle_about(mesh):
+    """`Circle` about a hull"""
+    points = mesh.whole().points[:, :2] if mesh.symmetry else mesh.points[:, :2]
+    low, high = points.min(axis=0), points.max(axis=0)
+    centre = 0.5 * (low + high)
+    radius = float(np.hypot(*(points - centre).T).max())
+    sides = _sides(mesh)[1]
+    longest = float(np.hypot(*(sides[:, 1] - sides[:, 0]).T).max())
+    return Circle(centre, max(BEYOND * radius, radius + SIDES_BEYOND * longest), 0.5 * (high - low))
+
+
+@dataclass(frozen=True, eq=False)
+class Strips:
+    """Strips with a points along and b points across each: s strips, the first points across on the hull.
+
+    points : (s, a, b, 2) m; weights : (s, a, b) m²; along, across : (s, a, b, 2) 1/m, gradients of the two coordinates
+    over_side (a, a), outwards (b, b) : derivatives of values at the points
+    known : (s, 4) numbers of the points of the waterline's quadrature on each side; from_known : (a, 4)
+    """
+
+    points: np.ndarray
+    weights: np.ndarray
+    along: np.ndarray
+    across: np.ndarray
+    over_side: np.ndarray
+    outwards: np.ndarray
+    known: np.ndarray
+    from_known: np.ndarray
+
+    @property
+    def even(self):
+        """Whether no strip folds or nearly does"""
+        area = self.weights[..., 1:] / self.weights.max(axis=(1, 2), keepdims=True)
+        return bool(np.all(area > LEAST**2)) and bool(np.all(self.weights > 0))
+
+    def values(self, on_line, beside):
+        """(…, s, a, b) from those along the waterline (…, l) and those beside it (…, s a (b − 1)) of these strips"""
+        s, a, b = self.weights.shape
+        hull = np.einsum("sak,...sk->...sa", self.from_known, on_line[..., self.known])
+        return np.concatenate([hull[..., None], beside.reshape(*beside.shape[:-1], s, a, b - 1)], axis=-1)
+
+    def gradient(self, values):
+        """(…, s, a, b, 2) of values (…, s, a, b)"""
+        s = np.einsum("ij,...sjb->...sib", self.over_side, values)
+        t = np.einsum("ij,...saj->...sai", self.outwards, values)
+        return s[..., None] * self.along + t[..., None] * self.across
+
+
+def strips_about(mesh, line, circle, k):
+    """[`Strips`] of the meshed part of a hull, of those with equally many points together.
+
+    line : `hull_interpolation.HullQuadrature` of the waterline; k : rad/m, of the shortest waves
+    raises : ValueError for a hull without a waterline, and one whose waterline is not a single curve seen from inside
+    """
+    panels, sides = _sides(mesh)
+    start, end = (_angles(sides[:, i], np.zeros(2), circle, 0.0)[0] for i in range(2))
+    turn = np.angle(np.exp(1j * (end - start)))
+    if not (np.all(turn > 0) and abs(np.sum(turn) * len(mesh.reflections()) - 2 * np.pi) < 1e-6):
+        raise ValueError(
+            "forcing of the surface around a hull whose waterline is not one closed curve, each point of it seen from "
+            "its middle; allowed: qtf up to the body's part"
+        )
+    arc = np.maximum(turn * circle.radius, np.hypot(*(sides[:, 1] - sides[:, 0]).T))
+    counts = np.clip(np.ceil(2 + k * arc), FEWEST, MOST).astype(int)
+    wide = float((circle.radius - np.hypot(*(sides.mean(axis=1) - circle.centre).T)).max())
+    across, known = OUTWARDS + int(np.ceil(PER_RADIAN * k * wide)), _known(panels, sides, line)
+    for spread in SPREADS:
+        out = [
+            _strips(sides[counts == count], [part[counts == count] for part in known], circle, count, across, spread)
+            for count in np.unique(counts)
+        ]
+        if all(part.even for part in out):
+            break
+    return out
+
+
+def _sides(mesh):
+    """(s,) panels along the waterline and (s, 2, 2) ends of their sides there, counter-clockwise about the body"""
+    v, level = mesh.vertices, 1e-6 * mesh.draft
+    wet = v[:, :, 2] > -level
+    following = np.roll(v, -1, axis=1)
+    long = np.linalg.norm(following - v, axis=2) > 0
+    panel, corner = np.nonzero(wet & np.roll(wet, -1, axis=1) & long)
+    if not len(panel):
+        raise ValueError("forcing of the surface around a hull without a waterline; allowed: qtf up to the body's part")
+    ends = np.stack([v[panel, corner], following[panel, corner]], axis=1)[..., :2]
+    along, normal = ends[:, 1] - ends[:, 0], mesh.normals[panel, :2]
+    backwards = normal[:, 0] * along[:, 1] - normal[:, 1] * along[:, 0] < 0
+    ends[backwards] = ends[backwards, ::-1]
+    return panel, ends
+
+
+def _known(panels, sides, line):
+    """(s, 4) numbers of the waterline's points on each side, in order; (s,) the end where they are dense: 0, −1, 1"""
+    points, count = line.points[..., :2], line.points.shape[1]
+    x = np.polynomial.legendre.leggauss(count)[0]
+    order, dense = np.empty((len(sides), count), int), np.empty(len(sides), int)
+    kinds = {0: (1 + x) / 2, -1: ((1 + x) / 2) ** 3, 1: 1 - ((1 - x) / 2) ** 3}
+    for n, (panel, (start, end)) in enumerate(zip(panels, sides, strict=True)):
+        rows, along = np.flatnonzero(line.panels == panel), end - start
+        away = points[rows] - start
+        off = np.abs(away[..., 0] * along[1] - away[..., 1] * along[0]).max(axis=1)
+        row = rows[np.argmin(off)]
+        place = (points[row] - start) @ along / (along @ along)
+        order[n] = row * count + np.argsort(place)
+        dense[n] = min(kinds, key=lambda kind: np.abs(np.sort(place) - kinds[kind]).max())
+    return order, dense
+
+
+def _angles(points, slope, circle, spread):
+    """Angle on the circle at which the strips of waterline points (…, 2) end, and its change with theirs, `slope`
+
+    spread : 0 for the rays from the middle, 1 for what these are on the ellipse of the same extents
+    """
+    out = []
+    for half in (np.ones(2), circle.half):
+        (x, y), (dx, dy) = (np.moveaxis(part / half, -1, 0) for part in (points - circle.centre, slope))
+        out.append((np.arctan2(y, x), (x * dy - y * dx) / (x * x + y * y)))
+    (ray, turn), (other, other_turn) = out
+    return ray + spread * np.angle(np.exp(1j * (other - ray))), turn + spread * (other_turn - turn)
+
+
+def _strips(sides, known, circle, along, across, spread):
+    (x, w), (y, v), (order, dense) = np.polynomial.legendre.leggauss(along), _radau(across), known
+    out = (1 + y) / 2
+    side = (sides[:, 1] - sides[:, 0])[:, None]
+    inside = (1 + x) / 2
+    P, slope = sides[:, :1] + inside[:, None] * side, 0.5 * side + np.zeros((len(x), 1))  # (s, a, 2)
+    angle, turn = _angles(P, slope, circle, spread)
+    ray, normal = (np.stack([np.cos(a), np.sin(a)], axis=-1) for a in (angle, angle + np.pi / 2))
+    C, turn = circle.centre + circle.radius * ray, circle.radius * turn[..., None] * normal
+    share = out[:, None]
+    points = P[:, :, None] * (1 - share) + C[:, :, None] * share
+    a = slope[:, :, None] * (1 - share) + turn[:, :, None] * share  # ∂/∂x
+    b = 0.5 * (C - P)[:, :, None] + 0 * a  # ∂/∂y
+    area = b[..., 0] * a[..., 1] - b[..., 1] * a[..., 0]
+    gradient_a = np.stack([-b[..., 1], b[..., 0]], axis=-1) / area[..., None]
+    gradient_b = np.stack([a[..., 1], -a[..., 0]], axis=-1) / area[..., None]
+    graded = np.select(
+        [dense[:, None] == -1, dense[:, None] == 1], [2 * np.cbrt(inside) - 1, 1 - 2 * np.cbrt(1 - inside)], x
+    )
+    given, vander = np.polynomial.legendre.leggauss(order.shape[1])[0], np.polynomial.legendre.legvander
+    from_known = vander(graded, len(given) - 1) @ np.linalg.inv(vander(given, len(given) - 1))
+    weights = area * w[:, None] * v
+    return Strips(points, weights, gradient_a, gradient_b, _derivative(x), _derivative(y), order, from_known)
+
+
+def _radau(count):
+    """Points and weights of Gauss and Radau on −1 … 1, −1 the first"""
+    legendre = np.polynomial.legendre
+    last = legendre.legadd([0] * (count - 1) + [1], [0] * count + [1])
+    x = np.sort(legendre.legroots(last).real)
+    x[0] = -1.0
+    return x, (1 - x) / (count * legendre.legval(x, [0] * (count - 1) + [1])) ** 2
+
+
+def _derivative(x):
+    """(n, n) derivative at points of the polynomial through values there"""
+    n = len(x)
+    powers = np.polynomial.legendre.legvander(x, n - 1)
+    slopes = np.polynomial.legendre.legval(x, np.polynomial.legendre.legder(np.eye(n))).T
+    return slopes @ np.linalg.inv(powers)
+
+
+class SurfaceInfluence:
+    """Potentials at points (p, 2) of the surface from those on the hull of a `Geometry` without lid"""
+
+    def __init__(self, geometry, points):
+        self.geometry = geometry
+        self.points = np.column_stack([points, np.zeros(len(points))])
+        self.reach = 1.01 * float(np.hypot(*points.T).max() + geometry.radius)
+        self.S, self.D = geometry.rankine_rows(self.points)[:2]
+        self.close = quadrature(geometry.panels, geometry.elements, COARSE, CLOSE)
+
+    def values(self, run, flows, count=None):
+        """{class: (c, p)} potentials of flows {class: (φ (c, n), V (c, n))} at the frequency of a run, at the first
+        `count` points"""
+        g, problem, classes = self.geometry, run.problem, list(flows)
+        table = wave_table(run.omega, problem.depth, problem.gravity, self.reach, g.draft)
+        Z, count = depth_values(run.k, problem.depth), len(self.points) if count is None else count
+        nodes = np.arange(g.hull)
+        longest = PER_WAVE * min(1 / run.k, problem.depth)  # beyond it all points would take the finer rule
+        pairs = Pairs.of(g, nodes[:1], nodes, classes)
+        pairs = pairs._replace(quadrature=self.close, sizes=np.minimum(pairs.sizes, longest))
+        out = {cls: np.empty((len(phi), count), complex) for cls, (phi, _) in flows.items()}
+        for start in range(0, count, ROWS):
+            rows = slice(start, min(start + ROWS, count))
+            S, D = pairs._replace(at=self.points[rows]).blocks(table, Z)
+            for i, cls in enumerate(classes):
+                own = g.classes.index(cls)
+                phi, V = flows[cls]
+                S[i] += self.S[own, rows]
+                D[i] += self.D[own, rows]
+                out[cls][:, rows] = (phi @ D[i].T - V @ S[i].T) / (4 * np.pi)
+        return out
