@@ -19,6 +19,7 @@ from .allowed import positive, row_of_numbers
 from .tables import TableError, column_of, read_table
 
 UNEVEN = 0.01  # of a step, that a time in a file may lie off
+FAINT = 1e-6  # of the largest amplitude, of components that are left out
 AT_ONCE = 2**21  # phases kept in memory for times on unequal steps
 
 
@@ -95,6 +96,24 @@ def read_record(path, step=None, column=None):
     if timed:
         return Record(values[:, place], *_even_steps(path, values[:, 0]))
     return Record(values[:, place], positive("step", step, "s"))
+
+
+def components_of(record, direction, shortest=0.0):
+    """`sea.Components` whose sum is the record at its place, without its mean, by Fourier's series over its length.
+
+    direction : rad, travelled to, of all; shortest : s, period below which waves are left out.  Time is counted from
+    the first value; after the last the record begins again.
+    """
+    from .sea import Components
+
+    n = len(record.elevation)
+    X = 2 / n * np.fft.rfft(record.elevation - np.mean(record.elevation))
+    omega = 2 * np.pi * np.fft.rfftfreq(n, record.step)
+    longest = 2 * np.pi / shortest if shortest > 0 else np.inf
+    kept = (omega > 0) & (omega <= longest) & (np.abs(X) > FAINT * np.abs(X).max())
+    if n % 2 == 0:
+        kept[-1] = False  # at half the sampling rate phase and amplitude are not known apart
+    return Components(omega[kept], np.abs(X[kept]), -np.angle(X[kept]), np.full(np.count_nonzero(kept), direction))
 
 
 def _even_steps(path, t):

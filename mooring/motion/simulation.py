@@ -155,6 +155,7 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     body = _body(moored, weather, settings, components, drag, current is not None)
     if components is not None:
         mean, constant = mean_frequency(components), settings.memory == "constant"
+        mean = 2 * np.pi / settings.constant_period if settings.constant_period else mean
         findings += slow_damping.findings(moored, body, mean, constant, current is not None)
     streams = wind, calm() if current is None else current
     contacts = moored.berth.arrays
@@ -191,7 +192,7 @@ def wave_components(moored, weather, settings, seed):
         w = weather.regular
         return Components(*(np.array([float(v)]) for v in (w.omega, 0.5 * w.height, 0.0, w.direction)))
     if not weather.seas:
-        return None
+        return weather.components
     low, high = moored.reader.omega[0], moored.reader.omega[-1]
     parts = []
     for number, sea in enumerate(weather.seas):
@@ -287,12 +288,13 @@ def _body(moored, weather, settings, components, drag, munk):
     slow = slow_memory(memory, FASTEST)
     added, B, arrays = memory.added_mass_infinity + slow.inertia, moored.damping + slow.damping, slow.arrays
     if settings.memory == "constant":
-        if components is None:
+        if components is None and settings.constant_period is None:
             raise SimulationError(
                 'memory = "constant" takes coefficients at the mean frequency of waves, and there are none; '
                 'give waves, or memory = "states"'
             )
-        w = np.array([mean_frequency(components)])
+        period = settings.constant_period
+        w = np.array([2 * np.pi / period if period else mean_frequency(components)])
         A, radiated = reader.coefficients(w)
         added, B = A[0], moored.damping + radiated[0]
         arrays = MemoryArrays(np.zeros(0), np.zeros(0), np.zeros((6, 0)), np.zeros((6, 0)))

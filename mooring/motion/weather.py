@@ -18,6 +18,8 @@ class Weather:
     forces : tuple of `mooring.motion.given_forces.GivenForce`
     beside_newman : of `mooring.response.pair_levels.beside_newman` in the one sea that there is, of long crests: forces
         of pairs that push on the body at its place and heading at rest
+    components : `mooring.environment.sea.Components` in place of seas, alike for every seed, as of a measured record;
+        time is counted from the begin of the ramp
 
     The current carries the body; lengths and frequencies of waves are those in water at rest.
     """
@@ -29,12 +31,13 @@ class Weather:
     current: object = None
     forces: tuple = ()
     beside_newman: object = None
+    components: object = None
 
     def __post_init__(self):
         object.__setattr__(self, "seas", tuple(self.seas))
         object.__setattr__(self, "forces", tuple(self.forces))
-        if self.seas and self.regular is not None:
-            raise ValueError("weather has seas and a regular wave; allowed: one of them")
+        if sum((bool(self.seas), self.regular is not None, self.components is not None)) > 1:
+            raise ValueError("weather has two of seas, a regular wave and a record; allowed: one of them")
         if self.beside_newman is not None and len(self.seas) != 1:
             raise ValueError("weather has forces of pairs beside Newman's; allowed: with one sea")
         if self.gusts is not None and self.wind is None:
@@ -51,6 +54,7 @@ class Settings:
     slow_drift : "newman", "half-waves" (the report's), "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
+    constant_period : s, of that frequency, None for the mean one of the waves
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
@@ -64,6 +68,7 @@ class Settings:
     slow_drift: str = "newman"
     wave_drift_damping: bool = True
     memory: str = "states"
+    constant_period: float | None = None
     lines_lost: tuple[tuple[str, float], ...] = ()
     fixed_step: float | None = None
     estimate_error: bool = False
@@ -80,5 +85,10 @@ class Settings:
         for name, words in (("slow_drift", SLOW_DRIFT), ("memory", MEMORY)):
             if getattr(self, name) not in words:
                 raise ValueError(f"{name} is {getattr(self, name)!r}; allowed: {', '.join(words)}")
+        if self.constant_period is not None and not (self.memory == "constant" and 0 < self.constant_period < 1e6):
+            raise ValueError(
+                f'constant_period is {self.constant_period:g} s with memory = "{self.memory}"; allowed: above 0, with '
+                'memory = "constant"'
+            )
         if self.components is not None and not (self.components == int(self.components) and self.components >= 1):
             raise ValueError(f"components is {self.components}; allowed: a whole number from 1")

@@ -199,6 +199,19 @@ class SeaTable(Table):
         return sea_of(where, self, direction(where, self), depth)
 
 
+class RecordTable(Table):
+    """A measured record of the waves at the body's place, in place of [waves]; every seed has the same waves
+
+    file : CSV beside the study, of time_s and elevation_m, equally spaced, as long as ramp and duration
+    shortest : s, period below which waves are left out
+    """
+
+    file: str
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    shortest: float = 5.0
+
+
 class SimulationTable(Table):
     """A run in time, for simulate
 
@@ -214,6 +227,7 @@ class SimulationTable(Table):
     wave_drift_damping : whether slow velocities change the drift
     qtf : slow force of pairs of waves: "newman", "bound-wave", "body", "full" or "auto", as in a response study
     memory : "states", or "constant" for added mass and damping at one frequency
+    constant_period : s, of that frequency, by default the mean one of the waves
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
     damping_ratio : {motion = share of critical}, beyond waves, as in a response study
     linear_damping : kN s/m, {motion = B₁}, kN m s of rotations, as `hakobune damping` finds it
@@ -232,6 +246,7 @@ class SimulationTable(Table):
     wave_drift_damping: bool = True
     qtf: str = "newman"
     memory: str = "states"
+    constant_period: float | None = None
     estimate_error: bool = False
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
     linear_damping: dict[str, float] = msgspec.field(default_factory=dict)
@@ -239,6 +254,16 @@ class SimulationTable(Table):
     lines_lost: list[LostTable] = msgspec.field(default_factory=list)
     force: list[GivenForceTable] = msgspec.field(default_factory=list)
     sea: list[SeaTable] = msgspec.field(default_factory=list)
+    record: RecordTable | None = None
+
+
+class HarbourTable(Table):
+    """The harbour that a berth lies in
+
+    periods : s, at which its water swings; natural periods of the moored body near them are told
+    """
+
+    periods: list[float]
 
 
 class Study(Table):
@@ -260,6 +285,7 @@ class Study(Table):
     fender: list[QuayFenderTable] = msgspec.field(default_factory=list)
     dolphin: list[DolphinTable] = msgspec.field(default_factory=list)
     rope: list[RopeTable] = msgspec.field(default_factory=list)
+    harbour: HarbourTable | None = None
     allowable: float = 0.4
 
     def conditions(self):

@@ -6,21 +6,27 @@ from pathlib import Path
 
 import numpy as np
 
-from ..common.quantities import StudyError
+from ..common.quantities import StudyError, positive
+from ..moor.study import read_study
 from ..solve.work import executor_of
-from . import report
+from . import berth, report
 from .file import opened, whole_rows
 from .pictures import draw
 from .run import simulate as fill
 
 
-def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local"):
-    """Exit status of the command: 0, 1 with a seed that failed, 130 interrupted.  Raises ValueError before anything."""
+def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local", windows=None):
+    """Exit status of the command: 0, 1 with a seed that failed, 130 interrupted.  Raises ValueError before anything.
+
+    windows : s, of which the first record is told one by one
+    """
     from ..printing.console import new_console
 
     console, workers = new_console(), executor_of(executor)
     if seeds is not None and seeds < 1:
         raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
+    if windows is not None:
+        positive("--windows", windows)
     try:
         outcome = fill(study, database, output, console, workers, seeds, duration, fresh)
     finally:
@@ -32,6 +38,8 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
     with opened(output) as file:
         if whole_rows(file).any():
             _show(console, file, study, database, outcome.findings)
+            if windows is not None:
+                console.print(berth.windows_table(file, windows))
             words = ", ".join([str(output), *draw(file, Path(output))])
             console.print(f"written: {words}", highlight=False, soft_wrap=True, markup=False)
     for seed, reason in outcome.failures:
@@ -41,6 +49,12 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
 
 def _show(console, file, study, database, findings):
     beside, more = beside_of(study, database)
+    if "natural_period" in file.attrs:
+        harbour = read_study(study)[0].harbour
+        known = [] if harbour is None else berth.check_harbour(harbour.periods)
+        told, near = berth.lines_on_periods(file.attrs["natural_period"], known)
+        console.print(told, highlight=False, soft_wrap=True)
+        more = (*more, *near)
     periods, wave_period = {}, float(file.attrs["mean_period"])
     if beside is not None:
         state = beside.at_equilibrium
@@ -53,8 +67,6 @@ def beside_of(study, database):
     """MultiPoint of the same study by the simplified method, or None and the reason."""
     from bem.database import open_database
     from mooring.studies.multi_point import multi_point
-
-    from ..moor.study import read_study
 
     db, read = open_database(database), read_study(study)[0]
     if read.at_berth:

@@ -18,6 +18,7 @@ def simulate(
     duration: Annotated[float | None, Parameter(help="s of a run, in place of the study's")] = None,
     fresh: Annotated[bool, Parameter(help="replace a file that is there", negative="")] = False,
     executor: Annotated[str, Parameter(help="local or processes:N")] = "local",
+    windows: Annotated[float | None, Parameter(help="s: significant motions of the first record, one by one")] = None,
 ):
     """A mooring study in time: motions and tensions over seeds, beside the simplified method of `moor`.
 
@@ -25,7 +26,7 @@ def simulate(
     """
     from .command import simulate
 
-    return simulate(study, database, output, seeds, duration, fresh, executor)
+    return simulate(study, database, output, seeds, duration, fresh, executor, windows)
 
 
 def animate(

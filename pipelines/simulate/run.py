@@ -19,6 +19,7 @@ from ..common.outputs import DATABASE, check_output
 from ..common.progress import duration as words_of
 from ..moor.study import read_study
 from ..solve.work import Here, in_order
+from .berth import natural_periods
 from .file import (
     STATISTICS,
     SUMMARY,
@@ -107,14 +108,16 @@ def _identity(study, files, duration):
     words = msgspec.to_builtins(study)
     for name in ("seeds", "keep_series", "duration", "duration_hours"):
         (words.get("simulation") or {}).pop(name, None)
-    for name in ("fender", "dolphin", "rope"):
-        if not words[name]:
+    for name in ("fender", "dolphin", "rope", "harbour"):
+        if not words[name] or name == "harbour":
             words.pop(name)
     for name in (
         "force",
         "sea",
         "linear_damping",
         "quadratic_damping",
+        "record",
+        "constant_period",
     ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)
@@ -157,6 +160,8 @@ def _header(task, db, study, plan, identity):
         "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
         "memory_states": body.memory.states, "place_at_rest": body.start,
     }  # fmt: skip
+    if body.berth.names:
+        attributes["natural_period"] = natural_periods(body)
     lines = body_lines(body.system)
     load = [*(() if body.system is None else body.system.breaking_load), *(one.breaking_load for one in ropes)]
     ends = [

@@ -23,14 +23,16 @@ from bem import DOFS
 from mooring.motion.weather import Settings, Weather
 from mooring.response.seas import energy_outside
 
-from ..common.quantities import StudyError, positive
+from ..common.quantities import StudyError, direction, positive
 from ..moor.gusts import gusts_of
 from ..moor.study import SimulationTable
 from ..response.study import damping_of
+from .berth import check_harbour
 
 LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave part
 MOST_SEEDS, FEWEST, MOST_SAMPLES = 10_000, 8, 2_000_000
 MOST_COMPONENTS = 100_000
+MOST_OF_RECORD = 20_000  # waves, at which an hour takes minutes
 MISSED = 0.01  # share of the energy outside the stored frequencies that is not named; above MOST_MISSED refused
 MOST_MISSED = 0.25
 
@@ -63,6 +65,8 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
         raise StudyError("the study has no [simulation]; give it one with duration (s), or --duration")
     table = SimulationTable() if table is None else table
     settings = _settings(table, _duration(table, duration))
+    if study.harbour is not None:
+        check_harbour(study.harbour.periods)
     conditions = study.conditions()
     waves, findings, more = (
         conditions.waves,
@@ -84,17 +88,63 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
             f"{2 * np.pi / omega[0]:.4g} s; solve them too"
         )
     streams = conditions.wind, gusts_of(study.wind), conditions.current
-    weather = Weather(seas, waves, *streams, _forces(table, folder))
+    components, mean = None, None if study.waves is None else study.waves.period
+    if table.record is not None:
+        components, found = _record(study, table, settings, omega, folder)
+        findings += found
+    weather = Weather(seas, waves, *streams, _forces(table, folder), components=components)
     split = 0.5 * waves.omega if waves else float(omega[0])
     if seas:
         split = float(min(one.spectrum.quantile(LOWEST) for one in seas))
-    mean = None if study.waves is None else study.waves.period
+    elif components is not None:
+        energy = components.amplitude**2
+        split = float(components.omega[np.searchsorted(np.cumsum(energy), LOWEST * energy.sum())])
+        mean = 2 * np.pi * float(energy.sum() / (energy @ components.omega))
     return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings)
 
 
 def force_files(study, folder):
-    """Paths of the forces that a study gives as tables"""
-    return [Path(folder) / one.file for one in (study.simulation.force if study.simulation else [])]
+    """Paths of the forces and the record of waves that a study gives as tables"""
+    table = study.simulation
+    given = [] if table is None else [*table.force, *([] if table.record is None else [table.record])]
+    return [Path(folder) / one.file for one in given]
+
+
+def _record(study, table, settings, omega, folder):
+    """`Components` of the record of a study, None without its folder, and findings.  Raises StudyError."""
+    from mooring.environment.wave_records import components_of, read_record
+
+    where, wanted = "simulation.record", settings.ramp + settings.duration
+    if study.waves is not None or table.sea:
+        raise StudyError(f"{where} is given with [waves] or simulation.sea; allowed: one of them")
+    if table.qtf != "newman":
+        raise StudyError(f'{where}: a record holds its bound waves; allowed: qtf = "newman"')
+    towards = direction(where, table.record)
+    if folder is None:
+        return None, ()
+    try:
+        record = read_record(Path(folder) / table.record.file)
+    except ValueError as error:
+        raise StudyError(f"{where}: {error}") from None
+    length = record.step * (len(record.elevation) - 1)
+    if length < wanted * (1 - 1e-9):
+        raise StudyError(f"{where} lasts {length:g} s; allowed: ramp and duration, {wanted:g} s, or longer")
+    first = record._replace(elevation=record.elevation[: int(np.ceil(wanted / record.step)) + 1])
+    found = components_of(first, towards, positive(f"{where}.shortest", table.record.shortest))
+    if not len(found.omega):
+        raise StudyError(f"{where} has no waves of {table.record.shortest:g} s and longer; allowed: some")
+    if len(found.omega) > MOST_OF_RECORD:
+        raise StudyError(
+            f"{where} has {len(found.omega)} waves; allowed: {MOST_OF_RECORD}; give a longer shortest, or a shorter run"
+        )
+    outside = (found.omega < omega[0]) | (found.omega > omega[-1])
+    share = float((found.amplitude[outside] ** 2).sum() / (found.amplitude**2).sum())
+    if share > MISSED:
+        return found, (
+            f"{100 * share:.2g} % of the record's energy lies outside the stored frequencies, {omega[0]:.3g} to "
+            f"{omega[-1]:.3g} rad/s, and moves nothing; solve {found.omega[0]:.3g} rad/s and more",
+        )
+    return found, ()
 
 
 def damping(study, body):
@@ -141,7 +191,8 @@ def _duration(table, duration):
 
 
 def _settings(table, duration):
-    names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory", "estimate_error")
+    names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory",
+             "constant_period", "estimate_error")  # fmt: skip
     if table.components is not None and table.components > MOST_COMPONENTS:
         raise StudyError(f"simulation.components is {table.components}; allowed: 1 to {MOST_COMPONENTS}")
     lost = tuple((one.line, one.time) for one in table.lines_lost)

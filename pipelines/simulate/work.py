@@ -78,7 +78,7 @@ def _with_pairs(plan, study, db):
         found, said = beside_newman(db, weather.seas[0], level) if level != "newman" else (None, ())
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None
-    if found is None:
+    if found is None and plan.settings.slow_drift != "none":
         body = db.reader.floating()
         said = (*said, *(line for sea in weather.seas for line in left_out(body, sea)))
     return replace(plan, weather=replace(weather, beside_newman=found)), tuple(said)

@@ -33,7 +33,7 @@ COMMANDS = ("moor", "response", "lines", "line-dynamics", "single-point", "berth
 class VaryTable(Table):
     """A key that is varied, by values or a range
 
-    key : its place in the study, as "waves.height", "lines[0].length" or "types.chain.weight_kg_per_m"
+    key : its place in the study, as "waves.height" or "lines[0].length"; "rope[*].hardening" is that of every rope
     values : that it takes; or give from and to
     count : how many numbers of a grid, both ends included
     """
@@ -110,14 +110,26 @@ def _values(where, one):
 
 
 def put(raw, key, value):
-    """A copy of nested tables with a value in the place of a key.  Raises StudyError where its table is not there."""
+    """A copy of nested tables with a value in the place of a key; [*] : of every table of a list.
+
+    raises : StudyError where its table is not there
+    """
     made = copy.deepcopy(raw)
     *path, last = re.findall(r"[^.\[\]]+", key)
-    at = made
     try:
-        for part in path:
-            at = at[int(part)] if isinstance(at, list) else at[part]
-        at[int(last) if isinstance(at, list) else last] = value
+        for at in _tables(made, path):
+            at[int(last) if isinstance(at, list) else last] = value
     except (KeyError, IndexError, ValueError, TypeError):
         raise StudyError(f"the study has no table for the key {key!r}; give it there first") from None
     return made
+
+
+def _tables(at, path):
+    """The tables that a path leads to.  Raises KeyError, IndexError, ValueError or TypeError where there are none."""
+    if not path:
+        return [at]
+    if path[0] == "*":
+        if not isinstance(at, list) or not at:
+            raise TypeError("no list")
+        return [table for one in at for table in _tables(one, path[1:])]
+    return _tables(at[int(path[0])] if isinstance(at, list) else at[path[0]], path[1:])

@@ -9,7 +9,7 @@ from mooring.environment.spectra import issc, jonswap
 from mooring.environment.spectrum_estimate import estimate
 from mooring.environment.spreading import HalfCosinePower
 from mooring.environment.tables import TableError
-from mooring.environment.wave_records import Record, elevation, read_record, write_record
+from mooring.environment.wave_records import Record, components_of, elevation, read_record, write_record
 
 WIND_SEA, SWELL = issc(3.0, mean_period=8.0), jonswap(2.0, peak_period=12.0)
 THREE_HOURS = 0.5 * np.arange(21600)
@@ -187,3 +187,14 @@ def test_a_missing_file_is_named(tmp_path):
 def test_what_cannot_be_is_refused_by_name(arguments, words):
     with pytest.raises(ValueError, match=words):
         elevation(one_wave(0.5), *arguments)
+
+
+def test_components_of_a_record_make_it_again_and_leave_short_waves_out():
+    rng = np.random.default_rng(5)
+    record = Record(rng.standard_normal(601), 0.5, 3.0)
+    made = components_of(record, 0.7)
+    again = elevation(made, 0.5 * np.arange(601))
+    assert np.abs(again - (record.elevation - record.elevation.mean())).max() < 1e-4
+    assert np.all(made.direction == 0.7) and made.amplitude.min() > 0
+    long = components_of(record, 0.7, shortest=5.0)
+    assert len(long.omega) == 60 and long.omega.max() <= 2 * np.pi / 5

@@ -1,6 +1,8 @@
 """A ship at a quay: fenders, dolphins and ropes of a study file, through the file of a simulation."""
 
+import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -8,15 +10,19 @@ import pytest
 import mooring.motion.simulation as engine
 import pipelines
 from bem.time_domain.memory import Memory, MemoryArrays
+from mooring.environment.wave_records import Record, write_record
 from mooring.lines.system.parts import LineSystemError
 from mooring.studies.conditions import ExposedBox
 from pipelines.cli import main
 from pipelines.common.quantities import StudyError
 from pipelines.moor.study import make_study, read_study
+from pipelines.simulate.berth import lines_on_periods, natural_periods, windows
 from pipelines.simulate.file import opened
+from pipelines.simulate.study import plan_of
 
 SCENE = Path(pipelines.__file__).parent / "scenes" / "simulate_quay.toml"
 HULL = ExposedBox(100.0, 50.0, 10.0, 10.0)
+WIDE = np.linspace(0.05, 2.0, 40)
 FENDER = {"name": "F", "position": [0, 25, 0], "family": "cell", "height": 1.7}
 ROPE = {
     "name": "R", "fairlead": [0, 20, 8], "bollard": [0, 40, 4], "breaking_load_kN": 1000, "break_strain": 0.1,
@@ -43,8 +49,9 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     monkeypatch.setattr(engine, "_memory", without_memory)
     monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
     run, words = tmp_path / "quay.h5", ["simulate", str(SCENE), "--database", str(database)]
-    assert main([*words, "--duration", "60", "--seeds", "1", "--output", str(run)]) == 0
+    assert main([*words, "--duration", "60", "--seeds", "1", "--output", str(run), "--windows", "30"]) == 0
     told = capsys.readouterr().out
+    assert "natural periods of small motions at the berth: surge " in told and "in windows of 30 s" in told
     assert "deflection F1, m" in told and "tension head 1, tonf" in told and "knows no fenders" in told
     with opened(run) as file:
         names = list(file["quantity"].asstr()[()])
@@ -67,6 +74,52 @@ def test_a_fender_on_a_dolphin_gives_way_with_it():
     soft = make_study(raw | {"dolphin": [], "fender": [FENDER]}).berth(HULL, np.zeros(3)).fenders[0].fender
     force = float(soft.reaction(0.3))
     assert float(pair.fender.reaction(0.3 + force / 5e6)) == pytest.approx(force, rel=1e-3)
+
+
+def test_natural_periods_of_a_berth_are_those_of_its_springs_and_are_told_beside_the_harbours():
+    mass = np.diag([4.0, 4.0, 4.0, 9.0, 9.0, 9.0])
+    stiffness = np.diag([1.0, 4.0, 5.0, 5.0, 5.0, 81.0])
+    stiffness[1, 5] = stiffness[5, 1] = 0.5
+    body = SimpleNamespace(reader=SimpleNamespace(inertia=mass), slow_added_mass=0 * mass, stiffness=stiffness)
+    found = natural_periods(body)
+    assert found == pytest.approx([4 * np.pi, 2 * np.pi, 2 * np.pi / 3], rel=2e-2)
+    assert found[0] == pytest.approx(4 * np.pi, rel=1e-12) and found[1] > 2 * np.pi
+    told, near = lines_on_periods(found, [14.0, 100.0])
+    assert told.startswith("natural periods of small motions at the berth: surge 12.6 s, sway 6.29 s")
+    assert len(near) == 1 and "the harbour with 14 s: it resonates" in near[0]
+
+
+def test_windows_of_a_record_have_its_significant_amplitude_and_period():
+    t = np.arange(0, 1200.5, 0.5)
+    motion = np.zeros((len(t), 6))
+    motion[:, 0] = np.where(t < 600, 2.0, 1.0) * np.sin(2 * np.pi * t / 60) + 3.0
+    motion[:, 5] = np.radians(0.5) * np.sin(2 * np.pi * t / 30)
+    first, second = windows(motion, 0.5, 600.0)
+    assert (first[0], second[0]) == (0.0, 600.0)
+    assert first[1][:2] == pytest.approx([2.0, 60.0], rel=1e-2) and second[1][:2] == pytest.approx(
+        [1.0, 60.0], rel=1e-2
+    )
+    assert first[1][4:] == pytest.approx([0.5, 30.0], rel=1e-2) and np.isnan(first[1][2])
+
+
+def test_waves_of_a_record_beside_the_study_move_the_ship(tmp_path):
+    raw = {"water": {"depth": 20}, "hull": {"freeboard": 10}, "fender": [FENDER]}
+    raw["simulation"] = {"duration": 200.0, "ramp": 50.0, "record": {"file": "berth.csv", "direction_deg": 90}}
+    t = np.arange(0, 260.0, 1.0)
+    write_record(tmp_path / "berth.csv", Record(0.2 * np.sin(2 * np.pi * t / 25), 1.0))
+    plan = plan_of(make_study(raw), np.linspace(0.1, 2.0, 20), folder=tmp_path)
+    waves = plan.weather.components
+    top = int(np.argmax(waves.amplitude))
+    assert waves.omega[top] == pytest.approx(2 * np.pi / 25, rel=0.01) and waves.direction[top] == np.pi / 2
+    assert not plan.weather.seas and plan.mean_period == pytest.approx(25, rel=0.1)
+    for change, says in (
+        ({"duration": 300.0}, "simulation.record lasts 259 s; allowed: ramp and duration, 350 s"),
+        ({"record": {"file": "none.csv", "direction_deg": 90}}, "none.csv does not exist"),
+        ({"record": {"file": "berth.csv"}}, "simulation.record: neither is given; allowed: one of direction_deg"),
+        ({"constant_period": 60.0}, 'allowed: above 0, with memory = "constant"'),
+    ):
+        with pytest.raises(StudyError, match=re.escape(says)):
+            plan_of(make_study(raw | {"simulation": raw["simulation"] | change}), WIDE, folder=tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from pipelines import cli
+from pipelines.common.quantities import StudyError
 from pipelines.keys.kinds import SCENES
 from pipelines.sweep import run
 from pipelines.sweep.study import SweepTable, VaryTable, cases, put
@@ -87,4 +88,16 @@ def test_a_key_goes_to_its_place_and_nowhere_else():
     assert raw["a"][1]["b"] == 2.0
     for key in ("x.y", "a[7].b", "c.d.e"):
         with pytest.raises(ValueError, match="has no table for the key"):
+            put(raw, key, 1.0)
+
+
+def test_a_star_puts_a_value_into_every_table_of_a_list():
+    raw = {"rope": [{"hardening": 1.0, "name": "a"}, {"name": "b"}]}
+    assert put(raw, "rope[*].hardening", 3.0)["rope"] == [
+        {"hardening": 3.0, "name": "a"},
+        {"hardening": 3.0, "name": "b"},
+    ]
+    assert raw["rope"][0]["hardening"] == 1.0
+    for key in ("rope[*]", "line[*].length", "rope[*].of[*].b"):
+        with pytest.raises(StudyError, match="the study has no table for the key"):
             put(raw, key, 1.0)

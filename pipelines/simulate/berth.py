@@ -1,0 +1,93 @@
+"""A ship at a berth: its natural periods beside those of the harbour, and its motions window by window."""
+
+from __future__ import annotations
+
+import numpy as np
+
+PLANE = {"surge": 0, "sway": 1, "yaw": 5}
+NEAR = 0.2  # of a harbour's period, within which a natural period is near it
+FEWEST = 5  # waves of a window
+
+
+def natural_periods(moored):
+    """(3,) s of small motions of surge, sway and yaw about rest, coupled, each named by its largest share; nan: none
+
+    moored : `mooring.motion.simulation.Moored`.  Friction of fenders, which holds small motions, is left out.
+    """
+    from scipy.linalg import eigh
+
+    place = list(PLANE.values())
+    at = np.ix_(place, place)
+    mass, stiffness = (moored.reader.inertia + moored.slow_added_mass)[at], moored.stiffness[at]
+    squared, shapes = eigh(0.5 * (stiffness + stiffness.T), 0.5 * (mass + mass.T))
+    share, out = np.abs(shapes) * np.sqrt(np.diag(mass))[:, None], np.full(3, np.nan)
+    for _ in place:
+        mode, column = np.unravel_index(np.argmax(share), share.shape)
+        out[mode] = 2 * np.pi / np.sqrt(squared[column]) if squared[column] > 0 else np.nan
+        share[mode], share[:, column] = -1.0, -1.0
+    return out
+
+
+def lines_on_periods(periods, harbour):
+    """A line on natural periods (3,) s; (lines of findings where one is near a harbour's, s, of a list)"""
+    known = {name: T for name, T in zip(PLANE, periods, strict=True) if np.isfinite(T)}
+    told = f"natural periods of small motions at the berth: {', '.join(f'{n} {T:.3g} s' for n, T in known.items())}"
+    near = [
+        f"{name} swings with {T:.3g} s at the berth, the harbour with {own:g} s: it resonates; change pretension or "
+        f"stiffness of the ropes until they are {100 * NEAR:g} % apart"
+        for name, T in known.items() for own in harbour if abs(T / own - 1) <= NEAR
+    ]  # fmt: skip
+    return told, near
+
+
+def check_harbour(periods):
+    """The periods.  Raises StudyError."""
+    from ..common.quantities import positive
+
+    return [positive(f"harbour.periods[{i}]", T) for i, T in enumerate(periods)]
+
+
+def windows(motion, step, length):
+    """Rows (start s, significant amplitude and period of surge, sway and yaw (6,)) of windows of a record (n, 6)
+
+    Amplitudes are halves of H₁/₃ of the waves between zero crossings about the window's mean, yaw in degrees; nan of
+    fewer than FEWEST waves.  A last window that is not whole is left out.
+    """
+    from mooring.environment.crossings import zero_crossings
+
+    count, rows = round(length / step), []
+    for i in range((len(motion) - 1) // count):
+        part, values = motion[i * count : (i + 1) * count + 1], []
+        for name, mode in PLANE.items():
+            unit = np.degrees(1.0) if name == "yaw" else 1.0
+            try:
+                waves = zero_crossings(unit * (part[:, mode] - part[:, mode].mean()), step)
+            except ValueError:
+                waves = ()
+            known = len(waves) >= FEWEST
+            values += [0.5 * waves.significant_height, waves.significant_period] if known else [np.nan, np.nan]
+        rows.append((i * count * step, values))
+    return rows
+
+
+def windows_table(file, length):
+    """The first stored record of an open file in windows of `length` s, as a table.  Raises StudyError."""
+    from rich.table import Table
+
+    from ..common.quantities import StudyError
+
+    step = float(np.diff(file["time"][:2])[0])
+    duration = float(file["time"][-1])
+    if not FEWEST * step <= length <= duration * (1 + 1e-9):
+        raise StudyError(f"--windows is {length:g} s; allowed: {FEWEST * step:g} s to the duration, {duration:g} s")
+    if not len(file["kept_seed"]):
+        raise StudyError("--windows is given, and no record is stored; allowed: with keep_series of 1 or more")
+    table = Table(
+        title=f"seed {int(file['kept_seed'][0])} in windows of {length:g} s: significant amplitudes and periods",
+        title_justify="left",
+    )
+    for name in ("from s", "surge m", "T s", "sway m", "T s", "yaw °", "T s"):
+        table.add_column(name, justify="right", no_wrap=True)
+    for start, values in windows(file["motion"][0].astype(float), step, length):
+        table.add_row(f"{start:g}", *("–" if np.isnan(v) else f"{v:.3g}" for v in values))
+    return table
