@@ -20,7 +20,7 @@ import numpy as np
 
 from ..waves import group_factor, wavenumber
 
-NEAREST = 1e-5  # of the frequency: differences below it are taken there; s is even in Ω, 1e-10 is lost either way
+NEAREST = 1e-9  # of the frequency: differences below it are taken there; s is even in Ω
 
 
 class BoundWaves(NamedTuple):
@@ -48,19 +48,31 @@ def bound_waves(first, second, depth, gravity=9.80665):
 def _amplitude(one, two, angle, depth, gravity):
     """s of frequencies whose directions are `angle` apart"""
     middle, half = (one + two) / 2, (one - two) / 2
-    half = np.where(np.abs(half) < NEAREST * middle / 2, NEAREST * middle / 2, half)
-    one, two = middle + half, middle - half
-    k, l = wavenumber(one, depth, gravity), wavenumber(two, depth, gravity)
-    K, L, difference = one**2 / gravity, two**2 / gravity, 2 * half
-    q = difference * gravity**2 / (2 * one * two) * (k * l * np.cos(angle) + K * L)
-    q += gravity**2 / 4 * (_own(one, k, depth, gravity) - _own(two, l, depth, gravity))
-    kappa = np.sqrt((k - l) ** 2 + 4 * k * l * np.sin(angle / 2) ** 2)
+    half = np.where(np.abs(half) < NEAREST * middle, NEAREST * middle, half)
+    one, two, difference = middle + half, middle - half, 2 * half
+    k, l, apart = _wavenumbers(one, two, middle, half, depth, gravity)
+    K, L = one**2 / gravity, two**2 / gravity
+    below = l**2 / np.cosh(np.minimum(l * depth, 300.0)) ** 2  # l² − L² without cancellation
+    # (k² − K²)/ω₁ − (l² − L²)/ω₂
+    own = (apart * (k + l) - 2 * middle * difference / gravity * (K + L)) / one - below * difference / (one * two)
+    q = difference * gravity**2 / (2 * one * two) * (k * l * np.cos(angle) + K * L) + gravity**2 / 4 * own
+    kappa = np.sqrt(apart**2 + 4 * k * l * np.sin(angle / 2) ** 2)
     return -difference * q / (gravity * (gravity * kappa * np.tanh(kappa * depth) - difference**2))
 
 
-def _own(omega, k, depth, gravity):
-    """(k² − K²)/ω = k² / (ω cosh² kh), without cancellation in deep water"""
-    return k**2 / (omega * np.cosh(np.minimum(k * depth, 300.0)) ** 2)
+def _wavenumbers(one, two, middle, half, depth, gravity):
+    """k, l and k − l with all its digits: of x ± e,  x (tanh a − tanh b) + e (tanh a + tanh b) = (ω₁² − ω₂²)/g"""
+    k, l = wavenumber(one, depth, gravity), wavenumber(two, depth, gravity)
+    x, e, jump = (k + l) / 2, (k - l) / 2, 4 * middle * half / gravity
+    for _ in range(2):  # Newton, from all but the last digits
+        a, b = (x + e) * depth, (x - e) * depth
+        ta, tb = np.tanh(a), np.tanh(b)
+        steep = 1 / (np.cosh(np.minimum(a, 300.0)) * np.cosh(np.minimum(b, 300.0)))
+        value = x * np.sinh(np.clip(2 * e * depth, -600, 600)) * steep + e * (ta + tb)
+        value = np.where(np.minimum(a, b) < 300.0, value, 2 * e)
+        slope = sum(t + y * (1 - t * t) for y, t in ((a, ta), (b, tb)))
+        e = e + (jump - value) / slope
+    return k, l, 2 * e
 
 
 def set_down(omega, depth, gravity=9.80665):
