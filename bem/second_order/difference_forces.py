@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .. import DOFS
+from ..checks import share_left
 from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
 from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
 from .body_forces import body_forces
@@ -159,6 +160,29 @@ def surface_share(problem, omega, headings, highest, moving):
 def share_of(forces):
     """Root mean square of the surface's part in surge and sway over that of the whole, of pairs of equal headings"""
     return _ratio(_sizes(forces))
+
+
+def panel_errors(forces, rough, refinement):
+    """(d, n, m, m, 6) estimated errors of the whole from the same on a coarser mesh, N/m², N m/m²
+
+    What both differ by, root mean square of a pair and its neighbours in mean and difference, as it passes through zero
+    refinement : panels for one of the coarser mesh
+    """
+    off = np.abs(forces.total - rough.total) ** 2
+    known = np.isfinite(off)
+    total, count = np.where(known, off, 0.0), known.astype(float)
+    for axis in (0, 1):
+        total, count = (_with_neighbours(part, axis) for part in (total, count))
+    return np.where(known, share_left(refinement) * np.sqrt(total / np.maximum(count, 1.0)), np.nan)
+
+
+def _with_neighbours(values, axis):
+    """Sum of three along an axis, of two at its ends"""
+    out, values = values.copy(), np.moveaxis(values, axis, 0)
+    moved = np.moveaxis(out, axis, 0)
+    moved[1:] += values[:-1]
+    moved[:-1] += values[1:]
+    return out
 
 
 def _sizes(forces):

@@ -11,6 +11,7 @@ import numpy as np
 
 from bem.database import append, append_limit, create, open_database, writing
 from bem.database.file import Header, check_place
+from bem.database.groups import read_group
 from bem.database.schema import LIMITS
 from bem.formats.values import CARRIED, FormatError, values_of
 from meshing.files import read_mesh
@@ -57,10 +58,22 @@ def export(database, to, output, fresh):
 
         made.append(Path(output).with_suffix(".gdf"))
         write_mesh(values.mesh, made[-1])
+    if to == "wamit":
+        made += _pairs_written(db, values, output)
     print("\n".join(map(str, made)))
     for remark in _left_out(db, values, to):
         print(f"warning: {remark}", file=sys.stderr)
     return 0 if db.rows.all() else 1
+
+
+def _pairs_written(db, values, output):
+    """[NAME.12d] where the database has difference forces of pairs, else none"""
+    from bem.formats.wamit_pairs import write_pairs
+    from bem.second_order.stored import GROUP, read_forces
+
+    if read_group(db, GROUP) is None:
+        return []
+    return [write_pairs(read_forces(db)[0], output, values.density * values.gravity)]
 
 
 def _format(flag, name):
@@ -125,9 +138,18 @@ def import_(place, kind_name, mesh, known, output):
     hull = mesh or (place / kind.hull.format(stem=place.stem.removesuffix("_nemoh")) if kind.hull else None)
     if hull is None or not hull.resolve().is_file():
         raise ValueError(f"the hull is missing; give its mesh by --mesh{f', {hull} is not there' if hull else ''}")
+    pairs = None
+    if kind_name == "wamit":
+        from bem.formats.wamit_pairs import read_pairs
+
+        pairs = read_pairs(place, values.density * values.gravity)
     _store(values, read_mesh(hull.resolve()), output, f"{kind_name}: {place}")
+    if pairs is not None:
+        from bem.second_order.stored import write_forces
+
+        write_forces(output, pairs, "rao" in values.quantities)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
-    print(", ".join(values.quantities))
+    print(", ".join([*values.quantities, *([] if pairs is None else ["qtf"])]))
     lacking = [name for name in ("inertia_matrix", "mass") if values.get(name) is None]
     if lacking:
         print(f"warning: no {' and '.join(lacking)} in it: no motions follow from this database", file=sys.stderr)

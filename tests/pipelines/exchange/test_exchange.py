@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from bem.database import open_database
+from bem.second_order.difference_forces import DifferenceForces
+from bem.second_order.stored import read_forces, write_forces
 from pipelines import cli
 
 BOX = "--length 40 --beam 20 --draft 5 --depth 20 --omega 0.3:0.9:3 --heading 0,45 --gyration 6,12,13"
@@ -13,6 +15,10 @@ BOX = "--length 40 --beam 20 --draft 5 --depth 20 --omega 0.3:0.9:3 --heading 0,
 def folder(tmp_path_factory):
     place = tmp_path_factory.mktemp("exchange")
     assert cli.main(["box", *BOX.split(), "--output", str(place / "box.h5")]) == 0
+    T = np.random.default_rng(1).normal(size=(2, 3, 1, 1, 6)) + 0j
+    T[1, 2] = np.nan
+    omega = np.linspace(0.3, 0.9, 3)
+    write_forces(place / "box.h5", DifferenceForces(omega, np.array([0.0, 0.3]), np.zeros(1), T, T, T), True)
     return place
 
 
@@ -27,6 +33,8 @@ def test_a_database_goes_out_and_comes_back(kind, place, folder, capsys):
     true, found = open_database(folder / "box.h5"), open_database(back)
     for name in ("added_mass", "excitation_force"):
         assert np.abs(found[name] - true[name]).max() <= 1e-6 * np.abs(true[name]).max()
+    if kind == "wamit":
+        np.testing.assert_allclose(read_forces(found)[0].total, read_forces(true)[0].total, rtol=1e-5)
 
 
 def test_refusals_name_the_way_out(folder, capsys):

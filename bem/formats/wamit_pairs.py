@@ -1,0 +1,79 @@
+"""Difference-frequency forces of pairs in WAMIT's file NAME.12d (user manual, version 7.4, chapter 12).
+
+    PER₁ PER₂ BETA₁ BETA₂ I Mod Pha Re Im        F(t) = Re Σᵢ Σⱼ Aᵢ Āⱼ ρg F̄_ij exp{+i(ωᵢ − ωⱼ)t}
+
+with ULEN = 1 m, periods in s, headings in degrees that the waves travel to, phases in degrees: the conjugates of ours.
+Pairs of the other order have the conjugate; the file has those with PER₁ ≤ PER₂.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from ..second_order.difference_forces import DifferenceForces
+from .values import FormatError, table_of
+
+SUFFIX = ".12d"
+EVEN = 1e-3  # of the step between frequencies: periods are printed with seven digits
+
+
+def write_pairs(forces, place, weight):
+    """Write NAME.12d of a `DifferenceForces` and return its path; weight : ρg, N/m³"""
+    path, degrees = Path(place).with_suffix(SUFFIX), np.degrees(forces.headings)
+    T = forces.total.conj() / weight
+    with path.open("w", encoding="ascii") as file:
+        for m, difference in enumerate(forces.difference):
+            for n, omega in enumerate(forces.omega[: len(forces.omega) - m]):
+                periods = f"{2 * np.pi / (omega + difference): .6E} {2 * np.pi / omega: .6E}"
+                for a, b in np.ndindex(len(degrees), len(degrees)):
+                    head = f"{periods} {degrees[a]: .6E} {degrees[b]: .6E}"
+                    for i, x in enumerate(T[m, n, a, b], 1):
+                        polar = f"{abs(x): .6E} {np.degrees(np.angle(x)): .6E}"
+                        file.write(f"{head}{i:6d} {polar} {x.real: .6E} {x.imag: .6E}\n")
+    return path
+
+
+def read_pairs(place, weight):
+    """`DifferenceForces` of NAME.12d, all of it as squares, since the file does not tell its parts; None without one
+
+    raises : FormatError for uneven frequencies, pairs of a difference that are missing
+    """
+    path = Path(place).with_suffix(SUFFIX)
+    if not path.exists():
+        return None
+    table = table_of(path, (9,))
+    one, two = 2 * np.pi / table[:, 0], 2 * np.pi / table[:, 1]
+    value = weight * (table[:, 7] - 1j * table[:, 8])
+    omega, step = _even(path, np.concatenate([one, two]))
+    n, l = (np.rint((w - omega[0]) / step).astype(int) for w in (one, two))
+    degrees = np.unique(np.round(table[:, 2:4], 6))
+    a, b = (np.searchsorted(degrees, np.round(table[:, column], 6)) for column in (2, 3))
+    swapped = n < l
+    value = np.where(swapped, value.conj(), value)
+    n, l, a, b = (np.where(swapped, y, x) for x, y in ((n, l), (l, n), (a, b), (b, a)))
+    m = n - l
+    shape = m.max() + 1, len(omega), len(degrees), len(degrees), 6
+    out = np.full(shape, np.nan, complex)
+    out[m, l, a, b, table[:, 4].astype(int) - 1] = value
+    other = out[0].swapaxes(1, 2).conj()
+    out[0] = np.where(np.isnan(out[0]), other, out[0])
+    for apart in range(shape[0]):
+        if np.isnan(out[apart, : len(omega) - apart]).any():
+            raise FormatError(
+                f"{path} lacks pairs {apart * step:.4g} rad/s apart; allowed: all pairs up to the largest difference"
+            )
+    zero = np.where(np.isnan(out), np.nan, 0.0 * out)
+    return DifferenceForces(omega, step * np.arange(shape[0]), np.radians(degrees), out, zero, zero)
+
+
+def _even(path, frequencies):
+    """(n,) rad/s at equal steps, and the step"""
+    found = np.sort(frequencies)
+    found = found[np.concatenate([[True], np.diff(found) > 1e-5 * found[-1]])]
+    step = (found[-1] - found[0]) / max(len(found) - 1, 1)
+    even = found[0] + step * np.arange(len(found))
+    if len(found) < 2 or np.abs(found - even).max() > EVEN * step:
+        raise FormatError(f"{path} has periods whose frequencies are not at equal steps; allowed: equal steps")
+    return even, step

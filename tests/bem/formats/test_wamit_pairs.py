@@ -1,0 +1,47 @@
+"""Forces of pairs in WAMIT's .12d: what a file says by its manual, and back to the printed digits."""
+
+import numpy as np
+import pytest
+
+from bem.formats.values import FormatError
+from bem.formats.wamit_pairs import read_pairs, write_pairs
+from bem.second_order.difference_forces import DifferenceForces
+
+WEIGHT = 1025 * 9.80665
+
+
+@pytest.fixture
+def forces():
+    rng, omega, headings = np.random.default_rng(2), np.linspace(0.5, 0.9, 5), np.radians([0.0, 30.0])
+    T = 1e5 * (rng.normal(size=(3, 5, 2, 2, 6)) + 1j * rng.normal(size=(3, 5, 2, 2, 6)))
+    T[0] = T[0] + T[0].swapaxes(1, 2).conj()
+    T[np.arange(3)[:, None] + np.arange(5) > 4] = np.nan
+    return DifferenceForces(omega, 0.1 * np.arange(3), headings, T, 0.5 * T, 0 * T)
+
+
+def test_a_line_has_both_periods_both_headings_and_the_conjugate_force_over_the_weight(forces, tmp_path):
+    path = write_pairs(forces, tmp_path / "box.1", WEIGHT)
+    rows = np.loadtxt(path)
+    periods = 2 * np.pi / (forces.omega[2] + 0.1), 2 * np.pi / forces.omega[2]
+    row = rows[np.all(np.isclose(rows[:, :5], [*periods, 30.0, 0.0, 1], rtol=1e-6), axis=1)][0]
+    T = forces.total[1, 2, 1, 0, 0].conj() / WEIGHT
+    assert row[5:] == pytest.approx([abs(T), np.degrees(np.angle(T)), T.real, T.imag], rel=1e-6)
+
+
+def test_what_is_written_is_read_to_the_printed_digits(forces, tmp_path):
+    write_pairs(forces, tmp_path / "box.1", WEIGHT)
+    found = read_pairs(tmp_path / "box.1", WEIGHT)
+    np.testing.assert_allclose(found.total, forces.total, rtol=1e-5, atol=1)
+    np.testing.assert_allclose(found.omega, forces.omega, rtol=1e-6)
+
+
+def test_pairs_of_the_other_order_say_the_same_and_missing_ones_are_named(forces, tmp_path):
+    path = write_pairs(forces, tmp_path / "box.1", WEIGHT)
+    rows = np.loadtxt(path)
+    swapped = rows[:, [1, 0, 3, 2, 4, 5, 6, 7, 8]] * [1, 1, 1, 1, 1, 1, -1, 1, -1]
+    np.savetxt(path, swapped, fmt="%.9e")
+    np.testing.assert_allclose(read_pairs(path, WEIGHT).total, forces.total, rtol=1e-5, atol=1)
+    np.savetxt(path, rows[:-6], fmt="%.9e")
+    with pytest.raises(FormatError, match=r"lacks pairs 0.2 rad/s apart"):
+        read_pairs(path, WEIGHT)
+    assert read_pairs(tmp_path / "other.1", WEIGHT) is None
