@@ -57,6 +57,13 @@ def _run(study, text, folder, output, picture):
 
     from ..printing.console import new_console
 
+    console, left_out = new_console(), []
+    if study.moordyn is not None:
+        from .moordyn import with_moordyn
+
+        with warnings.catch_warnings(record=True) as left_out:
+            warnings.simplefilter("always")
+            study = with_moordyn(study, folder)
     _check_finest(study)
     tell_first_use()
     line, breaking = line_of(study)
@@ -67,7 +74,6 @@ def _run(study, text, folder, output, picture):
     current, wave = current_of(study), wave_of(study, course.ramp or None)
     frames = frames_of(study, course)
     check_effort(study, line, course, frames)
-    console = new_console()
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         check_reach(line, breaking, course)
@@ -86,7 +92,7 @@ def _run(study, text, folder, output, picture):
     harmonics = sum(any(part.amplitude) for part in study.fairlead.motions)
     found = figures(line, course, window, result, current, regime_of(line, course, harmonics))
     show(console, study.name, found, course, result, breaking)
-    for warning in [*dict.fromkeys(str(w.message) for w in said), *findings(found, result, breaking)]:
+    for warning in [*dict.fromkeys(str(w.message) for w in (*left_out, *said)), *findings(found, result, breaking)]:
         console.print(f"warning: {warning}", style="yellow", highlight=False, soft_wrap=True)
     for path in _write(study, text, course, result, found, line, breaking, output, picture):
         console.print(f"written: {path}", highlight=False, soft_wrap=True)

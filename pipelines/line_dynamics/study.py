@@ -123,6 +123,19 @@ class WaveTable(Table):
     phase_deg: float = 0.0
 
 
+class MoorDynTable(Table):
+    """A line of a MoorDyn file, in place of water, types, segments, bodies and anchor
+
+    file : beside this one
+    line : its number
+    depth : m, for a file that does not say it
+    """
+
+    file: str
+    line: str
+    depth: float | None = None
+
+
 class LineDynamicsStudy(Table):
     """One mooring line and the motion of its fairlead
 
@@ -134,11 +147,12 @@ class LineDynamicsStudy(Table):
     frames : pictures of the line that are stored, by default about 20 for each cycle
     """
 
-    water: WaterTable
-    types: dict[str, DynamicTypeTable]
-    segments: list[SegmentTable]
-    anchor: tuple[float, float, float]
     fairlead: FairleadTable
+    water: WaterTable | None = None
+    types: dict[str, DynamicTypeTable] = msgspec.field(default_factory=dict)
+    segments: list[SegmentTable] = msgspec.field(default_factory=list)
+    anchor: tuple[float, float, float] | None = None
+    moordyn: MoorDynTable | None = None
     name: str = "line"
     bodies: list[AttachedTable] = msgspec.field(default_factory=list)
     bed: BedTable | None = None
@@ -159,6 +173,15 @@ def read_line_dynamics(path):
 def make_line_dynamics(raw):
     """The LineDynamicsStudy of nested dictionaries as TOML gives them.  Raises StudyError."""
     study = typed(raw, LineDynamicsStudy, StudyError)
+    given = {key: getattr(study, key) for key in ("water", "types", "segments", "anchor")}
+    if study.moordyn is not None:
+        twice = [key for key, value in (given | {"bodies": study.bodies}).items() if value]
+        if twice:
+            raise StudyError(f"moordyn is given beside {', '.join(twice)}; allowed: one of them")
+        return study
+    for key in ("water", "types", "anchor"):
+        if not given[key]:
+            raise StudyError(f"{key} is missing; allowed: water, types, segments and anchor, or moordyn")
     if not study.water.depth > 0:
         raise StudyError(f"water.depth is {study.water.depth:g}; allowed: above 0, inf for a line without a bed")
     if not study.segments:

@@ -1,0 +1,88 @@
+"""A line of a MoorDyn file in motion: what the file says of it, and at rest the file's own equilibrium."""
+
+import numpy as np
+import pytest
+
+from mooring.formats.moordyn_system import read_moordyn_system
+from mooring.lines.dynamics.start import start
+from mooring.lines.dynamics.surroundings import water_arrays
+from mooring.lines.system.equilibrium import rest
+from pipelines.cli import main
+from pipelines.line_dynamics.moordyn import with_moordyn
+from pipelines.line_dynamics.parts import line_of
+from pipelines.line_dynamics.study import read_line_dynamics
+
+MOORDYN = """\
+---------------------- LINE TYPES -----------------------------------------------
+Name   Diam    Mass/m   EA        BA/-zeta   EI     Cd    Ca    CdAx   CaAx
+(-)    (m)     (kg/m)   (N)       (N-s/-)    (N-m2) (-)   (-)   (-)    (-)
+chain  0.13    110.0    4.9e8     -0.8       0      1.3   1.0   0.2    0.5
+rope   0.12    13.0     6.0e7     2.0e5      10     1.2   1.0   0.1    0.0
+----------------------- POINTS ------------------------------------------------
+ID   Attachment  X       Y       Z       Mass    Volume  CdA    Ca
+(#)  (-)         (m)     (m)     (m)     (kg)    (m^3)   (m^2)  (-)
+1    Fixed       -290    0       -70     0       0       0      0
+2    Free        -60     0       -30     2500    0.4     1.5    0.5
+3    Coupled     -20     0       -4      0       0       0      0
+----------------------- LINES -------------------------------------------------
+ID   LineType  AttachA  AttachB  UnstrLen  NumSegs  LineOutputs
+(#)  (name)    (#)      (#)      (m)       (-)      (-)
+1    chain     1        2        235.0     40       p
+2    rope      3        2        52        20       -
+----------------------- OPTIONS -----------------------------------------------
+3.0e6    kBot
+70       WtrDpth
+---------------------- need this line ------------------------------------------
+"""
+STUDY = """\
+duration = 4.0
+moordyn = { file = "lines.txt", line = "1" }
+[[fairlead.motions]]
+amplitude = [0.5, 0.0, 0.2]
+period = 2.0
+"""
+
+
+@pytest.fixture
+def study(tmp_path):
+    (tmp_path / "lines.txt").write_text(MOORDYN)
+    (tmp_path / "run.toml").write_text(STUDY)
+    return tmp_path / "run.toml"
+
+
+@pytest.mark.parametrize("number", ["1", "2"])
+def test_a_line_of_a_file_goes_through_its_free_points_to_the_anchor_and_rests_as_the_file_does(study, number):
+    study.write_text(STUDY.replace('"1"', f'"{number}"'))
+    with pytest.warns(UserWarning, match="EI"):
+        made = with_moordyn(read_line_dynamics(study)[0], study.parent)
+    line, _ = line_of(made)
+    rope = line.segments[1]
+    assert (line.anchor, made.fairlead.position) == ((-290.0, 0.0, -70.0), (-20.0, 0.0, -4.0))
+    assert [(s.length, s.elements, s.drag_normal) for s in line.segments] == [(235.0, 40, 1.3), (52.0, 20, 1.2)]
+    assert line.segments[0].damping_ratio == 0.8 and np.isclose(rope.damping, 2e5)
+    assert line.bodies[0].mass == 2500 and line.bodies[0].drag_area == 1.5 and line.bed.stiffness == 3e6
+    with pytest.warns(UserWarning, match="EI"):
+        found = rest(read_moordyn_system(study.parent / "lines.txt"))
+    still = start(line, made.fairlead.position, water_arrays(None, None, line.gravity)).position
+    joint = found.pose.free[0]
+    assert np.abs(still[40] - joint).max() < 2e-3 * line.length
+
+
+def test_the_command_runs_a_line_of_a_file_and_names_what_is_left_out(study, capsys):
+    assert main(["line-dynamics", str(study)]) == 0
+    shown = capsys.readouterr().out
+    assert "largest, quasi-static" in shown and "EI" in shown
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('"1"', '"7"', "moordyn.line is '7'; allowed: 1, 2"),
+        ("duration", "anchor = [0, 0, 0]\nduration", "moordyn is given beside anchor; allowed: one of them"),
+        ('moordyn = { file = "lines.txt", line = "1" }', "", "water is missing; allowed: water, types"),
+    ],
+)
+def test_a_line_that_is_not_there_or_is_given_twice_is_refused_by_name(study, capsys, old, new, message):
+    study.write_text(STUDY.replace(old, new))
+    assert main(["line-dynamics", str(study)]) == 2
+    assert message in capsys.readouterr().err
