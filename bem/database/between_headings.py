@@ -115,6 +115,8 @@ class AtHeadings:
 
     def unfolded(self, values, kind):
         """(q, p, …) at the headings wanted from values (q, u, …) at the `folded` ones"""
+        if self._as_folded:
+            return values
         values = values[:, self.source]
         for plane, image in self.ring.images.items():
             mirrored = self._folds[plane]
@@ -155,6 +157,15 @@ class AtHeadings:
             np.round(np.mod(folded + SAME, 2 * np.pi) / SAME), return_index=True, return_inverse=True
         )
         return folded[first], source
+
+    @cached_property
+    def _as_folded(self):
+        """Whether every heading wanted is its own folded one, in their order: Kochin functions are not copied then"""
+        return (
+            len(self.folded) == len(self.wanted)
+            and not any(map(np.any, self._folds.values()))
+            and bool(np.all(self.source == np.arange(len(self.wanted))))
+        )
 
     @cached_property
     def place(self):

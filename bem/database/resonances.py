@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import permutations
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -59,6 +60,15 @@ def resonances(body):
 
     Those whose damping ratio is below a quarter, and that waves of the stored headings excite.
     """
+    if body not in _FOUND:
+        _FOUND[body] = _resonances(body)
+    return list(_FOUND[body])
+
+
+_FOUND = WeakKeyDictionary()  # a study asks for them to choose frequencies, and to tell them
+
+
+def _resonances(body):
     if len(body.omega) < FEWEST or body.inertia is None or body.stiffness is None:
         return []
     try:

@@ -14,14 +14,16 @@ What a study adds to Newman's force is T less Newman's, of pairs at their differ
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-
-from bem.second_order.stored import BetweenPairs, read_forces, stored_share
 
 from ..environment.sea import Sea
 from .bound_wave_drift import bound_to_newman, of_sea, slow_share
 from .slow_drift import HORIZONTAL
+
+if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should not wait
+    from bem.second_order.stored import BetweenPairs
 
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # of Newman's slow force: what "auto" leaves out
@@ -92,6 +94,8 @@ def beside_newman(db, sea, level):
 
 def _surface_left_out(db, level):
     """Remark on what the forcing of the surface is, where it is left out of the level `body`"""
+    from bem.second_order.stored import stored_share
+
     share = stored_share(db)
     if level == "full" or share is None:
         return ()
@@ -103,6 +107,8 @@ def stored_pairs(db, sea, level="body") -> PairForces:
 
     raises : ValueError, one line, for what is not stored in it
     """
+    from bem.second_order.stored import BetweenPairs, read_forces
+
     if not isinstance(sea, Sea) or sea.spreading is not None:
         raise ValueError(f'qtf = "{level}" in a sea of several directions; allowed: one system of long crests')
     forces, floats = read_forces(db)
