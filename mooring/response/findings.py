@@ -17,6 +17,7 @@ MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
 UNSURE = 0.05  # estimated error of a result between stored waves that is warned of
 LEVER = 0.05  # of the radius of the hull: a moment of the drift force on a shorter arm is none
 LARGEST_ROTATION = 15.0  # degrees; there sines leave angles, and restoring its line, by a few per cent
+OF_MOTION, OF_MOMENT = 4.0, 1.5  # deviations with which nine and a half of ten seas are within what is said
 PLACES = 48  # frequencies at which it is estimated
 
 
@@ -52,7 +53,7 @@ def named_shares(names, share):
 class Errors(NamedTuple):
     """Estimated errors of what is known between stored waves only, relative
 
-    motions : (6,) of standard deviations, three deviations of their own; drift : (2,) of the mean drift force and
+    motions : (6,) of standard deviations, four deviations of their own; drift : (2,) of the mean drift force and
     moment; damping : of wave drift damping.  Those of drift are None without drift, the moment's of at least LEVER
     times the radius times the force.
     """
@@ -74,9 +75,9 @@ class Errors(NamedTuple):
 def errors_between(body, sea, omega, m0, drift, damping):
     """`Errors` of the six motions, of m0 (6,), mean drift (3,) and wave drift damping (3, 2), each of both or None.
 
-    The estimated errors of `Reader.at`, as if all of one sign: of σ three times ∫|X|δX S dω of ∫|X|² S dω, since with
-    twice that one of six seas on headings 30° apart errs more than is said; of the mean force 2∫ δD S dω.  Over a gap
-    γ between headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.
+    The estimated errors of `Reader.at`, as if all of one sign: of σ four times ∫|X|δX S dω of ∫|X|² S dω, of the mean
+    force 2∫ δD S dω, of its moment one and a half times that: with three times and once, six and seven of a hundred
+    seas on headings 30° apart err more than is said, long crests close to an axis of the hull most.  Over a gap γ between headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.
     """
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
     heading, weights = directions(sea, places)
@@ -85,7 +86,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
     both = [
         np.trapezoid(over_headings(np.abs(X) * part, weights) * density, places, axis=0) for part in (wrong, np.abs(X))
     ]
-    motions = np.where(m0 > 0, 3 * both[0] / np.maximum(both[1], 1e-300), 0.0)
+    motions = np.where(m0 > 0, OF_MOTION * both[0] / np.maximum(both[1], 1e-300), 0.0)
     if drift is None:
         return Errors(motions, None, None)
     ring = body.ring_of("drift_force")
@@ -95,7 +96,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
     first = 2 * np.trapezoid(over_headings(wrong[:, : len(heading)], weights) * density, places, axis=0)
     force = max(np.abs(drift[:2]).max(), 1e-300)
     scale = np.array([force, max(abs(drift[2]), LEVER * body.radius * force)])
-    errors = np.array([first[:2].max(), first[2]]) / scale
+    errors = np.array([first[:2].max(), OF_MOMENT * first[2]]) / scale
     if damping is None:
         return Errors(motions, errors, None)
     widest = wrong.max(axis=1) if len(heading) == 1 else over_headings(wrong, weights)
