@@ -77,7 +77,8 @@ def errors_between(body, sea, omega, m0, drift, damping):
 
     The estimated errors of `Reader.at`, as if all of one sign: of σ four times ∫|X|δX S dω of ∫|X|² S dω, of the mean
     force 2∫ δD S dω, of its moment one and a half times that: with three times and once, six and seven of a hundred
-    seas on headings 30° apart err more than is said, long crests close to an axis of the hull most.  Over a gap γ between headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.
+    seas on headings 30° apart err more than is said, long crests close to an axis of the hull most.  Over a gap γ
+    between headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.
     """
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
     heading, weights = directions(sea, places)

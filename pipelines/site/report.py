@@ -20,7 +20,7 @@ def written_by_site(path):
 
 
 def values_text(study, values):
-    """TOML of the values: [site], [water], [levels], [states.NAME.wind] …, [earthquake]"""
+    """TOML of the values: [site], [water], [levels], [states.NAME.wind] …, [contour], [earthquake]"""
     import tomli_w
 
     own = study.site
@@ -35,6 +35,14 @@ def values_text(study, values):
         "levels": values.levels,
         "states": values.states,
     }
+    if values.climate is not None:
+        one = values.climate
+        tables["contour"] = {
+            "return_period": values.years,
+            "period_kind": one.law.period_kind,
+            "height": [float(f"{value:.5g}") for value in one.height],
+            "period": [float(f"{value:.5g}") for value in one.period],
+        }
     if values.seismic is not None:
         tables["earthquake"] = {"rule": study.earthquake.rule, "coefficient": values.seismic}
     return f"{HEAD}\n{tomli_w.dumps(tables)}"
@@ -53,7 +61,7 @@ def page(study, values, text):
     ]
     return environment.from_string(template).render(
         site=study.site, values=values, fits=fits, text=text, profile=_profile(study, values),
-        earthquake=study.earthquake,
+        earthquake=study.earthquake, current=_current(study, values), climate=_climate(values),
     )  # fmt: skip
 
 
@@ -62,6 +70,51 @@ def _profile(study, values):
         return []
     heights = study.wind.heights
     return [(f"{z:g}", f"{float(speed_at(z, values.wind_10, study.wind.exponent)):.2f}") for z in heights]
+
+
+def _current(study, values):
+    """(depth, speed) in words of the current of the extreme state"""
+    if values.profile is None:
+        return []
+    return [(f"{z:g}", f"{float(values.profile.velocity(-z)[0]):.2f}") for z in study.current.depths]
+
+
+def _climate(values):
+    """Picture and laws of the joint law of height and period, None without"""
+    if values.climate is None:
+        return None
+    law = values.climate.law
+    return {
+        "picture": data_address(lambda path: draw_contour(path, values)),
+        "height": "γ {:.3g} m, α {:.3g} m, β {:.3g}".format(*law.weibull),
+        "mean": "{:.4g} + {:.4g} H^{:.3g}".format(*law.mean),
+        "spread": "{:.3g} + {:.3g} exp(−{:.3g} H)".format(*law.spread),
+        "kind": law.period_kind.replace("_", " "),
+        "top": "{:.3g} m, {:.3g} s".format(*values.climate.top),
+    }
+
+
+def draw_contour(path, values):
+    """The scatter and contours of one year, ten years and the return period"""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    from ..common.picture import save
+
+    one, figure = values.climate, Figure(figsize=(7, 4.6), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    states = np.array(list(one.scatter.states()))
+    axes.scatter(states[:, 1], states[:, 0], s=600 * states[:, 2] ** 0.5, color="0.7", label="seas of the table")
+    for years in sorted({1.0, 10.0} - {values.years}):
+        height, period = one.law.contour(years, one.hours)
+        axes.plot(period, height, lw=0.8, ls="--", label="1 year" if years == 1 else f"{years:g} years")
+    axes.plot(one.period, one.height, "k-", lw=1.4, label=f"{values.years:.4g} years")
+    axes.plot(one.top[1], one.top[0], "rs", ms=5, label="highest")
+    axes.set(xlabel=f"{one.law.period_kind.replace('_', ' ')}, s", ylabel="significant height, m", ylim=(0, None))
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=9)
+    save(figure, path, 110)
 
 
 def _fit(name, extreme, years):

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import msgspec
 
-from mooring.environment.allowed import positive, within
-from mooring.environment.current_profile import WIND_DRIFT
+from mooring.environment.allowed import positive
+from mooring.environment.current_profile import CurrentProfile
 from mooring.environment.tables import column_of, read_table
 from mooring.environment.wind_profile import mean_over, speed_at
 from mooring.response.return_period import probability_not_exceeded, return_period
@@ -24,6 +24,7 @@ from mooring.site.seismic import seismic_coefficient
 
 from ..common.quantities import StudyError, Table, water_depth
 from ..common.typed import read_toml, typed
+from .states import Climate, climate_of, extreme_state, levels_of, operating_state, profile_of, tsunami_state
 
 TEN_MINUTES = 600.0
 
@@ -83,22 +84,41 @@ class SiteWavesTable(MaximaTable, kw_only=True):
     """Waves of the extreme state, from yearly maxima of the significant height in m or given
 
     height : m, significant, in place of maxima
-    period : s, mean, with the extreme height
+    period : s, mean, with the extreme height; without, the median of [climate]
     """
 
-    period: float
+    period: float | None = None
     height: float | None = None
 
 
-class SiteCurrentTable(Table):
-    """Current at the surface in the extreme state
+class SiteClimateTable(Table):
+    """All seas of the place: their joint law, and the contour of the return period
 
-    speed : m/s, of tide and sea
+    scatter : CSV file beside the site, as of a response study
+    hours : that a sea lasts
+    spectrum : by which its kind of period becomes a mean period
+    """
+
+    scatter: str
+    hours: float = 3.0
+    spectrum: str = "issc"
+
+
+class SiteCurrentTable(Table):
+    """Current in the extreme state
+
+    speed : m/s at the surface, of tide and sea
     wind_driven : whether 0.01 of the wind is added
+    exponent : of the profile (1 + z/h)^exponent of tide and sea; that of the wind has 1
+    draft : m, over which studies have the uniform current of the same pressure; without, that of the surface
+    depths : m below the surface, of the profile that the page shows
     """
 
     speed: float
     wind_driven: bool = False
+    exponent: float = 1 / 7
+    draft: float | None = None
+    depths: list[float] = msgspec.field(default_factory=list)
 
 
 class LevelsTable(Table):
@@ -108,12 +128,14 @@ class LevelsTable(Table):
     spring_low : mean low water of spring tides
     surge : largest deviation by storms
     tsunami : largest deviation by tsunamis, up and down
+    tsunami_period : s; with it a state "tsunami" has the current of a long wave of that deviation
     """
 
     spring_high: float = 0.0
     spring_low: float = 0.0
     surge: float | None = None
     tsunami: float | None = None
+    tsunami_period: float | None = None
 
 
 class EarthquakeTable(Table):
@@ -148,6 +170,7 @@ class SiteStudy(Table):
     site: PlaceTable
     wind: SiteWindTable | None = None
     waves: SiteWavesTable | None = None
+    climate: SiteClimateTable | None = None
     current: SiteCurrentTable | None = None
     levels: LevelsTable | None = None
     earthquake: EarthquakeTable | None = None
@@ -166,8 +189,9 @@ class Extreme(NamedTuple):
 class SiteValues(NamedTuple):
     """years : return period; probability : not exceeded in the service life; wind : as measured; waves : height
 
-    wind_10 : m/s, ten minutes at 10 m; levels : {name: m}; states : tables by name as studies have them;
-    seismic : coefficient or None; findings : lines that a reader has to know
+    climate : Climate, or None; wind_10 : m/s, ten minutes at 10 m; profile : `CurrentProfile` or None
+    levels : {name: m}; states : tables by name as studies have them; seismic : coefficient or None
+    findings : lines that a reader has to know
     """
 
     years: float
@@ -175,6 +199,8 @@ class SiteValues(NamedTuple):
     wind: Extreme | None
     wind_10: float | None
     waves: Extreme | None
+    climate: Climate | None
+    profile: CurrentProfile | None
     levels: dict
     states: dict
     seismic: float | None
@@ -198,16 +224,22 @@ def site_values(study, folder):
     wind = _extreme("wind", study.wind, "speed", years, own.confidence, folder, findings)
     waves = _extreme("waves", study.waves, "height", years, own.confidence, folder, findings)
     wind_10 = None if wind is None else _wind_10(study.wind, wind.value)
-    states = {"extreme": _extreme_state(study, wind_10, waves)}
+    climate = None if study.climate is None else climate_of(study.climate, years, folder, findings)
+    profile = profile_of(study, wind_10)
+    states = {"extreme": extreme_state(study, wind_10, waves, climate, profile)}
     if study.operating is not None:
-        states["operating"] = _operating_state(study.operating)
+        states["operating"] = operating_state(study.operating)
     for name, state in states.items():
         if not state:
             raise StudyError(f"the {name} state has no wind, current or waves; allowed: at least one")
-    levels = _levels(study.levels, own.depth)
+    levels = levels_of(study.levels, own.depth)
+    if study.levels is not None and study.levels.tsunami_period is not None:
+        states["tsunami"] = tsunami_state(study.levels, own.depth)
     quake = study.earthquake
     seismic = None if quake is None else seismic_coefficient(quake.rule, **quake.factors)
-    return SiteValues(years, probability, wind, wind_10, waves, levels, states, seismic, tuple(findings))
+    return SiteValues(
+        years, probability, wind, wind_10, waves, climate, profile, levels, states, seismic, tuple(findings)
+    )
 
 
 def _extreme(where, table, given, years, confidence, folder, findings):
@@ -249,50 +281,3 @@ def _maxima(table, folder):
 def _wind_10(table, speed):
     ten = mean_over(speed, table.averaging_s, TEN_MINUTES, table.height)
     return ten / float(speed_at(table.height, 1.0, table.exponent))
-
-
-def _extreme_state(study, wind_10, waves):
-    state = {}
-    if wind_10 is not None:
-        state["wind"] = {"speed": wind_10}
-    if study.current is not None:
-        speed = within("current.speed", study.current.speed, 0.0, 20.0, "m/s")
-        if study.current.wind_driven:
-            if wind_10 is None:
-                raise StudyError("current.wind_driven is true and there is no [wind]; give it, or leave it out")
-            speed += WIND_DRIFT * wind_10
-        state["current"] = {"speed": speed}
-    if waves is not None:
-        state["waves"] = {"height": waves.value, "period": positive("waves.period", study.waves.period, "s")}
-    return state
-
-
-def _operating_state(table):
-    state = {}
-    for key in ("wind", "current"):
-        if getattr(table, key) is not None:
-            state[key] = {"speed": positive(f"operating.{key}", getattr(table, key), "m/s")}
-    if (table.wave_height is None) != (table.wave_period is None):
-        raise StudyError("operating: allowed: wave_height and wave_period together, or neither")
-    if table.wave_height is not None:
-        height = positive("operating.wave_height", table.wave_height, "m")
-        state["waves"] = {"height": height, "period": positive("operating.wave_period", table.wave_period, "s")}
-    return state
-
-
-def _levels(table, depth):
-    """{name: m above mean water} of the tide, storms and tsunamis.  Raises StudyError."""
-    if table is None:
-        return {}
-    if table.spring_low > table.spring_high:
-        raise StudyError(f"levels.spring_low is {table.spring_low:g}; allowed: at most spring_high")
-    for key in ("surge", "tsunami"):
-        if getattr(table, key) is not None and not 0 <= getattr(table, key) < depth:
-            raise StudyError(f"levels.{key} is {getattr(table, key):g}; allowed: 0 to the depth, {depth:g} m")
-    levels = {"high": table.spring_high + (table.surge or 0.0), "low": table.spring_low}
-    if table.tsunami is not None:
-        levels |= {"tsunami high": table.spring_high + table.tsunami, "tsunami low": table.spring_low - table.tsunami}
-    lowest = min(levels.values())
-    if not depth + lowest > 0:
-        raise StudyError(f"levels: the lowest is {lowest:g} m in {depth:g} m of water; allowed: above the bed")
-    return levels

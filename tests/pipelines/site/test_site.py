@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 import tomli_w
 
+from mooring.environment.spectra import issc
 from mooring.response.return_period import return_period
 from pipelines import cli
 from pipelines.common.quantities import StudyError
@@ -16,6 +17,7 @@ from pipelines.response.study import read_response_study
 from pipelines.site.study import SiteStudy, read_site, site_values
 
 BAY = Path(cli.__file__).parent / "scenes" / "site_bay.toml"
+WAVE = "tsunami = 0.5\ntsunami_period = 900.0"
 STUDY = {
     "site": {"file": "bay.toml", "state": "extreme", "level": "high"},
     "hull": {"freeboard": 5.0},
@@ -70,6 +72,25 @@ def test_levels_are_tide_and_surge_and_tsunami_and_the_wind_drives_a_hundredth_o
     assert values.levels == pytest.approx({"high": 1.8, "low": -0.9, "tsunami high": 1.5, "tsunami low": -1.4})
     assert values.states["extreme"]["wind"]["speed"] == pytest.approx(30.0)
     assert values.states["extreme"]["current"]["speed"] == pytest.approx(0.9)
+
+
+def test_a_climate_gives_the_extreme_state_its_waves_and_the_page_their_contour(bay):
+    """The highest sea of the contour, its peak period as a mean period; the long wave of a tsunami has a√(g/h)"""
+    text = BAY.read_text(encoding="utf-8")
+    waves = text[text.index("[waves]") : text.index("[current]")]
+    scatter = (BAY.parent / "response_climate.csv").as_posix()
+    text = text.replace(waves, f'[climate]\nscatter = "{scatter}"\n').replace("tsunami = 0.5", WAVE)
+    (bay / "open.toml").write_text(text.replace("wind_driven = true", "draft = 10.0\ndepths = [0.0, 10.0]"))
+    assert cli.main(["site", str(bay / "open.toml"), "--output", str(bay / "values.toml")]) == 0
+    values = tomllib.loads((bay / "values.toml").read_text())
+    state, contour = values["states"]["extreme"], values["contour"]
+    assert state["waves"]["height"] == pytest.approx(max(contour["height"]), rel=1e-4)
+    top = contour["period"][contour["height"].index(max(contour["height"]))]
+    assert top / state["waves"]["period"] == pytest.approx(issc(1.0, peak_period=1.0).T01 ** -1, rel=1e-4)
+    assert values["states"]["tsunami"]["current"]["speed"] == pytest.approx(0.5 * (9.80665 / 20.0) ** 0.5)
+    assert 0.55 < state["current"]["speed"] < 0.6  # the mean pressure over half the depth, by a seventh power
+    page = (bay / "values.html").read_text(encoding="utf-8")
+    assert page.count("data:image/png") == 2 and "Current over depth" in page and "extrapolation" in page
 
 
 def test_fewer_than_ten_maxima_are_said_with_the_interval():

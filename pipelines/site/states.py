@@ -1,0 +1,144 @@
+"""States of weather and levels of a site, as studies take them.
+
+current of a tsunami  a √(g/h), of a long wave that rises by a;    mean period of waves  of the joint law's median
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from mooring.environment.allowed import positive, within
+from mooring.environment.current_profile import power_law, wind_drift
+
+from ..common.quantities import StudyError
+
+GRAVITY = 9.80665
+
+
+class Climate(NamedTuple):
+    """law : `JointLaw` of the scatter; height, period : (n,) m, s, its contour; top : m, s, of it; hours : of a sea"""
+
+    scatter: object
+    law: object
+    height: object
+    period: object
+    top: tuple
+    hours: float
+
+
+def climate_of(table, years, folder, findings):
+    """Climate of a SiteClimateTable; what a reader has to know is added to `findings`.  Raises StudyError."""
+    from mooring.environment.scatter import read_scatter
+    from mooring.site.contours import joint_law
+
+    scatter = read_scatter(Path(folder) / table.scatter)
+    try:
+        law = joint_law(scatter)
+        height, period = law.contour(years, positive("climate.hours", table.hours, "h"))
+    except ValueError as error:
+        raise StudyError(f"climate: {error}") from None
+    top = law.top(years, table.hours)
+    if top[0] > law.highest:
+        findings.append(
+            f"the contour of {years:.4g} years reaches {top[0]:.3g} m, the scatter ends at {law.highest:g} m: "
+            "beyond it the joint law is an extrapolation"
+        )
+    return Climate(scatter, law, height, period, top, table.hours)
+
+
+def profile_of(study, wind_10):
+    """CurrentProfile along x of the current, None without"""
+    if study.current is None:
+        return None
+    own, depth = study.current, study.site.depth
+    profile = power_law(within("current.speed", own.speed, 0.0, 20.0, "m/s"), 0.0, depth, own.exponent)
+    if not own.wind_driven:
+        return profile
+    if wind_10 is None:
+        raise StudyError("current.wind_driven is true and there is no [wind]; give it, or leave it out")
+    return profile + wind_drift(wind_10, 0.0, depth)
+
+
+def extreme_state(study, wind_10, waves, climate, profile):
+    """Tables of the extreme state as a mooring study has them.  Raises StudyError."""
+    state = {}
+    if wind_10 is not None:
+        state["wind"] = {"speed": wind_10}
+    if profile is not None:
+        draft = study.current.draft
+        if draft is None:
+            state["current"] = {"speed": float(profile.velocity(0.0)[0])}
+        else:
+            within("current.draft", draft, 0.0, study.site.depth, "m")
+            state["current"] = {"speed": profile.over_draft(draft)[0]}
+    if waves is not None:
+        if study.waves.period is None and climate is None:
+            raise StudyError("waves.period is missing; allowed: a mean period in s, or [climate] for that of its law")
+        period = study.waves.period
+        period = _mean_period(study, climate, waves.value) if period is None else positive("waves.period", period, "s")
+        state["waves"] = {"height": waves.value, "period": period}
+    elif climate is not None:
+        state["waves"] = {"height": climate.top[0], "period": _mean_period(study, climate, climate.top[0])}
+    return state
+
+
+def _mean_period(study, climate, height):
+    """T01 of the median period of the joint law in seas of a height"""
+    from ..common.seas import family_of
+
+    family = family_of("climate", _Family(study.climate.spectrum), study.site.depth)
+    period = float(np.exp(climate.law.log_period(height)[0]))
+    return float(family(height, **{climate.law.period_kind: period}).T01)
+
+
+class _Family(NamedTuple):
+    spectrum: str
+    gamma: None = None
+
+
+def tsunami_state(table, depth):
+    """Current of a long wave that rises by the deviation, a√(g/h)"""
+    if table.tsunami is None:
+        raise StudyError("levels.tsunami_period is given without levels.tsunami; give both, or neither")
+    period = positive("levels.tsunami_period", table.tsunami_period, "s")
+    length = period * np.sqrt(GRAVITY * depth)
+    if length < 20 * depth:
+        raise StudyError(
+            f"levels.tsunami_period is {period:g} s; allowed: above {20 * depth / length * period:.3g}, long waves"
+        )
+    return {"current": {"speed": float(table.tsunami * np.sqrt(GRAVITY / depth))}}
+
+
+def operating_state(table):
+    """Tables of the operating state.  Raises StudyError."""
+    state = {}
+    for key in ("wind", "current"):
+        if getattr(table, key) is not None:
+            state[key] = {"speed": positive(f"operating.{key}", getattr(table, key), "m/s")}
+    if (table.wave_height is None) != (table.wave_period is None):
+        raise StudyError("operating: allowed: wave_height and wave_period together, or neither")
+    if table.wave_height is not None:
+        height = positive("operating.wave_height", table.wave_height, "m")
+        state["waves"] = {"height": height, "period": positive("operating.wave_period", table.wave_period, "s")}
+    return state
+
+
+def levels_of(table, depth):
+    """{name: m above mean water} of the tide, storms and tsunamis.  Raises StudyError."""
+    if table is None:
+        return {}
+    if table.spring_low > table.spring_high:
+        raise StudyError(f"levels.spring_low is {table.spring_low:g}; allowed: at most spring_high")
+    for key in ("surge", "tsunami"):
+        if getattr(table, key) is not None and not 0 <= getattr(table, key) < depth:
+            raise StudyError(f"levels.{key} is {getattr(table, key):g}; allowed: 0 to the depth, {depth:g} m")
+    levels = {"high": table.spring_high + (table.surge or 0.0), "low": table.spring_low}
+    if table.tsunami is not None:
+        levels |= {"tsunami high": table.spring_high + table.tsunami, "tsunami low": table.spring_low - table.tsunami}
+    lowest = min(levels.values())
+    if not depth + lowest > 0:
+        raise StudyError(f"levels: the lowest is {lowest:g} m in {depth:g} m of water; allowed: above the bed")
+    return levels
