@@ -109,7 +109,7 @@ class Peaked(Spectrum):
         if np.any(omega < 0):
             raise ValueError(f"frequency is {np.min(omega):g} rad/s; allowed: at least 0")
         x = np.maximum(omega / self.peak_omega, 0.1)  # there the exponential is 0, below it ω⁻⁵ would overflow
-        return self.level * self.peak_omega**-5 * x**-5.0 * np.exp(-1.25 * x**-4.0) * self.gamma ** _nearness(x)
+        return self.level * self.peak_omega**-5 * x**-5.0 * np.exp(-1.25 * x**-4.0) * self.gamma ** nearness(x)
 
     def _moment(self, order, low, high):
         low, high = low / self.peak_omega, high / self.peak_omega
@@ -130,7 +130,7 @@ class Peaked(Spectrum):
     def _excess_between(self, order, a, b):
         half = 0.5 * (b - a)
         x = 0.5 * (a + b)[..., None] + half[..., None] * NODES
-        peak = np.expm1(np.log(self.gamma) * _nearness(x))
+        peak = np.expm1(np.log(self.gamma) * nearness(x))
         return half * ((x ** (order - 5.0) * np.exp(-1.25 * x**-4.0) * peak) @ WEIGHTS)
 
     def _grid(self):
@@ -190,8 +190,8 @@ class Tabulated(Spectrum):
         return np.append(parts.ravel(), self.omega[-1])
 
 
-def _nearness(x):
-    """r of the peak enhancement"""
+def nearness(x):
+    """r (…,) of the peak enhancement γ^r at ω/ω_p"""
     return np.exp(-0.5 * ((x - 1) / np.where(x <= 1, *SIGMA)) ** 2)
 
 

@@ -8,10 +8,10 @@ import numpy as np
 
 from ..environment import spectra
 from .shallow import tma
-from .two_peaks import ochi_hubble
+from .two_peaks import ochi_hubble, torsethaugen
 
 PEAKED = ("jonswap", "tma")  # with a gamma
-NAMES = (*spectra.FAMILIES, "tma", "ochi_hubble")
+NAMES = (*spectra.FAMILIES, "tma", "ochi_hubble", "torsethaugen")
 
 
 def families(depth):
@@ -19,7 +19,12 @@ def families(depth):
 
     Raises ValueError from "tma" without a finite depth.
     """
-    return {**spectra.FAMILIES, "tma": partial(_tma, depth=depth), "ochi_hubble": ochi_hubble}
+    return {
+        **spectra.FAMILIES,
+        "tma": partial(_tma, depth=depth),
+        "ochi_hubble": ochi_hubble,
+        "torsethaugen": torsethaugen,
+    }
 
 
 def _tma(height, depth, **words):

@@ -3,6 +3,16 @@
     S = ¼ Σ_j (b_j ω_j⁴)^λ_j / Γ(λ_j)  H_j² ω^−(4λ_j+1) exp(−b_j ω_j⁴/ω⁴),    b_j = λ_j + ¼
 
 and its most probable member by significant height alone.  λ = 1 is Bretschneider's shape.
+
+Height and peak period: Torsethaugen & Haver (2004, ISOPE) in their simplified form (DNV-RP-C205, appendix A), with
+T_f = 6.6 H^(1/3) the peak period of a fully developed sea at a fetch of 370 km.  Both systems have λ = ¾, a tail ω⁻⁴:
+
+    T_p ≤ T_f   wind sea  r H, T_p, γ = 35 (2π r H/gT_p²)^0.857,   r = 0.7 + 0.3 exp{−[2(T_f − T_p)/(T_f − 2√H)]²}
+                swell     √(1 − r²) H, T_f + 2
+    T_p > T_f   swell     r H, T_p, γ = 35 (2πH/gT_f²)^0.857 (1 + 6 t),  r = 0.6 + 0.4 exp{−(t/0.3)²},
+                wind sea  √(1 − r²) H, 6.6 (√(1 − r²) H)^(1/3),          t = (T_p − T_f)/(25 − T_f)
+
+γ at least 1; the height of the enhanced system is kept by integration.
 """
 
 from __future__ import annotations
@@ -13,8 +23,12 @@ import numpy as np
 from scipy.special import gammainc, gammaincc, gammaln
 
 from ..environment.allowed import positive, within
-from ..environment.spectrum import Spectrum
+from ..environment.spectra import warn_if_steep
+from ..environment.spectrum import NODES, PANELS, WEIGHTS, Spectrum, nearness
+from .breaking import GRAVITY
 from .systems import Sum
+
+LEAST = 1e-3  # of the height, below which there is no second system
 
 
 @dataclass(frozen=True, repr=False)
@@ -58,6 +72,77 @@ class OneSystem(Spectrum):
 
     def _grid(self):
         return self.peak_omega * np.geomspace(0.2, 100, 4000)
+
+
+@dataclass(frozen=True, repr=False)
+class Enhanced(Spectrum):
+    """`system` times level γ^r: its peak is raised as that of JONSWAP"""
+
+    system: OneSystem
+    gamma: float
+    level: float = 1.0
+    name: str = "torsethaugen"
+
+    @property
+    def peak_omega(self):
+        """rad/s"""
+        return self.system.peak_omega
+
+    def density(self, omega):
+        x = np.asarray(omega, float) / self.peak_omega
+        return self.level * self.system.density(omega) * self.gamma ** nearness(x)
+
+    def _moment(self, order, low, high):
+        excess = self._excess(order, high / self.peak_omega) - self._excess(order, low / self.peak_omega)
+        return self.level * (self.system._moment(order, low, high) + excess)
+
+    def _excess(self, order, x):
+        """∫ ωⁿ S (γ^r − 1) dω from the first panel to x"""
+        x = np.clip(x, PANELS[0], PANELS[-1])
+        whole = np.concatenate([[0.0], np.cumsum(self._between(order, PANELS[:-1], PANELS[1:]))])
+        i = np.clip(np.searchsorted(PANELS, x, side="right") - 1, 0, len(PANELS) - 2)
+        return whole[i] + self._between(order, PANELS[i], x)
+
+    def _between(self, order, a, b):
+        half = 0.5 * (b - a) * self.peak_omega
+        x = 0.5 * (a + b)[..., None] + 0.5 * (b - a)[..., None] * NODES
+        omega, peak = self.peak_omega * x, np.expm1(np.log(self.gamma) * nearness(x))
+        return half * ((omega**order * self.system.density(omega) * peak) @ WEIGHTS)
+
+    def _grid(self):
+        return self.system._grid()
+
+
+def torsethaugen(height, *, peak_period=None, gravity=GRAVITY, **period):
+    """Swell and wind sea of a significant height (m) and the period (s) of the higher peak.
+
+    raises : ValueError for another period, and for one beyond 25 s or steeper than a wind raises
+    """
+    given = [kind for kind, value in period.items() if value is not None]
+    if peak_period is None or given:
+        state = f"{' and '.join(given)} is given" if given else "no period is given"
+        raise ValueError(f"torsethaugen: {state}; allowed: peak_period, by which its two systems are known")
+    H = within("wave height", positive("wave height", height, "m"), 0.1, 30.0, "m")
+    full = 6.6 * H ** (1 / 3)
+    Tp = within("peak period of torsethaugen", peak_period, 2 * np.sqrt(H), 25.0, "s")
+    if Tp <= full:
+        share = 0.7 + 0.3 * np.exp(-((2 * (full - Tp) / (full - 2 * np.sqrt(H))) ** 2))
+        gamma = 35 * (2 * np.pi * share * H / (gravity * Tp**2)) ** 0.857
+        other = full + 2.0
+    else:
+        t = (Tp - full) / (25.0 - full)
+        share = 0.6 + 0.4 * np.exp(-((t / 0.3) ** 2))
+        gamma = 35 * (2 * np.pi * H / (gravity * full**2)) ** 0.857 * (1 + 6 * t)
+        other = None
+    left = np.sqrt(1 - share**2) * H
+    plain = Enhanced(OneSystem(share * H, 2 * np.pi / Tp, 0.75, "torsethaugen"), max(gamma, 1.0))
+    parts = [Enhanced(plain.system, plain.gamma, (share * H) ** 2 / 16 / plain.moment(0))]
+    if left > LEAST * H:
+        other = 6.6 * left ** (1 / 3) if other is None else other
+        parts.append(OneSystem(left, 2 * np.pi / other, 0.75, "torsethaugen"))
+    found = Sum(tuple(parts), "torsethaugen")
+    warn_if_steep(found)
+    return found
 
 
 def six_parameters(swell, sea):

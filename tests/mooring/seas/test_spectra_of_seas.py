@@ -12,7 +12,7 @@ from mooring.environment.spectrum import Peaked
 from mooring.seas.breaking import BreakingError, breaking_height, too_high
 from mooring.seas.record_faults import faults
 from mooring.seas.shallow import limited, tma, tma_fetch
-from mooring.seas.two_peaks import OneSystem, ochi_hubble
+from mooring.seas.two_peaks import OneSystem, ochi_hubble, torsethaugen
 
 G = 9.80665
 
@@ -73,6 +73,25 @@ def test_the_most_probable_sea_has_its_height_and_the_printed_periods():
     assert np.isclose(swell.peak_omega, 0.5824, rtol=1e-3) and np.isclose(wind.peak_omega, 0.9839, rtol=1e-3)
     with pytest.raises(ValueError, match="ochi_hubble: peak_period is given; allowed: none"):
         ochi_hubble(4.0, peak_period=9.0, mean_period=None)
+
+
+def test_wind_sea_and_swell_by_height_and_period_keep_the_height_and_change_places_at_a_full_sea():
+    """T_f = 6.6 H^(1/3) parts them; with it all waves are one system; moments are those of a quadrature"""
+    H, full = 4.0, 6.6 * 4.0 ** (1 / 3)
+    for Tp in (7.0, full, 13.0, 18.0):
+        sea = torsethaugen(H, peak_period=Tp)
+        assert np.isclose(sea.significant_height, H, rtol=1e-9) and np.isclose(sea.Tp, Tp, rtol=1e-9)
+        omega = np.geomspace(0.05, 40, 200_001)
+        assert np.isclose(sea.moment(1, 0.05, 40.0), np.trapezoid(omega * sea.density(omega), omega), rtol=1e-6)
+    swell = torsethaugen(H, peak_period=7.0).parts[1]
+    assert np.isclose(2 * np.pi / swell.peak_omega, full + 2)
+    assert len(torsethaugen(H, peak_period=full).parts) == 1
+    wind = torsethaugen(H, peak_period=18.0).parts[1]
+    assert np.isclose(2 * np.pi / wind.peak_omega, 6.6 * wind.height ** (1 / 3)) and wind.height < 0.81 * H
+    tail = torsethaugen(H, peak_period=10.0).density(np.array([20.0, 40.0]))
+    assert np.isclose(tail[0] / tail[1], 16.0, rtol=1e-3)
+    with pytest.raises(ValueError, match="torsethaugen: mean_period is given; allowed: peak_period"):
+        torsethaugen(H, mean_period=8.0)
 
 
 def test_waves_break_at_miches_height():
