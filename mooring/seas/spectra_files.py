@@ -3,6 +3,7 @@
     SWAN standard spectral file (.spc, .sp1, .sp2): AFREQ or RFREQ, NDIR or CDIR, VaDens or EnDens; 1-D with mean
     direction and spread, or 2-D with FACTOR, ZERO, NODATA (SWAN user manual, appendix D)
     NDBC spectral wave density (swden): a head "#YY MM DD hh mm .0200 .0325 …" and rows of m²/Hz, 999 for none
+    WAVEWATCH III transfer file of spectra (`wavewatch`)
 
 Nautical directions are where waves come from, clockwise from north; with the x axis of the body towards ψ of the
 compass waves travel to β = ψ − (N + 180°).  Cartesian ones are where they travel to, from the x axis of the model,
@@ -23,6 +24,7 @@ from ..environment.sea import Sea
 from ..environment.spectra import tabulated
 from ..environment.spreading import HalfCosinePower, Spreading
 from ..environment.tables import TableError
+from .wavewatch import HEAD, read_wavewatch
 
 MISSING = 999.0
 ENERGY = 1025.0 * 9.81  # J/m³, of EnDens, as SWAN has it
@@ -63,7 +65,7 @@ def read_sea(path, x_axis=None, time=None, location=1):
     """`environment.sea.Sea` of a file of the module; long-crested towards 0 where it has no directions.
 
     x_axis : degrees of the compass that the x axis heads, needed for nautical directions
-    time : as the file has it, by default its only one; location : number of the place in a SWAN file
+    time : as the file has it, by default its only one; location : number of the place in the file
     Raises TableError that names the line.
     """
     path = Path(path)
@@ -72,7 +74,16 @@ def read_sea(path, x_axis=None, time=None, location=1):
         return _Swan(path, text).sea(x_axis, time, location)
     if re.match(r"\s*#?\s*YY", text):
         return _ndbc(path, text, time)
-    raise TableError(f"{path} is no spectrum of SWAN or NDBC; allowed: a first line SWAN, or #YY MM DD hh mm .0200 …")
+    if text.lstrip().startswith(HEAD):
+        found = read_wavewatch(path, text, x_axis, time, location)
+        try:
+            return two_dimensional(*found, path.stem)
+        except ValueError as error:
+            raise TableError(f"{path}: {error}") from None
+    raise TableError(
+        f"{path} is no spectrum of SWAN, NDBC or WAVEWATCH III; allowed: a first line SWAN, #YY MM DD hh mm .0200 …, "
+        f"or {HEAD}"
+    )
 
 
 def two_dimensional(omega, angle, density, name):

@@ -13,7 +13,7 @@
     peak_period = 8.0
     direction_deg = 180.0
     [[sea.systems]]
-    file = "hindcast.sp2"            # SWAN or NDBC, beside the study
+    file = "hindcast.sp2"            # SWAN, NDBC or WAVEWATCH III, beside the study
     x_axis_compass_deg = 30.0
 
     [body]
@@ -54,7 +54,7 @@ class SystemTable(Table):
     """One system of waves of a sea; a height and one period, or a file of a spectrum
 
     height : m, significant
-    file : of a spectrum (SWAN, NDBC, CSV) beside the study
+    file : of a spectrum (SWAN, NDBC, WAVEWATCH III, CSV) beside the study
     x_axis_compass_deg : what the x axis heads, for nautical directions of a file
     time : which of the spectra of a file
     location : which of the places of a file, from 1
@@ -264,7 +264,7 @@ def _system(where, table, folder, depth):
 
 
 def _of_file(where, table, folder):
-    """The Sea of a file of SWAN or NDBC, or of a table of densities; a direction of the study goes before its own"""
+    """The Sea of a file of `spectra_files`, or of a table of densities; a direction of the study goes before its own"""
     from mooring.environment.sea import Sea
     from mooring.environment.spectra import read_spectrum
     from mooring.seas.spectra_files import TabulatedSpreading, read_sea

@@ -83,8 +83,16 @@ def _table(title, columns, rows):
     return table
 
 
+def _moment(spectrum, order):
+    """None where a tail ω⁻⁴ gives it no end"""
+    try:
+        return spectrum.moment(order)
+    except ValueError:
+        return None
+
+
 def _moments(spectrum):
-    m = {n: spectrum.moment(n) for n in (-1, 0, 1, 2, 3)}
+    m = {n: _moment(spectrum, n) for n in (-1, 0, 1, 2, 3)}
     names = ("m₋₁, m² s/rad", "m₀, m²", "m₁, m² rad/s", "m₂, m² (rad/s)²", "m₃, m² (rad/s)³")
     yield from zip(names, m.values(), strict=True)
     yield "width √(m₀m₂/m₁² − 1)", np.sqrt(m[0] * m[2] / m[1] ** 2 - 1)

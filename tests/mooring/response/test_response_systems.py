@@ -120,10 +120,43 @@ def test_a_row_of_a_buoy_is_its_spectrum(tmp_path):
         read_sea(path)
 
 
+def wavewatch(density, place="'one' 50.0 -2.0 20.0 10.0 270.0 0.1 90.0"):
+    """A file of two times and two points, the second with `density` (4, 3) by direction north, east, south, west"""
+    numbers = "  ".join(f"{value:.5E}" for value in np.ravel(density))
+    none = "  ".join(["0.0"] * 12)
+    both = f"{place}\n{none}\n{place}\n{numbers}\n"
+    head = "'WAVEWATCH III SPECTRA'     3     4     2 'points of a grid'\n 0.800E-01 0.100E+00 0.120E+00\n"
+    head += " 0.000E+00 0.157079633E+01 0.314159265E+01\n 0.471238898E+01\n"
+    return f"{head}20260101 000000\n{both}20260101 030000\n{both}"
+
+
+def test_directions_of_a_wavewatch_file_are_where_waves_travel_clockwise_from_north(tmp_path):
+    """Energy 2 to 1 towards north and east, the x axis to the east: towards 90° and 0°"""
+    path = tmp_path / "points.spec"
+    peak = np.array([0.0, 1.0, 0.0])
+    path.write_text(wavewatch([2 * peak, peak, 0 * peak, 0 * peak]))
+    sea = read_sea(path, 90.0, time="20260101 030000", location=2)
+    assert np.isclose(sea.spectrum.moment(0), 3 * (np.pi / 2) * 0.02)  # by four directions and straight lines in f
+    heading, weights = directions(sea, np.array([2 * np.pi * 0.1]), 90.0)
+    found = np.zeros(4)
+    found[np.round(np.degrees(heading) / 90).astype(int) % 4] = weights[0]
+    assert np.allclose(found, np.array([1, 2, 0, 0]) / 3, atol=1e-6)
+    for words, said in (
+        ({}, "say which with time"),
+        ({"time": "1"}, "has no time 1"),
+        ({"location": 3}, "has 2 points"),
+    ):
+        with pytest.raises(TableError, match=said):
+            read_sea(path, 90.0, **words)
+    path.write_text(wavewatch(np.ones((4, 3)))[:-30])
+    with pytest.raises(TableError, match="words; wanted: 42 for each time"):
+        read_sea(path, 90.0, time="20260101 000000")
+
+
 @pytest.mark.parametrize(
     "text, said",
     [
-        ("hello\n", "is no spectrum of SWAN or NDBC"),
+        ("hello\n", "is no spectrum of SWAN, NDBC or WAVEWATCH III"),
         (SWAN.format(kind="NDIR"), "directions are nautical; say what the x axis heads"),
         (SWAN.format(kind="CDIR").replace("4 0 2 0", "4 0 x 0"), "line 30 .* wanted: numbers, densities"),
         (SWAN.format(kind="CDIR")[:-20], "more lines, the file ends"),
