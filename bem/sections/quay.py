@@ -5,7 +5,12 @@ comes back from it onto the body.  With the transmission T and reflection R of t
 
     c = T e^{2ikP} + R c e^{2ikP}      →      c = T e^{2ikP} / (1 − R e^{2ikP})
 
-The SR179 report (1982), section 3.7.3, stops at c = T e^{2ikP}, and multiplies the motions by |1 + c| (π of
+A floating section sends what it radiates along with them, with X its motions per unit amplitude:
+
+    T = T₀ + Σ Xⱼ ηⱼ,    R = R₀ + Σ Xⱼ η′ⱼ;    without other losses  |T| = |sin(ε_z − ε_y)|,  |R| = |cos(ε_z − ε_y)|
+
+ε_z, ε_y the phases of heave and of the motions across (SR179 report (1982), eq. 3.7.3.8, with cos(ε_z − ε_H) for its
+ε_z + ε_H).  The report, section 3.7.3, stops at c = T e^{2ikP}, and multiplies the motions by |1 + c| (π of
 eq. 3.7.3.14, in which χ = δ_T − 2kP has δ_T = −arg T).  Both need a gap to the wall of more than a water depth or a
 beam, so that only waves cross it.  The panel method with a wall (`bem.methods.panel_problem.PanelProblem`) has no such
 limit.
@@ -13,7 +18,34 @@ limit.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
+
+
+class Floating(NamedTuple):
+    """k : rad/m of the waves, towards +y; motions : (3,) complex sway, heave, roll per unit amplitude
+
+    transmission, reflection : complex
+    """
+
+    k: float
+    motions: np.ndarray
+    transmission: complex
+    reflection: complex
+
+
+def floating(section, inertia, stiffness, damping=0.0):
+    """`Floating` of a `bem.sections.coefficients.Section` that is free to move.
+
+    inertia, stiffness, damping : (3, 3) per metre of length, of the body and of what holds it, besides those of waves
+    """
+    w = section.omega
+    held = -(w**2) * (inertia + section.added_mass) - 1j * w * (section.damping + damping) + stiffness
+    X = np.linalg.solve(held, section.excitation)
+    transmitted, reflected = X @ section.radiated, X @ section.radiated_back
+    waves = complex(section.transmission + transmitted), complex(section.reflection + reflected)
+    return Floating(section.k, X, *waves)
 
 
 def returned_wave(transmission, reflection, k, distance, repeated=True):
@@ -35,6 +67,12 @@ def force_before_wall(section, distance, repeated=True):
     return section.excitation * (1 + c * np.array([-1, 1, -1]))
 
 
-def magnification(section, distance):
-    """|1 + T e^{2ikP}|, the report's factor on heave (eq. 3.7.3.14)"""
-    return abs(1 + returned_wave(section.transmission, section.reflection, section.k, distance, repeated=False))
+def motions_before_wall(body, distance, repeated=True):
+    """(3,) complex motions of a `Floating` body, waves running at the wall, per unit amplitude"""
+    c = returned_wave(body.transmission, body.reflection, body.k, distance, repeated)
+    return body.motions * (1 + c * np.array([-1, 1, -1]))
+
+
+def magnification(body, distance):
+    """|1 + T e^{2ikP}|, the report's factor on the motions of a `Floating` body or on a fixed section (eq. 3.7.3.14)"""
+    return abs(1 + returned_wave(body.transmission, body.reflection, body.k, distance, repeated=False))

@@ -1,5 +1,6 @@
 """Ships: volume, form, counts, what cannot be one; a ship through the panel method."""
 
+import tomllib
 from dataclasses import replace
 
 import numpy as np
@@ -11,7 +12,9 @@ from meshing.hydrostatics import hydrostatics
 from meshing.panels import structured
 from meshing.ship import CORNER, counts_of_ship, ship
 from pipelines import cli
+from pipelines.keys.kinds import SCENES
 from pipelines.scene.scene import SceneError, make_scene
+from pipelines.solve.run import solve
 
 TANKER, CONTAINER, FERRY = (300.0, 50.0, 18.0, 0.83), (280.0, 40.0, 14.0, 0.62), (120.0, 20.0, 5.34, 0.55)
 
@@ -85,6 +88,20 @@ def test_a_ship_is_solved_from_its_dimensions(tmp_path):
     assert float(db["displaced_volume"]) == pytest.approx(0.55 * 120 * 20 * 5.34, rel=1e-9)
     assert 0.01 < A[0, 0] / mass < 0.1 and 0.6 < A[1, 1] / mass < 1.1 and A[2, 2] > A[1, 1]
     assert db.dimensions == {"length": 120.0, "beam": 20.0, "draft": 5.34}
+
+
+@pytest.mark.parametrize("name", ["tanker", "container", "ferry", "n_port"])
+def test_ships_that_are_shipped_are_solved_with_the_laws_of_their_waves_kept(name, tmp_path):
+    """At one frequency of their band"""
+    raw = tomllib.loads((SCENES / f"ship_{name}.toml").read_text(encoding="utf-8"))
+    raw |= {"waves": {"omegas": [0.5], "headings_deg": [0, 90]}, "tolerance": 0.2}
+    solve(make_scene(raw), tmp_path / "ship.h5")
+    db, body = open_database(tmp_path / "ship.h5"), raw["bodies"][0]
+    volume = body["block"] * body["length"] * body["beam"] * body["draft"]
+    assert float(db["displaced_volume"]) == pytest.approx(volume, rel=1e-3)
+    A, X = np.asarray(db["added_mass"])[0], np.asarray(db["excitation_force"])[0]
+    assert np.abs(A - A.T).max() < 0.01 * np.abs(A).max() and A[1, 1] > 3 * A[0, 0] > 0
+    assert np.abs(X[1, 1]) > np.abs(X[0, 1]) and np.abs(X[0, 0]) > np.abs(X[1, 0])
 
 
 def test_heave_added_mass_of_a_wigley_hull_is_that_of_another_code(tmp_path):

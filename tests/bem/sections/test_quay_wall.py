@@ -8,7 +8,8 @@ import pytest
 from bem.frequency import solve_frequency
 from bem.methods.panel_problem import PanelProblem, prepare
 from bem.sections.coefficients import section
-from bem.sections.quay import force_before_wall
+from bem.sections.quay import floating, force_before_wall, magnification, motions_before_wall
+from bem.waves import group_factor
 from meshing.lid import lid
 from meshing.shapes import box
 
@@ -85,3 +86,39 @@ def test_a_long_box_before_the_wall_bears_what_its_section_does_with_repeated_re
     assert np.all(gaps[1] < 0.04), gaps
     assert np.all(gaps[1] < gaps[0] / 3), gaps
     assert np.all(single > 2 * gaps[1]), (single, gaps)
+
+
+def afloat(beam, draft, omega, damping=0.0):
+    """A box of uniform section with its centre of gravity in the waterline, and its `Floating`"""
+    part = section(beam, draft, DEPTH, omega)
+    mass = part.density * beam * draft
+    inertia = np.diag([mass, mass, mass * 15.55**2])
+    roll = mass * part.gravity * (beam**2 / (12 * draft) - draft / 2)
+    stiffness = np.diag([0.0, part.density * part.gravity * beam, roll])
+    return part, floating(part, inertia, stiffness, damping)
+
+
+@pytest.mark.parametrize("omega", [0.3, 0.5, 0.65, 0.8, 1.0])
+def test_waves_of_a_floating_body_carry_the_energy_of_the_incident_one(omega):
+    """and follow from the phases of its heave and of its sway, which roll shares"""
+    _, body = afloat(50.0, 10.0, omega)
+    assert abs(body.transmission) ** 2 + abs(body.reflection) ** 2 == pytest.approx(1, abs=1e-10)
+    turn = np.angle(body.motions[1]) - np.angle(body.motions[0])
+    assert abs(body.transmission) == pytest.approx(abs(np.sin(turn)), abs=1e-7)
+    assert abs(body.reflection) == pytest.approx(abs(np.cos(turn)), abs=1e-7)
+
+
+def test_a_lossy_body_keeps_less_than_the_energy_of_the_incident_wave():
+    part, body = afloat(50.0, 10.0, 0.5, np.diag([1e4, 1e5, 1e7]))
+    lost = 1 - abs(body.transmission) ** 2 - abs(body.reflection) ** 2
+    speed = part.omega * np.abs(body.motions)
+    power = part.density * part.gravity * 0.5 * part.omega / part.k * float(group_factor(part.k, DEPTH))
+    assert lost == pytest.approx(0.5 * (speed**2) @ [1e4, 1e5, 1e7] / power, rel=1e-9)
+
+
+def test_the_reports_factor_is_that_of_a_single_reflection_on_heave():
+    _, body = afloat(50.0, 10.0, 0.5)
+    for distance in np.linspace(30.0, 150.0, 25):
+        single = motions_before_wall(body, distance, repeated=False)
+        assert magnification(body, distance) == pytest.approx(abs(single[1] / body.motions[1]), rel=1e-12)
+        assert magnification(body, distance) <= 1 + abs(body.transmission) + 1e-12
