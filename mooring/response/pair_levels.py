@@ -32,19 +32,22 @@ MOST_OUTSIDE = (
     0.05  # share of the energy of the waves beyond the stored pairs at either end, for which Newman's rule is left
 )
 AT_ONCE = 20_000  # pairs
+LEAST_SHARE = 1e-3  # of the energy, of the heading with most: headings with less are left out
 
 
 @dataclass(frozen=True, eq=False)
 class PairForces:
-    """T of stored pairs less Newman's, in waves of one direction.
+    """T of stored pairs less Newman's, in waves of one direction; or the first of a pair of one, the second of another.
 
-    between : `BetweenPairs` at this heading; omega : (q,) rad/s; drift : (q, 3) N/m², N m/m² there
+    between : `BetweenPairs` of these headings; omega : (q,) rad/s; drift : (q, 3) N/m², N m/m² there
+    second : (q, 3) towards the heading of the second wave, None where they are one
     """
 
     between: BetweenPairs
     omega: np.ndarray
     drift: np.ndarray
     level: str = "body"
+    second: np.ndarray | None = None
 
     @property
     def highest(self):
@@ -60,22 +63,58 @@ class PairForces:
 
     def _of(self, one, two):
         T = self.between(one, two)
-        D, E = (np.stack([np.interp(w, self.omega, d) for d in self.drift.T], axis=-1) for w in (one, two))
-        T[:, HORIZONTAL] -= np.where(D * E > 0, np.sign(D) * np.sqrt(np.abs(D * E)), 0.0)
+        T[:, HORIZONTAL] -= self.newman(one, two)
         low, high = self.between.omega[[0, -1]]
         known = (np.minimum(one, two) >= low) & (np.maximum(one, two) <= high)
         return T * (known * slow_share((one - two) / self.highest))[:, None]
 
+    def newman(self, one, two):
+        """(q, 3) by Newman's rule at frequencies (q,)"""
+        both = (one, self.drift), (two, self.drift if self.second is None else self.second)
+        D, E = (np.stack([np.interp(w, self.omega, d) for d in drift.T], axis=-1) for w, drift in both)
+        return np.where(D * E > 0, np.sign(D) * np.sqrt(np.abs(D * E)), 0.0)
 
-def beside_newman(db, sea, level):
+
+@dataclass(frozen=True, eq=False)
+class SpreadPairForces:
+    """Pairs of a sea of several directions: both waves of a pair have their own.
+
+    pairs : {(a, b): `PairForces`} of numbers of headings; headings : (m,) rad; sea : `Sea`
+    """
+
+    pairs: dict
+    headings: np.ndarray
+    sea: Sea
+    level: str
+
+    def spectrum(self, omega, difference):
+        """(d, 6) of the slow force over differences Ω (d,) rad/s:  8 ∫ S(ω) S(ω + Ω) Σ_a Σ_b w_a w_b |T_ab|² dω
+
+        omega : (q,) rad/s; w : shares of the energy of the headings, of w_a at ω + Ω, of w_b at ω
+        """
+        two, one = np.broadcast_arrays(omega, omega + np.asarray(difference)[:, None])
+        density = self.sea.spectrum.density
+        energy = 8 * density(omega) * np.where(one <= omega[-1], density(one), 0.0)
+        high, low = (self.sea.directional(self.headings, w.ravel()).reshape(*one.shape, -1) for w in (one, two))
+        total = np.zeros((*one.shape, 6))
+        for (a, b), pair in self.pairs.items():
+            T = pair(one, two)
+            T[..., HORIZONTAL] += pair.newman(one.ravel(), two.ravel()).reshape(*one.shape, 3)
+            total += (high[..., a] * low[..., b])[..., None] * np.abs(T) ** 2
+        return np.trapezoid(energy[..., None] * total, omega, axis=1)
+
+
+def beside_newman(db, sea, level, spread=False):
     """What a level has beside Newman's rule: a function of two frequencies, or None; and remarks, lines of text.
 
-    raises : ValueError for a sea of several directions, pairs that are not stored, infinite depth with "bound-wave"
+    spread : whether `SpreadPairForces` will do, in a sea of several directions
+    raises : ValueError for other seas of several directions, pairs that are not stored, infinite depth with
+        "bound-wave"
     """
     if level == "newman":
         return None, ()
     if level in ("body", "full"):
-        return stored_pairs(db, sea, level), _surface_left_out(db, level)
+        return stored_pairs(db, sea, level, spread), _surface_left_out(db, level)
     if level == "bound-wave":
         return of_sea(db, sea), ()
     ratio = bound_to_newman(db.reader.floating(), sea)
@@ -86,7 +125,7 @@ def beside_newman(db, sea, level):
         f'qtf = "auto" takes {{}}: bound long waves push with about {ratio:.2g} times the slow force of Newman\'s rule'
     )
     try:
-        found = stored_pairs(db, sea, "auto")
+        found = stored_pairs(db, sea, "auto", spread)
         return found, (why.format(found.level), *_surface_left_out(db, found.level))
     except ValueError as missing:
         return of_sea(db, sea), (f"{why.format('bound-wave')}; not full: {missing}",)
@@ -102,14 +141,15 @@ def _surface_left_out(db, level):
     return (f'qtf = "body" leaves out the forcing of the surface, about {100 * share:.2g} % of the slow force',)
 
 
-def stored_pairs(db, sea, level="body") -> PairForces:
-    """`PairForces` of an opened database at a level, "auto" the highest that is stored.
+def stored_pairs(db, sea, level="body", spread=False):
+    """`PairForces` of an opened database at a level, "auto" the highest that is stored; `SpreadPairForces` in a sea of
+    several directions where `spread` allows them.
 
     raises : ValueError, one line, for what is not stored in it
     """
-    from bem.second_order.stored import BetweenPairs, read_forces
+    from bem.second_order.stored import read_forces
 
-    if not isinstance(sea, Sea) or sea.spreading is not None:
+    if not isinstance(sea, Sea) or (sea.spreading is not None and not spread):
         raise ValueError(f'qtf = "{level}" in a sea of several directions; allowed: one system of long crests')
     forces, floats = read_forces(db)
     if not floats:
@@ -121,13 +161,8 @@ def stored_pairs(db, sea, level="body") -> PairForces:
             f"the pairs in {db.path} lack the forcing of the surface; 'hakobune qtf {db.path} --level full' adds it"
         )
     level = {"auto": "body" if forces.surface is None else "full"}.get(level, level)
-    apart = np.abs(np.angle(np.exp(1j * (forces.headings - sea.direction))))
-    h, degrees = int(np.argmin(apart)), np.degrees(sea.direction) % 360
-    if apart[h] > SAME:
-        raise ValueError(
-            f"{db.path} has no pairs of waves towards {degrees:.4g}°; "
-            f"'hakobune qtf {db.path} --heading {degrees:.4g}' solves them"
-        )
+    values = forces.total if level == "full" else forces.to_body
+    found = (_of_heading if sea.spreading is None else _of_headings)(db, sea, forces, values, level)
     low, high = forces.omega[[0, -1]]
     first, last = sea.spectrum.quantile((MOST_OUTSIDE, 1 - MOST_OUTSIDE))
     if not (low <= first and last <= high):
@@ -135,7 +170,41 @@ def stored_pairs(db, sea, level="body") -> PairForces:
             f"pairs are stored from {low:.4g} to {high:.4g} rad/s; 90 % of the waves are within {first:.4g} to "
             f"{last:.4g}: 'hakobune qtf {db.path}' of a wider database"
         )
-    body, omega = db.reader.floating(), np.linspace(low, high, 8 * len(forces.omega))
-    values = forces.total if level == "full" else forces.to_body
-    between = BetweenPairs(forces.omega, forces.difference, values[:, :, h, h])
-    return PairForces(between, omega, body.drift(omega, [sea.direction])[:, 0], level)
+    return found
+
+
+def _of_heading(db, sea, forces, values, level):
+    """`PairForces` of the sea's one direction"""
+    from bem.second_order.stored import BetweenPairs
+
+    apart = np.abs(np.angle(np.exp(1j * (forces.headings - sea.direction))))
+    h, degrees = int(np.argmin(apart)), np.degrees(sea.direction) % 360
+    if apart[h] > SAME:
+        raise ValueError(
+            f"{db.path} has no pairs of waves towards {degrees:.4g}°; "
+            f"'hakobune qtf {db.path} --heading {degrees:.4g}' solves them"
+        )
+    omega, drift = _drift(db, forces, [sea.direction])
+    return PairForces(BetweenPairs(forces.omega, forces.difference, values[:, :, h, h]), omega, drift[:, 0], level)
+
+
+def _of_headings(db, sea, forces, values, level):
+    """`SpreadPairForces` of all pairs of stored headings that waves travel to"""
+    from bem.second_order.stored import BetweenPairs
+
+    try:
+        share = sea.directional(forces.headings)
+    except ValueError as error:
+        raise ValueError(f"pairs in {db.path}: {error}; 'hakobune qtf {db.path} --heading' solves them") from None
+    omega, drift = _drift(db, forces, forces.headings)
+    used, pairs = np.flatnonzero(share > LEAST_SHARE * share.max()), {}
+    for a, b in ((a, b) for a in used for b in used):
+        between = BetweenPairs(forces.omega, forces.difference, values[:, :, a, b])
+        pairs[a, b] = PairForces(between, omega, drift[:, a], level, drift[:, b])
+    return SpreadPairForces(pairs, forces.headings, sea, level)
+
+
+def _drift(db, forces, headings):
+    """(q,) rad/s close enough for the mean drift, and its values (q, m, 3) there"""
+    omega = np.linspace(*forces.omega[[0, -1]], 8 * len(forces.omega))
+    return omega, db.reader.floating().drift(omega, headings)

@@ -207,7 +207,7 @@ def mean_drift(body, sea, omega, drift, weights):
 def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
     """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it.
 
-    bound : of `pair_levels.beside_newman`, with long-crested waves only
+    bound : of `pair_levels.beside_newman`, in a spread sea with its `spectrum`
     """
     try:
         value, coefficients = drift_and_damping(body, omega, heading)
@@ -218,7 +218,10 @@ def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
     difference, with_bound = differences(body), None
     if bound is not None:
         held = held_beyond(omega, value[:, 0], sea.spectrum)
-        with_bound = force_spectrum_with(bound, sea.spectrum, *held, difference)
+        if sea.spreading is None:
+            with_bound = force_spectrum_with(bound, sea.spectrum, *held, difference)
+        else:
+            with_bound = bound.spectrum(held[0], difference)
     return SlowForces(
         inside + beyond.sum(axis=0),
         beyond,

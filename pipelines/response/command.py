@@ -102,7 +102,7 @@ def _in_sea(read, body, db, points, study):
                 f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical", stacklevel=2
             )
     level_of("sea.qtf", read.sea.qtf)
-    bound, said = beside_newman(db, sea, read.sea.qtf)
+    bound, said = beside_newman(db, sea, read.sea.qtf, spread=True)
     for line in said:
         warnings.warn(line, stacklevel=2)
     return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points, bound)

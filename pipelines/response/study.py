@@ -83,7 +83,7 @@ class SeaTable(SystemTable):
     duration_hours : of the largest motions
     qtf : slow force of pairs of waves: "newman", "bound-wave" (with the long waves bound to them), "body" (all that
     `hakobune qtf` stores but the forcing of the surface), "full" (with it) or "auto" (the cheapest that is enough);
-    above "newman" of one system of long crests
+    above "newman" of one system of waves, "bound-wave" of long crests only
     """
 
     systems: list[SystemTable] = msgspec.field(default_factory=list)

@@ -1,0 +1,46 @@
+"""Slow force of pairs of waves from several directions: limits in which it is that of long crests, and its size."""
+
+import numpy as np
+import pytest
+
+from bem.second_order.stored import BetweenPairs
+from mooring.environment.sea import Sea
+from mooring.environment.spectra import jonswap
+from mooring.environment.spreading import CosinePower
+from mooring.response.pair_levels import PairForces, SpreadPairForces
+from mooring.response.slow_drift import force_spectrum_with
+
+OMEGA, DIFFERENCE = np.linspace(0.3, 1.5, 25), 0.05 * np.arange(9)
+FINE = np.linspace(0.3, 1.5, 200)
+HEADINGS = np.radians([-90.0, -45.0, 0.0, 45.0, 90.0])
+SPECTRUM = jonswap(1.0, peak_period=10.0)
+BEATS = np.linspace(0.0, 0.2, 11)
+
+
+def pair(first, second=None):
+    """Pairs of T = (1 + i Ω)(f_a f_b) cos ω̄ of two headings, as factors of a force and its mean drift"""
+    second = first if second is None else second
+    middle = OMEGA + 0.5 * DIFFERENCE[:, None]
+    values = first * second * (np.cos(middle) * (1 + 1j * DIFFERENCE[:, None]))[..., None] * np.arange(1.0, 7.0)
+    drift = np.cos(FINE)[:, None] * np.array([1.0, 2.0, 6.0])
+    return PairForces(BetweenPairs(OMEGA, DIFFERENCE, values), FINE, first**2 * drift, "body", second**2 * drift)
+
+
+def spread(factors):
+    pairs = {(a, b): pair(factors[a], factors[b]) for a in range(5) for b in range(5)}
+    return SpreadPairForces(pairs, HEADINGS, Sea(SPECTRUM, 0.0, CosinePower(4)), "body")
+
+
+def test_a_force_that_knows_no_direction_is_that_of_long_crests():
+    alone = pair(1.0)
+    long = force_spectrum_with(alone, SPECTRUM, FINE, alone.drift, BEATS)
+    np.testing.assert_allclose(spread(np.ones(5)).spectrum(FINE, BEATS), long, rtol=1e-9)
+
+
+def test_of_separable_forces_it_is_the_square_of_their_mean_over_directions():
+    factors = np.array([0.2, 0.5, 1.0, 0.7, 0.1])
+    share = Sea(SPECTRUM, 0.0, CosinePower(4)).directional(HEADINGS)
+    mean = share @ factors**2
+    alone = pair(1.0)
+    long = force_spectrum_with(alone, SPECTRUM, FINE, alone.drift, BEATS)
+    assert spread(factors).spectrum(FINE, BEATS) == pytest.approx(mean**2 * long, rel=1e-9)
