@@ -23,12 +23,14 @@ def line(
     tension: Annotated[float | None, Parameter(help="kN, horizontal at the fairlead, instead of a span")] = None,
     friction: float = 0.0,
     slope_deg: Annotated[float, Parameter(allow_leading_hyphen=True)] = 0.0,
+    characteristic: Annotated[bool, Parameter(help="span, forces and what lies, slack to taut", negative="")] = False,
     output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Forces of one mooring line, its profile and its tension–offset curve; lengths in m."""
     from .line_command import line
 
-    return line(type, weight, stiffness, length, depth, fairlead_z, span, tension, friction, slope_deg, output)
+    at = {"span": span, "tension": tension, "friction": friction, "slope_deg": slope_deg}
+    return line(type, weight, stiffness, length, depth, fairlead_z, **at, characteristic=characteristic, output=output)
 
 
 def lines(
@@ -39,6 +41,7 @@ def lines(
     force: Annotated[str | None, Parameter(help="Fx,Fy,Mz in kN and kN m on it", allow_leading_hyphen=True)] = None,
     offset: Annotated[float | None, Parameter(help="m, draw and print the offset curve to both sides")] = None,
     direction: Annotated[str | None, Parameter(help="degrees of the offsets: a,b,c", allow_leading_hyphen=True)] = None,
+    characteristic: Annotated[str | None, Parameter(help="name of a line: its span and forces, slack to taut")] = None,
     broken: Annotated[bool, Parameter(help="the equilibrium after the loss of each line", negative="")] = False,
     depth: Annotated[
         float | None, Parameter(help="m, for a MoorDyn or YAML file that does not say it", allow_leading_hyphen=True)
@@ -66,7 +69,8 @@ def lines(
     load = _numbers("--force", force) if force else None
     directions = _numbers("--direction", direction) if direction else [0.0, 90.0]
     check_count("--direction", len(directions), most=360)
-    return lines(file, body, load, depth, offset, directions, broken, database, output, picture, moordyn)
+    asked = characteristic, broken, database, output, picture, moordyn
+    return lines(file, body, load, depth, offset, directions, *asked)
 
 
 def _numbers(flag, text):

@@ -78,10 +78,13 @@ class OneLine:
         return (FLOATING_STATES if self.floats else STATES)[int(found.status)]
 
 
-def line(type, weight, stiffness, length, depth, fairlead_z, span, tension, friction, slope_deg, output):
+def line(
+    type, weight, stiffness, length, depth, fairlead_z, *, span, tension, friction, slope_deg, characteristic, output
+):
     """Solve one line for a span, or for the span at a horizontal tension.
 
-    weight : N/m; stiffness : kN; length, depth, fairlead_z, span : m; tension : kN; raises : ValueError, one line
+    weight : N/m; stiffness : kN; length, depth, fairlead_z, span : m; tension : kN
+    characteristic : whether spans and forces from slack to taut are printed; raises : ValueError, one line
     """
     if output is not None:
         check_picture(output, PLOTS)
@@ -100,6 +103,8 @@ def line(type, weight, stiffness, length, depth, fairlead_z, span, tension, fric
     _check_above_bed(one, span, depth)
     found = one.solve(span)
     _show(one, span, found)
+    if characteristic:
+        _show_characteristic(one, span)
     if output is not None:
         _draw(one, span, found, output)
         print(output)
@@ -175,6 +180,15 @@ def _show(one, span, found):
             f"warning: the line is {100 * strain:.3g} % longer than unstretched, limit {100 * LONGEST_STRAIN:g} %, "
             "where any rope parts; give a longer line or a shorter span"
         )
+
+
+def _show_characteristic(one, span):
+    from ..printing.console import new_console
+    from .characteristic import show_characteristic
+
+    spans, curve = tension_curve(one, 24)
+    columns = spans, curve.horizontal_fairlead, curve.tension_fairlead, curve.grounded_length
+    show_characteristic(new_console(), one.type.name, *columns, span, one.type.breaking_load)
 
 
 def _kN(value):

@@ -26,10 +26,11 @@ OF_POINTS = 2e-3  # s for the square of the number of free points, where they ar
 SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
 
 
-def lines(file, body, force, depth, offset, directions, broken, database, output, picture, moordyn):
+def lines(file, body, force, depth, offset, directions, characteristic, broken, database, output, picture, moordyn):
     """Run the system of a file.
 
-    force : (3,) kN, kN and kN m on the body; offset : m; directions : degrees; returns the exit status
+    force : (3,) kN, kN and kN m on the body; offset : m; directions : degrees; characteristic : name of a line
+    returns : the exit status
     raises : ValueError, one line
     """
     from bem.database import open_database
@@ -70,6 +71,8 @@ def lines(file, body, force, depth, offset, directions, broken, database, output
         _show_stiffness(console, state, name)
     if curves:
         _show_curves(console, name, curves, directions)
+    if characteristic is not None:
+        _show_line(console, state, characteristic)
     if broken:
         _show_losses(console, state, losses, name)
     if database is not None:
@@ -223,6 +226,15 @@ def _show_curves(console, name, curves, directions):
         tension = [f"{curve.tension[j].max() / KN:.1f}" for curve in curves]
         table.add_row(f"{value:.2f}", *forces, *tension)
     console.print(table)
+
+
+def _show_line(console, state, name):
+    from mooring.lines.system.characteristic import characteristic
+
+    from .characteristic import show_characteristic
+
+    found, number = characteristic(state, name), state.system.line_names.index(name)
+    show_characteristic(console, name, *found, state.system.breaking_load[number])
 
 
 def _show_losses(console, state, losses, name):

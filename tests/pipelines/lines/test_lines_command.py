@@ -106,6 +106,16 @@ def test_line_prints_the_forces_of_the_line_and_draws_it(tmp_path, capsys):
     assert picture.stat().st_size > 10_000
 
 
+def test_the_characteristic_of_one_line_is_that_of_a_line_of_a_system(spread, capsys):
+    assert main(["lines", str(spread), "--characteristic", "port"]) == 0
+    assert "port: from slack to taut" in capsys.readouterr().out
+    assert main(["lines", str(spread), "--characteristic", "L9"]) == 2
+    assert "line 'L9' is unknown" in capsys.readouterr().err
+    flags = ["--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--tension", "300"]
+    assert main(["line", *flags, "--characteristic"]) == 0
+    assert "as it hangs the span is" in " ".join(capsys.readouterr().out.split())
+
+
 def test_line_finds_the_span_of_a_tension(capsys):
     assert main(["line", "--type", "R4 studlink 84 mm", "--length", "400", "--depth", "80", "--tension", "500"]) == 0
     assert "500.000," in capsys.readouterr().out

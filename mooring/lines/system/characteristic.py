@@ -1,0 +1,78 @@
+"""How the pull of one line of a system at rest grows with its span: X(H) and T(X), for any kind of line.
+
+The end at the anchor, or end a of a line without one, stays; the other moves in the line's plane at its own height,
+from where the line hangs slack to where it carries a given tension.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .parts import EquilibriumError, LineSystemError
+
+OVER = 4.0  # times the tension at rest, where no breaking load is known
+SLACK = 1e-3  # of the horizontal pull at the end of the curve: where it begins
+ROUNDS = 60  # of halving, to rounding
+
+
+class Characteristic(NamedTuple):
+    """All (m,): span m, horizontal pull and tension N at the end that moves, length on the bed m; rest : m, span"""
+
+    span: np.ndarray
+    horizontal: np.ndarray
+    tension: np.ndarray
+    grounded: np.ndarray
+    rest: float
+
+
+def characteristic(state, name, points=24):
+    """Characteristic of the line `name` of a SystemEquilibrium, half of its points in the last tenth, where it is taut.
+
+    It ends at the breaking load, or at four times the tension at rest.
+    raises : LineSystemError for a name that is not there, EquilibriumError where the line has no forces
+    """
+    system = state.system
+    if name not in system.line_names:
+        raise LineSystemError(f"line {name!r} is unknown; allowed: {', '.join(system.line_names)}")
+    number = system.line_names.index(name)
+    starts, ends = state.points[system.arrays.ends].swapaxes(0, 1).copy()
+    moving, held = (starts, ends) if system.anchored_ends[number] == "b" else (ends, starts)
+    way = moving[number, :2] - held[number, :2]
+    rest = float(np.hypot(*way))
+    way = way / rest if rest > 0 else np.array([1.0, 0.0])
+
+    def pulls(span):
+        moving[number, :2] = held[number, :2] + span * way
+        found = system.forces_between(starts, ends)
+        side = "a" if moving is starts else "b"
+        return [float(getattr(found, f"{what}{side}")[number]) for what in ("horizontal_", "tension_")] + [
+            float(found.grounded_length[number])
+        ]
+
+    breaking = system.breaking_load[number]
+    most = breaking if np.isfinite(breaking) else OVER * state.tension[number]
+    top = _where(lambda span: pulls(span)[1] > most, rest, system.lines[number].length)
+    least = SLACK * pulls(top)[0]
+    low = _halved(lambda span: pulls(span)[0] > least, 0.0, top)
+    share = np.concatenate([np.linspace(0, 0.9, points // 2, endpoint=False), np.linspace(0.9, 1, -(-points // 2))])
+    spans = low + share * (top - low)
+    return Characteristic(spans, *np.array([pulls(span) for span in spans]).T, rest)
+
+
+def _where(beyond, rest, length):
+    """Largest span at which the pull is not yet beyond the one asked for"""
+    low, high = (0.0, rest) if beyond(rest) else (rest, rest + 1e-3 * length)
+    for _ in range(ROUNDS):
+        if beyond(high):
+            return _halved(beyond, low, high)
+        low, high = high, high + 2 * (high - low)
+    raise EquilibriumError(f"the line of {length:g} m does not come to its end at a span of {high:g} m")
+
+
+def _halved(beyond, low, high):
+    for _ in range(ROUNDS):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if beyond(middle) else (middle, high)
+    return low

@@ -1,0 +1,57 @@
+"""The characteristic of a line of a system, whatever its kind, against closed forms and the system at rest."""
+
+import numpy as np
+import pytest
+
+from mooring.lines.catenary.solve import span_at_tension
+from mooring.lines.multi_segment.segments import PointLoad, Segment
+from mooring.lines.system.characteristic import characteristic
+from mooring.lines.system.equilibrium import rest
+from mooring.lines.system.graph import System
+from mooring.lines.system.parts import (
+    Anchor,
+    CompositeLine,
+    Fairlead,
+    LineSystemError,
+    LineType,
+    MooredBody,
+    UniformLine,
+)
+
+CHAIN = LineType("chain", 1000.0, 5e8, breaking_load=4e6)
+PARTS = (Segment(150.0, 1000.0, 5e8, breaking_load=4e6), Segment(120.0, 200.0, 8e7, breaking_load=3e6))
+
+
+def fairleads_held():
+    points = [Anchor(f"A{i}", (260.0 * x, 0.0, -80.0)) for i, x in enumerate((-1.0, 1.0))]
+    points += [Fairlead(f"F{i}", "hull", (12.0 * x, 0.0, -2.0)) for i, x in enumerate((-1.0, 1.0))]
+    lines = [
+        UniformLine("chain", CHAIN, 275.0, "A0", "F0", 0.4),
+        CompositeLine("rope", PARTS[::-1], "F1", "A1", (PointLoad(120.0, 2e4),)),
+    ]
+    return rest(System(80.0, lines, points, (MooredBody("hull", freedom=()),)))
+
+
+@pytest.mark.parametrize("name", ["chain", "rope"])
+def test_a_characteristic_rises_from_slack_through_the_line_at_rest_to_its_breaking_load(name):
+    state = fairleads_held()
+    found, number = characteristic(state, name, 60), state.system.line_names.index(name)
+    assert np.all(np.diff(found.span) > 0) and np.all(np.diff(found.horizontal) > 0)
+    assert np.isclose(found.tension[-1], state.system.breaking_load[number], rtol=1e-9)
+    assert found.horizontal[0] < 2e-3 * found.horizontal[-1] and np.all(np.diff(found.grounded) <= 1e-9)
+    assert found.rest == 248.0 and found.span[0] < found.rest < found.span[-1]
+    at_rest = np.exp(np.interp(found.rest, found.span, np.log(found.tension)))
+    assert np.isclose(at_rest, state.tension[number], rtol=0.02)
+
+
+def test_the_characteristic_of_a_uniform_line_is_its_span_at_each_tension():
+    found = characteristic(fairleads_held(), "chain")
+    exact, lying = span_at_tension(found.horizontal, 78.0, 275.0, 1000.0, 5e8, 0.4)
+    lies = lying > 0
+    assert lies.sum() > 5
+    assert np.abs(exact - found.span)[lies].max() < 1e-6 and np.abs(lying - found.grounded)[lies].max() < 1e-5
+
+
+def test_a_line_that_is_not_there_is_named():
+    with pytest.raises(LineSystemError, match="line 'wire' is unknown; allowed: chain, rope"):
+        characteristic(fairleads_held(), "wire")
