@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from .file import SUMMARY
+
 PLANE = {"surge": 0, "sway": 1, "yaw": 5}
 NEAR = 0.2  # of a harbour's period, within which a natural period is near it
 FEWEST = 5  # waves of a window
@@ -38,6 +40,30 @@ def lines_on_periods(periods, harbour):
         for name, T in known.items() for own in harbour if abs(T / own - 1) <= NEAR
     ]  # fmt: skip
     return told, near
+
+
+def lines_on_fenders(file, fenders):
+    """A line on the most strained fender, and findings on those beyond what they may be strained
+
+    file : open, of a simulation; fenders : sequence of `mooring.motion.contacts.QuayFender`
+    """
+    names, strained = list(file["quantity"].asstr()[()]), []
+    for one in fenders:
+        row = dict(zip(SUMMARY, file["summary"][names.index(f"deflection {one.name}")], strict=True))
+        expected = row["upper_value"] if np.isfinite(row["upper_value"]) else row["largest"]
+        strained.append((max(expected, row["largest"]) / one.fender.height, one))
+    if not strained:
+        return "", []
+    share, most = max(strained, key=lambda pair: pair[0] / pair[1].fender.allowable)
+    told = (
+        f"fenders: {most.name} is strained most, to {100 * share:.3g} % of its height; allowed: "
+        f"{100 * most.fender.allowable:.3g} %"
+    )
+    return told, [
+        f"{one.name} is pressed to {100 * share:.3g} % of its height; allowed: {100 * one.fender.allowable:.3g} %; "
+        "take a larger one or more of them"
+        for share, one in strained if share > one.fender.allowable
+    ]  # fmt: skip
 
 
 def check_harbour(periods):

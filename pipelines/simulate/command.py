@@ -48,13 +48,21 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
 
 
 def _show(console, file, study, database, findings):
+    from bem.database import open_database
+
     beside, more = beside_of(study, database)
     if "natural_period" in file.attrs:
-        harbour = read_study(study)[0].harbour
-        known = [] if harbour is None else berth.check_harbour(harbour.periods)
-        told, near = berth.lines_on_periods(file.attrs["natural_period"], known)
-        console.print(told, highlight=False, soft_wrap=True)
-        more = (*more, *near)
+        read = read_study(study)[0]
+        harbour = [] if read.harbour is None else berth.check_harbour(read.harbour.periods)
+        db = open_database(database)
+        fenders = read.berth(read.hull_of(db.dimensions), db.rotation_center).fenders
+        for told, findings_of_it in (
+            berth.lines_on_periods(file.attrs["natural_period"], harbour),
+            berth.lines_on_fenders(file, fenders),
+        ):
+            if told:
+                console.print(told, highlight=False, soft_wrap=True, markup=False)
+            more = (*more, *findings_of_it)
     periods, wave_period = {}, float(file.attrs["mean_period"])
     if beside is not None:
         state = beside.at_equilibrium

@@ -90,6 +90,8 @@ COMMANDS = {
     "damping decay.csv --mass 1000 --plot new.png": ("decay.csv",),
     "breakwater breakwater.toml --output new.h5": ("breakwater.toml", "breakwater_rectangle.csv"),
     "single-point single_point.toml --output new.h5": ("single_point.toml",),
+    "earthquake earthquake.toml --output new.csv --plot new.png": ("earthquake.toml", "ground.csv"),
+    "simulate quay.toml --database box.h5 --output new.h5 --windows 20": ("quay.toml", "berth.csv"),
     "keys study lines": (),
     "new study new.toml": (),
 }
@@ -104,6 +106,13 @@ memory = "constant"
 damping_ratio = { roll = 0.05 }
 lines_lost = [{ line = "fore port 1", time = 30.0 }]
 """
+QUAY = {
+    "duration": 60.0,
+    "ramp": 20.0,
+    "memory": "constant",
+    "damping_ratio": {"roll": 0.02},
+    "record": {"file": "berth.csv", "direction_deg": 90.0},
+}
 FENDER = """strain,reaction_kN
 0,0
 0.1,40
@@ -150,6 +159,8 @@ def good_inputs(folder):
             ("berth_tanker", "berth"),
             ("breakwater_rectangle", "breakwater"),
             ("single_point_A", "single_point"),
+            ("earthquake_box", "earthquake"),
+            ("simulate_quay", "quay"),
         ):
             shutil.copy(SCENES / f"{source}.toml", f"{name}.toml")
         for name in ("response_climate.csv", "breakwater_rectangle.csv"):
@@ -158,6 +169,17 @@ def good_inputs(folder):
         times = [0.1 * i for i in range(400)]
         decay = (f"{t},{math.exp(-0.02 * t) * math.cos(0.8 * t)}\n" for t in times)
         Path("decay.csv").write_text("time_s,motion_m\n" + "".join(decay), encoding="utf-8")
+        shaken = (f"{t},{math.exp(-0.1 * t) * math.sin(5 * t)}\n" for t in times)
+        Path("ground.csv").write_text("time_s,acceleration_m_s2\n" + "".join(shaken), encoding="utf-8")
+        with open("earthquake.toml", "a", encoding="utf-8") as file:
+            file.write('\n[record]\nfile = "ground.csv"\n')
+        heights = (f"{t},{0.3 * math.cos(0.6 * t)}\n" for t in range(100))
+        Path("berth.csv").write_text("time_s,elevation_m\n" + "".join(heights), encoding="utf-8")
+        quay = tomllib.loads(Path("quay.toml").read_text(encoding="utf-8"))
+        quay.pop("waves")
+        quay["simulation"] = QUAY
+        quay["harbour"] = {"periods": [60.0]}
+        Path("quay.toml").write_text(tomli_w.dumps(quay), encoding="utf-8")
         scene = tomllib.loads(Path("scene.toml").read_text(encoding="utf-8"))
         scene["waves"] = {"omegas": [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0], "headings_deg": [0, 45, 90]}
         Path("scene.toml").write_text(tomli_w.dumps(scene), encoding="utf-8")

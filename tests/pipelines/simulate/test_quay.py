@@ -52,6 +52,7 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     assert main([*words, "--duration", "60", "--seeds", "1", "--output", str(run), "--windows", "30"]) == 0
     told = capsys.readouterr().out
     assert "natural periods of small motions at the berth: surge " in told and "in windows of 30 s" in told
+    assert "fenders: F" in told and "% of its height; allowed: 50 %" in told
     assert "deflection F1, m" in told and "tension head 1, tonf" in told and "knows no fenders" in told
     with opened(run) as file:
         names = list(file["quantity"].asstr()[()])
