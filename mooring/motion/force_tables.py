@@ -1,16 +1,20 @@
 """Forces of a line of segments, sinkers and buoys over the region that its fairlead visits, as a table for kernels.
 
-Forces H, V and their exact derivatives come from the line's own solver at nodes of the chord c = √(x² + z²) and the
-height z: a line becomes taut at one chord, whatever its height.  Between them they are bicubic Hermite polynomials,
+Forces H, V and their exact derivatives come from the line's own solver at the corners of cells of the chord
+c = √(x² + z²) and the height z: a line becomes taut at one chord, whatever its height.  In a cell they are Adini's
+polynomials, complete to third degree, of the values and derivatives at its four corners,
 
     ∂f/∂c at z = (c/x) ∂f/∂x,    ∂f/∂z at c = ∂f/∂z − (z/x) ∂f/∂x.
 
-Intervals are halved until the polynomial is right in the middle of each, within a tolerance of the tension there or at
-rest, whichever is larger.  Where a sinker lifts or a buoy dives stiffness has a kink, and the nodes are close.
+A cell is halved, along the axis on which it is worse, until the polynomial is right in its middle and in those of its
+edges, within a tolerance of the tension there or at rest, whichever is larger.  The cells become small along the curves
+on which a sinker lifts, a buoy dives or the part above a sinker is taut, wherever these run.  Beyond the greatest chord
+a line, taut there, pulls on with the stiffness it has.
 """
 
 from __future__ import annotations
 
+import heapq
 from typing import NamedTuple
 
 import numpy as np
@@ -20,20 +24,35 @@ from bem.kernels.jit import kernel
 from ..lines.catenary.flat_bed import ROW
 from ..lines.system.composite import fill_row
 
-TOLERANCE = 2e-3  # of the tension there, or at rest if that is larger
-CHORDS, HEIGHTS = 161, 65  # nodes at most
-SAMPLES = 40
-SMALLEST = 2e-3  # of the range, between nodes
+TOLERANCE = 5e-3  # of the tension there, or at rest if that is larger
+FIRST = (8, 4)  # cells that are halved, of chord and height
+MOST_CELLS = 6000
+SMALLEST = 2e-4  # of the range, of a cell
+CHECKS = 200  # places, other than those that decided the cells
 OVERLOAD, STRAIN = 2.0, 0.02  # ends of the table: tension over the breaking load, strain where none is known
 
 
 class ForceTable(NamedTuple):
-    """chords (p,), heights (q,) m; values (p, q, 2, 4) of H and V: f, f_c, f_z, f_cz; error at random places"""
+    """A tree of cells.
 
-    chords: np.ndarray
-    heights: np.ndarray
+    ends : (2, 2) m, of chord and height; first : number of cells along each of them before any is halved
+    halved : (n,) m, where a cell is cut, at a chord where along (n,) is 0, at a height where it is 1
+    below : (n,) number of the lower half, the upper is the next; of a cell that is whole −1 − its row in the next two
+    cells : (m, 4) m, lowest chord and height, sizes; values : (m, 2, 4, 4) of H and V at the corners (low, low),
+        (high, low), (low, high), (high, high): f, f_c, f_z, f_cz
+    error : the largest found in any cell, at places that did not decide it too, over the tension
+    coarse : share of the region in cells that are further off than TOLERANCE
+    """
+
+    ends: np.ndarray
+    first: tuple[int, int]
+    halved: np.ndarray
+    along: np.ndarray
+    below: np.ndarray
+    cells: np.ndarray
     values: np.ndarray
     error: float
+    coarse: float
 
 
 def tabulate(composite, breaking_load, span, height, reach):
@@ -47,28 +66,105 @@ def tabulate(composite, breaking_load, span, height, reach):
     if np.isnan(at_rest).any():
         raise ValueError(f"the line has no equilibrium at a span of {span:.4g} m and a height of {height:.4g} m")
     floor = float(np.hypot(at_rest[0, 0], at_rest[1, 0]))
-    low, high = _slackest(chord, span, height, reach), _tautest(composite, breaking_load, chord, height)
-    ends = height - reach[1], height + reach[1]
-    some = np.linspace(*ends, 5)
-    chords = _nodes(lambda c: np.vstack([_solved(composite, c, z) for z in some]), low, high, 1, CHORDS, floor)
-    close = np.sort(chords[np.argsort(np.diff(chords))[:6]])  # where the line's forces bend most
-    heights = _nodes(lambda z: np.vstack([_solved(composite, c, z) for c in close]), *ends, 2, HEIGHTS, floor)
-    grid = np.array([[_solved(composite, c, z) for z in heights] for c in chords])
-    values = np.concatenate([grid, np.gradient(grid[..., 1], heights, axis=1)[..., None]], axis=-1)
-    values = np.ascontiguousarray(values)
-    error = _sampled_error(composite, chords, heights, values, floor)
-    return ForceTable(chords, heights, values, error)
+    chords = _slackest(chord, span, height, reach), _tautest(composite, breaking_load, chord, height)
+    ends = np.array([chords, (height - reach[1], height + reach[1])])
+    known = {}
+
+    def solve(c, z):
+        if (c, z) not in known:
+            known[c, z] = _solved(composite, c, z)
+        return known[c, z]
+
+    tree = _Tree(solve, ends, floor)
+    tree.grow()
+    return tree.table(composite)
 
 
-def _sampled_error(composite, chords, heights, values, floor):
-    """Largest error over the tension at SAMPLES random places, between all nodes"""
-    rng, worst = np.random.default_rng(1), 0.0
-    for c, z in zip(rng.uniform(*chords[[0, -1]], SAMPLES), rng.uniform(*heights[[0, -1]], SAMPLES), strict=True):
-        found = _solved(composite, c, z)[:, 0]
-        read = table_pull(chords, heights, values, float(np.sqrt(c * c - z * z)), z)
-        if np.all(np.isfinite(found)):
-            worst = max(worst, np.abs(np.subtract(read, found)).max() / max(float(np.hypot(*found)), floor))
-    return float(worst)
+class _Tree:
+    """Cells of a table while they are halved; `whole` is a heap of (−error, number) of those that may be."""
+
+    def __init__(self, solve, ends, floor):
+        self.solve, self.ends, self.floor = solve, ends, floor
+        self.boxes, self.cut, self.whole, self.errors = [], {}, [], []
+        c, z = (np.linspace(*pair, count + 1) for pair, count in zip(ends, FIRST, strict=True))
+        for i in range(FIRST[0]):
+            for j in range(FIRST[1]):
+                self._add((c[i], z[j], c[i + 1], z[j + 1]))
+
+    def _add(self, box):
+        """A cell (low chord, low height, high chord, high height), with its error and the axis to halve it on"""
+        (c0, z0, c1, z1), number = box, len(self.boxes)
+        corners = [self.solve(c, z) for z in (z0, z1) for c in (c0, c1)]
+        values, size = _with_twist(np.array(corners), c1 - c0, z1 - z0), (c1 - c0, z1 - z0)
+        error = np.zeros(5)
+        for place, (s, t) in enumerate(MIDDLES):
+            found = self.solve(c0 + s * size[0], z0 + t * size[1])[:, 0]
+            read = np.array(cell_pull(values, size[0], size[1], s, t))
+            error[place] = np.nan_to_num(np.abs(read - found).max() / max(float(np.hypot(*found)), self.floor))
+        self.boxes.append(box)
+        self.errors.append(float(error.max()))
+        may = [size[i] > 2 * SMALLEST * np.ptp(self.ends[i]) for i in range(2)]
+        if self.errors[-1] > TOLERANCE and any(may):
+            axis = int(error[3:].max() > error[1:3].max())
+            heapq.heappush(self.whole, (-self.errors[-1], number, axis if may[axis] else 1 - axis))
+
+    def grow(self):
+        """Halve the worst cell until all are right, or as small as they may be, or there are enough."""
+        while self.whole and len(self.boxes) < 2 * MOST_CELLS:
+            _, number, axis = heapq.heappop(self.whole)
+            low, high = list(self.boxes[number]), list(self.boxes[number])
+            middle = 0.5 * (low[axis] + low[axis + 2])
+            high[axis] = low[axis + 2] = middle
+            self.cut[number] = (middle, axis, len(self.boxes))
+            self._add(tuple(low))
+            self._add(tuple(high))
+
+    def table(self, composite):
+        """The `ForceTable` of the cells"""
+        count = len(self.boxes)
+        halved, along, below = np.zeros(count), np.zeros(count, np.int64), np.zeros(count, np.int64)
+        cells, values = [], []
+        for number, (c0, z0, c1, z1) in enumerate(self.boxes):
+            if number in self.cut:
+                halved[number], along[number], below[number] = self.cut[number]
+                continue
+            below[number] = -1 - len(cells)
+            cells.append((c0, z0, c1 - c0, z1 - z0))
+            corners = [self.solve(c, z) for z in (z0, z1) for c in (c0, c1)]
+            values.append(_with_twist(np.array(corners), c1 - c0, z1 - z0))
+        cells = np.array(cells)
+        errors = np.array([self.errors[number] for number in range(count) if number not in self.cut])
+        area = cells[:, 2] * cells[:, 3]
+        coarse = float(area[errors > TOLERANCE].sum() / area.sum())
+        table = ForceTable(self.ends, FIRST, halved, along, below, cells, np.array(values), errors.max(), coarse)
+        return table._replace(error=max(float(errors.max()), self._elsewhere(table, composite)))
+
+    def _elsewhere(self, table, composite):
+        """Largest error at CHECKS places in cells drawn alike, so that small ones are looked at too"""
+        rng, worst, tables = np.random.default_rng(1), 0.0, packed([table])
+        for number in rng.integers(0, len(table.cells), CHECKS):
+            c0, z0, dc, dz = table.cells[number]
+            c, z = c0 + rng.uniform() * dc, z0 + rng.uniform() * dz
+            found = _solved(composite, c, z)[:, 0]
+            read = packed_pull(tables, 0, float(np.sqrt(max(c * c - z * z, 0.0))), z)
+            if np.all(np.isfinite(found)) and np.all(np.isfinite(read)):
+                worst = max(worst, np.abs(np.subtract(read, found)).max() / max(float(np.hypot(*found)), self.floor))
+        return float(worst)
+
+
+MIDDLES = ((0.5, 0.5), (0.5, 0.0), (0.5, 1.0), (0.0, 0.5), (1.0, 0.5))  # of a cell, of its edges along c and z
+
+
+def _with_twist(corners, dc, dz):
+    """(2, 4, 4) of H and V at the corners of a cell, with the mixed derivatives of Adini's polynomial
+
+    corners : (4, 2, 3) f, f_c, f_z at (low, low), (high, low), (low, high), (high, high) chord and height
+    """
+    f, f_c, f_z = np.moveaxis(corners, -1, 0)  # (4, 2)
+    saddle = (f[3] - f[2] - f[1] + f[0]) / (dc * dz)
+    across = (f_c[[2, 3, 2, 3]] - f_c[[0, 1, 0, 1]]) / dz
+    upward = (f_z[[1, 1, 3, 3]] - f_z[[0, 0, 2, 2]]) / dc
+    return np.ascontiguousarray(np.moveaxis(np.stack([f, f_c, f_z, across + upward - saddle], axis=-1), 0, 1))
 
 
 def _slackest(chord, span, height, reach):
@@ -102,85 +198,89 @@ def _tautest(composite, breaking_load, chord, height):
     return low
 
 
-def _nodes(solve, low, high, column, most, floor):
-    """Rising nodes of one axis"""
-    x = list(np.linspace(low, high, 9))
-    f = [solve(v) for v in x]
-    gap = SMALLEST * (high - low)
-    errors = [None] * 8
-    while True:
-        for i, known in enumerate(errors):
-            if known is None:
-                errors[i] = _middle(solve, x, f, i, column, floor)
-        open_ = [e[0] if x[i + 1] - x[i] > 2 * gap else 0.0 for i, e in enumerate(errors)]
-        worst = int(np.argmax(open_))
-        if open_[worst] <= TOLERANCE or len(x) >= most:
-            return np.array(x)
-        middle, values = 0.5 * (x[worst] + x[worst + 1]), errors[worst][1]
-        x.insert(worst + 1, middle)
-        f.insert(worst + 1, values)
-        errors[worst : worst + 1] = [None, None]
-
-
-def _middle(solve, x, f, i, column, floor):
-    """Error of the cubics in the middle of interval i over the tension, and the solutions there"""
-    h = x[i + 1] - x[i]
-    found = solve(x[i] + 0.5 * h)
-    cubic = 0.5 * (f[i][:, 0] + f[i + 1][:, 0]) + 0.125 * h * (f[i][:, column] - f[i + 1][:, column])
-    size = np.maximum(np.hypot(found[::2, 0], found[1::2, 0]), floor)
-    error = np.abs(cubic - found[:, 0]) / np.repeat(size, 2)
-    return float(np.nan_to_num(error).max()), found
-
-
 class Packed(NamedTuple):
-    """Tables of any size in three arrays: nodes (n,), values (m, 2, 4), and places (k, 5) of each table in them."""
+    """Tables in arrays, as in `ForceTable`; ends (k, 2, 2), first (k, 2) and root (k,), the first cell, of each."""
 
-    nodes: np.ndarray
+    ends: np.ndarray
+    first: np.ndarray
+    root: np.ndarray
+    halved: np.ndarray
+    along: np.ndarray
+    below: np.ndarray
+    cells: np.ndarray
     values: np.ndarray
-    places: np.ndarray
 
 
 def packed(tables):
     """`Packed` of ForceTables"""
-    nodes, values, places, n, m = [np.zeros(0)], [np.zeros((0, 2, 4))], [], 0, 0
+    below, nodes, whole = [np.zeros(0, np.int64)], 0, 0
+    root = []
     for table in tables:
-        p, q = len(table.chords), len(table.heights)
-        nodes += [table.chords, table.heights]
-        values.append(table.values.reshape(p * q, 2, 4))
-        places.append((n, p, n + p, q, m))
-        n, m = n + p + q, m + p * q
-    return Packed(np.concatenate(nodes), np.concatenate(values), np.array(places, np.int64).reshape(-1, 5))
+        root.append(nodes)
+        below.append(np.where(table.below < 0, table.below - whole, table.below + nodes))
+        nodes, whole = nodes + len(table.below), whole + len(table.cells)
+
+    def joined(name, shape, kind=float):
+        return np.concatenate([np.zeros((0, *shape), kind), *(getattr(one, name) for one in tables)])
+
+    return Packed(
+        np.array([table.ends for table in tables], float).reshape(-1, 2, 2),
+        np.array([table.first for table in tables], np.int64).reshape(-1, 2),
+        np.array(root, np.int64),
+        joined("halved", ()),
+        joined("along", (), np.int64),
+        np.concatenate(below),
+        joined("cells", (4,)),
+        joined("values", (2, 4, 4)),
+    )
 
 
 @kernel()
-def table_pull(chords, heights, values, x, z):
-    """(H, V) N of a `ForceTable` at a span x and height z; nan beyond it.  Below its least chord it is that there."""
-    x = max(np.sqrt(x * x + z * z), chords[0])
-    if not (x <= chords[-1] and heights[0] <= z <= heights[-1]):
-        return np.nan, np.nan
-    i = min(max(np.searchsorted(chords, x) - 1, 0), chords.size - 2)
-    j = min(max(np.searchsorted(heights, z) - 1, 0), heights.size - 2)
-    dx, dz = chords[i + 1] - chords[i], heights[j + 1] - heights[j]
-    s, t = (x - chords[i]) / dx, (z - heights[j]) / dz
+def cell_pull(values, dc, dz, s, t):
+    """(H, V) N of the values (2, 4, 4) of a cell at s, t of its sizes, 0 to 1"""
     a, b = (1 + 2 * s) * (1 - s) ** 2, s * s * (3 - 2 * s)
-    c, d = dx * s * (1 - s) ** 2, -dx * s * s * (1 - s)
+    c, d = dc * s * (1 - s) ** 2, -dc * s * s * (1 - s)
     e, f = (1 + 2 * t) * (1 - t) ** 2, t * t * (3 - 2 * t)
     g, h = dz * t * (1 - t) ** 2, -dz * t * t * (1 - t)
     H = V = 0.0
     for k in range(2):
-        p, q, r, w = values[i, j, k], values[i + 1, j, k], values[i, j + 1, k], values[i + 1, j + 1, k]
+        p, q, r, w = values[k, 0], values[k, 1], values[k, 2], values[k, 3]
         low = a * p[0] + b * q[0] + c * p[1] + d * q[1]
         high = a * r[0] + b * w[0] + c * r[1] + d * w[1]
         low_z = a * p[2] + b * q[2] + c * p[3] + d * q[3]
         high_z = a * r[2] + b * w[2] + c * r[3] + d * w[3]
         total = e * low + f * high + g * low_z + h * high_z
         H, V = (total, V) if k == 0 else (H, total)
-    return max(H, 0.0), V
+    return H, V
 
 
 @kernel()
 def packed_pull(tables, number, x, z):
-    """`table_pull` of one table of a `Packed`"""
-    first, p, second, q, start = tables.places[number]
-    values = tables.values[start : start + p * q].reshape(p, q, 2, 4)
-    return table_pull(tables.nodes[first : first + p], tables.nodes[second : second + q], values, x, z)
+    """(H, V) N of a table of a `Packed` at a span x and height z; nan above and below it.
+
+    Below its least chord it is that there; beyond its greatest it goes on straight along the chord.
+    """
+    ends, first = tables.ends[number], tables.first[number]
+    c = max(np.sqrt(x * x + z * z), ends[0, 0])
+    if not (np.isfinite(c) and ends[1, 0] <= z <= ends[1, 1]):
+        return np.nan, np.nan
+    at = min(c, ends[0, 1])
+    i = min(int((at - ends[0, 0]) / (ends[0, 1] - ends[0, 0]) * first[0]), first[0] - 1)
+    j = min(int((z - ends[1, 0]) / (ends[1, 1] - ends[1, 0]) * first[1]), first[1] - 1)
+    node = tables.root[number] + i * first[1] + j
+    while tables.below[node] >= 0:
+        here = at if tables.along[node] == 0 else z
+        node = tables.below[node] + (1 if here > tables.halved[node] else 0)
+    cell = -1 - tables.below[node]
+    c0, z0, dc, dz = tables.cells[cell]
+    t = (z - z0) / dz
+    H, V = cell_pull(tables.values[cell], dc, dz, (at - c0) / dc, t)
+    if c > at:
+        values = tables.values[cell]
+        for k in range(2):
+            low, high = values[k, 1], values[k, 3]
+            e, f = (1 + 2 * t) * (1 - t) ** 2, t * t * (3 - 2 * t)
+            g, h = dz * t * (1 - t) ** 2, -dz * t * t * (1 - t)
+            slope = e * low[1] + f * high[1] + g * low[3] + h * high[3]
+            H, V = (H + slope * (c - at), V) if k == 0 else (H, V + slope * (c - at))
+    return max(H, 0.0), V

@@ -2,8 +2,7 @@
 
 A uniform line follows the closed forms, started from its last solution (`mooring.lines.catenary.moving_end`).  A line
 of segments, with sinkers and buoys or a bed of its own, is read from a table of its own solver over the span and
-height its fairlead visits: bicubic Hermite polynomials through forces and their exact derivatives.  A hawser pulls
-straight, with T(e) of its elongation.
+height its fairlead visits (`force_tables`).  A hawser pulls straight, with T(e) of its elongation.
 
 With R = Rz(ψ) Ry(θ) Rx(φ) the forces on the rates of x, y, z, φ, θ, ψ are those of virtual work,
 
@@ -25,7 +24,7 @@ from .force_tables import Packed, packed, packed_pull, tabulate
 
 reaction = kernel(inline=True)(reaction_of)
 NEVER = np.inf  # s at which a line breaks that does not
-REACH = (1.5, 0.35)  # depths that a span may fall and a fairlead rise or sink in a table
+REACH = (1.5, 0.6)  # depths that a span may fall and a fairlead rise or sink in a table
 
 
 class Lines(NamedTuple):
