@@ -89,6 +89,7 @@ class StateTable(Table):
     lines : "intact", "one lost"
     lost : the "worst" line of the intact case, or "each"
     weather : name of a state of the site, for wind, current and waves that are not given here
+    share : of the service life with this weather, for fatigue
     """
 
     name: str
@@ -100,6 +101,7 @@ class StateTable(Table):
     lines: list[str] = msgspec.field(default_factory=lambda: ["intact"])
     lost: str = "worst"
     weather: str | None = None
+    share: float = 0.0
     wind: WindTable | None = None
     current: StreamTable | None = None
     waves: WavesTable | None = None
@@ -142,6 +144,17 @@ class AnchorsTable(Table):
     lines: dict[str, float] = msgspec.field(default_factory=dict)
 
 
+class FatigueTable(Table):
+    """Fatigue of the lines by their tensions in time
+
+    curve : name of a curve of cycles to failure, such as "DNV studless chain"
+    factor : by which the damage over the service life is multiplied, at least 1
+    """
+
+    curve: str
+    factor: float = 3.0
+
+
 class Project(Table):
     """A site, its states of weather and the rules that judge them
 
@@ -154,6 +167,7 @@ class Project(Table):
     levels: dict[str, float] = msgspec.field(default_factory=dict)
     wear: WearTable | None = None
     anchors: AnchorsTable | None = None
+    fatigue: FatigueTable | None = None
     simulation: SimulationTable | None = None
 
     def level(self, name):
@@ -193,6 +207,7 @@ def read_project(path):
     study, study_text = read_study_at_site(folder / own.study, "a mooring study")
     make_study(study)
     _check_wear(project, study)
+    _check_fatigue(project, study)
     return Read(project, raw, text, study, study_text, _criteria(project, folder), folder)
 
 
@@ -285,6 +300,25 @@ def _check_wear(project, study):
             f"wear of type {unnamed[0]!r} needs its diameter; give it by catalogue, such as catalogue = "
             '"R3 studless 76 mm"'
         )
+
+
+def _check_fatigue(project, study):
+    from mooring.criteria.fatigue import curves
+
+    shares = [state.share for state in project.states]
+    if any(not 0 <= share <= 1 for share in shares) or sum(shares) > 1 + 1e-9:
+        raise StudyError(f"states: shares of the time are {shares}; allowed: 0 to 1, together at most 1")
+    own = project.fatigue
+    if own is None:
+        return
+    _one("fatigue.curve", own.curve, tuple(curves()))
+    if not own.factor >= 1:
+        raise StudyError(f"fatigue.factor is {own.factor:g}; allowed: at least 1")
+    if project.simulation is None or project.project.service_life is None or not any(shares):
+        raise StudyError("fatigue needs [simulation], project.service_life and a share of the time of some state")
+    unnamed = [name for name, table in study["types"].items() if "catalogue" not in table]
+    if unnamed:
+        raise StudyError(f"fatigue of type {unnamed[0]!r} needs its diameter; give it by catalogue")
 
 
 def _criteria(project, folder):

@@ -15,6 +15,8 @@ from meshing.seals import write_sealed
 from meshing.whole_files import write_whole
 
 from ..common.picture import data_address
+from .checklist import checklist
+from .equipment import equipment
 from .project import MEAN, versions
 from .verdict import FAILS, OPEN, PASSES
 
@@ -33,7 +35,7 @@ IN_TIME = (
 SOURCES = "Tensions are lines/maximum_tension of its file, offsets equilibrium, motions motion_amplitude."
 IN_TIME_SOURCES = (
     "Tensions and motions are the extremes in the file of its runs, NAME_runs.h5; offset, yaw and forces at the anchor "
-    "are of the simplified method, in NAME.h5."
+    "in this table are of the simplified method, in NAME.h5."
 )
 
 
@@ -122,6 +124,12 @@ def _context(read, verdict, advice, paths, folder):
         "lines": _line_rows(verdict),
         "criteria": [_criterion(one, links) for one in verdict.judged],
         "cases": [_case(one, links) for one in verdict.ran],
+        "rule_sets": [_rule_set(one) for one in verdict.rule_sets],
+        "checklist": [
+            (one.text, WORDS[one.met] if one.met is not None else "does not apply", MARK[one.met], one.how)
+            for one in checklist(read)
+        ],
+        "equipment": [(society, f"{number:.0f}") for society, number in _equipment(read, db)],
         "plans": _plans(verdict, paths),
         "pictures": {"body": _body_picture(db), "use": _use_picture(verdict)},
         "warnings": _warnings(verdict),
@@ -241,6 +249,24 @@ def _criterion(one, links):
         }
         found["link"] = links.get(_with_factor(use.case, c.motion_factor), links[use.case])
     return found
+
+
+def _rule_set(one):
+    c, use = one.criterion, one.use
+    limit = f"{c.quantity} {c.sense} {c.limit:.4g}"
+    unread = f"{one.unread} of them not read in the book" if one.unread else ""
+    return {
+        "cells": (one.name, "judges" if one.chosen else "", f"{one.judged} of {one.known}", limit),
+        "used": f"{100 * use.utilisation:.0f} %",
+        "css": MARK[use.utilisation <= 1],
+        "by": f"{use.item}, {use.case}",
+        "unread": unread,
+    }
+
+
+def _equipment(read, db):
+    freeboard = read.study.get("hull", {}).get("freeboard")
+    return equipment(db.dimensions, freeboard, db.density * db.mesh.whole().volume)
 
 
 def _with_factor(name, factor):

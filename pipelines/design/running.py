@@ -211,8 +211,8 @@ def _tensions(read, ran, largest):
         largest,
         result["breaking_load"],
         _worn_loads(read, ran),
-        None if in_time else result["maximum_horizontal_anchor_force"],
-        None if in_time else holding,
+        ran.runs["horizontal"] if in_time else result["maximum_horizontal_anchor_force"],
+        holding,
     )
 
 

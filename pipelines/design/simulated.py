@@ -10,14 +10,16 @@ import tomllib
 
 import numpy as np
 
+from .fatigue import cycles_of
+
 
 def simulated(study, database, path, factors):
     """Numbers of a load case in time, run where the file does not have it.
 
     study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
     factors : of the dynamic displacement
-    returns : {"mean" (n,) N of the lines, "largest": {factor: (n,) N}, "motions": (6,) m, rad, largest from their
-        means, "findings"}
+    returns : {"mean" (n,) N of the lines, "largest": {factor: (n,) N}, "horizontal": (n,) N at the anchor with it,
+        "cycles": of `fatigue.cycles_of`, "motions": (6,) m, rad, largest from their means, "findings"}
     raises : ValueError, one line, where it cannot be run
     """
     from ..simulate.file import opened
@@ -31,13 +33,20 @@ def simulated(study, database, path, factors):
     with opened(path) as file:
         rows = [line_values(file, name) for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
-        motions = _largest_motions(file)
+        motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
     largest = {1.0: np.array([largest_tension(row) for row in rows])}
     for factor in factors:
         if factor != 1:
-            largest[factor] = _moved(study, database, motion, tension, factor)
-    mean = np.array([row["mean"] for row in rows])
-    return {"mean": mean, "largest": largest, "motions": motions, "findings": outcome.findings}
+            largest[factor] = _moved(study, database, motion, tension, factor)[0]
+    held, pulled = _moved(study, database, motion, tension, 1.0)
+    return {
+        "mean": np.array([row["mean"] for row in rows]),
+        "largest": largest,
+        "horizontal": pulled * np.maximum(largest[1.0] / held, 1.0),  # the extreme is beyond what the records have
+        "cycles": cycles_of(tension, step),
+        "motions": motions,
+        "findings": outcome.findings,
+    }
 
 
 def _run(study, database, path):
@@ -67,8 +76,11 @@ def _largest_motions(file):
 
 
 def _moved(study, database, motion, tension, factor):
-    """(n,) N: static tension of each line with the body at `factor` times its displacement from the mean at the
-    largest tension of the line, the mean over the runs; motion (runs, t, 6), tension (runs, t, n)"""
+    """(2, n) N: static tension of each line, and its horizontal pull on the anchor, with the body at `factor` times its
+    displacement from the mean at the largest tension of the line, the mean over the runs
+
+    motion : (runs, t, 6); tension : (runs, t, n)
+    """
     from bem.database import open_database
     from mooring.lines.system.equilibrium import held_at, rest
 
@@ -76,11 +88,12 @@ def _moved(study, database, motion, tension, factor):
 
     db, made = open_database(database), make_study(tomllib.loads(study.read_text(encoding="utf-8")))
     system = made.system(made.hull_of(db.dimensions), db.rotation_center, db.density, db.gravity)
-    (body,), out = system.bodies, np.zeros(tension.shape[1:][-1])
+    (body,), out = system.bodies, np.zeros((2, tension.shape[-1]))
     for moved, pulled in zip(motion, tension, strict=True):
         mean = moved.mean(axis=0)
-        for line in range(len(out)):
+        for line in range(out.shape[1]):
             place = mean + factor * (moved[pulled[:, line].argmax()] - mean)
             pose = tuple(float(a + b) for a, b in zip(body.position, place, strict=True))
-            out[line] += rest(held_at(system, {body.name: pose})).lines.tension_b[line] / len(motion)
+            lines = rest(held_at(system, {body.name: pose})).lines
+            out[:, line] += np.array([lines.tension_b[line], lines.horizontal_a[line]]) / len(motion)
     return out

@@ -7,6 +7,8 @@ from typing import NamedTuple
 from mooring.criteria.verdict import judge
 from mooring.response.return_period import return_period
 
+from .comparison import side_by_side
+from .fatigue import fatigue
 from .running import grouped, judged_case
 
 PASSES, FAILS, OPEN = "passes", "fails", "cannot be signed"
@@ -16,12 +18,14 @@ class Verdict(NamedTuple):
     """ran : all Ran; judged : a Judged for each criterion; return_period : years, None where it is not given
 
     word : passes, fails, or cannot be signed where a criterion is not judged or a case could not be run
+    rule_sets : of `comparison.side_by_side`
     """
 
     ran: list
     judged: tuple
     return_period: float | None
     word: str
+    rule_sets: tuple
 
 
 def judged_project(read, ran):
@@ -29,10 +33,11 @@ def judged_project(read, ran):
     groups = grouped(ran)
     others = project_quantities(read)
     cases = [judged_case(read, group, others) for group in groups.values() if group[1.0].result is not None]
-    judged = judge(read.criteria, cases)
+    worn_out = fatigue(read, ran)
+    judged = (*judge(read.criteria, cases), *(() if worn_out is None else (worn_out,)))
     unknown = any(one.result is None for one in ran) or any(one.met is None for one in judged)
     word = FAILS if any(one.met is False for one in judged) else OPEN if unknown else PASSES
-    return Verdict(ran, judged, others.get("return period"), word)
+    return Verdict(ran, judged, others.get("return period"), word, side_by_side(read, cases))
 
 
 def project_quantities(read):

@@ -2,6 +2,7 @@
 
 import tomllib
 from html.parser import HTMLParser
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from meshing.seals import text_damaged
 from pipelines.common.quantities import StudyError
 from pipelines.design import running
 from pipelines.design.command import made
+from pipelines.design.fatigue import cycles_of, fatigue
 from pipelines.design.project import read_project
 from pipelines.moor.command import studied
 from pipelines.moor.study import make_study
@@ -125,6 +127,50 @@ def test_the_page_needs_nothing_else_and_its_tables_are_sealed(folder, first):
         assert not text_damaged(table) and text_damaged(table.replace("storm", "storn", 1))
 
 
+def test_rule_sets_stand_side_by_side_and_those_that_judge_say_the_same_as_the_verdict(first):
+    verdict = first[0]
+    own = {one.criterion: one for one in verdict.judged if one.governing is not None}
+    chosen = [one for one in verdict.rule_sets if one.chosen]
+    assert {one.name for one in chosen} == {"JSCE (1973)", "port facility II (1980)"} and len(verdict.rule_sets) > 5
+    for one in chosen:
+        if one.criterion in own:
+            assert one.use == own[one.criterion].governing
+    used = [one.use.utilisation for one in verdict.rule_sets]
+    assert used == sorted(used, reverse=True)
+
+
+def test_the_checklist_says_what_the_simplified_method_lacks_and_equipment_numbers_are_those_of_the_box(folder, first):
+    """Δ = 1025 · 50000 kg, front 50 × 10 and side 100 × 10 m² above water"""
+    page = (folder / "out" / "report.html").read_text(encoding="utf-8")
+    assert "steady in storm; give wind.gusts" in page and "one regular wave of the significant height" in page
+    number = 51250.0 ** (2 / 3)
+    assert f"LR {number + 2.5 * 500 + 0.1 * 1000:.0f}, AB {number + 2 * 500 + 100:.0f}, NV {number + 500:.0f}" in page
+
+
+def test_fatigue_is_the_sum_of_equal_cycles_over_the_time_of_each_state(folder):
+    """Cycles of 1 and 2 MN of 10 s in a chain of 76 mm: by hand from N = 6e10 s⁻³; 1 % and 10 % of twenty years"""
+    project = {**PROJECT, "fatigue": {"curve": "DNV studless chain", "factor": 5.0}, "simulation": {"duration": 600.0}}
+    project["states"] = [{**state, "share": share} for state, share in zip(PROJECT["states"], (0.01, 0.1), strict=True)]
+    (folder / "tired.toml").write_text(tomli_w.dumps(project))
+    read, t = read_project(folder / "tired.toml"), np.arange(0.0, 600.5, 0.5)
+    ran = []
+    for name, size in (("storm", 2e6), ("work", 1e6)):
+        tension = 3e6 + 0.5 * size * np.stack([np.cos(0.2 * np.pi * t), 0 * t], axis=-1)[None]
+        case = SimpleNamespace(
+            state=name, lost="", factor=1, name=name, study={"lines": [{"type": "chain"}, {"type": "chain"}]}
+        )
+        result = {"names": ("one", "other"), "breaking_load": np.array([6e6, 6e6])}
+        ran.append(SimpleNamespace(case=case, result=result, runs={"cycles": cycles_of(tension, 0.5)}, fault=""))
+    found = fatigue(read, ran)
+    seconds, area = 20 * 365.25 * 86400, 2 * np.pi / 4 * 76.0**2
+    whole = 59.0 / 60.0 + 1.0 / 60.0  # of 60 cycles the ends count as halves
+    by_hand = 5.0 * seconds / 10.0 / 6e10 * whole * sum(w * (s / area) ** 3 for w, s in ((0.01, 2e6), (0.1, 1e6)))
+    assert found.governing.value == pytest.approx(by_hand, rel=1e-6) and found.governing.item == "one"
+    assert found.met == (by_hand <= 1)
+    ran[0] = SimpleNamespace(case=ran[0].case, result=None, runs=None, fault="no rest")
+    assert fatigue(read, ran).met is None
+
+
 def test_a_second_run_solves_nothing_and_gives_the_same_bytes(folder, first, monkeypatch):
     """After a kill in the middle of the cases too: what is missing is made, the rest is taken"""
     out = folder / "out"
@@ -166,6 +212,9 @@ def test_the_smallest_size_that_passes_is_found_by_running_it(folder, tmp_path):
         (lambda p: p.update(rules=[{"rule": "Lloyd"}]), "rule set 'Lloyd' is unknown; allowed: JSCE"),
         (lambda p: p.update(rules=[{"rule": "API RP 2SK"}]), "nobody has checked in the book"),
         (lambda p: p.update(wear={"mm_per_year": -1.0}), "wear.mm_per_year is -1"),
+        (lambda p: p.update(fatigue={"curve": "steel"}), "fatigue.curve is 'steel'; allowed: DNV studlink chain"),
+        (lambda p: p.update(fatigue={"curve": "DNV polyester"}), r"fatigue needs \[simulation\]"),
+        (lambda p: p["states"][0].update(share=1.5), "shares of the time are .* together at most 1"),
         (lambda p: p.update(ice=1), "ice is unknown; allowed: project"),
     ],
 )

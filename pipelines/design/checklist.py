@@ -1,0 +1,74 @@
+"""What a simulation of a mooring has to have in it, as the rules compared in the SR179 report (1982) ask, chapter 4.
+
+The list is that of its comparison of rules: a hull in three dimensions, lines and fenders by their whole
+characteristic, directional spectra, gusts, a steady current, slow drift that knows the depth, earthquakes.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Requirement(NamedTuple):
+    """text : what is asked; met : True, False, or None where it does not apply; how : by what"""
+
+    text: str
+    met: bool | None
+    how: str
+
+
+def checklist(read):
+    """[Requirement] of a Read project"""
+    in_time = read.project.simulation is not None
+    weather, pairs = read.project.states, read.project.simulation.qtf if in_time else ""
+    return [
+        Requirement("the hull in three dimensions", True, "potential theory in three dimensions and finite depth"),
+        Requirement("lines by their whole characteristic", True, "static form of every line at every position"),
+        _fenders(read),
+        _directions(weather, in_time),
+        _gusts(weather, in_time),
+        Requirement("the current steady", True, "uniform and steady, with the drag of the depth"),
+        Requirement(
+            "drift that varies slowly, and knows the depth", in_time,
+            "Newman's rule with drift of the finite depth" if in_time else "the simplified method has mean drift alone",
+        ),
+        Requirement(
+            "long bound waves in shallow water", in_time and pairs != "newman",
+            f'qtf = "{pairs}"' if in_time else "not in the simplified method",
+        ),
+        Requirement(
+            "earthquakes as random motion", None if "fender" not in read.study else False,
+            "lines leave the hull its long periods; hakobune earthquake for dolphins",
+        ),
+    ]  # fmt: skip
+
+
+def _fenders(read):
+    if read.study.get("fender"):
+        return Requirement("fenders by their whole characteristic, with clearance", True, "curves of [[fender]]")
+    return Requirement("fenders by their whole characteristic, with clearance", None, "there are none")
+
+
+def _directions(states, in_time):
+    text = "waves of random phase by a spectrum over directions"
+    waves = [state.waves for state in states if state.waves is not None]
+    if not waves:
+        return Requirement(text, None, "there are no waves")
+    if not in_time:
+        return Requirement(text, False, "one regular wave of the significant height; give [simulation]")
+    long = [state.name for state in states if state.waves is not None and state.waves.spreading is None]
+    if long:
+        return Requirement(text, False, f"long crests in {', '.join(long)}; give waves.spreading")
+    return Requirement(text, True, "waves.spreading of every state")
+
+
+def _gusts(states, in_time):
+    text = "the wind as a random process"
+    windy = [state for state in states if state.wind is not None]
+    if not windy:
+        return Requirement(text, None, "there is no wind")
+    steady = [state.name for state in windy if state.wind.gusts is None]
+    if steady or not in_time:
+        how = f"steady in {', '.join(steady)}; give wind.gusts" if steady else "steady in the simplified method"
+        return Requirement(text, False, how)
+    return Requirement(text, True, "wind.gusts of every state")

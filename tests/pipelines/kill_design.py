@@ -1,0 +1,76 @@
+"""Kill a design again and again in the middle of its load cases, let it go on, and compare its report with a clean one.
+
+    python tests/pipelines/kill_design.py project.toml [--kills 10] [--seed 0]
+
+The databases are made once, and given to both.  SIGKILL falls at random instants between the loading of modules and
+the end; page and tables then have to be the same to the byte, and a last run, with nothing to make, is timed.
+"""
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).parents[2]
+FILES = ("report.html", "cases.csv", "criteria.csv")
+
+
+def run(project, folder, until=None):
+    """Seconds of the command, and whether it was killed after `until` s"""
+    words = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())"]
+    begun, surroundings = time.perf_counter(), {**os.environ, "PYTHONPATH": str(ROOT)}
+    arguments = ["design", str(project), "--output", str(folder), "--no-advice"]
+    process = subprocess.Popen([*words, *arguments], env=surroundings, stdout=subprocess.DEVNULL)
+    try:
+        process.wait(until)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+        return time.perf_counter() - begun, True
+    if process.returncode not in (0, 1):  # 1: a criterion is not met
+        raise SystemExit(f"the design ended with status {process.returncode}")
+    return time.perf_counter() - begun, False
+
+
+def cases(folder):
+    """Number of load cases that are stored"""
+    return len(list((folder / "cases").glob("*.h5")))
+
+
+def campaign(project, kills, seed):
+    """Print where the kills fell and what became of the report"""
+    random = np.random.default_rng(seed)
+    with tempfile.TemporaryDirectory() as place:
+        clean, killed = Path(place, "clean"), Path(place, "killed")
+        whole, _ = run(project, clean)
+        if (clean / "databases").is_dir():
+            shutil.copytree(clean / "databases", killed / "databases")
+        again, _ = run(project, clean)
+        work, fell = max(whole - again, 0.1), []
+        for delay in again / 2 + work * np.sort(random.uniform(0.02, 1.0, kills)) / kills:
+            _, was = run(project, killed, delay)
+            fell.append((cases(killed), was))
+        run(project, killed)
+        last, _ = run(project, killed)
+        same = all((clean / name).read_bytes() == (killed / name).read_bytes() for name in FILES)
+        stops = ", ".join(f"{count}" for count, was in fell if was)
+        print(
+            f"whole run {whole:.1f} s, {cases(clean)} files of cases; {sum(was for _, was in fell)} of {kills} runs "
+            f"killed with {stops} stored; report, tables the same: {same}; a run with nothing to make {last:.1f} s"
+        )
+        return same
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("project", type=Path)
+    parser.add_argument("--kills", type=int, default=10)
+    parser.add_argument("--seed", type=int, default=0)
+    given = parser.parse_args()
+    raise SystemExit(not campaign(given.project.resolve(), given.kills, given.seed))
