@@ -96,18 +96,22 @@ def windows(motion, step, length):
     return rows
 
 
-def windows_table(file, length):
-    """The first stored record of an open file in windows of `length` s, as a table.  Raises StudyError."""
-    from rich.table import Table
-
+def check_windows(length, plan):
+    """Raise StudyError for windows of `length` s that the records of a `study.Plan` do not have."""
     from ..common.quantities import StudyError
 
-    step = float(np.diff(file["time"][:2])[0])
-    duration = float(file["time"][-1])
-    if not FEWEST * step <= length <= duration * (1 + 1e-9):
+    step, duration = plan.settings.step, plan.settings.duration
+    if not FEWEST * step <= length <= duration:
         raise StudyError(f"--windows is {length:g} s; allowed: {FEWEST * step:g} s to the duration, {duration:g} s")
-    if not len(file["kept_seed"]):
+    if plan.keep_series < 1:
         raise StudyError("--windows is given, and no record is stored; allowed: with keep_series of 1 or more")
+
+
+def windows_table(file, length):
+    """The first stored record of an open file in windows of `length` s, as a table"""
+    from rich.table import Table
+
+    step = float(np.diff(file["time"][:2])[0])
     table = Table(
         title=f"seed {int(file['kept_seed'][0])} in windows of {length:g} s: significant amplitudes and periods",
         title_justify="left",

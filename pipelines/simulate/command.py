@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..common.quantities import StudyError, positive
+from ..common.quantities import StudyError
 from ..moor.study import read_study
 from ..solve.work import executor_of
 from . import berth, report
@@ -25,10 +25,8 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
     console, workers = new_console(), executor_of(executor)
     if seeds is not None and seeds < 1:
         raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
-    if windows is not None:
-        positive("--windows", windows)
     try:
-        outcome = fill(study, database, output, console, workers, seeds, duration, fresh)
+        outcome = fill(study, database, output, console, workers, seeds, duration, fresh, windows)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
     if outcome.interrupted:

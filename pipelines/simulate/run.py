@@ -19,7 +19,7 @@ from ..common.outputs import DATABASE, check_output
 from ..common.progress import duration as words_of
 from ..moor.study import read_study
 from ..solve.work import Here, in_order
-from .berth import natural_periods
+from .berth import check_windows, natural_periods
 from .file import (
     STATISTICS,
     SUMMARY,
@@ -52,10 +52,13 @@ class Outcome:
     findings: tuple[str, ...]
 
 
-def simulate(study_path, database_path, output, console, executor, seeds=None, duration=None, fresh=False):
+def simulate(
+    study_path, database_path, output, console, executor, seeds=None, duration=None, fresh=False, windows=None
+):
     """Complete the file of a simulation; returns its Outcome.
 
     seeds : how many, in place of the study's; duration : s, likewise; fresh : leave what is there
+    windows : s, that a record is to be told in, for which it has to be stored
     raises : ValueError, one line, before anything is written
     """
     from bem.database import open_database
@@ -67,6 +70,8 @@ def simulate(study_path, database_path, output, console, executor, seeds=None, d
     check_output(output, "a simulation", is_run, DATABASE, (study_path, database_path, *files))
     db = open_database(database_path)
     plan = plan_of(study, db.reader.omega, seeds, duration, folder)
+    if windows is not None:
+        check_windows(windows, plan)
     identity = _identity(study, (database_path, *files), plan.settings.duration)
     task = Task(text, str(database_path), plan.settings.duration, None, str(folder))
     todo = _missing(output, identity, plan, fresh)

@@ -60,6 +60,9 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
         assert file["statistics"][0, names.index("deflection F1"), 0] == pytest.approx(
             file["deflection"][0, :, 0].mean(), rel=1e-5
         )
+    again = [*words, "--duration", "60", "--seeds", "1", "--output", str(run), "--windows"]
+    assert main([*again, "61"]) == 2
+    assert "--windows is 61 s; allowed: 2.5 s to the duration, 60 s" in capsys.readouterr().err
     film = tmp_path / "film.gif"
     assert main(["animate", str(run), "--output", str(film), "--length", "2"]) == 0 and film.stat().st_size > 1000
     assert main(["moor", str(SCENE), "--database", str(database)]) == 2
