@@ -138,21 +138,29 @@ def check_effort(study, line, course, frames):
 
 def check_reach(line, breaking, course):
     """Raise StudyError where the fairlead goes farther from the anchor than the line at its breaking load reaches."""
+    from scipy.optimize import brentq
+
     times = np.linspace(0.0, min(course.duration, course.motion.end), 1001)
     places = np.array([course.motion.at(t)[0] for t in times])
     away = np.linalg.norm(places - np.array(line.anchor), axis=1)
     far = int(np.argmax(away))
-    flexibility = sum(segment.length / segment.axial_stiffness for segment in line.segments)
-    reach = line.length + min(flexibility * breaking, LONGEST_STRAIN * line.length)
+    longest = LONGEST_STRAIN * line.length
+
+    def stretch(tension):
+        return sum(float(segment.length * segment.strain_at(tension)) for segment in line.segments)
+
+    at_break = stretch(breaking) if np.isfinite(breaking) else np.inf
+    reach = line.length + min(at_break, longest)
     if away[far] > reach:
-        parts = flexibility * breaking <= LONGEST_STRAIN * line.length
+        parts = at_break <= longest
         how = f"breaks at {breaking / KN:.0f} kN" if parts else f"is {LONGEST_STRAIN:.0%} longer, where any rope parts"
         raise StudyError(
             f"the fairlead is {away[far]:.2f} m from the anchor at t = {times[far]:.2f} s; allowed: up to "
             f"{reach:.2f} m, where the line of {line.length:g} m {how}"
         )
     if away[far] > line.length:
-        pull = (away[far] - line.length) / flexibility
+        over, most = away[far] - line.length, min(breaking, sum(segment.stiffness for segment in line.segments))
+        pull = brentq(lambda tension: stretch(tension) - over, 0.0, most)
         warnings.warn(
             f"the fairlead goes {away[far] - line.length:.2f} m farther from the anchor than the line is long, at "
             f"t = {times[far]:.2f} s: stretching it so takes {pull / KN:.0f} kN",

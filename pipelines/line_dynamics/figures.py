@@ -161,6 +161,8 @@ def regime_of(line, course, harmonics):
 
     if len(line.segments) > 1:
         return "the simplified method is for a uniform line without bodies"
+    if len(line.segments[0].elongation) > 1:
+        return "the simplified method is for a line of one axial stiffness"
     if line.bed is None or line.bed.slope != 0 or line.bed.below > 0:
         return "the simplified method is for a line whose anchor lies on a flat bed"
     if harmonics != 1:
@@ -180,7 +182,7 @@ def regime_of(line, course, harmonics):
                 segment.diameter,
                 (float(displacement[:2] @ heading), float(displacement[2])),
                 2 * np.pi / float(course.motion.omega[0]),
-                axial_stiffness=segment.axial_stiffness,
+                axial_stiffness=segment.stiffness,
                 drag=segment.drag_normal,
                 added_mass=segment.added_normal,
                 density=line.density,

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..common.line_tables import attached, line_type, of_types
 from ..common.quantities import StudyError, direction, positive, speed
+from ..common.units import TONF
 from .study import BedTable
 
 ELEMENTS = 40  # of a line whose segments do not say how many, at least 4 each
@@ -47,10 +48,11 @@ def _segment(where, part, kinds, total):
 def _properties(where, kind, water):
     """Keywords of a DynamicSegment, and the breaking load in N"""
     static = line_type(where, kind, water.density, water.gravity)
-    if math.isinf(static.axial_stiffness):
+    stiffness = static.axial_stiffness if kind.elongation_percent is None else _elongation(where, kind)
+    if np.ndim(stiffness) == 0 and math.isinf(stiffness):
         raise StudyError(
             f"{where}: no axial stiffness is given, a dynamic line has to stretch; "
-            "allowed: one of axial_stiffness_tonf, axial_stiffness_kN"
+            "allowed: one of axial_stiffness_tonf, axial_stiffness_kN, or elongation_percent with tensions"
         )
     given = {"mass": kind.mass_kg_per_m, "diameter": kind.diameter}
     for key, name in (("mass", "mass_kg_per_m"), ("diameter", "diameter")):
@@ -58,8 +60,22 @@ def _properties(where, kind, water):
             raise StudyError(f"{where}: {name} is not given; allowed: a number above 0, or a catalogue name")
         given[key] = getattr(static, key) if given[key] is None else positive(f"{where}.{name}", given[key])
     rest = ("drag_normal", "drag_tangential", "added_normal", "added_tangential", "damping_ratio")
-    made = {"weight": static.weight, "axial_stiffness": static.axial_stiffness, **given}
+    made = {"weight": static.weight, "axial_stiffness": stiffness, **given}
     return made | {key: getattr(kind, key) for key in rest}, static.breaking_load
+
+
+def _elongation(where, kind):
+    """Pairs of strain and tension, N"""
+    if kind.axial_stiffness_tonf is not None or kind.axial_stiffness_kN is not None:
+        raise StudyError(f"{where} has an axial stiffness and a table; allowed: one of them")
+    given = {"tension_tonf": (kind.tension_tonf, TONF), "tension_kN": (kind.tension_kN, 1e3)}
+    tables = [np.array(values, float) * unit for values, unit in given.values() if values is not None]
+    if len(tables) != 1 or len(tables[0]) != len(kind.elongation_percent):
+        count = len(kind.elongation_percent)
+        raise StudyError(
+            f"{where}: elongation_percent has {count} numbers; allowed: as many in one of {', '.join(given)}"
+        )
+    return tuple(zip((0.01 * np.array(kind.elongation_percent)).tolist(), tables[0].tolist(), strict=True))
 
 
 def _bodies(study):

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..multi_segment.segments import Segment
 from .lumped.system import System
 
 DAMPED = 40  # elements of a segment from which on damping is the line's, and no longer the mesh's
@@ -18,8 +19,10 @@ class DynamicSegment:
     """A uniform part of a line in `elements` straight elements.
 
     length : m, unstretched; mass : kg/m in air; weight : N/m in water; diameter : m, of the displaced volume
-    axial_stiffness : EA in N; structural_damping : BA in N s, or None for `damping_ratio`, the part of the critical
-    damping ℓ√(EA m) of an element of length ℓ, or of a fortieth of the segment where the elements are shorter
+    axial_stiffness : EA in N, or a table of (strain, tension) pairs, both rising from (0, 0), straight between its
+    points and beyond the last (`multi_segment.segments.Segment`), whose largest EA is its `stiffness`
+    structural_damping : BA in N s, or None for `damping_ratio`, the part of the critical damping ℓ√(EA m) of an element
+    of length ℓ, or of a fortieth of the segment where the elements are shorter
     drag_normal on D, drag_tangential on πD (the report's coefficient, on D, is π times larger)
     added_normal, added_tangential : times the displaced mass
     """
@@ -28,7 +31,7 @@ class DynamicSegment:
     mass: float
     weight: float
     diameter: float
-    axial_stiffness: float
+    axial_stiffness: float | tuple
     elements: int = 20
     damping_ratio: float = 1.0
     structural_damping: float | None = None
@@ -38,8 +41,9 @@ class DynamicSegment:
     added_tangential: float = 0.0
 
     def __post_init__(self):
-        for name in ("length", "mass", "diameter", "axial_stiffness"):
+        for name in ("length", "mass", "diameter"):
             _check(f"segment {name}", getattr(self, name), 0.0, strict=True)
+        _check("segment axial_stiffness", self.stiffness, 0.0, strict=True)
         for name in ("damping_ratio", "drag_normal", "drag_tangential", "added_normal", "added_tangential"):
             _check(f"segment {name}", getattr(self, name), 0.0)
         if self.structural_damping is not None:
@@ -48,6 +52,39 @@ class DynamicSegment:
             raise ValueError(f"segment weight is {self.weight:g} N/m; allowed: finite")
         if int(self.elements) != self.elements or self.elements < 1:
             raise ValueError(f"segment elements is {self.elements}; allowed: whole numbers from 1")
+
+    @cached_property
+    def elongation(self):
+        """(k, 4): strain from which a row holds; tension there, its slope and its integral, all over `stiffness`"""
+        if np.ndim(self.axial_stiffness) == 0:
+            return np.array([[0.0, 0.0, 1.0, 0.0]])
+        strain, tension = self._points
+        slope = np.diff(tension) / np.diff(strain)
+        energy = np.concatenate([[0.0], np.cumsum(0.5 * (tension[1:] + tension[:-1]) * np.diff(strain))])
+        return np.column_stack([strain[:-1], *(v / slope.max() for v in (tension[:-1], slope, energy[:-1]))])
+
+    @property
+    def _points(self):
+        """Strains and tensions of the table.  Raises ValueError for what is none."""
+        _ = Segment(self.length, 1.0, self.axial_stiffness).strain_table
+        strain, tension = np.array(self.axial_stiffness, float).T
+        if not np.all(np.diff(strain) > 0):
+            raise ValueError("segment axial_stiffness: a strain stands twice; allowed: strains that rise from 0")
+        return strain, tension
+
+    @cached_property
+    def stiffness(self):
+        """N, EA, of a table the largest"""
+        if np.ndim(self.axial_stiffness) == 0:
+            return float(self.axial_stiffness)
+        strain, tension = self._points
+        return float(np.max(np.diff(tension) / np.diff(strain)))
+
+    def strain_at(self, tension):
+        """Strain at tensions, N"""
+        strain, over, slope, _ = self.elongation.T
+        rows = np.searchsorted(over * self.stiffness, tension, side="right") - 1
+        return strain[rows] + (np.asarray(tension) / self.stiffness - over[rows]) / slope[rows]
 
     @property
     def size(self):
@@ -58,7 +95,7 @@ class DynamicSegment:
     def damping(self):
         """N s, BA"""
         size = max(self.size, self.length / DAMPED)
-        critical = size * np.sqrt(self.axial_stiffness * self.mass)
+        critical = size * np.sqrt(self.stiffness * self.mass)
         return self.damping_ratio * critical if self.structural_damping is None else self.structural_damping
 
 
@@ -181,13 +218,15 @@ class DynamicLine:
         line_weight = _to_nodes(half * self._each(lambda s: s.weight))
         weight = line_weight + self.gravity * body["mass"]
         mass = _to_nodes(half_mass) + body["mass"]
-        EA = self._each(lambda s: s.axial_stiffness)
+        EA, rows, elongation = self._each(lambda s: s.stiffness), *self._elongation()
         load = np.abs(weight).sum()
         return System(
             length=2 * half,
             stiffness=EA,
+            elongation_rows=rows,
+            elongation=elongation,
             damping=self._each(lambda s: s.damping),
-            soft_strain=SOFT * load / EA,
+            soft_strain=SOFT * load / EA / elongation[rows[:, 0], 2],
             half_mass=half_mass,
             half_drag_normal=0.5 * self.density * D * half * self._each(lambda s: s.drag_normal),
             half_drag_tangential=0.5 * self.density * np.pi * D * half * self._each(lambda s: s.drag_tangential),
@@ -231,6 +270,13 @@ class DynamicLine:
             bed_friction=float(bed.friction),
             bed_slip=float(bed.slip),
         )
+
+    def _elongation(self):
+        """Where each element's material begins and ends in the rows of all, and these"""
+        tables = [s.elongation for s in self.segments]
+        ends = np.cumsum([0, *(len(table) for table in tables)])
+        rows = [np.full((s.elements, 2), ends[i : i + 2]) for i, s in enumerate(self.segments)]
+        return np.concatenate(rows), np.concatenate(tables)
 
     def _each(self, value):
         """(N,) a property of each element's segment"""

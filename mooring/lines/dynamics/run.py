@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .line import DynamicLine
-from .lumped.system import Control, State, Water
+from .lumped.system import Control, State, Water, elastic_tension
 from .surroundings import FairleadMotion
 
 ROWS = 1000  # of history at a time
@@ -141,8 +141,7 @@ def _pictures(case, state):
 def control_of(line, state, tolerance, longest):
     """Control of steps from `state`, no longer than `longest` s"""
     system = line.system
-    length = np.linalg.norm(np.diff(state.position, axis=0), axis=1)
-    tension = np.maximum(system.stiffness * (length / system.length - 1), 0.0).max()
+    tension = elastic_tension(system, state.position).max()
     least = np.abs(system.weight).max()
     return Control(tolerance, max(tension, least), FREE * line.length, longest, SHORTEST * longest)
 

@@ -53,7 +53,7 @@ def _mobilised(system, q):
     """(N + 1, 3) m, slip of nodes at rest at q: from the highest one on the bed down, as far as there is tension."""
     along = np.diff(q, axis=0)
     length = np.linalg.norm(along, axis=1)
-    tension = np.maximum(system.stiffness * (length / system.length - 1), 0.0)
+    tension = lumped.elastic_tension(system, q)
     p, h = system.bed_level + system.bed_thickness - q @ system.bed_normal, system.bed_thickness
     reaction = system.bed_stiffness * np.where(p < h, 0.5 * np.maximum(p, 0.0) ** 2 / h, p - 0.5 * h)
     held, slip = 0.0, np.zeros_like(q)
@@ -73,7 +73,7 @@ def _guess(line, fairlead):
     heading = away[:2] / span if span > 0 else np.array([1.0, 0.0])
     s, system = line.nodes, line.system
     weight = (system.weight - system.body_buoyancy).sum() / line.length
-    EA = line.length / np.sum(system.length / system.stiffness)
+    EA = line.length / np.sum(system.length / (system.stiffness * system.elongation[system.elongation_rows[:, 0], 2]))
     up = -1.0 if weight < 0 else 1.0  # a line that floats is one that hangs, upside down
     slope, friction, bed = _along(line, heading) if up > 0 else (0.0, 0.0, False)
     least = LIGHTEST * np.abs(system.weight).sum() / line.length

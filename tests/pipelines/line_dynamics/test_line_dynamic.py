@@ -238,3 +238,17 @@ def test_a_missing_study_and_a_folder_are_one_line(tmp_path, capsys):
     for place, message in ((tmp_path / "none.toml", "does not exist"), (tmp_path, "Is a directory")):
         assert main(["line-dynamics", str(place)]) == 2
         assert message in capsys.readouterr().err
+
+
+def test_a_rope_may_have_a_table_of_elongation_and_tension(tmp_path):
+    rope = (
+        'catalogue = "R3 studless 76 mm"',
+        "weight_N_per_m = 40.0\nmass_kg_per_m = 14.0\ndiameter = 0.12\n"
+        "elongation_percent = [0, 2, 5]\ntension_kN = [0, 400, 1600]",
+    )
+    line, _ = line_of(read_line_dynamics(changed(tmp_path, rope))[0])
+    assert line.segments[0].axial_stiffness == ((0.0, 0.0), (0.02, 4e5), (0.05, 1.6e6))
+    assert line.segments[0].stiffness == pytest.approx(4e7)
+    short = (rope[0], rope[1].replace("[0, 400, 1600]", "[0, 400]"))
+    with pytest.raises(ValueError, match="elongation_percent has 3 numbers"):
+        line_of(read_line_dynamics(changed(tmp_path, short))[0])

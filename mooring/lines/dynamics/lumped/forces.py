@@ -2,9 +2,10 @@
 
     m a = T₊ t₊ − T₋ t₋ − w + drag + water inertia + bed,      tangent  S = M + c_v C + c_q K
 
-Tension T = max(0, EA ε + BA g ε̇) with ε = ℓ/ℓ₀ − 1; a slack element (ε ≤ 0) carries nothing, and damping fades in
-with g = min(1, ε/ε_s), so that tension is continuous.  Drag and inertia follow Morison on each half element, with its
-own tangent t (SR179 report, 1982, section 2.2, in three dimensions):
+Tension T = max(0, EA f(ε) + BA g ε̇) with ε = ℓ/ℓ₀ − 1 and f(ε) = ε, or straight between the points of a table; a
+slack element (ε ≤ 0) carries nothing, and damping fades in with g = min(1, ε/ε_s), so that tension is continuous.
+Drag and inertia follow Morison on each half element, with its own tangent t (SR179 report, 1982, section 2.2, in three
+dimensions):
 
     normal      ½ρ C_dn D |u_n| u_n,     ρA [(1 + C_an) u̇_n − C_an a_n]
     tangential  ½ρ C_dt πD |u_t| u_t,    ρA C_at (u̇_t − a_t)
@@ -27,15 +28,27 @@ WORK, DRAG, INERTIA, STRUCTURE, BED, FRICTION = range(6)
 
 
 @kernel()
-def tension(EA, BA, soft, strain, rate):
-    """Tension, its elastic part, ∂T/∂ε and ∂T/∂ε̇."""
+def elongation_row(s, e, strain):
+    """Row of s.elongation that holds at a strain of element e."""
+    row = s.elongation_rows[e, 0]
+    while row + 1 < s.elongation_rows[e, 1] and strain >= s.elongation[row + 1, 0]:
+        row += 1
+    return row
+
+
+@kernel()
+def tension(s, e, strain, rate):
+    """Tension of element e, its elastic part, ∂T/∂ε and ∂T/∂ε̇."""
     if strain <= 0.0:
         return 0.0, 0.0, 0.0, 0.0
+    EA, BA, soft, row = s.stiffness[e], s.damping[e], s.soft_strain[e], elongation_row(s, e, strain)
+    k = EA * s.elongation[row, 2]
+    elastic = EA * s.elongation[row, 1] + k * (strain - s.elongation[row, 0])
     fade = min(1.0, strain / soft)
-    T = EA * strain + BA * fade * rate
+    T = elastic + BA * fade * rate
     if T <= 0.0:
-        return 0.0, EA * strain, 0.0, 0.0
-    return T, EA * strain, EA + (BA * rate / soft if strain < soft else 0.0), BA * fade
+        return 0.0, elastic, 0.0, 0.0
+    return T, elastic, k + (BA * rate / soft if strain < soft else 0.0), BA * fade
 
 
 @kernel()
@@ -72,7 +85,7 @@ def axial_forces(s, q, v, cq, cv, r, D, B, T, tangent, power):
         wx, wy, wz = v[e + 1, 0] - v[e, 0], v[e + 1, 1] - v[e, 1], v[e + 1, 2] - v[e, 2]
         stretching = x * wx + y * wy + z * wz
         strain, rate = squared * short / free - 1.0, stretching / free
-        pull, elastic, k, b = tension(s.stiffness[e], s.damping[e], s.soft_strain[e], strain, rate)
+        pull, elastic, k, b = tension(s, e, strain, rate)
         lost += (pull - elastic) * stretching
         across, turning = cq * pull * short, cq * b * short / free
         axial = (cq * k + cv * b) / free - across - turning * stretching
@@ -286,5 +299,9 @@ def stored_energy(s, q, v):
     for e in range(q.shape[0] - 1):
         x, y, z = q[e + 1, 0] - q[e, 0], q[e + 1, 1] - q[e, 1], q[e + 1, 2] - q[e, 2]
         strain = math.sqrt(x * x + y * y + z * z) / s.length[e] - 1.0
-        elastic += 0.5 * s.stiffness[e] * s.length[e] * max(strain, 0.0) ** 2
+        if strain > 0.0:
+            row = elongation_row(s, e, strain)
+            more = strain - s.elongation[row, 0]
+            stored = s.elongation[row, 3] + more * (s.elongation[row, 1] + 0.5 * s.elongation[row, 2] * more)
+            elastic += s.stiffness[e] * s.length[e] * stored
     return kinetic, elastic, potential, bed

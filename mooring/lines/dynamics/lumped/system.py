@@ -14,7 +14,11 @@ class System(NamedTuple):
     """Per element (N,), with "half" meaning half an element; per node (N + 1,); bed as scalars and a vector."""
 
     length: np.ndarray  # m, unstretched
-    stiffness: np.ndarray  # EA, N
+    stiffness: np.ndarray  # EA, N, the largest of a table
+    elongation_rows: (
+        np.ndarray
+    )  # (N, 2) first row of each element's material in `elongation`, and the one after its last
+    elongation: np.ndarray  # (m, 4) strain from which a row holds; tension there, its slope and its integral, over EA
     damping: np.ndarray  # BA, N s
     soft_strain: np.ndarray  # strain below which damping fades out
     half_mass: np.ndarray  # kg
@@ -85,3 +89,13 @@ class State(NamedTuple):
     acceleration: np.ndarray
     slip: np.ndarray  # m, elastic displacement of the bed friction
     step: float
+
+
+def elastic_tension(system, q):
+    """(N,) N, of the elements between nodes at q (N + 1, 3) m, without damping"""
+    strain = np.maximum(np.linalg.norm(np.diff(q, axis=0), axis=1) / system.length - 1, 0.0)
+    begins = system.elongation[:, 0]
+    places = zip(system.elongation_rows, strain, strict=True)
+    rows = [first + np.searchsorted(begins[first:last], e, side="right") - 1 for (first, last), e in places]
+    begin, tension, slope, _ = system.elongation[rows].T
+    return system.stiffness * (tension + slope * (strain - begin))
