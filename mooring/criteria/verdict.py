@@ -137,6 +137,11 @@ def _utilisations(criterion, values):
     return np.array([criterion.utilisation(value) for value in values])
 
 
+def _over(strength, load):
+    """(n,) inf where there is no load: a slack line, an anchor whose chain lies on the bed"""
+    return np.divide(strength, load, out=np.where(np.isnan(strength), np.nan, np.inf), where=np.asarray(load) > 0)
+
+
 def _known(loads):
     """Breaking loads, NaN where they are not known"""
     return np.where(np.isfinite(loads), loads, np.nan)
@@ -148,7 +153,7 @@ def _worn(_, t):
 
 def _holding(_, t):
     held = _given(t.holding, "holding capacity of the anchors")
-    return held / np.maximum(t.horizontal, np.finfo(float).tiny)
+    return _over(held, t.horizontal)
 
 
 def _partial(criterion, t):
@@ -167,7 +172,7 @@ def _given(value, what):
 
 
 _OF_TENSIONS = {
-    SAFETY: lambda _, t: _known(t.breaking) / np.maximum(t.largest, np.finfo(float).tiny),
+    SAFETY: lambda _, t: _over(_known(t.breaking), t.largest),
     SHARE: lambda _, t: t.largest / _known(t.breaking),
     PRETENSION: lambda _, t: t.pretension / _known(t.breaking),
     WORN: _worn,

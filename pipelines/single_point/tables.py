@@ -15,16 +15,20 @@ added_sway = 0.6          incidence_deg = 0   incidence_deg = 30          height
 added_yaw = 0.4                               turning = {}                incidence_deg = 0
                                                                           drift_tonf_per_m2 = 4.99
 Angles are those of `moor`: direction_deg travelled to from +x, or incidence_deg, 0 from +x.  Headings are the bow's.
+Water and weather may come from the values of a site, [site] with file, state and level (`pipelines.site.link`).
 """
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import msgspec
 
 from ..common.line_tables import LineTable, TypeTable
 from ..common.quantities import StudyError, Table
-from ..common.typed import read_toml, typed
+from ..common.typed import typed
 from ..moor.study import Coefficients, WaterTable, WindTable
+from ..site.link import SiteLink, read_study_at_site
 
 
 class HullTable(Table):
@@ -259,6 +263,7 @@ class Study(Table):
     wind: WindOfHull | None = None
     current: CurrentTable | None = None
     waves: WavesTable | None = None
+    site: SiteLink | None = None
     slewing: SlewingTable | None = None
     maps: list[MapTable] = msgspec.field(default_factory=list)
     allowable: float = 0.4
@@ -266,7 +271,7 @@ class Study(Table):
 
 def read_study(path):
     """The Study of a TOML file, its nested dictionaries and its text.  Raises StudyError."""
-    raw, text = read_toml(path, "a study", StudyError)
+    raw, text = read_study_at_site(Path(path), "a study")
     return make_study(raw), raw, text
 
 

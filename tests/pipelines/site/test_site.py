@@ -14,10 +14,12 @@ from pipelines.common.quantities import StudyError
 from pipelines.design.project import read_project
 from pipelines.moor.study import read_study
 from pipelines.response.study import read_response_study
+from pipelines.single_point.tables import read_study as read_single_point
 from pipelines.site.study import SiteStudy, read_site, site_values
 
 BAY = Path(cli.__file__).parent / "scenes" / "site_bay.toml"
 WAVE = "tsunami = 0.5\ntsunami_period = 900.0"
+SINGLE = BAY.with_name("single_point_A.toml")
 STUDY = {
     "site": {"file": "bay.toml", "state": "extreme", "level": "high"},
     "hull": {"freeboard": 5.0},
@@ -72,6 +74,17 @@ def test_levels_are_tide_and_surge_and_tsunami_and_the_wind_drives_a_hundredth_o
     assert values.levels == pytest.approx({"high": 1.8, "low": -0.9, "tsunami high": 1.5, "tsunami low": -1.4})
     assert values.states["extreme"]["wind"]["speed"] == pytest.approx(30.0)
     assert values.states["extreme"]["current"]["speed"] == pytest.approx(0.9)
+
+
+def test_a_single_point_takes_its_water_and_weather_from_a_site_too(bay):
+    raw = tomllib.loads(SINGLE.read_text(encoding="utf-8"))
+    raw |= {"site": {"file": "bay.toml", "state": "operating", "level": "high"}, "wind": {"incidence_deg": 0.0}}
+    raw |= {"current": {"incidence_deg": 0.0}, "waves": {"incidence_deg": 0.0}}
+    del raw["water"]
+    (bay / "single.toml").write_text(tomli_w.dumps(raw))
+    study, laid, _ = read_single_point(bay / "single.toml")
+    assert (study.water.depth, study.wind.speed, study.waves.period) == (pytest.approx(21.8), 12.0, 5.0)
+    assert "site" not in laid
 
 
 def test_a_climate_gives_the_extreme_state_its_waves_and_the_page_their_contour(bay):
