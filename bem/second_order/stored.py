@@ -17,6 +17,7 @@ from ..database.widening import write_group
 from .difference_forces import PARTS, DifferenceForces
 
 GROUP = "qtf"
+ERRORS = "estimated_error"
 AXES = ("difference", "omega", "wave_direction_1", "wave_direction_2", "influenced_dof")
 MEANING = (
     "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference towards "
@@ -24,10 +25,12 @@ MEANING = (
 )
 
 
-def write_forces(path, forces, moving, share=None):
+def write_forces(path, forces, moving, share=None, moored="", errors=None):
     """Put a `DifferenceForces` into a database.
 
-    moving : whether of the freely floating body; share : of the surface's forcing in it, estimated where it is left out
+    errors : (d, n, m, m, 6) estimated, of the whole, or None
+    moving : whether of the floating body; share : of the surface's forcing in it, estimated where it is left out
+    moored : what holds the floating body beside the water, by name
     """
     unit, names = "N/m2, N m/m2", np.array(DOFS, dtype="S8")
     datasets = {
@@ -38,11 +41,15 @@ def write_forces(path, forces, moving, share=None):
         "influenced_dof": (("influenced_dof",), "", names),
         **{part: (AXES, unit, value) for part in PARTS if (value := getattr(forces, part)) is not None},
     }
+    if errors is not None:
+        datasets[ERRORS] = (AXES, unit, errors)
     attributes = {
         "meaning": MEANING,
         "body": "floating" if moving else "fixed",
         "free_surface_integral": "left out" if forces.surface is None else "included",
     }
+    if moored:
+        attributes["moored"] = moored
     if share is not None:
         attributes["free_surface_share"] = share
     write_group(path, GROUP, datasets, attributes)
@@ -57,6 +64,17 @@ def read_forces(db):
 def stored_share(db):
     """Share of the surface's forcing as stored beside the forces, a number, or None"""
     return _read(db)[1].get("free_surface_share")
+
+
+def stored_errors(db):
+    """(d, n, m, m, 6) estimated errors of the whole, N/m², N m/m², or None"""
+    found = read_group(db, GROUP)[0].get(ERRORS)
+    return None if found is None else found[2]
+
+
+def stored_mooring(db):
+    """What held the body whose forces are stored, by name; empty of a free or fixed one"""
+    return str(_read(db)[1].get("moored", ""))
 
 
 def _read(db):

@@ -23,6 +23,7 @@ def qtf(
     heading: Annotated[str | None, Parameter(help="degrees the waves travel to; all pairs of them")] = None,
     difference: Annotated[float | None, Parameter(help="rad/s, the largest", allow_leading_hyphen=True)] = None,
     fixed: Annotated[bool, Parameter(negative=(), help="of the body held, instead of floating")] = False,
+    moored: Annotated[Path | None, Parameter(help="mooring study whose lines hold the floating body")] = None,
     level: Annotated[str, Parameter(help="body, full (with the surface's forcing) or auto")] = "body",
     fresh: Annotated[bool, Parameter(negative=(), help="again, though they are stored")] = False,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
@@ -34,7 +35,7 @@ def qtf(
     panels.  What is stored there already is told and drawn again.
     """
     from bem.database import DatabaseError, open_database
-    from bem.second_order.stored import read_forces, stored_share, write_forces
+    from bem.second_order.stored import read_forces, stored_errors, stored_mooring, stored_share, write_forces
 
     from ..common.picture import PLOTS, check_picture
     from .report import told
@@ -43,24 +44,28 @@ def qtf(
         check_picture(plot, PLOTS)
     if level not in LEVELS:
         raise ValueError(f"--level is {level!r}; allowed: {', '.join(LEVELS)}")
+    if fixed and moored is not None:
+        raise ValueError("--fixed and --moored are both given; allowed: one of them")
     db = open_database(database)
     waves = _waves(db, omega, heading, difference)
-    forces = None
+    forces, holder = None, "" if moored is None else str(moored)
     if not fresh:
         try:
             stored, floats = read_forces(db)
             asked = any(value is not None for value in (omega, heading, difference)) or fixed == floats
             lacks = stored.surface is None and _adds_surface(level, stored_share(db))
+            lacks = lacks or (moored is not None and stored_mooring(db) != holder)
             forces = None if lacks or (asked and not _covers(stored, floats, waves, fixed)) else stored
         except DatabaseError:
             pass
     if forces is None:
-        forces, share = _solved(db, waves, not fixed, level)
+        moving = not fixed if moored is None else _stiffness(moored, db)
+        forces, share, errors = _solved(db, waves, moving, level)
         floats = not fixed
-        write_forces(database, forces, floats, share)
+        write_forces(database, forces, floats, share, holder, errors)
         print(f"{database}: group qtf")
         db = open_database(database)
-    for line in told(forces, db, floats, stored_share(db)):
+    for line in told(forces, db, floats, stored_share(db), stored_mooring(db), stored_errors(db)):
         print(line)
     if plot is not None:
         from .plot import draw
@@ -70,8 +75,20 @@ def qtf(
     return 0
 
 
+def _stiffness(study, db):
+    """(6, 6) of the lines of a mooring study about the rotation centre, where they hold the body in its steady loads"""
+    from mooring.studies.multi_point import multi_point
+
+    from ..moor.study import read_study
+
+    read, _ = read_study(study)
+    hull = read.without_berth("qtf --moored").hull_of(db.dimensions)
+    system = read.system(hull, db.rotation_center, db.density, db.gravity)
+    return multi_point(db, system, hull, read.conditions(), read.allowable).equilibrium.stiffness
+
+
 def _solved(db, waves, moving, level):
-    """`DifferenceForces`, and what the surface's forcing is of them or None where it cannot be told"""
+    """`DifferenceForces`, what the surface's forcing is of them or None where it cannot be told, and their errors"""
     import sys
     import warnings
 
@@ -95,9 +112,29 @@ def _solved(db, waves, moving, level):
         full = _adds_surface(level, share)
         forces = difference_forces(problem, *waves, moving, report, full)
         share = share_of(forces) if full else share
+        errors = _errors(db, problem, forces, lambda coarse: difference_forces(coarse, *waves, moving, surface=full))
     for line in dict.fromkeys(str(w.message) for w in caught):
         print(line, file=sys.stderr)
-    return forces, share
+    return forces, share, errors
+
+
+def _errors(db, problem, forces, solved):
+    """Estimated errors of forces from a mesh of half as many panels; None without one
+
+    solved : function of a `PanelProblem` that gives its `DifferenceForces`
+    """
+    from dataclasses import replace
+
+    from bem.second_order.difference_forces import panel_errors
+
+    from ..solve.hull import coarse_hull_of
+
+    coarse = coarse_hull_of(db.header)
+    if coarse is None:
+        return None
+    mesh, lid = coarse
+    rough = solved(replace(problem, mesh=mesh, lid=problem.lid and lid))
+    return panel_errors(forces, rough, problem.mesh.total / mesh.total)
 
 
 def _adds_surface(level, share):

@@ -31,14 +31,17 @@ def diagonal_gap(forces, db, floats):
     return float(np.abs(near - far).max() / np.abs(far).max())
 
 
-def told(forces, db, floats, share):
-    """Lines of text; share : what the surface's forcing is of the force, or None"""
+def told(forces, db, floats, share, moored="", errors=None):
+    """Lines of text.
+
+    share : what the surface's forcing is of the force, or None; moored : by what study, or empty; errors : estimated
+    """
     yield (
-        f"{'floating' if floats else 'fixed'} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
+        f"{_held(floats, moored)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
         f"{forces.omega[-1]:.4g} rad/s, differences to {forces.difference[-1]:.3g} rad/s, {len(forces.headings)} "
         "headings and all their pairs"
     )
-    gap = _quietly(diagonal_gap, forces, db, floats)
+    gap = None if moored else _quietly(diagonal_gap, forces, db, floats)
     if gap is not None:
         yield (
             f"mean drift on the diagonal by pressure and by the far field differ by {100 * gap:.2g} % of the largest"
@@ -50,11 +53,34 @@ def told(forces, db, floats, share):
     for h, beta in enumerate(forces.headings):
         for mode, name in zip(MODES, NAMES, strict=True):
             yield from _rows(forces, h, beta, mode, name)
+    if errors is None:
+        yield "no estimated error: there is no mesh of half as many panels"
+    else:
+        yield f"estimated error of the panels, root mean square of the force's: {_relative(forces, errors)}"
     size = "unknown" if share is None else f"{100 * share:.2g} % of the force in surge and sway"
     if forces.surface is None:
         yield f"left out: the forcing of the surface around the body, estimated from few pairs: {size}; --level full"
     else:
         yield f"the forcing of the surface around the body is {size}, root mean square"
+
+
+def _relative(forces, errors):
+    """Root mean square of errors over that of the forces in equal headings, per cent of the larger of surge and sway"""
+    each = np.arange(len(forces.headings))
+    parts = [np.abs(part[:, :, each, each]) ** 2 for part in (errors, forces.total)]
+    error, force = (np.sqrt(np.nanmean(part, axis=(0, 1, 2))) for part in parts)
+    size = np.array([max(force[:2])] * 2 + [force[5]])
+    return ", ".join(
+        f"{name} {100 * error[mode] / whole:.2g} %"
+        for name, mode, whole in zip(NAMES, MODES, size, strict=True)
+        if force[mode] > 1e-6 * max(force[:2])
+    )
+
+
+def _held(floats, moored):
+    if moored:
+        return f"moored ({moored})"
+    return "floating" if floats else "fixed"
 
 
 def levels(forces, mode, heading):

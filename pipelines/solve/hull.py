@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tomllib
 from dataclasses import dataclass
 
 from bem.contour.short_waves import MOST_UNRESOLVED, MOST_WAVES, too_many, unresolved, waves_along
@@ -13,6 +14,7 @@ from meshing.mirror import folded
 from meshing.panels import PanelMesh
 from meshing.quality import findings, lid_findings
 
+from ..common.typed import typed
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
 from .panel_counts import coarse_counts, fine_counts, finer_counts, meshed
@@ -115,6 +117,11 @@ def coarse_hull(scene, mesh):
         return None
     coarse = meshed(scene.body, counts)
     return coarse, make_lid(scene, coarse)
+
+
+def coarse_hull_of(header):
+    """`coarse_hull` of the scene in the header of a database; None without a scene"""
+    return coarse_hull(typed(tomllib.loads(header.scene), Scene, SceneError), header.mesh) if header.scene else None
 
 
 @dataclass(frozen=True)

@@ -82,6 +82,16 @@ def test_on_the_diagonal_it_is_the_mean_drift_of_the_far_field():
         assert np.all(np.abs(near - run.drift(True)) < 0.02 * scale)
 
 
+def test_lines_as_stiff_as_rock_hold_the_body_and_lines_without_stiffness_leave_it_free():
+    omega, rock = [0.6, 0.7], 1e14 * np.diag([1, 1, 1, 1e3, 1e3, 1e3])
+    fixed, free, held, loose = (
+        difference_forces(floating(), omega, [0.5], 1.0, moving).total[1, 0, 0, 0]
+        for moving in (False, True, rock, np.zeros((6, 6)))
+    )
+    assert np.abs(held - fixed).max() < 1e-4 * np.abs(fixed).max() < 1e-4 * np.abs(free - fixed).max() * 1e4
+    np.testing.assert_allclose(loose, free, rtol=1e-9, atol=1e-6 * np.abs(free).max())
+
+
 def test_two_headings_in_the_other_order_give_the_conjugate():
     found = of_box()
     swapped = found.total[0].swapaxes(1, 2).conj()

@@ -1,6 +1,7 @@
 """`hakobune qtf` as a person runs it, and the studies that use what it stores."""
 
 import re
+import shutil
 
 import numpy as np
 import pytest
@@ -33,6 +34,7 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
     said = capsys.readouterr().out
     assert "13 frequencies 0.3 to 1.2 rad/s, differences to 0.3" in said
     assert 1 < float(re.search(r"forcing of the surface around the body is (\S+) %", said)[1]) < 50
+    assert 0.1 < float(re.search(r"estimated error of the panels.*surge (\S+) %", said)[1]) < 50
     assert float(re.search(r"far field differ by (\S+) %", said)[1]) < 10
     assert path.read_bytes() == before and (tmp_path / "qtf.png").stat().st_size > 10_000
 
@@ -46,6 +48,7 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
         ("--heading nan", "--heading is nan"),
         ("--plot x.doc", "suffix"),
         ("--level more", "--level is 'more'"),
+        ("--fixed --moored moor.toml", "--fixed and --moored"),
     ],
 )
 def test_wrong_questions_are_refused_in_one_line(path, words, said, capsys):
@@ -80,6 +83,34 @@ def test_studies_take_the_level_they_ask_for(path, tmp_path, capsys):
     (tmp_path / "study.toml").write_text(STUDY.format("all"))
     assert main(["response", str(tmp_path / "study.toml"), "--database", str(path)]) == 2
     assert "sea.qtf is 'all'; allowed: newman, bound-wave, body, full, auto" in capsys.readouterr().err
+
+
+MOORING = """
+[water]
+depth = 20.0
+[hull]
+freeboard = 10.0
+[types.chain]
+weight_kg_per_m = 406.0
+axial_stiffness_tonf = 221700.0
+breaking_load_tonf = 1700.0
+[[spreads]]
+type = "chain"
+length = 260.0
+corner_headings_deg = [30, 60]
+pretension_tonf = 40.0
+"""
+
+
+def test_a_body_on_its_lines_has_forces_of_its_own(path, tmp_path, capsys):
+    other, study = shutil.copy(path, tmp_path / "box.h5"), tmp_path / "moor.toml"
+    study.write_text(MOORING)
+    question = ["--omega", "0.3:0.9:5", "--heading", "180", "--difference", "0.15"]
+    words = ["qtf", str(other), *question, "--moored", str(study)]
+    assert main(words) == 0
+    assert f"moored ({study}) body" in capsys.readouterr().out
+    held, free = (read_forces(open_database(p))[0].total[0, :, 0, 0, 0].real for p in (other, path))
+    assert 1e-5 < abs(held[4] / free[8] - 1) < 0.05  # at 0.9 rad/s, where lines are soft beside the waves
 
 
 def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
