@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def series(
-    which: Literal["single-point", "multi-point", "appendix-2", "dolphin", "lines"],
+    which: Literal["single-point", "multi-point", "appendix-1", "appendix-2", "dolphin", "lines"],
     /,
     *,
     output: Annotated[Path, Parameter(help="folder, made if it is not there")] = Path("series"),
@@ -24,6 +24,7 @@ def series(
     single-point: floaters A and B on six to eighteen chains, contact and intermediate buoy, Tables 3.6.5.3 to 3.6.5.5.
     multi-point: A and B on chain, with a buoy or a sinker, over sea, depth, period and number of lines (section 3.5.5):
     simplified method beside simulation, long-period motion by quick rule, spectrum and simulation.
+    appendix-1: the tests of models M3A and M3B on four lines, chain and sinker, and Table 3.5.3.2.
     appendix-2: the tests of model M3B at a single point, intermediate and contact buoy.
     dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method, and
     Table 3.7.5.2 in time.
@@ -31,7 +32,7 @@ def series(
     A second call makes what is not there; every case is kept as a study for `hakobune single-point`, or `simulate`.
     """
     taken = {"single-point": {"cases", "only", "seeds"}, "multi-point": {"only", "seeds", "hours"},
-             "appendix-2": {"only"}, "dolphin": set(), "lines": set()}  # fmt: skip
+             "appendix-1": {"only", "seeds"}, "appendix-2": {"only"}, "dolphin": set(), "lines": set()}  # fmt: skip
     given = {"cases": cases, "only": only, "seeds": None if seeds == 1 else seeds, "hours": hours}
     for name, value in given.items():
         if value is not None and name not in taken[which]:
@@ -41,6 +42,10 @@ def series(
         from .multi_point import make_series
 
         return make_series(output, only, seeds, 3.0 if hours is None else hours, fresh)
+    if which == "appendix-1":
+        from .appendix_1 import make_appendix
+
+        return make_appendix(output, only, seeds, fresh)
     if which == "appendix-2":
         from .appendix_2 import make_appendix
 
