@@ -208,7 +208,7 @@ def sweep(
     /,
     *,
     output: Annotated[Path | None, Parameter(help="one file of all cases, .h5 [beside the sweep]")] = None,
-    executor: Annotated[str, Parameter(help="local or processes:N")] = "local",
+    executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
 ):
     """Run many cases of a study over its keys; a second call takes up where the first stopped.

@@ -52,7 +52,7 @@ class RunFlags:
     output: Annotated[Path | None, _flag("the database, or the mesh file with --mesh-only", _file)] = None
     mesh_only: Annotated[bool, Parameter(help="write the mesh and stop", negative="")] = False
     fresh: Annotated[bool, Parameter(help="replace an existing database", negative="")] = False
-    executor: Annotated[str, _flag("local or processes:N")] = "local"
+    executor: Annotated[str, _flag("local, processes:N, dask:N, dask://host:port, slurm:N")] = "local"
 
 
 def overlaid(raw, flags, body):

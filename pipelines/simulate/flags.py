@@ -17,7 +17,7 @@ def simulate(
     seeds: Annotated[int | None, Parameter(help="how many runs, from seed 1 on, in place of the study's")] = None,
     duration: Annotated[float | None, Parameter(help="s of a run, in place of the study's")] = None,
     fresh: Annotated[bool, Parameter(help="replace a file that is there", negative="")] = False,
-    executor: Annotated[str, Parameter(help="local or processes:N")] = "local",
+    executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     windows: Annotated[float | None, Parameter(help="s: significant motions of the first record, one by one")] = None,
 ):
     """A mooring study in time: motions and tensions over seeds, beside the simplified method of `moor`.

@@ -12,6 +12,8 @@ from dataclasses import fields, is_dataclass
 
 import numpy as np
 
+EXECUTORS = "local, processes:N, dask:N, dask://host:port or slurm:N"
+MOST = {"processes": 256, "dask": 256, "slurm": 10_000}
 _prepared = {}
 
 
@@ -82,13 +84,21 @@ class Processes(ProcessPoolExecutor):
 
 
 def executor_of(text):
-    """`local` or `processes:N`, each with its share of the cores.  Raises ValueError for anything else."""
-    kind, _, count = text.partition(":")
+    """`local`, `processes:N`, each with its share of the cores, or what `cluster` has.  Raises ValueError."""
+    kind, _, rest = text.partition(":")
     if text == "local":
         return Here()
-    if kind != "processes" or not count.isdigit() or not 1 <= int(count) <= 256:
-        raise ValueError(f"executor is {text!r}; allowed: local, processes:N with N from 1 to 256")
-    return Processes(int(count))
+    if kind == "dask" and rest.startswith("//") and len(rest) > 2:
+        from .cluster import there
+
+        return there(text, rest[2:])
+    if kind not in ("processes", "dask", "slurm") or not rest.isdigit() or not 1 <= int(rest) <= MOST[kind]:
+        raise ValueError(f"executor is {text!r}; allowed: {EXECUTORS}, N from 1 to 256, of slurm to 10000")
+    if kind == "processes":
+        return Processes(int(rest))
+    from . import cluster
+
+    return {"dask": cluster.here, "slurm": cluster.slurm}[kind](text, int(rest))
 
 
 def _start(threads):

@@ -20,12 +20,13 @@ def sweep(study, output, executor, fresh, main):
         output.unlink(missing_ok=True)
     workers = executor_of(executor)
     try:
-        count, failed = run.sweep(
-            table, text, study.parent, output, workers, main, lambda line: print(line, file=sys.stderr)
-        )
+        outcome = run.sweep(table, text, study.parent, output, workers, main, lambda line: print(line, file=sys.stderr))
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
-    print(f"{output}: {count} cases, {len(failed)} of them with a status above 0")
+    failed, (lost, reason) = outcome.failed, outcome.lost
+    print(f"{output}: {outcome.cases} cases, {len(failed)} of them with a status above 0")
     for number, status, message in failed[:5]:
         print(f"  case {number}: status {status}; {message}")
-    return int(bool(failed))
+    if lost:
+        print(f"{lost} cases were not done, {reason}; run the same command to go on", file=sys.stderr)
+    return int(bool(failed or lost))

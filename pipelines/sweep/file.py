@@ -2,7 +2,8 @@
 
 /keys/NAME (case,);  /status (case,): −1 to do, else that of the command;  /message (case,);  /tables/N/COLUMN
 (case, row) with its title as an attribute and the labels of its rows in /tables/N/row.  Numbers have the digits that
-the command prints; what is no number is NaN.  The status is written last.
+the command prints; what is no number is NaN.  A sweep of scenes has /results/NAME (case, …) instead, the arrays of each
+case's database with all their digits.  The status is written last.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import h5py
 import numpy as np
 
 from bem.database.file import software_version
+from bem.database.schema import DOFS, DRIFT_DOFS
 
 SCHEMA = "hakobune sweep 1"
 PENDING = -1
@@ -50,11 +52,16 @@ def pending(path):
         return np.flatnonzero(file["status"][()] == PENDING).tolist()
 
 
-def store(path, case, status, message, tables):
-    """Keep what a case gave: tables as [{"title", "rows": [{name: text}]}], then its status"""
+def store(path, case, status, message, tables, arrays):
+    """Keep what a case gave, then its status.
+
+    tables : [{"title", "rows": [{name: text}]}]; arrays : {name: (axes, unit, array)}
+    """
     with h5py.File(path, "r+") as file:
         for number, table in enumerate(tables):
             message = _store_table(file, number, case, table) or message
+        for name, (axes, unit, array) in arrays.items():
+            message = _store_array(file, name, case, axes, unit, np.asarray(array)) or message
         file["message"][case] = message
         file.flush()
         file["status"][case] = status
@@ -82,6 +89,33 @@ def _store_table(file, number, case, table):
     for name in names:
         group[_safe(name)][case] = [_number(row[name]) for row in rows]
     return ""
+
+
+def _store_array(file, name, case, axes, unit, array):
+    """An array into its dataset; says why where it has another shape than the first case's"""
+    place = f"results/{name}"
+    if place not in file:
+        array = array.astype(complex if array.dtype.kind == "c" else float)
+        nothing = array.dtype.type(np.nan)
+        shape = len(file["case"]), *array.shape
+        data = file.create_dataset(place, shape, array.dtype, fillvalue=nothing, chunks=(1, *array.shape))
+        data.attrs["units"] = unit
+        for number, (axis, size) in enumerate(zip(("case", *axes), data.shape, strict=True)):
+            data.dims[number].attach_scale(file["case"] if axis == "case" else _axis(file, axis, size))
+    if file[place].shape[1:] != array.shape:
+        return f"{name} has the shape {array.shape}, {file[place].shape[1:]} in the first case; it is left out"
+    file[place][case] = array
+    return ""
+
+
+def _axis(file, axis, size):
+    """The scale of an axis: labels of degrees of freedom, or numbers from 0"""
+    place = f"results/{axis}"
+    if place not in file:
+        labels = {"drift_dof": DRIFT_DOFS, "xyz": ("x", "y", "z")}.get(axis, DOFS if axis.endswith("_dof") else None)
+        data = np.arange(size) if labels is None else np.array(labels, h5py.string_dtype())
+        file.create_dataset(place, data=data).make_scale(axis)
+    return file[place]
 
 
 def _safe(name):

@@ -8,13 +8,26 @@ import json
 import tempfile
 import tomllib
 from pathlib import Path
+from typing import NamedTuple
 
 from . import file
-from .study import StudyError, cases, put
+from .solved import solved
+from .study import SOLVE, StudyError, cases, put
+
+
+class Outcome(NamedTuple):
+    """cases : all of the sweep; failed : [(number, status, message)] of those with a status above 0
+
+    lost : (how many were not done, why one of them was not), of cases whose worker was lost
+    """
+
+    cases: int
+    failed: list
+    lost: tuple[int, str]
 
 
 def sweep(table, text, folder, output, executor, main, say):
-    """Run what is pending.  Returns (cases, failed).  Raises StudyError before any work.
+    """Run what is pending.  Returns an Outcome.  Raises StudyError before any work.
 
     table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; main : the command line as
     a function of its words, which can be sent to a process; say : takes a line
@@ -31,7 +44,7 @@ def sweep(table, text, folder, output, executor, main, say):
         _check_same(output, texts)
     else:
         file.create(output, keys, values, texts)
-    todo, done = file.pending(output), 0
+    todo, done, lost = file.pending(output), 0, []
     say(f"{len(values)} cases, {len(values) - len(todo)} are there")
     together = 1 if executor.count == 1 else BATCH * executor.count
     for batch in (todo[i : i + together] for i in range(0, len(todo), together)):
@@ -42,10 +55,15 @@ def sweep(table, text, folder, output, executor, main, say):
                 varied = put(varied, key, value)
             asked[number] = executor.submit(one_case, main, table.command, varied, str(study), tuple(table.arguments))
         for number, future in asked.items():
-            file.store(output, number, *future.result())
+            try:
+                result = future.result()
+            except Exception as error:  # its worker was lost; what a command refuses is a result
+                lost.append(f"case {number}: {' '.join(str(error).split()) or type(error).__name__}")
+                continue
+            file.store(output, number, *result)
             done += 1
         say(f"{len(values) - len(todo) + done} of {len(values)} cases")
-    return len(values), _failed(output)
+    return Outcome(len(values), _failed(output), (len(lost), lost[0] if lost else ""))
 
 
 BATCH = 8  # cases that each process is given at once, which are lost with it
@@ -69,9 +87,11 @@ def _failed(output):
 
 
 def one_case(main, command, raw, study, arguments):
-    """(exit status, last line of stderr, tables) of a command on a study; the varied study lies beside it meanwhile"""
+    """(exit status, last line of stderr, tables, arrays) of a command on a study, which lies beside it meanwhile"""
     import tomli_w
 
+    if command == SOLVE:
+        return solved(raw, Path(study))
     out, said, folder = io.StringIO(), io.StringIO(), Path(study).parent
     with tempfile.NamedTemporaryFile("wb", suffix=".toml", prefix=".case_", dir=folder) as place:
         place.write(tomli_w.dumps(raw).encode())
@@ -80,4 +100,4 @@ def one_case(main, command, raw, study, arguments):
             status = main([command, place.name, *arguments, "--json"])
     lines = [line for line in said.getvalue().splitlines() if line.strip()]
     tables = [json.loads(line) for line in out.getvalue().splitlines()]
-    return status, lines[-1] if status and lines else "", tables
+    return status, lines[-1] if status and lines else "", tables, {}

@@ -25,9 +25,11 @@ from ..common.bounds import check_count
 from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 
+# of a sweep of scenes one file has all coefficients, (case, frequency, …)
 SAMPLINGS = ("grid", "latin-hypercube")
 MOST = 100_000  # cases
-COMMANDS = ("moor", "response", "lines", "line-dynamics", "single-point", "berth", "breakwater", "simulate")
+SOLVE = "solve"
+COMMANDS = (SOLVE, "moor", "response", "lines", "line-dynamics", "single-point", "berth", "breakwater", "simulate")
 
 
 class VaryTable(Table):
@@ -48,7 +50,8 @@ class VaryTable(Table):
 class SweepTable(Table):
     """Many cases of one study
 
-    command : moor, response, lines, line-dynamics, single-point, berth, breakwater or simulate
+    command : solve, of which study is a scene, moor, response, lines, line-dynamics, single-point, berth,
+        breakwater or simulate
     study : file beside this one whose keys are varied
     arguments : of the command after the study, as ["--database", "box.h5"], seen from where the sweep is run
     sampling : grid, every combination, or latin-hypercube, samples evenly over ranges

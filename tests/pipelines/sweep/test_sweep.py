@@ -35,15 +35,12 @@ def numbers(path):
     return found
 
 
-def test_processes_give_the_file_of_one(folder):
+def test_energies_of_berthing_over_speed_are_kinetic(folder):
     assert cli.main(["sweep", "sweep.toml", "--output", "one.h5"]) == 0
-    assert cli.main(["sweep", "sweep.toml", "--output", "two.h5", "--executor", "processes:2"]) == 0
-    one, two = numbers("one.h5"), numbers("two.h5")
-    assert one.keys() == two.keys()
-    assert all(np.array_equal(one[name], two[name], equal_nan=one[name].dtype.kind == "f") for name in one)
+    one = numbers("one.h5")
     energy = one["tables/0/energy kJ"][:, 0]
     assert np.allclose(energy / one["keys/approach.speed"] ** 2, energy[0] / 0.01, rtol=1e-3)  # ½ m v²
-    assert sorted(path.name for path in folder.iterdir()) == ["berth_tanker.toml", "one.h5", "sweep.toml", "two.h5"]
+    assert sorted(path.name for path in folder.iterdir()) == ["berth_tanker.toml", "one.h5", "sweep.toml"]
 
 
 def test_a_sweep_that_stopped_is_taken_up(folder, monkeypatch, capsys):

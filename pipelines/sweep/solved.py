@@ -1,0 +1,50 @@
+"""One case of a sweep of scenes: solved in a file of its own, whose arrays go on into the file of all cases."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+LARGE = ("kochin_radiation", "kochin_diffraction", "pressure")  # of a case, that no sweep keeps
+OF_A_CASE = {"omega": "frequency", "wave_direction": "heading"}  # axes that a case may have values of its own on
+
+
+def solved(raw, scene_file):
+    """(exit status, message, [], {name: (axes, unit, array)}) of a scene; mesh files are seen from beside `scene_file`.
+
+    Axes and units are those of a database, with the number of a frequency and of a heading in the place of their
+    values, which are arrays too.
+    """
+    from ..scene.scene import make_scene
+    from ..solve.run import solve
+
+    try:
+        for body in raw.get("bodies", ()):
+            if "file" in body:
+                body["file"] = str(scene_file.parent / body["file"])
+        scene = make_scene(raw)
+        with tempfile.TemporaryDirectory() as folder:
+            outcome = solve(scene, Path(folder) / "case.h5")
+            arrays = _arrays(outcome.path)
+    except ValueError as error:
+        return 2, str(error), [], {}
+    failures = [f"ω = {where}: {reason}" for where, reason in outcome.failures]
+    return outcome.exit_status, failures[0] if failures else "", [], arrays
+
+
+def _arrays(path):
+    from bem.database import open_database
+    from bem.database.schema import BODY, COORDINATES, LIMITS, QUANTITIES
+
+    db = open_database(path)
+    found = {}
+    for name, axis in OF_A_CASE.items():
+        found[name] = (axis,), COORDINATES[name][1], getattr(db, name)
+    for name in db.names:
+        if name not in LARGE and (name not in LIMITS or db.complete):
+            axes, unit, _ = QUANTITIES[name]
+            found[name] = tuple(OF_A_CASE.get(axis, axis) for axis in axes), unit, db[name]
+    for name, (axes, unit, _) in BODY.items():
+        if db.header.body.get(name) is not None:
+            found[name] = axes, unit, db.header.body[name]
+    return found
