@@ -29,6 +29,7 @@ from .fender.flags import fender
 from .keys.command import keys, new
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
+from .printing import timing
 from .printing.console import new_console, tables_as, taken
 from .qtf.command import qtf
 from .reports.compare_command import compare
@@ -47,7 +48,8 @@ OWN_FORMS = ("keys",)  # commands that write JSON of their own
 app = App(
     name="hakobune",
     help="From a floating body's dimensions to the tension in its last mooring line.\n\n"
-    "Any command prints its tables as CSV with --csv, as JSON with --json, a line for each table.",
+    "Any command prints its tables as CSV with --csv, as JSON with --json, a line for each table;\n"
+    "with --timing it tells on stderr where its time went.",
     version=lambda: metadata.version("hakobune"),
     result_action="return_value",
     suppress_keyboard_interrupt=False,
@@ -253,6 +255,9 @@ def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     command = arguments[0] if arguments and arguments[0].replace("-", "").isalpha() and arguments[0][0] != "-" else ""
     name = f"hakobune {command}".strip()
+    if timing.FLAG in arguments:
+        timing.begin()
+        arguments = [word for word in arguments if word != timing.FLAG]
     try:
         arguments, form = (arguments, None) if command in OWN_FORMS else taken(arguments)
         with tables_as(form):
@@ -271,6 +276,9 @@ def main(arguments=None):
     except KeyboardInterrupt:
         print(f"{name}: {interrupted(command, arguments)}", file=sys.stderr)
         return 130
+    finally:
+        for line in timing.told():
+            print(line, file=sys.stderr)
 
 
 def _one_line(error):
@@ -306,11 +314,12 @@ def _run(scene, output, flags):
         outcome = run.solve(scene, output, fresh=flags.fresh, executor=executor, console=console)
     finally:
         executor.shutdown(wait=False, cancel_futures=True)
-    db = open_database(output)
-    print_outcome(console, outcome, db)
-    failed = failed_laws(db, scene.panels is not None or scene.body.shape == "mesh") if outcome.stored else ""
-    if failed:
-        console.print(failed, highlight=False, markup=False, soft_wrap=True)
+    with timing.phase("report"):
+        db = open_database(output)
+        print_outcome(console, outcome, db)
+        failed = failed_laws(db, scene.panels is not None or scene.body.shape == "mesh") if outcome.stored else ""
+        if failed:
+            console.print(failed, highlight=False, markup=False, soft_wrap=True)
     return outcome.exit_status or int(bool(failed))
 
 

@@ -1,7 +1,7 @@
 """Whether a database is still what was written into it: its schema, and checksums of every number.
 
 The mark of a stored cell is the CRC-32 of its bytes, 0 where nothing is stored, so that data and checksum become
-valid in one step (`rows.append`); checks and wall time of a frequency have one for the whole row; the seal of the
+valid in one step (`storing.append`); checks and wall time of a frequency have one for the whole row; the seal of the
 file (`results`) covers the rest: structure, attributes, coordinates, body, mesh.  Files from before there were
 checksums have marks of one byte and no seal, and are held to the schema alone.
 """

@@ -19,8 +19,8 @@ import numpy as np
 
 from meshing.whole_files import keep_room
 
-from .file import LATER, DatabaseError, Header, beside, lay_out, opened, read_header, steps_text
-from .integrity import ROWS, check_cells, check_rows, checks_crc, crc, has_checksums
+from .file import LATER, DatabaseError, Header, beside, lay_out, opened, read_header
+from .integrity import check_cells, check_rows
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
 
 SAME = 1e-9  # relative in omega, rad in heading: closer than any two a person asks for, wider than rounding
@@ -67,83 +67,9 @@ def writing(path):
         yield file
 
 
-def append(file, omega, headings, result):
-    """Store what was computed for one frequency, then mark it.
-
-    file : from `writing`; omega : rad/s; headings : (m,) rad, the order of the heading axis in `result`
-    result : {name: array}, and "checks", "estimated_error", "wall_time" as `solve_frequency` returns them
-    Raises DatabaseError, and marks nothing, if a value has the wrong shape or is not finite.
-    """
-    (i,) = places_on(file, [omega], "omega")
-    columns = places_on(file, headings, "wave_direction")
-    datasets = {name: file[name] for name in QUANTITIES if name in result and name not in LIMITS and name in file}
-    cells = {}
-    for name, dataset in datasets.items():
-        by_heading = "wave_direction" in cell_axes(name)
-        shape = ((len(columns),) if by_heading else ()) + dataset.shape[2 if by_heading else 1 :]
-        cells[name] = _checked(name, result[name], shape, f"omega = {omega:.6g} rad/s")
-    found, sealed, errors = {}, has_checksums(file), result.get("estimated_error", {})
-    for name, value in cells.items():
-        stored = [value]
-        if estimate_of(name) in file:
-            estimate = file[estimate_of(name)]
-            error = np.asarray(errors.get(name, np.full(value.shape, np.nan)), float)
-            stored.append(np.minimum(error, np.finfo(estimate.dtype).max).astype(estimate.dtype))
-            _put(estimate, name, i, columns, stored[1])
-        _put(datasets[name], name, i, columns, value)
-        by_heading = len(cell_axes(name)) > 1
-        found[name] = [crc(*parts) for parts in zip(*stored, strict=True)] if by_heading else crc(*stored)
-    _append_checks(file, i, result)
-    marks = dict(file["stored"].items())
-    # motions before what they follow from: a run killed between the two would else make them again from what is
-    # stored, without their estimated errors
-    free = [name for name in found if name in NEEDS_MOTION]
-    for names in (free, [name for name in found if name not in NEEDS_MOTION]):
-        file.flush()
-        for name in names:
-            mark = np.asarray(found[name] if sealed else np.ones_like(found[name]), marks[name].dtype)
-            _put(marks[name], name, i, columns, mark)
-    file["solved"][i] = all(np.all(mark[i] != 0) for name, mark in marks.items() if name not in LIMITS)
-    file.flush()
-
-
-def _append_checks(file, i, result):
-    """The worst of each check of a frequency, and its wall times, summed"""
-    checks, places = {}, file["checks"]
-    for name in CHECKS:
-        checks[name] = (place := places[name])[i]
-        if name in result.get("checks", {}):
-            checks[name] = place[i] = np.fmax(checks[name], result["checks"][name])
-    seconds = dict(json.loads(file["wall_time"][i]))
-    for step, value in result.get("wall_time", {}).items():
-        seconds[step] = round(seconds.get(step, 0.0) + float(value), 6)
-    text = steps_text(seconds)
-    file["wall_time"][i] = text
-    if ROWS in file:
-        file[ROWS][i] = checks_crc(checks, text)
-
-
 def estimate_of(name):
     """Name of the dataset of estimated errors of a quantity"""
     return f"estimated_error/{name}"
-
-
-def _put(dataset, name, i, columns, value):
-    """Write a row of what is stored with a quantity, of all its headings or of some; each write takes 0.1 ms"""
-    if len(cell_axes(name)) < 2 or columns == list(range(dataset.shape[1])):
-        dataset[i] = value
-        return
-    for column, part in zip(columns, value, strict=True):
-        dataset[i, column] = part
-
-
-def append_limit(file, name, value):
-    """Store an added-mass limit (6, 6); entries may be infinite, none NaN."""
-    value = _checked(name, value, file[name].shape, "the limit", infinite=True)
-    file[name][...] = value
-    file.flush()
-    file["stored"][name][...] = crc(value) if has_checksums(file) else 1
-    file.flush()
 
 
 def row_values(file, omega, headings, names):
@@ -382,18 +308,6 @@ def _lacking(omega, headings, marks, i):
             if mark.ndim == 2:
                 columns |= ~mark[i]
     return Row(omega, tuple(headings[columns].tolist()), frozenset(want))
-
-
-def _checked(name, value, shape, where, infinite=False):
-    kind = QUANTITIES[name][2]
-    if kind is float and np.iscomplexobj(value):
-        raise DatabaseError(f"{name} at {where} is complex, its type is real")
-    value = np.asarray(value, kind)
-    if value.shape != shape:
-        raise DatabaseError(f"{name} at {where} has shape {value.shape}; allowed: {shape}")
-    if np.isnan(value).any() or not (infinite or np.isfinite(value).all()):
-        raise DatabaseError(f"{name} at {where} is not finite")
-    return value
 
 
 def _first_axis(name):

@@ -1,17 +1,20 @@
 """Widening a database by frequencies, headings and quantities: a new file that takes over the rows of the old one.
 
-It is made beside the old one and takes its name when it is whole, so that a run can be killed at any instant.
+It is made beside the old one and takes its name when it is whole, so that a run can be killed at any instant.  Groups
+beside the grid over frequencies are written whole, sealed with the file and kept while it is widened; a group has
+datasets with axes of its own, whose names are their attribute `axes`.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from .file import LATER, beside, lay_out, read_header
-from .groups import GROUPS, content, fill
+from .file import LATER, DatabaseError, beside, lay_out, read_header
 from .integrity import ROWS, has_checksums, remark, row_crc
 from .rows import estimate_of, mark_whole_rows, places_on, same_heading, same_omega, writing
 from .schema import CHECKS, QUANTITIES, cell_axes
+
+GROUPS = ("qtf",)
 
 
 def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
@@ -47,7 +50,7 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
 def write_group(path, name, datasets, attributes):
     """Put a group into a database, in place of one of that name; a new file takes the name when it is whole.
 
-    As `groups.fill`.
+    As `fill`.
     """
     with writing(path) as old, beside(old.filename, LATER) as file:
         quantities = [quantity for quantity in QUANTITIES if quantity in old]
@@ -81,3 +84,46 @@ def take_over(old, new, anew=()):
 def _union(old, new, same):
     added = [float(b) for b in new if not any(same(a, b) for a in old)]
     return np.unique(np.concatenate([old, added]))
+
+
+def fill(file, name, datasets, attributes):
+    """Put a group into an open file, in place of one of that name.
+
+    datasets : {name: (axes, unit, values)}, the axes first; attributes : of the group
+    """
+    if name in file:
+        del file[name]
+    group = file.create_group(name)
+    group.attrs.update(attributes)
+    for key, (axes, unit, values) in datasets.items():
+        dataset = group.create_dataset(key, data=values)
+        dataset.attrs["axes"] = " ".join(axes)
+        if unit:
+            dataset.attrs["units"] = unit
+        if axes == (key,):
+            dataset.make_scale(key)
+        else:
+            for place, axis in enumerate(axes):
+                dataset.dims[place].attach_scale(group[axis])
+
+
+def read_group(db, name):
+    """{dataset: (axes, unit, values)} and attributes of a group of an opened `Database`, or None where it has none"""
+    with db.opened() as file:
+        return content(file, name)
+
+
+def content(file, name):
+    """`read_group` of an open file.  Raises DatabaseError"""
+    if name not in file:
+        return None
+    group = file[name]
+    try:
+        datasets = {
+            key: (tuple(part.attrs["axes"].split()), str(part.attrs.get("units", "")), part[()])
+            for key, part in group.items()
+        }
+    except KeyError as error:
+        raise DatabaseError(f"{file.filename} is damaged: {name}: {error.args[0]}; make the group anew") from None
+    scales = {key: part for key, part in datasets.items() if part[0] == (key,)}
+    return {**scales, **datasets}, dict(group.attrs)

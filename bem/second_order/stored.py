@@ -12,8 +12,7 @@ import numpy as np
 
 from .. import DOFS
 from ..database.file import DatabaseError
-from ..database.groups import read_group
-from ..database.widening import write_group
+from ..database.widening import read_group, write_group
 from .difference_forces import PARTS, DifferenceForces
 
 GROUP = "qtf"

@@ -20,7 +20,7 @@ class Progress:
     def step(self, where, result, reason):
         """where : ω in rad/s, or the name of a limit; result : of the solver; reason : of a failure, or empty"""
         self.done += 1
-        self.once = max(self.once, sum(_times(result).get(part, 0.0) for part in ONCE))
+        self.once = max(self.once, sum(times(result).get(part, 0.0) for part in ONCE))
         left = max(0.0, time.perf_counter() - self.started - self.once) / self.done * (self.total - self.done)
         place = where if isinstance(where, str) else f"ω {where:7.4f} rad/s  T {2 * math.pi / where:7.2f} s"
         took, rest = (" failed", reason) if reason else (_seconds(result), checks_text(result))
@@ -64,12 +64,13 @@ class Preparing:
         return done / self.seconds
 
 
-def _times(result):
+def times(result):
+    """{step: s} of what a solver returned, empty where it failed"""
     return result.get("wall_time", {}) if isinstance(result, dict) else {}
 
 
 def _seconds(result):
-    return f"{sum(_times(result).values()):.2f} s" if _times(result) else ""
+    return f"{sum(times(result).values()):.2f} s" if times(result) else ""
 
 
 def checks_text(result):

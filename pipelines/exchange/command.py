@@ -11,8 +11,8 @@ import numpy as np
 
 from bem.database import append, append_limit, create, open_database, writing
 from bem.database.file import Header, check_place
-from bem.database.groups import read_group
 from bem.database.schema import LIMITS
+from bem.database.widening import read_group
 from bem.formats.values import CARRIED, FormatError, values_of
 from meshing.files import read_mesh
 from meshing.hydrostatics import hydrostatics

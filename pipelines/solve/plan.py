@@ -13,6 +13,7 @@ from bem.database.schema import NEEDS_MOTION
 from bem.problem import Problem
 from bem.waves import wavenumber
 
+from ..printing.timing import phase
 from ..scene.identity import check_same, fixed_part, scene_hash
 from ..scene.methods import FAR_FIELD, check_method
 from ..scene.scene import Scene, SceneError
@@ -50,7 +51,8 @@ class Plan:
 
 def planned(scene):
     """`Plan` of a scene for a new database.  Raises SceneError if it cannot be solved."""
-    hull = make_hull(scene)
+    with phase("mesh"):
+        hull = make_hull(scene)
     return _plan(scene, hull, make_header(scene, hull))
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from bem.database import append, append_limit, create, extend, open_database, pending, row_values, writing
+from bem.database import Storing, append, append_limit, create, extend, open_database, pending, row_values, writing
 from bem.database.file import check_place, check_replaceable
 from bem.database.schema import LIMITS, NEEDS_MOTION
 from bem.free_body import free_body, needed
@@ -16,11 +17,14 @@ from bem.kernels.progress import progress_callback
 
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_ending
-from ..common.progress import Preparing, Progress
+from ..common.progress import Preparing, Progress, times
+from ..printing.timing import phase, share
 from .adaptive import filled_band
 from .large import Telling, announced
 from .plan import KOCHIN, planned, resumed
 from .work import Here, in_order, limit_one, solve_one
+
+EVERY = 0.5  # s: what is solved meanwhile is stored together, and what a kill can take
 
 
 @dataclass(frozen=True)
@@ -70,8 +74,9 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
             check_ending(output, DATABASE)
             plan = planned(scene)
             cost = _announced(plan, len(set(LIMITS) & set(plan.names)), executor, console)
-            create(output, plan.header, plan.omegas, plan.headings, plan.names)
-            file = stack.enter_context(writing(output))
+            with phase("store"):
+                create(output, plan.header, plan.omegas, plan.headings, plan.names)
+                file = stack.enter_context(writing(output))
         if console:
             console.print(f"{output}: {plan.header.mesh!r}", highlight=False, markup=False)
         fill = partial(_fill, plan, executor, console, cost)
@@ -109,16 +114,19 @@ def _fill(plan, executor, console, cost, file):
     say = partial(console.print, highlight=False) if console else lambda text: None
     preparing = Preparing(console, cost) if console and cost and isinstance(executor, Here) else None
     telling = Telling(console, preparing) if console else None
-    jobs = [*_rows(file, plan, todo.rows), *_limits(file, plan, todo.limits)]
-    with ctrl_c(say) as stop, progress_callback(telling):
+    with ctrl_c(say) as stop, progress_callback(telling), _stored_together(file) as storing:
+        jobs = [*_rows(storing, plan, todo.rows), *_limits(file, plan, todo.limits)]
         progress = Progress(console, len(jobs)) if console else None
         try:
             for job, result in zip(jobs, in_order(executor, (job.call for job in jobs)), strict=True):
-                reason = _stored(job, result)
+                share("solve", "estimate", times(result).get("error estimate", 0.0))
+                with phase("store"):
+                    reason = _stored(job, result)
                 if reason:
                     failures.append((job.where, reason))
                 if progress:
-                    progress.step(job.where, result, reason)
+                    with phase("report"):
+                        progress.step(job.where, result, reason)
                 if stop.asked and job is not jobs[-1]:
                     raise KeyboardInterrupt
         except KeyboardInterrupt:
@@ -140,11 +148,11 @@ class Job:
     store: Callable
 
 
-def _rows(file, plan, rows):
+def _rows(storing, plan, rows):
     for row in rows:
         theta = plan.header.theta if row.want & KOCHIN else None
         call = (solve_one, plan.problem, row.omega, row.headings, row.want, theta)
-        yield Job(row.omega, call, partial(_store_row, file, row))
+        yield Job(row.omega, call, partial(_store_row, storing, row))
 
 
 def _limits(file, plan, names):
@@ -152,12 +160,40 @@ def _limits(file, plan, names):
         yield Job(name, (limit_one, plan.problem, name), partial(append_limit, file, name))
 
 
-def _store_row(file, row, result):
+class _Together(Storing):
+    """Stores at once after a pause of `EVERY`, and what comes within it together"""
+
+    def __init__(self, file):
+        super().__init__(file)
+        self.last = -EVERY
+
+    def add(self, *row):
+        super().add(*row)
+        if time.perf_counter() - self.last > EVERY:
+            self.store()
+
+    def store(self):
+        super().store()
+        self.last = time.perf_counter()
+
+
+@contextmanager
+def _stored_together(file):
+    """Context of a `_Together` that has stored everything at its end, whatever ends it"""
+    storing = _Together(file)
+    try:
+        yield storing
+    finally:
+        with phase("store"):
+            storing.store()
+
+
+def _store_row(storing, row, result):
     missing = sorted(row.want - set(result))
     if missing:
         raise ValueError(f"no {', '.join(missing)} came back")
     kept = {*row.want, "checks", "estimated_error", "wall_time"}
-    append(file, row.omega, row.headings, {name: value for name, value in result.items() if name in kept})
+    storing.add(row.omega, row.headings, {name: value for name, value in result.items() if name in kept})
 
 
 def _stored(job, result):

@@ -12,6 +12,8 @@ from dataclasses import fields, is_dataclass
 
 import numpy as np
 
+from ..printing.timing import phase
+
 EXECUTORS = "local, processes:N, dask:N, dask://host:port or slurm:N"
 MOST = {"processes": 256, "dask": 256, "slurm": 10_000}
 _prepared = {}
@@ -24,12 +26,16 @@ def solve_one(problem, omega, headings, want, theta):
     """
     from bem.frequency import solve_frequency
 
-    return solve_frequency(_prepare(problem), omega, headings, want, theta)
+    prepared = _prepare(problem)
+    with phase("solve"):
+        return solve_frequency(prepared, omega, headings, want, theta)
 
 
 def limit_one(problem, name):
     """`added_mass_zero` or `added_mass_infinity` (6, 6) of a problem."""
-    return _prepare(problem).added_mass_limit(name.removeprefix("added_mass_"))
+    prepared = _prepare(problem)
+    with phase("solve"):
+        return prepared.added_mass_limit(name.removeprefix("added_mass_"))
 
 
 class Here:
@@ -128,7 +134,8 @@ def _prepare(problem):
     key = _key(problem)
     if key not in _prepared:
         _prepared.clear()
-        _prepared[key] = prepare(problem)
+        with phase("preparation"):
+            _prepared[key] = prepare(problem)
     return _prepared[key]
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database, rows
+from bem.database import open_database, storing
 from bem.database.schema import BODY, QUANTITIES
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
@@ -96,7 +96,7 @@ def test_a_run_that_dies_among_the_marks_of_a_frequency_loses_no_estimated_error
         {"omegas": [0.4], "headings_deg": [30]},
     )
     solved(tmp_path / "whole.h5", LIGHT, wave, want=want)
-    put, left = rows._put, [marks]
+    put, left = storing.put, [marks]
 
     def dying(dataset, *arguments):
         left[0] -= dataset.name.startswith("/stored/")
@@ -105,7 +105,7 @@ def test_a_run_that_dies_among_the_marks_of_a_frequency_loses_no_estimated_error
         put(dataset, *arguments)
 
     with monkeypatch.context() as patched, pytest.raises(Killed):
-        patched.setattr(rows, "_put", dying)
+        patched.setattr(storing, "put", dying)
         solved(tmp_path / "box.h5", LIGHT, wave, want=want)
     solved(tmp_path / "box.h5", LIGHT, wave, want=want)
     one, other = (open_database(tmp_path / name) for name in ("box.h5", "whole.h5"))

@@ -1,0 +1,171 @@
+"""Frequencies that come into a database: data first, flush, then the mark that they are there.
+
+A write takes HDF5 0.1 to 0.2 ms, and a frequency has some forty: those that follow one another are stored together,
+each quantity in one write.  What a kill can take is what was not yet given to `store`.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import NamedTuple
+
+import numpy as np
+
+from .file import DatabaseError, steps_text
+from .integrity import MARK, ROWS, checks_crc, crc, has_checksums
+from .rows import estimate_of, mark_whole_rows, places_on
+from .schema import CHECKS, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
+
+
+class Solved(NamedTuple):
+    """One frequency ready to be stored.
+
+    place : its number; columns : those of its headings; values : {name: array}; errors : {name: array} of those with
+        an estimate in the file; checks : {name: worst}; seconds : {step: wall time, s}
+    """
+
+    place: int
+    columns: list
+    values: dict
+    errors: dict
+    checks: dict
+    seconds: dict
+
+
+class Storing:
+    """Frequencies on their way into the open file of `rows.writing`."""
+
+    def __init__(self, file):
+        self.file, self.waiting = file, []
+        there, estimated = set(file), set(file.get("estimated_error", ()))
+        self.shapes = {name: file[name].shape for name in QUANTITIES if name in there and name not in LIMITS}
+        self.errors = {name: file[estimate_of(name)].dtype for name in self.shapes if name in estimated}
+        self.headings = {}
+
+    def add(self, omega, headings, result):
+        """Take what was computed for one frequency, which `store` stores.
+
+        omega : rad/s; headings : (m,) rad, the order of the heading axis in `result`
+        result : {name: array}, and "checks", "estimated_error", "wall_time" as `solve_frequency` returns them
+        Raises DatabaseError, and takes nothing, if a value has the wrong shape or is not finite.
+        """
+        (i,) = places_on(self.file, [omega], "omega")
+        key = tuple(headings)
+        if key not in self.headings:
+            self.headings[key] = places_on(self.file, headings, "wave_direction")
+        columns = self.headings[key]
+        values, errors, given = {}, {}, result.get("estimated_error", {})
+        for name in (name for name in self.shapes if name in result):
+            by_heading = "wave_direction" in cell_axes(name)
+            shape = ((len(columns),) if by_heading else ()) + self.shapes[name][2 if by_heading else 1 :]
+            values[name] = checked(name, result[name], shape, f"omega = {omega:.6g} rad/s")
+            if name in self.errors:
+                kind = self.errors[name]
+                error = np.asarray(given.get(name, np.full(shape, np.nan)), float)
+                errors[name] = np.minimum(error, np.finfo(kind).max).astype(kind)
+        self.waiting.append(Solved(i, columns, values, errors, result.get("checks", {}), result.get("wall_time", {})))
+
+    def store(self):
+        """Store and mark what was added, each frequency once"""
+        rows, self.waiting = sorted(self.waiting, key=lambda row: row.place), []
+        if rows:
+            _append(self.file, rows)
+
+
+def append(file, omega, headings, result):
+    """Store what was computed for one frequency, then mark it; arguments and errors as of `Storing.add`.
+
+    file : from `rows.writing`
+    """
+    storing = Storing(file)
+    storing.add(omega, headings, result)
+    storing.store()
+
+
+def _append(file, rows):
+    """Store `Solved` frequencies in ascending order, then mark them"""
+    sealed = has_checksums(file)
+    names = [name for name in QUANTITIES if any(name in row.values for row in rows)]
+    marks = {}
+    for name in names:
+        having = [row for row in rows if name in row.values]
+        put(file[name], name, [(row, row.values[name]) for row in having])
+        if name in having[0].errors:
+            put(file[estimate_of(name)], name, [(row, row.errors[name]) for row in having])
+        marks[name] = [(row, _mark(row, name, sealed)) for row in having]
+    _append_checks(file, rows)
+    # motions before what they follow from: a run killed between the two would else make them again from what is
+    # stored, without their estimated errors
+    free = [name for name in names if name in NEEDS_MOTION]
+    for group in (free, [name for name in names if name not in NEEDS_MOTION]):
+        file.flush()
+        for name in group:
+            put(file["stored"][name], name, marks[name])
+    mark_whole_rows(file)
+    file.flush()
+
+
+def _mark(row, name, sealed):
+    """Of the cells of a row: their checksums, or 1 in a file without"""
+    parts = [row.values[name], *([row.errors[name]] if name in row.errors else [])]
+    if len(cell_axes(name)) > 1:
+        return np.array([crc(*cell) if sealed else 1 for cell in zip(*parts, strict=True)], MARK)
+    return np.array(crc(*parts) if sealed else 1, MARK)
+
+
+def _append_checks(file, rows):
+    """The worst of each check of a frequency, and its wall times, summed"""
+    low, high = rows[0].place, rows[-1].place + 1  # what lies between is written as it was read
+    checks = {name: file["checks"][name][low:high] for name in CHECKS}
+    texts = file["wall_time"][low:high]
+    sums = file[ROWS][low:high] if has_checksums(file) else None
+    for row in rows:
+        i = row.place - low
+        for name in (name for name in CHECKS if name in row.checks):
+            checks[name][i] = np.fmax(checks[name][i], row.checks[name])
+        seconds = dict(json.loads(texts[i]))
+        for step, value in row.seconds.items():
+            seconds[step] = round(seconds.get(step, 0.0) + float(value), 6)
+        texts[i] = steps_text(seconds)
+        if sums is not None:
+            sums[i] = checks_crc({name: values[i] for name, values in checks.items()}, bytes(texts[i]))
+    for name, values in checks.items():
+        file["checks"][name][low:high] = values
+    file["wall_time"][low:high] = texts
+    if sums is not None:
+        file[ROWS][low:high] = sums
+
+
+def put(dataset, name, rows):
+    """Write what is stored with a quantity of (row, value) in ascending order, in as few writes as there are gaps"""
+    if len(cell_axes(name)) > 1 and any(row.columns != list(range(dataset.shape[1])) for row, _ in rows):
+        for row, value in rows:
+            for column, part in zip(row.columns, value, strict=True):
+                dataset[row.place, column] = part
+        return
+    places = np.array([row.place for row, _ in rows])
+    for run in np.split(np.arange(len(rows)), np.flatnonzero(np.diff(places) > 1) + 1):
+        first = places[run[0]]
+        dataset[first : first + len(run)] = np.stack([rows[i][1] for i in run])
+
+
+def append_limit(file, name, value):
+    """Store an added-mass limit (6, 6); entries may be infinite, none NaN."""
+    value = checked(name, value, file[name].shape, "the limit", infinite=True)
+    file[name][...] = value
+    file.flush()
+    file["stored"][name][...] = crc(value) if has_checksums(file) else 1
+    file.flush()
+
+
+def checked(name, value, shape, where, infinite=False):
+    """A value as an array of its quantity's type.  Raises DatabaseError unless it has that shape and is finite."""
+    kind = QUANTITIES[name][2]
+    if kind is float and np.iscomplexobj(value):
+        raise DatabaseError(f"{name} at {where} is complex, its type is real")
+    value = np.asarray(value, kind)
+    if value.shape != shape:
+        raise DatabaseError(f"{name} at {where} has shape {value.shape}; allowed: {shape}")
+    if np.isnan(value).any() or not (infinite or np.isfinite(value).all()):
+        raise DatabaseError(f"{name} at {where} is not finite")
+    return value

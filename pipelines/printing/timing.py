@@ -1,0 +1,122 @@
+"""Where the time of a command goes: its phases one by one, which --timing asks for.
+
+The time of a phase leaves out that of phases within it, so that all add up to the whole.  Imports and the loading of
+kernels are phases wherever they happen; the loading of a kernel holds the imports that it takes.
+"""
+
+from __future__ import annotations
+
+import builtins
+import functools
+import sys
+import time
+from contextlib import contextmanager, nullcontext
+
+FLAG = "--timing"
+IMPORTS, KERNELS, REST = "imports", "kernels loaded", "everything else"
+_asked = None  # the `Timeline` of a command while one is asked for
+
+
+class Timeline:
+    """Seconds of phases, by the wall and of the processor.
+
+    clock : gives both, from any zero
+    """
+
+    def __init__(self, clock=lambda: (time.perf_counter(), time.process_time())):
+        self.clock, self.last, self.open, self.seconds = clock, clock(), [REST], {}
+
+    @contextmanager
+    def phase(self, name):
+        """Context whose time is that of the phase `name`, but for phases within it"""
+        self._turn()
+        self.open.append(name)
+        try:
+            yield
+        finally:
+            self._turn()
+            self.open.pop()
+
+    def share(self, phase, name, wall):
+        """Give `wall` seconds of a phase that has ended to another, and their part of its processor time"""
+        whole = self.seconds.get(phase, (0.0, 0.0))
+        part = min(1.0, wall / whole[0]) if whole[0] > 0 else 0.0
+        moved = [part * value for value in whole]
+        other = self.seconds.get(name, (0.0, 0.0))
+        self.seconds[phase] = tuple(a - b for a, b in zip(whole, moved, strict=True))
+        self.seconds[name] = tuple(a + b for a, b in zip(other, moved, strict=True))
+
+    def _turn(self):
+        now, before = self.clock(), self.seconds.get(self.open[-1], (0.0, 0.0))
+        self.seconds[self.open[-1]] = tuple(spent + a - b for spent, a, b in zip(before, now, self.last, strict=True))
+        self.last = now
+
+    def lines(self):
+        """Of text, the phases in the order in which they ended first, and the whole"""
+        self._turn()
+        whole = tuple(map(sum, zip(*self.seconds.values(), strict=True)))
+        rows = [*((name, *self.seconds[name]) for name in self.seconds if name != REST), (REST, *self.seconds[REST])]
+        return [
+            f"{name:18} {wall:8.3f} s  {processor:8.3f} s of processor"
+            for name, wall, processor in (*rows, ("whole", *whole))
+        ]
+
+
+def phase(name):
+    """`Timeline.phase` of the command, if its time is asked for"""
+    return nullcontext() if _asked is None else _asked.phase(name)
+
+
+def share(phase, name, wall):
+    """`Timeline.share` of the command, if its time is asked for"""
+    if _asked is not None and wall:
+        _asked.share(phase, name, wall)
+
+
+def begin():
+    """Time what follows in this process, if nothing is timed yet."""
+    global _asked
+    if _asked is None:
+        _asked = Timeline()
+        builtins.__import__ = _timed_import(builtins.__import__)
+
+
+def told():
+    """End the timing; returns its lines, none where there was none."""
+    global _asked
+    timeline, _asked = _asked, None
+    if timeline is None:
+        return []
+    builtins.__import__ = builtins.__import__.__wrapped__
+    return timeline.lines()
+
+
+def _timed_import(plain):
+    @functools.wraps(plain)
+    def timed(*arguments, **named):
+        if _asked is None or _asked.open[-1] in (IMPORTS, KERNELS):
+            return plain(*arguments, **named)
+        with _asked.phase(IMPORTS):
+            module = plain(*arguments, **named)
+        _time_kernels()
+        return module
+
+    return timed
+
+
+def _time_kernels():
+    """Time what numba does at the first call of a kernel with new types: read it from disk, or compile it"""
+    dispatcher = sys.modules.get("numba.core.dispatcher")
+    kind = getattr(dispatcher, "Dispatcher", None)
+    if kind is None or hasattr(kind._compile_for_args, "__wrapped__"):
+        return
+    first_call = kind._compile_for_args
+
+    @functools.wraps(first_call)
+    def timed(self, *arguments, **named):
+        if _asked is not None and _asked.open[-1] == KERNELS:
+            return first_call(self, *arguments, **named)
+        with phase(KERNELS):
+            return first_call(self, *arguments, **named)
+
+    kind._compile_for_args = timed

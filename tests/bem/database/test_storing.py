@@ -1,0 +1,70 @@
+"""Frequencies stored together."""
+
+from contextlib import suppress
+
+import h5py
+import numpy as np
+import pytest
+from test_database import HEADINGS, NAMES, OMEGAS, header, result
+
+from bem.database import Storing, append, create, pending, storing, writing
+
+MORE = (0.2, *OMEGAS, 1.6)
+
+
+def contents(path):
+    found = {}
+    with h5py.File(path) as file:
+        file.visititems(lambda name, item: found.update({name: item[()]} if isinstance(item, h5py.Dataset) else {}))
+    return found
+
+
+@pytest.mark.parametrize("places", [(0, 1, 2, 3, 4), (4, 0, 1), (3, 1)])
+@pytest.mark.parametrize("headings", [HEADINGS, HEADINGS[1:]])
+def test_frequencies_stored_together_are_those_stored_one_by_one_to_the_last_bit(places, headings, tmp_path):
+    for name in ("together.h5", "alone.h5"):
+        create(tmp_path / name, header(), MORE, HEADINGS, NAMES)
+    rows = [(MORE[i], headings, result(MORE[i], headings, NAMES)) for i in places]
+    with writing(tmp_path / "together.h5") as file:
+        waiting = Storing(file)
+        for row in rows:
+            waiting.add(*row)
+        waiting.store()
+    with writing(tmp_path / "alone.h5") as file:
+        for row in rows:
+            append(file, *row)
+    together, alone = contents(tmp_path / "together.h5"), contents(tmp_path / "alone.h5")
+    assert set(together) == set(alone)
+    for name in together:
+        np.testing.assert_array_equal(together[name], alone[name], err_msg=name)
+
+
+@pytest.mark.parametrize("writes", range(0, 16, 3))
+def test_a_run_killed_while_frequencies_are_stored_together_marks_none_whose_numbers_are_missing(
+    writes, tmp_path, monkeypatch
+):
+    class Killed(BaseException):
+        pass
+
+    path, put, left = tmp_path / "box.h5", storing.put, [writes]
+    create(path, header(), OMEGAS, HEADINGS, NAMES)
+
+    def dying(*arguments):
+        left[0] -= 1
+        if left[0] < 0:
+            raise Killed
+        put(*arguments)
+
+    def run():
+        with writing(path) as file:
+            waiting = Storing(file)
+            for row in pending(file).rows:
+                waiting.add(row.omega, row.headings, result(row.omega, row.headings, row.want))
+            waiting.store()
+
+    with monkeypatch.context() as patched:
+        patched.setattr(storing, "put", dying)
+        with suppress(Killed):
+            run()
+    run()
+    assert not pending(path).rows
