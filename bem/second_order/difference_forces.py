@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .. import DOFS
+from ..panels.irregular_frequencies import lid_needed_from
 from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
 from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
 from .body_forces import body_forces
@@ -84,7 +85,7 @@ def difference_forces(problem, omega, headings, highest, moving, report=lambda d
         report(done + 1, len(omega) + steps + 1)
     flow, squares = waves.joined()
     out = {name: np.full((steps + 1, len(omega), len(headings), len(headings), 6), np.nan, complex) for name in PARTS}
-    long = _sharing(replace(problem, lid=None, coarse=None, finer=None), step, step * steps, steps)
+    long = _sharing(_at_differences(problem, difference[-1]), step, difference[-1], steps)
     on_surface = []
     for m in range(steps + 1):
         pairs = _Pairs(omega, headings, m)
@@ -208,6 +209,12 @@ def _on_surface(waves, flow, pairs, run, radiated, omega):
     return Difference(omega, pairs.one, pairs.two, *waves.around.radiated(run, radiated), line)
 
 
+def _at_differences(problem, highest):
+    """The problem for frequencies up to `highest` rad/s, with a lid only where one of them may be irregular"""
+    irregular = highest**2 / problem.gravity > lid_needed_from(problem.mesh)
+    return replace(problem, lid=problem.lid if irregular else None, coarse=None, finer=None)
+
+
 def _sharing(problem, low, high, count):
     """The problem prepared, its frequencies in a band that shares work where there are many; a round body needs none"""
     alone = replace(problem, band=None).prepared()
@@ -238,7 +245,7 @@ def _bound(pairs, run, problem):
 
 
 def _long_run(prepared, omega):
-    """Radiation at a difference frequency, without lid: these waves are as long as the body or longer"""
+    """Radiation at a difference frequency"""
     problem = prepared.problem
     scale = problem.depth if np.isfinite(problem.depth) else prepared.draft
     return prepared.run(max(omega, LOWEST * np.sqrt(problem.gravity / scale)), [0.0], {"added_mass"}, None, DOFS)

@@ -1,5 +1,6 @@
 """Difference forces of pairs: exact sums on a cylinder, the far field on the diagonal, Stokes's theorem."""
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -16,8 +17,9 @@ from bem.panels.pressure_drift.mean_drift import pressure_pairs
 from bem.second_order import surface_near
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
-from bem.second_order.difference_forces import difference_forces
+from bem.second_order.difference_forces import _at_differences, difference_forces
 from bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
+from meshing.lid import lid
 from meshing.panels import joined
 from meshing.shapes import box, buoy
 
@@ -63,6 +65,11 @@ def test_the_forcing_of_the_surface_is_the_same_wherever_the_sums_of_hankel_func
         found.append(forces.surface[1, 0, 0, 0])
     assert np.abs(found[1] - found[0])[:5].max() < 5e-3 * np.abs(found[0])[:5].max()
     assert abs(found[1] - found[0])[5] < 0.02 * LENGTH / 2 * np.abs(found[0])[:2].max()
+
+
+def test_differences_of_irregular_frequencies_are_solved_with_a_lid():
+    problem = replace(floating(), lid=lid(floating().mesh))
+    assert _at_differences(problem, 1.0).lid is problem.lid and _at_differences(problem, 0.5).lid is None
 
 
 def test_around_two_waterlines_or_none_the_forcing_of_the_surface_is_refused():
