@@ -33,7 +33,8 @@ def natural_periods(moored):
 def lines_on_periods(periods, harbour):
     """A line on natural periods (3,) s; (lines of findings where one is near a harbour's, s, of a list)"""
     known = {name: T for name, T in zip(PLANE, periods, strict=True) if np.isfinite(T)}
-    told = f"natural periods of small motions at the berth: {', '.join(f'{n} {T:.3g} s' for n, T in known.items())}"
+    words = ", ".join(f"{n} {T:.3g} s" for n, T in known.items())
+    told = f"natural periods of small motions at the berth: {words or 'none, nothing holds them at rest'}"
     near = [
         f"{name} swings with {T:.3g} s at the berth, the harbour with {own:g} s: it resonates; change pretension or "
         f"stiffness of the ropes until they are {100 * NEAR:g} % apart"
@@ -64,6 +65,45 @@ def lines_on_fenders(file, fenders):
         "take a larger one or more of them"
         for share, one in strained if share > one.fender.allowable
     ]  # fmt: skip
+
+
+def by_design_spectrum(study, db, hull, fenders):
+    """A line of the design spectrum method on fenders that alone hold a body; "" where it has no answer or there are
+    ropes or lines.
+
+    study : `Study`; fenders : sequence of `QuayFender`, of which those count that the steady loads across push to
+    """
+    from mooring.dolphins.design_spectrum import STATIC, TOTAL, Dolphins, beam_of, limit_height, strains
+    from mooring.studies.steady_loads import steady_loads, with_coefficients
+
+    from ..common.seas import family_of, shape_of
+
+    conditions = study.conditions()
+    if study.rope or study.lines or study.spreads or study.simulation.record or conditions.sea is None:
+        return ""
+    steady = with_coefficients(conditions, hull, study.water.depth)
+    across = sum(load[1] for load in steady_loads(db, hull, steady, study.water.depth).values())
+    beam = beam_of(db.reader.floating(), conditions.waves.direction)
+    side = np.sign(across + beam.drift.sum()) or 1.0
+    met = [one for one in fenders if one.normal[1] * side > 0.5]
+    if not met:
+        return ""
+    beam, family = beam._replace(drift=side * beam.drift), family_of("waves", study.waves, study.water.depth)
+    dolphins = Dolphins(met[0].fender, np.array([one.face for one in met]))
+    try:
+        s = strains(beam, dolphins, side * across, conditions.sea.spectrum)
+    except ValueError as error:
+        return f"design spectrum method, {len(met)} fenders: {error}"
+
+    def sea(height, mean_period):
+        return family(height, mean_period=mean_period, **shape_of(study.waves))
+
+    limit = limit_height(beam, dolphins, side * across, sea, study.waves.period)
+    return (
+        f"design spectrum method, {len(met)} fenders: static {s.static:.3g} m ({100 * s.static_strain:.3g} %), "
+        f"σ {s.sigma:.3g} m, largest {s.largest:.3g} m ({100 * s.strain:.3g} %); allowed: {100 * STATIC:g} and "
+        f"{100 * TOTAL:g} %, up to a significant height of {limit:.2f} m"
+    )
 
 
 def check_harbour(periods):

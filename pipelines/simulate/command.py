@@ -53,10 +53,12 @@ def _show(console, file, study, database, findings):
         read = read_study(study)[0]
         harbour = [] if read.harbour is None else berth.check_harbour(read.harbour.periods)
         db = open_database(database)
-        fenders = read.berth(read.hull_of(db.dimensions), db.rotation_center).fenders
+        hull = read.hull_of(db.dimensions)
+        fenders = read.berth(hull, db.rotation_center).fenders
         for told, findings_of_it in (
             berth.lines_on_periods(file.attrs["natural_period"], harbour),
             berth.lines_on_fenders(file, fenders),
+            (berth.by_design_spectrum(read, db, hull, fenders), ()),
         ):
             if told:
                 console.print(told, highlight=False, soft_wrap=True, markup=False)

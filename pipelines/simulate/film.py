@@ -34,6 +34,8 @@ def animate(path, output, seed=None, start=None, length=60.0, step=1.0):
     """
     check_output(output, "a film", _is_film, ENDINGS, (path,))
     with opened(path) as file:
+        if not len(file["line"]):
+            raise ValueError(f"{path} has no lines and no ropes; allowed: of a body that they hold")
         row = _row(file, seed)
         time, tension = file["time"][()], file["tension"][row]
         _check_times(time, start, length, step)

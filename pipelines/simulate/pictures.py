@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ..common.picture import save
@@ -37,18 +39,34 @@ def _figure(rows, columns, size, **more):
     return figure, figure.subplots(rows, columns, squeeze=False, **more)
 
 
+class Worst(NamedTuple):
+    """The line with the largest tension of all runs, or without lines the fender with the largest deflection
+
+    kind : "tension" or "deflection", its dataset; at : its place there; factor : to its unit
+    """
+
+    kind: str
+    at: int
+    name: str
+    factor: float
+    unit: str
+
+
 def _worst(file):
-    """Place of the line with the largest tension of all runs"""
-    lines = [name.startswith("tension") for name in file["quantity"].asstr()[()]]
-    largest = file["statistics"][()][whole_rows(file)][:, lines, STATISTICS.index("largest")]
-    return int(np.argmax(largest.max(axis=0)))
+    kind, factor, unit = ("tension", 1 / TONF, "tonf") if len(file["line"]) else ("deflection", 1.0, "m")
+    names = file["quantity"].asstr()[()]
+    chosen = [i for i, name in enumerate(names) if name.startswith(f"{kind} ")]
+    largest = file["statistics"][()][whole_rows(file)][:, chosen, STATISTICS.index("largest")]
+    at = int(np.argmax(largest.max(axis=0)))
+    return Worst(kind, at, names[chosen[at]].removeprefix(f"{kind} "), factor, unit)
 
 
 def _records(file, kept, path):
     """The minutes around the largest tension, of the run that has it"""
     worst, time = _worst(file), file["time"][()]
-    row = max(kept, key=lambda i: file["tension"][i, :, worst].max())
-    at = time[int(np.argmax(file["tension"][row, :, worst]))]
+    row = max(kept, key=lambda i: file[worst.kind][i, :, worst.at].max())
+    record = file[worst.kind][row, :, worst.at]
+    at = time[int(np.argmax(record))]
     begin = min(max(at - SHOWN / 2, time[0]), max(time[-1] - SHOWN, time[0]))
     part = (time >= begin) & (time <= begin + SHOWN)
     figure, axes = _figure(8, 1, (11, 13), sharex=True)
@@ -62,18 +80,18 @@ def _records(file, kept, path):
             axes[j + 1].plot(time[part], factor * slow[j][part], color="C3", lw=1.4, label="slow part")
         axes[j + 1].set_ylabel(f"{name}, {unit}")
     axes[1].legend(frameon=False, fontsize=8, loc="upper right")
-    name = file["line"].asstr()[worst]
-    axes[7].plot(time[part], file["tension"][row, :, worst][part] / TONF, color="C1", lw=0.9)
-    _breaking(axes[7], file, worst, file["tension"][row, :, worst].max())
-    axes[7].set(ylabel=f"tension, tonf\n{name}", xlabel="s after the ramp", xlim=(begin, begin + SHOWN))
-    axes[0].set_title(f"seed {file['seed'][row]}, around the largest tension, in {name}", loc="left")
+    axes[7].plot(time[part], worst.factor * record[part], color="C1", lw=0.9)
+    _breaking(axes[7], file, worst, record.max())
+    label = f"{worst.kind}, {worst.unit}\n{worst.name}"
+    axes[7].set(ylabel=label, xlabel="s after the ramp", xlim=(begin, begin + SHOWN))
+    axes[0].set_title(f"seed {file['seed'][row]}, around the largest {worst.kind}, in {worst.name}", loc="left")
     for one in axes:
         one.grid(alpha=0.3)
     save(figure, path, 110)
 
 
-def _breaking(axes, file, line, top):
-    load = file.attrs["breaking_load"][line]
+def _breaking(axes, file, worst, top):
+    load = file.attrs["breaking_load"][worst.at] if worst.kind == "tension" else np.inf
     if load < 2 * top:
         axes.axhline(load / TONF, color="C3", lw=1, ls="--")
         axes.annotate("breaking load", (0.01, load / TONF), xycoords=("axes fraction", "data"), va="bottom", fontsize=8)
@@ -94,7 +112,7 @@ def _spectra(file, kept, path):
     figure, axes = _figure(2, 4, (15, 7))
     columns = [("wave", 1.0, "m", file["wave"][kept])]
     columns += [(name, f, unit, file["motion"][kept, :, j]) for j, (name, f, unit) in enumerate(MOTIONS)]
-    columns.append((f"tension {file['line'].asstr()[worst]}", 1 / TONF, "tonf", file["tension"][kept, :, worst]))
+    columns.append((f"{worst.kind} {worst.name}", worst.factor, worst.unit, file[worst.kind][kept, :, worst.at]))
     for one, (name, factor, unit, records) in zip(axes.flat, columns, strict=True):
         omega, density = spectrum(factor * records.astype(float), step)
         shown = omega < 2.0
@@ -108,8 +126,7 @@ def _spectra(file, kept, path):
 
 def _offsets(file, kept, path):
     """Watch circle, and the tension of the worst line against the offset along its pull"""
-    worst = _worst(file)
-    motion, tension = (file[name][kept] for name in ("motion", "tension"))
+    worst, motion = _worst(file), file["motion"][kept]
     x, y = motion[..., 0].ravel(), motion[..., 1].ravel()
     step = max(1, len(x) // MOST_POINTS)
     figure, ((plan, curve),) = _figure(1, 2, (13, 6.2))
@@ -121,20 +138,30 @@ def _offsets(file, kept, path):
     plan.plot(*centre, "o", color="C3", ms=5, label="mean")
     plan.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"watch circle, radius {radius:.3g} m about the mean")
     plan.legend(frameon=False, fontsize=8)
-    away = file["fairlead"][worst, :2] - file["anchor"][worst, :2]
-    away = away / np.hypot(*away)
-    arm = file["fairlead"][worst, :2] - file.attrs["rotation_center"][:2]
-    yaw = motion[..., 5].ravel()
-    turned = np.stack([np.cos(yaw) * arm[0] - np.sin(yaw) * arm[1], np.sin(yaw) * arm[0] + np.cos(yaw) * arm[1]])
-    offset = (np.stack([x, y]) + turned - arm[:, None]).T @ away
-    pull = tension[..., worst].ravel()
-    curve.plot(offset[::step], pull[::step] / TONF, ".", ms=1.5, color="C1", alpha=0.35)
-    _breaking(curve, file, worst, pull.max())
-    curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, tonf", ylim=(0, None))
-    curve.set_title(f"{file['line'].asstr()[worst]}, {len(kept)} runs")
+    if worst.kind == "tension":
+        _against_offset(curve, file, worst, motion, file["tension"][kept, :, worst.at].ravel(), step)
+    else:
+        pressed = file[worst.kind][kept, :, worst.at].ravel()
+        curve.plot(y[::step], pressed[::step], ".", ms=1.5, color="C1", alpha=0.35)
+        curve.set(xlabel="sway, m", ylabel="deflection, m", ylim=(0, None))
+    curve.set_title(f"{worst.name}, {len(kept)} runs")
     for one in (plan, curve):
         one.grid(alpha=0.3)
     save(figure, path, 120)
+
+
+def _against_offset(curve, file, worst, motion, pull, step):
+    """Pull (n,) N of a line over the offset of its fairlead away from its anchor, one point of `step`"""
+    x, y = motion[..., 0].ravel(), motion[..., 1].ravel()
+    away = file["fairlead"][worst.at, :2] - file["anchor"][worst.at, :2]
+    away = away / np.hypot(*away)
+    arm = file["fairlead"][worst.at, :2] - file.attrs["rotation_center"][:2]
+    yaw = motion[..., 5].ravel()
+    turned = np.stack([np.cos(yaw) * arm[0] - np.sin(yaw) * arm[1], np.sin(yaw) * arm[0] + np.cos(yaw) * arm[1]])
+    offset = (np.stack([x, y]) + turned - arm[:, None]).T @ away
+    curve.plot(offset[::step], pull[::step] / TONF, ".", ms=1.5, color="C1", alpha=0.35)
+    _breaking(curve, file, worst, pull.max())
+    curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, tonf", ylim=(0, None))
 
 
 def _extremes(file, kept, path):
@@ -153,12 +180,15 @@ def _extremes(file, kept, path):
     left.semilogy(level, np.exp(-0.5 * level**2), "k--", lw=1, label="Rayleigh")
     left.set(xlabel="maximum from the mean, standard deviations", ylabel="share of maxima above", ylim=(least, 1))
     left.set_xlim(0, 6)
-    for i, name in enumerate(file["line"].asstr()[()]):
-        records = file["tension"][kept, :, i].astype(float)
-        tops = (_maxima(records, local_maxima, records.mean(axis=1, keepdims=True))) / TONF
+    worst = _worst(file)
+    for i, name in enumerate(file["line" if worst.kind == "tension" else "fender"].asstr()[()]):
+        records = file[worst.kind][kept, :, i].astype(float)
+        if not records.std() > 0:
+            continue
+        tops = worst.factor * _maxima(records, local_maxima, records.mean(axis=1, keepdims=True))
         style = ("-", "--", ":")[i // 10 % 3]  # there are ten colours
         right.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), style, lw=1.2, label=name)
-    right.set(xlabel="maximum of the tension, tonf", ylim=(least, 1), xlim=(0, None))
+    right.set(xlabel=f"maximum of the {worst.kind}, {worst.unit}", ylim=(least, 1), xlim=(0, None))
     for one in (left, right):
         one.grid(alpha=0.3, which="both")
         one.legend(frameon=False, fontsize=8)

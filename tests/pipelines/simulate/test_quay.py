@@ -69,6 +69,19 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     assert "moor knows no [[fender]]" in capsys.readouterr().err
 
 
+def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(database, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(engine, "_memory", without_memory)
+    run, scene = tmp_path / "dolphins.h5", SCENE.with_name("simulate_dolphins.toml")
+    words = ["simulate", str(scene), "--database", str(database), "--duration", "60", "--output", str(run)]
+    assert main(words) == 0
+    told = capsys.readouterr().out
+    assert "natural periods of small motions at the berth: none, nothing holds them at rest" in told
+    assert "design spectrum method, 3 fenders: static 0.06" in told and "up to a significant height of " in told
+    assert all((tmp_path / f"dolphins_{name}.png").exists() for name in ("records", "spectra", "offsets", "extremes"))
+    assert main(["animate", str(run), "--output", str(tmp_path / "film.gif"), "--length", "2"]) == 2
+    assert "has no lines and no ropes" in capsys.readouterr().err
+
+
 def test_a_fender_on_a_dolphin_gives_way_with_it():
     study = read_study(SCENE)[0]
     assert len(study.berth(HULL, np.zeros(3)).names) == 16
