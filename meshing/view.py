@@ -58,6 +58,29 @@ def show(plotter, title, screenshot=None):
         plotter.close()
 
 
+def write_page(plotter, path):
+    """Write a Plotter as a page of its own, to turn in any browser without a network; close it.
+
+    Raises ValueError without the packages that do it.
+    """
+    import asyncio
+
+    try:
+        from trame_pyvista.jupyter import launch_server
+    except ImportError:
+        raise ValueError("a page to turn needs trame-pyvista; install it by: pip install 'hakobune[page]'") from None
+
+    async def write(partial):
+        await launch_server().ready
+        plotter.trame.export_html(str(partial))
+
+    try:
+        with made_beside(path) as partial:
+            asyncio.run(write(partial))
+    finally:
+        plotter.close()
+
+
 def _draw_hull(plotter, whole, values, field_name):
     surface = _surface(whole)
     style = {"show_edges": True, "edge_color": HULL_EDGE, "line_width": 1}

@@ -131,6 +131,9 @@ def look(
     /,
     *,
     screenshot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
+    page: Annotated[
+        Path | None, Parameter(help=".html to turn the mesh in, in any browser, in place of a window")
+    ] = None,
     field: Annotated[str | None, Parameter(help="colour panels by area, size, aspect or pressure")] = None,
     omega: Annotated[float | None, Parameter(help="rad/s, of the pressure; the nearest stored is shown")] = None,
     heading: Size = None,
@@ -138,7 +141,7 @@ def look(
     """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is one stored with the pressure."""
     from .view.looking import look
 
-    return look(file, screenshot, field, omega, heading)
+    return look(file, screenshot, field, omega, heading, page)
 
 
 @app.command

@@ -89,4 +89,6 @@ def check_display():
     """Raise ValueError where a window would never appear, which VTK passes over."""
     drawn_by_x = sys.platform.startswith("linux")
     if drawn_by_x and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-        raise ValueError("there is no display to open a window on (DISPLAY is not set); give --screenshot out.png")
+        raise ValueError(
+            "there is no display to open a window on (DISPLAY is not set); give --screenshot out.png or --page out.html"
+        )

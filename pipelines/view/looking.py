@@ -19,6 +19,7 @@ FIELDS = {
     "aspect": ("edge² / area", lambda mesh: mesh.sizes**2 / mesh.areas),
 }
 DATABASES = (".h5", ".hdf5")
+PAGES = (".html",)
 SAME_HEADING = 1e-6  # degrees
 A_PANEL = 3e-5  # s, to be checked and drawn
 MOST_LISTED = 12  # headings in a message
@@ -35,8 +36,8 @@ class Picture:
     field_name: str = ""
 
 
-def look(path, screenshot=None, field=None, omega=None, heading=None):
-    """Show a mesh in a window, or write a picture of it.
+def look(path, screenshot=None, field=None, omega=None, heading=None, page=None):
+    """Show a mesh in a window, or write a picture of it or a page to turn it in, which need no display.
 
     field : one of FIELDS, or pressure, coloured on the panels
     omega : rad/s, heading : degrees, of the pressure; the nearest stored frequency is taken, a heading must be stored
@@ -50,23 +51,41 @@ def look(path, screenshot=None, field=None, omega=None, heading=None):
         told(f"{path}: {len(source)} panels take", len(source) * A_PANEL)
         for finding in findings(source):
             print(f"{path}: {finding}")
-    if screenshot is None:
-        check_display()
-    else:
+    if screenshot is not None:
         check_picture(screenshot, VIEWS)
-    _show(_pressure(source, path, omega, heading) if field == "pressure" else _mesh(source, field), screenshot)
-    if screenshot:
-        print(screenshot)
+    if page is not None:
+        check_picture(page, PAGES)
+    if screenshot is None and page is None:
+        check_display()
+    picture = _pressure(source, path, omega, heading) if field == "pressure" else _mesh(source, field)
+    if page is not None:
+        _write_page(picture, page)
+    if page is None or screenshot is not None:
+        _show(picture, screenshot)
+    for made in (page, screenshot):
+        if made is not None:
+            print(made)
     return 0
 
 
-def _show(picture, screenshot):
-    from vtkmodules.vtkCommonCore import vtkLogger
+def _write_page(picture, page):
+    from meshing.view import write_page
 
+    _quiet()
+    write_page(drawn(picture), page)
+
+
+def _show(picture, screenshot):
     from meshing.view import show
 
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # it warns in colour of a display nobody asked for
+    _quiet()
     show(drawn(picture, off_screen=screenshot is not None), picture.mesh.name or "panel mesh", screenshot)
+
+
+def _quiet():
+    from vtkmodules.vtkCommonCore import vtkLogger
+
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # it warns in colour of a display nobody asked for
 
 
 def drawn(picture, off_screen=True):

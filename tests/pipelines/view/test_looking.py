@@ -107,3 +107,17 @@ def test_titles_of_colour_bars_end_inside_the_picture(title):
     pytest.importorskip("pyvista")
     image = picture_of(Picture(BOX, field=BOX.areas, field_name=title))
     assert np.abs(image[:, -2:] - image[:, :1]).max() <= 1
+
+
+def test_a_page_is_whole_or_says_what_it_needs(tmp_path, capsys):
+    import importlib.util
+
+    write_mesh(box(40, 10, 5, panels=40), tmp_path / "box.gdf")
+    page = tmp_path / "box.html"
+    status = main(["look", str(tmp_path / "box.gdf"), "--page", str(page)])
+    if importlib.util.find_spec("trame_pyvista"):
+        assert status == 0 and "<html" in page.read_text(encoding="utf-8")
+    else:
+        assert status == 2 and "pip install 'hakobune[page]'" in capsys.readouterr().err and not page.exists()
+    assert main(["look", str(tmp_path / "box.gdf"), "--page", str(tmp_path / "box.txt")]) == 2
+    assert "allowed: .html" in capsys.readouterr().err
