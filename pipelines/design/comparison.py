@@ -1,21 +1,27 @@
-"""What every rule set of the tables says to the same load cases, side by side (as Table 4.3 of SR179, 1982, does)."""
+"""What every rule set of the tables says to the same load cases, side by side (as Table 4.3 of SR179, 1982, does).
+
+A rule set speaks of several subjects, chain or hawser, one kind of anchor or another: each stands by itself.  Motions
+that are allowed are those of a ship with its cargo, and stand here only where the project has chosen them.
+"""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from mooring.criteria.rules import read_rules, rule_names
+from bem import DOFS
+from mooring.criteria.rules import read_rules
 from mooring.criteria.verdict import judge
 
 
 class RuleSet(NamedTuple):
-    """name : with its edition; chosen : whether it judges the project; judged, known : how many of its criteria
+    """name : with its edition; subject : what it is about; chosen : whether of it some criterion judges the project
 
-    criterion, use : that governs of those judged, with its Use, None where none is; unread : of those, not of a source
-    that was read
+    judged, known : how many of its criteria; criterion, use : that governs of those judged, with its Use; unread : how
+    many of them are not of a source that was read
     """
 
     name: str
+    subject: str
     chosen: bool
     judged: int
     known: int
@@ -25,16 +31,17 @@ class RuleSet(NamedTuple):
 
 
 def side_by_side(read, cases):
-    """(RuleSet of each rule set of which a criterion can be judged by Cases, the largest use first)"""
-    every, own = read_rules(), {criterion.rule for criterion in read.criteria}
-    found = []
-    for name in rule_names(every):
-        criteria = [criterion for criterion in every if criterion.rule == name]
+    """(RuleSet of each rule set and subject of which a criterion can be judged by Cases, the largest use first)"""
+    every, own, found = read_rules(), set(read.criteria), []
+    bounded = [one for one in every if one.quantity.upper() not in DOFS or one in own]
+    for rule, subject in dict.fromkeys((one.rule, one.subject) for one in bounded):
+        criteria = [one for one in bounded if (one.rule, one.subject) == (rule, subject)]
         judged = [one for one in judge(criteria, cases) if one.governing is not None]
         if not judged:
             continue
         worst = max(judged, key=lambda one: one.governing.utilisation)
         unread = sum(one.criterion.status != "read" for one in judged)
+        chosen = any(one in own for one in criteria)
         counts = len(judged), len(criteria), worst.criterion, worst.governing, unread
-        found.append(RuleSet(criteria[0].name, name in own, *counts))
+        found.append(RuleSet(criteria[0].name, subject, chosen, *counts))
     return tuple(sorted(found, key=lambda one: -one.use.utilisation))

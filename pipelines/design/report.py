@@ -256,7 +256,7 @@ def _rule_set(one):
     limit = f"{c.quantity} {c.sense} {c.limit:.4g}"
     unread = f"{one.unread} of them not read in the book" if one.unread else ""
     return {
-        "cells": (one.name, "judges" if one.chosen else "", f"{one.judged} of {one.known}", limit),
+        "cells": (one.name, one.subject, "judges" if one.chosen else "", f"{one.judged} of {one.known}", limit),
         "used": f"{100 * use.utilisation:.0f} %",
         "css": MARK[use.utilisation <= 1],
         "by": f"{use.item}, {use.case}",
