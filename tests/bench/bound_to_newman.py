@@ -1,6 +1,6 @@
 """How far the bound long wave changes slow drift, over the depth: σ of the slow surge force beside Newman's rule alone.
 
-    python tests/bench/bound_to_newman.py --output bound_to_newman.png [--panels 200]
+    python tests/bench/bound_to_newman.py --output bound_to_newman.png [--panels 400]
 
 The box of 100 × 50 × 10 m, free, head seas (JONSWAP, 1 m), in 12 and in 20 m of water; kh of the peak from 0.3 to 2,
 that is Tp of 23 to 5 s in 12 m.  With the long wave bound to each pair, diffracted by the hull (`bound_wave_drift`),
@@ -34,7 +34,7 @@ def ratios(depth, panels, folder):
     path = Path(folder) / f"box{depth:g}.h5"
     words = f"box --length 100 --beam 50 --draft 10 --depth {depth:g} --panels {panels} --gyration 15.55,29.44,32.28"
     peaks = np.sqrt(G * KH / depth * np.tanh(KH))
-    band = f"{0.6 * peaks[0]:.4g}:{2.2 * peaks[-1]:.4g}:30"
+    band = f"{0.6 * peaks[0]:.4g}:{1.6 * peaks[-1]:.4g}:30"
     if main([*words.split(), "--omega", band, "--heading", "0", "--output", str(path)]):
         raise SystemExit(f"{path} is not whole")
     db = open_database(path)
@@ -68,7 +68,7 @@ def draw(rows, path):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", type=Path, required=True)
-    parser.add_argument("--panels", type=int, default=200)
+    parser.add_argument("--panels", type=int, default=400)
     given = parser.parse_args()
     warnings.simplefilter("ignore")
     with tempfile.TemporaryDirectory() as folder:
