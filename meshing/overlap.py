@@ -40,13 +40,26 @@ def overlaps(welded):
 
 def _parts(mesh):
     """(n,) number of the part that each panel belongs to; parts share no point"""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
     a, b = mesh.corners.reshape(-1), np.roll(mesh.corners, 1, axis=1).reshape(-1)
-    size = len(mesh.points)
-    _, number = connected_components(coo_matrix((np.ones(len(a)), (a, b)), (size, size)), directed=False)
+    number = connected(a, b, len(mesh.points))
     return np.unique(number[mesh.corners[:, 0]], return_inverse=True)[1].reshape(-1)
+
+
+def connected(a, b, count):
+    """(count,) number of the part of each node, by the smallest node in it; edges join a (e,) and b (e,).
+
+    Of two parts that an edge joins the later takes the number of the earlier, until none is left to be joined;
+    scipy.sparse.csgraph would take longer to load than all of a check.
+    """
+    root = np.arange(count)
+    while True:
+        low, high = np.minimum(root[a], root[b]), np.maximum(root[a], root[b])
+        joined = low < high
+        if not joined.any():
+            return np.unique(root, return_inverse=True)[1].reshape(-1)
+        np.minimum.at(root, high[joined], low[joined])
+        while np.any(root[root] != root):
+            root = root[root]
 
 
 def _winding(places, panels):

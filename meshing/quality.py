@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .overlap import overlaps
+from .overlap import connected, overlaps
 
 WELD = 1e-6  # of the hull's size: points closer than that are one
 AT_SURFACE = 1e-6  # of the draft
@@ -220,13 +220,8 @@ def _orientation(mesh, edges):
 
 def _parts(mesh, edges):
     """Number of the connected part of each panel (n,), and the volumes of the parts with their images in m³"""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     n, e = len(mesh), len(edges.ends)
-    ones = np.ones(len(edges.panel))
-    graph = coo_array((ones, (edges.panel, n + edges.number)), shape=(n + e, n + e))
-    _, part = connected_components(graph, directed=False)
+    part = connected(edges.panel, n + edges.number, n + e)
     _, part = np.unique(part[:n], return_inverse=True)
     share = np.einsum("ni,ni->n", mesh.centroids, mesh.area_vectors) / 3
     return part, mesh.copies * np.bincount(part, share)

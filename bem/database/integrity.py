@@ -156,8 +156,8 @@ def damaged_rows(file):
     solved = file["solved"][()]
     if ROWS not in file:
         return np.zeros(len(solved), bool)
-    stored = file[ROWS][()]
-    return np.array([bool(solved[i]) and stored[i] != row_crc(file, i) for i in range(len(solved))])
+    stored, found = file[ROWS][()], row_crcs(file)
+    return np.array([bool(solved[i]) and stored[i] != found[i] for i in range(len(solved))], bool)
 
 
 def check_rows(file, rows):
@@ -175,9 +175,13 @@ def remark(file, name):
         marks[cell] = crc(*(value[cell] for value in values))
 
 
-def row_crc(file, i):
-    """CRC-32 of the checks and the wall time that are stored for a frequency"""
-    return checks_crc({name: file["checks"][name][i] for name in CHECKS}, bytes(file["wall_time"][i]))
+def row_crcs(file):
+    """CRC-32 of the checks and the wall time that are stored for each frequency, a list"""
+    checks = np.stack([file["checks"][name][()] for name in CHECKS], axis=1)
+    return [
+        checks_crc(dict(zip(CHECKS, row, strict=True)), bytes(text))
+        for row, text in zip(checks, file["wall_time"][()], strict=True)
+    ]
 
 
 def checks_crc(checks, wall_time):

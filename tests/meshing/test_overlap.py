@@ -1,8 +1,9 @@
 """Two hulls in one mesh: beside each other they are sound, in each other they are not."""
 
+import numpy as np
 import pytest
 
-from meshing.overlap import overlaps
+from meshing.overlap import connected, overlaps
 from meshing.panels import joined
 from meshing.quality import findings
 from meshing.shapes import box, buoy
@@ -33,3 +34,22 @@ def test_a_hull_within_another_is_found_from_the_inner_one():
 
 def test_a_mirrored_half_is_no_second_hull():
     assert said(box(40, 10, 5, panels=120)) == [] and said(box(40, 10, 5, panels=120).moved()) == []
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_connected_parts_are_those_of_scipy(seed):
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(1, 400))
+    a, b = rng.integers(0, count, (2, int(rng.integers(0, 2 * count))))
+    graph = coo_array((np.ones(len(a)), (a, b)), shape=(count, count))
+    np.testing.assert_array_equal(connected(a, b, count), connected_components(graph, directed=False)[1])
+
+
+def test_a_long_chain_in_any_order_is_one_part_and_two_of_them_are_two():
+    order = np.random.default_rng(1).permutation(2000)
+    chain = np.delete(np.arange(1999), 999)
+    part = connected(order[chain], order[chain + 1], 2000)
+    assert len(np.unique(part[order[:1000]])) == len(np.unique(part[order[1000:]])) == 1 and part.max() == 1
