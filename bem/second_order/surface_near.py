@@ -22,6 +22,7 @@ from ..waves import depth_values
 BEYOND, SIDES_BEYOND = 1.08, 2.0  # radius of the circle over that of the body; sides of panels beyond it, at least
 ROWS = 256  # points at once
 OUTWARDS, PER_RADIAN = 8, 0.4  # points of a strip from hull to circle, for a radian of the wave between
+LEAST_OUTWARDS, CLOSEST = 5, 19.0  # the least of them; as many as keep off the hull by a tenth of the side
 FEWEST, MOST = 3, 9  # along a side
 SPREADS = 0.3, 0.15, 0.0  # of the strips from the rays of the middle to those of an ellipse
 LEAST = 1e-4  # smallest weight in a strip, of the largest
@@ -99,15 +100,18 @@ def strips_about(mesh, line, circle, k):
             "forcing of the surface around a hull whose waterline is not one closed curve, each point of it seen from "
             "its middle; allowed: qtf up to the body's part"
         )
-    arc = np.maximum(turn * circle.radius, np.hypot(*(sides[:, 1] - sides[:, 0]).T))
-    counts = np.clip(np.ceil(2 + k * arc), FEWEST, MOST).astype(int)
-    wide = float((circle.radius - np.hypot(*(sides.mean(axis=1) - circle.centre).T)).max())
-    across, known = OUTWARDS + int(np.ceil(PER_RADIAN * k * wide)), _known(panels, sides, line)
+    length = np.hypot(*(sides[:, 1] - sides[:, 0]).T)
+    counts = np.clip(np.ceil(2 + k * np.maximum(turn * circle.radius, length)), FEWEST, MOST).astype(int)
+    wide = circle.radius - np.hypot(*(sides.mean(axis=1) - circle.centre).T)
+    waves = PER_RADIAN * k * wide
+    across = np.maximum(np.minimum(OUTWARDS + waves, np.sqrt(CLOSEST * wide / length)), LEAST_OUTWARDS + waves)
+    kinds, kind = np.unique(np.stack([counts, np.ceil(across).astype(int)], axis=1), axis=0, return_inverse=True)
+    known = _known(panels, sides, line)
     for spread in SPREADS:
-        out = [
-            _strips(sides[counts == count], [part[counts == count] for part in known], circle, count, across, spread)
-            for count in np.unique(counts)
-        ]
+        out = []
+        for number, (count, outwards) in enumerate(kinds):
+            own = kind.ravel() == number
+            out.append(_strips(sides[own], [part[own] for part in known], circle, count, outwards, spread))
         if all(part.even for part in out):
             break
     return out
