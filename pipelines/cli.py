@@ -8,7 +8,6 @@ import os
 import re
 import signal
 import sys
-from importlib import metadata
 from pathlib import Path
 from typing import Annotated
 
@@ -50,7 +49,7 @@ app = App(
     help="From a floating body's dimensions to the tension in its last mooring line.\n\n"
     "Any command prints its tables as CSV with --csv, as JSON with --json, a line for each table;\n"
     "with --timing it tells on stderr where its time went.",
-    version=lambda: metadata.version("hakobune"),
+    version=lambda: _version(),
     result_action="return_value",
     suppress_keyboard_interrupt=False,
     help_format="plaintext",  # without the 0.1 s that a reader of Markdown takes to load
@@ -282,6 +281,12 @@ def main(arguments=None):
     finally:
         for line in timing.told():
             print(line, file=sys.stderr)
+
+
+def _version():
+    from importlib import metadata  # 0.03 s, which no command should wait for
+
+    return metadata.version("hakobune")
 
 
 def _one_line(error):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import platform
-from importlib import metadata
 
 NEEDED = ("numpy", "scipy", "numba", "h5py", "gmsh", "meshio", "pyvista", "matplotlib", "msgspec", "cyclopts", "rich")
 OPTIONAL = {"xarray": "reads databases by their labels"}
@@ -36,6 +35,8 @@ def doctor():
 
 
 def _version(name):
+    from importlib import metadata
+
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:
