@@ -73,6 +73,9 @@ def write_h5(path, breakwater, text, found):
         if found.lee is not None:
             for name, unit in (("x", "m"), ("y", "m"), ("ratio", "1"), ("units", "m")):
                 _put(file, f"map/{name}", getattr(found.lee, name), unit)
+            if found.lee.tension is not None:
+                _put(file, "map/lines", found.lee.lines, "m")
+                _put(file, "map/tension", found.lee.tension, "N/m2")
             _put(file, "map/behind", found.lee.behind, "m, 1")
             file["map"].attrs["waves"] = found.lee.waves
         for one in found.anchors:

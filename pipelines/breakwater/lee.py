@@ -34,7 +34,9 @@ BEHIND = (0.25, 0.5, 1.0, 2.0)  # of the length of the row, where it is told
 
 class Lee(NamedTuple):
     """x (a,), y (b,) m; ratio : (b, a) K, nan in the bodies; units : (u, 2) m, middles; half : (2,) m of one
-    behind : [(y m, mean K over the breadth of the row)]; waves : in words; warned : one line each"""
+    behind : [(y m, mean K over the breadth of the row)]; waves : in words; warned : one line each
+    lines : (p,) m, x of a unit's pairs of lines; tension : (2, p) N/m², δP of its front and back lines over the amplitude
+    of the waves that come, of a unit alone, root mean squares of a sea; None without lines"""
 
     x: np.ndarray
     y: np.ndarray
@@ -44,6 +46,8 @@ class Lee(NamedTuple):
     behind: list
     waves: str
     warned: list
+    lines: np.ndarray | None = None
+    tension: np.ndarray | None = None
 
 
 def lee(breakwater, db):
@@ -63,14 +67,19 @@ def lee(breakwater, db):
     places = [np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)]
     places += [np.stack([across, np.full(41, one)], axis=1) for one in told]
     power, missed = np.zeros(sum(map(len, places))), 0.0
+    lines, pulled = _pulls(breakwater, length, float(reader.rotation_center[2]))
+    tension = 0.0
     for w, betas, part in zip(omega, ways, share, strict=True):
         found = _field(reader, moved, w, betas, half, middles)
         power += part * np.mean(np.abs(found.elevation(np.concatenate(places))) ** 2, axis=0)
         missed = max(missed, found.missed)
+        if lines is not None:
+            tension = tension + part * np.mean(np.abs(pulled(moved.motions([w], betas)[0])) ** 2, axis=0)
     ratio, rest = np.sqrt(power[: len(places[0])]), np.sqrt(power[len(places[0]) :]).reshape(-1, 41)
     behind = list(zip(told, np.sqrt(np.mean(rest**2, axis=1)), strict=True))
     warned = list(_remarks(breakwater, asked, missed))
-    return Lee(x, y, ratio.reshape(len(y), len(x)), middles, half, behind, words, warned)
+    tension = None if lines is None else np.sqrt(tension)
+    return Lee(x, y, ratio.reshape(len(y), len(x)), middles, half, behind, words, warned, lines, tension)
 
 
 def held(breakwater, reader, length):
@@ -82,11 +91,25 @@ def held(breakwater, reader, length):
     body = breakwater.afloat(0.0)[0] if holding == "free" else breakwater.taut(0.0)
     stiffness = unit.buoyancy(body, length, center)
     if holding != "free":
-        lines = study.lines
-        EA = lines.axial_stiffness_kN * KN / lines.spacing if holding == "elastic" else None
-        stiffness = stiffness + unit.line_matrix(body, length, center, lines.spacing, EA)
+        stiffness = stiffness + unit.line_matrix(body, length, center, study.lines.spacing, _axial_stiffness(study))
     inertia = unit.inertia(body, length, center)
     return replace(reader, inertia=inertia, stiffness=stiffness, damping=np.zeros((6, 6)), own=False, viscous=None)
+
+
+def _pulls(breakwater, length, center):
+    """x (p,) m of a unit's pairs of lines, and δP (b, 2, p) N/m per metre of its motions (b, 6); None without lines"""
+    lines = breakwater.study.lines
+    if design(breakwater.study)[0] in ("fixed", "free"):
+        return None, None
+    body, EA = breakwater.taut(0.0), _axial_stiffness(breakwater.study)
+    where, _ = unit.pairs(length, lines.spacing)
+    return where, lambda motion: unit.tensions(body, length, center, lines.spacing, EA, motion)
+
+
+def _axial_stiffness(study):
+    """EA, N per metre of body; None for lines that do not stretch"""
+    elastic = design(study)[0] == "elastic"
+    return study.lines.axial_stiffness_kN * KN / study.lines.spacing if elastic else None
 
 
 def waves_of(study, reader):

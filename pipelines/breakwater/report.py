@@ -101,6 +101,10 @@ def _lines(study, found):
         units = f"{len(found.lee.units)} unit{'s' * (len(found.lee.units) > 1)} of {2 * found.lee.half[0]:.4g} m"
         yield f"behind {units} in {found.lee.waves}, K over their breadth, height over that of the waves that come:"
         yield "  " + ", ".join(f"{K:.3f} at {y:.4g} m" for y, K in found.lee.behind)
+        if found.lee.tension is not None:
+            most = zip(("front", "back"), found.lee.tension, strict=True)
+            said = ", ".join(f"{end} {P.max() / KN:.4g} at x = {found.lee.lines[P.argmax()]:.4g} m" for end, P in most)
+            yield f"  tensions of a unit alone, kN/m for each metre of wave amplitude, the largest along it: {said}"
     if found.pretension is not None:
         yield from _pretension_lines(study, found.pretension)
     if found.snapping is not None:

@@ -25,6 +25,7 @@ from bem.sections.outline import circle, closed, rectangle
 from mooring.breakwater.body import TautBody
 from mooring.breakwater.exact import taut_exact
 from mooring.breakwater.holdings import exact_response, response_with_loss
+from mooring.breakwater.long_waves import equal_area, fixed_body, line_tensions
 from mooring.breakwater.loss import Keel, fitted
 from mooring.breakwater.snap import snap
 from mooring.breakwater.taut import TautRectangle
@@ -91,6 +92,7 @@ def tables():
             print(" ", *(f"{value:6.3f}" for value in (*ours, *other)), end="")
         print()
     prototypes()
+    tides()
 
 
 def prototypes():
@@ -110,6 +112,16 @@ def prototypes():
         ours = [abs(made.transmission[0]), *(abs(P[0]) / 2 / 9800 / 0.5 * 3 * 8.3 for P in (made.front, made.back))]
         measured = row["cut_transmission"], row["cut_front"] * 3 * 8.3, row["cut_back"] * 3 * 8.3
         print(f"  {row['period_s'] * np.sqrt(16.7):5.1f} s", *(f"{value:7.2f}" for value in (*ours, *measured)))
+
+
+def tides():
+    """Table 6.1: circle of 10 m in 10 m of water over the tide, waves of 3 m and of 3.5 to 12 s"""
+    print("Table 6.1, tide: largest P_F, P_B in t/m by the paper's equations; printed, from its chart")
+    omega, tonnes = 2 * np.pi / np.arange(3.5, 12.001, 0.05), {"density": 1 / 9.8, "gravity": 9.8}
+    for tide, *printed in ((-0.5, 11.1, 6.9), (0.0, 11.7, 7.2), (0.5, 12.3, 7.2)):
+        body = fixed_body(*equal_area(10.0, 5.0 + tide), 10.0 + tide, omega, **tonnes)
+        ours = [abs(P).max() * 1.5 for P in line_tensions(body.horizontal, body.vertical, np.pi / 4)]
+        print(f"  {tide:5.1f} m", *(f"{value:6.2f}" for value in (*ours, *printed)))
 
 
 def times():
