@@ -11,7 +11,7 @@ from mooring.breakwater.holdings import Response, exact_response, long_wave_resp
 
 from ..common.quantities import StudyError
 from .build import KN
-from .study import THEORIES
+from .tables import THEORIES
 
 TOLERANCE = 1e-5
 OBLIQUE_TOLERANCE = 1e-4  # a sea over directions takes a thousand sections

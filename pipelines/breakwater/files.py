@@ -10,7 +10,7 @@ from mooring.breakwater.holdings import mean_drift
 
 from ..common.outputs import opening
 from .curves import sections
-from .study import THEORIES
+from .tables import THEORIES
 
 SCHEMA = "hakobune breakwater study 1"
 UNITS = {

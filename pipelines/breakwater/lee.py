@@ -35,8 +35,8 @@ BEHIND = (0.25, 0.5, 1.0, 2.0)  # of the length of the row, where it is told
 class Lee(NamedTuple):
     """x (a,), y (b,) m; ratio : (b, a) K, nan in the bodies; units : (u, 2) m, middles; half : (2,) m of one
     behind : [(y m, mean K over the breadth of the row)]; waves : in words; warned : one line each
-    lines : (p,) m, x of a unit's pairs of lines; tension : (2, p) N/m², δP of its front and back lines over the amplitude
-    of the waves that come, of a unit alone, root mean squares of a sea; None without lines"""
+    lines : (p,) m, x of a unit's pairs of lines; tension : (2, p) N/m², δP of its front and back lines over the
+    amplitude of the waves that come, of a unit alone, root mean squares of a sea; None without lines"""
 
     x: np.ndarray
     y: np.ndarray

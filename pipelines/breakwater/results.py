@@ -17,7 +17,8 @@ from ..common.quantities import StudyError, positive
 from ..common.seas import family_of, shape_of, spreading_of
 from .build import KN
 from .curves import Curve, curves, response, sections
-from .study import MOST_OBLIQUE, THEORIES, periods
+from .study import MOST_OBLIQUE, periods
+from .tables import THEORIES
 
 SEA_CELLS = 120  # the height behind a circle is within 2e-4 of that of 2000
 WAYS = 12  # of a sea spread over directions: the height behind is within 4e-3 of that of 48

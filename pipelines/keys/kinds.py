@@ -97,7 +97,7 @@ KINDS = {
     ),
     "breakwater": Kind(
         "a taut-moored floating breakwater",
-        "pipelines.breakwater.study:BreakwaterStudy",
+        "pipelines.breakwater.tables:BreakwaterStudy",
         "breakwater",
         "breakwater_circle.toml",
         ("hakobune breakwater FILE",),

@@ -193,9 +193,7 @@ def test_a_row_of_units_of_a_database_shelters_what_lies_behind(tmp_path, capsys
     assert (tmp_path / "map.png").stat().st_size > 10_000
     said = capsys.readouterr().out
     assert "behind 3 units of 60 m in regular waves of 7 s" in said and "tensions of a unit alone" in said
-    assert pulls[0].mean() == pytest.approx(
-        of_section, rel=0.04
-    )  # ends let 2 % go by at 60 m, half at twice the length
+    assert pulls.shape[0] == 2 and np.all(np.ptp(pulls, axis=1) < 1e-6 * pulls.max(axis=1))  # alike in beam seas
     for change, said in {
         "period = 3\n": "map.period is 3 s; the database has",
         "period = 7\ngap = 3\n": "map.gap is 3 m; allowed: 0 with one unit",
