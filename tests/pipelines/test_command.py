@@ -18,6 +18,7 @@ from bem.database.integrity import row_crcs
 from pipelines.cli import main
 
 STUDIES = ("site", "sweep", "moor", "response", "line", "simulate", "design", "berth", "breakwater", "single_point")
+STUDIES += ("earthquake",)
 SCENES = sorted(
     path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith(STUDIES)
 )
