@@ -11,6 +11,7 @@ unit velocity; it has source strengths where a direct solution has φ and ∂φ/
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -42,7 +43,16 @@ class Folded(NamedTuple):
 
 
 def folded(theta, images):
-    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body: with four a quarter of a circle"""
+    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body: with four a quarter of a circle
+
+    It is kept, as every symmetry class of every frequency asks for the same.
+    """
+    return _folded(tuple(np.asarray(theta, float).tolist()), tuple(map(tuple, np.asarray(images).tolist())))
+
+
+@lru_cache(maxsize=16)
+def _folded(theta, images):
+    theta, images = np.array(theta), np.array(images)
     x, y = images[:, :1] * np.cos(theta), images[:, 1:] * np.sin(theta)
     image = np.argmax((x > -1e-9) + 1 * (y > -1e-9), axis=0)
     chosen = image, np.arange(len(theta))

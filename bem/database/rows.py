@@ -329,8 +329,10 @@ def places_on(file, values, axis):
     """Numbers of `values` on an axis of the file.  Raises DatabaseError for one that is not there."""
     same = same_omega if axis == "omega" else same_heading
     known = file[axis][()]
-    places = [next((i for i, x in enumerate(known) if same(x, value)), None) for value in values]
-    if None in places:
-        absent = values[places.index(None)]
-        raise DatabaseError(f"{axis} = {absent:.9g} is not one of the file's {len(known)} values")
+    places = []
+    for value in values:
+        at = np.flatnonzero(same(known, value))
+        if not len(at):
+            raise DatabaseError(f"{axis} = {value:.9g} is not one of the file's {len(known)} values")
+        places.append(int(at[0]))
     return places
