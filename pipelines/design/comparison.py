@@ -32,8 +32,8 @@ class RuleSet(NamedTuple):
 
 def side_by_side(read, cases):
     """(RuleSet of each rule set and subject of which a criterion can be judged by Cases, the largest use first)"""
-    every, own, found = read_rules(), set(read.criteria), []
-    bounded = [one for one in every if one.quantity.upper() not in DOFS or one in own]
+    own, found, motions = set(read.criteria), [], {dof.lower() for dof in DOFS}
+    bounded = [one for one in read_rules() if one.quantity not in motions or one in own]
     for rule, subject in dict.fromkeys((one.rule, one.subject) for one in bounded):
         criteria = [one for one in bounded if (one.rule, one.subject) == (rule, subject)]
         judged = [one for one in judge(criteria, cases) if one.governing is not None]

@@ -132,6 +132,7 @@ def test_rule_sets_stand_side_by_side_and_those_that_judge_say_the_same_as_the_v
     own = {one.criterion: one for one in verdict.judged if one.governing is not None}
     chosen = [one for one in verdict.rule_sets if one.chosen]
     assert {one.name for one in chosen} == {"JSCE (1973)", "port facility II (1980)"} and len(verdict.rule_sets) > 5
+    assert not any("PIANC" in one.name for one in verdict.rule_sets)  # of ships and cargo, which nobody chose
     for one in chosen:
         if one.criterion in own:
             assert one.use == own[one.criterion].governing
