@@ -107,7 +107,10 @@ class Loads:
     def at_rest(self, heading):
         """(n, 3) N, N, N m in axes of the body that lies still at headings (n,), rad"""
         heading, water = np.asarray(heading, float), self.water
-        total = water.speed**2 * water.ring.along(water.direction - heading)[:, 0]
+        stream = water.direction - heading
+        total = water.speed**2 * water.ring.along(stream)[:, 0]
+        if water.linear is not None:
+            total = total + water.speed * np.stack([np.cos(stream), np.sin(stream)], axis=-1) @ water.linear[:, :2].T
         if self.wind is not None:
             total = total + self.wind.speed**2 * self.wind.ring.along(self.wind.direction - heading)
         return total if self.drift is None else total + self.drift.ring.along(heading)

@@ -22,6 +22,7 @@ from bem.sections.any_section import any_section, shape
 from bem.sections.coefficients import section
 from bem.sections.keel_loss import keel_flow
 from bem.sections.outline import circle, closed, rectangle
+from mooring.breakwater.anchors import greatest_tension, pretension_needed, tide_tension
 from mooring.breakwater.body import TautBody
 from mooring.breakwater.exact import taut_exact
 from mooring.breakwater.holdings import exact_response, response_with_loss
@@ -115,13 +116,32 @@ def prototypes():
 
 
 def tides():
-    """Table 6.1: circle of 10 m in 10 m of water over the tide, waves of 3 m and of 3.5 to 12 s"""
-    print("Table 6.1, tide: largest P_F, P_B in t/m by the paper's equations; printed, from its chart")
-    omega, tonnes = 2 * np.pi / np.arange(3.5, 12.001, 0.05), {"density": 1 / 9.8, "gravity": 9.8}
-    for tide, *printed in ((-0.5, 11.1, 6.9), (0.0, 11.7, 7.2), (0.5, 12.3, 7.2)):
-        body = fixed_body(*equal_area(10.0, 5.0 + tide), 10.0 + tide, omega, **tonnes)
-        ours = [abs(P).max() * 1.5 for P in line_tensions(body.horizontal, body.vertical, np.pi / 4)]
-        print(f"  {tide:5.1f} m", *(f"{value:6.2f}" for value in (*ours, *printed)))
+    """Table 6.1, the circle of 10 m over the tide in waves of 3 m, its largest tensions up to 12 s, and what follows"""
+    print("Table 6.1, P_F, P_B over wHD: long waves, potential flow; read from the paper's chart")
+    rows, periods = published("breakwater_tide.csv"), np.arange(3.5, 12.001, 0.05)
+    found = np.array([[_long_waves(row["tide_m"], periods), _potential(row["tide_m"], periods)] for row in rows])
+    chart = np.array([[row["front"], row["back"]] for row in rows])
+    for row, ours, read in zip(rows, found, chart, strict=True):
+        print(f"  {row['tide_m']:+5.1f} m", *(f"{value:6.3f}" for value in (*ours.ravel(), *read)))
+    part = tide_tension(10.0, 0.5, np.pi / 4, density=1 / 9.8, gravity=9.8)
+    sources = {"long waves": (found[:, 0], part), "potential flow": (found[:, 1], part), "chart": (chart, 3.5)}
+    for name, (share, tide) in sources.items():
+        front, back = 30 * share[:, 0], 30 * share[:, 1]
+        needed = pretension_needed(front[0], tide)
+        greatest = [greatest_tension(needed, tide, wave) for wave in (front[2], back[2])]
+        print(f"  by {name}: P_0 {needed:.1f}, P_Fmax {greatest[0]:.1f}, P_Bmax {greatest[1]:.1f} t/m")
+
+
+def _long_waves(tide, periods):
+    body = fixed_body(*equal_area(10.0, 5.0 + tide), 10.0 + tide, 2 * np.pi / periods, **WATER)
+    return [abs(P).max() / 2 / 98e3 for P in line_tensions(body.horizontal, body.vertical, np.pi / 4)]
+
+
+def _potential(tide, periods):
+    wet = circle(10.0).wetted(5.0 + tide)
+    waters = [any_section(wet, 10.0 + tide, 2 * np.pi / T, **WATER) for T in periods]
+    made = exact_response("fixed", waters, None, np.pi / 4)
+    return [abs(P).max() / 2 / 98e3 for P in (made.front, made.back)]
 
 
 def times():

@@ -14,7 +14,7 @@ from mooring.single_point.criterion import roots
 from mooring.single_point.equilibria import equilibria
 from mooring.single_point.loads import Loads
 from mooring.single_point.rings import zeros
-from mooring.single_point.slewing import rates
+from mooring.single_point.slewing import at_rest_state, rates
 
 SERIES = Path(__file__).parents[3] / "pipelines" / "series" / "single_point.csv"
 
@@ -27,6 +27,15 @@ def series():
 def test_no_heading_of_rest_is_missed():
     """Sixty of the ten thousand loads of tests/bench/single_point.py"""
     assert sum(missed(seed)[1] for seed in range(60)) == 0
+
+
+@pytest.mark.parametrize("linear", [None, np.array([[2e4, 0, 0], [0, 9e4, 3e5], [0, -4e5, 8e7]])])
+def test_a_body_at_rest_in_a_current_feels_the_loads_of_one_that_moves_through_still_water(linear):
+    point = floater_A(current_deg=40.0)
+    loads = replace(point.loads, water=replace(point.loads.water, linear=linear))
+    for heading in (-2.0, 0.3, 1.1):
+        moving = loads.moving(heading, at_rest_state(point, (0.0, 0.0), heading)[3:])
+        assert loads.at_rest(np.array([heading]))[0] == pytest.approx(moving, rel=1e-12)
 
 
 def test_zeros_that_nearly_touch_are_both_found():
