@@ -257,7 +257,8 @@ def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     command = arguments[0] if arguments and arguments[0].replace("-", "").isalpha() and arguments[0][0] != "-" else ""
     name = f"hakobune {command}".strip()
-    if timing.FLAG in arguments:
+    timed = timing.FLAG in arguments  # not by a command that runs this one, as a sweep does
+    if timed:
         timing.begin()
         arguments = [word for word in arguments if word != timing.FLAG]
     try:
@@ -279,7 +280,7 @@ def main(arguments=None):
         print(f"{name}: {interrupted(command, arguments)}", file=sys.stderr)
         return 130
     finally:
-        for line in timing.told():
+        for line in timing.told() if timed else ():
             print(line, file=sys.stderr)
 
 
