@@ -99,13 +99,16 @@ def make_appendix(folder, only, seeds, fresh):
     console, rows = new_console(), read_rows(only)
     check_folder(folder)
     (folder / "cases").mkdir(parents=True, exist_ok=True)
+    for row, variant in [(row, variant) for row in rows for variant in VARIANTS]:
+        path = folder / "cases" / f"{name_of(row)}_{variant}.toml"
+        write_whole(path, tomli_w.dumps(simulation_of(row, variant, seeds)).encode())
     databases = {model: _database(model, folder, fresh) for model in MODELS}
     resting = [at_rest(model, line, open_database(databases[model])) for model, line in MEASURED_PERIODS]
     for one in resting:
         console.print(_of_rest(one), highlight=False, soft_wrap=True, markup=False)
-    found = []
+    found, moved = [], bodies(open_database(databases["M3B"]))
     for row in rows:
-        found += [computed(row, variant, databases["M3B"], folder / "cases", seeds) for variant in VARIANTS]
+        found += [computed(row, variant, moved[row["line"]], seeds) for variant in VARIANTS]
         for one in found[-len(VARIANTS) :]:
             console.print(_told(one), highlight=False, soft_wrap=True, markup=False)
     paths = folder / "appendix_1_rest.csv", folder / "appendix_1.csv"
@@ -205,25 +208,42 @@ def at_rest(model, line, db):
     return AtRest(model, line, float(result.tension.mean()) / (KGF * size**3), periods / np.sqrt(size))
 
 
-def computed(row, variant, database, folder, seeds):
-    """`Outcome` of a row; its study and runs are files of the folder, made where they are not there"""
-    from ..design.simulated import simulated
-    from ..simulate.file import SUMMARY, opened
+def bodies(db):
+    """{kind of line: `Moored` M3B on it, at the size of the prototype}; one memory of the water for all"""
+    from mooring.motion.simulation import moored
 
-    name = f"{name_of(row)}_{variant}"
-    path, runs = folder / f"{name}.toml", folder / f"{name}.h5"
-    write_whole(path, tomli_w.dumps(simulation_of(row, variant, seeds)).encode())
+    from ..moor.study import make_study
+
+    out, memory = {}, None
+    for line in LENGTHS:
+        study = make_study(study_of("M3B", line))
+        hull = study.hull_of(db.dimensions)
+        system = study.system(hull, db.rotation_center, db.density, db.gravity)
+        out[line] = moored(db, system, hull, memory=memory)
+        memory = out[line].memory
+    return out
+
+
+def computed(row, variant, body, seeds):
+    """`Outcome` of a row in a variant; body : its `Moored`; seeds : how many runs"""
+    from mooring.motion.simulation import simulate
+    from mooring.motion.statistics import parts
+
+    from ..moor.study import make_study
+    from ..simulate.study import plan_of
+
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of lines and seas, kept in the file of the runs
-        simulated(path, database, runs, [1.0])
-    with opened(runs) as file:
-        names = list(file["quantity"].asstr()[()])
-        rows = file["summary"][()]
-    places = [names.index(word) for word in (*MOTIONS, *(f"tension {line}" for line in LINES))]
-    values = [
-        dict(zip(COLUMNS, rows[places, SUMMARY.index(key)] / _units("M3B"), strict=True)) for key in ("sigma", "slow")
-    ]
-    return Outcome(row, variant, _wave(row), *values)
+        warnings.simplefilter("ignore")  # of lines and seas, told by `simulate`
+        plan = plan_of(make_study(simulation_of(row, variant, seeds)), body.reader.omega)
+        runs = [simulate(body, plan.weather, plan.settings, seed) for seed in plan.seeds]
+    squares = []
+    for run in runs:
+        records = np.hstack([run.motion, run.tension])[run.time >= 0]
+        split = [parts(record - record.mean(), plan.settings.step, plan.split) for record in records.T]
+        squares.append(np.square([(np.hypot(*pair), pair[0]) for pair in split]))
+    values = np.sqrt(np.mean(squares, axis=0)) / _units("M3B")[:, None]
+    sigma, slow = (dict(zip(COLUMNS, values[:, i].tolist(), strict=True)) for i in range(2))
+    return Outcome(row, variant, _wave(row), sigma, slow)
 
 
 def _units(model):

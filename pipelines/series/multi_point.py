@@ -16,6 +16,7 @@ from ..common.outputs import check_folder
 from ..common.quantities import StudyError
 from ..common.units import TONF
 from ..simulate.report import DEEP, SHALLOW
+from . import multi_point_statistics as statistics
 from .multi_point_cases import FLOATERS, STRENGTH, cases, scene, study
 
 MOST_SEEDS, LONGEST = 100, 24.0  # h
@@ -30,7 +31,8 @@ class Result(NamedTuple):
     mean : steady, by the simplified method and the simulation; used : shares of the breaking load, of regular and
     simulated
     period : (3,) s of surge, sway, yaw under the steady forces; quick, spectrum, slow : (3,) σ of their slow motion by
-    the quick rule, the spectrum and the simulation, m, rad; total : (3,) σ of all of it
+    the quick rule, the spectrum and the simulation, m, rad; total : (3,) σ of all of it; alone : (3,) slow σ by waves
+    alone, without wind, current and drift
     notes : why values are missing
     """
 
@@ -46,6 +48,7 @@ class Result(NamedTuple):
     spectrum: np.ndarray
     slow: np.ndarray
     total: np.ndarray
+    alone: np.ndarray
     notes: tuple[str, ...]
 
     @property
@@ -63,6 +66,11 @@ class Result(NamedTuple):
     def ratio(self):
         """Simulated tension over that of the simplified method in the regular wave"""
         return self.simulated / self.regular
+
+    @property
+    def irregular_ratio(self):
+        """Simulated tension, a largest value, over that of the simplified method in irregular waves, one too"""
+        return self.simulated / self.irregular
 
 
 def make_series(folder, only, seeds, hours, fresh):
@@ -88,6 +96,12 @@ def make_series(folder, only, seeds, hours, fresh):
     from .multi_point_charts import draw
 
     written += draw(results, folder)
+    rows = _printed_table(chosen, databases, hours)
+    if rows:
+        written.append(folder / "multi_point_table_3_5_5_5.csv")
+        write_whole(written[-1], statistics.table_text(rows, min(hours, 1.0)).encode())
+        for line in statistics.statements(rows):
+            console.print(line, highlight=False, soft_wrap=True, markup=False)
     for line in statements(results):
         console.print(line, highlight=False, soft_wrap=True, markup=False)
     console.print(f"written: {', '.join(map(str, written))}", highlight=False, soft_wrap=True, markup=False)
@@ -114,7 +128,8 @@ def computed(case, database, folder, hours, seeds):
             return otherwise
 
     def simplified(method):
-        waves = still["waves"] | {"method": method}
+        period = case.period if method == "regular_wave" else still["waves"]["period"]
+        waves = still["waves"] | {"method": method, "period": period}
         found = run_case(still | {"waves": waves}, database, folder / f"{case.name}_{method}.h5", [1.0])[0]
         return np.array([found["maximum_tension"].max(), found["static_tension"].max(), found["breaking_load"].min()])
 
@@ -122,15 +137,30 @@ def computed(case, database, folder, hours, seeds):
         simulated(path, database, runs, [1.0])
         return _of_runs(runs)
 
+    def by_waves():
+        calm = {key: value for key, value in raw.items() if key not in ("wind", "current")}
+        calm["simulation"] = raw["simulation"] | {"slow_drift": "none", "seeds": 1, "keep_series": 0}
+        place, kept = folder / f"{case.name}_waves.toml", folder / f"{case.name}_waves_runs.h5"
+        write_whole(place, tomli_w.dumps(calm).encode())
+        simulated(place, database, kept, [1.0])
+        return _of_runs(kept)[1]
+
     none = np.full(3, np.nan)
     regular, steady, load = answer("simplified", lambda: simplified("regular_wave"), none)
     irregular = answer("simplified, irregular", lambda: simplified("irregular"), none)[0]
     slow_motion = answer("slow motion", lambda: _slow_motion(still, database), (none, none, none))
     (largest, gaussian, mean), slow, total = answer("simulation", in_time, (none, none, none))
+    alone = answer("waves alone", by_waves, none)
     share = TONF * case.lines / 12
     used = regular / load, largest / (STRENGTH * share)
     tensions = np.array([regular, irregular, largest, gaussian]) / share
-    return Result(case, *tensions, (steady / share, mean / share), used, *slow_motion, slow, total, tuple(notes))
+    return Result(case, *tensions, (steady / share, mean / share), used, *slow_motion, slow, total, alone, tuple(notes))
+
+
+def _printed_table(chosen, databases, hours):
+    """Rows of table 3.5.5.5, of the kinds of line whose printed case is chosen"""
+    kinds = [one.kind for one in chosen if one.floater == "A" and one.name.endswith("-T10")]
+    return [row for kind in kinds for row in statistics.table_rows(kind, databases["A_20m"], min(hours, 1.0))]
 
 
 def _solved(case, path, fresh):
@@ -185,17 +215,26 @@ def table_text(results, hours, seeds):
     out.write("a line, m, deg, s; T: natural periods under the steady forces; regular, irregular: simplified method; ")
     out.write("method: the report's rule of depth\n")
     table = csv.writer(out, lineterminator="\n")
-    slow = [f"{mode}_{kind}_sigma" for mode in MODES for kind in ("quick", "spectrum", "slow", "total")]
+    slow = [f"{mode}_{kind}_sigma" for mode in MODES for kind in ("quick", "spectrum", "slow", "total", "waves_alone")]
     table.writerow(["case", "floater", "line", "depth_m", "lines", "Hs_m", "wind_m_s", "period_s", "depth_over_draft",
                     *(f"T_{mode}" for mode in MODES), *(f"T_{mode}_over_period" for mode in MODES),
                     "regular", "irregular", "simulated", "simulated_mean_and_X1000",
-                    "simulated_over_regular", "simplified_mean", "simulated_mean",
+                    "simulated_over_regular", "simulated_over_irregular", "simplified_mean", "simulated_mean",
                     "regular_used", "simulated_used", "method", "larger", *slow, "note"])  # fmt: skip
     for one in results:
         c, degrees = one.case, np.array([1.0, 1.0, 180 / np.pi])
-        parts = np.stack([part * degrees for part in (one.quick, one.spectrum, one.slow, one.total)], axis=1)
+        parts = np.stack([part * degrees for part in (one.quick, one.spectrum, one.slow, one.total, one.alone)], axis=1)
         numbers = [*c[3:], c.depth / FLOATERS[c.floater].draft, *one.period, *(one.period / c.period)]
-        numbers += [one.regular, one.irregular, one.simulated, one.report_extreme, one.ratio, *one.mean, *one.used]
+        numbers += [
+            one.regular,
+            one.irregular,
+            one.simulated,
+            one.report_extreme,
+            one.ratio,
+            one.irregular_ratio,
+            *one.mean,
+            *one.used,
+        ]
         table.writerow([c.name, c.floater, c.kind, *map(_number, numbers), one.method, one.larger,
                         *map(_number, parts.ravel()), '; '.join(one.notes)])  # fmt: skip
     return out.getvalue()
@@ -207,15 +246,24 @@ def statements(results):
     for text, names, value in STATEMENTS:
         if all(name in named for name in names):
             yield f"report: {text}; computed: {value(*(named[name] for name in names))}"
-    shallow = [one.ratio for one in results if one.case.depth <= SHALLOW and one.ratio == one.ratio]
-    deep = [one.ratio for one in results if one.case.depth >= DEEP and one.ratio == one.ratio]
-    for ratios, where in ((shallow, f"up to {SHALLOW:g} m"), (deep, f"from {DEEP:g} m")):
-        if ratios:
-            above = sum(ratio > 1 for ratio in ratios)
-            yield (
-                f"in {where} of water the simulation exceeds the simplified method in {above} of {len(ratios)} cases; "
-                f"ratios {min(ratios):.2f} to {max(ratios):.2f}"
-            )
+    shallow = [one for one in results if one.case.depth <= SHALLOW and np.isfinite(one.ratio)]
+    deep = [one for one in results if one.case.depth >= DEEP and np.isfinite(one.ratio)]
+    for own, where in ((shallow, f"up to {SHALLOW:g} m"), (deep, f"from {DEEP:g} m")):
+        for waves, name in (("the regular wave", "ratio"), ("irregular waves", "irregular_ratio")):
+            ratios = [getattr(one, name) for one in own if np.isfinite(getattr(one, name))]
+            if ratios:
+                above = sum(ratio > 1 for ratio in ratios)
+                yield (
+                    f"in {where} of water the simulation exceeds the simplified method in {waves} in {above} of "
+                    f"{len(ratios)} cases; ratios {min(ratios):.2f} to {max(ratios):.2f}"
+                )
+    driven = [one for one in results if one.alone[0] > 2 * one.spectrum[0] or one.alone[1] > 2 * one.spectrum[1]]
+    if driven:
+        names = ", ".join(one.case.name for one in driven)
+        yield (
+            "waves alone, without wind, current and drift, drive slow surge or sway of more than twice the linear "
+            f"answer to slow forces in {len(driven)} of {len(results)} cases: {names}"
+        )
 
 
 def _tensions(*several):
@@ -245,6 +293,6 @@ def _tell(console, number, count, one):
     words = (
         f"{number:{len(str(count))}}/{count}  {one.case.name:16} simplified {one.regular:6.0f}, simulated "
         f"{one.simulated:6.0f} tonf a line; slow surge σ {one.quick[0]:.2g}, {one.spectrum[0]:.2g}, "
-        f"{one.slow[0]:.2g} m (quick, spectrum, simulated)  {'; '.join(one.notes)}"
+        f"{one.slow[0]:.2g}, {one.alone[0]:.2g} m (quick, spectrum, simulated, by waves alone)  {'; '.join(one.notes)}"
     )
     console.print(words.rstrip(), highlight=False, soft_wrap=True, markup=False)

@@ -4,6 +4,9 @@ Floaters A and B (Table 3.5.5.1) on chain, chain with an intermediate buoy, or c
 (3.5.5.2), with the lengths of 3.5.5.4 and the conditions of 3.5.5.3, all from 60° off the bow.  From a base case one
 thing is changed at a time: 12 cases for each kind of line, 36 in all.
 
+The report's mean period T̄ is the mean zero-crossing one, T₁/₃ = T̄/0.9, and 1.1 T₀₁ (section 3.7.1.2): waves of a
+spectrum have T₀₁ = T̄/1.1, the regular wave of the simplified method T̄.
+
 Lost in the report and assumed: the layout, three lines a corner at 30, 45 and 60° off the x axis, fairleads at still
 water; the area that goes with E = 7000 kgf/mm², both legs of the link; pretensions and waves of B, and those of A in
 50 m.  24 and 36 lines are, as in the report, 12 of two and three times the weight, stiffness and strength.
@@ -20,6 +23,7 @@ KINDS = ("chain", "buoy", "sinker")
 FREQUENCIES = {"from": 0.06, "to": 2.0, "count": 60}  # rad/s, of a database, close enough for the memory of the water
 INCIDENCE = 60.0  # degrees off the bow
 KNOTS = 3.0
+OF_MEAN = 1 / 1.1  # T₀₁ over T̄
 HEADINGS = [30, 45, 60]  # degrees off the x axis, of the lines of a corner
 WEIGHT, STIFFNESS, STRENGTH = 406.0, 221_700.0, 1700.0  # kg/m in water, tonf, tonf of chain 142 mm
 SINKER = 100.0  # t in water
@@ -118,7 +122,7 @@ def study(case, hours, seeds):
         "spreads": [spread | _line(case, f, times)],
         "wind": {"speed": case.wind, "gusts": "davenport", "surface_drag": 0.0015} | off,
         "current": {"speed_knots": KNOTS} | off,
-        "waves": {"height": case.height, "period": case.period, "spectrum": "mitsuyasu_bretschneider"} | off,
+        "waves": {"height": case.height, "period": OF_MEAN * case.period, "spectrum": "mitsuyasu_bretschneider"} | off,
         "simulation": {"duration_hours": hours, "seeds": seeds, "keep_series": 1},
     }
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ..common.quantities import StudyError
+from ..moor.gusts import gusts_of
 from ..moor.study import read_study
 from ..solve.work import executor_of
 from . import berth, report
@@ -68,7 +69,22 @@ def _show(console, file, study, database, findings):
         state = beside.at_equilibrium
         periods = {n: v for n, v in zip(state.names, state.period, strict=True) if n in ("Surge", "Sway", "Yaw")}
     whole = report.findings(file, periods, wave_period if np.isfinite(wave_period) else None)
-    report.show(console, file, beside, [*findings, *more, *whole])
+    report.show(console, file, beside, [*findings, *more, *whole, *_of_slow_motion(file, beside, study, database)])
+
+
+def _of_slow_motion(file, beside, study, database):
+    """Findings on slow motion beside its linear spectral answer, where there is one"""
+    if beside is None or beside.conditions.sea is None or beside.conditions.method == "regular_wave":
+        return ()
+    from bem.database import open_database
+    from mooring.studies.long_period import long_period
+
+    read, db = read_study(study)[0], open_database(database)
+    try:
+        linear = long_period(db, read.hull_of(db.dimensions), beside, gusts_of(read.wind))
+    except ValueError:  # of a database without drift or a spectrum it does not reach
+        return ()
+    return tuple(report.slow_findings(file, linear.by_spectrum))
 
 
 def beside_of(study, database):

@@ -21,6 +21,7 @@ COLUMNS = {
 SCALED = {"mean", "sigma", "slow", "wave", "mean_third", "mean_tenth", "smallest", "largest"}
 UNLIKELY = 1.3  # largest simulated over the expected; the largest of a Gaussian record scatters by a tenth
 SMALL = 50.0  # m, length of a hull that is none of the report's floaters
+FAR, NOTABLE = 2.0, 0.5  # times the spectral σ of slow motion; of the σ of motion with the waves
 LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 report (1982), section 5.5.3
 
 
@@ -112,6 +113,24 @@ def used(file):
             yield (
                 f"{line} pulls up to {largest / TONF:.4g} tonf, {100 * largest / load:.3g} % of its breaking load; "
                 f"allowed: {100 * allowable:g} %"
+            )
+
+
+def slow_findings(file, spectral):
+    """Findings on slow motion far beyond the linear answer.
+
+    spectral : (3,) m, m, rad, σ of slow surge, sway and yaw on springs as stiff as the lines under the mean loads
+    """
+    names = list(file["quantity"].asstr()[()])
+    for mode, unit, expected in zip(("surge", "sway", "yaw"), ("m", "m", "rad"), spectral, strict=True):
+        value = dict(zip(SUMMARY, file["summary"][names.index(mode)], strict=True))
+        slow = value["slow"]
+        if np.isfinite(expected) and slow > max(FAR * expected, NOTABLE * value["wave"]):
+            factor, word = UNITS[unit]
+            yield (
+                f"slow {mode} has σ {slow * factor:.3g} {word}, slow forces on springs as stiff as the lines under the "
+                f"mean loads give {expected * factor:.3g} {word}: lines that stiffen let waves alone drive it; see "
+                'how much with simulation.slow_drift = "none" and without wind and current'
             )
 
 

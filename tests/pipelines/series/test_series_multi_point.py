@@ -5,12 +5,16 @@ import csv
 import numpy as np
 import pytest
 
+from mooring.response.extremes import expected_maximum
 from pipelines.cli import main
 from pipelines.common.quantities import StudyError
 from pipelines.moor.study import make_study
 from pipelines.series.multi_point import Result, statements, table_text
 from pipelines.series.multi_point_cases import LENGTHS, STRENGTH, WEIGHT, cases, scene, study
 from pipelines.series.multi_point_charts import draw
+from pipelines.series.multi_point_statistics import QUANTITIES, Statistics, printed_rows
+from pipelines.series.multi_point_statistics import statements as told
+from pipelines.series.multi_point_statistics import table_text as beside
 
 
 def test_there_are_36_cases_each_with_its_own_name_and_a_study_that_reads():
@@ -34,7 +38,9 @@ def test_chains_are_as_long_as_two_fifths_of_their_strength_holds_up():
 def made_up(case, regular, simulated, notes=()):
     none = np.full(3, 0.5 * simulated)
     pair = (simulated, simulated)
-    return Result(case, regular, 2 * regular, simulated, simulated, pair, pair, none, none, none, none, none, notes)
+    return Result(
+        case, regular, 2 * regular, simulated, simulated, pair, pair, none, none, none, none, none, none, notes
+    )
 
 
 def test_tables_and_charts_show_both_methods_and_what_is_missing(tmp_path):
@@ -48,6 +54,23 @@ def test_tables_and_charts_show_both_methods_and_what_is_missing(tmp_path):
     assert names == {"multi_point_A.png", "multi_point_B.png", "multi_point_slow.png"}
     said = list(statements(results))
     assert any("in up to 20 m of water the simulation exceeds" in line and "23 of 23" in line for line in said)
+    assert rows[0]["simulated_over_irregular"] == "0.625"
+
+
+@pytest.mark.parametrize("kind", ["chain", "buoy", "sinker"])
+def test_the_printed_largest_values_are_those_of_gaussian_records_of_their_sigma(kind):
+    """Eq. 3.5.1.5 and 3.5.1.6 of 1000 mean periods of 10 s; table 3.5.5.5 rounds to two digits"""
+    rows = printed_rows(kind)
+    assert set(rows) == {*QUANTITIES, "force"}
+    for row in rows.values():
+        assert row["largest"] == pytest.approx(expected_maximum(row["sigma"], 1e4, row["T_zero"]), rel=0.02)
+
+
+def test_the_table_of_the_report_stands_beside_the_computed():
+    made = [Statistics("chain", "force", "one leg", 10.0, 7.0, 0.7, 170.0, 100.0, 400.0, 30.0)]
+    (row,) = csv.DictReader(beside(made, 1.0).splitlines()[1:])
+    assert row["mean_and_largest"] == "570" and row["mean_and_largest_printed"] == "457"
+    assert "force 170 + 400 = 570 tonf (printed 457)" in next(told(made))
 
 
 def test_a_case_is_made_once_and_kept_as_a_study(tmp_path, monkeypatch, capsys):
