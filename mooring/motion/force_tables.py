@@ -26,7 +26,7 @@ from ..lines.system.composite import fill_row
 
 TOLERANCE = 5e-3  # of the tension there, or at rest if that is larger
 FIRST = (8, 4)  # cells that are halved, of chord and height
-MOST_CELLS = 6000
+MOST_CELLS = 3000
 SMALLEST = 2e-4  # of the range, of a cell
 CHECKS = 200  # places, other than those that decided the cells
 OVERLOAD, STRAIN = 2.0, 0.02  # ends of the table: tension over the breaking load, strain where none is known
