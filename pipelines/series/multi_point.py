@@ -139,7 +139,7 @@ def computed(case, database, folder, hours, seeds):
 
     def by_waves():
         calm = {key: value for key, value in raw.items() if key not in ("wind", "current")}
-        calm["simulation"] = raw["simulation"] | {"slow_drift": "none", "seeds": 1, "keep_series": 0}
+        calm["simulation"] = raw["simulation"] | {"slow_drift": "none", "seeds": 1}
         place, kept = folder / f"{case.name}_waves.toml", folder / f"{case.name}_waves_runs.h5"
         write_whole(place, tomli_w.dumps(calm).encode())
         simulated(place, database, kept, [1.0])
