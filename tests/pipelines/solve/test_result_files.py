@@ -49,7 +49,7 @@ def test_a_whole_result_passes_and_a_damaged_one_fails(name, here, capsys):
     said = capsys.readouterr().out
     assert said.startswith(f"{name}: a ") and said.endswith("as it was written\n") and said.count("\n") == 1
     content = Path(name).read_bytes()
-    Path(name).write_bytes(content[:-20] + b"7" + content[-19:])
+    Path(name).write_bytes(content[:-20] + bytes([content[-20] ^ 1]) + content[-19:])
     assert main(["check", name]) == 1
     said = capsys.readouterr().out
     assert said.startswith(f"{name} is damaged: ") and said.count("\n") == 1
@@ -80,7 +80,7 @@ def test_damaged_results_are_not_read_nor_replaced(here, capsys):
         assert main(command.split()) == 2
         assert f"{name} is damaged: its lines do not match" in capsys.readouterr().err
     content = Path("sections.h5").read_bytes()
-    Path("sections.h5").write_bytes(content[:-20] + b"7" + content[-19:])
+    Path("sections.h5").write_bytes(content[:-20] + bytes([content[-20] ^ 1]) + content[-19:])
     assert main(RESULTS["sections.h5"].split()) == 2
     assert "sections.h5 is damaged" in capsys.readouterr().err
 
