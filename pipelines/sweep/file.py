@@ -94,7 +94,8 @@ def _store_table(file, number, case, table):
 def _store_array(file, name, case, axes, unit, array):
     """An array into its dataset; says why where it has another shape than the first case's"""
     place = f"results/{name}"
-    if place not in file:
+    data = file.get(place)
+    if data is None:
         array = array.astype(complex if array.dtype.kind == "c" else float)
         nothing = array.dtype.type(np.nan)
         shape = len(file["case"]), *array.shape
@@ -102,9 +103,9 @@ def _store_array(file, name, case, axes, unit, array):
         data.attrs["units"] = unit
         for number, (axis, size) in enumerate(zip(("case", *axes), data.shape, strict=True)):
             data.dims[number].attach_scale(file["case"] if axis == "case" else _axis(file, axis, size))
-    if file[place].shape[1:] != array.shape:
-        return f"{name} has the shape {array.shape}, {file[place].shape[1:]} in the first case; it is left out"
-    file[place][case] = array
+    if data.shape[1:] != array.shape:
+        return f"{name} has the shape {array.shape}, {data.shape[1:]} in the first case; it is left out"
+    data[case] = array
     return ""
 
 
