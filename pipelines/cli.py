@@ -25,6 +25,7 @@ from .doctor import doctor
 from .earthquake.flags import earthquake
 from .exchange.flags import export, import_
 from .fender.flags import fender
+from .films.flags import animate
 from .keys.command import keys, new
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
@@ -37,10 +38,11 @@ from .response.command import response
 from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
 from .sea.command import sea
 from .series.flags import series
-from .simulate.flags import animate, simulate
+from .simulate.flags import simulate
 from .single_point.flags import single_point
 from .site.command import site
 from .stress.command import stress
+from .waves.flags import waves
 
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
 OWN_FORMS = ("keys",)  # commands that write JSON of their own
@@ -231,6 +233,7 @@ app.command(sections)
 app.command(compare)
 app.command(bench)
 app.command(stress)
+app.command(waves)
 app.command(line)
 app.command(lines)
 app.command(line_dynamics)

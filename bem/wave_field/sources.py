@@ -2,7 +2,7 @@
 
     η(p) = Σ_j s_j H₀(k|p − p_j|),      H(θ) = Σ_j s_j exp(−ik(x_j cosθ + y_j sinθ))
 
-H₀ Hankel's function of the first kind, sources on a rectangle inside the plan of the body.  The far field determines
+H₀ Hankel's function of the first kind, sources on a convex curve inside the plan of the body.  The far field determines
 the propagating wave everywhere outside; the sources are its least-squares fit, without the combinations of them that
 send less than `SMALLEST` away, which are errors of H magnified.  Beyond the circle about the body the fit is as good as
 H; within it, beside a long body, detail finer than half a wave length is smoothed.  Waves that decay over the depth,
@@ -17,18 +17,18 @@ import numpy as np
 from scipy.special import j0, y0
 
 SMALLEST = 1e-3
-INSET = 0.1  # from the plan, of its smaller half
+INSET = 0.1  # from the plan, of half its smaller breadth
 PER_WAVE = 8  # sources in a wave length of the contour
 FEWEST = 24
 AT_ONCE = 2_000_000
 
 
 class Sources:
-    """Sources inside a plan of `half` length and breadth (m) at wavenumber k, rad/m; theta : (t,) rad of H"""
+    """Sources inside a convex plan (n, 2), m, corners anticlockwise, at wavenumber k, rad/m; theta : (t,) rad of H"""
 
-    def __init__(self, half, k, theta):
-        self.half, self.k = np.asarray(half, float), float(k)
-        inner = self.half - INSET * self.half.min()
+    def __init__(self, plan, k, theta):
+        self.plan, self.k = np.asarray(plan, float), float(k)
+        inner = shrunk(self.plan)
         self.points = contour(inner, max(FEWEST, PER_WAVE * perimeter(inner) * k / 2 / np.pi))
         self.sent = np.exp(-1j * k * (directions(theta) @ self.points.T))
 
@@ -46,12 +46,16 @@ class Sources:
     def elevation(self, strengths, places):
         """(…, p) at places (p, 2), m, of strengths (…, s)"""
         step = max(1, AT_ONCE // len(self.points))
-        parts = [strengths @ waves(self.k, places[i : i + step], self.points).T for i in range(0, len(places), step)]
+        parts = [
+            strengths @ waves(self.k, places[i : i + step], self.points).T for i in range(0, max(len(places), 1), step)
+        ]
         return np.concatenate(parts, axis=-1)
 
     def covers(self, places):
         """(p,) whether places (p, 2) lie in the plan, where there is no wave"""
-        return np.all(np.abs(places) < self.half, axis=1)
+        side = np.roll(self.plan, -1, axis=0) - self.plan
+        away = places[:, None] - self.plan
+        return np.all(side[:, 0] * away[..., 1] > side[:, 1] * away[..., 0], axis=1)
 
 
 def waves(k, places, points):
@@ -70,19 +74,32 @@ def directions(angle):
     return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
 
 
-def perimeter(half):
-    """m, of a rectangle"""
-    return 4 * float(np.sum(half))
+def rectangle(half):
+    """(4, 2) corners of a rectangle about the origin of `half` length and breadth (2,)"""
+    return np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]) * half
 
 
-def contour(half, count):
-    """(n, 2) points on a rectangle of `half` length and breadth, about `count`, evenly spaced on each side"""
-    step = perimeter(half) / count
-    nx, ny = (max(2, int(np.ceil(2 * side / step))) for side in half)
-    x, y = ((np.arange(n) + 0.5) / n * 2 - 1 for n in (nx, ny))
-    ends = [np.stack([x, np.full(nx, sign)], axis=1) for sign in (-1.0, 1.0)]
-    sides = [np.stack([np.full(ny, sign), y], axis=1) for sign in (-1.0, 1.0)]
-    return np.concatenate([*ends, *sides]) * half
+def shrunk(plan):
+    """A plan (n, 2) with its edges moved inwards along x and y by INSET of half its smaller breadth"""
+    low, high = plan.min(axis=0), plan.max(axis=0)
+    half = (high - low) / 2
+    return (low + high) / 2 + (plan - (low + high) / 2) * (1 - INSET * half.min() / half)
+
+
+def perimeter(plan):
+    """m, of a polygon (n, 2)"""
+    return float(np.linalg.norm(np.roll(plan, -1, axis=0) - plan, axis=1).sum())
+
+
+def contour(plan, count):
+    """(n, 2) points on a polygon (n, 2), about `count`, two on each side at the least, evenly spaced"""
+    side = np.roll(plan, -1, axis=0) - plan
+    step = perimeter(plan) / count
+    each = np.maximum(2, np.ceil(np.linalg.norm(side, axis=1) / step).astype(int))
+    parts = [
+        start + (np.arange(n)[:, None] + 0.5) / n * along for start, along, n in zip(plan, side, each, strict=True)
+    ]
+    return np.concatenate(parts)
 
 
 def regular_inverse(matrix, smallest):

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .sources import PER_WAVE, Sources, contour, directions, incident, perimeter, regular_inverse, waves
+from .sources import FEWEST, PER_WAVE, Sources, contour, directions, incident, perimeter, regular_inverse, waves
 
 ARRIVING = 1e-3  # smallest singular value of plane waves on the contour
 
@@ -53,20 +53,21 @@ def row(count, pitch):
     return np.stack([(np.arange(count) - (count - 1) / 2) * pitch, np.zeros(count)], axis=1)
 
 
-def field(half, k, theta, own, ring, of_ring, beta, middles):
+def field(plan, k, theta, own, ring, of_ring, beta, middles):
     """`Field` of equal units.
 
-    half : (2,) m; k : rad/m; theta : (t,) rad, equally spaced from 0; own : (b, t) Kochin functions of a unit in the
-    waves asked for, towards beta (b,) rad; ring : (n,) rad of plane waves, of_ring : (n, t) the same in those, used
-    where there is more than one of the middles (u, 2)
+    plan : (n, 2) m, convex, anticlockwise; k : rad/m; theta : (t,) rad, equally spaced from 0
+    own : (b, t) Kochin functions of a unit in the waves asked for, towards beta (b,) rad
+    ring : (n,) rad of plane waves, of_ring : (n, t) the same in those, used where there is more than one of the
+    middles (u, 2)
     """
-    sources = Sources(half, k, theta)
+    sources = Sources(plan, k, theta)
     arriving = incident(k, beta, middles)
     single, missed = sources.strengths(own)
     first = arriving.T[:, :, None] * single
     if len(middles) == 1:
         return Field(sources, middles, first.swapaxes(0, 1), beta, missed)
-    edge = contour(sources.half, max(24, PER_WAVE * perimeter(sources.half) * k / 2 / np.pi))
+    edge = contour(sources.plan, max(FEWEST, PER_WAVE * perimeter(sources.plan) * k / 2 / np.pi))
     answer = sources.of_far_field @ of_ring.T @ regular_inverse(incident(k, ring, edge).T, ARRIVING)
     units, s = len(middles), len(sources.points)
     matrix = np.eye(units * s, dtype=complex)

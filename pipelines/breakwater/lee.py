@@ -15,6 +15,8 @@ import numpy as np
 
 from bem.database.between_frequencies import KOCHIN
 from bem.kochin import angles
+from bem.wave_field.around import far_field
+from bem.wave_field.sources import rectangle
 from bem.wave_field.units import field, row
 from bem.waves import wavenumber
 from mooring.breakwater import unit
@@ -149,17 +151,14 @@ def _field(reader, moved, omega, betas, half, middles):
     k, theta = float(wavenumber(omega, reader.depth, reader.gravity)), reader.between.theta
     own = _far_field(reader, moved, omega, betas)
     ring = angles(k, float(np.hypot(*half))) if len(middles) > 1 else np.zeros(0)
-    return field(half, k, theta, own, ring, _far_field(reader, moved, omega, ring), betas, middles)
+    return field(rectangle(half), k, theta, own, ring, _far_field(reader, moved, omega, ring), betas, middles)
 
 
 def _far_field(reader, moved, omega, betas):
     """(b, t) H of one unit, its motions included"""
     if not len(betas):
         return np.zeros((0, len(reader.between.theta)))
-    radiated, diffracted = reader.far_field([omega], betas)
-    if moved is None:
-        return diffracted[0]
-    return diffracted[0] + moved.motions([omega], betas)[0] @ radiated[0]
+    return far_field(reader, None if moved is None else moved.motions([omega], betas)[0], omega, betas)
 
 
 def _grid(asked, whole, half_width):

@@ -1,4 +1,4 @@
-"""The flags of `hakobune simulate` and `animate`.  Heavy imports happen inside."""
+"""The flags of `hakobune simulate`.  Heavy imports happen inside."""
 
 from __future__ import annotations
 
@@ -27,21 +27,3 @@ def simulate(
     from .command import simulate
 
     return simulate(study, database, output, seeds, duration, fresh, executor, windows)
-
-
-def animate(
-    run: Path,
-    /,
-    *,
-    output: Annotated[Path, Parameter(help="film, .gif")],
-    seed: Annotated[int | None, Parameter(help="whose record is stored; the first if not given")] = None,
-    start: Annotated[float | None, Parameter(help="s after the ramp; around the largest tension if not given")] = None,
-    length: Annotated[float, Parameter(help="s of the run")] = 60.0,
-    step: Annotated[float, Parameter(help="s between frames, of which ten are shown a second")] = 1.0,
-):
-    """A film of body, lines and waves from the file of a simulation."""
-    from .film import animate
-
-    frames = animate(run, output, seed, start, length, step)
-    print(f"{output}: {frames} frames")
-    return 0

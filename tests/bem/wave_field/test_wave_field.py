@@ -1,5 +1,7 @@
 """Waves around bodies from their Kochin functions: sources found again, cylinders in closed form, energy of a row."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.special import h1vp, hankel1, jvp
@@ -7,9 +9,11 @@ from scipy.special import h1vp, hankel1, jvp
 from bem.frequency import solve_frequency
 from bem.kochin import angles
 from bem.methods.shape_problem import ShapeProblem
-from bem.wave_field.sources import Sources, directions, waves
+from bem.wave_field.around import waves_around
+from bem.wave_field.sources import Sources, directions, rectangle, waves
 from bem.wave_field.units import field, row
 from bem.waves import wavenumber
+from meshing.panels import PanelMesh
 
 ORDERS = np.arange(-20, 21)
 
@@ -20,7 +24,7 @@ def test_waves_of_sources_in_a_body_are_found_again_half_a_wave_from_it():
     strength = random.standard_normal(6) + 1j * random.standard_normal(6)
     theta = angles(k, 51.0)
     H = np.exp(-1j * k * (directions(theta) @ inside.T)) @ strength
-    found = Sources(half, k, theta)
+    found = Sources(rectangle(half), k, theta)
     made, missed = found.strengths(H)
     assert missed < 1e-3
     for away, allowed in ((10.0, 0.03), (20.0, 0.005), (40.0, 0.001)):
@@ -60,7 +64,9 @@ def test_cylinders_shelter_each_other_as_the_closed_form_has_it(pitch, allowed):
     a, k, beta = 1.0, 1.5, np.array([np.radians(60)])
     theta, ring = angles(k, np.sqrt(2)), angles(k, np.sqrt(2)) + 0.1
     middles = row(3, pitch)
-    made = field((a, a), k, theta, of_cylinder(k, a, beta, theta), ring, of_cylinder(k, a, ring, theta), beta, middles)
+    made = field(
+        rectangle(a), k, theta, of_cylinder(k, a, beta, theta), ring, of_cylinder(k, a, ring, theta), beta, middles
+    )
     places = np.stack(np.meshgrid(np.linspace(-6, 6, 25), [2.5, 4.0, 8.0]), axis=-1).reshape(-1, 2)
     exact = of_cylinders(k, a, middles, beta[0], places)
     assert np.linalg.norm(made.elevation(places)[0] - exact) < allowed * np.linalg.norm(exact)
@@ -76,9 +82,43 @@ def test_a_row_of_units_keeps_the_energy_of_the_waves():
     theta = np.arange(found.shape[1]) * 2 * np.pi / found.shape[1]
     towards = np.array([7, 11])
     for gap in (12.0, 3.0):
-        made = field(half, k, theta, found[towards], ring, found, ring[towards], row(3, 40.0 + gap))
+        made = field(rectangle(half), k, theta, found[towards], ring, found, ring[towards], row(3, 40.0 + gap))
         ahead = [
             np.sum(strengths * np.exp(-1j * k * ((made.sources.points + made.middles[:, None]) @ directions(beta))))
             for strengths, beta in zip(made.strengths, made.beta, strict=True)
         ]
         assert np.mean(abs(made.far_field()) ** 2, axis=1) == pytest.approx(-np.real(ahead), rel=3e-3)
+
+
+class OfCylinder:
+    """What `waves_around` asks of a reader, of a cylinder on the bed whose middle is not the origin"""
+
+    depth, gravity = 12.0, 9.80665
+
+    def __init__(self, a, middle, theta):
+        self.a, self.middle, self.between = a, np.array(middle), SimpleNamespace(theta=theta)
+
+    def far_field(self, omega, betas):
+        k = float(wavenumber(omega[0], self.depth, self.gravity))
+        H = of_cylinder(k, self.a, betas, self.between.theta)
+        there = np.exp(1j * k * (directions(betas) @ self.middle))[:, None]
+        back = np.exp(-1j * k * (directions(self.between.theta) @ self.middle))
+        return np.zeros((1, 6, H.shape[1])), (H * there * back)[None]
+
+
+def test_waves_around_a_cylinder_are_those_of_the_closed_form_wherever_it_stands():
+    a, middle, omega, beta = 10.0, (30.0, -7.0), 0.8, np.radians(50)
+    k = float(wavenumber(omega, OfCylinder.depth, OfCylinder.gravity))
+    turn = np.linspace(0, 2 * np.pi, 65)[:-1]
+    ring = np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    top, bottom = (np.column_stack([a * ring + middle, np.full(64, z)]) for z in (0.0, -12.0))
+    corner = np.arange(64)
+    sides = np.column_stack([corner, corner + 64, (corner + 1) % 64 + 64, (corner + 1) % 64])
+    mesh = PanelMesh(np.concatenate([top, bottom]), sides)
+    around = waves_around(OfCylinder(a, middle, angles(k, 50.0)), mesh, omega, beta, fixed=True)
+    assert around.pierces and around.missed < 1e-3
+    for r, allowed in ((10.2, 5e-3), (15.0, 2e-3), (40.0, 1e-3)):
+        places = r * ring + middle
+        exact = of_cylinders(k, a, np.array([middle]), beta, places)
+        assert np.abs(around.elevation(places) - exact).max() < allowed
+    assert np.isnan(around.elevation([middle])).all()

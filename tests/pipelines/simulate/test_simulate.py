@@ -22,11 +22,11 @@ from mooring.motion.simulation import Realisation
 from pipelines.cli import main
 from pipelines.common.quantities import StudyError
 from pipelines.common.units import KGF
+from pipelines.films.of_run import film_of_run, surface
 from pipelines.moor.study import make_study, read_study
 from pipelines.simulate import run as runs
 from pipelines.simulate import work
 from pipelines.simulate.file import opened, whole_rows
-from pipelines.simulate.film import animate, surface
 from pipelines.simulate.pictures import draw, spectrum
 from pipelines.simulate.study import plan_of
 from pipelines.solve.work import Here
@@ -222,12 +222,12 @@ def test_the_surface_of_a_film_is_the_wave_of_the_record_at_the_origin():
 
 def test_a_film_follows_the_record_and_is_not_written_over_something_else(folder):
     simulate()
-    assert animate("run.h5", Path("film.gif"), seed=2, length=2.0) == 3
+    assert film_of_run("run.h5", Path("film.gif"), seed=2, length=2.0) == 3
     assert Path("film.gif").read_bytes()[:6] == b"GIF89a"
     with pytest.raises(ValueError, match="no record of seed 3"):
-        animate("run.h5", Path("film.gif"), seed=3)
+        film_of_run("run.h5", Path("film.gif"), seed=3)
     with pytest.raises(ValueError, match="--length is 0 s"):
-        animate("run.h5", Path("film.gif"), length=0.0)
+        film_of_run("run.h5", Path("film.gif"), length=0.0)
 
 
 @pytest.mark.parametrize(
@@ -242,7 +242,7 @@ def test_a_film_follows_the_record_and_is_not_written_over_something_else(folder
 def test_a_film_of_times_that_are_not_there_is_refused_before_it_is_made(folder, flags, words):
     simulate(1)
     with pytest.raises(ValueError, match=words):
-        animate("run.h5", "film.gif", **flags)
+        film_of_run("run.h5", "film.gif", **flags)
 
 
 def test_a_simulation_whose_structure_or_summary_is_damaged_says_so(folder, capsys):

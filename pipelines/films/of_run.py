@@ -1,4 +1,4 @@
-"""`hakobune animate`: a minute of a simulation as a film of body, lines and waves.
+"""A minute of a simulation as a film of body, lines and waves.
 
 The body follows its stored motion, lines hang in their static shape at every frame, the surface is that of the
 undisturbed waves of the seed.
@@ -12,27 +12,22 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from ..common.bounds import Pace
-from ..common.outputs import check_output
 from ..moor.study import make_study
-from .file import opened, whole_rows
-from .study import plan_of
+from ..simulate.file import opened, whole_rows
+from ..simulate.study import plan_of
+from .gif import BED, HULL, SEA, check_count, check_film, new_plotter, turn, write_film
 
-ENDINGS = (".gif",)
-FRAMES_A_SECOND = 10
-SIZE = 800, 500
 GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
 POINTS = 40  # of a line
-MOST = 2000  # frames
 
 
-def animate(path, output, seed=None, start=None, length=60.0, step=1.0):
+def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     """Write a film of `length` s from `start` s on, one frame every `step` s; returns the number of frames.
 
     seed : whose record is stored, by default the first; start : by default half a length before the largest tension
     raises : ValueError, one line
     """
-    check_output(output, "a film", _is_film, ENDINGS, (path,))
+    check_film(output, (path,))
     with opened(path) as file:
         if not len(file["line"]):
             raise ValueError(f"{path} has no lines and no ropes; allowed: of a body that they hold")
@@ -46,31 +41,18 @@ def animate(path, output, seed=None, start=None, length=60.0, step=1.0):
         motion = np.column_stack([np.interp(at, time, column) for column in file["motion"][row].T])
         scene = _scene(file)
         waves = _waves(file, int(file["seed"][row]))
-    pace = Pace(f"{len(at)} frames take", len(at), "give a shorter --length or a longer --step")
-    _write(output, _counted(_frames(scene, at, motion, waves), pace))
+    write_film(output, _frames(scene, at, motion, waves), len(at))
     return len(at)
 
 
 def _check_times(time, start, length, step):
-    """Raise ValueError unless there are 2 to MOST frames, from a time of the record on."""
+    """Raise ValueError unless there are frames enough, from a time of the record on."""
     if start is not None and not time[0] <= start <= time[-1]:
         raise ValueError(f"--start is {start:g} s; allowed: {time[0]:g} to {time[-1]:g} s")
     for flag, value in (("length", length), ("step", step)):
         if not 0 < value < np.inf:
             raise ValueError(f"--{flag} is {value:g} s; allowed: above 0, finite")
-    frames = int(min(length, time[-1] - time[0]) / step + 1e-9) + 1
-    if not 2 <= frames <= MOST:
-        raise ValueError(f"the film has {frames} frames; allowed: 2 to {MOST}; give another --length or --step")
-
-
-def _counted(frames, pace):
-    for frame in frames:
-        pace.step()
-        yield frame
-
-
-def _is_film(path):
-    return path.read_bytes()[:6] in (b"GIF89a", b"GIF87a")
+    check_count(int(min(length, time[-1] - time[0]) / step + 1e-9) + 1)
 
 
 def _row(file, seed):
@@ -138,7 +120,7 @@ def _shapes(scene, motion):
     from mooring.lines.system.shapes import line_shapes
 
     bollards, arms = scene.ropes
-    ends = scene.center + motion[:3] + arms @ _turn(*motion[3:]).T
+    ends = scene.center + motion[:3] + arms @ turn(*motion[3:]).T
     straight = [a + (b - a) * np.linspace(0, 1, POINTS)[:, None] for a, b in zip(bollards, ends, strict=True)]
     if scene.system is None:
         return np.concatenate(straight)
@@ -147,21 +129,11 @@ def _shapes(scene, motion):
     return np.concatenate([*line_shapes(rest(held_at(scene.system, {body.name: pose})), POINTS), *straight])
 
 
-def _turn(roll, pitch, yaw):
-    """Rz Ry Rx"""
-    from scipy.spatial.transform import Rotation
-
-    return Rotation.from_euler("ZYX", [yaw, pitch, roll]).as_matrix()
-
-
 def _frames(scene, at, motion, waves):
     """Pictures, (height, width, 3) each"""
     import pyvista
-    from vtkmodules.vtkCommonCore import vtkLogger
 
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # a machine without display is no fault here
-    plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
-    plotter.set_background("white")
+    plotter = new_plotter()
     hull = pyvista.Box(scene.box).triangulate()
     still = hull.points - scene.center
     count = scene.lines + len(scene.ropes[0])
@@ -171,16 +143,16 @@ def _frames(scene, at, motion, waves):
     x, y = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
     sea = pyvista.StructuredGrid(*(grid.reshape(GRID, GRID, 1) for grid in (x, y, np.zeros_like(x))))
     bed = pyvista.Plane(center=(0, 0, -scene.depth), i_size=WIDTH * scene.span, j_size=WIDTH * scene.span)
-    plotter.add_mesh(bed, color="#d8c9a0")
-    plotter.add_mesh(sea, color="#4f8fc0", opacity=0.45)
-    plotter.add_mesh(hull, color="#b04030")
+    plotter.add_mesh(bed, color=BED)
+    plotter.add_mesh(sea, color=SEA, opacity=0.45)
+    plotter.add_mesh(hull, color=HULL)
     plotter.add_mesh(lines, color="#202020", line_width=2)
     plotter.camera_position = [(0.25 * scene.span, -1.0 * scene.span, 0.4 * scene.span), (0, 0, 0), (0, 0, 1)]
     heights = None if waves is None else surface(waves, *sea.points[:, :2].T)
     label = plotter.add_text("", font_size=9, color="black")
     try:
         for t, moved in zip(at, motion, strict=True):
-            hull.points = scene.center + moved[:3] + still @ _turn(*moved[3:]).T
+            hull.points = scene.center + moved[:3] + still @ turn(*moved[3:]).T
             lines.points = _shapes(scene, moved)
             if heights is not None:
                 sea.points = np.column_stack([*sea.points[:, :2].T, heights(t)])
@@ -189,16 +161,3 @@ def _frames(scene, at, motion, waves):
             yield plotter.screenshot(return_img=True)
     finally:
         plotter.close()
-
-
-def _write(output, frames):
-    import io
-
-    from PIL import Image
-
-    from meshing.whole_files import write_whole
-
-    first, *others = [Image.fromarray(frame).convert("P", palette=Image.Palette.ADAPTIVE) for frame in frames]
-    drawn = io.BytesIO()
-    first.save(drawn, "GIF", save_all=True, append_images=others, duration=1000 // FRAMES_A_SECOND, loop=0)
-    write_whole(output, drawn.getvalue())

@@ -1,0 +1,91 @@
+"""The waves around one body of a database, fixed or moving with the waves.
+
+η(p) = exp(ik·p) + Σ_j s_j H₀(k|p − p_j|), the sources s_j from the Kochin function of the diffraction and, where the
+body moves, of its radiation times its motion (`sources`).  What decays over the depth, as exp(−πr/h) at a distance
+r from the hull, is left out.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..waves import wavenumber
+from .sources import Sources, directions, incident
+
+SURFACE = 1e-6  # of the draft, within which a point of the hull is on the waterline
+CORNERS = 24  # of a plan that is curved
+
+
+class WavesAround(NamedTuple):
+    """One body in waves of 1 m towards one direction.
+
+    omega rad/s, k rad/m, beta rad; sources : of its plan; middle : (2,) m of that; strengths : (s,) m
+    motion : (6,) m and rad about the centre of rotation, None of a fixed body; missed : share of the far field that
+    the sources do not send; pierces : whether the hull reaches the surface
+    """
+
+    omega: float
+    k: float
+    beta: float
+    sources: Sources
+    middle: np.ndarray
+    strengths: np.ndarray
+    motion: np.ndarray | None
+    missed: float
+    pierces: bool
+
+    def elevation(self, places):
+        """(p,) complex, m per m, at places (p, 2) m: Re η exp(−iωt) is the surface; nan in the plan of the body"""
+        places = np.atleast_2d(np.asarray(places, float))
+        total = np.full(len(places), np.nan, complex)
+        outside = ~self.sources.covers(places - self.middle) if self.pierces else np.ones(len(places), bool)
+        there = places[outside]
+        total[outside] = incident(self.k, np.array([self.beta]), there)[0]
+        total[outside] += self.sources.elevation(self.strengths, there - self.middle)
+        return total
+
+
+def waves_around(reader, mesh, omega, beta, fixed=False):
+    """`WavesAround` of a `Reader`'s body at omega (rad/s) and direction beta (rad).
+
+    mesh : its PanelMesh.  raises : BetweenError outside the database, without Kochin functions or, unless `fixed`, mass
+    """
+    k = float(wavenumber(omega, reader.depth, reader.gravity))
+    plan, pierces = plan_of(mesh)
+    middle = (plan.min(axis=0) + plan.max(axis=0)) / 2
+    motion = None if fixed else reader.motions([omega], [beta])[0, 0]
+    H = far_field(reader, motion, omega, beta) * np.exp(1j * k * (directions(reader.between.theta) @ middle))
+    sources = Sources(plan - middle, k, reader.between.theta)
+    strengths, missed = sources.strengths(H)
+    return WavesAround(float(omega), k, float(beta), sources, middle, strengths, motion, missed, pierces)
+
+
+def far_field(reader, motion, omega, beta):
+    """(…, t) Kochin functions about the origin in waves towards beta (…,) rad, of motions (…, 6) or None for none"""
+    betas = np.atleast_1d(beta)
+    radiated, diffracted = reader.far_field([omega], betas)
+    H = diffracted[0] if motion is None else diffracted[0] + np.atleast_2d(motion) @ radiated[0]
+    return H[0] if np.ndim(beta) == 0 else H
+
+
+def plan_of(mesh):
+    """(n, 2) m, corners anticlockwise of the convex hull of a PanelMesh's waterline, and whether it has one
+
+    A body below the surface has the plan of all of it.  A curved plan is taken with CORNERS corners.
+    """
+    from scipy.spatial import ConvexHull
+
+    points = mesh.whole().vertices.reshape(-1, 3)
+    at_surface = points[:, 2] > -SURFACE * abs(points[:, 2].min())
+    pierces = np.count_nonzero(at_surface) > 2 and bool(np.all(np.ptp(points[at_surface, :2], axis=0) > 0))
+    flat = points[at_surface if pierces else slice(None), :2]
+    plan = flat[ConvexHull(flat).vertices]
+    if len(plan) <= CORNERS:
+        return plan, pierces
+    side = np.linalg.norm(np.roll(plan, -1, axis=0) - plan, axis=1)
+    along = np.concatenate([[0.0], np.cumsum(side)])
+    wanted = np.arange(CORNERS) / CORNERS * along[-1]
+    closed = np.vstack([plan, plan[:1]])
+    return np.stack([np.interp(wanted, along, column) for column in closed.T], axis=1), pierces

@@ -1,0 +1,1 @@
+"""Films: of a run in time, and of a body in regular waves."""

@@ -1,0 +1,67 @@
+"""The flags of `hakobune animate`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def animate(
+    file: Path,
+    /,
+    *,
+    output: Annotated[Path, Parameter(help="film, .gif")],
+    seed: Annotated[int | None, Parameter(help="whose record is stored; the first if not given")] = None,
+    start: Annotated[float | None, Parameter(help="s after the ramp; around the largest tension if not given")] = None,
+    length: Annotated[float | None, Parameter(help="s of the run; 60 if not given")] = None,
+    step: Annotated[float | None, Parameter(help="s between frames, of which ten are shown a second; 1")] = None,
+    period: Annotated[float | None, Parameter(help="s, of the waves around the body of a database")] = None,
+    omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
+    heading: Annotated[
+        float | None, Parameter(help="degrees, towards which they travel; 180", allow_leading_hyphen=True)
+    ] = None,
+    height: Annotated[float | None, Parameter(help="m, of these waves; a thirtieth of their length")] = None,
+    fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
+    field: Annotated[str | None, Parameter(help="pressure: colour the panels by it")] = None,
+):
+    """A film of body, lines and waves from the file of a simulation; or of a database's body in regular waves.
+
+    hakobune animate run.h5 --output film.gif
+    hakobune animate box.h5 --period 9 --heading 180 --output film.gif
+    """
+    from ..simulate.file import is_run
+
+    of_run = {"seed": seed, "start": start, "length": length, "step": step}
+    regular = {
+        "period": period,
+        "omega": omega,
+        "heading": heading,
+        "height": height,
+        "fixed": fixed or None,
+        "field": field,
+    }
+    if is_run(file):
+        from .of_run import film_of_run
+
+        _check_none(regular, "a database", file, "a simulation")
+        frames = film_of_run(file, output, **_given(of_run))
+    else:
+        from .of_database import film_of_database
+
+        _check_none(of_run, "a simulation", file, "a database")
+        frames = film_of_database(file, output, **_given(regular))
+    print(f"{output}: {frames} frames")
+    return 0
+
+
+def _given(flags):
+    return {name: value for name, value in flags.items() if value is not None}
+
+
+def _check_none(flags, theirs, file, its):
+    """Raise ValueError for flags of the other kind of film."""
+    given = _given(flags)
+    if given:
+        raise ValueError(f"--{next(iter(given))} belongs to {theirs}; {file} is the file of {its}")

@@ -1,0 +1,1 @@
+"""`hakobune waves`: the waves around a body."""

@@ -1,0 +1,29 @@
+"""The flags of `hakobune waves`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def waves(
+    database: Path,
+    /,
+    *,
+    period: Annotated[float | None, Parameter(help="s, of the waves")] = None,
+    omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
+    heading: Annotated[float, Parameter(help="degrees, towards which they travel", allow_leading_hyphen=True)] = 180.0,
+    fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
+    width: Annotated[float | None, Parameter(help="m, of the map")] = None,
+    at: Annotated[tuple[str, ...], Parameter(help="x,y m of a point that is told", allow_leading_hyphen=True)] = (),
+    output: Annotated[Path | None, Parameter(help="map: .png, .svg, .pdf, or .csv of its points")] = None,
+):
+    """The waves around a body in regular waves, what it scatters and radiates included.
+
+    hakobune waves box.h5 --period 9 --heading 180 --output waves.png
+    """
+    from .command import waves
+
+    return waves(database, period, omega, heading, fixed, width, at, output)
