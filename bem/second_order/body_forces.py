@@ -46,15 +46,17 @@ def body_forces(surfaces, flow, one, two, radiated, problem):
 
 def _of_flow(surfaces, flow, used, radiated, gravity):
     """(u, 2, 6, 6) ∮ ψ_k n_m u_z dl − ∬ n_m ∇ψ_k·u dS of the flow of the waves `used`, and with its conjugate"""
-    hull, line = surfaces.hull, surfaces.waterline
-    weighted = (surfaces.hull_modes * hull.weights[:, None]).T
-    rows = (radiated.parts[:, :, None] * np.repeat(weighted, 3, axis=1)).reshape(72, -1)
+    line, weighted = surfaces.waterline, surfaces.weighted_modes
     steep = (flow.omega[used] ** 2 / gravity)[:, None] * flow.potential[used]
     edge = (radiated.potential[:, None] * (surfaces.waterline_modes * line.weights[:, None]).T).reshape(36, -1)
-    out = []
-    for z, u in zip((steep.real, steep.imag), flow.parts[:, used], strict=True):
-        over_hull = (rows @ u.T).reshape(2, 36, -1)
-        out.append((edge @ z.T - over_hull[0] - 1j * over_hull[1]).T.reshape(-1, 6, 6))
+    out = np.stack([(edge @ z.T).T.reshape(-1, 6, 6) for z in (steep.real, steep.imag)])
+    slope = radiated.velocity.reshape(6, -1)[:, : weighted.shape[1]]  # of one class each: the meshed part tells all
+    slope = np.ascontiguousarray(slope.real), np.ascontiguousarray(slope.imag)
+    for (k, m), parts in zip(surfaces.hull.products, flow.parts, strict=True):
+        rows = np.concatenate([part[k] * weighted[m] for part in slope])
+        for n, u in enumerate(parts):
+            real, imaginary = np.split(rows @ (u if len(used) == len(u) else u[used]).T, 2)
+            out[n][:, k, m] -= (real + 1j * imaginary).T
     real, imaginary = out
     return np.stack([real + 1j * imaginary, real - 1j * imaginary], axis=1)
 

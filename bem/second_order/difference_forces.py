@@ -18,7 +18,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .. import DOFS
-from ..panels.irregular_frequencies import lid_needed_from
 from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
 from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
 from .body_forces import body_forces
@@ -79,17 +78,16 @@ def difference_forces(problem, omega, headings, highest, moving, report=lambda d
         raise ValueError("difference forces on a floating body without inertia; solve it with --gyration kxx,kyy,kzz")
     steps = min(int(highest / step + EVEN), len(omega) - 1)
     difference = step * np.arange(steps + 1)
-    waves = _Waves(problem, omega, headings, moving, difference[1:] if surface else None, lines)
+    waves = _Waves(problem, omega, headings, moving, difference, surface, lines)
     for done, w in enumerate(omega):
         waves.solve(w)
         report(done + 1, len(omega) + steps + 1)
     flow, squares = waves.joined()
     out = {name: np.full((steps + 1, len(omega), len(headings), len(headings), 6), np.nan, complex) for name in PARTS}
-    long = _sharing(_at_differences(problem, difference[-1]), step, difference[-1], steps)
     on_surface = []
     for m in range(steps + 1):
         pairs = _Pairs(omega, headings, m)
-        run = _long_run(long, difference[m])
+        run = waves.radiation(difference[m])
         out["squares"][m, : pairs.count] = squares[np.arange(m, len(omega)), :, np.arange(pairs.count)]
         out["bound_wave"][m, : pairs.count] = pairs.shaped(_bound(pairs, run, problem))
         body, made = np.zeros((len(pairs.one), 6), complex), None
@@ -111,22 +109,32 @@ def difference_forces(problem, omega, headings, highest, moving, report=lambda d
 
 
 class _Waves:
-    """First-order flow of all waves: on the hull, and with `differences` on the surface around it"""
+    """First-order flow of all waves: on the hull, and with `surface` on the water around it
 
-    def __init__(self, problem, omega, headings, moving, differences, lines):
+    differences : (d,) rad/s, from 0, at which the body radiates; of those among the frequencies one run has both
+    """
+
+    def __init__(self, problem, omega, headings, moving, differences, surface, lines):
         self.problem, self.headings, self.moving = problem, headings, moving
         stiffness = problem.hydrostatic_stiffness if lines is None else problem.hydrostatic_stiffness + lines
+        scale = problem.depth if np.isfinite(problem.depth) else problem.mesh.draft
+        self.least = LOWEST * np.sqrt(problem.gravity / scale)
         held = replace(problem, hydrostatic_stiffness=stiffness)
-        self.prepared = _sharing(held, omega[0], omega[-1], len(omega))
+        self.differences, self.near = differences, EVEN * differences[-1] / max(len(differences) - 1, 1)
+        low = max(self.least, min(omega[0], *differences[1:2]))
+        self.prepared = _sharing(held, low, max(omega[-1], differences[-1]), len(omega) + len(differences))
         check_panels(problem, self.prepared.geometry.mesh)
         self.surfaces = hull_surfaces(self.prepared.geometry)
-        around = differences is not None and len(differences)
-        self.around = SurfaceWaves(self.prepared, self.surfaces, omega, differences) if around else None
-        self.parts, self.loads, self.rao = [], [], []
+        around = surface and len(differences) > 1
+        self.around = SurfaceWaves(self.prepared, self.surfaces, omega, differences[1:]) if around else None
+        self.parts, self.loads, self.rao, self.radiating = [], [], [], []
 
     def solve(self, omega):
-        want = {"rao", "excitation_force", "added_mass"} if self.moving else {"excitation_force"}
+        again = np.abs(self.differences - omega).min() <= self.near
+        want = {"excitation_force"} | ({"rao", "added_mass"} if self.moving else {"added_mass"} if again else set())
         run = self.prepared.run(omega, self.headings, want, None, DOFS)
+        if again:
+            self.radiating.append(run)
         rao = run.rao if self.moving else np.zeros((len(self.headings), 6), complex)
         motions = rao @ self.problem.transform
         self.parts.append(wave_flow(run, self.surfaces, motions))
@@ -134,6 +142,11 @@ class _Waves:
         self.loads.append(first_order_loads(run, self.problem) if self.moving else 0 * rao)
         if self.around is not None:
             self.around.add(run, self.parts[-1], motions)
+
+    def radiation(self, omega):
+        """Run of a difference frequency"""
+        known = [run for run in self.radiating if abs(run.omega - omega) <= self.near]
+        return known[0] if known else self.prepared.run(max(omega, self.least), [0.0], {"added_mass"}, None, DOFS)
 
     def joined(self):
         """`HullFlow` of all waves and (n, m, n, m, 6) T of squares of first order"""
@@ -209,14 +222,9 @@ def _on_surface(waves, flow, pairs, run, radiated, omega):
     return Difference(omega, pairs.one, pairs.two, *waves.around.radiated(run, radiated), line)
 
 
-def _at_differences(problem, highest):
-    """The problem for frequencies up to `highest` rad/s, with a lid only where one of them may be irregular"""
-    irregular = highest**2 / problem.gravity > lid_needed_from(problem.mesh)
-    return replace(problem, lid=problem.lid if irregular else None, coarse=None, finer=None)
-
-
 def _sharing(problem, low, high, count):
     """The problem prepared, its frequencies in a band that shares work where there are many; a round body needs none"""
+    problem = replace(problem, coarse=None, finer=None)
     alone = replace(problem, band=None).prepared()
     if count < MANY or alone.axisymmetric_geometry.sectors:
         return alone
@@ -242,13 +250,6 @@ def _bound(pairs, run, problem):
         return np.zeros((len(pairs.one), 6), complex)
     bound = bound_waves(*pairs.waves, problem.depth, problem.gravity)
     return bound.amplitude[:, None] * (long_wave_forces(run, bound.number) @ problem.transform.T)
-
-
-def _long_run(prepared, omega):
-    """Radiation at a difference frequency"""
-    problem = prepared.problem
-    scale = problem.depth if np.isfinite(problem.depth) else prepared.draft
-    return prepared.run(max(omega, LOWEST * np.sqrt(problem.gravity / scale)), [0.0], {"added_mass"}, None, DOFS)
 
 
 def _step(omega):

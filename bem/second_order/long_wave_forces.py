@@ -61,5 +61,5 @@ def long_wave_forces(run, number):
         for cls, (moving, _) in run.columns.items():
             sign = g.signs(cls)[image]
             out[:, moving] -= sign * (pressure * weights) @ modes[:, moving]
-            out[:, moving] += sign * (velocity * weights) @ run.potentials[cls].T
+            out[:, moving] += sign * (velocity * weights) @ run.potentials[cls][: len(moving)].T
     return problem.density * problem.gravity * out

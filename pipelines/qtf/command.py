@@ -8,7 +8,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-FREQUENCIES = 41  # of the stored band, where none are asked for
+FREQUENCIES = 41, 48  # of the stored band, where none are asked for
 SHARE = 0.4  # of the mean of the band: largest difference, where none is asked for
 LEVELS = ("body", "full", "auto")
 ENOUGH = 0.05  # of the force: what "auto" leaves out
@@ -152,7 +152,7 @@ def _waves(db, omega, heading, difference):
     if len(db.omega) < 2:
         raise ValueError(f"{db.path} has {len(db.omega)} solved frequencies; allowed: two or more")
     if omega is None:
-        frequencies = np.linspace(low, high, FREQUENCIES)
+        frequencies = multiples(low, high)
     else:
         given = numbers("--omega", omega)
         given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else np.array(given)
@@ -175,6 +175,22 @@ def _waves(db, omega, heading, difference):
             "in all, choose with --omega and --heading"
         )
     return frequencies, np.unique(headings), difference or SHARE * float(frequencies.mean())
+
+
+def multiples(low, high):
+    """(n,) multiples of a step, which their differences are too, that end at `high` and begin closest to `low`, rad/s
+
+    A frequency that is also a difference is solved once.
+    """
+    import numpy as np
+
+    def first_of(steps):
+        return int(np.ceil(low / high * steps * (1 - 1e-12)))
+
+    least, most = (int(count / (1 - low / high)) for count in FREQUENCIES)
+    fitting = [steps for steps in range(least, most + 1) if FREQUENCIES[0] <= steps - first_of(steps) + 1]
+    steps = min(fitting, key=lambda steps: (round(first_of(steps) / steps - low / high, 9), steps))
+    return high / steps * np.arange(first_of(steps), steps + 1)
 
 
 def _covers(stored, floats, waves, fixed):

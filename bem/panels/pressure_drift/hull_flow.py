@@ -26,6 +26,7 @@ class Surface:
 
     def __init__(self, geometry, flow, normals):
         self.flow, self.copies = flow, len(geometry.images)
+        self.signs, self.members = geometry.all_signs, [geometry.members(cls) for cls in geometry.classes]
         q = flow.points.shape[1]
         self.mirrors = np.column_stack([geometry.images, np.ones(self.copies)])
         self.nodes = geometry.elements.nodes[: geometry.hull] * self.mirrors[:, None]
@@ -36,6 +37,21 @@ class Surface:
 
     def _images(self, vectors):
         return (vectors * self.mirrors[:, None]).reshape(-1, 3)
+
+    def by_class(self, vectors):
+        """(c, f, 3q) parts of vectors (f, p, 3) of each symmetry class, at the points of the meshed part"""
+        f = len(vectors)
+        seen = vectors.reshape(f, self.copies, -1, 3) * (self.mirrors / self.copies)[:, None]
+        return np.einsum("ci,fipd->cfpd", self.signs, seen).reshape(len(self.signs), f, -1)
+
+    @cached_property
+    def products(self):
+        """[(modes, modes)] of each symmetry class: pairs of modes whose product belongs to it"""
+        of_mode = np.empty((6, self.copies))
+        for signs, members in zip(self.signs, self.members, strict=True):
+            of_mode[members] = signs
+        same = np.all(of_mode[:, None] * of_mode == self.signs[:, None, None], axis=-1)
+        return [np.nonzero(of_class) for of_class in same]
 
     def value(self, run, phi, waves, motion, headings):
         """(f, p) potential and (f, p, 3) its gradient along the surface, of f flows.
@@ -92,10 +108,17 @@ class HullSurfaces:
         return normal_velocities(self.waterline.points, self.waterline.normals)
 
     @cached_property
+    def weighted_modes(self):
+        """(6, 3q) m²: generalised normals times area on the meshed part and its images, thrice, for three velocities"""
+        part = slice(len(self.hull.weights) // self.hull.copies)
+        return np.repeat((self.hull_modes[part] * self.hull.weights[part, None]).T * self.hull.copies, 3, axis=1)
+
+    @cached_property
     def carried(self):
-        """(36, 3p) m²: e_m n_c dS, displacement of unit motion m times generalised normal c"""
-        weighted = self.hull_modes * self.hull.weights[:, None]
-        return np.einsum("mpd,pc->mcpd", unit_displacements(self.hull.points), weighted).reshape(36, -1)
+        """[(pairs, 3q)] m² of each symmetry class: e_m n_c dS on the meshed part and its images, displacement of unit
+        motion m times generalised normal c, of its `products` of modes"""
+        displacement = unit_displacements(self.hull.points).reshape(6, -1)[:, : self.weighted_modes.shape[1]]
+        return [displacement[m] * self.weighted_modes[c] for m, c in self.hull.products]
 
     @cached_property
     def turned(self):
@@ -135,7 +158,7 @@ class HullFlow:
     """First-order flow of f waves of unit amplitude, or of f motions of unit velocity.
 
     omega : (f,) rad/s; motion : (f, 6) m, rad about the origin; velocity : (f, p, 3) ∇φ on the hull
-    potential : (f, l) along the waterline, m²/s; on_hull : (f, p) the same on the hull
+    potential : (f, l) along the waterline, m²/s; on_hull : (f, p) the same on the hull; hull : its `Surface`
     """
 
     omega: np.ndarray
@@ -143,18 +166,19 @@ class HullFlow:
     velocity: np.ndarray
     potential: np.ndarray
     on_hull: np.ndarray
+    hull: Surface
 
     @cached_property
     def parts(self):
-        """(2, f, 3p) real and imaginary part of the velocity, one after another in memory"""
-        flat = self.velocity.reshape(len(self.omega), -1)
-        return np.stack([flat.real, flat.imag])
+        """(c, 2, f, 3q) real and imaginary part of the velocity of each symmetry class, `Surface.by_class`"""
+        velocity = self.hull.by_class(self.velocity)
+        return np.stack([velocity.real, velocity.imag], axis=1)
 
     @classmethod
     def joined(cls, flows):
         """Those of several one after another"""
-        fields = ([getattr(flow, name) for flow in flows] for name in cls.__dataclass_fields__)
-        return cls(*(np.concatenate(field) for field in fields))
+        *names, _ = cls.__dataclass_fields__
+        return cls(*(np.concatenate([getattr(flow, name) for flow in flows]) for name in names), flows[0].hull)
 
 
 def wave_flow(run, surfaces, motions):
@@ -178,12 +202,14 @@ def _flow(run, surfaces, phi, waves, motions, headings):
     on_hull, gradient = hull.value(run, phi, waves, motions, headings)
     gradient += (-1j * run.omega * motions @ surfaces.hull_modes.T)[..., None] * hull.normals
     potential = surfaces.waterline.value(run, phi, waves, motions, headings)[0]
-    return HullFlow(np.full(len(phi), run.omega), np.asarray(motions, complex), gradient, potential, on_hull)
+    return HullFlow(np.full(len(phi), run.omega), np.asarray(motions, complex), gradient, potential, on_hull, hull)
 
 
 def _incident(run, at, waves, headings):
     """φ_I (f, …) and its gradient (f, …, 3) at points (…, 3)"""
     problem = run.problem
+    if not np.any(waves):
+        return np.zeros((len(waves), *at.shape[:-1]), complex), np.zeros((len(waves), *at.shape), complex)
     parts = [incident_wave(at, beta, run.omega, run.k, problem.depth, problem.gravity) for beta in headings]
     return tuple(np.array([a * part[i] for a, part in zip(waves, parts, strict=True)]) for i in range(2))
 

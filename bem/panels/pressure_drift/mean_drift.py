@@ -54,8 +54,11 @@ def pressure_pairs(surfaces, flow, problem):
 
 def carried_flow(surfaces, flow):
     """(f, 6, 6) ∬ e_m·∇φ n_c dS with the displacement e_m of unit motion m about the origin"""
-    real, imaginary = flow.parts @ surfaces.carried.T
-    return (real + 1j * imaginary).reshape(-1, 6, 6)
+    out = np.zeros((len(flow.omega), 6, 6), complex)
+    for (m, c), carried, parts in zip(surfaces.hull.products, surfaces.carried, flow.parts, strict=True):
+        real, imaginary = parts @ carried.T
+        out[:, m, c] = real + 1j * imaginary
+    return out
 
 
 def pressure_error(run):

@@ -17,7 +17,7 @@ from bem.panels.pressure_drift.mean_drift import pressure_pairs
 from bem.second_order import surface_near
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
-from bem.second_order.difference_forces import _at_differences, difference_forces
+from bem.second_order.difference_forces import _Waves, difference_forces
 from bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
 from meshing.lid import lid
 from meshing.panels import joined
@@ -69,7 +69,9 @@ def test_the_forcing_of_the_surface_is_the_same_wherever_the_sums_of_hankel_func
 
 def test_differences_of_irregular_frequencies_are_solved_with_a_lid():
     problem = replace(floating(), lid=lid(floating().mesh))
-    assert _at_differences(problem, 1.0).lid is problem.lid and _at_differences(problem, 0.5).lid is None
+    waves = _Waves(problem, np.array([1.2, 1.4]), [0.0], False, np.array([0.0, 0.5, 1.0]), False, None)
+    parts = [waves.radiation(difference).geometry.panels for difference in (0.5, 1.0)]
+    assert len(parts[0]) == len(problem.mesh) and len(parts[1]) == len(problem.mesh) + len(problem.lid)
 
 
 def test_around_two_waterlines_or_none_the_forcing_of_the_surface_is_refused():
@@ -125,14 +127,15 @@ def test_water_that_moves_with_the_body_needs_no_second_derivatives(monkeypatch,
     What four points of the rule at edges, made for powers of r^(2/3), leave in ψ of third degree is gone with six.
     """
     monkeypatch.setattr(hull_interpolation, "POINTS", points)
-    surfaces = hull_surfaces(Geometry(box(LENGTH, BEAM, DRAFT, panels=200), None, 20.0))
+    whole = box(LENGTH, BEAM, DRAFT, panels=200).whole()  # ψ has none of the symmetries
+    surfaces = hull_surfaces(Geometry(whole, None, 20.0))
     rng = np.random.default_rng(1)
     X, omega = rng.normal(size=(2, 6)) + 1j * rng.normal(size=(2, 6)), np.array([0.9, 0.6])
     X[:, 3:] *= 0.1
     hull, line = surfaces.hull, surfaces.waterline
     V = -1j * omega[:, None] * X
     u, rise = np.einsum("fm,mpd->fpd", V, unit_displacements(hull.points)), V @ unit_displacements(line.points)[..., 2]
-    flow = HullFlow(omega, X, u, G / omega[:, None] ** 2 * rise, np.zeros(u.shape[:2]))
+    flow = HullFlow(omega, X, u, G / omega[:, None] ** 2 * rise, np.zeros(u.shape[:2]), hull)
     powers = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 2, 1], [1, 0, 2], [2, 1, 0]])
 
     def psi(x):
@@ -143,7 +146,8 @@ def test_water_that_moves_with_the_body_needs_no_second_derivatives(monkeypatch,
         return np.moveaxis(powers.T[..., None] * np.prod(x[None, None] ** lower[:, :, None], axis=-1), 0, -1)
 
     difference = np.array([0.3] * 6)
-    made = HullFlow(difference, np.eye(6), slope(hull.points) + 0j, psi(line.points) + 0j, psi(hull.points) + 0j)
+    ends = psi(line.points) + 0j, psi(hull.points) + 0j
+    made = HullFlow(difference, np.eye(6), slope(hull.points) + 0j, *ends, hull)
     found = body_forces(surfaces, flow, np.array([0]), np.array([1]), made, floating())[0]
     field = np.einsum("fm,mpd->fpd", X, unit_displacements(hull.points))
     turning = -1j * omega[:, None] * X[:, 3:]
@@ -184,7 +188,8 @@ def test_a_body_turned_and_moved_in_still_water_has_its_hydrostatic_load(surface
     problem = PanelProblem(problem.mesh, depth=20.0, rotation_center=tuple(CENTRE), hydrostatic_stiffness=stiffness)
     about_origin = motion[None] @ problem.transform
     line = np.zeros((1, len(surfaces.waterline.points)), complex)
-    still = HullFlow(np.array([1e-9]), about_origin + 0j, np.zeros((1, len(surfaces.hull.points), 3), complex), line, 0)
+    velocity = np.zeros((1, len(surfaces.hull.points), 3), complex)
+    still = HullFlow(np.array([1e-9]), about_origin + 0j, velocity, line, 0, surfaces.hull)
     found = pressure_pairs(surfaces, still, problem)[0, 0] @ problem.transform.T
     found = found + rotated_pairs(-motion[None] @ stiffness.T, motion[None])[0, 0]
     found = found + still_water_pairs(motion[None], problem, surfaces.hull)[0, 0]

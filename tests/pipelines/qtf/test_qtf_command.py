@@ -13,6 +13,7 @@ from mooring.environment.spectra import jonswap
 from mooring.response.pair_levels import beside_newman, stored_pairs
 from mooring.response.slow_drift import HORIZONTAL
 from pipelines.cli import main
+from pipelines.qtf.command import multiples
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28 --heading 0,180"
 SWELL = Sea(jonswap(1.0, peak_period=11.0), np.pi)
@@ -120,3 +121,11 @@ def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
     with pytest.raises(ValueError, match=r"pairs are stored from 0.3 to 1.2"):
         beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "body")
     assert "not full" in beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")[1][0]
+
+
+@pytest.mark.parametrize("low, high", [(0.3, 1.5), (0.31, 1.8), (1.9, 2.0), (0.05, 3.0)])
+def test_frequencies_that_nobody_chose_are_multiples_of_their_step(low, high):
+    found = multiples(low, high)
+    step = found[1] - found[0]
+    assert 41 <= len(found) <= 49 and found[-1] == pytest.approx(high) and low - 1e-9 <= found[0] < low + step
+    assert found / step == pytest.approx(np.round(found / step), abs=1e-9)
