@@ -121,7 +121,7 @@ class _Waves:
         self.least = LOWEST * np.sqrt(problem.gravity / scale)
         held = replace(problem, hydrostatic_stiffness=stiffness)
         self.differences, self.near = differences, EVEN * differences[-1] / max(len(differences) - 1, 1)
-        low = max(self.least, min(omega[0], *differences[1:2]))
+        low = max(self.least, min([omega[0], *differences[1:2]]))
         self.prepared = _sharing(held, low, max(omega[-1], differences[-1]), len(omega) + len(differences))
         check_panels(problem, self.prepared.geometry.mesh)
         self.surfaces = hull_surfaces(self.prepared.geometry)

@@ -91,6 +91,11 @@ def test_on_the_diagonal_it_is_the_mean_drift_of_the_far_field():
         assert np.all(np.abs(near - run.drift(True)) < 0.02 * scale)
 
 
+def test_without_differences_the_diagonal_is_the_same():
+    alone = difference_forces(floating(), of_box().omega, of_box().headings, 0.01, True)
+    assert alone.squares[0] == pytest.approx(of_box().squares[0], rel=1e-6) and len(alone.difference) == 1
+
+
 def test_lines_as_stiff_as_rock_hold_the_body_and_lines_without_stiffness_leave_it_free():
     omega, rock = [0.6, 0.7], 1e14 * np.diag([1, 1, 1, 1e3, 1e3, 1e3])
     fixed, free, held, loose = (
