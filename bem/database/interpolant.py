@@ -262,7 +262,8 @@ class Joined:
 
     What a fit lacks at its nodes, the share of the nugget, is put back by straight lines: nodes have their values, and
     where one window takes over from another nothing jumps.  So has the deviation, none at the nodes: damping of a
-    thousandth of its largest, which decides a resonance, is known beside a node as well as at it.
+    thousandth of its largest, which decides a resonance, is known beside a node as well as at it.  Groups that are zero
+    at every node, as most couplings of a symmetric body, are zero between, and nothing is fitted to them.
     """
 
     x: Abscissa
@@ -273,24 +274,26 @@ class Joined:
     def value(self, y):
         """(q, g, c) at y"""
         gap, share = self._place(y)
-        out = np.empty((len(gap), *self.values.shape[1:]), self.values.dtype)
+        out = np.zeros((len(gap), *self.values.shape[1:]), self.values.dtype)
         for window, fit, lack, _ in self._fits:
             here = (gap >= window.low) & (gap < window.high)
             if here.any():
                 i, t = gap[here] - window.first, share[here][:, None, None]
-                out[here] = fit.value(Abscissa(*(part[here] for part in y))) + (1 - t) * lack[i] + t * lack[i + 1]
+                fitted = fit.value(Abscissa(*(part[here] for part in y)))
+                out[np.ix_(here, self._moving)] = fitted + (1 - t) * lack[i] + t * lack[i + 1]
         return out
 
     def deviation(self, y):
         """(q, g) standard deviations of the modulus, in the mean over the functions of a group"""
         gap, share = self._place(y)
-        out = np.empty((len(gap), self.values.shape[1]))
+        out = np.zeros((len(gap), self.values.shape[1]))
         for window, fit, _, at_nodes in self._fits:
             here = (gap >= window.low) & (gap < window.high)
             if here.any():
                 i, t = gap[here] - window.first, share[here][:, None]
                 known = ((1 - t) * at_nodes[i] ** 2 + t * at_nodes[i + 1] ** 2) * (1 - 2 * t) ** 2
-                out[here] = np.sqrt(np.maximum(fit.deviation(Abscissa(*(part[here] for part in y))) ** 2 - known, 0))
+                open_ = fit.deviation(Abscissa(*(part[here] for part in y))) ** 2 - known
+                out[np.ix_(here, self._moving)] = np.sqrt(np.maximum(open_, 0))
         return out
 
     def _place(self, y):
@@ -300,10 +303,15 @@ class Joined:
         return gap, (y.smooth - s[gap]) / (s[gap + 1] - s[gap])
 
     @cached_property
+    def _moving(self):
+        """Groups that are not zero at every node"""
+        return np.any(self.values != 0, axis=(0, 2))
+
+    @cached_property
     def _fits(self):
-        out = []
+        out, moving, lead = [], self.values[:, self._moving], self.lead[self._moving]
         for window in self.windows:
-            fit = Interpolant(window.nodes, self.values[window.first : window.last], self.lead)
+            fit = Interpolant(window.nodes, moving[window.first : window.last], lead)
             x = window.nodes.x
             out.append((window, fit, fit.values - fit.value(x), fit.deviation(x)))
         return out

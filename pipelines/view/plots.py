@@ -23,6 +23,9 @@ QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symme
 FORCES, MOMENTS = slice(0, 3), slice(3, 6)
 PLACES = 300  # frequencies of a curve, beside those stored and those about resonances
 MARKED = 30  # stored frequencies that are marked; more would be a thick line
+WIDTH, ROW = 17.0, 2.35  # inches: of the page, and of a row of curves with its margins
+MARGINS = {"left": 0.66, "right": 0.08, "bottom": 0.45, "top": 0.7, "between": 0.78, "rows": 0.42}  # inches
+LABEL = 0.5  # inches from a curve's axis to the name of its unit
 HIGH = 5  # times the motion away from a sharp resonance: above, its peak is written and not drawn
 ROWS = {
     "A and B/ω": ("added_mass", "radiation_damping"),
@@ -83,14 +86,34 @@ def plot(db, output):
     if not rows or not len(db.omega):
         raise DatabaseError(f"{db.path} has no solved curve to draw; run its command again to go on")
     with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
-        figure = Figure(figsize=(17, 1.1 + 2.35 * len(rows)), layout="constrained")
-        grid = figure.subplots(len(rows), 6, sharex=True, squeeze=False)
+        figure, grid = _page(Figure, len(rows))
         curves = Curves(db)
         for name, axes in zip(rows, grid, strict=True):
             DRAW[name](curves, axes)
         _dress(db, figure, grid)
         save(figure, output, 130)
     return figure
+
+
+def _page(figure, rows):
+    """A figure with `rows` rows of axes, and these (rows, 6)
+
+    All has its place in inches: a layout made to measure looks for it with every tick of the page, twice, which took
+    longer than all the rest.
+    """
+    height = MARGINS["top"] + MARGINS["bottom"] + ROW * rows - MARGINS["rows"]
+    page = figure(figsize=(WIDTH, height))
+    wide = (WIDTH - MARGINS["left"] - MARGINS["right"] - 5 * MARGINS["between"]) / 6
+    high = ROW - MARGINS["rows"]
+    sides = {"left": MARGINS["left"] / WIDTH, "right": 1 - MARGINS["right"] / WIDTH}
+    sides |= {"bottom": MARGINS["bottom"] / height, "top": 1 - MARGINS["top"] / height}
+    spaces = {"wspace": MARGINS["between"] / wide, "hspace": MARGINS["rows"] / high}
+    grid = page.subplots(rows, 6, sharex=True, squeeze=False, gridspec_kw=sides | spaces)
+    for axis in grid.flat:
+        axis.set_title("", y=1.0)
+        axis.yaxis.set_label_coords(-LABEL / wide, 0.5)
+        axis.xaxis.set_label_coords(0.5, -0.3 / high)
+    return page, grid
 
 
 def heading_colors(count):
@@ -231,9 +254,9 @@ def _broken_at_jumps(degrees):
 def _dress(db, figure, grid):
     rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
     for axis, dof in zip(grid[0], DOFS, strict=True):
-        axis.set_title(dof, fontweight="bold")
+        axis.set_title(dof, fontweight="bold", y=1.0)
     for axes, row in zip(grid, rows, strict=True):
-        axes[0].set_title(row, loc="left", fontweight="bold", color="0.35")
+        axes[0].set_title(row, loc="left", fontweight="bold", color="0.35", y=1.0)
     for axis in grid.flat:
         axis.grid(True, color="0.9", linewidth=0.6)
         axis.spines[["top", "right"]].set_visible(False)
@@ -244,7 +267,9 @@ def _dress(db, figure, grid):
     if any("wave_direction" in QUANTITIES[name][0] for row in rows for name in ROWS[row]):
         _name_headings(db, figure)
     depth = "deep water" if np.isinf(db.water_depth) else f"water {db.water_depth:g} m deep"
-    figure.suptitle(f"{db.mesh.name or db.path.stem}, {depth}", x=0.01, ha="left", fontsize=12)
+    figure.suptitle(
+        f"{db.mesh.name or db.path.stem}, {depth}", x=0.01, y=1 - 0.1 / figure.get_figheight(), ha="left", fontsize=12
+    )
 
 
 def _name_headings(db, figure):
@@ -256,6 +281,6 @@ def _name_headings(db, figure):
         for angle, color in zip(angles, heading_colors(len(angles)), strict=True)
     ]
     figure.legend(
-        handles=handles, title="waves travel to", ncols=min(len(handles), 12), loc="outside upper right",
+        handles=handles, title="waves travel to", ncols=min(len(handles), 12), loc="upper right",
         frameon=False,
     )  # fmt: skip
