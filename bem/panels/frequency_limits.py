@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..green.tables import limit_table
+from ..kernels.systems import SIDE_BY_SIDE, solved_systems
 from ..kernels.threads import blas_threads
 from ..modes import with_net_flux
 from .axisymmetric import sector_rows, solved_by_harmonics
@@ -23,11 +24,6 @@ def added_mass_limit(prepared, which):
     """
     if which not in ("zero", "infinity"):
         raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
-    with blas_threads(prepared.geometry.hull):
-        return _limit(prepared, which)
-
-
-def _limit(prepared, which):
     from scipy.linalg import solve
 
     g, problem = prepared.geometry.without_lid, prepared.problem  # without waves there are no irregular frequencies
@@ -38,7 +34,13 @@ def _limit(prepared, which):
         of_class = {cls: v.T for cls, v in zip(g.classes, velocities, strict=True)}
         found, _ = solved_by_harmonics(g, S.real, D.real, 0.0, of_class)
         return added_mass_of(prepared, [phi.real for phi in found.values()], which)
-    matrices, sides = _equations(g, mirror, table, velocities)
+    with blas_threads(1):
+        matrices, sides = _equations(g, mirror, table, velocities)
+    if g.hull <= SIDE_BY_SIDE:
+        potentials = [phi.T for phi in solved_systems(matrices, sides)]
+        if not np.all(np.isfinite(np.concatenate(potentials))):
+            raise FloatingPointError(f"added mass at {which} frequency: the solution is not finite")
+        return added_mass_of(prepared, potentials, which)
     potentials = []
     while matrices:  # in place, and freed one by one: they may be most of the memory
         potentials.append(solve(matrices.pop(0).T, sides.pop(0), transposed=True, overwrite_a=True).T)
@@ -51,7 +53,7 @@ def _equations(geometry, mirror, table, velocities):
     matrices, sides = [np.empty((n, n)) for _ in velocities], [np.empty(v.shape) for v in velocities]
     for start in range(0, n, ROWS):
         rows = np.arange(start, min(start + ROWS, n))
-        s, d, s1, d1 = g.rankine_rows(g.elements.nodes[rows])
+        s, d, s1, d1 = g.rankine_of(rows)
         S, D = wave_blocks(g, rows, np.arange(n), table, unit_depth_values)
         for i, v in enumerate(velocities):
             matrices[i][rows] = -(d + (mirror - 1) * d1)[i, :, :n] - D[i].real

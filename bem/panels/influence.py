@@ -122,15 +122,7 @@ class Geometry:
 
     def rankine_rows(self, points):
         """S and D of 1/r + 1/r₂ + 1/r₁, then of 1/r₁ alone at points (m, 3); each (classes, m, n) and real"""
-        e, bed = self.elements, bool(np.isfinite(self.depth))
-        rows = np.zeros((4, len(self.all_signs), len(points), len(e.nodes)))
-        arguments = points, e, self.images, self.all_signs, bed, -2 * self.depth if bed else 0.0
-
-        def work(low, high):
-            _rankine_rows(low, high, *arguments, np.empty((2, e.inverse.shape[2])), *rows)
-
-        parallel_rows(work, len(points), rows[0, 0].size * len(self.images))
-        return tuple(rows)
+        return rankine_of_panels(points, self.elements, self.images, self.all_signs, self.depth)
 
     @cached_property
     def rankine(self):
@@ -138,6 +130,12 @@ class Geometry:
         if self.larger is not None:
             return tuple(a[:, : self.hull, : self.hull] for a in self.larger.rankine)
         return self.rankine_rows(self.elements.nodes)
+
+    def rankine_of(self, nodes):
+        """`rankine_rows` at some nodes, from `rankine` where a frequency has left it"""
+        if "rankine" in vars(self.larger or self):
+            return tuple(a[:, nodes] for a in self.rankine)
+        return self.rankine_rows(self.elements.nodes[nodes])
 
     @cached_property
     def sectors(self):
@@ -150,6 +148,19 @@ class Geometry:
     def rankine_of_sector(self):
         """`rankine_rows` at the nodes of the first sector"""
         return self.rankine_rows(self.elements.nodes[self.sectors.first])
+
+
+def rankine_of_panels(points, e, images, signs, depth):
+    """`Geometry.rankine_rows` of the panels of `Elements` e; images (i, 2) ±1, signs (classes, i) ±1, depth in m"""
+    bed = bool(np.isfinite(depth))
+    rows = np.zeros((4, len(signs), len(points), len(e.nodes)))
+    arguments = points, e, images, signs, bed, -2 * depth if bed else 0.0
+
+    def work(low, high):
+        _rankine_rows(low, high, *arguments, np.empty((2, e.inverse.shape[2])), *rows)
+
+    parallel_rows(work, len(points), rows[0, 0].size * len(images))
+    return tuple(rows)
 
 
 def _before_wall(mesh, wall):

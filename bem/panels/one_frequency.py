@@ -11,6 +11,7 @@ from ..checks import estimate, share_left
 from ..frequency import FrequencyRun
 from ..green.tables import wave_table
 from ..kernels.progress import FINER, report_progress
+from ..kernels.systems import solved_systems
 from ..kernels.threads import blas_threads
 from ..kochin import far_field_integrals
 from ..waves import depth_values
@@ -138,8 +139,7 @@ class PanelRun(FrequencyRun):
     @cached_property
     def potentials(self):
         """{class: potentials (columns, n) on the hull}"""
-        with blas_threads(len(self.geometry.elements.nodes)):
-            return self._solved()
+        return self._solved()
 
     @property
     def force_potentials(self):
@@ -147,8 +147,6 @@ class PanelRun(FrequencyRun):
         return self.potentials
 
     def _solved(self):
-        from scipy.linalg import lu_factor, lu_solve
-
         start = time.perf_counter()
         classes = list(self.columns)
         velocities = {c: self.velocities(c) for c in classes}
@@ -161,14 +159,14 @@ class PanelRun(FrequencyRun):
         table = wave_table(self.omega, self.problem.depth, self.problem.gravity, g.reach, g.draft)
         self._timed("table", start)
         start = time.perf_counter()
-        matrices, sides = self.equations(classes, table, [velocities[c] for c in classes])
+        with blas_threads(1):  # its products are small, and its kernels have threads of their own
+            matrices, sides = self.equations(classes, table, [velocities[c] for c in classes])
         self._timed("assemble", start)
         start = time.perf_counter()
+        sides = [b[:, : len(velocities[cls])] for cls, b in zip(classes, sides, strict=True)]
+        solutions = solved_systems(matrices, sides)
         out, self._residual = {}, 0.0
-        for cls, A, b in zip(classes, matrices, sides, strict=True):
-            b = b[:, : len(velocities[cls])]
-            # LAPACK wants columns: the transposed view is factored and solved transposed, nothing is copied twice
-            x = lu_solve(lu_factor(A.T, check_finite=False), b, trans=1, check_finite=False)
+        for cls, A, b, x in zip(classes, matrices, sides, solutions, strict=True):
             if not np.all(np.isfinite(x)):
                 raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
             scale = np.maximum(np.abs(b).max(axis=0), 1e-300)
