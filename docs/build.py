@@ -13,6 +13,10 @@ from pathlib import Path
 
 DOCS = Path(__file__).parent
 sys.path.insert(0, str(DOCS.parent))
+NAMED = (  # on every page
+    "first_hour", "tasks", "commands", "keys", "conventions", "formats", "methods", "results", "library", "accuracy",
+    "architecture",
+)  # fmt: skip
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
 STYLE = """body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}
 nav{border-bottom:1px solid #ccc;padding-bottom:.5rem;margin-bottom:1.5rem}nav a{margin-right:1rem}
@@ -43,9 +47,7 @@ def rendered(text, names):
     body = re.sub(r'href="(?:docs/)?([\w-]+)\.md', lambda m: f'href="{m[1]}.html' if m[1] in names else m[0], body)
     body = re.sub(r'src="[^"]*?([^"/]+)"', r'src="\1"', body)
     title = html.escape(re.sub(r"[#`*]", "", text.strip().splitlines()[0]).strip())
-    nav = "".join(
-        f'<a href="{name}.html">{name}</a>' for name in names if not name.startswith("keys-") and name != "index"
-    )
+    nav = "".join(f'<a href="{name}.html">{name.replace("_", " ")}</a>' for name in NAMED if name in names)
     return (
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style>'
         f'<nav><a href="index.html"><b>hakobune</b></a>{nav}</nav>{body}</html>\n'

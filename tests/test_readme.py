@@ -90,5 +90,9 @@ def test_links_of_the_guide_lead_somewhere(tmp_path):
     for name, text in written.items():
         for target in re.findall(r'(?:href|src)="([^"#:]+)"', text):
             assert (tmp_path / target).exists() or (ROOT / "docs" / target).exists(), f"{name}: {target}"
-    reached = {link for page in ("index.html", "keys.html") for link in re.findall(r'href="([^"#]+)"', written[page])}
+    reached = {
+        link
+        for page in ("index.html", "keys.html", "tasks.html")
+        for link in re.findall(r'href="([^"#]+)"', written[page])
+    }
     assert set(written) <= reached | {"index.html"}

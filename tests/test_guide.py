@@ -1,0 +1,78 @@
+"""The tasks of the guide run as printed, one page after another's files, and print what they show."""
+
+import re
+import shlex
+import shutil
+from pathlib import Path
+
+import pytest
+
+from pipelines import cli
+
+ROOT = Path(__file__).parents[1]
+DOCS = ROOT / "docs"
+TASKS = re.findall(r"\]\((\w+)\.md\) \|", (DOCS / "tasks.md").read_text(encoding="utf-8"))
+BARGE = "--length 100 --beam 50 --draft 10 --depth 20 --gyration 15.6,29.4,32.3"
+# what other tests run in a reduced form: minutes here
+LONG = (
+    "animate box.h5",
+    "design design.toml",
+    "solve ship_n_port",
+    "simulate simulate_n_port",
+    "sweep sweep_n_port",
+    "box --length 100 --beam 50 --draft 10 --depth 20 --omega 0.3:1.8:31",  # panels
+    "qtf shallow.h5",
+)
+GIVEN = {  # files that a page speaks of as there, and where they come from
+    "mesh_file": ("hull.gdf",),
+    "buoy": ("response.toml",),
+}
+
+
+def blocks(text):
+    """[(commands, lines shown)] of a page: indented commands, and the text that follows them"""
+    parts = re.split(r"```text\n(.*?)```", text.replace("\\\n", " "), flags=re.S)
+    commands = [re.findall(r"^    (hakobune .*)$", part, re.M) for part in parts[::2]]
+    return list(zip(commands, [*map(str.splitlines, parts[1::2]), []], strict=True))
+
+
+def plain(text):
+    """Words alone: no boxes, one space"""
+    return " ".join(re.sub(r"[^\S ]|[│┃║|]", " ", text).split())
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    """The database of the first page"""
+    place = tmp_path_factory.mktemp("barge") / "box.h5"
+    (made,) = [line for (lines, _) in blocks((DOCS / "barge.md").read_text()) for line in lines if " box " in line]
+    assert all(word in made for word in BARGE.split())
+    assert cli.main([*shlex.split(made)[1:-1], str(place)]) == 0
+    return place
+
+
+@pytest.mark.parametrize("page", TASKS)
+def test_a_task_runs_as_printed_and_prints_what_it_shows(page, database, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(database, "box.h5")
+    for name in GIVEN.get(page, ()):
+        known = {"hull.gdf": ROOT / "meshes" / "box_100x50x10.gdf"}
+        if name in known:
+            shutil.copy(known[name], name)
+        else:
+            assert cli.main(["new", name.removesuffix(".toml")]) == 0
+    told = ""
+    for commands, shown in blocks((DOCS / f"{page}.md").read_text(encoding="utf-8")):
+        for line in commands:
+            words = shlex.split(line)[1:]
+            if not " ".join(words).startswith(LONG):
+                status = cli.main(words)
+                output = capsys.readouterr()
+                told += output.out + output.err
+                assert status == 0, f"{line}: {output.err}"
+        missing = [line for line in shown if plain(line) not in plain(told)]
+        assert not missing, f"{missing} not in {told}"
+
+
+def test_the_list_of_tasks_has_every_page():
+    assert len(TASKS) == 13 and all((DOCS / f"{page}.md").is_file() for page in TASKS)
