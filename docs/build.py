@@ -1,4 +1,4 @@
-"""`make docs`: the guide as static pages in docs/html, and with it the reference of all keys, from the typed tables.
+"""`make docs`: the guide as static pages in docs/html, and with it the reference of all keys and the page of theory.
 
 Pages are Markdown of this folder; links between them keep working, in the browser and in a repository viewer.
 """
@@ -12,26 +12,29 @@ import sys
 from pathlib import Path
 
 DOCS = Path(__file__).parent
-sys.path.insert(0, str(DOCS.parent))
+sys.path[:0] = [str(DOCS.parent), str(DOCS)]
 NAMED = (  # on every page
-    "first_hour", "tasks", "commands", "keys", "conventions", "formats", "methods", "results", "library", "accuracy",
-    "architecture",
+    "first_hour", "tasks", "commands", "keys", "conventions", "formats", "methods", "theory", "results", "library",
+    "accuracy", "architecture",
 )  # fmt: skip
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
 STYLE = """body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}
-nav{border-bottom:1px solid #ccc;padding-bottom:.5rem;margin-bottom:1.5rem}nav a{margin-right:1rem}
+nav{border-bottom:1px solid #ccc;padding-bottom:.5rem;margin-bottom:1.5rem}nav a{margin-right:1rem;white-space:nowrap}
 pre,code{background:#f4f4f4;font-size:.92em}pre{padding:.7rem;overflow:auto}img{max-width:100%}
 table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:.2rem .5rem;text-align:left;vertical-align:top}"""
 
 
 def pages():
     """{name: Markdown} of the guide: those that lie here, and one of keys for every kind of file"""
+    from theory import theory
+
     from pipelines.keys.kinds import KINDS
     from pipelines.keys.reference import reference
     from pipelines.keys.shown import as_markdown, kinds_text
 
     made = {path.stem: path.read_text(encoding="utf-8") for path in sorted(DOCS.glob("*.md"))}
     links = "\n".join(f"- [{name}](keys-{name}.md): {kind.meaning}" for name, kind in KINDS.items())
+    made["theory"] = theory()
     made["keys"] = f"# Keys of all files\n\n{kinds_text(False, True)}\n\n{links}\n"
     for name, kind in KINDS.items():
         head = f"# Keys: {name}, {kind.meaning}\n\nRead by hakobune {kind.commands}; `hakobune new {name}` writes one."
