@@ -56,8 +56,9 @@ class Stencils(NamedTuple):
         )
 
     def same_layout(self, panel):
-        """(n,) whether the stencils of other panels (n,) have the same layout, apart from the panel numbers"""
-        parts = self._replace(panels=self.at_edge, lengths=self.at_edge, across=self.at_edge, gap=self.at_edge)
+        """(n,) whether stencils of other panels (n,) have the same layout: not the same panels, lengths and angles"""
+        measured = dict.fromkeys(("panels", "mu", "lengths", "across", "gap"), self.at_edge)
+        parts = self._replace(**measured)
         return np.all([np.all((a == a[panel]).reshape(len(panel), -1), axis=1) for a in parts], axis=0)
 
 

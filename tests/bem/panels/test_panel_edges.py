@@ -27,6 +27,16 @@ def test_the_edges_of_a_box_are_sharp_and_only_they():
     np.testing.assert_allclose(sharp_sides(barrel), np.where(keel & np.roll(keel, -1, axis=1), 2 / 3, 1), atol=1e-12)
 
 
+@pytest.mark.parametrize("counts", [(7, 5, 4), (7, 6, 4), (8, 6, 3), (7, 6, 5), (12, 10, 6)])
+def test_rounding_of_angles_along_an_edge_separates_no_panels(counts):
+    """Each is interpolated with its neighbours in both directions: alone its flow is a tenth off and more"""
+    mesh = box(*SIZES, counts=counts)
+    exponents = sharp_sides(mesh)
+    assert all(stencil.count.min() >= 2 for stencil in stencils(mesh, exponents))
+    turned = np.where(exponents < 1, exponents * (1 + 1e-15 * np.arange(len(mesh))[:, None]), exponents)
+    assert all(stencil.count.min() >= 2 for stencil in stencils(mesh, turned))
+
+
 def sharp_plate(rows, side):
     """A flat mesh of `rows` (m) behind a sharp edge on `side` of its panels, the exponents there, and that axis"""
     axis, far = {0: (1, False), 1: (0, True), 2: (1, True), 3: (0, False)}[side]
