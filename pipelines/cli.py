@@ -65,9 +65,9 @@ def box(
     scene: SceneFile = None,
     /,
     *,
-    length: Size = None,
-    beam: Size = None,
-    draft: Size = None,
+    length: Annotated[Size, Parameter(help="m")] = None,
+    beam: Annotated[Size, Parameter(help="m")] = None,
+    draft: Annotated[Size, Parameter(help="m")] = None,
     flags: SceneFlags = SceneFlags(),  # noqa: B008 - a frozen value
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
@@ -83,8 +83,8 @@ def buoy(
     scene: SceneFile = None,
     /,
     *,
-    radius: Size = None,
-    draft: Size = None,
+    radius: Annotated[Size, Parameter(help="m")] = None,
+    draft: Annotated[Size, Parameter(help="m")] = None,
     flags: SceneFlags = SceneFlags(),  # noqa: B008
     run: RunFlags = RunFlags(),  # noqa: B008
 ):
@@ -97,9 +97,9 @@ def ship(
     scene: SceneFile = None,
     /,
     *,
-    length: Size = None,
-    beam: Size = None,
-    draft: Size = None,
+    length: Annotated[Size, Parameter(help="m")] = None,
+    beam: Annotated[Size, Parameter(help="m")] = None,
+    draft: Annotated[Size, Parameter(help="m")] = None,
     block: Annotated[float | None, Parameter(help="block coefficient", allow_leading_hyphen=True)] = None,
     bow: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
     stern: Annotated[float | None, Parameter(help="fullness of its waterplane", allow_leading_hyphen=True)] = None,
@@ -128,7 +128,7 @@ def solve(
 
 @app.command
 def look(
-    file: Path,
+    file: Annotated[Path, Parameter(help="database, scene or mesh file")],
     /,
     *,
     screenshot: Annotated[Path | None, Parameter(help="picture file instead of a window")] = None,
@@ -137,7 +137,7 @@ def look(
     ] = None,
     field: Annotated[str | None, Parameter(help="colour panels by area, size, aspect or pressure")] = None,
     omega: Annotated[float | None, Parameter(help="rad/s, of the pressure; the nearest stored is shown")] = None,
-    heading: Size = None,
+    heading: Annotated[Size, Parameter(help="degrees, one stored with the pressure")] = None,
 ):
     """Show the mesh of a database, a scene or a mesh file; heading, in degrees, is one stored with the pressure."""
     from .view.looking import look
@@ -147,7 +147,7 @@ def look(
 
 @app.command
 def mesh(
-    file: Path,
+    file: Annotated[Path, Parameter(help="mesh file")],
     /,
     *,
     output: Annotated[Path, Parameter(help=".gdf, .pnl, .nemoh, .dat, .msh or .vtu")],
@@ -169,7 +169,12 @@ def mesh(
 
 
 @app.command
-def plot(file: Path, /, *, output: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None):
+def plot(
+    file: Annotated[Path, Parameter(help="database, .h5")],
+    /,
+    *,
+    output: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,
+):
     """Draw coefficients, excitation, responses and drift of a database; without output beside it as .png."""
     from bem.database import open_database
 
@@ -184,7 +189,12 @@ def plot(file: Path, /, *, output: Annotated[Path | None, Parameter(help=".png, 
 
 
 @app.command
-def check(file: Path, /, *, repair: Annotated[bool, Parameter(negative=(), help="mark damage as unsolved")] = False):
+def check(
+    file: Annotated[Path, Parameter(help="database, or result of a study")],
+    /,
+    *,
+    repair: Annotated[bool, Parameter(negative=(), help="mark damage as unsolved")] = False,
+):
     """Physics checks of a database against its tolerance, and mesh findings; of a result (.h5, .csv), its checksum.
 
     Status 1 if one fails.
@@ -200,7 +210,13 @@ def check(file: Path, /, *, repair: Annotated[bool, Parameter(negative=(), help=
 
 
 @app.command
-def moor(study: Path, /, *, database: Path, output: Path | None = None):
+def moor(
+    study: Annotated[Path, Parameter(help="mooring study (TOML)")],
+    /,
+    *,
+    database: Annotated[Path, Parameter(help="of the body, .h5")],
+    output: Annotated[Path | None, Parameter(help="results, .h5, with a picture of the plan beside")] = None,
+):
     """Equilibrium, natural periods and line tensions of a mooring study on a database."""
     from .moor.command import moor
 
@@ -210,7 +226,7 @@ def moor(study: Path, /, *, database: Path, output: Path | None = None):
 
 @app.command
 def sweep(
-    study: Path,
+    study: Annotated[Path, Parameter(help="study of many cases (TOML)")],
     /,
     *,
     output: Annotated[Path | None, Parameter(help="one file of all cases, .h5 [beside the sweep]")] = None,

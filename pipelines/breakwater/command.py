@@ -12,7 +12,7 @@ WIDTH = 160  # in a pipe
 
 
 def breakwater(
-    study: Path,
+    study: Annotated[Path, Parameter(help="study of a breakwater (TOML)")],
     /,
     *,
     output: Annotated[Path | None, Parameter(help=".csv of the curves, or .h5 of everything")] = None,

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def design(
-    project: Path,
+    project: Annotated[Path, Parameter(help="project (TOML)")],
     /,
     *,
     output: Annotated[Path, Parameter(help="folder of the report, its load cases and databases")],

@@ -12,7 +12,7 @@ Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 
 
 def export(
-    database: Path,
+    database: Annotated[Path, Parameter(help="of hakobune, .h5")],
     /,
     *,
     to: Annotated[str, Parameter(help=FORMATS)],
@@ -29,7 +29,7 @@ def export(
 
 
 def import_(
-    place: Path,
+    place: Annotated[Path, Parameter(help="file or folder of another program")],
     /,
     *,
     from_: Annotated[str, Parameter(name="--from", help=FORMATS)],

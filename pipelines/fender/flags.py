@@ -21,7 +21,7 @@ def fender(
     overload: Annotated[float | None, Parameter(help="kN/m beyond the table", allow_leading_hyphen=True)] = None,
     count: Annotated[int, Parameter(help="side by side", allow_leading_hyphen=True)] = 1,
     dolphin: Annotated[float | None, Parameter(help="kN/m, stiffness behind it", allow_leading_hyphen=True)] = None,
-    strain: Size = None,
+    strain: Annotated[float | None, Parameter(help="of its height, as 0.35", allow_leading_hyphen=True)] = None,
     deflection: Annotated[float | None, Parameter(help="m", allow_leading_hyphen=True)] = None,
     energy: Annotated[float | None, Parameter(help="kJ, to be taken up", allow_leading_hyphen=True)] = None,
     output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,

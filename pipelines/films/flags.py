@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def animate(
-    file: Path,
+    file: Annotated[Path, Parameter(help="file of a simulation, or a database")],
     /,
     *,
     output: Annotated[Path, Parameter(help="film, .gif")],

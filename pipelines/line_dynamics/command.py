@@ -19,13 +19,13 @@ from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
 from ..common.quantities import StudyError
+from ..common.units import KN
 from .figures import figures, regime_of
 from .motion import course_of
 from .parts import current_of, line_of, wave_of
 from .report import findings, show
 from .study import read_line_dynamics
 
-KN = 1e3
 EVERY = 2.0  # s between two lines of progress
 FINEST = 1e-8  # tolerance; rounding of tensions is 1e-10 or so
 STEPS = 2.0  # for each longest step that the motion allows, at a tolerance of 1e-3: 1 to 4 were counted

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def line_dynamics(
-    study: Path,
+    study: Annotated[Path, Parameter(help="a line in motion (TOML)")],
     /,
     *,
     duration: Annotated[float | None, Parameter(help="s, in place of the study's")] = None,

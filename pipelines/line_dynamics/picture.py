@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..common.picture import save
+from ..common.units import KN
 from ..lines.pictures import line_plane
 
-KN = 1e3
 SHAPES = 8
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..common.units import KN
 from .figures import LOSSES
 
-KN = 1e3
 STEADY = 0.02  # change of the largest tension between the last two cycles
 DYNAMIC = 0.1  # over the largest quasi-static tension, below which inertia and drag are reported as negligible
 BALANCE = 0.01  # of the work that goes in and out: left over by the time steps

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-KN = 1e3
+from ..common.units import KN
 
 
 def show_characteristic(console, name, span, horizontal, tension, grounded, rest, breaking):

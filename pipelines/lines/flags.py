@@ -16,13 +16,15 @@ def line(
     ] = None,
     weight: Annotated[float | None, Parameter(help="N/m in water, where no type is given")] = None,
     stiffness: Annotated[float | None, Parameter(help="EA in kN, with --weight; without it inextensible")] = None,
-    length: float,
-    depth: float,
-    fairlead_z: Annotated[float, Parameter(allow_leading_hyphen=True)] = 0.0,
+    length: Annotated[float, Parameter(help="m, unstretched")],
+    depth: Annotated[float, Parameter(help="m, of water at the anchor")],
+    fairlead_z: Annotated[float, Parameter(help="m, above still water", allow_leading_hyphen=True)] = 0.0,
     span: Annotated[float | None, Parameter(help="m, horizontal from anchor to fairlead")] = None,
     tension: Annotated[float | None, Parameter(help="kN, horizontal at the fairlead, instead of a span")] = None,
-    friction: float = 0.0,
-    slope_deg: Annotated[float, Parameter(allow_leading_hyphen=True)] = 0.0,
+    friction: Annotated[float, Parameter(help="coefficient on the bed")] = 0.0,
+    slope_deg: Annotated[
+        float, Parameter(help="degrees, of the bed, above 0 where it rises to the fairlead", allow_leading_hyphen=True)
+    ] = 0.0,
     characteristic: Annotated[bool, Parameter(help="span, forces and what lies, slack to taut", negative="")] = False,
     output: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
@@ -34,7 +36,7 @@ def line(
 
 
 def lines(
-    file: Path,
+    file: Annotated[Path, Parameter(help="system of lines: TOML, MoorDyn (.dat, .txt) or MoorPy (.yaml)")],
     /,
     *,
     body: Annotated[str | None, Parameter(help="that forces and offsets are for; the first if not given")] = None,

@@ -9,10 +9,9 @@ import numpy as np
 from ..common.first_use import tell_first_use
 from ..common.picture import PLOTS, check_picture, save
 from ..common.quantities import DEEPEST, HEAVIEST, ROUGHEST, StudyError
-from ..common.units import TONF
+from ..common.units import KN, TONF
 from .overloads import LONGEST_STRAIN
 
-KN = 1e3
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
 FLOATING_STATES = ("slack, the rest floats", "partly in the sea surface", "under water", "beyond reach")
 STEEPEST = np.degrees(1.5)  # of a bed that `mooring.catenary` knows

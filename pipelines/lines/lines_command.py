@@ -17,10 +17,10 @@ from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
+from ..common.units import KN
 from .overloads import overloads
 from .system_file import TOML, YAML, read_system
 
-KN = 1e3
 FARTHEST = 1e5  # m
 OF_POINTS = 2e-3  # s for the square of the number of free points, where they are hard to bring to rest
 SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding

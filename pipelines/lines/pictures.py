@@ -7,8 +7,7 @@ import numpy as np
 from mooring.lines.system.shapes import line_shapes, loads_on_lines
 
 from ..common.picture import save
-
-KN = 1e3
+from ..common.units import KN
 
 
 def draw_system(state, path, curves=(), losses=None):

@@ -11,7 +11,10 @@ from ..scene.flags import _flag
 
 
 def compare(
-    which: Literal["depth-series", "length-series", "sections", "motions", "models"],
+    which: Annotated[
+        Literal["depth-series", "length-series", "sections", "motions", "models"],
+        Parameter(help="comparison of the report"),
+    ],
     /,
     *,
     output: Annotated[Path, _flag("folder, made if it is not there")] = Path("comparisons"),

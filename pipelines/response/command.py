@@ -13,10 +13,10 @@ FAR_FROM_DEPTH = 0.2  # of the gap under the keel, by which it may differ from t
 
 
 def response(
-    study: Path,
+    study: Annotated[Path, Parameter(help="study of a sea and a body (TOML)")],
     /,
     *,
-    database: Path,
+    database: Annotated[Path, Parameter(help="of the body, .h5")],
     moored: Annotated[
         Path | None, Parameter(help="mooring study (TOML): its lines, wind and current hold the body")
     ] = None,

@@ -7,7 +7,7 @@ import numpy as np
 from mooring.response.long_term import YEAR
 
 from ..common.picture import save
-from ..common.units import TONF
+from ..common.units import KN
 from .report import RAD, sea_in_words
 
 COLUMNS = 3
@@ -53,8 +53,8 @@ def _spectrum(axis, result, panel):
         axis.set(title="waves", ylabel="m² s/rad", xlabel="ω  rad/s")
     elif panel == "drift":
         for i, name in enumerate(("surge", "sway")):
-            axis.plot(result.slow.difference, result.slow.spectrum[:, i] / TONF**2, color=f"C{i}", label=name)
-        axis.set(title="slow drift force", ylabel="tonf² s/rad", xlabel="difference of frequencies  rad/s")
+            axis.plot(result.slow.difference, result.slow.spectrum[:, i] / KN**2, color=f"C{i}", label=name)
+        axis.set(title="slow drift force", ylabel="kN² s/rad", xlabel="difference of frequencies  rad/s")
         axis.legend(frameon=False)
     else:
         name, places = panel

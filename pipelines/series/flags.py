@@ -9,7 +9,10 @@ from cyclopts import Parameter
 
 
 def series(
-    which: Literal["single-point", "multi-point", "appendix-1", "appendix-2", "dolphin", "lines"],
+    which: Annotated[
+        Literal["single-point", "multi-point", "appendix-1", "appendix-2", "dolphin", "lines"],
+        Parameter(help="series of the report"),
+    ],
     /,
     *,
     output: Annotated[Path, Parameter(help="folder, made if it is not there")] = Path("series"),

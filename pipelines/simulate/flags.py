@@ -9,10 +9,10 @@ from cyclopts import Parameter
 
 
 def simulate(
-    study: Path,
+    study: Annotated[Path, Parameter(help="mooring study with [simulation] (TOML)")],
     /,
     *,
-    database: Path,
+    database: Annotated[Path, Parameter(help="of the body, .h5")],
     output: Annotated[Path, Parameter(help="the file of all runs, .h5, with pictures beside it")],
     seeds: Annotated[int | None, Parameter(help="how many runs, from seed 1 on, in place of the study's")] = None,
     duration: Annotated[float | None, Parameter(help="s of a run, in place of the study's")] = None,

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def single_point(
-    study: Path,
+    study: Annotated[Path, Parameter(help="study of a body on a buoy or turret (TOML)")],
     /,
     *,
     database: Annotated[Path | None, Parameter(help="of the body, for its masses and the drift of the waves")] = None,

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def site(
-    site: Path,
+    site: Annotated[Path, Parameter(help="site (TOML)")],
     /,
     *,
     output: Annotated[Path, Parameter(help=".toml of the values; the page stands beside it as .html")],

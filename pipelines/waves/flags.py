@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def waves(
-    database: Path,
+    database: Annotated[Path, Parameter(help="of the body, .h5")],
     /,
     *,
     period: Annotated[float | None, Parameter(help="s, of the waves")] = None,

@@ -15,7 +15,7 @@ from kill_campaign import campaign
 import pipelines
 from bem.database import open_database
 from bem.database.integrity import row_crcs
-from pipelines.cli import main
+from pipelines.cli import app, main
 
 STUDIES = ("site", "sweep", "moor", "response", "line", "simulate", "design", "berth", "breakwater", "single_point")
 STUDIES += ("earthquake",)
@@ -203,3 +203,14 @@ def test_a_reader_of_the_output_that_goes_away_ends_the_command_without_a_word()
     run.stdout.close()
     assert (run.stderr.read(), run.wait()) == (b"", 128 + signal.SIGPIPE)
     run.stderr.close()
+
+
+def test_every_flag_of_every_command_is_explained():
+    bare = [
+        f"{name} {flag.name}"
+        for name in app
+        if not name.startswith("-")
+        for flag in app[name].assemble_argument_collection()
+        if flag.show and not flag.parameter.help
+    ]
+    assert not bare
