@@ -8,12 +8,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .. import DOFS
 from ..kernels.threads import blas_threads
 from ..modes import displacing
 from ..problem import Problem
 
 if TYPE_CHECKING:  # the methods load their kernels when they are at work: a contour needs none of them
     from ..panels.influence import Geometry
+
+PROBES = 5  # frequencies that tell which ones need a finer mesh
+RADIATION = {"added_mass", "radiation_damping"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,8 +26,9 @@ class PanelProblem(Problem):
 
     mesh : hull panels; lid : interior free-surface panels or None
     coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
-    finer : function of a mesh that gives (mesh, lid) of the same body with about twice as many panels, for frequencies
-        whose estimated error exceeds the tolerance, or None at the last; None does without
+    finer : for frequencies whose estimated error exceeds the tolerance; None does without.  finer(mesh) gives (mesh,
+        lid) of the same body with about twice as many panels, or None at the last; finer.omegas (n,) rad/s are those
+        that will be asked for; finer.band(mesh, lid, omegas) gives the `band` of some of them on that mesh, or None
     nodes_per_panel : 4 (bilinear) or 1 (constant)
     wall : y in m of a vertical wall along x that reflects all waves; None for open water
     zero_draft : the flat bottom of the hull laid into the water surface, `bem.panels.zero_draft`
@@ -57,9 +62,9 @@ class PanelProblem(Problem):
         return replace(self, mesh=mesh, lid=lid, coarse=None, **changes)
 
     def refined(self):
-        """The same on more panels, or None; without a lid if it has none"""
+        """The same on more panels, each frequency alone, or None; without a lid if it has none"""
         found = None if self.finer is None else self.finer(self.mesh)
-        return None if found is None else self._on(found[0], None if self.lid is None else found[1])
+        return None if found is None else self._on(found[0], None if self.lid is None else found[1], band=None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +119,26 @@ class PreparedPanelProblem:
     def finer(self):
         """The same on more panels, which has this one for its coarser one; None where there is none"""
         problem = self.problem.refined()
-        return None if problem is None else problem.prepared_beside(self)
+        if problem is None:
+            return None
+        band = problem.finer.band(problem.mesh, problem.lid, self._beyond_tolerance)
+        return replace(problem, band=band).prepared_beside(self)
+
+    @property
+    def _beyond_tolerance(self):
+        """(n,) rad/s of the frequencies asked for that lie between those of some `PROBES` whose radiation keeps the
+        tolerance, below and above all that do not: the same whichever frequency is solved first
+        """
+        omegas = self.problem.finer.omegas
+        probes = np.unique(np.linspace(0, len(omegas) - 1, PROBES).astype(int))
+        if len(omegas) < 2 * len(probes):
+            return omegas[:0]
+        runs = (self.run(omegas[i], (), RADIATION, None, DOFS) for i in probes)
+        beyond = np.flatnonzero([run.tolerances > 1 for run in runs])
+        if not len(beyond):
+            return omegas[:0]
+        around = np.concatenate([[-1], probes, [len(omegas)]])
+        return omegas[around[beyond[0]] + 1 : around[beyond[-1] + 2]]
 
     @property
     def radius(self):

@@ -17,6 +17,7 @@ from meshing.quality import findings, lid_findings
 from ..common.typed import typed
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
+from .large import shared_band
 from .panel_counts import coarse_counts, fine_counts, finer_counts, meshed
 
 MOST_PANELS = 20_000
@@ -132,6 +133,15 @@ class FinerHull:
     """
 
     scene: Scene
+
+    @property
+    def omegas(self):
+        """(n,) rad/s of the scene, ascending"""
+        return self.scene.omegas()
+
+    def band(self, mesh, lid, omegas):
+        """`large.shared_band` of some of these frequencies"""
+        return shared_band(self.scene, mesh, lid, omegas)
 
     def __call__(self, mesh):
         finer = meshed(self.scene.body, finer_counts(self.scene.body, mesh))

@@ -32,10 +32,13 @@ NODES_WORTH_ASKING = 1500  # a frequency on them takes two seconds, of which ask
 COPIES = 3  # of a database while it is laid out: numbers, file, and the image of it that is written
 
 
-def shared_band(scene, mesh, lid=None):
-    """(low, high) rad/s of frequencies that share their work (`bem.panels.band.equations`), or None"""
-    omegas, nodes = scene.omegas(), PER_PANEL * len(mesh)
-    count = len(omegas) if scene.waves.band is None else ADAPTIVE
+def shared_band(scene, mesh, lid=None, some=None):
+    """(low, high) rad/s of frequencies that share their work (`bem.panels.band.equations`), or None
+
+    some : (n,) rad/s, ascending, if not all of the scene
+    """
+    omegas, nodes = scene.omegas() if some is None else some, PER_PANEL * len(mesh)
+    count = len(omegas) if scene.waves.band is None or some is not None else ADAPTIVE
     if nodes < FEWEST or count * nodes <= WORTH_SHARING:
         return None
     alone = PanelProblem(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
