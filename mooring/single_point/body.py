@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import atan2, cos, inf, pi, sin
+from math import atan2, cos, hypot, inf, isfinite, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +22,7 @@ from ..lines.system.parts import EquilibriumError
 from .loads import Loads
 
 SETTLED = 1e-11  # of the forces on a buoy
-NEAR = 1e-7  # of the pull, from where one more step of Newton's on a circle errs by its square
+NEAR = 1e-4  # of the pull, from where one more step of Newton's on a circle errs by its square
 STEPS = 60
 NO_POINTS = np.zeros((0, 3))
 
@@ -129,11 +129,11 @@ class SinglePoint:
             pose = Pose(np.array([[place[0], place[1], z]]), self._turn, NO_POINTS)
             load = self.system.load(pose)
             F, K = load.force, load.stiffness
-            if not np.isfinite(F[0]):
+            if not isfinite(F[0]):
                 a, b = load.points[self.system.arrays.ends].swapaxes(0, 1)
                 raise SinglePointError(f"{culprit(self.system, load.rows, a, b)} with the buoy at {place}")
             if floats == 0.0:
-                return Pull(F[:2].copy(), K[:2, :2].copy(), z)
+                return Pull(F[:2], K[:2, :2], z)
             up, stiff = F[2] + body.load[2] - floats * (z - body.position[2]), K[2, 2] + floats
             if abs(up) <= SETTLED * (abs(load.rows[:, 3:5]).sum() + 1.0):
                 break
@@ -203,18 +203,18 @@ class SinglePoint:
 
     def _one(self, place, R, which, near):
         """How far the buoy is beyond the reach of the other hawser, m, and the Hold of this one"""
-        end, length = self.ends[which], self.lengths[which]
+        end, length = self.ends[which], float(self.lengths[which])
         bow = place + R @ end
         tension, force = np.zeros(len(self.ends)), np.zeros(3)
         buoy = self.origin
-        if np.hypot(*(buoy - bow)) > length:
-            buoy, pull = self._on_circle(bow, length, near)
-            tension[which] = np.hypot(*pull)
-            force = _with_moment(R.T @ pull, end)
+        if hypot(*(buoy - bow).tolist()) > length:
+            buoy, (X, Y) = self._on_circle(bow, length, near)
+            tension[which] = hypot(X, Y)
+            force = _with_moment((R[0, 0] * X + R[1, 0] * Y, R[0, 1] * X + R[1, 1] * Y), end)
         if len(self.ends) == 1:
             return 0.0, Hold(force, tension, buoy)
         other = place + R @ self.ends[1 - which]
-        return max(0.0, np.hypot(*(buoy - other)) - self.lengths[1 - which]), Hold(force, tension, buoy)
+        return max(0.0, hypot(*(buoy - other)) - self.lengths[1 - which]), Hold(force, tension, buoy)
 
     def _on_circle(self, bow, length, near):
         """Place of the buoy at the end of a taut hawser where its lines pull along it, and their pull, (2,) N
@@ -222,14 +222,15 @@ class SinglePoint:
         Newton's method on the angle, by halves where it leaves the half circle towards the buoy's place at rest; the
         pull of its last step follows from the stiffness of the lines.
         """
-        x, y = (self.origin if near is None else near) - bow
-        rest_x, rest_y = self.origin - bow
-        middle = atan2(rest_y, rest_x)
-        angle = middle + min(max((atan2(y, x) - middle + pi) % (2 * pi) - pi, -1.0), 1.0)
+        px, py = bow.tolist()
+        x, y = (self.origin if near is None else near).tolist()
+        rest_x, rest_y = self.origin.tolist()
+        middle = atan2(rest_y - py, rest_x - px)
+        angle = middle + min(max((atan2(y - py, x - px) - middle + pi) % (2 * pi) - pi, -1.0), 1.0)
         low, high = middle - 0.5 * pi, middle + 0.5 * pi
         for _ in range(STEPS):
             cx, cy = cos(angle), sin(angle)  # along the hawser; (−cy, cx) across it
-            buoy = bow + np.array([length * cx, length * cy])
+            buoy = np.array([px + length * cx, py + length * cy])
             F, K, _ = self.pull(buoy)
             (X, Y), ((a, b), (c, d)) = F.tolist(), K.tolist()
             across, along = cx * Y - cy * X, cx * X + cy * Y

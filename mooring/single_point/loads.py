@@ -67,6 +67,11 @@ class WaterLoad:
         """Ring of the table"""
         return Ring(self.table)
 
+    @cached_property
+    def still(self):
+        """Ring of the force on a body that does not turn"""
+        return self.ring.part(0)
+
     @property
     def velocity(self):
         """(2,) m/s of the current in space"""
@@ -108,7 +113,7 @@ class Loads:
         """(n, 3) N, N, N m in axes of the body that lies still at headings (n,), rad"""
         heading, water = np.asarray(heading, float), self.water
         stream = water.direction - heading
-        total = water.speed**2 * water.ring.along(stream)[:, 0]
+        total = water.speed**2 * water.still.along(stream)
         if water.linear is not None:
             total = total + water.speed * np.stack([np.cos(stream), np.sin(stream)], axis=-1) @ water.linear[:, :2].T
         if self.wind is not None:

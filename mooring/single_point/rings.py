@@ -23,7 +23,6 @@ class Ring:
 
     def __init__(self, values):
         from scipy.fft import irfft, rfft
-        from scipy.interpolate import PPoly
 
         f = np.asarray(values, float)
         n, h = len(f), 2 * np.pi / len(f)
@@ -31,23 +30,45 @@ class Ring:
         cos = np.cos(np.arange(n // 2 + 1) * h)
         gain = (6 * (cos - 1) / (h * h * (2 + cos))).reshape(-1, *[1] * (f.ndim - 1))
         M = irfft(gain * rfft(f, axis=0), n, axis=0)
-        f1, M1 = np.roll(f, -1, axis=0), np.roll(M, -1, axis=0)
-        pieces = [(M1 - M) / (6 * h), 0.5 * M, (f1 - f) / h - h / 6 * (2 * M + M1), f]
-        self.spline = PPoly.construct_fast(np.stack(pieces), h * np.arange(n + 1), extrapolate="periodic")
-        self._pieces = np.stack(pieces, axis=1)  # (count, 4, …)
-        self._step = h
+        pieces = np.empty((n, 4, *f.shape[1:]))  # of each interval, from the cubic part down
+        for now, after in ((slice(0, -1), slice(1, None)), (slice(-1, None), slice(0, 1))):
+            pieces[now, 0] = (M[after] - M[now]) / (6 * h)
+            pieces[now, 2] = (f[after] - f[now]) / h - h / 6 * (2 * M[now] + M[after])
+        pieces[:, 1], pieces[:, 3] = 0.5 * M, f
+        self._pieces, self.step = pieces, h
+
+    def part(self, k):
+        """Ring of component k of the values"""
+        out = object.__new__(Ring)
+        out._pieces, out.step = self._pieces[:, :, k], self.step
+        return out
 
     def __call__(self, angle):
         """(…) of one angle, rad"""
-        place = (angle / self._step) % len(self._pieces)
+        place = (angle / self.step) % len(self._pieces)
         whole = int(place)
-        s = (place - whole) * self._step
+        s = (place - whole) * self.step
         a, b, c, d = self._pieces[whole % len(self._pieces)]
         return ((a * s + b) * s + c) * s + d
 
     def along(self, angle):
         """(n, …) of angles (n,), rad"""
-        return self.spline(np.mod(angle, 2 * np.pi))
+        place = np.asarray(angle, float) / self.step
+        whole = np.floor(place)
+        s = ((place - whole) * self.step).reshape(-1, *[1] * (self._pieces.ndim - 2))
+        at = self._pieces[whole.astype(np.int64) % len(self._pieces)]
+        return ((at[:, 0] * s + at[:, 1]) * s + at[:, 2]) * s + at[:, 3]
+
+    def crests(self):
+        """(k,) rad, rising, where a Ring of numbers is level: the slope of each cubic is a parabola"""
+        a, b, c = self._pieces[:, :3].T
+        with np.errstate(divide="ignore", invalid="ignore"):
+            root = np.sqrt(b * b - 3 * a * c)
+            larger = -(b + np.copysign(root, b))
+            at = np.stack([larger / (3 * a), c / larger], axis=1)  # 3a s² + 2b s + c = 0 without cancellation
+        inside = (at >= 0) & (at < self.step)
+        starts = self.step * np.arange(len(a))[:, None]
+        return np.sort((starts + np.where(inside, at, 0.0))[inside])
 
 
 def zeros(function, count=SCAN):
@@ -67,12 +88,19 @@ def zeros(function, count=SCAN):
     def exact(angle):
         return float(function(np.array([angle]))[0]) / size
 
-    crests = ring.spline.derivative().roots(discontinuity=False, extrapolate=False)
+    crests = ring.crests()
+    heights = ring.along(crests)
     found = []
-    for crest in crests[np.abs(ring.along(crests)) < TOUCH]:
-        found += _beside_crest(exact, crest, ring._step)
-    for zero in ring.spline.roots(discontinuity=False, extrapolate=False):
-        low, high = _bracket(exact, zero, ring._step)
+    for crest in crests[np.abs(heights) < TOUCH]:
+        found += _beside_crest(exact, crest, ring.step)
+    # between nodes and crests the spline rises or falls, so that it is 0 once where its sign changes
+    order = np.argsort(np.concatenate([at, crests]), kind="stable")
+    place, value = np.concatenate([at, crests])[order], np.concatenate([values / size, heights])[order]
+    after = np.append(value[1:], value[0])
+    for i in np.flatnonzero((value == 0) | (value * after < 0)):
+        end = place[i + 1] if i + 1 < len(place) else 2 * np.pi
+        zero = place[i] if value[i] == 0 else brentq(ring, place[i], end, xtol=1e-12, disp=False)
+        low, high = _bracket(exact, zero, ring.step)
         if low is not None:
             found.append(brentq(exact, low, high, xtol=1e-13) if low < high else low)
     return _distinct(np.mod(found, 2 * np.pi))

@@ -109,7 +109,7 @@ def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = N
     time = (steps.slow / count) * np.arange(1, n + 1)
     slow, wave = np.empty((n, 3)), np.zeros((n, 6))
     wind, buoy, hawser = np.empty(n), np.empty((n, 2)), np.empty((n, len(point.ends)))
-    state, motion = np.asarray(start, float), _still()
+    state = np.asarray(start, float)
     newmark = None if body is None else _Newmark(body, steps.slow / count)
     mean_wind = 0.0 if point.loads.wind is None else point.loads.wind.speed
     for k in range(slow_steps):
@@ -122,20 +122,16 @@ def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = N
         else:
             grown = share_of_height(time[rows], steps.waves_after, body.mean_omega)
             forces = grown[:, None] * body.forces_at(state[:2], state[2], time[rows])
-            motion = newmark.run(point, state, held, motion, forces, wave[rows], buoy[rows], hawser[rows])
-        state = _advanced(point, state, steps.slow, steps.parts, speed)
+            newmark.run(point, state, held, forces, wave[rows], buoy[rows], hawser[rows])
+        state = _advanced(point, state, steps.slow, steps.parts, speed, held.buoy)
     keep = time <= steps.duration + 1e-9
     lines = line_tensions(point, buoy[keep])
     return TwoScale(time[keep], slow[keep, :2], slow[keep, 2], wave[keep], buoy[keep], hawser[keep], lines, wind[keep])
 
 
-def _still():
-    return np.zeros(6), np.zeros(6), np.zeros(6)
-
-
-def _advanced(point, state, step, parts, speed):
-    """State after a slow step, by Runge and Kutta's method of fourth order"""
-    h, near = step / parts, None
+def _advanced(point, state, step, parts, speed, near):
+    """State after a slow step, by Runge and Kutta's method of fourth order; near : (2,) m, the buoy at its begin"""
+    h = step / parts
     for _ in range(parts):
         k1, held = rates(point, state, speed, near)
         k2, held = rates(point, state + 0.5 * h * k1, speed, held.buoy)
@@ -146,30 +142,38 @@ def _advanced(point, state, step, parts, speed):
 
 
 class _Newmark:
-    """Steps of the wave motion; step : s"""
+    """Steps of the wave motion, its state z (18,) of place, velocity and acceleration; step : s
+
+    z becomes Φ z + Γ f under forces f of the waves and of the mooring.
+    """
 
     def __init__(self, body, step):
-        self.body, self.step = body, step
-        left = body.added + 0.5 * step * body.damping + 0.25 * step**2 * body.stiffness
-        self.inverse = np.linalg.inv(left)
+        h, one, none, lever = step, np.eye(6), np.zeros((6, 6)), body.lever
+        inverse = np.linalg.inv(body.added + 0.5 * h * body.damping + 0.25 * h * h * body.stiffness)
+        half = np.hstack([one, h * one, 0.25 * h * h * one])
+        faster = np.hstack([none, one, 0.5 * h * one])
+        after = -inverse @ (body.damping @ faster + body.stiffness @ half)
+        self.moved = np.vstack([half + 0.25 * h * h * after, faster + 0.5 * h * after, after])
+        self.by_force = np.vstack([0.25 * h * h * inverse, 0.5 * h * inverse, inverse])
+        arm = np.zeros((3, 6))  # motion of the attachment along and across, and yaw
+        arm[[0, 1, 2], [0, 1, 5]], arm[0, 4], arm[1, 3] = 1.0, lever, -lever
+        self.foreseen = arm @ np.hstack([one, h * one, 0.5 * h * h * one])
+        self.by_pull = self.by_force @ arm.T
+        self.z, self.past = np.zeros(18), None
 
-    def run(self, point, state, held, motion, forces, wave, buoy, hawser):
-        """Motion (place, velocity, acceleration) after forces (m, 6) of a slow step; fills the rows of its record"""
-        x, v, a = motion
-        h, body, near, before = self.step, self.body, held.buoy, held.buoy
+    def run(self, point, state, held, forces, wave, buoy, hawser):
+        """Move under forces (m, 6) of the waves for a slow step; fills the rows of its record"""
         cos, sin = np.cos(state[2]), np.sin(state[2])
-        for i, force in enumerate(forces):
-            foreseen = x + h * v + 0.5 * h * h * a
-            surge = foreseen[0] + body.lever * foreseen[4]
-            sway = foreseen[1] - body.lever * foreseen[3]
-            place = state[:2] + np.array([cos * surge - sin * sway, sin * surge + cos * sway])
-            now = point.hold(place, state[2] + foreseen[5], 2 * near - before)
-            near, before = now.buoy, near
-            X, Y, N = now.force - held.force
-            T = np.array([X, Y, 0.0, -body.lever * Y, body.lever * X, N])
-            half = x + h * v + 0.25 * h * h * a
-            a_next = self.inverse @ (force + T - body.damping @ (v + 0.5 * h * a) - body.stiffness @ half)
-            x, v = half + 0.25 * h * h * a_next, v + 0.5 * h * (a + a_next)
-            a = a_next
-            wave[i], buoy[i], hawser[i] = x, now.buoy, now.tension
-        return x, v, a
+        x, y, heading = state[:3].tolist()
+        z, before = self.z, held.force
+        a = b = c = d = held.buoy
+        if self.past is not None:
+            a, b, c, d = self.past
+        for i, waves in enumerate(forces @ self.by_force.T):
+            surge, sway, yaw = (self.foreseen @ z).tolist()
+            place = np.array([x + cos * surge - sin * sway, y + sin * surge + cos * sway])
+            now = point.hold(place, heading + yaw, 4 * (d + b) - 6 * c - a)  # a cubic through four places
+            a, b, c, d = b, c, d, now.buoy
+            z = self.moved @ z + waves + self.by_pull @ (now.force - before)
+            wave[i], buoy[i], hawser[i] = z[:6], d, now.tension
+        self.z, self.past = z, (a, b, c, d)
