@@ -36,7 +36,7 @@ def elastic_exact(body, section, axial_stiffness):
     if not 0 < axial_stiffness < np.inf:
         raise ValueError(f"EA is {axial_stiffness:g} N/m; allowed: above 0 and finite")
     check_section(body, section)
-    stiffness, stretch = _stiffness(body, axial_stiffness)
+    stiffness, stretch = stiffness_of(body, axial_stiffness)
     softest = np.linalg.eigvalsh(stiffness / np.outer([1, 1, body.radius], [1, 1, body.radius]))[0]
     if softest <= 0:
         raise ValueError(f"the upright body is unstable: its least stiffness is {softest:.3g} N/m²; lower its weight")
@@ -60,7 +60,7 @@ def _lines(body):
         yield u, r, np.array([[1.0, 0.0, -r[1]], [0.0, 1.0, r[0]]])
 
 
-def _stiffness(body, axial_stiffness):
+def stiffness_of(body, axial_stiffness):
     """Of water and lines about the centre of gravity, (3, 3), and δP of both lines, front first, of motions, (2, 3)"""
     stiffness, stretch = np.diag([0.0, body.heave_stiffness, body.roll_stiffness]), []
     for u, r, moved in _lines(body):

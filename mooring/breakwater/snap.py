@@ -1,12 +1,11 @@
-"""A breakwater whose lines go slack, in regular waves, in time: lines pull and do not push.
+"""A breakwater whose lines go slack, in regular waves, in time: one metre of it as a body of `mooring.motion`.
 
-    (M + A) ẍ + B ẋ + C x = Re F e^(−iωt) + Σ (P − P₀) Jᵀu,      P = max(0, P₀ + δP + c δP'),     δP = −(EA/S) u · J x
-
-x sway, heave, roll about the centre of gravity; A, B, F of the waves' frequency, also for what is quicker, so that
-peaks are of the right size and not exact; u, J as in `elastic`; c a share ζ of the critical damping of the body's mass
-on its lines.  Without slack this is `elastic` without the turning of the lines.  Peaks grow with EA nearly as its root:
-Table 3.2 of Kihara, Kitatani & Todoroki (1975) is met by EA of 1e4 N per metre, less than chains have, as if the gauges
-gave way (`tests/bench/breakwater.py snap`).
+Lines are hawsers: straight, T = (EA/S) e of their elongation, nothing when slack, wherever the body moves.  The memory
+of the water is that of the section over a band of frequencies; the body floats free at Δ = 2P₀ sin α / ρgB_w above its
+place, from where the lines pull it down, the pressure at rest being linear.  Nothing moves surge, pitch and yaw.
+Peaks grow with EA nearly as its root: the four periods of Table 3.2 of Kihara, Kitatani & Todoroki (1975) that snapped
+are met to 5 % by EA of 1e4 N per metre, less than chains have, as if the gauges gave way (`tests/bench/breakwater.py
+snap`).
 """
 
 from __future__ import annotations
@@ -15,16 +14,34 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .elastic import line_directions
-from .exact import about_gravity, check_section, moved_to_origin
+from bem.database.between_frequencies import Between
+from bem.database.reader import Reader
+
+from ..lines.system.graph import System
+from ..lines.system.hawser import Hawser, pull_of_points
+from ..lines.system.parts import Anchor, Fairlead, MooredBody
+from ..motion.simulation import moored, simulate
+from ..motion.wave_loads import HEADINGS, WaveForces
+from ..motion.weather import Settings, Weather
+from ..studies.conditions import Waves
+from .elastic import stiffness_of
+from .exact import about_gravity, moved_to_origin
+from .unit import inertia
 
 RAMP, CYCLES, MEASURED = 4, 24, 12  # wave periods
-PER_SWING = 30  # steps of a period of the stiffest motion
+PER_SWING = 30  # samples of a period of the stiffest motion
+TOLERANCE = 1e-2  # of a run: peaks are within 1e-4 of those at 1e-3
+IN_PLANE = np.ix_((1, 2, 3), (1, 2, 3))
+LOWEST = 0.03  # of the waves' frequency, of sections; below it damping is that of long waves
+SLOWER = np.geomspace(1e-3, 1.0, 7)[:-1]  # of that, to where the memory of slow heave may end
+SHORT, COUNT = 8.0, 60  # largest K = ω²/g times the smaller of half beam and draft; how many frequencies
+UNMOVED = 1e-4  # added mass of roll over that of sway at the radius of gyration, of a section that moves no water
+MOST = 0.3  # of the line's length, that a pull is tabulated for
 
 
 class Snap(NamedTuple):
     """time : (n,) s, of the last cycles; front, back : tensions (n,) N/m; peaks : (front, back) means of the largest of
-    every cycle, N/m; largest : (front, back); slack : (front, back) shares of the time"""
+    every cycle, N/m; largest : (front, back); slack : (front, back) shares of the time; findings : one line each"""
 
     time: np.ndarray
     front: np.ndarray
@@ -32,51 +49,104 @@ class Snap(NamedTuple):
     peaks: tuple
     largest: tuple
     slack: tuple
+    findings: tuple
 
 
-def snap(body, section, axial_stiffness, amplitude, damping=0.05):
-    """`Snap` of a `TautBody` or `TautRectangle` in waves of `amplitude`, m; section : of its moored draft
+def frequencies(body, omega):
+    """(n,) rad/s of the sections that `snap` needs in waves of omega, rad/s, which is one of them"""
+    most = max(np.sqrt(SHORT * body.gravity / min(body.draft, body.waterline / 2)), 3 * omega)
+    return np.union1d(np.linspace(LOWEST * omega, most, COUNT), omega)
 
-    axial_stiffness : EA, N per metre of body; damping : ζ of its motion on the lines
+
+def snap(body, sections, axial_stiffness, omega, amplitude, memory="states"):
+    """`Snap` of a `TautBody` or `TautRectangle` in regular waves of omega, rad/s, and amplitude, m
+
+    sections : `Section` of the moored draft at `frequencies`; axial_stiffness : EA, N per metre of body
+    memory : of `mooring.motion.weather.Settings`; "constant" radiates as at the waves' frequency throughout
+    raises : ValueError
     """
-    check_section(body, section)
     if not 0 < axial_stiffness < np.inf or not 0 <= amplitude < np.inf:
         raise ValueError(f"EA is {axial_stiffness:g} N/m, amplitude {amplitude:g} m; allowed: above 0, finite")
-    impedance, force = about_gravity(section, moved_to_origin(body.z0))
-    mass = np.diag([body.mass, body.mass, body.inertia]) - impedance.real / section.omega**2
-    water = -impedance.imag / section.omega
-    stiffness = np.diag([0.0, body.heave_stiffness, body.roll_stiffness])
-    pulls = line_directions(body)  # u · J of both lines
-    along = axial_stiffness / body.line
-    inverse = np.linalg.inv(mass)
-    swift = np.sqrt(np.linalg.eigvals(inverse @ (stiffness + along * pulls.T @ pulls)).real.max())
-    lag = 2 * damping / swift
-    period = 2 * np.pi / section.omega
-    count = int(np.ceil(period * swift / (2 * np.pi) * PER_SWING))
-    step = period / count
-
-    def tensions(state):
-        stretched = -along * (state[:3] + lag * state[3:]) @ pulls.T
-        taut = body.pretension - along * state[:3] @ pulls.T > 0
-        return np.where(taut, np.maximum(body.pretension + stretched, 0.0), 0.0)
-
-    def slope(t, state):
-        waves = (amplitude * min(t / (RAMP * period), 1.0) * force * np.exp(-1j * section.omega * t)).real
-        load = waves + (tensions(state) - body.pretension) @ pulls - stiffness @ state[:3] - water @ state[3:]
-        return np.concatenate([state[3:], inverse @ load])
-
-    state, kept = np.zeros(6), np.empty((MEASURED * count, 2))
-    for i in range(CYCLES * count):
-        state = _runge_kutta(slope, i * step, step, state)
-        if i >= (CYCLES - MEASURED) * count:
-            kept[i - (CYCLES - MEASURED) * count] = tensions(state)
+    if not axial_stiffness > 2 * body.pretension:
+        raise ValueError(
+            f"EA is {axial_stiffness:g} N/m and the pretension {body.pretension:.4g}: the lines would stretch by more "
+            "than half of their length; give stiffer ones"
+        )
+    body_in_time, period = one_metre(body, sections, axial_stiffness), 2 * np.pi / omega
+    count = int(np.ceil(PER_SWING * _swiftest(body, body_in_time, axial_stiffness) / omega))
+    settings = Settings(
+        duration=(CYCLES - RAMP) * period, ramp=RAMP * period, step=period / count, tolerance=TOLERANCE,
+        slow_drift="none", memory=memory,
+    )  # fmt: skip
+    run = simulate(body_in_time, Weather(regular=Waves(2 * amplitude, period, np.pi / 2)), settings)
+    kept = run.tension[-MEASURED * count :]
     peaks = kept.reshape(MEASURED, count, 2).max(axis=1)
-    time = (np.arange(len(kept)) + 1) * step
-    return Snap(time, *kept.T, tuple(peaks.mean(axis=0)), tuple(peaks.max(axis=0)), tuple((kept <= 0).mean(axis=0)))
+    return Snap(
+        run.time[-MEASURED * count :], *kept.T, tuple(peaks.mean(axis=0)), tuple(peaks.max(axis=0)),
+        tuple((kept <= 0).mean(axis=0)), run.findings,
+    )  # fmt: skip
 
 
-def _runge_kutta(slope, t, step, state):
-    one = slope(t, state)
-    two = slope(t + step / 2, state + step / 2 * one)
-    three = slope(t + step / 2, state + step / 2 * two)
-    return state + step / 6 * (one + 2 * two + 2 * three + slope(t + step, state + step * three))
+def one_metre(body, sections, axial_stiffness):
+    """`mooring.motion.simulation.Moored` of a metre of a `TautBody` or `TautRectangle` on its lines"""
+    rise = 2 * body.pretension * np.sin(body.angle) / body.heave_stiffness
+    reader = _reader(body, sections, body.z0 + rise)
+    force = reader.between.quantities["excitation_force"]
+    force = np.concatenate([force.real, force.imag], axis=2)
+    waves = WaveForces(reader.omega, np.repeat(force, HEADINGS, axis=1), None)
+    # of surge, pitch and yaw, which nothing moves: critically damped springs
+    along = np.diag([1.0, 0.0, 0.0, 0.0, body.radius**2, body.radius**2])
+    spring, damping = along * body.heave_stiffness, along * 2 * np.sqrt(body.heave_stiffness * body.mass)
+    return moored(reader, _lines(body, axial_stiffness, rise), spring=spring, damping=damping, waves=waves)
+
+
+def _reader(body, sections, z):
+    """`Reader` of a metre of the body, in waves along the normal, its motions about the centre of gravity, now at z
+
+    Below the sections' frequencies A stays, and B is that of long waves: of heave, which changes the volume, it stays
+    (½ρB_w²√(g/h) in the end), of sway and roll, which make dipoles, it falls like ω².
+    """
+    found = [about_gravity(section, moved_to_origin(body.z0)) for section in sections]
+    known = np.array([section.omega for section in sections])
+    slow, n = known[0] * SLOWER, len(SLOWER)
+    omega = np.concatenate([slow, known])
+    added, damping = np.zeros((2, len(omega), 6, 6))
+    force = np.zeros((len(omega), 1, 6), complex)
+    for i, (impedance, excitation) in enumerate(found, n):
+        added[i][IN_PLANE], damping[i][IN_PLANE] = -impedance.real / omega[i] ** 2, -impedance.imag / omega[i]
+        force[i, 0, 1:4] = excitation
+    added[:n], force[:n] = added[n], force[n]
+    damping[:n] = damping[n] * ((slow / known[0]) ** 2)[:, None, None]
+    damping[:n, 2, 2] = damping[n, 2, 2]
+    if np.abs(added[:, 3, 3]).max() < UNMOVED * body.radius**2 * np.abs(added[:, 1, 1]).max():  # a circle that turns
+        for matrix in (added, damping):
+            matrix[:, 3, :] = matrix[:, :, 3] = 0.0
+        force[:, :, 3] = 0.0
+    quantities = {"added_mass": added, "radiation_damping": damping, "excitation_force": force}
+    side = body.waterline / 2
+    plan = np.array([[0.5, side], [-0.5, side], [-0.5, -side], [0.5, -side]])
+    between = Between(omega, quantities, body.depth, body.gravity, np.array([np.pi / 2]), np.zeros(1), plan)
+    C = np.diag([0.0, 0.0, body.heave_stiffness, body.roll_stiffness, body.roll_stiffness, 0.0])
+    return Reader(between, body.density, np.array([0.0, 0.0, z]), inertia(body, 1.0, body.z0), C, np.zeros((6, 6)))
+
+
+def _lines(body, axial_stiffness, rise):
+    """`System` of a front and a back line of a metre of the body, which floats `rise` m higher without them"""
+    away = body.line * np.array([np.cos(body.angle), -np.sin(body.angle)])
+    length = body.line * (1 - body.pretension / axial_stiffness)
+    most = MOST * length
+    pull = pull_of_points("line", [0.0, most / 2, most], axial_stiffness / body.line * np.array([0.0, most / 2, most]))
+    lines, points = [], []
+    for name, side in (("front", -1.0), ("back", 1.0)):
+        end = np.array([side * body.attachment, body.attachment_z])
+        points.append(Anchor(f"anchor {name}", (0.0, *(end + [side * away[0], away[1]]))))
+        points.append(Fairlead(f"end {name}", "body", (0.0, end[0], end[1] - body.z0)))
+        lines.append(Hawser(name, pull, length, f"anchor {name}", f"end {name}"))
+    moving = MooredBody("body", (0.0, 0.0, body.z0 + rise, 0.0, 0.0, 0.0))
+    return System(body.depth, lines, points, [moving], body.density, body.gravity)
+
+
+def _swiftest(body, body_in_time, axial_stiffness):
+    """rad/s of the stiffest motion of a `Moored` on its lines while they are taut"""
+    mass = (body_in_time.reader.inertia + body_in_time.memory.added_mass_infinity)[IN_PLANE]
+    return np.sqrt(np.linalg.eigvals(np.linalg.solve(mass, stiffness_of(body, axial_stiffness)[0])).real.max())

@@ -1,8 +1,10 @@
 """Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, step by its own error.
 
 The error of a step is the difference of the two orders.  It is held below a share of the tolerance, of the scale of
-each motion, times the step over the time in which an error dies out; positions and velocities count.  Steps end where
-a window of wave forces ends and where a line breaks, so that no jump lies within one.  Samples between steps are
+each motion, times the step over the time in which an error dies out; positions and velocities count.  Where a line
+comes taut or a fender is met the force has a corner, and the error of a step over it falls like h² only: there it may
+be that of a share of the usual step, which is the mean of steps over time.  Steps end where a window of wave forces
+ends and where a line breaks, so that no jump lies within one.  Samples between steps are
 Hermite polynomials, of fifth degree in what has a known velocity and acceleration.
 """
 
@@ -20,12 +22,15 @@ from .line_loads import hold
 from .wave_loads import fill_rows, fill_window
 
 SAFETY, LARGEST, SMALLEST = 0.9, 4.0, 0.2  # of the change of step
-SHORTEST = 1e-5  # s; a step below it says that the motion cannot be followed
+SHORTEST, OF_USUAL = 1e-5, 1e-4  # s, share of the usual step: a step below both cannot be followed,
+AT_CORNER = 100  # and neither can more steps in a row below the first
 FIRST_STEP = 0.05  # s
 AT_ONCE = 1e-9  # s between instants that are one
 ROUNDING = 2e-9  # of the step between samples, by which their times are uncertain
-TIME, STEP, WINDOW = range(3)  # places in `Clock.now`
-STEPS, REFUSED, SAMPLES, WINDOWS = range(4)  # places in `Clock.counts`
+CORNER = 0.1  # of the usual step: the error that a step over a corner may have; a corner takes about six steps
+MEMORY = 20.0  # usual steps, over which their mean is taken
+TIME, STEP, WINDOW, USUAL = range(4)  # places in `Clock.now`
+STEPS, REFUSED, SAMPLES, WINDOWS, SHORT = range(5)  # places in `Clock.counts`
 DONE, RUNNING, TOO_SHORT, NO_LINE, NOT_FINITE, BEYOND = range(6)
 
 A = np.array(
@@ -46,7 +51,8 @@ E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525
 class Clock(NamedTuple):
     """What a run keeps between calls; its arrays are changed in place.
 
-    now : TIME, STEP, WINDOW (its begin), all s; counts : STEPS, REFUSED, SAMPLES, WINDOWS
+    now : TIME, STEP, WINDOW (its begin), USUAL step, all s
+    counts : STEPS, REFUSED, SAMPLES, WINDOWS, SHORT steps in a row
     end, sample_step : s; fixed_step : s, 0 where the error chooses the step
     scale : (12,) allowed error a second of each position and velocity
     y, stages : state (n,), its rates (7, n); pose : (3,) slow pose foreseen for the end of the window
@@ -68,8 +74,8 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale):
     """Clock of a run from a state y (n,) at 0 s"""
     first = fixed_step or FIRST_STEP
     return Clock(
-        np.array([0.0, first, -np.inf]),
-        np.zeros(4, np.int64),
+        np.array([0.0, first, -np.inf, first]),
+        np.zeros(5, np.int64),
         float(end),
         float(sample_step),
         float(fixed_step or 0.0),
@@ -98,7 +104,7 @@ def take_step(scene, clock, t, h):
         for j in range(7):
             total += E[j] * k[j, i]
         worst = max(worst, abs(total) / clock.scale[i])  # h·total over scale·h
-    return worst, good
+    return worst * min(1.0, h / (CORNER * clock.now[USUAL])), good
 
 
 @kernel()
@@ -183,7 +189,7 @@ def advance(scene, waves, clock, samples, most):
         if error > 1.0 and fixed == 0.0:
             counts[REFUSED] += 1
             now[STEP] = h * max(SMALLEST, SAFETY * error**-0.25)
-            if now[STEP] < SHORTEST:
+            if now[STEP] < min(SHORTEST, OF_USUAL * now[USUAL]):
                 return TOO_SHORT
             continue
         later = limit if cut else t + h
@@ -193,7 +199,11 @@ def advance(scene, waves, clock, samples, most):
         put_samples(clock, t, h, later, samples)
         clock.y[:] = clock.trial
         now[TIME] = later
+        now[USUAL] += min(1.0, h / (MEMORY * now[USUAL])) * (h - now[USUAL])
         counts[STEPS] += 1
+        counts[SHORT] = counts[SHORT] + 1 if h < SHORTEST and not cut else 0
+        if counts[SHORT] > AT_CORNER and fixed == 0.0:
+            return TOO_SHORT
         if later == next_break(lines, t):
             hold(lines, scene.line_work, later)
             rates(scene, later, clock.y, k[0])

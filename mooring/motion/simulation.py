@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bem import DOFS
+from bem.database.reader import Reader
 from bem.time_domain.fast_states import slow_memory
 from bem.time_domain.memory import MemoryArrays, memory_of_database
 
@@ -33,7 +34,8 @@ MEMORY_TOLERANCES = (3e-4, 1e-3, 3e-3, 1e-2, 3e-2)
 COUPLED, ONE_PLANE = 1e-6, 12  # share of added mass, and how many entries beside the diagonal a body with one plane of
 # symmetry has; with more the fit takes a minute and a half to 1e-3, and 15 s to 3e-3
 MEMORY_WANTED = 1e-3  # without a finding
-FASTEST = 8.0  # rad/s, of states of the memory: explicit steps of 0.4 s are stable
+FASTEST, BAND = 8.0, 2.0  # rad/s and times the band of the database, of states of the memory, those beyond both follow
+# at once: explicit steps of 0.4 s are stable; within the band they would give energy, as at the scale of a model
 FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
 MOTIONLESS = 1e-9  # m, rad: the deviation of a motion that is none
 FINER, CHAOTIC = 0.1, 0.1  # tolerance of the run that estimates the error; error over σ of a path that is chance
@@ -108,22 +110,25 @@ class Realisation(NamedTuple):
     pull: np.ndarray
 
 
-def moored(db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None):
-    """`Moored` of an opened database, a `System` of one body with its axes at the rotation centre, and its hull.
+def moored(
+    db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None, waves=None
+):
+    """`Moored` of an opened database or `Reader`, a `System` of one body, its axes at the rotation centre, and its hull
 
     hull : ExposedBox; the drag of the water on it is that of the box tests where they reach
     berth : `contacts.Berth`, fenders and ropes
-    memory : a Memory, by default that of the database; spring, damping : (6, 6) SI; quadratic : (6,) N s²/m² …
+    waves : WaveForces, memory : a Memory, by default those of the database
+    spring, damping : (6, 6) SI; quadratic : (6,) N s²/m² …
     raises : ValueError naming what is missing or does not fit
     """
-    body, findings = db.reader.floating(), ()
+    body, findings = (db if isinstance(db, Reader) else db.reader).floating(), ()
     if memory is None:
-        memory, findings = _memory(db)
+        memory, findings = _memory(body)
     spring, damping = (np.zeros((6, 6)) if m is None else np.asarray(m, float) for m in (spring, damping))
     quadratic = np.zeros(6) if quadratic is None else np.asarray(quadratic, float)
     start, stiffness, tables = np.zeros(6), body.stiffness + spring, ((), ())
     if system is not None:
-        _check_place(system, db)
+        _check_place(system, body)
         start, stiffness = _rest(system, body.stiffness, spring)
         tables = tables_of(system, start)
         findings = (*findings, *_of_tables(system, tables))
@@ -132,7 +137,7 @@ def moored(db, system=None, hull=None, *, memory=None, spring=None, damping=None
         start = _rest_at_berth(berth, system, tables, body, spring, start)
         stiffness = stiffness + berth_stiffness(berth, start)
     slow = body.held_added_mass(0.0)[0]
-    rest_of_it = wave_forces(body), tables, findings, berth
+    rest_of_it = waves or wave_forces(body), tables, findings, berth
     return Moored(body, system, hull, memory, start, spring, damping, quadratic, stiffness, slow, *rest_of_it)
 
 
@@ -216,14 +221,14 @@ def _of_tables(system, tables):
             )
 
 
-def _memory(db):
-    """The Memory of a database to the smallest tolerance that it allows, and a finding where that is above the first"""
-    A = db.reader.held_added_mass(0.0)[0]
+def _memory(body):
+    """The Memory of a Reader to the smallest tolerance that it allows, and a finding where that is above the first"""
+    A = body.held_added_mass(0.0)[0]
     size = np.sqrt(np.diag(A))
     coupled = np.count_nonzero(np.abs(A) > COUPLED * np.outer(size, size)) - len(A)
     for tolerance in MEMORY_TOLERANCES[2 * (coupled > ONE_PLANE) :]:
         try:
-            memory = memory_of_database(db, tolerance)
+            memory = memory_of_database(body, tolerance)
         except ValueError as error:
             refused = error
             continue
@@ -256,12 +261,12 @@ def _rest_at_berth(berth, system, tables, body, spring, start):
     return at_rest(berth, others, start, np.concatenate([np.ones(3), 1 / radius]))
 
 
-def _check_place(system, db):
-    place, center = np.asarray(system.bodies[0].position[:3]), np.asarray(db.rotation_center, float)
+def _check_place(system, body):
+    place, center = np.asarray(system.bodies[0].position[:3]), body.rotation_center
     if not np.allclose(place, center, rtol=0, atol=1e-9):
         raise ValueError(f"the body's axes lie at {place}; allowed: at the rotation centre {center} of the database")
-    if not abs(system.depth - db.water_depth) <= 1e-6 * system.depth:
-        raise ValueError(f"the lines are for {system.depth:g} m of water, the database for {db.water_depth:g} m")
+    if not abs(system.depth - body.depth) <= 1e-6 * system.depth:
+        raise ValueError(f"the lines are for {system.depth:g} m of water, the database for {body.depth:g} m")
 
 
 def _streams(moored, weather, seed, end, findings):
@@ -288,7 +293,7 @@ def _streams(moored, weather, seed, end, findings):
 def _body(moored, weather, settings, components, drag, munk):
     """`equation.Body` of a run"""
     reader, memory = moored.reader, moored.memory
-    slow = slow_memory(memory, FASTEST)
+    slow = slow_memory(memory, max(FASTEST, BAND * memory.band[1]))
     added, B, arrays = memory.added_mass_infinity + slow.inertia, moored.damping + slow.damping, slow.arrays
     if settings.memory == "constant":
         if components is None and settings.constant_period is None:

@@ -181,16 +181,14 @@ def _snapping(breakwater, tides, held):
     lines = breakwater.study.lines
     if held is None or not held.slack or lines.axial_stiffness_kN is None:
         return None
-    from mooring.breakwater.snap import snap
+    from mooring.breakwater.snap import frequencies, snap
 
     level, end = held.slack[0]
     tide = next(one for one in tides if one.level == level)
-    period = getattr(tide, f"{end}_at")
-    (water,) = sections(breakwater, breakwater.wetted(tide.rise), tide.rise, 2 * np.pi / period)
-    stiffness = lines.axial_stiffness_kN * KN / lines.spacing
-    return Snapping(
-        level, period, snap(breakwater.taut(tide.rise), water, stiffness, breakwater.study.waves.height / 2)
-    )
+    period, body = getattr(tide, f"{end}_at"), breakwater.taut(tide.rise)
+    omega, stiffness = 2 * np.pi / period, lines.axial_stiffness_kN * KN / lines.spacing
+    waters = sections(breakwater, breakwater.wetted(tide.rise), tide.rise, frequencies(body, omega))
+    return Snapping(level, period, snap(body, waters, stiffness, omega, breakwater.study.waves.height / 2))
 
 
 def spectrum_of(table, depth):

@@ -28,7 +28,7 @@ from mooring.breakwater.exact import taut_exact
 from mooring.breakwater.holdings import exact_response, response_with_loss
 from mooring.breakwater.long_waves import equal_area, fixed_body, line_tensions
 from mooring.breakwater.loss import Keel, fitted
-from mooring.breakwater.snap import snap
+from mooring.breakwater.snap import frequencies, snap
 from mooring.breakwater.taut import TautRectangle
 
 WATER = {"density": 1000.0, "gravity": 9.8}
@@ -236,15 +236,20 @@ def of_table_3_2(depth, draft, mass):
 
 def snaps():
     (taut, deep), (loose, wet) = of_table_3_2(0.5, 0.25, 57.4), of_table_3_2(0.4, 0.15, 49.5)
-    print("Table 3.2, front P/wHD: slack by EA of 2e3, 1e4, 5e4 N per m, taut; measured slack, taut")
+    print(
+        "Table 3.2, front and back P/wHD, slack: EA of 1e4 N per m, of 5e4; measured; front, taut: ours, measured; "
+        "slack over taut"
+    )
     for row in published("breakwater_slack.csv"):
-        omega, unit = 2 * np.pi / row["period_s"], 9800 * 0.5
-        height = row["slack_height_cm"] / 100
-        water = any_section(wet, 0.4, omega, **WATER)
-        ours = [snap(loose, water, EA, height / 2).peaks[0] / unit / height for EA in (2e3, 1e4, 5e4)]
-        ours.append(abs(taut_exact(taut, any_section(deep, 0.5, omega, **WATER)).front) / 2 / unit)
-        other = [row[f"{k}_front"] * 9.8 / 0.235 / unit / row[f"{k}_height_cm"] * 100 for k in ("slack", "taut")]
-        print(f"  {row['period_s']:5.2f} s", *(f"{value:6.2f}" for value in (*ours, *other)))
+        omega, unit, height = 2 * np.pi / row["period_s"], 9800 * 0.5, row["slack_height_cm"] / 100
+        waters = [any_section(wet, 0.4, w, **WATER) for w in frequencies(loose, omega)]
+        found = [snap(loose, waters, EA, omega, height / 2) for EA in (1e4, 5e4)]
+        ours = [peak / unit / height for one in found for peak in one.peaks]
+        linear = abs(taut_exact(taut, any_section(deep, 0.5, omega, **WATER)).front) / 2 / unit
+        share = 9.8 / 0.235 / unit * 100
+        slack = [row[f"slack_{end}"] * share / row["slack_height_cm"] for end in ("front", "back")]
+        others = [linear, row["taut_front"] * share / row["taut_height_cm"], ours[0] / linear]
+        print(f"  {row['period_s']:5.2f} s", *(f"{value:6.2f}" for value in (*ours, *slack, *others)))
 
 
 if __name__ == "__main__":

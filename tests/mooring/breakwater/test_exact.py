@@ -9,14 +9,12 @@ import pytest
 from bem.sections.any_section import any_section
 from bem.sections.coefficients import section
 from bem.sections.outline import circle
-from mooring.breakwater.anchors import goes_slack
 from mooring.breakwater.body import TautBody
 from mooring.breakwater.elastic import elastic_exact
 from mooring.breakwater.exact import fixed_exact, free_exact, taut_exact
 from mooring.breakwater.holdings import exact_response, mean_drift
 from mooring.breakwater.long_waves import line_tensions, long_wave
 from mooring.breakwater.loss import Keel, fitted, with_loss
-from mooring.breakwater.snap import snap
 from mooring.breakwater.taut import TautRectangle
 
 # Kihara, Kitatani & Todoroki (1975), section 4.3, in SI; the attachment is taken at the corner, the lines reach the bed
@@ -75,41 +73,6 @@ def test_transmission_of_the_moored_rectangle_is_that_measured(degrees):
         measured = np.mean([row["transmission"] for row in rows if row["period_s"] == period])
         misses.append(abs(taut_exact(body_at(degrees), section_at(period)).transmission) - measured)
     assert np.sqrt(np.mean(np.square(misses))) < 0.05
-
-
-def of_table_3_2(depth, draft, mass):
-    """The circle of 50 cm on lines at 45° towards its centre, and the water about it by period"""
-    wet, arm, z = circle(0.5).wetted(draft), 0.25 * np.sqrt(0.5), 0.25 - draft
-    body = TautBody(
-        mass=mass, z0=z, inertia=0.04 * mass, area=wet.area, buoyancy_z=wet.center.imag, waterline=wet.waterline,
-        draft=draft, depth=depth, angle=np.pi / 4, attachment=arm, attachment_z=z - arm,
-        line=(depth + z - arm) * np.sqrt(2), density=1000.0, gravity=9.8,
-    )  # fmt: skip
-    return body, lambda T: any_section(wet, depth, 2 * np.pi / T, density=1000.0, gravity=9.8)
-
-
-def test_lines_without_pretension_go_slack_and_snap_two_to_three_times_the_taut_tension():
-    """Table 3.2; the stiffness, which is not printed, is one number for all periods, with gauges that give way"""
-    taut, water = of_table_3_2(0.5, 0.25, 57.4)
-    loose, shallow = of_table_3_2(0.4, 0.15, 49.5)
-    for row in published("breakwater_slack.csv")[:3:2]:
-        slack, still = row["slack_height_cm"] / 200, row["taut_height_cm"] / 200
-        linear = abs(taut_exact(taut, water(row["period_s"])).front)
-        assert goes_slack(loose.pretension, 0.0, linear * slack) and not goes_slack(
-            taut.pretension, 0.0, linear * still
-        )
-        found = snap(loose, shallow(row["period_s"]), 1e4, slack)
-        assert 2 < found.peaks[0] / (linear * slack) < 3 and min(found.slack) > 0.1
-        measured = row["slack_front"] * 9.8 / 0.235
-        assert found.peaks[0] == pytest.approx(measured, rel=0.1)
-
-
-def test_lines_that_stay_taut_do_not_snap():
-    taut, water = of_table_3_2(0.5, 0.25, 57.4)
-    found, linear = snap(taut, water(2.0), 3e4, 0.005), elastic_exact(taut, water(2.0), 3e4)
-    assert max(found.slack) == 0
-    amplitudes = [(P.max() - P.min()) / 2 for P in (found.front, found.back)]
-    assert amplitudes == pytest.approx([0.005 * abs(P) for P in (linear.front, linear.back)], rel=1e-2)
 
 
 def test_flow_under_a_slender_body_becomes_uniform_at_first_order():

@@ -7,7 +7,7 @@ from bem.frequency import solve_frequency
 from bem.methods.shape_problem import ShapeProblem
 from bem.sections.coefficients import section
 from mooring.breakwater import unit
-from mooring.breakwater.elastic import _stiffness
+from mooring.breakwater.elastic import stiffness_of
 from mooring.breakwater.exact import taut_exact
 from mooring.breakwater.taut import TautRectangle
 
@@ -21,7 +21,7 @@ OMEGA = 0.9
 def test_lines_and_water_of_a_unit_are_those_of_its_section_per_metre():
     length, EA = 60.0, 2e7
     ours = unit.buoyancy(BODY, length, BODY.z0) + unit.line_matrix(BODY, length, BODY.z0, 5.0, EA)
-    theirs, _ = _stiffness(BODY, EA)
+    theirs, _ = stiffness_of(BODY, EA)
     assert ours[1:4, 1:4] == pytest.approx(length * theirs, rel=1e-12, abs=1e-3)
     assert abs(ours - ours.T).max() < 1e-9 * abs(ours).max()
     turned = unit.line_matrix(BODY, length, BODY.z0, 1e-2, EA)[4, 4]

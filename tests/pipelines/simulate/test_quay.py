@@ -29,11 +29,11 @@ ROPE = {
 }  # fmt: skip
 
 
-def without_memory(db):
+def without_memory(body):
     """Memory without states, so that none has to be fitted"""
     none, square = np.zeros((6, 0)), np.zeros((6, 6))
     arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
-    A = db.reader.coefficients(db.reader.omega[:1])[0][0]
+    A = body.coefficients(body.omega[:1])[0][0]
     return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, (0.3, 1.5), ()), ()
 
 
