@@ -63,7 +63,7 @@ class Sea:
         if self.spreading is None:
             share = _shares_of_one(headings, self.direction)
             return share if omega is None else np.tile(share, (len(np.atleast_1d(omega)), 1))
-        basis = _linear_weights(headings, self.direction + ANGLES)
+        basis = linear_weights(headings, self.direction + ANGLES)
         if not self.spreading.depends_on_frequency:
             share = _scaled(self.spreading.shares() @ basis, headings)
             return share if omega is None else np.tile(share, (len(np.atleast_1d(omega)), 1))
@@ -175,7 +175,7 @@ def _shares_of_one(headings, direction):
     apart = np.abs(np.mod(np.asarray(headings, float) - direction + np.pi, 2 * np.pi) - np.pi)
     if apart.min() <= 1e-9:
         return np.eye(len(headings))[apart.argmin()]
-    share = _linear_weights(headings, np.array([direction]))[0]
+    share = linear_weights(headings, np.array([direction]))[0]
     if not share.any():
         given = ", ".join(f"{np.rad2deg(b):g}" for b in headings)
         raise ValueError(
@@ -184,7 +184,7 @@ def _shares_of_one(headings, direction):
     return share
 
 
-def _linear_weights(headings, angles):
+def linear_weights(headings, angles):
     """(c, m) weights of headings that interpolate linearly at angles on the circle; rows of 0 in gaps above 45°"""
     ring = np.mod(headings, 2 * np.pi)
     order = np.argsort(ring)

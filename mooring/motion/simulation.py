@@ -25,7 +25,7 @@ from .force_tables import TOLERANCE
 from .given_forces import GivenForce, drift_of_half_waves, sampled
 from .line_loads import REACH, body_lines, line_loads, line_work, tables_of, tensions_along
 from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
-from .wave_loads import WaveForces, no_waves, wave_forces, wave_table, waves_of
+from .wave_loads import WaveForces, drift_of, no_waves, wave_forces, wave_table, waves_of
 
 STEPS_AT_ONCE = 2000  # between reports of progress
 FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
@@ -310,7 +310,7 @@ def _body(moored, weather, settings, components, drag, munk):
     quadratic[5] += drag
     mean = UNKNOWN if components is None else mean_frequency(components)
     try:
-        pushed = *_pairs(weather, settings, components), *_half_waves(moored, settings, components)
+        pushed = *_pairs(moored, weather, settings, components), *_half_waves(moored, settings, components)
         given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration)
     except ValueError as error:
         raise SimulationError(str(error)) from None
@@ -334,11 +334,13 @@ def _body(moored, weather, settings, components, drag, munk):
     )
 
 
-def _pairs(weather, settings, components):
+def _pairs(moored, weather, settings, components):
     """The force of pairs of waves beside Newman's, of a run, as a GivenForce, or nothing"""
     if weather.beside_newman is None or components is None:
         return ()
-    t, force = pair_record(weather.beside_newman, components, settings.ramp + settings.duration)
+    known = moored.waves.drift is not None
+    drift = drift_of(moored.waves, components, moored.start[5]) if known else None
+    t, force = pair_record(weather.beside_newman, components, settings.ramp + settings.duration, drift)
     return (GivenForce(t - settings.ramp, force),)
 
 

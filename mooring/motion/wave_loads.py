@@ -109,6 +109,17 @@ def wave_forces(body):
     return WaveForces(omega, force, drift)
 
 
+def drift_of(forces, components, heading):
+    """(c, 3) drift of wave components by themselves on a body turned to `heading` rad, as runs take it"""
+    table = forces.curves[1](np.clip(components.omega, forces.omega[0], forces.omega[-1]))
+    place = (np.asarray(components.direction) - heading) * (HEADINGS / (2 * np.pi))
+    whole, weights, out = np.floor(place), np.empty(6), np.empty((len(place), 3))
+    for i, near in enumerate(table):
+        lagrange_weights(place[i] - whole[i] + 2.0, weights)
+        out[i] = weights @ near[(int(whole[i]) - 2 + np.arange(6)) % HEADINGS]
+    return out
+
+
 def wave_table(forces, components, depth, center, gravity, drift=True):
     """`WaveTable` of `WaveForces` in wave components (`mooring.environment.sea.Components`).
 

@@ -16,8 +16,8 @@ class Weather:
     regular : waves of one height, period and direction (`mooring.studies.conditions.Waves`), in place of seas
     wind, current : `mooring.studies.conditions.Wind` and `Current`; gusts : `mooring.environment.gusts.GustSpectrum`
     forces : tuple of `mooring.motion.given_forces.GivenForce`
-    beside_newman : of `mooring.response.pair_levels.beside_newman` in the one sea that there is, of long crests: forces
-        of pairs that push on the body at its place and heading at rest
+    beside_newman : of `mooring.response.pair_levels.beside_newman` in the one sea that there is: forces of pairs that
+        push on the body at its place and heading at rest
     components : `mooring.environment.sea.Components` in place of seas, alike for every seed, as of a measured record;
         time is counted from the begin of the ramp
 

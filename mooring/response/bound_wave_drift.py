@@ -55,6 +55,10 @@ class BoundWaveForces:
         last = size[-2:].sum(axis=(0, 1)) + size[:, -2:].sum(axis=(0, 1))
         return last / np.maximum(size.sum(axis=(0, 1)), 1e-300)
 
+    def of_components(self, components, drift=None):
+        """(n, n, 6) T of all pairs of wave `components`, all of the one direction"""
+        return self(components.omega[:, None], components.omega)
+
     def __call__(self, one, two):
         """(…, 6) T of the bound waves of pairs: frequencies that broadcast, rad/s; N/m², N m/m²
 
@@ -141,16 +145,17 @@ def problem_of(db):
     )
 
 
-def record(forces, components, duration):
-    """Times (n,) s from 0 and the force (n, 6) of bound waves in a record of long-crested waves, about its mean.
+def record(forces, components, duration, drift=None):
+    """Times (n,) s from 0 and the force (n, 6) of pairs in a record of waves, about its mean.
 
-    components : `mooring.environment.sea.Components`, all of the direction of the `BoundWaveForces`.  The matrix T_ij
-    is Hermitian: the force is a sum of squares |Σ aᵢ u_i exp{i(εᵢ − ωᵢt)}|², one for every eigenvalue.
+    forces : `BoundWaveForces` or of `pair_levels`; components : `mooring.environment.sea.Components`, of the directions
+        that the forces know; drift : (n, 3) mean drift of each, of which Newman's rule already makes a force
+    The matrix T_ij is Hermitian: the force is a sum of squares |Σ aᵢ u_i exp{i(εᵢ − ωᵢt)}|², one for every eigenvalue.
     """
     omega = np.asarray(components.omega, float)
     count = int(np.ceil(duration * forces.highest / (2 * np.pi) * SAMPLES)) + 2
     t = np.linspace(0.0, duration, count)
-    T = forces(omega[:, None], omega)
+    T = forces.of_components(components, drift)
     T[np.arange(len(omega)), np.arange(len(omega))] = 0.0
     size, turn, out = np.asarray(components.amplitude), np.exp(1j * np.asarray(components.phase)), np.zeros((count, 6))
     for j in range(6):

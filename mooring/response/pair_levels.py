@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..environment.sea import Sea
+from ..environment.sea import Sea, linear_weights
 from .bound_wave_drift import bound_to_newman, of_sea, slow_share
 from .slow_drift import HORIZONTAL
 
@@ -54,6 +54,10 @@ class PairForces:
         """rad/s, difference from which on there is none beside Newman's"""
         return float(self.between.difference[-1])
 
+    def of_components(self, components, drift=None):
+        """(n, n, 6) of all pairs of wave `components`, all of the one direction"""
+        return self(components.omega[:, None], components.omega)
+
     def __call__(self, one, two):
         """(…, 6) of pairs of frequencies that broadcast, rad/s; zero where one is beyond the stored pairs"""
         one, two = np.broadcast_arrays(np.asarray(one, float), np.asarray(two, float))
@@ -64,15 +68,23 @@ class PairForces:
     def _of(self, one, two):
         T = self.between(one, two)
         T[:, HORIZONTAL] -= self.newman(one, two)
+        return T * self.share(one, two)[:, None]
+
+    def share(self, one, two):
+        """(…,) of T that is taken: none where one frequency is beyond the stored pairs or their difference is"""
         low, high = self.between.omega[[0, -1]]
         known = (np.minimum(one, two) >= low) & (np.maximum(one, two) <= high)
-        return T * (known * slow_share((one - two) / self.highest))[:, None]
+        return known * slow_share((one - two) / self.highest)
 
     def newman(self, one, two):
         """(q, 3) by Newman's rule at frequencies (q,)"""
         both = (one, self.drift), (two, self.drift if self.second is None else self.second)
-        D, E = (np.stack([np.interp(w, self.omega, d) for d in drift.T], axis=-1) for w, drift in both)
-        return np.where(D * E > 0, np.sign(D) * np.sqrt(np.abs(D * E)), 0.0)
+        return newman(*(np.stack([np.interp(w, self.omega, d) for d in drift.T], axis=-1) for w, drift in both))
+
+
+def newman(one, two):
+    """Force of pairs by Newman's rule from their mean drift, arrays that broadcast"""
+    return np.where(one * two > 0, np.sign(one) * np.sqrt(np.abs(one * two)), 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,6 +98,28 @@ class SpreadPairForces:
     headings: np.ndarray
     sea: Sea
     level: str
+
+    @property
+    def highest(self):
+        """rad/s, difference from which on there is none beside Newman's"""
+        return max(pair.highest for pair in self.pairs.values())
+
+    def of_components(self, components, drift):
+        """(n, n, 6) of all pairs of wave `components`, T less Newman's of their mean drift (n, 3)
+
+        T is straight between headings; of a direction beyond those of the pairs it is that of the nearest
+        """
+        omega, total = np.asarray(components.omega, float), 0.0
+        used = sorted({a for a, _ in self.pairs})
+        weights = between_headings(self.headings[used], components.direction)
+        for (a, b), pair in self.pairs.items():
+            first, second = (weights[:, used.index(heading)] for heading in (a, b))
+            rows, columns = np.flatnonzero(first), np.flatnonzero(second)
+            T = np.zeros((len(omega), len(omega), 6), complex)
+            T[np.ix_(rows, columns)] = pair.between(omega[rows, None], omega[columns])
+            total = total + T * (first[:, None] * second)[..., None]
+        total[..., HORIZONTAL] -= newman(drift[:, None], drift)
+        return total * pair.share(omega[:, None], omega)[..., None]
 
     def spectrum(self, omega, difference):
         """(d, 6) of the slow force over differences Ω (d,) rad/s:  8 ∫ S(ω) S(ω + Ω) Σ_a Σ_b w_a w_b |T_ab|² dω
@@ -102,6 +136,15 @@ class SpreadPairForces:
             T[..., HORIZONTAL] += pair.newman(one.ravel(), two.ravel()).reshape(*one.shape, 3)
             total += (high[..., a] * low[..., b])[..., None] * np.abs(T) ** 2
         return np.trapezoid(energy[..., None] * total, omega, axis=1)
+
+
+def between_headings(headings, directions):
+    """(n, m) weights of headings (m,) that interpolate linearly at directions (n,) rad, of the nearest beyond them"""
+    weights = linear_weights(headings, np.asarray(directions, float))
+    outside = ~weights.any(axis=1)
+    apart = np.abs(np.angle(np.exp(1j * (directions[outside, None] - headings))))
+    weights[outside, np.argmin(apart, axis=1)] = 1.0
+    return weights
 
 
 def beside_newman(db, sea, level, spread=False):

@@ -75,7 +75,7 @@ def _with_pairs(plan, study, db):
     if level != "newman" and len(weather.seas) != 1:
         raise StudyError(f"simulation.qtf is {level!r}; allowed: newman, or with one sea of irregular waves")
     try:
-        found, said = beside_newman(db, weather.seas[0], level) if level != "newman" else (None, ())
+        found, said = beside_newman(db, weather.seas[0], level, spread=True) if level != "newman" else (None, ())
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None
     if found is None and plan.settings.slow_drift != "none":

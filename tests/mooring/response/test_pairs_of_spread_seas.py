@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from bem.second_order.stored import BetweenPairs
-from mooring.environment.sea import Sea
+from mooring.environment.sea import Components, Sea
 from mooring.environment.spectra import jonswap
 from mooring.environment.spreading import CosinePower
 from mooring.response.pair_levels import PairForces, SpreadPairForces
-from mooring.response.slow_drift import force_spectrum_with
+from mooring.response.slow_drift import HORIZONTAL, force_spectrum_with
 
 OMEGA, DIFFERENCE = np.linspace(0.3, 1.5, 25), 0.05 * np.arange(9)
 FINE = np.linspace(0.3, 1.5, 200)
@@ -44,3 +44,21 @@ def test_of_separable_forces_it_is_the_square_of_their_mean_over_directions():
     alone = pair(1.0)
     long = force_spectrum_with(alone, SPECTRUM, FINE, alone.drift, BEATS)
     assert spread(factors).spectrum(FINE, BEATS) == pytest.approx(mean**2 * long, rel=1e-9)
+
+
+def test_components_between_headings_have_forces_between_theirs_and_none_beside_newmans_twice():
+    factors = np.array([0.2, 0.5, 1.0, 0.7, 0.1])
+    rng = np.random.default_rng(2)
+    omega, direction = np.sort(rng.uniform(0.5, 0.8, 20)), rng.uniform(-np.pi / 2, np.pi / 2, 20)
+    components = Components(omega, np.ones(20), np.zeros(20), direction)
+    between = np.interp(direction, HEADINGS, factors)
+    alone = pair(1.0)
+    drift = (between**2 * np.cos(omega))[:, None] * np.array([1.0, 2.0, 6.0])
+    whole = alone(omega[:, None], omega)
+    whole[..., HORIZONTAL] += (np.cos(omega) * np.cos(omega[:, None]))[..., None] ** 0.5 * [1.0, 2.0, 6.0]
+    expected = np.multiply.outer(between, between)[..., None] * whole
+    expected[..., HORIZONTAL] -= np.sqrt(drift[:, None] * drift)
+    found = spread(factors).of_components(components, drift)
+    near = np.abs(np.subtract.outer(omega, omega)) < 0.2  # whole, beyond it tapers
+    assert found[near] == pytest.approx(expected[near], rel=1e-4, abs=1e-3)
+    assert found == pytest.approx(found.conj().swapaxes(0, 1), abs=1e-12)
