@@ -2,6 +2,7 @@
 
 Complex numbers have an axis `complex` of re, im at the end, as `capytaine.export_dataset` splits them.  The names are
 ours, which follow Capytaine's; modes are labelled, so that their order does not matter.  Capytaine has no mean drift.
+Files of netCDF 3, which it writes where netCDF4 is not installed, are read too.
 """
 
 from __future__ import annotations
@@ -82,12 +83,38 @@ def _put(file, name, axes, unit, data, split=False):
 def read(place, known=None):
     """The Values of NAME.nc.  Raises FormatError."""
     try:
-        with h5py.File(place) as file:
+        with _opened(Path(place)) as file:
             return _read(file, Path(place).stem)
     except OSError as error:
         raise FormatError(f"{place} cannot be opened: {str(error).splitlines()[0]}") from None
     except KeyError as error:
         raise FormatError(f"{place} is no file of Capytaine: {error.args[0]}") from None
+
+
+def _opened(place):
+    """An h5py.File; of a file of netCDF 3 one in memory with the same datasets and axes"""
+    with open(place, "rb") as begin:
+        if begin.read(3) != b"CDF":
+            return h5py.File(place)
+    from scipy.io import netcdf_file
+
+    file = h5py.File(place.name, "w", driver="core", backing_store=False)
+    with netcdf_file(place, mmap=False) as old:
+        texts = {name for name, held in old.variables.items() if held.data.dtype.kind == "S"}
+        for name, held in old.variables.items():
+            data = held.data
+            if name in texts:
+                data = np.array([b"".join(row) for row in np.atleast_2d(data)], dtype=h5py.string_dtype())
+            file.create_dataset(name, data=data.astype(data.dtype.newbyteorder("=")) if name not in texts else data)
+        for axis in {axis for held in old.variables.values() for axis in held.dimensions}:
+            if axis not in file:
+                file.create_dataset(axis, data=np.arange(old.dimensions[axis] or 0))
+            file[axis].make_scale(axis)
+        for name, held in old.variables.items():
+            if name not in texts and name not in held.dimensions:
+                for place, axis in enumerate(held.dimensions):
+                    file[name].dims[place].attach_scale(file[axis])
+    return file
 
 
 def _read(file, name):

@@ -96,6 +96,7 @@ def read(place, known):
     except OSError as error:
         raise FormatError(f"{control}: {error.strerror}") from None
     said = {line[0]: line[1] for line in words if len(line) > 1}
+    about = next((line[1:4] for line in words if line and line[0] == "Reference_body_center"), ["0"] * 3)
     if said.get("Output_frequency_type") != "4":
         raise FormatError(
             f"{control}: Output_frequency_type is {said.get('Output_frequency_type')}; allowed: 4, the period"
@@ -108,4 +109,4 @@ def read(place, known):
     mass = np.array([[float(x) for x in row.split()] for row in rows[3:9]])
     if mass.any():
         body |= {"inertia_matrix": mass, "mass": mass[0, 0]}
-    return replace(found, body=body, name=place.name)
+    return replace(found, body=body, rotation_center=np.array(about, float), name=place.name)

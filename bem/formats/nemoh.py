@@ -2,7 +2,8 @@
 
 RadiationCoefficients.tec has a zone for each motion j: ω, then A_ij and B_ij of i = 1 … 6; ExcitationForce.tec,
 DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6.
-Nemoh.cal knows frequencies and headings by first, last and count: others are refused.
+Nemoh.cal knows frequencies and headings by first, last and count: others are refused.  Zones are counted, not named:
+Nemoh 2 calls those of the excitation "Diffraction force" too.  Names are taken in any case, as Nemoh 3 writes results/.
 G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
 """
 
@@ -114,63 +115,96 @@ def _still_water(values):
 def read(place, known=None):
     """The Values of a folder.  Raises FormatError."""
     place = Path(place)
-    said = _said(place / "Nemoh.cal")
+    said = _said(_inside(place, "Nemoh.cal"))
     density, gravity, depth = (said(text)[0] for text in ("Fluid specific volume", "Gravity", "Water depth"))
     count, first, last = said("Number of wave directions")[:3]
     headings = np.radians(np.linspace(first, last, int(count)))
-    omega, rows = _zones(place / "Results" / "RadiationCoefficients.tec", "Motion of body", 6)
+    results = _inside(place, "Results")
+    omega, rows = _zones(_inside(results, "RadiationCoefficients.tec"), 6)
     quantities = {
         "added_mass": rows[..., 0::2].transpose(1, 2, 0),
         "radiation_damping": rows[..., 1::2].transpose(1, 2, 0),
     }
-    for file, (name, title) in FORCES.items():
-        path = place / "Results" / file
+    for file, (name, _) in FORCES.items():
+        path = _inside(results, file)
         if path.exists():
-            own, rows = _zones(path, title, len(headings))
+            own, rows = _zones(path, len(headings))
             if len(own) != len(omega) or not np.allclose(own, omega, rtol=1e-6):
                 raise FormatError(f"{path} has other frequencies than RadiationCoefficients.tec; allowed: the same")
             quantities[name] = (rows[..., 0::2] * np.exp(1j * rows[..., 1::2])).transpose(1, 0, 2)
-    return Values(
-        omega, headings, depth or np.inf, density, gravity, quantities, _body(place / "Mesh"), name=place.name
-    )
+    body, about = _body(_inside(place, "Mesh")), _about(place, said)
+    return Values(omega, headings, depth or np.inf, density, gravity, quantities, body, about, name=place.name)
 
 
-def _said(path):
-    """A function that gives the numbers before a text in Nemoh.cal"""
+def hull_of(place):
+    """The file of the hull that Nemoh.cal names; None where it is not there.  Raises FormatError."""
+    place = Path(place)
+    path = _inside(place, "Nemoh.cal")
+    for line in _lines(path):
+        if "Name of mesh file" in line:
+            *folders, name = re.split(r"[\\/]", line.split("!")[0].strip())
+            found = place
+            for part in (*(folders or ["Mesh"]), name):
+                found = _inside(found, part)
+            return found if found.is_file() else None
+    return None
+
+
+def _inside(folder, name):
+    """A path of a folder, in whichever case it is written there"""
+    if (folder / name).exists() or not folder.is_dir():
+        return folder / name
+    return next((path for path in folder.iterdir() if path.name.lower() == name.lower()), folder / name)
+
+
+def _about(place, said):
+    """(3,) m, the point that rotations and moments are about.  Raises FormatError where there are several."""
+    points = [said(f"{motion} about a point")[-3:] for motion in ("Roll", "Pitch", "Yaw")]
+    points += [said(f"Moment force in {axis} direction", points[0])[-3:] for axis in "xyz"]
+    if np.ptp(np.array(points), axis=0).any():
+        raise FormatError(f"{place / 'Nemoh.cal'} has rotations or moments about several points; allowed: about one")
+    return np.array(points[0])
+
+
+def _lines(path):
     try:
-        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+        return path.read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError as error:
         raise FormatError(f"{path}: {error.strerror}") from None
 
-    def said(text):
+
+def _said(path):
+    """A function that gives the numbers before a text in Nemoh.cal, or others where there is no such text"""
+    lines = _lines(path)
+
+    def said(text, otherwise=None):
         for line in lines:
             if text in line:
                 return [float(word) for word in line.split("!")[0].split()]
-        raise FormatError(f"{path} has no line with {text!r}")
+        if otherwise is None:
+            raise FormatError(f"{path} has no line with {text!r}")
+        return otherwise
 
     return said
 
 
-def _zones(path, title, count):
+def _zones(path, count):
     """ω (n,) and numbers (zones, n, 12) of a .tec file"""
-    try:
-        text = path.read_text(encoding="utf-8", errors="replace")
-    except OSError as error:
-        raise FormatError(f"{path}: {error.strerror}") from None
-    parts = re.split(rf"^.*{title}.*$", text, flags=re.M)[1:]
+    text = "\n".join(_lines(path))
+    parts = re.split(r"^\s*zone\b.*$", text, flags=re.M | re.I)[1:]
     try:
         tables = [np.array([[float(x) for x in line.split()] for line in part.strip().splitlines()]) for part in parts]
         rows = np.stack(tables)
     except ValueError:
         raise FormatError(f"{path}: a zone is not a full table of numbers") from None
     if len(tables) != count or rows.shape[2] != 13:
-        raise FormatError(f"{path} has {len(tables)} zones of {title!r}; allowed: {count}, with 13 numbers a line")
+        raise FormatError(f"{path} has {len(tables)} zones; allowed: {count}, with 13 numbers a line, of one body")
     order = np.argsort(rows[0, :, 0])
     return rows[0, order, 0], rows[:, order, 1:]
 
 
 def _body(folder):
-    body, still, stiffness = {}, folder / "Hydrostatics.dat", folder / "KH.dat"
+    body, still, stiffness = {}, _inside(folder, "Hydrostatics.dat"), _inside(folder, "KH.dat")
     if still.exists():
         found = [re.findall(r"=\s*([-+.\deE]+)", line) for line in still.read_text(encoding="utf-8").splitlines()[:4]]
         body["center_of_buoyancy"] = np.array([float(pair[0]) for pair in found[:3]])

@@ -22,6 +22,7 @@ from .values import FormatError, Values, gridded, table_of
 
 FORCES = {".3": "excitation_force", ".3fk": "Froude_Krylov_force", ".3sc": "diffraction_force", ".4": "rao"}
 LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
+SAME_PERIOD = 1e-5  # of it: programs print six digits, some the first of them as 0.1
 DRIFT_INDEX = [DOFS.index(name) + 1 for name in DRIFT_DOFS]
 
 
@@ -116,7 +117,7 @@ def _read_forces(path, omega, headings, index=range(1, 7)):
         raise FormatError(f"{path} has drift of two headings at once; allowed: of one")
     coordinates = [2 * np.pi / table[:, 0], np.radians(table[:, 1]), table[:, 2 + extra]]
     (found, own, modes), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1])
-    same = len(found) == len(omega) and np.allclose(found, omega, rtol=1e-6)
+    same = len(found) == len(omega) and np.allclose(found, omega, rtol=SAME_PERIOD)
     if not same or (len(headings) and not (len(own) == len(headings) and np.allclose(own, headings, atol=1e-6))):
         raise FormatError(f"{path} has other periods or headings than the files beside it; allowed: the same")
     if list(modes) != list(index):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -16,6 +17,7 @@ from bem.database.widening import read_group
 from bem.formats.values import CARRIED, FormatError, values_of
 from meshing.files import read_mesh
 from meshing.hydrostatics import hydrostatics
+from meshing.quality import findings
 
 from ..common.outputs import DATABASE, check_ending, check_folder
 
@@ -37,7 +39,7 @@ class Format(NamedTuple):
 
 FORMATS = {
     "wamit": Format("wamit", ".1", hull="../{stem}.gdf", silent=("water_depth", "density", "gravity")),
-    "nemoh": Format("nemoh", "_nemoh", True, "Mesh/{stem}.dat"),
+    "nemoh": Format("nemoh", "_nemoh", True),
     "hams": Format("hams", "_hams", True, "Input/HullMesh.pnl", ("density", "gravity")),
     "bemio": Format("bemio", "_bemio.h5"),
     "hydrochrono": Format("bemio", "_hydrochrono.h5"),
@@ -134,16 +136,25 @@ def import_(place, kind_name, mesh, known, output):
     check_ending(output, DATABASE)
     if output.exists():
         raise ValueError(f"{output} is there already; give another name by --output")
-    values = import_module(f"bem.formats.{kind.module}").read(place, {name: known[name] for name in kind.silent})
-    hull = mesh or (place / kind.hull.format(stem=place.stem.removesuffix("_nemoh")) if kind.hull else None)
+    module = import_module(f"bem.formats.{kind.module}")
+    values = module.read(place, {name: known[name] for name in kind.silent})
+    hull = mesh or (place / kind.hull.format(stem=place.stem) if kind.hull else None)
+    if hull is None and hasattr(module, "hull_of"):
+        hull = module.hull_of(place)
     if hull is None or not hull.resolve().is_file():
         raise ValueError(f"the hull is missing; give its mesh by --mesh{f', {hull} is not there' if hull else ''}")
+    values, left_out = _finite(values)
+    for name, omega in left_out.items():
+        print(f"warning: {name} is not finite at {omega} rad/s, left out with all else there", file=sys.stderr)
     pairs = None
     if kind_name == "wamit":
         from bem.formats.wamit_pairs import read_pairs
 
         pairs = read_pairs(place, values.density * values.gravity)
-    _store(values, read_mesh(hull.resolve()), output, f"{kind_name}: {place}")
+    panels = read_mesh(hull.resolve())
+    for finding in findings(panels):
+        print(f"{hull}: {finding}", file=sys.stderr)
+    _store(values, panels, output, f"{kind_name}: {place}")
     if pairs is not None:
         from bem.second_order.stored import write_forces
 
@@ -154,6 +165,25 @@ def import_(place, kind_name, mesh, known, output):
     if lacking:
         print(f"warning: no {' and '.join(lacking)} in it: no motions follow from this database", file=sys.stderr)
     return 0
+
+
+def _finite(values):
+    """Values at the frequencies at which all of them are finite, and {name: frequencies, as text} of the others
+
+    Raises FormatError where none is left.
+    """
+    names = [name for name in values.quantities if name not in LIMITS]
+    whole = {name: np.isfinite(values.quantities[name].reshape(len(values.omega), -1)).all(axis=1) for name in names}
+    kept = np.all([*whole.values()], axis=0)
+    if not kept.any():
+        raise FormatError(
+            f"no frequency has only finite numbers: {', '.join(n for n, ok in whole.items() if not ok.all())}"
+        )
+    left = {name: ", ".join(f"{w:g}" for w in values.omega[~ok]) for name, ok in whole.items() if not ok.all()}
+    if kept.all():
+        return values, {}
+    some = {name: part if name in LIMITS else part[kept] for name, part in values.quantities.items()}
+    return replace(values, omega=values.omega[kept], quantities=some), left
 
 
 def _store(values, mesh, output, source):

@@ -117,6 +117,8 @@ def test_what_is_written_is_read_to_the_printed_digits(form, name, digits, value
         assert np.all(np.abs(value - true) <= 2 * digits * size + 1e-15 * np.abs(true).max()), quantity
     stiffness = values.get("hydrostatic_stiffness")
     assert np.allclose(found.get("hydrostatic_stiffness"), stiffness, rtol=0, atol=1e-6 * stiffness.max())
+    if form not in (wamit, bemio):  # which do not say it
+        assert np.allclose(found.rotation_center, values.rotation_center, atol=1e-6)
 
 
 def test_orcaflex_gets_symmetric_matrices_the_weight_apart_and_phases_that_lag(values, tmp_path):
@@ -161,3 +163,54 @@ def test_uneven_frequencies_and_damaged_files_are_refused(values, tmp_path):
     bemio.write(values, tmp_path / "b.h5")
     with pytest.raises(FormatError, match="no file of Capytaine"):
         capytaine.read(tmp_path / "b.h5", None)
+
+
+def test_nemoh_2_titles_and_nemoh_3_folders_are_read(values, tmp_path):
+    nemoh.write(values, tmp_path)
+    for name in ("Mesh", "Results"):
+        (tmp_path / name).rename(tmp_path / name.lower())
+    path = tmp_path / "results" / "ExcitationForce.tec"
+    path.write_text(path.read_text().replace("Excitation force - beta", "Diffraction force - beta"))
+    said = tmp_path / "Nemoh.cal"
+    said.write_text(said.read_text().replace("Mesh/", "mesh\\"))
+    found = nemoh.read(tmp_path)
+    assert close(found.get("excitation_force"), values.get("excitation_force"), 1e-8)
+    assert found.get("hydrostatic_stiffness") is not None and nemoh.hull_of(tmp_path).is_file()
+    said.write_text(said.read_text().replace("2 0. 0. 1. 2.000000", "2 0. 0. 1. 3.000000"))
+    with pytest.raises(FormatError, match="about several points"):
+        nemoh.read(tmp_path)
+
+
+def test_periods_of_six_digits_are_those_of_seven(values, tmp_path):
+    """As WAMIT prints those of .3fk, with a zero before the point"""
+    wamit.write(values, tmp_path / "barge")
+    path = tmp_path / "barge.3fk"
+    lines = [line.split() for line in path.read_text().splitlines()]
+    path.write_text("\n".join(" ".join([f"{float(f'{float(row[0]):.5e}'):.6E}", *row[1:]]) for row in lines))
+    assert close(wamit.read(tmp_path / "barge.1", WATER).get("Froude_Krylov_force"), values.get("Froude_Krylov_force"))
+
+
+def test_netcdf_3_is_read_as_netcdf_4(values, tmp_path):
+    from scipy.io import netcdf_file
+
+    capytaine.write(values, tmp_path / "four.nc")
+    with h5py.File(tmp_path / "four.nc") as new, netcdf_file(tmp_path / "three.nc", "w") as old:
+        axes = {name: len(data) for name, data in new.items() if data.is_scale}
+        for axis, count in (axes | {"letters": 5}).items():
+            old.createDimension(axis, count)
+        for name, data in new.items():
+            if name == "body_name":
+                continue
+            text = data.dtype.kind == "O"
+            places = (name,) if data.is_scale else tuple(scale.values()[0].name[1:] for scale in data.dims)
+            kept = old.createVariable(name, "c" if text else "f8", (*places, "letters") if text else places)
+            if text:
+                kept[:] = np.array([list(word.decode().ljust(5, "\0")) for word in data[()]], "S1")
+            elif places:
+                kept[:] = data[()]
+            else:
+                kept[...] = data[()]
+    found = capytaine.read(tmp_path / "three.nc")
+    for quantity in capytaine.TAKEN:
+        assert np.array_equal(found.get(quantity), values.get(quantity)), quantity
+    assert np.allclose(found.rotation_center, values.rotation_center)

@@ -54,3 +54,15 @@ def test_refusals_name_the_way_out(folder, capsys):
     assert "give its mesh by --mesh" in capsys.readouterr().err
     assert cli.main(["import", str(folder / "box.nc"), "--from", "wamit"]) == 2
     assert "--depth is missing" in capsys.readouterr().err
+
+
+def test_frequencies_that_are_not_finite_are_left_out_and_named(folder, tmp_path, capsys):
+    assert cli.main(["export", str(folder / "box.h5"), "--to", "wamit", "--output", str(tmp_path / "box.1")]) == 0
+    path = tmp_path / "box.3"
+    lines = path.read_text().splitlines()
+    lines[0] = " ".join([*lines[0].split()[:3], "NaN", "0", "NaN", "NaN"])
+    path.write_text("\n".join(lines))
+    words = ["import", str(tmp_path / "box.1"), "--from", "wamit", "--depth", "20", "--output", str(tmp_path / "b.h5")]
+    assert cli.main(words) == 0
+    assert "excitation_force is not finite at" in capsys.readouterr().err
+    assert len(open_database(tmp_path / "b.h5").omega) == 2
