@@ -220,9 +220,10 @@ class Between:
     def _interpolant(self, name):
         if name not in self._fits:
             values = self._impedance if name == "impedance" else self.quantities[name]
-            lead = np.broadcast_to(self._lead(name), values.shape[1:]) / self.length
+            lead = np.atleast_2d(self._lead(name) / self.length)
             if name not in KOCHIN:
-                values, lead = values.reshape(len(values), -1, 1), lead.reshape(-1, 1)
+                lead = lead if lead.size == 1 else np.broadcast_to(lead, values.shape[1:]).reshape(-1, 1)
+                values = values.reshape(len(values), -1, 1)
             values = (values - self._level(name, values)) / self._growth(name, self.omega, 3)
             self._fits[name] = Joined(
                 self._abscissa(self.omega), self._windows[not np.iscomplexobj(values)], values, lead

@@ -19,7 +19,7 @@ family is fitted and weighted by the inverse fourth power of its error at nodes 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -160,7 +160,7 @@ class Nodes:
 
 @dataclass(frozen=True, eq=False)
 class Interpolant:
-    """Functions known at `nodes`: values (n, g, c), lead (g, c) in lengths of the body.
+    """Functions known at `nodes`: values (n, g, c), lead (g, c) or (1, c), of all groups, in lengths of the body.
 
     The c functions of a group share the weights of the members and their estimated error: a Kochin function at its
     angles is one group, a coefficient a group by itself.  Complex values are one-sided, real ones not.
@@ -182,7 +182,7 @@ class Interpolant:
         value, rows = 0.0, self.nodes.rows(y)
         for lead, chosen in _by_lead():
             mixed = np.tensordot(self._weights[chosen].T, rows.cardinal[_kernels()[1][chosen]], axes=1)
-            part = np.matmul(mixed, (self.values * self._phase(lead, self.nodes.x, self.lead)).swapaxes(0, 1))
+            part = np.matmul(mixed, self._shifted[lead])
             value = value + part.swapaxes(0, 1) * self._phase(lead, y, self.lead).conj()
         return value if np.iscomplexobj(self.values) else value.real
 
@@ -192,7 +192,7 @@ class Interpolant:
         for lead, chosen in _by_lead():
             shifted = (values * self._phase(lead, self.nodes.x, leads)).reshape(len(values), -1)
             kernels = _kernels()[1][chosen]
-            guess = (rows.cardinal[kernels] @ shifted).reshape(len(chosen), -1, *leads.shape)
+            guess = (rows.cardinal[kernels] @ shifted).reshape(len(chosen), -1, *values.shape[1:])
             guess = guess * self._phase(lead, y, leads).conj()
             weight = self._weights[chosen][:, None, :, None]
             mean = mean + np.sum(weight * guess, axis=0)
@@ -201,6 +201,14 @@ class Interpolant:
             left = left + np.sum(self._weights[chosen][:, None] * open_, axis=0)
         spread = np.maximum(square - np.abs(mean) ** 2, 0).mean(axis=-1)
         return np.sqrt(left**2 + spread)
+
+    @cached_property
+    def _shifted(self):
+        """{lead: values (g, n, c) with that taken out}"""
+        return {
+            lead: np.ascontiguousarray((self.values * self._phase(lead, self.nodes.x, self.lead)).swapaxes(0, 1))
+            for lead in LEADS
+        }
 
     @cached_property
     def _sample(self):
@@ -220,8 +228,8 @@ class Interpolant:
         for member, root in zip(FAMILY, self.nodes.roots[_kernels()[1]], strict=True):
             whitened = root @ shifted[member.lead]
             left_out = np.abs(root.conj().T @ whitened) / np.sum(np.abs(root) ** 2, axis=0)[:, None]
-            errors.append(np.sum(left_out**2, axis=0).reshape(leads.shape).sum(axis=-1))
-            scales.append(np.mean(np.abs(whitened) ** 2, axis=0).reshape(leads.shape).mean(axis=-1))
+            errors.append(np.sum(left_out**2, axis=0).reshape(values.shape[1:]).sum(axis=-1))
+            scales.append(np.mean(np.abs(whitened) ** 2, axis=0).reshape(values.shape[1:]).mean(axis=-1))
         best = np.maximum(np.min(errors, axis=0), np.finfo(float).tiny)
         weights = (best / np.maximum(errors, best)) ** 2
         return weights / weights.sum(axis=0), np.array(scales)
@@ -309,7 +317,8 @@ class Joined:
 
     @cached_property
     def _fits(self):
-        out, moving, lead = [], self.values[:, self._moving], self.lead[self._moving]
+        out, moving = [], self.values[:, self._moving]
+        lead = self.lead if len(self.lead) == 1 else self.lead[self._moving]
         for window in self.windows:
             fit = Interpolant(window.nodes, moving[window.first : window.last], lead)
             x = window.nodes.x
@@ -321,6 +330,7 @@ def _blocks(y):
     return [Abscissa(*(part[i : i + BLOCK] for part in y)) for i in range(0, max(len(y.smooth), 1), BLOCK)]
 
 
+@cache
 def _kernels():
     """Members of the family that differ in more than their lead, and (members,) which of them is each member's"""
     number, first = {}, []
@@ -333,6 +343,7 @@ def _kernels():
     return first, np.array(place)
 
 
+@cache
 def _by_lead():
     """(lead, its members) of the family"""
     leads = np.array([member.lead for member in FAMILY])
