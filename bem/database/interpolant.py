@@ -319,7 +319,7 @@ class Joined:
     def _fits(self):
         out, moving = [], self.values[:, self._moving]
         lead = self.lead if len(self.lead) == 1 else self.lead[self._moving]
-        for window in self.windows:
+        for window in self.windows if np.any(self._moving) else ():
             fit = Interpolant(window.nodes, moving[window.first : window.last], lead)
             x = window.nodes.x
             out.append((window, fit, fit.values - fit.value(x), fit.deviation(x)))

@@ -7,7 +7,19 @@ import pytest
 
 from bem.database import open_database
 from bem.database.between_frequencies import Between, BetweenError
-from bem.database.interpolant import FAMILY, NUGGET, Abscissa, Interpolant, Nodes, _left_open, _root, abscissa, chosen
+from bem.database.interpolant import (
+    FAMILY,
+    NUGGET,
+    Abscissa,
+    Interpolant,
+    Joined,
+    Nodes,
+    _left_open,
+    _root,
+    abscissa,
+    chosen,
+    windows,
+)
 from bem.methods.panel_problem import prepare
 from bem.waves import wavenumber
 from pipelines.scene.scene import make_scene
@@ -37,6 +49,20 @@ def fitted(count, depth=20.0):
 def test_at_its_nodes_it_has_their_values():
     error, deviation, nodes = fitted(20)
     assert error[nodes].max() < 1e-4 and deviation[nodes].max() < 1e-3  # of values up to 2.5; the nugget's share
+
+
+@pytest.mark.parametrize("moving", [[], [1], [0, 1, 2]])
+def test_functions_that_are_zero_at_every_node_are_zero_between_without_an_error(moving):
+    """And change nothing of the others, to rounding"""
+    omega, places = np.linspace(0.2, 1.2, 9), abscissa(np.linspace(0.2, 1.2, 40), 20.0, GRAVITY, LENGTH)
+    x, values = abscissa(omega, 20.0, GRAVITY, LENGTH), np.zeros((9, 3, 2), complex)
+    values[:, moving] = echoing(omega)[:, None]
+    fit = Joined(x, windows(x), values, np.zeros((3, 2)))
+    alone = Joined(x, windows(x), echoing(omega)[:, None], np.zeros((1, 2)))
+    for found, single in ((fit.value(places), alone.value(places)), (fit.deviation(places), alone.deviation(places))):
+        expected = np.zeros_like(found)
+        expected[:, moving] = single
+        np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9)
 
 
 @pytest.mark.parametrize("member", [FAMILY[0], FAMILY[-1]])
