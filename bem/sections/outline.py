@@ -162,11 +162,22 @@ class Outline:
 
     def meets(self, start, end):
         """Whether the straight way between two points, complex, touches the outline"""
-        points = np.concatenate(
-            [edge.at(np.linspace(0, 1, 2 if edge.bulge == 0 else CHORDS + 1)) for edge in self.edges]
-        )
-        a, b = points[:-1], points[1:]
-        return bool(np.any(_cross(a, b, start, end)))
+        points = self._points()
+        return bool(np.any(_cross(points[:-1], points[1:], start, end)))
+
+    def distance(self, point):
+        """m from a point, complex, to the outline, 0 for one inside"""
+        to = self._points() - point
+        if abs(np.sum(np.angle(to[1:] / np.where(to[:-1] == 0, 1, to[:-1])))) > np.pi:
+            return 0.0
+        along = np.diff(to)
+        length = np.where(along == 0, 1, np.abs(along) ** 2)
+        share = np.clip(-(to[:-1] * along.conj()).real / length, 0, 1)
+        return float(np.abs(to[:-1] + share * along).min())
+
+    def _points(self):
+        """Along the outline, complex, those of arcs close together"""
+        return np.concatenate([edge.at(np.linspace(0, 1, 2 if edge.bulge == 0 else CHORDS + 1)) for edge in self.edges])
 
     def _cut(self, draft):
         """Edges with the lowest point at z = −draft, cut at the water"""

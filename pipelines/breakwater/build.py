@@ -34,6 +34,7 @@ class Breakwater:
             self._check_clear()
         if self.study.body is not None:
             _ = self.mass
+            self._check_stretch()
 
     @cached_property
     def outline(self):
@@ -199,6 +200,30 @@ class Breakwater:
         if not wetted.symmetric:
             raise StudyError("section is not its own mirror image in y = 0; needed where it moves or loses head")
         return wetted
+
+    def _check_stretch(self):
+        """Raise StudyError where the pretension would draw the lines out to twice their length."""
+        lines = self.study.lines
+        if lines is None or lines.axial_stiffness_kN is None:
+            return
+        most = max(self.pretension(rise) for _, rise in self.levels) * lines.spacing / KN
+        if 2 * most > lines.axial_stiffness_kN:
+            raise StudyError(
+                f"lines.axial_stiffness_kN is {lines.axial_stiffness_kN:g} and the pretension up to {most:.4g} kN of a "
+                "line: more than half of its length would be stretch; give a stiffer line or a heavier body"
+            )
+
+    def beside(self):
+        """A line where the lines' upper ends are beside the body, or nothing"""
+        lines = self.study.lines
+        if lines is None:
+            return
+        away = self.outline.distance(complex(lines.attachment, self.outline.bottom + lines.attachment_height))
+        if away > CLEAR * self.line:
+            yield (
+                f"lines.attachment is {lines.attachment:g} m and attachment_height {lines.attachment_height:g} m, "
+                f"{away:.3g} m beside the body: lines are taken as held by arms there"
+            )
 
     def _check_clear(self):
         """Raise StudyError where a line would pass through the body."""

@@ -113,7 +113,12 @@ def results(breakwater):
         held = pretension_of(breakwater, tides) if has_tensions else None
         sea = _sea(breakwater, made, tides, held) if study.sea is not None else None
         rows = _anchors(breakwater, period, held) if held is not None else []
-    warned = [*_breaking(breakwater, period), *left_out, *dict.fromkeys(str(w.message) for w in caught)]
+    warned = [
+        *breakwater.beside(),
+        *_breaking(breakwater, period),
+        *left_out,
+        *dict.fromkeys(str(w.message) for w in caught),
+    ]
     if study.lines is not None and not has_tensions:
         warned.append(f"holding {design(study)[0]} tells no tension of these lines: no pretension and no anchors")
     return Results(period, made, tides, held, sea, rows, warned, _snapping(breakwater, tides, held))

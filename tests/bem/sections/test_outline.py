@@ -35,3 +35,11 @@ def test_what_is_no_section_is_refused():
         rectangle(2.0, 4.0).wetted(4.0)
     with pytest.raises(OutlineError, match="into 2 pieces"):
         closed(np.array([-3, -2, -2 + 2j, 2 + 2j, 2, 3, 3 + 4j, -3 + 4j])).wetted(1.0)
+
+
+def test_the_distance_from_an_outline_is_that_of_a_circle_and_of_a_rectangle():
+    assert circle(10.0).distance(1.0 + 2.0j) == 0
+    assert circle(10.0).distance(6.0 + 8.0j) == pytest.approx(5.0, abs=5 * (1 - np.cos(np.pi / 128)))
+    box = rectangle(10.0, 6.0)
+    assert box.distance(8.0 + 10.0j) == pytest.approx(5.0) and box.distance(7.0 + 0.0j) == pytest.approx(2.0)
+    assert box.distance(-5.0 - 3.0j) == pytest.approx(3.0)

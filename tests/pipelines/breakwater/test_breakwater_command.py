@@ -132,6 +132,8 @@ FAULTS = {
     ("center_of_gravity = 3.4", "center_of_gravity = nan"): "body.center_of_gravity is nan",
     ("[lines]\nangle_deg = 44.0", f"{SINKER}\nangle_deg = 90.0"): "give lifted = true",
     ("axial_stiffness_kN = 1e5", ""): "lines.axial_stiffness_kN is missing",
+    ("axial_stiffness_kN = 1e5", "axial_stiffness_kN = 100"): "more than half of its length would be stretch",
+    ("free_draft = 3.4", "mass_t_per_m = 60"): "the pretension is negative",
 }
 OUTLINE = 'shape = "outline"\npoints = {}\ndraft = 2.0'
 OUTLINES = {
@@ -147,6 +149,16 @@ def test_what_cannot_be_is_one_line(change, tmp_path, capsys):
     said = capsys.readouterr().err
     assert said.startswith("hakobune breakwater: ") and said.count("\n") == 1
     assert FAULTS[change] in said
+
+
+def test_lines_beside_the_body_and_waves_that_break_are_warned_of(tmp_path, capsys):
+    text = RECTANGLE.replace('"fixed", "free", "taut", "elastic"', '"taut"').replace(
+        "attachment = 5.0", "attachment = 7.0"
+    )
+    assert run(tmp_path, text.replace("[6.0,", "[2.0, 6.0,").replace("height = 1.5", "height = 1.0")) == 0
+    said = capsys.readouterr().out
+    assert "2 m beside the body: lines are taken as held by arms there" in said
+    assert "waves of 1 m break at 1 of 4 periods, up to 2 s, where 0.887 m is the highest (Miche)" in said
 
 
 @pytest.mark.parametrize("points", OUTLINES)
