@@ -100,7 +100,7 @@ def remarks(around):
     if around.missed > MISSED:
         yield f"warning: the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}"
     if around.pierces:
-        yield "note: what decays within a depth of water from the hull is left out; at the hull the water may be higher"
+        yield "note: waves that decay within a depth or a wave length of the hull are left out; it may be higher there"
 
 
 def _spot(text):
