@@ -110,7 +110,7 @@ def _solved(db, waves, moving, level):
                     raise
                 warnings.warn(str(error), stacklevel=2)
         full = _adds_surface(level, share)
-        forces = difference_forces(problem, *waves, moving, report, full)
+        forces = difference_forces(problem, *waves, moving, report, full, far_field=True)
         share = share_of(forces) if full else share
         errors = _errors(db, problem, forces, lambda coarse: difference_forces(coarse, *waves, moving, surface=full))
     for line in dict.fromkeys(str(w.message) for w in caught):

@@ -17,7 +17,14 @@ from bem.panels.pressure_drift.mean_drift import pressure_pairs
 from bem.second_order import surface_near
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
-from bem.second_order.difference_forces import _Waves, difference_forces
+from bem.second_order.difference_forces import (
+    BESIDE_DRIFT,
+    ORDER,
+    DifferenceForces,
+    _Waves,
+    difference_forces,
+    panel_errors,
+)
 from bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
 from meshing.lid import lid
 from meshing.panels import joined
@@ -69,7 +76,7 @@ def test_the_forcing_of_the_surface_is_the_same_wherever_the_sums_of_hankel_func
 
 def test_differences_of_irregular_frequencies_are_solved_with_a_lid():
     problem = replace(floating(), lid=lid(floating().mesh))
-    waves = _Waves(problem, np.array([1.2, 1.4]), [0.0], False, np.array([0.0, 0.5, 1.0]), False, None)
+    waves = _Waves(problem, np.array([1.2, 1.4]), [0.0], False, np.array([0.0, 0.5, 1.0]))
     parts = [waves.radiation(difference).geometry.panels for difference in (0.5, 1.0)]
     assert len(parts[0]) == len(problem.mesh) and len(parts[1]) == len(problem.mesh) + len(problem.lid)
 
@@ -104,6 +111,23 @@ def test_lines_as_stiff_as_rock_hold_the_body_and_lines_without_stiffness_leave_
     )
     assert np.abs(held - fixed).max() < 1e-4 * np.abs(fixed).max() < 1e-4 * np.abs(free - fixed).max() * 1e4
     np.testing.assert_allclose(loose, free, rtol=1e-9, atol=1e-6 * np.abs(free).max())
+
+
+def test_the_far_field_is_that_of_the_diagonal_and_its_distance_is_the_error_of_pairs():
+    found = difference_forces(floating(), [0.5, 0.6], [0.4], 0.2, True, far_field=True)
+    near = found.squares[0, :, 0, 0][:, [0, 1, 5]].real
+    scale = np.abs(near[:, :2]).max() * np.array([1, 1, LENGTH / 2])
+    gap = np.abs(near - found.far_drift[:, 0])
+    assert np.all(gap < 0.02 * scale) and np.all(gap > 1e-6 * scale)
+    errors = panel_errors(found, found, 2.0)[..., [0, 1, 5]]
+    assert errors[1, 0, 0, 0] == pytest.approx(np.sqrt(np.mean(gap**2, axis=0)), rel=1e-12)
+
+
+def test_the_error_of_two_meshes_is_what_one_has_left_by_the_order():
+    part = np.zeros((1, 3, 1, 1, 6), complex)
+    forces = [DifferenceForces(np.arange(1.0, 4), np.zeros(1), np.zeros(1), part + x, part, part) for x in (1.0, 1.5)]
+    known = panel_errors(*forces, 2.0)
+    assert known == pytest.approx(np.full(known.shape, 0.5 / (2**ORDER - 1))) and 0 < BESIDE_DRIFT < 1
 
 
 def test_two_headings_in_the_other_order_give_the_conjugate():
