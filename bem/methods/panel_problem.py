@@ -13,6 +13,9 @@ from ..kernels.threads import blas_threads
 from ..modes import displacing
 from ..problem import Problem
 
+# nodes of a symmetric part from which equations by blocks of low rank take less time than full ones, 1 s of 3
+WORTH_COMPRESSING = 2000
+
 if TYPE_CHECKING:  # the methods load their kernels when they are at work: a contour needs none of them
     from ..panels.influence import Geometry
 
@@ -166,8 +169,20 @@ class PreparedPanelProblem:
         from ..panels.axisymmetric_frequency import AxisymmetricRun
         from ..panels.one_frequency import PanelRun
 
-        axisymmetric = self.axisymmetric_geometry.at(omega**2 / self.problem.gravity).sectors
-        return AxisymmetricRun if axisymmetric else PanelRun
+        K = omega**2 / self.problem.gravity
+        if self.axisymmetric_geometry.at(K).sectors:
+            return AxisymmetricRun
+        if not self.compressed:
+            return PanelRun
+        from ..panels.compressed.one_frequency import CompressedRun
+
+        return CompressedRun
+
+    @property
+    def compressed(self):
+        """Whether frequencies outside the band are solved by `bem.panels.compressed`"""
+        problem, nodes = self.problem, len(self.geometry.elements.nodes)
+        return not problem.zero_draft and problem.nodes_per_panel == 4 and nodes > WORTH_COMPRESSING
 
     def in_band(self, omega):
         """Whether a frequency lies in the problem's band, to rounding"""
@@ -179,7 +194,11 @@ class PreparedPanelProblem:
         from ..panels.frequency_limits import added_mass_limit
         from ..panels.zero_draft import rigid_surface_limit
 
-        return (rigid_surface_limit if self.problem.zero_draft else added_mass_limit)(self, which)
+        if self.problem.zero_draft:
+            return rigid_surface_limit(self, which)
+        if self.compressed and not self.geometry.without_lid.sectors:
+            from ..panels.compressed.one_frequency import added_mass_limit
+        return added_mass_limit(self, which)
 
 
 def prepare(problem):

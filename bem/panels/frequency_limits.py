@@ -22,13 +22,9 @@ def added_mass_limit(prepared, which):
 
     returns : kg, kg m, kg m²; entries between two modes with net flux are +inf or −inf at zero in finite depth
     """
-    if which not in ("zero", "infinity"):
-        raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
     from scipy.linalg import solve
 
-    g, problem = prepared.geometry.without_lid, prepared.problem  # without waves there are no irregular frequencies
-    velocities = [g.modes[:, g.members(c)] for c in g.classes]
-    table, mirror = limit_table(which, problem.depth, g.reach, g.draft), 1.0 if which == "zero" else -1.0
+    g, velocities, table, mirror = given_at_limit(prepared, which)
     if g.sectors:
         S, D = sector_rows(g, mirror, table, unit_depth_values)
         of_class = {cls: v.T for cls, v in zip(g.classes, velocities, strict=True)}
@@ -45,6 +41,15 @@ def added_mass_limit(prepared, which):
     while matrices:  # in place, and freed one by one: they may be most of the memory
         potentials.append(solve(matrices.pop(0).T, sides.pop(0), transposed=True, overwrite_a=True).T)
     return added_mass_of(prepared, potentials, which)
+
+
+def given_at_limit(prepared, which):
+    """Geometry, velocities (n, columns) of each class, table of G and factor of 1/r₁ of the limit `which`"""
+    if which not in ("zero", "infinity"):
+        raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
+    g = prepared.geometry.without_lid  # without waves there are no irregular frequencies
+    table = limit_table(which, prepared.problem.depth, g.reach, g.draft)
+    return g, [g.modes[:, g.members(c)] for c in g.classes], table, 1.0 if which == "zero" else -1.0
 
 
 def _equations(geometry, mirror, table, velocities):

@@ -233,6 +233,17 @@ def _add_row(x, y, z, e, signs, moments, s, d):
                 d[c, p * j + b] += signs[c] * v
 
 
+def layers(geometry, rows, classes, mirror, table, depth_values):
+    """S and D (c, rows, n) of symmetry classes at some nodes; other arguments as in `assembled`"""
+    S, D = wave_blocks(geometry, rows, np.arange(len(geometry.elements.nodes)), table, depth_values, classes)
+    rankine = geometry.rankine_of(rows)
+    for i, cls in enumerate(classes):
+        s, d, s1, d1 = (a[geometry.classes.index(cls)] for a in rankine)
+        S[i] += s + (mirror - 1) * s1 if mirror != 1 else s
+        D[i] += d + (mirror - 1) * d1 if mirror != 1 else d
+    return S, D
+
+
 def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=None):
     """Matrices (c, n, n) and right-hand sides (c, n, columns) of the given symmetry classes.
 
@@ -248,11 +259,8 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=N
     for start in range(0, n, ROWS):  # S never has to be kept
         rows = nodes[start : start + ROWS]
         side = np.where(rows < hull, -1.0, 1.0)[:, None]
-        S, D = wave_blocks(g, rows, nodes, table, depth_values, classes)
-        for i, cls in enumerate(classes):
-            s, d, s1, d1 = (a[g.classes.index(cls), rows] for a in g.rankine)
-            S[i] += s + (mirror - 1) * s1 if mirror != 1 else s
-            D[i] += d + (mirror - 1) * d1 if mirror != 1 else d
+        S, D = layers(g, rows, classes, mirror, table, depth_values)
+        for i in range(len(classes)):
             A[i, rows, :hull] = side * D[i, :, :hull]
             A[i, rows, hull:] = (side * table.K) * S[i, :, hull:]
             b[i, rows, : len(velocities[i])] = side * (S[i, :, :hull] @ velocities[i].T)

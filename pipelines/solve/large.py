@@ -10,7 +10,7 @@ import numpy as np
 
 from bem.database.schema import ESTIMATES, QUANTITIES
 from bem.kernels.progress import FINER
-from bem.methods.panel_problem import PanelProblem
+from bem.methods.panel_problem import WORTH_COMPRESSING, PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 from bem.waves import wavenumber
 
@@ -19,9 +19,13 @@ from ..common.progress import duration
 from ..scene.scene import SceneError
 
 PER_PANEL = 4  # nodes
-# frequencies times nodes of a symmetric part from which the preparation pays: it takes as long as 11, 5, 2.6 and 1.1
-# frequencies on 472, 944, 1976 and 3936 nodes.  A single one on more nodes would not fit.
+# frequencies times nodes of a symmetric part from which the preparation pays: it takes as long as 11, 5 and 2.6
+# frequencies on 472, 944 and 1976 nodes
 WORTH_SHARING = 5000
+# from WORTH_COMPRESSING nodes on a frequency alone is compressed (`bem.panels.compressed`), and the preparation takes
+# as long as 6 of them on 2 200 nodes, 8 on 3 900
+NODES_PER_FREQUENCY = 450
+MOST_SHARED = 10_000  # nodes: factors of 3.5 GB; on more every frequency is compressed
 FEWEST = 400  # nodes; with fewer a frequency takes less than 0.1 s anyway
 # on an axisymmetric body (`bem.panels.axisymmetric`): it takes as long as 115 of 1 000 or 4 000 panels, with two
 # threads 190 and 145
@@ -39,7 +43,9 @@ def shared_band(scene, mesh, lid=None, some=None):
     """
     omegas, nodes = scene.omegas() if some is None else some, PER_PANEL * len(mesh)
     count = len(omegas) if scene.waves.band is None or some is not None else ADAPTIVE
-    if nodes < FEWEST or count * nodes <= WORTH_SHARING:
+    if nodes < FEWEST or count * nodes <= WORTH_SHARING or nodes > MOST_SHARED:
+        return None
+    if nodes > WORTH_COMPRESSING and count < nodes / NODES_PER_FREQUENCY:
         return None
     alone = PanelProblem(mesh, lid, depth=scene.water.depth, wall=scene.wall).prepared()
     if count < WORTH_SHARING_AXISYMMETRIC and alone.axisymmetric_geometry.sectors:

@@ -19,6 +19,9 @@ TIMED_RUNS, TIMED_ROWS, TIMED_UNKNOWNS = 3, 16, 1500
 BYTES_OF_PROGRAM = 400e6  # interpreter, libraries and tables
 BYTES_PER_PAIR = 54  # of nodes, and class: Rankine matrices, wave matrices, factors and blocks
 BYTES_PER_AXISYMMETRIC_PAIR = 100  # row of a sector, node and class: Rankine rows, wave rows and all harmonics
+# of compressed equations, for a node and each doubling of their number: 45 kB a node of 5 000, 57 kB of 50 000
+BYTES_PER_DOUBLING = 3.4e3
+EVALUATIONS_PER_DOUBLING = 600  # of G and ∇G, or what takes as long; fitted to 5 000, 20 000 and 50 000 panels
 RANK = 600  # of the wave matrices, a generous guess (`bem.panels.band.low_rank_waves`)
 
 
@@ -54,9 +57,12 @@ def cost(geometry, band, gravity):
 
 
 def memory_alone(prepared):
-    """Bytes at the peak of frequencies that share no work (`bem.panels.one_frequency`, `bem.panels.zero_draft`,
-    `bem.panels.axisymmetric_frequency`)
+    """Bytes at the peak of frequencies that share no work (`bem.panels.one_frequency`, `bem.panels.compressed`,
+    `bem.panels.zero_draft`, `bem.panels.axisymmetric_frequency`)
     """
+    if prepared.compressed and not prepared.axisymmetric_geometry.sectors:
+        n = len(prepared.geometry.elements.nodes)
+        return BYTES_PER_DOUBLING * n * np.log2(n) + BYTES_OF_PROGRAM
     by_classes = prepared.problem.zero_draft  # the plate is solved by symmetry classes, axisymmetric or not
     g = prepared.geometry if by_classes else prepared.axisymmetric_geometry
     nodes = float(len(g.elements.nodes))
@@ -66,14 +72,19 @@ def memory_alone(prepared):
 
 
 def seconds_alone(prepared, omega):
-    """s of a frequency (rad/s) that shares no work (`bem.panels.one_frequency`); NaN of axisymmetric bodies, whose
-    sectors take far less (`bem.panels.axisymmetric_frequency`), and of plates (`bem.panels.zero_draft`)
+    """s of a frequency (rad/s) that shares no work (`bem.panels.one_frequency`, `bem.panels.compressed`)
+
+    NaN of axisymmetric bodies, whose sectors take far less (`bem.panels.axisymmetric_frequency`), and of plates
+    (`bem.panels.zero_draft`)
     """
     geometry, gravity = prepared.geometry, prepared.problem.gravity
     if prepared.problem.zero_draft or prepared.axisymmetric_geometry.sectors:
         return np.nan
     n = len(geometry.elements.nodes)
-    rows = n * (_seconds_of_waves(geometry, omega, gravity) + _seconds_of_rows(geometry))
+    row = _seconds_of_waves(geometry, omega, gravity) + _seconds_of_rows(geometry)
+    if prepared.compressed:
+        return EVALUATIONS_PER_DOUBLING * np.log2(n) * row / len(geometry.images)
+    rows = n * row
     complex_factor = 4 * _seconds_of_factor() * (n / TIMED_UNKNOWNS) ** 3
     return rows + len(geometry.classes) * complex_factor
 

@@ -53,15 +53,13 @@ def test_axisymmetric_bodies_share_their_work_in_hundreds_of_frequencies_only():
     assert shared_band(scene(omegas=many), skew) == pytest.approx((0.2, 1.0))
 
 
-def test_two_frequencies_share_their_work_where_one_takes_long():
-    fine = box(100, 50, 10, panels=3000)
-    assert shared_band(scene(omegas=[0.4, 0.6]), fine) == (0.4, 0.6)
-    assert shared_band(scene(omegas=[0.4]), fine) is None
-
-
-def test_a_single_frequency_takes_few_nodes_where_all_would_not_fit(monkeypatch):
-    monkeypatch.setattr(large, "WORTH_SHARING", 300)
-    assert shared_band(scene(omegas=[0.5]), box(100, 50, 10, panels=600)) == (0.5, 0.5)
+def test_frequencies_of_very_many_panels_share_their_work_only_where_they_are_many():
+    """Compressed ones take less; and factors of very many nodes do not fit"""
+    fine, finest = box(100, 50, 10, panels=3000), box(100, 50, 10, panels=11_000)
+    few, many = ({"from": 0.2, "to": 1.0, "count": count} for count in (6, 8))
+    assert shared_band(scene(omegas=many), fine) == pytest.approx((0.2, 1.0))
+    assert shared_band(scene(omegas=few), fine) is None
+    assert shared_band(scene(omegas=many), finest) is None
 
 
 def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
@@ -80,9 +78,9 @@ def test_what_does_not_fit_is_refused_in_one_line(monkeypatch):
 
 @pytest.mark.parametrize("options", [{"depth": 20.0}, {"depth": 20.0, "zero_draft": True}])
 def test_what_does_not_fit_alone_is_refused_before_a_matrix_is_made(options, monkeypatch):
-    monkeypatch.setattr(bounds, "available_memory", lambda: 4e9)
+    monkeypatch.setattr(bounds, "available_memory", lambda: 0.5e9)
     mesh = box(100, 50, 1, panels=8000)
-    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, 4.0 GB are free; give fewer panels"):
+    with pytest.raises(SceneError, match=r"^[0-9]+ panels need about [0-9.]+ GB, 0.5 GB are free; give fewer panels"):
         announced(PanelProblem(mesh, **options), 0, None)
 
 

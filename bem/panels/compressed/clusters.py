@@ -1,0 +1,123 @@
+"""Clusters of panels that lie together, and which pairs of them are far enough apart for a block of low rank."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..influence import FAR
+
+LEAF = 16  # panels of a leaf at most
+# a block is of low rank where the clusters are as far apart as SEPARATION of the larger one's diagonal, from the
+# images in surface and bed too, and beyond the distance at which panels are integrated by their nodes alone
+SEPARATION = 0.7
+
+
+@dataclass(frozen=True, eq=False)
+class Clusters:
+    """Binary trees over the panels of a hull and its lid; those of a cluster are consecutive in `order`.
+
+    Of c clusters, parents before their children.  The lid has a root of its own, and so have the panels of the hull
+    that look along ±x, ±y, ±z: clusters that reach round an edge see part of each other edge on, which cross
+    approximation does not find.
+    """
+
+    order: np.ndarray  # (panels,) number in the mesh, by place in the tree
+    first: np.ndarray  # (c,) place of the first panel
+    end: np.ndarray  # (c,) one after that of the last
+    children: np.ndarray  # (c, 2), −1 of a leaf
+    low: np.ndarray  # (c, 3) m, corner of the box around its panels
+    high: np.ndarray  # (c, 3) m
+    size: np.ndarray  # (c,) m, of the largest panel
+    roots: tuple
+
+    @classmethod
+    def of(cls, corners, normals, sizes, hull):
+        """corners : (panels, 4, 3) m; normals : (panels, 3); sizes : (panels,) m; hull : number of panels of the hull,
+        which come first
+        """
+        middles, rows, roots, low = corners.mean(axis=1), [], [], 0
+        axis = np.abs(normals).argmax(axis=1)
+        kind = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
+        kind[hull:] = 6
+        order = np.argsort(kind, kind="stable")
+        for count in np.unique(kind, return_counts=True)[1]:
+            roots.append(len(rows))
+            _divide(middles, order, low, low + count, rows)
+            low += count
+        first, end, one, other = np.array(rows).T
+        points = [corners[order[a:b]].reshape(-1, 3) for a, b in zip(first, end, strict=True)]
+        low, high = (np.array([f(own, axis=0) for own in points]) for f in (np.min, np.max))
+        size = np.array([sizes[order[a:b]].max() for a, b in zip(first, end, strict=True)])
+        return cls(order, first, end, np.stack([one, other], axis=1), low, high, size, tuple(roots))
+
+    @property
+    def leaves(self):
+        """Numbers of the clusters without children, in the order of their panels"""
+        found = np.flatnonzero(self.children[:, 0] < 0)
+        return found[np.argsort(self.first[found])]
+
+    def pairs(self, images, depth):
+        """(far, near), each (·, 3): target, source and image of the blocks, which cover all pairs of panels
+
+        Target and source of a near block are leaves.  images : (i, 2) ±1 of the sources; depth : m
+        """
+        far, near = [], []
+        left = np.array([(t, s, m) for t in self.roots for s in self.roots for m in range(len(images))])
+        while len(left):
+            t, s, m = left.T
+            apart = self._apart(t, s, images[m], depth)
+            far.append(left[apart])
+            left = left[~apart]
+            t, s, _ = left.T
+            end_t, end_s = (self.children[c, 0] < 0 for c in (t, s))
+            near.append(left[end_t & end_s])
+            count_t, count_s = self.end[t] - self.first[t], self.end[s] - self.first[s]
+            split_t = ~end_t & (end_s | (count_t >= count_s))
+            split_s = ~end_s & (end_t | (count_s >= count_t))  # both, of two of one size
+            left = _children(left, split_t, split_s, self.children)
+        return tuple(np.concatenate(parts) for parts in (far, near))
+
+    def _apart(self, t, s, image, depth):
+        """(b,) whether blocks are of low rank, of targets t, sources s (b,) and their images (b, 2)"""
+        low, high = self.low[s].copy(), self.high[s].copy()
+        for axis in (0, 1):
+            turned = image[:, axis] < 0
+            low[turned, axis], high[turned, axis] = -self.high[s[turned], axis], -self.low[s[turned], axis]
+        distance = np.full(len(t), np.inf)
+        for mirror in (None, 0.0, -2 * depth):
+            if mirror is not None and np.isinf(mirror):
+                continue
+            z = (low[:, 2], high[:, 2]) if mirror is None else (mirror - high[:, 2], mirror - low[:, 2])
+            box_low, box_high = (np.column_stack([part[:, :2], end]) for part, end in zip((low, high), z, strict=True))
+            gap = np.maximum(np.maximum(self.low[t] - box_high, box_low - self.high[t]), 0.0)
+            distance = np.minimum(distance, np.linalg.norm(gap, axis=1))
+        diagonals = np.linalg.norm(self.high - self.low, axis=1)
+        return (distance > SEPARATION * np.maximum(diagonals[t], diagonals[s])) & (distance > FAR * self.size[s])
+
+
+def _divide(middles, order, low, high, rows):
+    """Sort `order` between the places low and high and append the rows (first, end, children) of their clusters"""
+    here = len(rows)
+    rows.append([low, high, -1, -1])
+    if high - low <= LEAF:
+        return
+    part = order[low:high]
+    axis = np.ptp(middles[part], axis=0).argmax()
+    order[low:high] = part[np.argsort(middles[part, axis], kind="stable")]
+    middle = (low + high) // 2
+    for side, bounds in enumerate(((low, middle), (middle, high))):
+        rows[here][2 + side] = len(rows)
+        _divide(middles, order, *bounds, rows)
+
+
+def _children(pairs, split_t, split_s, children):
+    """The pairs of children of pairs (b, 3), of which target, source or both are split"""
+    out = []
+    for both in ((True, True), (True, False), (False, True)):
+        some = pairs[(split_t == both[0]) & (split_s == both[1])]
+        targets = children[some[:, 0]].T if both[0] else [some[:, 0]]
+        sources = children[some[:, 1]].T if both[1] else [some[:, 1]]
+        out += [np.column_stack([t, s, some[:, 2]]) for t in targets for s in sources]
+    return np.concatenate(out)

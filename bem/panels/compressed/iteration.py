@@ -1,0 +1,57 @@
+"""GMRES for several right-hand sides at once, each in a space of its own (Saad & Schultz 1986)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+RESTART = 40
+OF_CYCLE = 1e-4  # of the residual at its begin: products of a cycle are of single precision
+
+
+def gmres(equations, precondition, columns, tolerance, most):
+    """(x, residual) of A x = b by iteration, the largest residual relative to the largest entry of its right-hand side.
+
+    equations : `bem.panels.compressed.operator.CompressedEquations`; columns : `Columns`, whose signs count
+    precondition : function of (n, p) and of those signs, about A⁻¹ times the first
+    tolerance : of the residual; most : iterations
+    """
+    sides, done = equations.sides, 0
+    x, scale = np.zeros_like(sides), np.maximum(np.abs(sides).max(axis=0), 1e-300)
+    residual, before = sides, np.inf
+    while True:
+        left = float((np.abs(residual).max(axis=0) / scale).max())
+        if left <= tolerance or done >= most or not left < before:
+            return x, left
+        step, count = _cycle(equations, precondition, columns, residual, 0.3 * tolerance * scale)
+        done, before = done + count, left
+        x = x + step
+        residual = sides - equations.apply(columns._replace(values=x), exactly=True)
+
+
+def _cycle(equations, precondition, columns, sides, wanted):
+    """(y, iterations) with A y near `sides`, entries of the residual about `wanted` (p,) or `OF_CYCLE`"""
+    n, p = sides.shape
+    basis, H = np.zeros((p, RESTART + 1, n), np.complex64), np.zeros((p, RESTART + 1, RESTART), complex)
+    start = np.linalg.norm(sides, axis=0)
+    wanted = np.maximum(np.minimum(wanted * np.sqrt(n), 0.1 * start), OF_CYCLE * start)
+    basis[:, 0] = (sides / np.maximum(start, 1e-300)).T
+    y = [np.zeros(0)] * p
+    for k in range(RESTART):
+        image = equations.apply(columns._replace(values=precondition(basis[:, k].T, columns.signs)))
+        left = np.empty(p)
+        for c in range(p):
+            w, own = image[:, c].astype(np.complex64), basis[c, : k + 1]
+            for _ in range(2):  # once leaves rounding
+                part = own.conj() @ w
+                w -= part @ own
+                H[c, : k + 1, k] += part
+            H[c, k + 1, k] = np.linalg.norm(w)
+            basis[c, k + 1] = w / max(H[c, k + 1, k].real, 1e-300)
+            right = np.zeros(k + 2, complex)
+            right[0] = start[c]
+            y[c] = np.linalg.lstsq(H[c, : k + 2, : k + 1], right)[0]
+            left[c] = np.linalg.norm(H[c, : k + 2, : k + 1] @ y[c] - right)
+        if np.all(left <= wanted):
+            break
+    step = np.stack([y[c] @ basis[c, : k + 1] for c in range(p)], axis=1)
+    return precondition(step.astype(np.complex64), columns.signs), k + 1

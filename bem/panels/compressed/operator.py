@@ -1,0 +1,286 @@
+"""The equations of `bem.panels.influence` at one frequency, as an operator on the nodes, for all symmetry classes.
+
+Blocks belong to a mirror image of the sources, not to a class: an image lies farther from the targets than the panels
+themselves, and all classes use the same blocks, their columns with the signs of the class.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from ...kernels.threads import blas_threads, parallel_rows
+from ..elements import Elements
+from ..influence import rankine_of_panels
+from ..wave_influence import COARSE, PER_WAVE, Pairs
+from ..wave_influence import Sources as Nodes
+from .clusters import Clusters
+from .far_blocks import DOUBLE, SINGLE, Sources, Water, low_rank_blocks
+
+PARTS = 16  # of the blocks, whose sums are added in order whatever the number of threads
+
+
+class Tree:
+    """What compressed equations need of a `bem.panels.influence.Geometry`, whatever the frequency: its panels in the
+    order of their clusters.
+
+    n nodes, those of panel p (in that order) from 4 p on
+    """
+
+    def __init__(self, geometry):
+        g = self.geometry = geometry
+        per_panel = g.elements.inverse.shape[2]
+        self.clusters = Clusters.of(g.panels.flat_vertices, g.panels.normals, g.panels.sizes, g.hull // per_panel)
+        order = self.clusters.order
+        self.nodes = (order[:, None] * per_panel + np.arange(per_panel)).ravel()  # number in the mesh
+        self.elements = Elements(*(a[order if len(a) == len(order) else self.nodes] for a in g.elements))
+        self.quadrature = g.quadrature._make(a[order] for a in g.quadrature)
+        self.hull = self.nodes < g.hull
+        self.per_panel = per_panel
+        self.far, self.near = self.clusters.pairs(g.images, g.depth)
+
+    def span(self, cluster):
+        """slice of the nodes of a cluster"""
+        c = self.clusters
+        return slice(self.per_panel * c.first[cluster], self.per_panel * c.end[cluster])
+
+    def cells(self, most):
+        """Slices of the nodes of clusters that cover all, the leaves or `most` larger ones, about"""
+        c, limit = self.clusters, 1
+        counts = c.end - c.first
+        while True:
+            small = counts <= limit
+            whole = small | (c.children[:, 0] < 0)
+            parent = np.full(len(counts), -1)
+            for side in range(2):
+                has = c.children[:, 0] >= 0
+                parent[c.children[has, side]] = np.flatnonzero(has)
+            top = whole & ((parent < 0) | ~whole[parent])
+            if top.sum() <= most:
+                found = np.flatnonzero(top)
+                return [self.span(k) for k in found[np.argsort(c.first[found])]]
+            limit *= 2
+
+    @cached_property
+    def neighbours(self):
+        """[(leaf, [(image, (panels,))])] of the near blocks"""
+        c, near = self.clusters, self.near[np.lexsort((self.near[:, 2], self.near[:, 0]))]
+        out = []
+        for leaf in c.leaves:
+            own = near[near[:, 0] == leaf]
+            found = []
+            for m in np.unique(own[:, 2]):
+                ranges = [np.arange(c.first[s], c.end[s]) for s in np.sort(own[own[:, 2] == m, 1])]
+                found.append((m, np.concatenate(ranges)))
+            out.append((leaf, found))
+        return out
+
+
+class Columns(NamedTuple):
+    """Right-hand sides or potentials of several classes side by side: p columns of n nodes in the order of the tree"""
+
+    values: np.ndarray  # (n, p)
+    signs: np.ndarray  # (images, p) ±1 of each column's class on the mirror images
+
+    @property
+    def images(self):
+        """(images, n, p): the values on all images"""
+        return self.values * self.signs[:, None]
+
+
+class LowRankPart(NamedTuple):
+    """All far blocks: T = V x of the sources, cluster by cluster and image by image, y = U T of the targets"""
+
+    sources: list  # of (image, slice of nodes, V (rank, nodes)); their ranks follow each other in T
+    targets: list  # of (slice of nodes, U (nodes, rank), places (rank,) in T)
+    rank: int
+
+    @classmethod
+    def of(cls, blocks, tree):
+        """blocks : [(target, source, image, U, V)], which it empties: they may be most of the memory"""
+        lefts, rights = [U for *_, U, _ in blocks], [V for *_, V in blocks]
+        keys = [key for *key, _, _ in blocks]
+        blocks.clear()
+        starts, at, sources, targets = [0] * len(keys), 0, [], []
+        for group in _groups([(m, s) for _, s, m in keys]):
+            m, s = keys[group[0]][2], keys[group[0]][1]
+            sources.append((m, tree.span(s), _stacked(rights, group, 0)))
+            for i in group:
+                starts[i], at = at, at + lefts[i].shape[1]
+        for group in _groups([t for t, _, _ in keys]):
+            places = np.concatenate([np.arange(starts[i], starts[i] + lefts[i].shape[1]) for i in group])
+            targets.append((tree.span(keys[group[0]][0]), _stacked(lefts, group, 1), places))
+        return cls(sources, targets, at)
+
+
+def _groups(keys):
+    """Lists of the numbers of equal keys, in the order of the keys"""
+    out = {}
+    for i, key in enumerate(keys):
+        out.setdefault(key, []).append(i)
+    return [out[key] for key in sorted(out)]
+
+
+def _stacked(arrays, group, axis):
+    """The arrays of a group as one, gone from the list"""
+    one = np.concatenate([arrays[i] for i in group], axis=axis)
+    for i in group:
+        arrays[i] = None
+    return one
+
+
+class CompressedEquations:
+    """A x = b of one frequency for all classes at once; n nodes in the order of the tree.
+
+    x are φ on the hull and φ' on the lid, as in `bem.panels.influence`
+    """
+
+    KEPT = np.complex64  # of the blocks
+
+    def __init__(self, tree, table, mirror, depth_values, velocities, tolerance):
+        """velocities : `Columns` of normal velocities, zero on the lid; tolerance : of A relative to 2π"""
+        self.tree, g = tree, tree.geometry
+        self.side = np.where(tree.hull, -1.0, 1.0)[:, None]
+        self.diagonal = np.where(tree.hull, 2 * np.pi, 4 * np.pi)[:, None]
+        self.arguments = table, mirror, depth_values
+        images = velocities.images
+        sides = np.zeros(velocities.values.shape, complex)
+        with blas_threads(1):
+            self.near = self._near_blocks(images, sides)
+            each = tolerance * 2 * np.pi / (len(g.images) * len(tree.nodes))
+            self.far = LowRankPart.of(self._far_blocks(DOUBLE, each), tree)
+            self._add_single_layer(images, sides, tolerance)
+        self.sides = self.side * sides
+
+    def _near_blocks(self, images, sides):
+        """[(slice of targets, nodes among all images, matrix)]; adds the single layers of the hull to `sides`"""
+        tree, K, out = self.tree, self.arguments[0].K, []
+        n, count = len(tree.nodes), np.arange(tree.per_panel)
+        for leaf, neighbours in tree.neighbours:
+            span, matrices, places = tree.span(leaf), [], []
+            at = tree.elements.nodes[span]
+            for m, panels in neighbours:
+                nodes = (panels[:, None] * tree.per_panel + count).ravel()
+                S, D = self._exact(at, m, panels, nodes)
+                hull = tree.hull[nodes]
+                sides[span] += S[:, hull] @ images[m][nodes[hull]]
+                matrices.append(np.where(hull, D, K * S).astype(self.KEPT))
+                places.append(m * n + nodes)
+            out.append((span, np.concatenate(places), np.concatenate(matrices, axis=1)))
+        return out
+
+    def _exact(self, at, m, panels, nodes):
+        """S and D (points, nodes) of one image of some panels"""
+        tree, g, (table, mirror, depth_values) = self.tree, self.tree.geometry, self.arguments
+        image, one = g.images[m : m + 1], np.ones((1, 1))
+        e = Elements(*(a[panels if len(a) == len(tree.clusters.order) else nodes] for a in tree.elements))
+        p = tree.per_panel
+        sources = Nodes(np.arange(len(panels)), p * np.arange(len(panels) + 1), np.tile(np.arange(p), len(panels)))
+        quadrature = tree.quadrature._make(a[panels] for a in tree.quadrature)
+        pairs = Pairs(at, sources, e.axes[:, 2].copy(), e.origins, e.sizes, quadrature, image, one, g.depth)
+        s, d, s1, d1 = (a[0] for a in rankine_of_panels(at, e, image, one, g.depth))
+        S, D = (a[0] for a in pairs.blocks(table, depth_values))
+        return S + s + (mirror - 1) * s1, D + d + (mirror - 1) * d1
+
+    def _far_blocks(self, layer, tolerance):
+        """[(target, source, image, U, V)] of all far blocks"""
+        found, parts = [None] * PARTS, self._parts()
+
+        def work(low, high):
+            for part in range(low, high):
+                blocks = zip(parts[part], self._compressed(parts[part], layer, tolerance), strict=True)
+                found[part] = [(*key, U.astype(self.KEPT), V.astype(self.KEPT)) for key, (U, V) in blocks]
+
+        parallel_rows(work, PARTS, len(self.tree.nodes) ** 2)
+        return [block for part in found for block in part]
+
+    def _parts(self):
+        """The far blocks (·, 3) in `PARTS` parts, every one of blocks of all sizes"""
+        far = self.tree.far
+        return [far[start::PARTS] for start in range(PARTS)]
+
+    def _compressed(self, blocks, layer, tolerance):
+        """`LowRank` of each of the blocks (b, 3), one after the other"""
+        tree, g = self.tree, self.tree.geometry
+        c, p = tree.clusters, tree.per_panel
+        t, s, m = blocks.T
+        spans = np.column_stack([p * c.first[t], p * c.end[t], p * c.first[s], p * c.end[s]])
+        numbers = np.column_stack([spans, g.images[m].astype(int)])
+        nodes = tree.elements.nodes
+        return low_rank_blocks(numbers, nodes, self.at_depth, self.sources, self.water, layer, tolerance)
+
+    @cached_property
+    def water(self):
+        g, (table, mirror, _) = self.tree.geometry, self.arguments
+        bed = bool(np.isfinite(g.depth))
+        return Water(table, float(mirror), bed, -2 * g.depth if bed else 0.0)
+
+    @cached_property
+    def at_depth(self):
+        return self.arguments[2](self.tree.elements.nodes[:, 2])[:, 0].copy()
+
+    @cached_property
+    def sources(self):
+        """`bem.panels.compressed.far_blocks.Sources`: nodes, or FINE × FINE points of panels that are long for waves"""
+        tree, (table, _, depth_values) = self.tree, self.arguments
+        e, p = tree.elements, tree.per_panel
+        shortest = min(1 / table.k if table.k > 0 else np.inf, tree.geometry.depth)
+        fine = np.repeat(e.sizes > PER_WAVE * shortest, p)
+        many = tree.quadrature.weights.shape[1] - COARSE**2
+        counts = np.where(fine, many, 1)
+        first = np.concatenate([[0], np.cumsum(counts)])
+        node = np.repeat(np.arange(len(fine)), counts)
+        points, weights = e.nodes[node].copy(), e.weights[node].copy()
+        if fine.any():
+            some, panel, corner = fine[node], node // p, node % p
+            which = (np.arange(len(node)) - first[node])[some] + COARSE**2
+            points[some] = tree.quadrature.points[panel[some], which]
+            shape = tree.quadrature.shape[panel[some], which, corner[some]]
+            weights[some] = tree.quadrature.weights[panel[some], which] * shape
+        return Sources(first, points, e.normals[node].copy(), weights, depth_values(points[:, 2]), tree.hull)
+
+    def _add_single_layer(self, images, sides, tolerance):
+        """Add S V of the far blocks, whose blocks are not kept"""
+        tree, parts = self.tree, self._parts()
+        found = [None] * PARTS
+        # S of a unit velocity is as large as the body is long
+        size = np.abs(sides).max() / np.abs(images).max()
+        tolerance *= size / (len(tree.geometry.images) * len(tree.nodes))
+
+        def work(low, high):
+            for part in range(low, high):
+                own = found[part] = np.zeros_like(sides)
+                for (t, s, m), block in zip(parts[part], self._compressed(parts[part], SINGLE, tolerance), strict=True):
+                    own[tree.span(t)] += block.U @ (block.V @ images[m][tree.span(s)])
+
+        parallel_rows(work, PARTS, len(tree.nodes) ** 2)
+        for own in found:
+            sides += own
+
+    def apply(self, columns, exactly=False):
+        """A x of `Columns`, (n, p); exactly : in double precision, of the blocks as they are kept"""
+        kind = complex if exactly else self.KEPT
+        images = columns.images.astype(kind)
+        flat = images.reshape(-1, images.shape[-1])
+        out = np.zeros(columns.values.shape, kind)
+        with blas_threads(1):
+            for span, places, matrix in self.near:
+                out[span] += matrix @ flat[places]
+            T, at = np.empty((self.far.rank, images.shape[-1]), kind), 0
+            for m, span, V in self.far.sources:
+                np.matmul(V, images[m, span], out=T[at : at + len(V)])
+                at += len(V)
+            for span, U, places in self.far.targets:
+                out[span] += U @ T[places]
+        return self.side * out + self.diagonal * columns.values
+
+    @property
+    def bytes(self):
+        """of the blocks"""
+        return (
+            sum(a.nbytes for *_, a in self.near)
+            + sum(a.nbytes for *_, a in self.far.sources)
+            + sum(a.nbytes for _, a, _ in self.far.targets)
+        )
