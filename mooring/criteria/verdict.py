@@ -22,6 +22,7 @@ PRETENSION = "pretension / breaking load"
 PARTIAL = "partial factors on mean and dynamic tension"
 FACTOR = "partial factor on tension"
 HOLDING = "holding capacity / horizontal force"
+HAWSER = "hawser"
 CHARACTERISTIC = 0.95  # strength over minimum breaking load where no statistics of it are given
 
 
@@ -31,6 +32,8 @@ class Tensions(NamedTuple):
     pretension, static, largest : at rest, under steady loads, largest; breaking : N, inf where unknown; worn : as
         breaking, of what wear leaves, None where no wear is given
     horizontal, holding : (n,) N at the anchor, and its holding capacity, None where it is not given
+    hawsers : names of those that are hawsers; where there are some, a criterion on hawsers is of them alone, and any
+        other of the rest
     """
 
     names: tuple[str, ...]
@@ -41,6 +44,7 @@ class Tensions(NamedTuple):
     worn: np.ndarray | None = None
     horizontal: np.ndarray | None = None
     holding: np.ndarray | None = None
+    hawsers: tuple[str, ...] = ()
 
 
 class Case(NamedTuple):
@@ -49,6 +53,7 @@ class Case(NamedTuple):
     state : normal or abnormal; lines : intact, one lost or transient; analysis : quasi-static or dynamic
     tensions : {motion factor: Tensions}; 1 is what happens, others are asked for by some rules
     motions : {motion: amplitude in m or degrees}, largest; others : {quantity: value} of the whole case
+    parts : {quantity: {of what: value}}, as strains of fenders, None where there are none
     """
 
     name: str
@@ -58,6 +63,7 @@ class Case(NamedTuple):
     tensions: dict
     motions: dict
     others: dict
+    parts: dict | None = None
 
 
 class Use(NamedTuple):
@@ -96,7 +102,7 @@ def judge(criteria, cases):
 def _judged(criterion, cases):
     held = [case for case in cases if criterion.holds(case.state, case.lines, case.analysis)]
     if not held:
-        return Judged(criterion, (), f"no load case is {_which(criterion)}")
+        return Judged(criterion, (), f"no load case is {_which(criterion)}" if cases else "no load case could be run")
     uses, missing = [], []
     for case in held:
         try:
@@ -118,12 +124,20 @@ def _use(criterion, case):
         if criterion.motion_factor not in case.tensions:
             raise LookupError(f"tension at {criterion.motion_factor:g} times the motion")
         t = case.tensions[criterion.motion_factor]
+        if not t.names:
+            raise LookupError("line")
         values = np.asarray(_OF_TENSIONS[criterion.quantity](criterion, t), float)
+        names, values = _spoken_of(criterion, t, values)
         if np.isnan(values).any():
-            raise LookupError(f"breaking load of {t.names[int(np.argmax(np.isnan(values)))]}")
+            raise LookupError(f"breaking load of {names[int(np.argmax(np.isnan(values)))]}")
         used = values if criterion.quantity in (PARTIAL, FACTOR) else _utilisations(criterion, values)
         worst = int(np.argmax(used))
-        return Use(case.name, t.names[worst], float(values[worst]), float(used[worst]))
+        return Use(case.name, names[worst], float(values[worst]), float(used[worst]))
+    if case.parts and criterion.quantity in case.parts:
+        uses = [
+            Use(case.name, *pair, criterion.utilisation(pair[1])) for pair in case.parts[criterion.quantity].items()
+        ]
+        return max(uses, key=lambda use: use.utilisation)
     if criterion.quantity in case.motions:
         value = case.motions[criterion.quantity] * (2.0 if criterion.statistic == "peak to peak" else 1.0)
     elif criterion.quantity in case.others:
@@ -131,6 +145,16 @@ def _use(criterion, case):
     else:
         raise LookupError(criterion.quantity)
     return Use(case.name, criterion.quantity, float(value), criterion.utilisation(float(value)))
+
+
+def _spoken_of(criterion, t, values):
+    """Names and values of the lines, or hawsers, that a criterion is about"""
+    if not t.hawsers:
+        return t.names, values
+    about = [(name in t.hawsers) == (criterion.subject == HAWSER) for name in t.names]
+    if not any(about):
+        raise LookupError(HAWSER if criterion.subject == HAWSER else "line")
+    return [name for name, one in zip(t.names, about, strict=True) if one], values[np.array(about)]
 
 
 def _utilisations(criterion, values):

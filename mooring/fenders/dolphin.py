@@ -35,7 +35,7 @@ def bilinear(stiffness, yield_force=np.inf, stiffness_beyond=None):
 def in_series(fender, deflection_of, points=400):
     """`Fender` of a fender and a dolphin whose deflection at a force is `deflection_of` (`bilinear`), in straight lines
     between `points` and the fender's own.  Raises FenderError where it snaps through."""
-    y2 = np.unique(np.concatenate([fender.loading.knots, np.linspace(0.0, fender.loading.end, points)]))
+    y2 = _grid(fender, points)
     up, down = fender.loading(y2), fender.unloading(y2)
     y, back = (y2 + deflection_of(force) for force in (up, down))
     for path, force in ((y, up), (back, down)):
@@ -62,3 +62,14 @@ def in_series(fender, deflection_of, points=400):
         stretch * fender.limit,
         None if fender.overload is None else float(straight(y, up).slope(y[-2])),
     )
+
+
+def of_fender(fender, deflection_of, deflection, points=400):
+    """m of a pair's deflection, m, that the fender has, on loading, by the straight lines of `in_series`"""
+    y2 = _grid(fender, points)
+    y = y2 + deflection_of(fender.loading(y2))
+    return float(np.interp(deflection, y, y2))
+
+
+def _grid(fender, points):
+    return np.unique(np.concatenate([fender.loading.knots, np.linspace(0.0, fender.loading.end, points)]))

@@ -10,12 +10,13 @@ from __future__ import annotations
 from copy import deepcopy
 from typing import NamedTuple
 
+import msgspec
+
 from mooring.criteria.strength import larger_sizes
 from mooring.criteria.verdict import judge
 
-from .cases import intact_cases, laid_lines, without_line
-from .project import MEAN
-from .running import Ran, factors_of, grouped, judged_case, key_of, run_case
+from .cases import intact_cases, without_line
+from .running import Ran, base_of, factors_of, grouped, judged_case, key_of, repeated
 
 MOST = 8  # sizes that are tried
 
@@ -34,7 +35,7 @@ def advise(read, judged, cases, others, paths, folder, step):
     judged : of all criteria; cases : {name: LoadCase} of all that ran; others : quantities of the project
     paths : {level: database}; step : called with the number of the size, how many there may be and its name
     """
-    kinds = {name: table["catalogue"] for name, table in read.study["types"].items() if "catalogue" in table}
+    kinds = {name: table["catalogue"] for name, table in read.study.get("types", {}).items() if "catalogue" in table}
     if not kinds or all(one.met is not False for one in judged):
         return None
     governing = [key_of(cases[one.governing.case]) for one in judged if one.governing is not None]
@@ -59,20 +60,17 @@ def _with_types(read, changed):
     study = deepcopy(read.study)
     for name, kind in changed.items():
         study["types"][name]["catalogue"] = kind
-    return type(read)(read.project, read.raw, read.text, study, read.study_text, read.criteria, read.folder)
+    return msgspec.structs.replace(read, study=study)
 
 
 def _utilisation(read, criteria, governing, others, paths, folder):
     """The largest of all criteria in the cases of the keys `governing`"""
-    from bem.database import open_database
-
     folder.mkdir(parents=True, exist_ok=True)
-    lines = laid_lines(read.study, open_database(paths[MEAN]))
     factors, ran = factors_of(read), []
-    for case in intact_cases(read, lines, [1.0] if read.project.simulation else factors):
+    for case in intact_cases(read, base_of(read, paths), repeated(read, factors)):
         for lost in {key[-1] for key in governing if key[:-1] == key_of(case)[:-1]}:
-            one = without_line(case, lost) if lost else case
+            one = without_line(read, case, lost) if lost else case
             path = folder / f"{len(ran)}.h5"
-            ran.append(Ran(one, path, *run_case(one.study, paths[one.level], path, factors)))
+            ran.append(Ran(one, path, *read.kind.run(one.study, paths[one.level], path, factors)))
     found = judge(criteria, [judged_case(read, group, others) for group in grouped(ran).values()])
     return max(one.governing.utilisation for one in found if one.governing is not None)

@@ -18,7 +18,9 @@ class Requirement(NamedTuple):
 
 
 def checklist(read):
-    """[Requirement] of a Read project"""
+    """[Requirement] of a Read project; [] of a kind of study that is not simulated by the project"""
+    if not read.kind.MOVED:
+        return []
     in_time = read.project.simulation is not None
     weather, pairs = read.project.states, read.project.simulation.qtf if in_time else ""
     return [

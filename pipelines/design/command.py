@@ -79,7 +79,8 @@ class _Counting:
 
 
 def _show(console, verdict, change, written):
-    from .report import WORDS, advice_words, summary
+    from .report_tables import WORDS
+    from .report_words import advice_words, summary
 
     for one in verdict.judged:
         c, use = one.criterion, one.governing
@@ -87,7 +88,7 @@ def _show(console, verdict, change, written):
         line = f"{WORDS[one.met]:>10}  {c.rule}: {c.quantity} {c.sense} {c.limit:.4g} {c.unit.strip('-')}: {found}"
         console.print(line, highlight=False, markup=False, soft_wrap=True, style=None if one.met else "red")
     for one in verdict.ran:
-        if one.result is None:
+        if one.numbers is None:
             line = f"{one.case.name} could not be run: {one.fault}"
             console.print(line, highlight=False, markup=False, soft_wrap=True)
     console.print(f"the mooring {verdict.word}{summary(verdict)}", highlight=False, markup=False, soft_wrap=True)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.criteria.fatigue import YEAR, Cycles, curves, miner, rainflow_cycles
+from mooring.criteria.fatigue import YEAR, curves, miner
 from mooring.criteria.rules import Criterion
 from mooring.criteria.strength import kind_and_size
 from mooring.criteria.verdict import Judged, Use
@@ -38,7 +38,7 @@ def fatigue(read, ran):
             total = total + damage
     worst = int(np.argmax(total))
     name = max(parts, key=lambda part: part[1][worst])[0]
-    return Judged(criterion, (Use(name, one.result["names"][worst], float(total[worst]), float(total[worst])),))
+    return Judged(criterion, (Use(name, one.numbers.names[worst], float(total[worst]), float(total[worst])),))
 
 
 def _damage(read, one, curve):
@@ -46,10 +46,8 @@ def _damage(read, one, curve):
     life = read.project.project.service_life * YEAR
     return life * np.array(
         [
-            max(_rate(cycles, read, name, curve, load) for name in _types(table))
-            for cycles, table, load in zip(
-                one.runs["cycles"], one.case.study["lines"], one.result["breaking_load"], strict=True
-            )
+            max(_rate(cycles, read, name, curve, load) for name in types)
+            for cycles, types, load in zip(one.runs["cycles"], one.numbers.types, one.numbers.breaking, strict=True)
         ]
     )
 
@@ -59,17 +57,3 @@ def _rate(cycles, read, name, curve, breaking_load):
     duration, found = cycles
     diameter = kind_and_size(read.study["types"][name]["catalogue"])[1]
     return miner(found, curve, diameter, breaking_load) / duration
-
-
-def _types(table):
-    return [table["type"]] if "type" in table else [segment["type"] for segment in table["segments"]]
-
-
-def cycles_of(tension, step):
-    """[(duration s, Cycles)] of each line, of records (runs, t, n) N every `step` s, all runs together"""
-    runs, count, lines = tension.shape
-    found = []
-    for line in range(lines):
-        each = [rainflow_cycles(record[:, line]) for record in tension]
-        found.append((runs * (count - 1) * step, Cycles(*(np.concatenate(part) for part in zip(*each, strict=True)))))
-    return found

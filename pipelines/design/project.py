@@ -1,9 +1,10 @@
-"""A design project as typed TOML: a mooring study, the states of weather it has to stand, and the rules that judge it.
+"""A design project as typed TOML: a study, the states of weather it has to stand, and the rules that judge it.
 
 ```toml
 [project]
 name = "Floater A in 20 m"
-study = "moor_chain_12.toml"        # layout, hull and lines; its own weather is not used
+study = "moor_chain_12.toml"        # layout, hull and lines, or a berth, a single point, a breakwater (`kinds`); its
+                                    # own weather is not used
 scene = "series_box_20m.toml"       # its database is made for every water level; or database = "box.h5"
 service_life = 20.0                 # years
 probability = 0.8                   # that the extreme state is not exceeded in them
@@ -28,6 +29,11 @@ seeds = 5
 [[rules]]
 rule = "JSCE"
 subject = "chain of a multi-point mooring"
+
+[[limits]]                          # of one's own
+quantity = "surge"
+at_most = 2.0
+source = "the owner"
 ```
 
 Paths are from the folder of the project.  Every fault is one line that names key, value and what is allowed.
@@ -37,148 +43,31 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
+from types import ModuleType
 
 import msgspec
 
-from mooring.criteria.rules import of_rule, read_rules
+from mooring.criteria.rules import LINES as KNOWN_LINES
+from mooring.criteria.rules import STATES as KNOWN_STATES
+from mooring.criteria.rules import Criterion, of_rule, read_rules
 from mooring.criteria.strength import kind_and_size
 
-from ..common.quantities import StudyError, Table, positive
+from ..common.quantities import StudyError, positive
 from ..common.typed import read_toml, typed
-from ..moor.study import SimulationTable, StreamTable, WavesTable, WindTable, make_study
-from ..site.link import laid_in, named, read_study_at_site, site_file
+from ..site.link import laid_in, named, site_file
+from .kinds.choose import kind_of
+from .tables import MEAN, Project
 
 STATES = ("normal", "abnormal")
 LINES = ("intact", "one lost")
-MEAN = "mean"  # the level of the study's own water
 DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
 
-class ProjectTable(Table):
-    """What is designed, and for how long
-
-    name : title of the report
-    study : mooring study beside this file
-    scene : file of the body's scene, solved at every level; or give database
-    database : file of the solved body; or give scene
-    site : file of values of a site, by hakobune site, for weather, levels and service life
-    service_life : years
-    probability : that the value of an extreme state is not exceeded in them
-    note : of the report
-    """
-
-    name: str
-    study: str
-    scene: str | None = None
-    database: str | None = None
-    site: str | None = None
-    service_life: float | None = None
-    probability: float | None = None
-    note: str = ""
-
-
-class StateTable(Table):
-    """A state of weather, its directions, water levels and lines
-
-    name : for results
-    state : normal or abnormal, as the rules have it
-    incidence_deg : of waves; wind and current come from there too, and from as many degrees off as are listed
-    wind_off_deg : of the wind from the waves
-    current_off_deg : of the current from the waves
-    levels : names of water levels, "mean" for the study's own
-    lines : "intact", "one lost"
-    lost : the "worst" line of the intact case, or "each"
-    weather : name of a state of the site, for wind, current and waves that are not given here
-    share : of the service life with this weather, for fatigue
-    """
-
-    name: str
-    state: str
-    incidence_deg: list[float]
-    wind_off_deg: list[float] = msgspec.field(default_factory=lambda: [0.0])
-    current_off_deg: list[float] = msgspec.field(default_factory=lambda: [0.0])
-    levels: list[str] = msgspec.field(default_factory=lambda: [MEAN])
-    lines: list[str] = msgspec.field(default_factory=lambda: ["intact"])
-    lost: str = "worst"
-    weather: str | None = None
-    share: float = 0.0
-    wind: WindTable | None = None
-    current: StreamTable | None = None
-    waves: WavesTable | None = None
-
-
-class RuleTable(Table):
-    """A rule set and what of it applies
-
-    rule : its name
-    subject : what of it applies, by default all
-    file : of rules of one's own in place of the tables
-    confirmed : whether criteria that nobody has checked in the book are judged; has to be said where there are any
-    """
-
-    rule: str
-    subject: str | None = None
-    file: str | None = None
-    confirmed: bool | None = None
-
-
-class WearTable(Table):
-    """What chain loses of its diameter
-
-    mm_per_year : of diameter
-    years : by default the service life
-    """
-
-    mm_per_year: float
-    years: float | None = None
-
-
-class AnchorsTable(Table):
-    """Holding capacity of the anchors
-
-    holding_kN : of an anchor
-    lines : kN, {name of a line = capacity of its anchor}, where it is another
-    """
-
-    holding_kN: float
-    lines: dict[str, float] = msgspec.field(default_factory=dict)
-
-
-class FatigueTable(Table):
-    """Fatigue of the lines by their tensions in time
-
-    curve : name of a curve of cycles to failure, such as "DNV studless chain"
-    factor : by which the damage over the service life is multiplied, at least 1
-    """
-
-    curve: str
-    factor: float = 3.0
-
-
-class Project(Table):
-    """A site, its states of weather and the rules that judge them
-
-    levels : m, {name = above the water of the study}
-    """
-
-    project: ProjectTable
-    states: list[StateTable]
-    rules: list[RuleTable]
-    levels: dict[str, float] = msgspec.field(default_factory=dict)
-    wear: WearTable | None = None
-    anchors: AnchorsTable | None = None
-    fatigue: FatigueTable | None = None
-    simulation: SimulationTable | None = None
-
-    def level(self, name):
-        """m above the water of the study"""
-        return 0.0 if name == MEAN else self.levels[name]
-
-
 class Read(msgspec.Struct, frozen=True):
-    """A project with what it names: raw, nested dictionaries of the project; study, raw tables of its mooring study
+    """A project with what it names: raw, nested dictionaries of the project; study, raw tables of its study
 
-    study_text, text : of the files; criteria : chosen of the rules; folder : paths are from there
+    kind : of `kinds`, the module that knows such studies; study_text, text : of the files
+    criteria : chosen of the rules; folder : paths are from there
     """
 
     project: Project
@@ -188,6 +77,7 @@ class Read(msgspec.Struct, frozen=True):
     study_text: str
     criteria: tuple
     folder: Path
+    kind: ModuleType
 
 
 def read_project(path):
@@ -197,18 +87,27 @@ def read_project(path):
     raw = _at_site(raw, path.parent)
     project = typed(raw, Project, StudyError)
     own = project.project
-    if (own.scene is None) == (own.database is None):
-        state = "neither is given" if own.scene is None else "both are given"
-        raise StudyError(f"project: {state}; allowed: one of scene, database")
     if (own.probability is None) != (own.service_life is None):
         raise StudyError("project: allowed: service_life and probability together, or neither")
-    _check_states(project)
     folder = path.parent
-    study, study_text = read_study_at_site(folder / own.study, "a mooring study")
-    make_study(study)
+    kind = kind_of(folder / own.study)
+    study, study_text = kind.read(folder / own.study)
+    _check_bodies(own, kind)
+    _check_states(project)
+    kind.check(project, study)
     _check_wear(project, study)
     _check_fatigue(project, study)
-    return Read(project, raw, text, study, study_text, _criteria(project, folder), folder)
+    return Read(project, raw, text, study, study_text, _criteria(project, folder), folder, kind)
+
+
+def _check_bodies(own, kind):
+    if own.scene is not None and own.database is not None:
+        raise StudyError("project: both are given; allowed: one of scene, database")
+    given = own.scene is not None or own.database is not None
+    if kind.DATABASE == "needed" and not given:
+        raise StudyError("project: neither is given; allowed: one of scene, database")
+    if kind.DATABASE == "none" and given:
+        raise StudyError(f"project.{'scene' if own.scene else 'database'} is given; a {kind.NAME} has its own section")
 
 
 def _at_site(raw, folder):
@@ -245,7 +144,7 @@ def worn_diameters(project, study):
         return {}
     years = wear.years if wear.years is not None else project.project.service_life
     found = {}
-    for name, table in study["types"].items():
+    for name, table in study.get("types", {}).items():
         if "catalogue" in table:
             found[name] = kind_and_size(table["catalogue"])[1], wear.mm_per_year * years
     return found
@@ -254,11 +153,9 @@ def worn_diameters(project, study):
 def _check_states(project):
     if not project.states:
         raise StudyError("the project has no states; allowed: at least one [[states]]")
-    if not project.rules:
-        raise StudyError("the project has no rules; allowed: at least one [[rules]]")
+    if not project.rules and not project.limits:
+        raise StudyError("the project has no rules; allowed: at least one [[rules]] or [[limits]]")
     known = (MEAN, *project.levels)
-    if project.project.database is not None and project.levels:
-        raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
     names = [state.name for state in project.states]
     for i, state in enumerate(project.states):
         where = f"states[{i}]"
@@ -294,7 +191,7 @@ def _check_wear(project, study):
         raise StudyError("wear: for how many years is not said; give wear.years or project.service_life")
     if wear.years is not None:
         positive("wear.years", wear.years)
-    unnamed = [name for name, table in study["types"].items() if "catalogue" not in table]
+    unnamed = [name for name, table in study.get("types", {}).items() if "catalogue" not in table]
     if unnamed:
         raise StudyError(
             f"wear of type {unnamed[0]!r} needs its diameter; give it by catalogue, such as catalogue = "
@@ -316,7 +213,7 @@ def _check_fatigue(project, study):
         raise StudyError(f"fatigue.factor is {own.factor:g}; allowed: at least 1")
     if project.simulation is None or project.project.service_life is None or not any(shares):
         raise StudyError("fatigue needs [simulation], project.service_life and a share of the time of some state")
-    unnamed = [name for name, table in study["types"].items() if "catalogue" not in table]
+    unnamed = [name for name, table in study.get("types", {"ropes": {}}).items() if "catalogue" not in table]
     if unnamed:
         raise StudyError(f"fatigue of type {unnamed[0]!r} needs its diameter; give it by catalogue")
 
@@ -334,7 +231,21 @@ def _criteria(project, folder):
                 "with confirmed = false they are left out"
             )
         chosen += [criterion for criterion in found if table.confirmed or criterion.status != "unverified"]
-    return tuple(chosen)
+    return (*chosen, *(_limit(f"limits[{i}]", one) for i, one in enumerate(project.limits)))
+
+
+def _limit(where, table):
+    """The Criterion of a LimitTable.  Raises StudyError."""
+    if (table.at_most is None) == (table.at_least is None):
+        raise StudyError(f"{where}: allowed: one of at_most, at_least")
+    _one(f"{where}.state", table.state, KNOWN_STATES)
+    _one(f"{where}.lines", table.lines, KNOWN_LINES)
+    sense = "at most" if table.at_least is None else "at least"
+    limit = positive(f"{where}.{sense.replace(' ', '_')}", table.at_most if table.at_least is None else table.at_least)
+    return Criterion(
+        "project", "own", table.quantity, sense, limit, None, table.unit, table.state, table.lines, "any", "",
+        table.statistic, 1.0, table.source, "read",
+    )  # fmt: skip
 
 
 def _one(key, value, allowed):

@@ -1,26 +1,23 @@
 """Databases of the water levels and results of the load cases, in a folder; what is there and fits is not made again.
 
 databases/LEVEL.h5     as `hakobune solve` makes them
-cases/NAME.toml, .h5   the study of a case, and its result as `hakobune moor` writes it
+cases/NAME.toml, .h5   the study of a case, and its result as the door of its kind writes it
 cases/NAME_runs.h5     its runs in time as `hakobune simulate` writes them, where the project has [simulation]
 """
 
 from __future__ import annotations
 
-import hashlib
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import tomli_w
 
-from meshing.whole_files import write_whole
 from mooring.criteria.strength import worn_breaking_load
 from mooring.criteria.verdict import Case, Tensions
 
 from ..common.quantities import StudyError
-from .cases import LoadCase, file_name, intact_cases, laid_lines, without_line
+from .cases import LoadCase, file_name, intact_cases, without_line
+from .kinds.numbers import Numbers
 from .project import MEAN, scene_tables, worn_diameters
 
 ROTATIONS = ("roll", "pitch", "yaw")
@@ -28,21 +25,21 @@ ROTATIONS = ("roll", "pitch", "yaw")
 
 @dataclass(frozen=True)
 class Ran:
-    """A load case that ran, or could not: result, the numbers of its file as arrays, None with the reason in `fault`
+    """A load case that ran, or could not: numbers, of its files, None with the reason in `fault`
 
-    runs : of `simulated`, None where the project has no simulation
+    path : of the file that they are in; runs : of `kinds.in_time.simulated`, None where the project has no simulation
     """
 
     case: LoadCase
     path: Path
-    result: dict | None
+    numbers: Numbers | None
     runs: dict | None = None
     fault: str = ""
 
     @property
     def largest(self):
         """(n,) N, largest tensions: of the runs in time where there are some"""
-        return self.result["maximum_tension"] if self.runs is None else self.runs["largest"][1.0]
+        return self.numbers.largest if self.runs is None else self.runs["largest"][1.0]
 
 
 def databases(read, folder, executor, console):
@@ -53,6 +50,8 @@ def databases(read, folder, executor, console):
     own = read.project.project
     if own.database is not None:
         return {MEAN: read.folder / own.database}
+    if own.scene is None:
+        return {MEAN: None, **dict.fromkeys(read.project.levels)}
     used = dict.fromkeys(level for state in read.project.states for level in state.levels)
     (folder / "databases").mkdir(parents=True, exist_ok=True)
     found = {}
@@ -74,16 +73,13 @@ def run_cases(read, paths, folder, executor, step):
 
     paths : {level: database}; step : called with the number done, the number known and a name
     """
-    from bem.database import open_database
-
-    lines = laid_lines(read.study, open_database(paths[MEAN]))
-    factors = factors_of(read)
+    base, factors = base_of(read, paths), factors_of(read)
     (folder / "cases").mkdir(parents=True, exist_ok=True)
-    intact = list(intact_cases(read, lines, [1.0] if read.project.simulation else factors))
-    ran = _run_all(intact, factors, paths, folder, executor, step, 0)
-    names = [line["name"] for line in lines]
+    intact = list(intact_cases(read, base, repeated(read, factors)))
+    ran = _run_all(read, intact, factors, paths, folder, executor, step, 0)
+    names = read.kind.lost(base)
     broken = [case for group in grouped(ran).values() for case in _lost(read, group, names)]
-    return ran + _run_all(broken, factors, paths, folder, executor, step, len(ran))
+    return ran + _run_all(read, broken, factors, paths, folder, executor, step, len(ran))
 
 
 def factors_of(read):
@@ -91,29 +87,16 @@ def factors_of(read):
     return sorted({1.0, *(criterion.motion_factor for criterion in read.criteria)})
 
 
-def run_case(study, database, path, factors):
-    """The numbers of a case's file, solved for where the file is not there or of another study or database, and those
-    of its runs in time, or None.
+def base_of(read, paths):
+    """Tables of the study as laid; paths : {level: database}"""
+    from bem.database import open_database
 
-    study : raw tables; database, path : of the database and of the result; factors : of motions in time
-    """
-    text = tomli_w.dumps(study)
-    stored = _stored(path, text, database)
-    if stored is None:
-        from bem.database import open_database
+    return read.kind.base(read.study, None if paths[MEAN] is None else open_database(paths[MEAN]))
 
-        from ..moor.command import studied, write_result
-        from ..moor.study import make_study
 
-        result, _ = studied(make_study(study), open_database(database))
-        write_whole(path.with_suffix(".toml"), text)
-        write_result(path, result, text, database)
-        stored = _stored(path, text, database)
-    if "simulation" not in study:
-        return stored, None
-    from .simulated import simulated
-
-    return stored, simulated(path.with_suffix(".toml"), database, path.with_name(f"{path.stem}_runs.h5"), factors)
+def repeated(read, factors):
+    """Factors of the motions that have load cases of their own"""
+    return factors if read.kind.MOVED and read.project.simulation is None else [1.0]
 
 
 def judged_case(read, ran, others):
@@ -122,15 +105,15 @@ def judged_case(read, ran, others):
     ran : {factor: Ran}; others : {quantity: value} of the whole project
     """
     case, one = ran[1.0].case, ran[1.0]
-    amplitudes = one.result["motion_amplitude"] if one.runs is None else one.runs["motions"]
-    motions = dict(zip(("surge", "sway", "heave", *ROTATIONS), amplitudes.tolist(), strict=True))
-    for name in ROTATIONS:
-        motions[name] = float(np.degrees(motions[name]))
+    amplitudes, motions = one.numbers.motions if one.runs is None else one.runs["motions"], {}
+    if len(amplitudes):
+        motions = dict(zip(("surge", "sway", "heave", *ROTATIONS), map(float, amplitudes), strict=True))
+        motions |= {name: float(np.degrees(motions[name])) for name in ROTATIONS}
     if one.runs is None:
-        tensions = {factor: _tensions(read, each, each.largest) for factor, each in ran.items() if each.result}
+        tensions = {factor: _tensions(read, each, each.largest) for factor, each in ran.items() if each.numbers}
     else:
         tensions = {factor: _tensions(read, one, largest) for factor, largest in one.runs["largest"].items()}
-    return Case(case.name, case.kind, case.lines, "quasi-static", tensions, motions, others)
+    return Case(case.name, case.kind, case.lines, "quasi-static", tensions, motions, others, one.numbers.parts)
 
 
 def grouped(ran):
@@ -146,10 +129,10 @@ def key_of(case):
     return case.state, case.level, case.incidence, case.wind_off, case.current_off, case.lost
 
 
-def _run_all(cases, factors, paths, folder, executor, step, done):
+def _run_all(read, cases, factors, paths, folder, executor, step, done):
     places = [folder / "cases" / f"{file_name(case)}.h5" for case in cases]
     jobs = [
-        executor.submit(run_case, case.study, paths[case.level], place, factors)
+        executor.submit(read.kind.run, case.study, paths[case.level], place, factors)
         for case, place in zip(cases, places, strict=True)
     ]
     ran = []
@@ -170,60 +153,43 @@ def _lost(read, group, names):
         return
     lost = names
     if state.lost == "worst":
-        if intact.result is None:  # which is the worst is not known; the intact case is named as one that did not run
+        if intact.numbers is None:  # which is the worst is not known; the intact case is named as one that did not run
             return
-        lost = [intact.result["names"][int(np.argmax(intact.largest))]]
+        lost = [worst_of(intact)]
     for name in lost:
         for one in group.values():
-            yield without_line(one.case, name)
+            yield without_line(read, one.case, name)
 
 
-def _stored(path, text, database):
-    """Numbers of the result in a file that is of this study and database, else None"""
-    from bem.database.results import DatabaseError, opened_result
-
-    from ..moor.command import LINE_QUANTITIES, SCHEMA
-
-    with suppress(DatabaseError, OSError, KeyError), opened_result(path, SCHEMA) as file:
-        seal = hashlib.sha256(Path(database).read_bytes()).hexdigest()
-        if file.attrs["study"] != text or file.attrs["database_sha256"] != seal:
-            return None
-        found = {name: file[f"lines/{name}"][()] for name in LINE_QUANTITIES}
-        found["names"] = tuple(name.decode() for name in file["lines/name"][()])
-        found |= {name: file[name][()] for name in ("motion_amplitude", "equilibrium")}
-        found["periods"] = file["natural_periods/at_equilibrium/period"][()]
-        found["modes"] = tuple(map(str, file["natural_periods"].attrs["modes"]))
-        found["loads"] = {name: file[f"loads/{name}"][()] for name in file.get("loads", ())}
-        found["warnings"] = tuple(filter(None, str(file.attrs["warnings"]).split("\n")))
-        return found
-    return None
+def worst_of(ran):
+    """Name of the line that carries most of its breaking load, or pulls most where none is known"""
+    share = ran.largest / ran.numbers.breaking
+    return ran.numbers.names[int(np.argmax(share if np.any(share > 0) else ran.largest))]
 
 
 def _tensions(read, ran, largest):
-    result, names = ran.result, ran.result["names"]
-    in_time = ran.runs is not None
+    numbers, in_time = ran.numbers, ran.runs is not None
     anchors = read.project.anchors
-    holding = None if anchors is None else np.array([1e3 * anchors.lines.get(n, anchors.holding_kN) for n in names])
+    holding = None
+    if anchors is not None:
+        holding = np.array([1e3 * anchors.lines.get(name, anchors.holding_kN) for name in numbers.names])
     return Tensions(
-        names,
-        result["pretension"],
-        ran.runs["mean"] if in_time else result["static_tension"],
+        numbers.names,
+        numbers.pretension,
+        ran.runs["mean"] if in_time else numbers.static,
         largest,
-        result["breaking_load"],
-        _worn_loads(read, ran),
-        ran.runs["horizontal"] if in_time else result["maximum_horizontal_anchor_force"],
+        numbers.breaking,
+        _worn_loads(read, numbers),
+        ran.runs["horizontal"] if in_time else numbers.horizontal,
         holding,
+        numbers.hawsers,
     )
 
 
-def _worn_loads(read, ran):
+def _worn_loads(read, numbers):
     """(n,) N: breaking loads of the lines less what the weakest of their chain loses; None without wear"""
     worn = worn_diameters(read.project, read.study)
     if not worn:
         return None
     left = {name: worn_breaking_load(1.0, diameter, loss, 1.0) for name, (diameter, loss) in worn.items()}
-    shares = []
-    for table in ran.case.study["lines"]:
-        types = [table["type"]] if "type" in table else [segment["type"] for segment in table["segments"]]
-        shares.append(min(left[name] for name in types))
-    return ran.result["breaking_load"] * np.array(shares)
+    return numbers.breaking * np.array([min(left.get(name, 1.0) for name in types) for types in numbers.types])

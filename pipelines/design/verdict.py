@@ -32,10 +32,10 @@ def judged_project(read, ran):
     """The Verdict on all load cases of a project"""
     groups = grouped(ran)
     others = project_quantities(read)
-    cases = [judged_case(read, group, others) for group in groups.values() if group[1.0].result is not None]
+    cases = [judged_case(read, group, others) for group in groups.values() if group[1.0].numbers is not None]
     worn_out = fatigue(read, ran)
     judged = (*judge(read.criteria, cases), *(() if worn_out is None else (worn_out,)))
-    unknown = any(one.result is None for one in ran) or any(one.met is None for one in judged)
+    unknown = any(one.numbers is None for one in ran) or any(one.met is None for one in judged)
     word = FAILS if any(one.met is False for one in judged) else OPEN if unknown else PASSES
     return Verdict(ran, judged, others.get("return period"), word, side_by_side(read, cases))
 

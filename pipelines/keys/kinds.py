@@ -118,7 +118,7 @@ KINDS = {
     ),
     "design": Kind(
         "a site, its weather and the rules that judge a mooring",
-        "pipelines.design.project:Project",
+        "pipelines.design.tables:Project",
         "design",
         "design_chain_12.toml",
         ("hakobune design FILE --output design",),

@@ -110,8 +110,8 @@ def make_series(folder, only, seeds, hours, fresh):
 
 def computed(case, database, folder, hours, seeds):
     """Result of a case; its studies, results and runs are files of the folder, made where they are not there"""
-    from ..design.running import run_case
-    from ..design.simulated import simulated
+    from ..design.kinds.in_time import simulated
+    from ..design.kinds.mooring import run
 
     raw, notes = study(case, hours, seeds), []
     still = {key: value for key, value in raw.items() if key != "simulation"}
@@ -130,8 +130,8 @@ def computed(case, database, folder, hours, seeds):
     def simplified(method):
         period = case.period if method == "regular_wave" else still["waves"]["period"]
         waves = still["waves"] | {"method": method, "period": period}
-        found = run_case(still | {"waves": waves}, database, folder / f"{case.name}_{method}.h5", [1.0])[0]
-        return np.array([found["maximum_tension"].max(), found["static_tension"].max(), found["breaking_load"].min()])
+        found = run(still | {"waves": waves}, database, folder / f"{case.name}_{method}.h5", [1.0])[0]
+        return np.array([found.largest.max(), found.static.max(), found.breaking.min()])
 
     def in_time():
         simulated(path, database, runs, [1.0])

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).parents[2]
-FILES = ("report.html", "cases.csv", "criteria.csv")
+FILES = ("report.html", "cases.csv", "criteria.csv", "parts.csv")
 
 
 def run(project, folder, delay=None):

@@ -10,9 +10,10 @@ import tomli_w
 
 from meshing.seals import text_damaged
 from pipelines.common.quantities import StudyError
-from pipelines.design import running
 from pipelines.design.command import made
-from pipelines.design.fatigue import cycles_of, fatigue
+from pipelines.design.fatigue import fatigue
+from pipelines.design.kinds import mooring
+from pipelines.design.kinds.in_time import cycles_of
 from pipelines.design.project import read_project
 from pipelines.moor.command import studied
 from pipelines.moor.study import make_study
@@ -85,7 +86,7 @@ def test_the_intact_case_is_the_mooring_study_itself(folder, first):
     (work,) = [one for one in verdict.ran if one.case.state == "work" and one.case.factor == 1]
     study = {**STUDY, "current": {"speed_knots": 1.0, "incidence_deg": 0.0}}
     result, _ = studied(make_study(study), open_database(folder / "box.h5"))
-    np.testing.assert_allclose(work.result["maximum_tension"], result.tension, rtol=1e-6)
+    np.testing.assert_allclose(work.numbers.largest, result.tension, rtol=1e-6)
 
 
 def test_every_case_asked_for_is_there_and_lost_lines_are_the_most_loaded(first):
@@ -94,8 +95,8 @@ def test_every_case_asked_for_is_there_and_lost_lines_are_the_most_loaded(first)
     for name, one in cases.items():
         if one.case.lost:
             whole = cases[name.split(", without")[0]]
-            assert one.case.lost == whole.result["names"][int(np.argmax(whole.result["maximum_tension"]))]
-            assert one.case.lost not in one.result["names"] and len(one.result["names"]) == 3
+            assert one.case.lost == whole.numbers.names[int(np.argmax(whole.numbers.largest))]
+            assert one.case.lost not in one.numbers.names and len(one.numbers.names) == 3
 
 
 def test_a_larger_motion_pulls_more_and_wear_leaves_less(first):
@@ -105,9 +106,9 @@ def test_a_larger_motion_pulls_more_and_wear_leaves_less(first):
     (worn,) = [one for one in first[0].judged if one.criterion.quantity.endswith("worn")]
     one = cases[f"{worn.governing.case}, motions x 1.5"]
     left = 70.0**2 * (44 - 0.08 * 70.0) / (76.0**2 * (44 - 0.08 * 76.0))
-    share = one.largest / (left * one.result["breaking_load"])
+    share = one.largest / (left * one.numbers.breaking)
     assert worn.governing.value == pytest.approx(share.max(), rel=1e-9)
-    assert worn.governing.item == one.result["names"][int(np.argmax(share))]
+    assert worn.governing.item == one.numbers.names[int(np.argmax(share))]
 
 
 def test_what_nothing_is_known_of_is_not_signed(first):
@@ -157,18 +158,16 @@ def test_fatigue_is_the_sum_of_equal_cycles_over_the_time_of_each_state(folder):
     ran = []
     for name, size in (("storm", 2e6), ("work", 1e6)):
         tension = 3e6 + 0.5 * size * np.stack([np.cos(0.2 * np.pi * t), 0 * t], axis=-1)[None]
-        case = SimpleNamespace(
-            state=name, lost="", factor=1, name=name, study={"lines": [{"type": "chain"}, {"type": "chain"}]}
-        )
-        result = {"names": ("one", "other"), "breaking_load": np.array([6e6, 6e6])}
-        ran.append(SimpleNamespace(case=case, result=result, runs={"cycles": cycles_of(tension, 0.5)}, fault=""))
+        case = SimpleNamespace(state=name, lost="", factor=1, name=name)
+        numbers = SimpleNamespace(names=("one", "other"), types=(("chain",),) * 2, breaking=np.array([6e6, 6e6]))
+        ran.append(SimpleNamespace(case=case, numbers=numbers, runs={"cycles": cycles_of(tension, 0.5)}, fault=""))
     found = fatigue(read, ran)
     seconds, area = 20 * 365.25 * 86400, 2 * np.pi / 4 * 76.0**2
     whole = 59.0 / 60.0 + 1.0 / 60.0  # of 60 cycles the ends count as halves
     by_hand = 5.0 * seconds / 10.0 / 6e10 * whole * sum(w * (s / area) ** 3 for w, s in ((0.01, 2e6), (0.1, 1e6)))
     assert found.governing.value == pytest.approx(by_hand, rel=1e-6) and found.governing.item == "one"
     assert found.met == (by_hand <= 1)
-    ran[0] = SimpleNamespace(case=ran[0].case, result=None, runs=None, fault="no rest")
+    ran[0] = SimpleNamespace(case=ran[0].case, numbers=None, runs=None, fault="no rest")
     assert fatigue(read, ran).met is None
 
 
@@ -234,11 +233,11 @@ def test_a_case_that_cannot_be_run_is_named_and_not_dropped(folder, tmp_path, mo
             raise StudyError("the lines do not reach")
         return real(study, *others)
 
-    real = running.run_case
-    monkeypatch.setattr(running, "run_case", refused)
+    real = mooring.run
+    monkeypatch.setattr(mooring, "run", refused)
     project = {**PROJECT, "states": [{**PROJECT["states"][0], "incidence_deg": [0.0, 60.0], "lines": ["intact"]}]}
     (folder / "refused.toml").write_text(tomli_w.dumps(project))
     verdict, _, _ = made(read_project(folder / "refused.toml"), tmp_path / "out", Here(), None, advice=False)
-    assert [one.fault for one in verdict.ran if one.result is None] == ["the lines do not reach"] * 2
+    assert [one.fault for one in verdict.ran if one.numbers is None] == ["the lines do not reach"] * 2
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert page.count("could not be run: the lines do not reach") == 2 and verdict.word != "passes"

@@ -1,0 +1,173 @@
+"""What runs in time at a berth give: strains, energy and reaction of fenders beside tensions of ropes and lines.
+
+strain, total    expected extreme of the runs, of the fender alone where it stands on a dolphin, over its height
+strain, steady   largest mean of ten minutes in the kept records (the report's limit is of "periods of 10 min and
+                 longer", SR179 1982, chapter 4, 3.2.5)
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mooring.fenders.dolphin import bilinear, of_fender
+from mooring.fenders.fender import FenderError
+
+from .in_time import make_study_of
+from .mooring import types_of
+from .numbers import Numbers
+
+STEADY = 600.0  # s
+TOTAL, SLOW = "fender strain, total", "fender strain, steady"
+OF_ALLOWABLE, OF_ENERGY = "fender strain / allowable strain", "fender energy / rated energy"
+DOLPHIN = "design load of a dolphin / fender reaction"
+
+
+def berth_numbers(study, database, path, runs):
+    """`Numbers` of a load case by the file of its runs; runs : of `in_time.simulated`"""
+    from bem.database import open_database
+    from mooring.motion.contacts import courses
+
+    from ...simulate.berth import by_design_spectrum, lines_on_fenders, lines_on_periods
+    from ...simulate.file import opened
+
+    db, made = open_database(database), make_study_of(path.with_name(path.name.replace("_runs.h5", ".toml")))
+    hull = made.hull_of(db.dimensions)
+    berth = made.berth(hull, db.rotation_center)
+    with opened(path) as file:
+        names = tuple(file["line"].asstr()[()])
+        anchor, fairlead, breaking = file["anchor"][()], file["fairlead"][()], file.attrs["breaking_load"]
+        start, place = file.attrs["place_at_rest"], _mean_place(file)
+        parts = _of_fenders(file, made, berth)
+        told = (lines_on_periods(file.attrs["natural_period"], made.harbour.periods if made.harbour else ()),
+                lines_on_fenders(file, berth.fenders))  # fmt: skip
+    at_rest = courses(berth, start[None])[1][0][len(berth.fenders) :]
+    held = _at_rest(made, db, hull, start)
+    spectrum = by_design_spectrum(made, db, hull, berth.fenders)
+    warnings = (*runs["findings"], told[0][0], *told[0][1], *told[1][1], *([spectrum] if spectrum else ()))
+    length = [*(one.length for one in held.system.lines)] if held is not None else []
+    return Numbers(
+        names=names,
+        types=(*(types_of(table) for table in study["lines"]), *(("rope",) for _ in berth.ropes)),
+        fairlead=fairlead,
+        anchor=anchor,
+        length=np.array([*length, *(one.length for one in berth.ropes)]),
+        pretension=np.array([*(held.lines.tension_b if held is not None else ()), *at_rest]),
+        static=runs["mean"],
+        largest=runs["largest"][1.0],
+        breaking=np.array(breaking, float),
+        horizontal=runs["horizontal"],
+        uplift=runs["uplift"],
+        place=place,
+        motions=runs["motions"],
+        parts=parts,
+        warnings=tuple(dict.fromkeys(warnings)),
+    )
+
+
+def _at_rest(made, db, hull, start):
+    """SystemEquilibrium of the lines with the body where it rests at the berth, None without lines"""
+    from mooring.lines.system.equilibrium import held_at, rest
+
+    system = made.system(hull, db.rotation_center, db.density, db.gravity)
+    if system is None:
+        return None
+    (body,) = system.bodies
+    pose = tuple(float(a + b) for a, b in zip(body.position, start, strict=True))
+    return rest(held_at(system, {body.name: pose}))
+
+
+def _mean_place(file):
+    """(3,) m, m, rad: mean of surge, sway and yaw over all runs"""
+    from ...simulate.file import SUMMARY
+
+    names = list(file["quantity"].asstr()[()])
+    rows = file["summary"][()][[names.index(name) for name in ("surge", "sway", "yaw")]]
+    return rows[:, SUMMARY.index("mean")]
+
+
+def _of_fenders(file, made, berth):
+    """{quantity: {fender: value}} of all fenders"""
+    from ...common.fender_tables import fender_of
+    from ...simulate.file import SUMMARY
+
+    names, step = list(file["quantity"].asstr()[()]), float(np.diff(file["time"][:2])[0])
+    dolphins = {one.name: one for one in made.dolphin}
+    out = {TOTAL: {}, SLOW: {}, OF_ALLOWABLE: {}, OF_ENERGY: {}, DOLPHIN: {}}
+    for i, (table, one) in enumerate(zip(made.fender, berth.fenders, strict=True)):
+        row = dict(zip(SUMMARY, file["summary"][names.index(f"deflection {one.name}")], strict=True))
+        largest = float(np.nanmax([row["upper_value"], row["largest"], 0.0]))
+        steady = _longest_mean(file["deflection"][()][..., i].astype(float), step)
+        fender, yields = fender_of(table), _dolphin_of(table, dolphins)
+        alone = [of_fender(fender, bilinear(*yields), y) if yields else y for y in (largest, steady)]
+        out[TOTAL][one.name], out[SLOW][one.name] = (y / fender.height for y in alone)
+        out[OF_ALLOWABLE][one.name] = alone[0] / (fender.height * fender.allowable)
+        try:
+            out[OF_ENERGY][one.name] = float(fender.energy(alone[0])) / fender.rated_energy
+            reaction = one.fender.largest_reaction(largest)
+        except FenderError:  # the expected extreme is beyond the table, which the runs were not
+            out[OF_ENERGY][one.name], reaction = np.inf, np.inf
+        if yields and np.isfinite(yields[1]) and reaction > 0:
+            out[DOLPHIN][one.name] = yields[1] / reaction
+    return {quantity: values for quantity, values in out.items() if values}
+
+
+def _dolphin_of(table, dolphins):
+    """Stiffness, yield force and stiffness beyond it of the dolphin of a fender's table, SI; () without one"""
+    if table.on is not None:
+        one = dolphins[table.on]
+        values = one.stiffness, one.yield_force, one.stiffness_beyond
+    else:
+        values = table.dolphin, table.dolphin_yield, table.dolphin_beyond
+    if values[0] is None:
+        return ()
+    stiffness, force, beyond = (None if value is None else 1e3 * value for value in values)
+    return stiffness, np.inf if force is None else force, beyond
+
+
+def _longest_mean(records, step):
+    """Largest mean of STEADY s, or of the whole record where it is shorter, of records (runs, t)"""
+    width = min(round(STEADY / step), records.shape[1])
+    sums = np.cumsum(np.pad(records, ((0, 0), (1, 0))), axis=1)
+    return float(((sums[:, width:] - sums[:, :-width]) / width).max())
+
+
+def draw_berth(made, db, numbers, path):
+    """Plan of the hull between its fenders and on its ropes, coloured by what is used of them"""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
+
+    from ...common.picture import save
+
+    hull = made.hull_of(db.dimensions)
+    berth = made.berth(hull, db.rotation_center)
+    figure = Figure(figsize=(11, 4.6), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    used = numbers.largest / numbers.breaking
+    strain = numbers.parts.get(OF_ALLOWABLE, {})
+    top = max([1.0, *used[np.isfinite(used)], *filter(np.isfinite, strain.values())])
+    colours = ScalarMappable(Normalize(0, min(top, 2.0)), "turbo")
+    for name, anchor, fairlead, share in zip(numbers.names, numbers.anchor, numbers.fairlead, used, strict=True):
+        axes.plot(*zip(anchor[:2], fairlead[:2], strict=True), color=colours.to_rgba(min(share, 2.0)), lw=2)
+        axes.plot(*anchor[:2], "k^", ms=4)
+        axes.annotate(f"{name} {100 * share:.0f} %", anchor[:2], fontsize=7, xytext=(3, 3), textcoords="offset points")
+    for one in berth.fenders:
+        share, inward = strain.get(one.name, 0.0), one.normal[:2]
+        axes.plot(*one.face[:2], "s", ms=9, color=colours.to_rgba(min(share, 2.0)), mec="k")
+        axes.annotate(
+            f"{one.name} {100 * share:.0f} %", one.face[:2], fontsize=7, ha="center", va="center",
+            xytext=16 * inward, textcoords="offset points",
+        )  # fmt: skip
+    corners = 0.5 * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1], [1, 1]]) * [hull.length, hull.beam]
+    axes.plot(*corners.T, color="0.6", ls="--", label="as drawn")
+    x, y, turn = numbers.place
+    turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    axes.plot(*(corners @ turned.T + [x, y]).T, color="k", label="mean place")
+    figure.colorbar(colours, ax=axes, shrink=0.6, label="tension / breaking load,\nstrain / allowable strain")
+    axes.margins(0.12)
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"mean place {x:.2f} m, {y:.2f} m, yaw "
+             f"{np.degrees(turn):.2f}°")  # fmt: skip
+    figure.legend(loc="outside lower center", ncols=2, fontsize=8)
+    save(figure, path, 150)

@@ -1,0 +1,17 @@
+"""Which kind of study a file holds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ...common.quantities import StudyError
+from ...common.typed import read_toml
+from . import mooring
+
+KINDS = {}  # a table that only this kind has
+
+
+def kind_of(path):
+    """Module of the kind of a study file.  Raises StudyError."""
+    raw, _ = read_toml(Path(path), "a study", StudyError)
+    return next((kind for table, kind in KINDS.items() if table in raw), mooring)

@@ -1,0 +1,143 @@
+"""A load case in time: its runs by `hakobune simulate`, and what criteria ask of them.
+
+Some rules take the tension at a multiple of the dynamic displacement: there the body is moved from its mean by the
+multiple of where it is at the largest tension of a line, in each run that is kept, and statics give the tension.
+"""
+
+from __future__ import annotations
+
+import tomllib
+
+import numpy as np
+
+from mooring.criteria.fatigue import Cycles, rainflow_cycles
+
+
+def simulated(study, database, path, factors):
+    """Numbers of a load case in time, run where the file does not have it.
+
+    study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
+    factors : of the dynamic displacement
+    returns : {"mean" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift": (n,) N at the
+        anchor with it, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their means, "findings"}
+    raises : ValueError, one line, where it cannot be run
+    """
+    from ...simulate.file import opened
+    from ...simulate.report import largest_tension, line_values
+
+    outcome = _run(study, database, path)
+    if outcome.made:  # what the preparation of the first run tells, the next does not
+        outcome = _run(study, database, path)
+    if outcome.interrupted:
+        raise KeyboardInterrupt
+    if outcome.failures:
+        raise ValueError(f"seed {outcome.failures[0][0]}: {outcome.failures[0][1]}")
+    with opened(path) as file:
+        rows = [line_values(file, name) for name in file["line"].asstr()[()]]
+        motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
+        motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
+    largest = {1.0: np.array([largest_tension(row) for row in rows])}
+    for factor in factors:
+        if factor != 1:
+            largest[factor] = _moved(study, database, motion, tension, factor)[0]
+    held, along, up = _moved(study, database, motion, tension, 1.0)
+    more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # the extreme is beyond what the records have
+    return {
+        "mean": np.array([row["mean"] for row in rows]),
+        "largest": largest,
+        "horizontal": along * more,
+        "uplift": up * more,
+        "cycles": cycles_of(tension, step),
+        "motions": motions,
+        "findings": outcome.findings,
+    }
+
+
+def cycles_of(tension, step):
+    """[(duration s, Cycles)] of each line, of records (runs, t, n) N every `step` s, all runs together"""
+    runs, count, lines = tension.shape
+    found = []
+    for line in range(lines):
+        each = [rainflow_cycles(record[:, line]) for record in tension]
+        found.append((runs * (count - 1) * step, Cycles(*(np.concatenate(part) for part in zip(*each, strict=True)))))
+    return found
+
+
+def _run(study, database, path):
+    from bem.database.integrity import DatabaseError
+
+    from ...simulate.run import simulate
+    from ...solve.work import Here
+
+    try:
+        return simulate(study, database, path, None, Here())
+    except DatabaseError:  # of another study, or damaged: made anew
+        return simulate(study, database, path, None, Here(), fresh=True)
+
+
+def _largest_motions(file):
+    """(6,) m, rad: extremes of the motions from their means, whichever side is larger"""
+    from bem import DOFS
+
+    from ...simulate.file import SUMMARY
+
+    names, out = list(file["quantity"].asstr()[()]), []
+    for name in DOFS:
+        row = dict(zip(SUMMARY, file["summary"][names.index(name.lower())], strict=True))
+        ends = [row[key] for key in ("upper_value", "lower_value", "largest", "smallest")]
+        out.append(np.nanmax(np.abs(np.array(ends) - row["mean"])))
+    return np.array(out)
+
+
+def _moved(study, database, motion, tension, factor):
+    """(3, n) N: static tension of each line and rope, its horizontal pull on the anchor or bollard and its pull upwards
+    there, with the body at `factor` times its displacement from the mean at the largest tension of the line, the mean
+    over the runs
+
+    motion : (runs, t, 6); tension : (runs, t, n)
+    """
+    from bem.database import open_database
+
+    db, made = open_database(database), make_study_of(study)
+    hull = made.hull_of(db.dimensions)
+    system = made.system(hull, db.rotation_center, db.density, db.gravity)
+    berth, out = made.berth(hull, db.rotation_center), np.zeros((3, tension.shape[-1]))
+    count = 0 if system is None else len(system.lines)
+    for moved, pulled in zip(motion, tension, strict=True):
+        mean = moved.mean(axis=0)
+        for line in range(out.shape[1]):
+            place = mean + factor * (moved[pulled[:, line].argmax()] - mean)
+            held = _held_line(system, line, place) if line < count else _held_rope(berth, db, line - count, place)
+            out[:, line] += np.array(held) / len(motion)
+    return out
+
+
+def make_study_of(path):
+    """The Study of a case's file"""
+    from ...moor.study import make_study
+
+    return make_study(tomllib.loads(path.read_text(encoding="utf-8")))
+
+
+def _held_line(system, line, place):
+    """N: tension, pull along and up at the anchor of a line, with the body displaced to `place` (6,)"""
+    from mooring.lines.system.equilibrium import held_at, rest
+
+    (body,) = system.bodies
+    pose = tuple(float(a + b) for a, b in zip(body.position, place, strict=True))
+    lines = rest(held_at(system, {body.name: pose})).lines
+    return lines.tension_b[line], lines.horizontal_a[line], -lines.vertical_a[line]
+
+
+def _held_rope(berth, db, rope, place):
+    """As `_held_line`, of a rope, which is straight"""
+    from scipy.spatial.transform import Rotation
+
+    from mooring.motion.contacts import contact_forces
+
+    tension = contact_forces(berth, place)[len(berth.fenders) + rope]
+    one, center = berth.ropes[rope], np.asarray(db.rotation_center, float)
+    turned = Rotation.from_euler("ZYX", place[[5, 4, 3]]).apply(one.fairlead - center)
+    way = center + place[:3] + turned - one.bollard
+    along, up = np.hypot(*way[:2]) / np.linalg.norm(way), way[2] / np.linalg.norm(way)
+    return tension, tension * along, tension * up

@@ -1,0 +1,224 @@
+"""A body on lines, or at a berth: `hakobune moor`, and `hakobune simulate` where the project has [simulation].
+
+The lines are laid once, in the water of the study.  Where the water is higher, or a line is lost, anchors, bollards and
+lengths stay: every case names its lines by fairlead and anchor.  Ropes of a berth are tended to their pretension; it
+has no simplified method and is simulated.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from contextlib import suppress
+from copy import deepcopy
+from pathlib import Path
+
+import numpy as np
+import tomli_w
+
+from meshing.whole_files import write_whole
+from mooring.lines.system.hawser import Hawser
+
+from ...common.quantities import StudyError
+from ...moor.study import make_study
+from ...site.link import read_study_at_site
+from .numbers import Numbers
+
+NAME, DATABASE, MOVED = "mooring study", "needed", True
+HELD = ("lines", "rope")  # what may be lost
+STILL = ("lines", "bollard"), ("rope", "bollard"), ("fender", "position")  # they do not rise with the water
+LAYING = (
+    "corner_headings_deg", "pretension_tonf", "pretension_kN", "fairlead_z", "heading_deg", "anchor", "bollard", "name",
+)  # fmt: skip
+SIMPLIFIED = (
+    "The largest motions are those of the free body, lines follow them by statics (SR179 report, 1982, 5.1.1), slow "
+    "drift is not in the method. Where a natural period lies near the waves, give the project [simulation]."
+)
+IN_TIME = (
+    "Tensions and motions are those of simulations in time with lines in their static form; findings above are of the "
+    "simplified method, which was run beside them."
+)
+AT_BERTH = (
+    "Tensions, strains and motions are expected extremes of simulations in time; forces at anchors and bollards are "
+    "static ones where the body is at the largest tension. A steady strain is the largest mean of ten minutes. Ropes "
+    "are tended to their pretension at every water level."
+)
+SOURCES = "Tensions are lines/maximum_tension of its file, offsets equilibrium, motions motion_amplitude."
+IN_TIME_SOURCES = (
+    "Tensions and motions are the extremes in the file of its runs, NAME_runs.h5; offset, yaw and forces at the anchor "
+    "in this table are of the simplified method, in NAME.h5."
+)
+BERTH_SOURCES = "Tensions, strains and motions are of the summary in the file of its runs; offsets are their means."
+KEPT = ("hull", "types", "allowable", "fender", "dolphin", "rope", "harbour")
+
+
+def read(path):
+    """Raw tables and text of a study.  Raises StudyError."""
+    raw, text = read_study_at_site(Path(path), "a mooring study")
+    make_study(raw)
+    return raw, text
+
+
+def check(project, raw):
+    """Raises StudyError where a project asks what this kind has not."""
+    if project.database_with_levels:
+        raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
+    if project.simulation is None and make_study(raw).at_berth:
+        raise StudyError("the study has fenders or ropes, which are judged in time; give the project [simulation]")
+
+
+def base(raw, db):
+    """Tables of a study with its lines by fairlead and anchor; db : of the water they are laid in"""
+    kept = {key: deepcopy(value) for key, value in raw.items() if key in KEPT}
+    return {**kept, "water": deepcopy(raw["water"]), "lines": laid_lines(raw, db)}
+
+
+def at(base, depth, weather):
+    """Tables of a load case in `depth` m of water, on which the body rises past bollards and fenders"""
+    study, rise = {**deepcopy(base), "water": {"depth": depth}, **weather}, depth - base["water"]["depth"]
+    for key, place in STILL:
+        for table in study.get(key, ()) if rise else ():
+            if place in table:
+                x, y, z = table[place]
+                table[place] = [x, y, z - rise]
+    return study
+
+
+def words(project, raw):
+    """The door that gives a case's numbers again, where they are, and what the method leaves out"""
+    if make_study(raw).at_berth:
+        return "hakobune simulate cases/NAME.toml --database … --output …", BERTH_SOURCES, AT_BERTH
+    sources = (SOURCES, SIMPLIFIED) if project.simulation is None else (IN_TIME_SOURCES, IN_TIME)
+    return "hakobune moor cases/NAME.toml --database …", *sources
+
+
+def lost(study):
+    """Names of lines and ropes"""
+    return [table["name"] for key in HELD for table in study.get(key, ())]
+
+
+def without(study, name):
+    """Tables without a line or rope"""
+    return {
+        **deepcopy(study),
+        **{key: [table for table in study[key] if table["name"] != name] for key in HELD if key in study},
+    }
+
+
+def laid_lines(raw, db):
+    """Raw tables of the lines of a study, each with name, fairlead and anchor"""
+    typed = make_study(raw)
+    system = typed.system(typed.hull_of(db.dimensions), db.rotation_center, db.density, db.gravity)
+    if system is None:
+        return []
+    points = {point.name: point for point in system.points}
+    center = np.asarray(db.rotation_center, float)
+    laid = []
+    for line, table in zip(system.lines, line_tables(raw), strict=True):
+        fairlead = center + points[line.b].position
+        rest = {key: value for key, value in table.items() if key not in LAYING and key != "fairlead"}
+        end = "bollard" if "bollard" in table else "anchor"
+        place = [float(x) for x in points[line.a].position[: 3 if end == "bollard" else 2]]
+        length = {"length": line.length} if isinstance(line, Hawser) else {}
+        laid.append({"name": line.name, "fairlead": fairlead.tolist(), end: place, **rest, **length})
+    return laid
+
+
+def run(study, database, path, factors):
+    """`Numbers` of a case, solved for where its file is not there or of another study or database, and those of its
+    runs in time, or None.
+
+    database, path : of the database and of the result; factors : of motions in time
+    """
+    from .in_time import simulated
+
+    runs_path = path.with_name(f"{path.stem}_runs.h5")
+    if make_study(study).at_berth:
+        from .berth import berth_numbers
+
+        write_study(path, tomli_w.dumps(study))
+        runs = simulated(path.with_suffix(".toml"), database, runs_path, factors)
+        return berth_numbers(study, database, runs_path, runs), runs
+    stored = _solved(study, database, path)
+    if "simulation" not in study:
+        return stored, None
+    return stored, simulated(path.with_suffix(".toml"), database, runs_path, factors)
+
+
+def write_study(path, text):
+    """Write the study of a case beside its result, unless it is there."""
+    place = path.with_suffix(".toml")
+    if not place.is_file() or place.read_text(encoding="utf-8") != text:
+        write_whole(place, text)
+
+
+def draw(study, database, numbers, path):
+    """Plan of the body on its lines, or of its berth"""
+    from bem.database import open_database
+
+    db, made = open_database(database), make_study(study)
+    if made.at_berth:
+        from .berth import draw_berth
+
+        draw_berth(made, db, numbers, path)
+        return
+    from ...moor.command import studied
+    from ...moor.plan_picture import draw_plan
+
+    draw_plan(*studied(made, db), path)
+
+
+def line_tables(raw):
+    """The raw table of each line of a study"""
+    given = [spread for spread in raw.get("spreads", []) for _ in range(4 * len(spread["corner_headings_deg"]))]
+    return given + raw.get("lines", [])
+
+
+def types_of(table):
+    """Names of the types that a line's table is made of"""
+    return (table["type"],) if "type" in table else tuple(segment["type"] for segment in table["segments"])
+
+
+def _solved(study, database, path):
+    from bem.database import open_database
+
+    from ...moor.command import studied, write_result
+
+    text = tomli_w.dumps(study)
+    found = _stored(path, study, text, database)
+    if found is None:
+        result, _ = studied(make_study(study), open_database(database))
+        write_study(path, text)
+        write_result(path, result, text, Path(database))
+        found = _stored(path, study, text, database)
+    return found
+
+
+def _stored(path, study, text, database):
+    """Numbers of the result in a file that is of this study and database, else None"""
+    from bem.database.results import DatabaseError, opened_result
+
+    from ...moor.command import SCHEMA
+
+    with suppress(DatabaseError, OSError, KeyError), opened_result(path, SCHEMA) as file:
+        seal = hashlib.sha256(Path(database).read_bytes()).hexdigest()
+        if file.attrs["study"] != text or file.attrs["database_sha256"] != seal:
+            return None
+        lines = {name: file[f"lines/{name}"][()] for name in file["lines"]}
+        return Numbers(
+            names=tuple(name.decode() for name in lines["name"]),
+            types=tuple(types_of(table) for table in line_tables(study)),
+            fairlead=lines["fairlead"],
+            anchor=lines["anchor"],
+            length=lines["length"],
+            pretension=lines["pretension"],
+            static=lines["static_tension"],
+            largest=lines["maximum_tension"],
+            breaking=lines["breaking_load"],
+            horizontal=lines["maximum_horizontal_anchor_force"],
+            uplift=lines["maximum_vertical_anchor_force"],
+            place=file["equilibrium"][()],
+            motions=file["motion_amplitude"][()],
+            parts={},
+            warnings=tuple(filter(None, str(file.attrs["warnings"]).split("\n"))),
+        )
+    return None

@@ -1,0 +1,36 @@
+"""What a load case gives to report and judge, whichever kind of study it is."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Numbers(NamedTuple):
+    """n lines, ropes or hawsers, SI.
+
+    types : names of the types that each is made of; fairlead, anchor : (n, 3) m, at rest
+    pretension, static, largest, breaking : (n,) N, at rest, under steady loads, largest, inf where it is unknown
+    horizontal, uplift : (n,) N, largest at the anchor
+    place : (3,) m, m, rad, under steady loads; motions : (6,) m, rad, largest, () where there are none
+    parts : {quantity: {of what: value}}, beyond tensions and motions; hawsers : names of those that are
+    warnings : what a reader has to know, one line each
+    """
+
+    names: tuple
+    types: tuple
+    fairlead: np.ndarray
+    anchor: np.ndarray
+    length: np.ndarray
+    pretension: np.ndarray
+    static: np.ndarray
+    largest: np.ndarray
+    breaking: np.ndarray
+    horizontal: np.ndarray
+    uplift: np.ndarray
+    place: np.ndarray
+    motions: np.ndarray
+    parts: dict
+    hawsers: tuple = ()
+    warnings: tuple = ()

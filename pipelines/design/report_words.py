@@ -1,0 +1,187 @@
+"""Words and rows of a report: verdict, states, lines, criteria, cases, as its page has them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mooring.criteria.rules import read_rules
+
+from .kinds.numbers import Numbers
+from .report_tables import CASE_HEAD, WORDS, case_row
+from .verdict import OPEN
+
+MARK = {True: "passes", False: "fails", None: "open"}
+
+
+def summary(verdict):
+    """What governs, in a line after "the mooring passes" """
+    worst = _worst(verdict)
+    if verdict.word == OPEN:
+        unknown = sum(one.met is None for one in verdict.judged)
+        failed = sum(one.numbers is None for one in verdict.ran)
+        return f": {unknown} criteria are not judged, {failed} load cases could not be run"
+    if worst is None:
+        return ""
+    use, criterion = worst.governing, worst.criterion
+    return (
+        f": {100 * use.utilisation:.0f} % of {criterion.name}, {criterion.quantity} {criterion.sense} "
+        f"{criterion.limit:.4g}, is used by {use.item} in “{use.case}”"
+    )
+
+
+def advice_words(advice):
+    """What to change, in a sentence; "" without advice"""
+    if advice is None:
+        return ""
+    names = ", ".join(f"{kind} for {name}" for name, kind in advice.changed.items())
+    used = f"{100 * advice.utilisation:.0f} % of the criterion that governs"
+    if advice.passes:
+        return f"The smallest change of size that passes, run in the cases that govern: {names}; it uses {used}."
+    return f"No larger size of those tried passes; the best is {names}, which uses {used}. Take more lines."
+
+
+def _worst(verdict):
+    found = [one for one in verdict.judged if one.governing is not None]
+    return max(found, key=lambda one: one.governing.utilisation, default=None)
+
+
+def return_words(own, verdict):
+    if verdict.return_period is None:
+        return ""
+    return (
+        f"A value that is not exceeded in {own.service_life:g} years with probability {own.probability:g} has a return "
+        f"period of {verdict.return_period:.0f} years."
+    )
+
+
+def state_row(state):
+    def stream(table):
+        if table is None:
+            return "none"
+        return f"{table.speed:g} m/s" if table.speed is not None else f"{table.speed_knots:g} knots"
+
+    waves = "none" if state.waves is None else f"{state.waves.height:g} m, {state.waves.period:g} s"
+    angles = ", ".join(f"{angle:g}" for angle in state.incidence_deg)
+    for name, offs in (("wind", state.wind_off_deg), ("current", state.current_off_deg)):
+        if offs != [0.0]:
+            angles += f"; {name} off by {', '.join(f'{off:g}' for off in offs)}"
+    lines = "intact and one lost" if "one lost" in state.lines else "intact"
+    levels = ", ".join(state.levels)
+    return state.name, state.state, stream(state.wind), stream(state.current), waves, angles, levels, lines
+
+
+def line_rows(verdict):
+    """Cells of a line of the table of lines, ropes and hawsers, as they are in the first case that ran"""
+    one: Numbers | None = next((one.numbers for one in verdict.ran if one.numbers is not None), None)
+    for i, name in enumerate(() if one is None else one.names):
+        yield (
+            name,
+            f"{one.length[i]:.4g}",
+            ", ".join(one.types[i]),
+            _place(one.fairlead[i]),
+            _place(one.anchor[i]),
+            f"{one.pretension[i] / 1e3:.4g}",
+            f"{one.breaking[i] / 1e3:.5g}" if np.isfinite(one.breaking[i]) else "not given",
+        )
+
+
+def part_table(read, verdict):
+    """Head and rows, cells, of what the cases find beyond tensions: the worst of each quantity, and of what"""
+    ran = [one for one in verdict.ran if one.numbers is not None and one.numbers.parts]
+    quantities = list(dict.fromkeys(quantity for one in ran for quantity in one.numbers.parts))
+    least = {one.quantity for one in (*read_rules(), *read.criteria) if one.sense == "at least"}
+    rows = []
+    for one in ran:
+        cells = []
+        for quantity in quantities:
+            values = one.numbers.parts.get(quantity, {})
+            pick = min if quantity in least else max
+            item = pick(values, key=values.get) if values else ""
+            cells.append(f"{values[item]:.3g} {item}" if values else "")
+        rows.append((one.case.name, cells))
+    return quantities, rows
+
+
+def _place(point):
+    return ", ".join(f"{x:.5g}" for x in point)
+
+
+def criterion(one, links):
+    c, use = one.criterion, one.governing
+    factors = f"{c.limit:.4g}" if c.second is None else f"{c.limit:.4g}, {c.second:.4g}"
+    for_ = ", ".join(
+        word
+        for word, skip in ((c.state, "any"), (f"lines {c.lines}", "lines any"), (c.statistic, ""), (c.subject, ""))
+        if word != skip
+    )
+    unverified = "" if c.status == "read" else f" ({c.status})"
+    found = {
+        "words": f"{c.name}: {c.quantity} {c.sense} {factors}{'' if c.unit in ('', '-') else ' ' + c.unit}; {for_}",
+        "source": f"{c.source}{unverified}",
+        "limit": factors,
+        "verdict": WORDS[one.met],
+        "css": MARK[one.met],
+        "missing": one.missing,
+        "value": "",
+        "used": "",
+        "link": "",
+        "case": "",
+        "item": "",
+    }
+    if use is not None:
+        found |= {
+            "value": f"{use.value:.4g}",
+            "used": f"{100 * use.utilisation:.0f} %",
+            "case": use.case,
+            "item": use.item,
+        }
+        found["link"] = links.get(_with_factor(use.case, c.motion_factor), links[use.case])
+    return found
+
+
+def rule_set(one):
+    c, use = one.criterion, one.use
+    limit = f"{c.quantity} {c.sense} {c.limit:.4g}"
+    unread = f"{one.unread} of them not read in the book" if one.unread else ""
+    return {
+        "cells": (one.name, one.subject, "judges" if one.chosen else "", f"{one.judged} of {one.known}", limit),
+        "used": f"{100 * use.utilisation:.0f} %",
+        "css": MARK[use.utilisation <= 1],
+        "by": f"{use.item}, {use.case}",
+        "unread": unread,
+    }
+
+
+def _with_factor(name, factor):
+    """Name of the load case with `factor` times the motions, where it is a case of its own"""
+    return name if factor == 1 else f"{name}, motions x {factor:g}"
+
+
+def case(one, links):
+    row = dict(zip(CASE_HEAD, case_row(one), strict=True))
+    cells = []
+    if one.numbers is not None and not one.numbers.names:
+        cells = [f"{np.hypot(row['x_m'], row['y_m']):.2f}", f"{row['yaw_deg']:.2f}", *["–"] * 5]
+    elif one.numbers is not None:
+        share = row["of_breaking_load"]
+        cells = [
+            f"{np.hypot(row['x_m'], row['y_m']):.2f}",
+            f"{row['yaw_deg']:.2f}",
+            f"{row['largest_tension_N'] / 1e3:.4g}",
+            row["line"],
+            "unknown" if np.isnan(share) else f"{100 * share:.0f} %",
+            f"{row['horizontal_at_anchor_N'] / 1e3:.4g}",
+            f"{max(row['uplift_at_anchor_N'], 0.0) / 1e3:.4g}",
+        ]
+    return {"name": one.case.name, "link": links[one.case.name], "fault": one.fault, "cells": cells}
+
+
+def warnings(verdict):
+    """Findings of the cases, each once, with the cases that have it"""
+    found = {}
+    for one in verdict.ran:
+        for text in one.numbers.warnings if one.numbers else ():
+            found.setdefault(text, []).append(one.case.name)
+    for text, names in found.items():
+        more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+        yield {"text": text, "cases": f"{names[0]}{more}"}

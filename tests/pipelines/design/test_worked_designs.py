@@ -1,0 +1,133 @@
+"""The worked designs among the scenes, each in a reduced form: coarse databases, minutes in place of hours"""
+
+import csv
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tomli_w
+
+import mooring.motion.simulation as engine
+import pipelines
+from bem.time_domain.memory import Memory, MemoryArrays
+from pipelines.common.quantities import StudyError
+from pipelines.design.command import made
+from pipelines.design.project import read_project
+from pipelines.solve.work import Here
+
+SCENES = Path(pipelines.__file__).parent / "scenes"
+COARSE = {"periods": [6.0, 8.0, 10.0, 14.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}
+
+
+def without_memory(db):
+    """Memory without states, so that none has to be fitted"""
+    none, square = np.zeros((6, 0)), np.zeros((6, 6))
+    arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
+    A = db.reader.coefficients(db.reader.omega[:1])[0][0]
+    return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, (0.3, 1.5), ()), ()
+
+
+def raw_of(name):
+    return tomllib.loads((SCENES / name).read_text(encoding="utf-8"))
+
+
+def put(folder, name, raw):
+    (folder / name).write_text(tomli_w.dumps(raw), encoding="utf-8")
+
+
+def reduced(folder, name, **states):
+    """Files of a worked design in a folder, by their own names: a coarse scene, a minute in time, fewer directions
+
+    states : {state: what changes of it}
+    """
+    project = raw_of(name)
+    own = project["project"]
+    put(folder, own["study"], raw_of(own["study"]))
+    if "scene" in own:
+        scene = raw_of(own["scene"])
+        put(folder, own["scene"], {**scene, "tolerance": 0.2, "waves": COARSE})
+    if "simulation" in project:
+        project["simulation"] |= {"duration": 60.0, "ramp": 20.0, "seeds": 1}
+        project["simulation"].pop("duration_hours", None)
+    project["states"] = [state | states[state["name"]] for state in project["states"] if state["name"] in states]
+    used = {level for state in project["states"] for level in state.get("levels", ())}
+    project["levels"] = {level: rise for level, rise in project.get("levels", {}).items() if level in used}
+    put(folder, name, project)
+    return folder / name
+
+
+def rows(path):
+    return list(csv.DictReader(path.read_text(encoding="utf-8").splitlines()[1:]))
+
+
+@pytest.fixture
+def quick(monkeypatch):
+    monkeypatch.setattr(engine, "_memory", without_memory)
+
+
+@pytest.fixture(scope="module")
+def tanker(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("tanker")
+    states = {"storm": {"incidence_deg": [-90.0]}, "loading": {"incidence_deg": [120.0], "levels": ["mean"]}}
+    return reduced(folder, "design_tanker_berth.toml", **states)
+
+
+def test_a_tanker_berth_is_judged_by_ropes_fenders_dolphins_and_motions(tanker, quick):
+    from bem.database import open_database
+    from mooring.motion.contacts import courses
+    from pipelines.moor.study import make_study
+    from pipelines.simulate.file import opened
+
+    out = tanker.parent / "out"
+    verdict, names, _ = made(read_project(tanker), out, Here(), None)
+    assert [one.fault for one in verdict.ran if one.fault] == []
+    assert names == ("report.html", "cases.csv", "criteria.csv", "parts.csv")
+    cases = {one.case.name: one for one in verdict.ran}
+    storm = cases["storm, -90 deg"]
+    (lost,) = [one for one in verdict.ran if one.case.lost]
+    assert lost.case.lost == storm.numbers.names[int(np.argmax(storm.largest))] and len(lost.numbers.names) == 15
+    asked = {one.criterion.quantity: one.governing for one in verdict.judged}
+    for quantity, use in asked.items():  # the governing one is the worst of all that are in the tables
+        found = [float(row["value"]) for row in rows(out / "parts.csv") if row["quantity"] == quantity]
+        if found:
+            assert use.value == pytest.approx(min(found) if "design load" in quantity else max(found), rel=1e-9)
+    assert {"tension / breaking load", "surge", "fender energy / rated energy"} <= set(asked)
+    # forces of ropes where they are largest, and strains, by the stored course of the body
+    study = make_study(tomllib.loads((out / "cases" / "storm_-90_deg.toml").read_text(encoding="utf-8")))
+    db = open_database(out / "databases" / "mean.h5")
+    berth = study.berth(study.hull_of(db.dimensions), db.rotation_center)
+    with opened(out / "cases" / "storm_-90_deg_runs.h5") as file:
+        motion, tension, pressed = (file[name][0].astype(float) for name in ("motion", "tension", "deflection"))
+    depth, force = courses(berth, motion)
+    np.testing.assert_allclose(force[:, 4:], tension, rtol=1e-3, atol=1.0)
+    np.testing.assert_allclose(np.maximum(depth[:, :4], 0.0), pressed, atol=1e-6)
+    one = study.fender[0]
+    reaction = np.interp(pressed[:, 0].max(), *series_of(berth.fenders[0].fender))
+    alone = pressed[:, 0].max() - reaction / (1e3 * study.dolphin[0].stiffness)
+    assert storm.numbers.parts["fender strain, total"][one.name] >= alone / one.height * (1 - 1e-3)
+
+
+def series_of(pair):
+    """Deflections and reactions of a fender on its dolphin"""
+    y = np.linspace(0.0, pair.limit, 2000)
+    return y, pair.loading(y)
+
+
+def test_a_berth_at_high_water_has_its_bollards_and_fenders_lower_on_the_hull(tanker):
+    from pipelines.design.kinds import mooring
+
+    read = read_project(tanker)
+    base = {key: value for key, value in read.study.items() if key != "waves"} | {"lines": []}
+    study = mooring.at(base, 24.0, {})
+    assert study["rope"][0]["bollard"][2] == base["rope"][0]["bollard"][2] - 2.0
+    assert study["fender"][0]["position"][2] == base["fender"][0]["position"][2] - 2.0
+    assert study["rope"][0]["fairlead"] == base["rope"][0]["fairlead"]
+
+
+def test_a_berth_without_time_is_refused(tanker):
+    raw = tomllib.loads(tanker.read_text(encoding="utf-8"))
+    del raw["simulation"]
+    put(tanker.parent, "still.toml", raw)
+    with pytest.raises(StudyError, match=r"judged in time; give the project \[simulation\]"):
+        read_project(tanker.parent / "still.toml")
