@@ -5,7 +5,8 @@ Each frequency goes to the database as usual; the error between them is estimate
 to the tolerance.  Frequencies are placed without regard to values (`bem.database.interpolant.chosen`): placed where the
 estimated error is largest, as many leave errors beyond the tolerance where no value has shown a resonance yet.  The
 tolerance is relative to the largest coefficient of a band; the height of a resonance hangs on damping that can be a
-thousandth of it.  Resonances (`bem.database.resonances`) are therefore solved for too.
+thousandth of it.  Resonances (`bem.database.resonances`) are therefore solved for too, and for drift those that grow
+the error ε of the waves radiated, 1/2ζ times at resonance, beyond the tolerance, if no frequency is in their breadth.
 """
 
 from __future__ import annotations
@@ -62,7 +63,7 @@ def _missing(scene, db):
     places, error = _estimated(scene, known)
     if _inside(scene, db.omega) >= MOST:
         return error, np.zeros(0)
-    return error, _unseen(scene, db) if error <= scene.accuracy else _next(scene, known, places, error)
+    return error, _unseen(scene, db, error) if error <= scene.accuracy else _next(scene, known, places, error)
 
 
 def controlled(names):
@@ -91,11 +92,12 @@ def _next(scene, known, places, error):
     return places[chosen(Abscissa(*stored), open_, count)]
 
 
-def _unseen(scene, db):
-    """The first resonance to be solved for, rad/s, none or one: sharp, or less sure than the tolerance"""
+def _unseen(scene, db, error):
+    """The first resonance to be solved for, rad/s, none or one: sharp, unsure beyond the tolerance, or in drift so"""
     for one in resonances(db.reader) if "rao" in db.names else ():
         apart = np.abs(db.omega / one.omega - 1).min()
-        if apart > NEAR and (one.damping < SHARP or one.error > scene.accuracy * one.peak):
+        drifts = "drift_force" in db.names and apart > one.damping / 2 and error > 2 * one.damping * scene.accuracy
+        if apart > NEAR and (one.damping < SHARP or one.error > scene.accuracy * one.peak or drifts):
             return np.array([one.omega])
     return np.zeros(0)
 

@@ -22,17 +22,16 @@ def solved(path, omega):
 
 @pytest.mark.filterwarnings("ignore")
 def test_a_dozen_chosen_frequencies_give_the_sea_state_of_64_fixed_ones(tmp_path):
-    """Motions to 0.1 %, mean and slow drift to 0.4 %, moments of drift to 0.6 %; cubics err a fifth."""
+    """Motions, mean and slow drift and their moments to 0.1 %, where 0.4 % is asked for; cubics miss them by 3 %."""
     chosen, fixed = solved(tmp_path / "a.h5", "auto:0.25:1.3"), solved(tmp_path / "f.h5", "0.25:1.3:64")
     assert len(chosen.omega) < 20
     found, wanted = (sea_state(db.reader.floating(), SEA, 10800.0) for db in (chosen, fixed))
     assert np.allclose(found.sigma, wanted.sigma, rtol=1e-3)
-    assert np.allclose(found.slow.drift[:2], wanted.slow.drift[:2], rtol=4e-3)
-    assert np.isclose(found.slow.drift[2], wanted.slow.drift[2], rtol=6e-3)
-    assert np.allclose(found.slow.sigma, wanted.slow.sigma, rtol=6e-3)
+    assert np.allclose(found.slow.drift, wanted.slow.drift, rtol=1e-3)
+    assert np.allclose(found.slow.sigma, wanted.slow.sigma, rtol=1e-3)
     omega, density = wanted.omega, SEA.spectrum.density(wanted.omega)
     roll = np.abs(CubicSpline(chosen.omega, chosen["rao"][:, 0, ROLL])(omega)) ** 2
     assert abs(np.sqrt(np.trapezoid(roll * density, omega)) / wanted.sigma[ROLL] - 1) > 0.03
     yaw = CubicSpline(chosen.omega, chosen["drift_force"][:, 0, 2])(omega)
     inside = wanted.slow.drift - wanted.slow.beyond.sum(axis=0)
-    assert abs(2 * np.trapezoid(yaw * density, omega) / inside[2] - 1) > 0.1
+    assert abs(2 * np.trapezoid(yaw * density, omega) / inside[2] - 1) > 0.02
