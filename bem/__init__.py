@@ -12,3 +12,4 @@ Conventions, the same everywhere in this package and written as attributes into 
 """
 
 DOFS = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
+ESTIMATE, INTERPOLATED = "error estimate", "interpolated error estimate"  # steps of a frequency, with their time

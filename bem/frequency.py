@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from . import DOFS
+from . import DOFS, ESTIMATE, INTERPOLATED
 from .checks import at_least_haskind, check, damping_error, largest_error
 from .drift import about, mean_drift
 from .free_body import motions
@@ -38,7 +38,8 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
         start = time.perf_counter()
         result["checks"]["estimated_error"] = run.estimated_error()
         result["estimated_error"] = run.estimated_errors()
-        result["wall_time"]["error estimate"] = estimating + time.perf_counter() - start
+        step = INTERPOLATED if run.interpolated else ESTIMATE
+        result["wall_time"][step] = estimating + time.perf_counter() - start
     return result
 
 
@@ -52,6 +53,8 @@ class FrequencyRun:
     """
 
     most_sharper = 0  # times in a row that a run is answered by a `sharper` one
+    interpolated = False  # whether `differences` are those of other frequencies
+    margin = 1.0  # times what follows from `differences`
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         if not (np.isfinite(omega) and omega > 0):
@@ -117,8 +120,13 @@ class FrequencyRun:
     @cached_property
     def tolerances(self):
         """The largest error between two resolutions over the tolerance, of damping over what is well within it"""
-        errors = self._at_least_haskind(*self.differences)
+        errors = self._at_least_haskind(*self.bounds)
         return max(largest_error(self, *errors), damping_error(self, errors[0]) / TRUSTED) / self.problem.tolerance
+
+    @property
+    def bounds(self):
+        """`differences` or, of those that are interpolated, no less in size"""
+        return self.differences
 
     @property
     def sharper(self):
@@ -128,7 +136,7 @@ class FrequencyRun:
     @cached_property
     def errors(self):
         """Estimated errors of `radiation` and `excitation`, of this no less than `haskind` shows, or None"""
-        return None if self.differences is None else self.enlarged(*self._at_least_haskind(*self.differences))
+        return None if self.bounds is None else self.enlarged(*self._at_least_haskind(*self.bounds))
 
     def enlarged(self, radiation, excitation):
         """Errors with what no resolution shows"""
@@ -195,12 +203,13 @@ class FrequencyRun:
         if self.free and self.want & FREE:
             radiation, excitation = self.enlarged(*self.differences)
             rao = self._motions(self.radiation - radiation, self.excitation - excitation)
-            out["rao"] = np.abs(self.asked_only(self.rao - rao))
+            out["rao"] = self.margin * np.abs(self.asked_only(self.rao - rao))
         if self.want & DRIFT and self.kochin_errors is not None:
             corrected = [H - error for H, error in zip(self.kochin, self.kochin_errors, strict=True)]
             for name, motion in (("drift_force_fixed", None), ("drift_force", rao)):
                 if name in self.want and (motion is not None or name == "drift_force_fixed"):
-                    out[name] = np.abs(self.drift(motion is not None) - self._mean_drift(*corrected, motion))
+                    change = self.drift(motion is not None) - self._mean_drift(*corrected, motion)
+                    out[name] = self.margin * np.abs(change)
         return {name: value for name, value in out.items() if name in self.want}
 
     def result(self):

@@ -28,7 +28,7 @@ from .accuracy import DIGIT, Accuracy, accuracy, finer
 from .frequency_limits import infinite_frequency, zero_frequency
 from .matching import fixed_terms
 from .modal_sums import ChebyshevNodes, contracted
-from .one_frequency import ContourFrequency, combined
+from .one_frequency import ContourFrequency, combined, degrees
 from .plan.circle import Circle
 from .plan.rectangle import Rectangle
 from .rigid_motions import Motion, bottom_integral, motion
@@ -131,6 +131,14 @@ class ContourBody:
         """`ContourFrequency`, or `ShortFrequency` of waves that are not resolved"""
         k = float(wavenumber(omega, self.depth, gravity))
         return ShortWaveFrequency if unresolved((*self.plan.sizes, self.draft), k) else ContourFrequency
+
+    def resolution(self, omega, gravity=9.80665):
+        """What the equations at a frequency are resolved with: equal ones leave errors that are smooth in frequency"""
+        k = float(wavenumber(omega, self.depth, gravity))
+        if self.solver(omega, gravity) is ShortWaveFrequency:
+            return (omega,)
+        degree, top = degrees(self, k)
+        return degree, top, len(self.plan.contour(k, degree, self.tolerance).weights)
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
         """(m, 6) force of the undisturbed waves alone, N/m and N m/m; arguments as of `first_order`"""

@@ -19,6 +19,7 @@ import numpy as np
 
 from meshing.whole_files import keep_room
 
+from .. import INTERPOLATED
 from .file import LATER, DatabaseError, Header, beside, lay_out, opened, read_header
 from .integrity import check_cells, check_rows
 from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
@@ -235,6 +236,10 @@ class Database:
         with self.opened() as file:
             check_rows(file, self.rows)
             return [json.loads(text) for text in file["wall_time"][()][self.rows]]
+
+    def interpolated_estimates(self):
+        """(n,) whether the estimated errors of a solved frequency are those of others near it"""
+        return np.array([INTERPOLATED in steps for steps in self.wall_times()], bool)
 
     @property
     def complete(self):

@@ -24,6 +24,8 @@ class ShapeProblem(Problem):
     sizes : m, in that order; tolerance : relative error asked for
     panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels and limits over a
         raised bed; or None
+    omegas : (n,) rad/s, ascending, that will be asked for: of many some tell the errors of the others
+        (`bem.methods.few_estimates`)
     bed : m, of `bem.contour.raised_bed`, at most `depth`: the contour method works over it; None for the bed that
         there is
     """
@@ -33,6 +35,7 @@ class ShapeProblem(Problem):
     sizes: tuple
     tolerance: float = 1e-3
     panels: object = None
+    omegas: tuple = ()
     bed: float | None = None
 
     def prepared(self):
@@ -84,7 +87,15 @@ class PreparedShapeProblem:
 
     def run(self, *arguments):
         """The quantities of one frequency; arguments as in `bem.frequency.FrequencyRun`"""
-        return ShapeRun(self, *arguments)
+        return ShapeRun(self, *arguments) if self.few_estimates is None else self.few_estimates.run(*arguments)
+
+    @cached_property
+    def few_estimates(self):
+        """`bem.methods.few_estimates.FewEstimates`, or None where each frequency has an estimate of its own"""
+        from .few_estimates import FEWEST, FewEstimates
+
+        many = self.problem.method == "contour" and len(self.problem.omegas) >= FEWEST
+        return FewEstimates(self, self.problem.omegas) if many else None
 
     def added_mass_limit(self, which):
         """A (6, 6) about the rotation centre for `which` "zero" or "infinity" of the frequency
@@ -162,11 +173,17 @@ class ShapeRun(FrequencyRun):
         force, better = (r.froude_krylov + r.diffraction for r in (ours, fine))
         return ours.radiation - fine.radiation, force - better
 
+    @cached_property
+    def kochin_differences(self):
+        """As `differences`, of `kochin`"""
+        fine = self.finer.kochin_radiation, self.finer.kochin_diffraction
+        return [H - better for H, better in zip(self.kochin, fine, strict=True)]
+
     @property
     def kochin_errors(self):
         """As `errors`, of `kochin`"""
-        fine = self.finer.kochin_radiation, self.finer.kochin_diffraction
-        return [H - better + bed_share(self.problem) * H for H, better in zip(self.kochin, fine, strict=True)]
+        share = bed_share(self.problem)
+        return [error + share * H for H, error in zip(self.kochin, self.kochin_differences, strict=True)]
 
     @property
     def radiated(self):

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from bem import ESTIMATE, INTERPOLATED
 from bem.database import Storing, append, append_limit, create, extend, open_database, pending, row_values, writing
 from bem.database.file import check_place, check_replaceable
 from bem.database.schema import LIMITS, NEEDS_MOTION
@@ -119,7 +120,7 @@ def _fill(plan, executor, console, cost, file):
         progress = Progress(console, len(jobs)) if console else None
         try:
             for job, result in zip(jobs, in_order(executor, (job.call for job in jobs)), strict=True):
-                share("solve", "estimate", times(result).get("error estimate", 0.0))
+                share("solve", "estimate", sum(times(result).get(step, 0.0) for step in (ESTIMATE, INTERPOLATED)))
                 with phase("store"):
                     reason = _stored(job, result)
                 if reason:
