@@ -62,16 +62,24 @@ class Stencils(NamedTuple):
         return np.all([np.all((a == a[panel]).reshape(len(panel), -1), axis=1) for a in parts], axis=0)
 
 
-def stencils(mesh, exponents, depth=np.inf):
+def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
     """`Stencils` along s and along t; exponents : (n, 4) as of `sharp_sides`; depth : m
 
     The two directions form a product stencil: where the panels of the one do not have the same layout in the other,
-    the stencil is the panel alone.
+    the stencil is the panel alone, and so it is where `steady` (n,) of a stencil is false.
     """
     adjacency = _Adjacency(_continuations(mesh), _planes(mesh))
     (s, single_s), (t, single_t) = (_in_direction(mesh, exponents, adjacency, *sides) for sides in SIDES)
     s, t = (_with_other_face(mesh, stencil, sides, (s, t), depth) for stencil, sides in zip((s, t), SIDES, strict=True))
-    return s.replaced(~_alike(s, t), single_s), t.replaced(~_alike(t, s), single_t)
+    s, t = (
+        s.replaced(~np.broadcast_to(steady(s), s.count.shape), single_s),
+        t.replaced(~np.broadcast_to(steady(t), t.count.shape), single_t),
+    )
+    while True:
+        apart = ~_alike(s, t) & (s.count > 1), ~_alike(t, s) & (t.count > 1)
+        if not np.any(apart):
+            return s, t
+        s, t = s.replaced(apart[0], single_s), t.replaced(apart[1], single_t)
 
 
 def coarsest_at_gap(mesh, depth):
