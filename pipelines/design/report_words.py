@@ -103,7 +103,7 @@ def part_table(read, verdict):
 
 
 def _place(point):
-    return ", ".join(f"{x:.5g}" for x in point)
+    return ", ".join(f"{round(float(x), 3) + 0.0:g}" for x in point)
 
 
 def criterion(one, links):

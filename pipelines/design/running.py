@@ -155,16 +155,20 @@ def _lost(read, group, names):
     if state.lost == "worst":
         if intact.numbers is None:  # which is the worst is not known; the intact case is named as one that did not run
             return
-        lost = [worst_of(intact)]
+        lost = [worst_of(intact, names)]
     for name in lost:
         for one in group.values():
             yield without_line(read, one.case, name)
 
 
-def worst_of(ran):
-    """Name of the line that carries most of its breaking load, or pulls most where none is known"""
-    share = ran.largest / ran.numbers.breaking
-    return ran.numbers.names[int(np.argmax(share if np.any(share > 0) else ran.largest))]
+def worst_of(ran, among=None):
+    """Name of the line that carries most of its breaking load, or pulls most where none is known
+
+    among : names, by default all
+    """
+    share, names = ran.largest / ran.numbers.breaking, ran.numbers.names
+    used = share if np.any(share > 0) else ran.largest
+    return max(names if among is None else among, key=lambda name: used[names.index(name)])
 
 
 def _tensions(read, ran, largest):

@@ -43,7 +43,7 @@ def make(study, folder=None, db=None) -> Made:
     mass, center = _mass(study, db, density)
     loads, findings = loads_of(study, folder, db, density, center)
     ends, lengths = _hawsers(study, center)
-    system, left = _system(study, depth, density)
+    system, left = system_of(study, depth, density)
     try:
         return Made(SinglePoint(loads, mass, ends, lengths, system), left, tuple(findings))
     except SinglePointError as error:
@@ -101,8 +101,8 @@ def _hawsers(study, center):
     return np.stack([at + aside, at - aside]), np.full(2, h.length)
 
 
-def _system(study, depth, density):
-    """System of the buoy on its lines, and how far it may sink, m"""
+def system_of(study, depth, density):
+    """System of the buoy on its lines, laid in `depth` m of water of `density` kg/m³, and how far it may sink, m"""
     b, m = study.buoy, study.mooring
     if not -depth < b.z <= 0:
         raise StudyError(f"buoy.z is {b.z:g} m; allowed: above the bed at {-depth:g} m, at most 0")

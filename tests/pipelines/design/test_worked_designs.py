@@ -20,11 +20,11 @@ SCENES = Path(pipelines.__file__).parent / "scenes"
 COARSE = {"periods": [6.0, 8.0, 10.0, 14.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}
 
 
-def without_memory(db):
+def without_memory(reader):
     """Memory without states, so that none has to be fitted"""
     none, square = np.zeros((6, 0)), np.zeros((6, 6))
     arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
-    A = db.reader.coefficients(db.reader.omega[:1])[0][0]
+    A = reader.coefficients(reader.omega[:1])[0][0]
     return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, (0.3, 1.5), ()), ()
 
 
@@ -46,7 +46,7 @@ def reduced(folder, name, **states):
     put(folder, own["study"], raw_of(own["study"]))
     if "scene" in own:
         scene = raw_of(own["scene"])
-        put(folder, own["scene"], {**scene, "tolerance": 0.2, "waves": COARSE})
+        put(folder, own["scene"], {**scene, "tolerance": 0.1 if scene.get("method") else 0.2, "waves": COARSE})
     if "simulation" in project:
         project["simulation"] |= {"duration": 60.0, "ramp": 20.0, "seeds": 1}
         project["simulation"].pop("duration_hours", None)
@@ -131,3 +131,55 @@ def test_a_berth_without_time_is_refused(tanker):
     put(tanker.parent, "still.toml", raw)
     with pytest.raises(StudyError, match=r"judged in time; give the project \[simulation\]"):
         read_project(tanker.parent / "still.toml")
+
+
+@pytest.fixture(scope="module")
+def barge(tmp_path_factory):
+    states = {
+        "extreme": {"incidence_deg": [30.0], "current_off_deg": [30.0]},
+        "loading": {"levels": ["high"], "lines": ["intact"]},
+    }
+    folder = tmp_path_factory.mktemp("barge")
+    path = reduced(folder, "design_single_point_barge.toml", **states)
+    study = raw_of("single_point_barge.toml")
+    put(folder, "single_point_barge.toml", {**study, "slewing": {"duration": 200.0, "scheme": "slow"}})
+    return path
+
+
+def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge):
+    from bem.database import open_database
+    from mooring.single_point.equilibria import equilibria
+    from pipelines.single_point.report import preferred
+    from pipelines.single_point.study import make
+    from pipelines.single_point.tables import read_study
+
+    out = barge.parent / "out"
+    verdict, _, _ = made(read_project(barge), out, Here(), None)
+    assert [one.fault for one in verdict.ran if one.fault] == []
+    of = {one.criterion.subject: one.governing for one in verdict.judged}
+    assert of["hawser"].item == "hawser 1" and of["chain of a single-point mooring"].item.startswith("line at ")
+    (intact,) = [one for one in verdict.ran if one.case.state == "extreme" and not one.case.lost]
+    (lost,) = [one for one in verdict.ran if one.case.lost]
+    assert lost.case.lost in intact.numbers.names and lost.case.lost not in lost.numbers.names
+    assert len(lost.numbers.names) == len(intact.numbers.names) - 1
+    # the case's own file, by its door
+    study, _, _ = read_study(out / "cases" / "extreme_30_deg_current_+30.toml")
+    best = preferred(equilibria(make(study, None, open_database(out / "databases" / "mean.h5")).point))
+    np.testing.assert_allclose(intact.numbers.static, [*best.hawser, *best.lines.tension], rtol=1e-9)
+    # again: taken from the files, the same
+    assert made(read_project(barge), out, Here(), None)[0].ran[0].numbers.warnings == verdict.ran[0].numbers.warnings
+
+
+def test_lines_of_a_buoy_end_at_the_same_anchors_at_every_level(barge):
+    from pipelines.design.kinds import single_point
+    from pipelines.single_point.study import DENSITY, system_of
+    from pipelines.single_point.tables import make_study
+
+    base = single_point.base(read_project(barge).study, None)
+    systems = [
+        system_of(make_study(single_point.at(base, depth, {})), depth, DENSITY)[0] for depth in (20.0, 21.5, 18.0)
+    ]
+    anchors = np.array([[point.position[:2] for point in system.points[::2]] for system in systems])
+    np.testing.assert_allclose(anchors[1:], np.broadcast_to(anchors[0], anchors[1:].shape), atol=1e-5)
+    with pytest.raises(StudyError, match="do not reach their anchors"):
+        single_point.at(base, 200.0, {})

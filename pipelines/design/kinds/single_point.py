@@ -1,0 +1,228 @@
+"""A body on a buoy or turret: `hakobune single-point`, at rest and, where the study has [slewing], in time.
+
+The lines are laid once, in the water of the study; at another level they end at the same anchors.  What of wind,
+current and waves belongs to the hull (coefficients, turning tests, drift) is the study's, the weather the project's.
+"""
+
+from __future__ import annotations
+
+from copy import deepcopy
+from pathlib import Path
+
+import numpy as np
+import tomli_w
+
+from meshing.whole_files import write_whole
+
+from ...common.quantities import StudyError, force
+from ...single_point.tables import make_study, read_study
+from .numbers import Numbers
+from .stored import numbers_of
+
+NAME, DATABASE, MOVED = "single-point study", "allowed", False
+OF_HULL = {
+    "wind": ("coefficients", "gusts", "surface_drag", "gust_height", "gust_exponent", "gust_intensity"),
+    "current": ("coefficients", "turning", "yaw_drag", "sway_damping", "yaw_damping"),
+    "waves": ("drift_tonf_per_m2", "spectrum", "gamma", "spreading"),
+}
+LEFT_OUT = ("wind", "current", "waves", "maps", "site")
+STABLE, SLEWING = "stable headings", "slewing amplitude"  # number; degrees, at the end of the run
+SOURCES = (
+    "Tensions are the largest of the run in time where the study has one, else those at rest; a line's pretension is "
+    "its tension with the buoy alone, offsets are of the buoy."
+)
+METHOD = (
+    "Of all headings of rest the one that decays fastest, or grows least, is taken (SR179 report, 1982, 3.6). Slow "
+    "drift is in no run of the two scales: the report adds 20 % for it."
+)
+STRONGEST = 1e6  # kN, of lines whose breaking load is not known
+CLOSE = 1e-10  # of the anchors' distance, to which they are laid again in other water
+
+
+def read(path):
+    """Raw tables and text of a study.  Raises StudyError."""
+    _, raw, text = read_study(Path(path))
+    return raw, text
+
+
+def check(project, raw):
+    """Raises StudyError where a project asks what this kind has not."""
+    if project.simulation is not None:
+        raise StudyError("simulation is given; a single-point study runs in time by its own [slewing]")
+    if project.database_with_levels:
+        raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
+    for key in ("wind", "current"):
+        if "file" in raw.get(key, {}):
+            raise StudyError(f"{key}.file of the study is not carried into load cases; give {key}.coefficients")
+
+
+def base(raw, db):
+    """Tables of a study with a heading for each line"""
+    tables = {key: deepcopy(value) for key, value in raw.items() if key not in LEFT_OUT}
+    of_hull = {
+        key: {name: raw[key][name] for name in names if name in raw.get(key, {})} for key, names in OF_HULL.items()
+    }
+    mooring = tables["mooring"]
+    if "headings_deg" not in mooring:
+        count, first = mooring.pop("count"), mooring.pop("first_deg", 0.0)
+        mooring["headings_deg"] = [first + 360.0 * i / count for i in range(count)]
+    return {**tables, "of_hull": of_hull}
+
+
+def at(base, depth, weather):
+    """Tables of a load case in `depth` m of water, with the anchors where they were laid"""
+    study = deepcopy(base)
+    of_hull, laid = study.pop("of_hull"), study["water"]["depth"]
+    if depth != laid:
+        study["mooring"] = _laid_again(study, depth)
+        study["water"] = {**study["water"], "depth": depth}
+    return {**study, **{key: {**of_hull[key], **table} for key, table in weather.items()}}
+
+
+def words(_, raw):
+    """The door that gives a case's numbers again, where they are, and what the method leaves out"""
+    return "hakobune single-point cases/NAME.toml", SOURCES, METHOD
+
+
+def body(raw):
+    """Words on the body"""
+    h = raw["hull"]
+    return f"A hull of {h['length']:g} × {h['beam']:g} m, draft {h['draft']:g} m; added mass and drift of the study."
+
+
+def lost(study):
+    """Names of the lines, by their headings: the numbers of the door change where one is lost"""
+    return [f"line at {heading:g}°" for heading in study["mooring"]["headings_deg"]]
+
+
+def without(study, name):
+    """Tables without a line"""
+    study = deepcopy(study)
+    del study["mooring"]["headings_deg"][lost(study).index(name)]
+    return study
+
+
+def run(study, database, path, _):
+    """`Numbers` of a case, solved for where its file is not there or of another study or database, and None"""
+    return numbers_of(path, tomli_w.dumps(study), database, lambda: _found(study, database, path)), None
+
+
+def draw(study, database, numbers, path):
+    """Plan of the body on its buoy"""
+    from ...single_point.pictures import draw_plan
+
+    made, point, found = _made(study, database)
+    draw_plan(made, point, found, path)
+
+
+def _made(raw, database):
+    from bem.database import open_database
+    from mooring.single_point.equilibria import equilibria
+
+    from ...single_point.study import check_buoy, make
+
+    study = make_study(raw)
+    made = make(study, None, None if database is None else open_database(database))
+    found = equilibria(made.point)
+    for one in found:
+        check_buoy(made, one)
+    return study, made.point, found
+
+
+def _found(raw, database, path):
+    """`Numbers`, and beside them the files of the door"""
+    from bem.database import open_database
+
+    from ...single_point import running
+    from ...single_point.command import write_result
+    from ...single_point.report import findings, preferred
+    from ...single_point.study import make
+
+    text = tomli_w.dumps(raw)
+    db = None if database is None else open_database(database)
+    study, point, found = _made(raw, database)
+    best = preferred(found)
+    ran = None if study.slewing is None else running.run(study, point, best, db)
+    write_whole(path.with_suffix(".toml"), text)
+    write_result(path, text, found, ran)
+    names = [*(f"hawser {i + 1}" for i in range(len(best.hawser)))] if study.hawser is not None else []
+    told = tuple(findings(study, make(study, None, db), found))
+    stable = sum(one.slewing.stable for one in found)
+    return _numbers(
+        study, best, stable, ran, names, lost(raw), (*told, *(running.words(ran) if ran is not None else ()))
+    )
+
+
+def _numbers(study, best, stable, ran, hawsers, line_names, warnings):
+    lines, system = best.lines, best.lines.system
+    anchors, tops = lines.points[system.arrays.ends].swapaxes(0, 1)
+    count, own = len(hawsers), ("hawser",) if hawsers else ()
+    largest = lines.tension if ran is None else ran.lines.max(axis=0)
+    pulls = np.array([*(best.hawser if ran is None else ran.hawser.max(axis=0))][:count])
+    share = largest / np.maximum(lines.tension, 1e-300)
+    load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
+    none = np.zeros(count)
+    types = (study.mooring.type,) if study.mooring.type else tuple(one.type for one in study.mooring.segments)
+    return Numbers(
+        names=(*hawsers, *line_names),
+        types=(*(own for _ in hawsers), *(types for _ in line_names)),
+        fairlead=np.concatenate([np.tile([*best.buoy, 0.0], (count, 1)), tops]),
+        anchor=np.concatenate([np.tile([*best.place, 0.0], (count, 1)), anchors]),
+        length=np.array([*np.full(count, best.point.lengths[0]), *(line.length for line in system.lines)]),
+        pretension=np.concatenate([none, _alone(best)]),
+        static=np.concatenate([best.hawser[:count], lines.tension]),
+        largest=np.concatenate([pulls, largest]),
+        breaking=np.concatenate([np.full(count, np.inf if load is None else load), system.breaking_load]),
+        horizontal=np.concatenate([none, share * lines.lines.horizontal_a]),
+        uplift=np.concatenate([none, share * -lines.lines.vertical_a]),
+        place=np.array([*(best.buoy - best.point.origin), np.arctan2(np.sin(best.heading), np.cos(best.heading))]),
+        motions=np.zeros(0),
+        parts={STABLE: {"at rest": float(stable)}}
+        | ({} if ran is None else {SLEWING: {"heading": float(np.degrees(ran.cycle.amplitude))}}),
+        hawsers=tuple(hawsers),
+        warnings=warnings,
+    )
+
+
+def _alone(best):
+    """(n,) N: tensions with nothing that pulls on the buoy"""
+    from mooring.lines.system.equilibrium import rest
+
+    return rest(best.point.system).lines.tension_b
+
+
+def _laid_again(study, depth):
+    """The table of the lines with the pretension that ends them at the same anchors in other water"""
+    from scipy.optimize import brentq
+
+    own = study["mooring"]
+    keep = {key: value for key, value in own.items() if not key.startswith(("pretension", "top_tension"))}
+    laid = _laid(study, own, study["water"]["depth"])
+    wanted, strength = _away(laid), min(float(laid.breaking_load.min()) / 1e3, STRONGEST)
+
+    def table(kN):
+        return {**keep, "pretension_kN": kN}
+
+    def missed(log):
+        return _away(_laid(study, table(float(np.exp(log))), depth)) / wanted - 1
+
+    try:
+        found = brentq(missed, np.log(1e-6 * strength), np.log(strength), xtol=CLOSE)
+    except ValueError:
+        raise StudyError(
+            f"mooring: lines of {own.get('length', 0.0):g} m do not reach their anchors {wanted:.4g} m away in "
+            f"{depth:g} m of water; lengthen them"
+        ) from None
+    return table(float(np.exp(found)))
+
+
+def _laid(study, mooring, depth):
+    """System of the buoy with the lines of a table"""
+    from ...single_point.study import DENSITY, system_of
+
+    return system_of(make_study({**study, "mooring": mooring}), depth, DENSITY)[0]
+
+
+def _away(system):
+    """m from the buoy at rest to its first anchor"""
+    return float(np.hypot(*system.points[0].position[:2]))
