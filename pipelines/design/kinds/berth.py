@@ -158,7 +158,7 @@ def draw_berth(made, db, numbers, path):
         axes.plot(*one.face[:2], "s", ms=9, color=colours.to_rgba(min(share, 2.0)), mec="k")
         axes.annotate(
             f"{one.name} {100 * share:.0f} %", one.face[:2], fontsize=7, ha="center", va="center",
-            xytext=16 * inward, textcoords="offset points",
+            xytext=inward * [26, 14], textcoords="offset points",
         )  # fmt: skip
     corners = 0.5 * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1], [1, 1]]) * [hull.length, hull.beam]
     axes.plot(*corners.T, color="0.6", ls="--", label="as drawn")

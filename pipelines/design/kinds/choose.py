@@ -6,9 +6,9 @@ from pathlib import Path
 
 from ...common.quantities import StudyError
 from ...common.typed import read_toml
-from . import mooring, single_point
+from . import breakwater, mooring, single_point
 
-KINDS = {"attachment": single_point}  # a table that only this kind has
+KINDS = {"section": breakwater, "attachment": single_point}  # a table that only this kind has
 
 
 def kind_of(path):

@@ -183,3 +183,72 @@ def test_lines_of_a_buoy_end_at_the_same_anchors_at_every_level(barge):
     np.testing.assert_allclose(anchors[1:], np.broadcast_to(anchors[0], anchors[1:].shape), atol=1e-5)
     with pytest.raises(StudyError, match="do not reach their anchors"):
         single_point.at(base, 200.0, {})
+
+
+def test_a_floater_between_dolphins_is_judged_by_strains_and_loads_of_dolphins(tmp_path, quick):
+    path = reduced(tmp_path, "design_dolphins_B.toml", extreme={"incidence_deg": [90.0]})
+    verdict, _, _ = made(read_project(path), tmp_path / "out", Here(), None)
+    assert [one.fault for one in verdict.ran if one.fault] == []
+    (one,) = verdict.ran
+    parts, met = one.numbers.parts, ("starboard aft", "starboard fore")  # wind and waves push to starboard
+    assert one.numbers.names == () and one.numbers.place[1] < 0
+    for name in met:
+        steady, total = parts["fender strain, steady"][name], parts["fender strain, total"][name]
+        assert 0 < steady <= total and total > parts["fender strain, total"]["fore"]
+    assert {use.governing.item for use in verdict.judged if "fender strain" in use.criterion.quantity} <= set(met)
+    assert any("design spectrum method, 2 fenders" in line for line in one.numbers.warnings)
+
+
+@pytest.fixture(scope="module")
+def marina(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("marina")
+    path = reduced(folder, "design_breakwater.toml", working={"incidence_deg": [0.0]}, design={})
+    study = raw_of("breakwater_rectangle.toml")
+    study["waves"]["periods"] = [6.0, 9.0, 12.0]
+    put(folder, "breakwater_rectangle.toml", {**study, "holdings": ["taut"], "theories": ["potential flow"]})
+    return path
+
+
+def test_a_breakwater_is_judged_by_what_passes_it(marina):
+    """A case by its own door; the highest of N waves of Rayleigh's law, whose most probable value is H₁/₃ √(½ ln N)"""
+    from pipelines.breakwater.build import Breakwater
+    from pipelines.breakwater.results import results
+    from pipelines.breakwater.study import read_breakwater
+
+    out = marina.parent / "out"
+    verdict, _, _ = made(read_project(marina), out, Here(), None)
+    assert [one.fault for one in verdict.ran if one.fault] == []
+    study, _ = read_breakwater(out / "cases" / "design_0_deg.toml")
+    found = results(Breakwater(study))
+    (design,) = [one for one in verdict.ran if one.case.state == "design"]
+    assert design.numbers.parts["transmitted wave height"] == {
+        "taut": pytest.approx(found.sea.heights["taut"], rel=1e-12)
+    }
+    waves = 3 * 3600 / 5.0
+    above = np.exp(-2 * (study.waves.height / study.sea.height) ** 2)
+    assert waves * above == pytest.approx(1.0, rel=1e-9)
+    (passed,) = [one for one in verdict.judged if one.criterion.quantity == "transmitted wave height"]
+    assert passed.governing.case == "working, 0 deg"  # the limit is of normal states
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (
+            lambda p: p["states"][0].update(wind={"speed": 10.0}),
+            r"states\[0\].wind is given; a breakwater",
+        ),
+        (lambda p: p["states"][0].update(lines=["one lost"]), r"states\[0\].lines is .*; allowed: intact"),
+        (lambda p: p.update(levels={"high": 1.0}), "levels are given; a breakwater has those of its study"),
+        (lambda p: p["project"].update(scene="box.toml"), "a study of a breakwater has its own section"),
+        (lambda p: p["limits"][0].update(at_least=1.0), r"limits\[0\]: allowed: one of at_most, at_least"),
+        (lambda p: p["limits"][0].update(state="calm"), r"limits\[0\].state is 'calm'"),
+    ],
+)
+def test_what_a_breakwater_has_not_is_told_in_one_line(marina, change, message):
+    project = tomllib.loads(marina.read_text(encoding="utf-8"))
+    change(project)
+    put(marina.parent, "wrong.toml", project)
+    with pytest.raises(StudyError, match=message) as fault:
+        read_project(marina.parent / "wrong.toml")
+    assert "\n" not in str(fault.value)

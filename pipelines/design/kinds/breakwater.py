@@ -1,0 +1,190 @@
+"""A floating breakwater: `hakobune breakwater`, each state of the project as the sea that comes to it.
+
+A state's waves are the sea; the regular waves beside it, which anchors and the tide are sized by, are as high as its
+highest in the duration, H₁/₃ √(½ ln N) of N waves of Rayleigh's law.  Incidence is the angle with the normal, levels
+are those of the study's tide.
+"""
+
+from __future__ import annotations
+
+from copy import deepcopy
+from pathlib import Path
+
+import numpy as np
+import tomli_w
+
+from meshing.whole_files import write_whole
+
+from ...breakwater.study import make_breakwater, read_breakwater
+from ...common.quantities import StudyError
+from .numbers import Numbers
+from .stored import numbers_of
+
+NAME, DATABASE, MOVED = "study of a breakwater", "none", False
+BEHIND, SHARE = "transmitted wave height", "transmission of the sea"
+ALLOWABLE, SLACK, ANCHOR = "tension / allowable tension", "slack share of the cycles", "anchor needed / provided"
+LEFT_OUT = ("sea", "waves", "map", "optimisation", "measured")
+SIDES = (-1, 1)  # of the front and the back line: waves travel to +y
+HOURS = 3.0  # of a sea, where the study has none
+SOURCES = (
+    "Tensions are pretension and expected greatest amplitude in the sea, of a line; NAME.h5 has the curves behind them."
+)
+METHOD = (
+    "Linear motion in two dimensions. A line that goes slack snaps: its tension is then told in time by hakobune "
+    "breakwater. Anchors are sized by regular waves as high as the highest of the sea."
+)
+
+
+def read(path):
+    """Raw tables and text of a study.  Raises StudyError."""
+    import tomllib
+
+    _, text = read_breakwater(Path(path))
+    return tomllib.loads(text), text
+
+
+def check(project, raw):
+    """Raises StudyError where a project asks what this kind has not."""
+    if project.simulation is not None:
+        raise StudyError("simulation is given; a breakwater has no runs in time")
+    if project.levels:
+        raise StudyError("levels are given; a breakwater has those of its study, water.tide")
+    for i, state in enumerate(project.states):
+        for key in ("wind", "current"):
+            if getattr(state, key) is not None:
+                raise StudyError(f"states[{i}].{key} is given; a breakwater stands waves alone")
+        if state.waves is None:
+            raise StudyError(f"states[{i}].waves is missing; allowed: height and period of the sea")
+        if state.lines != ["intact"]:
+            raise StudyError(f"states[{i}].lines is {state.lines}; allowed: intact")
+
+
+def base(raw, db):
+    """Tables of a study without its sea"""
+    kept = {key: deepcopy(value) for key, value in raw.items() if key not in LEFT_OUT}
+    return {
+        **kept,
+        "periods": deepcopy(raw["waves"]["periods"]),
+        "duration_hours": raw.get("sea", {}).get("duration_hours", HOURS),
+    }
+
+
+def at(base, depth, weather):
+    """Tables of a load case"""
+    study, given = deepcopy(base), dict(weather["waves"])
+    periods, hours = study.pop("periods"), study.pop("duration_hours")
+    angle, period = given.pop("incidence_deg"), given.pop("period")
+    count = max(3600.0 * hours / period, 2.0)
+    highest = given["height"] * float(np.sqrt(0.5 * np.log(count)))
+    sea = {"spectrum": "issc", **given, "mean_period": period, "obliquity_deg": angle, "duration_hours": hours}
+    waves = {"height": highest, "periods": periods, "obliquity_deg": angle}
+    return {**study, "sea": sea, "waves": waves}
+
+
+def words(_, raw):
+    """The door that gives a case's numbers again, where they are, and what the method leaves out"""
+    return "hakobune breakwater cases/NAME.toml", SOURCES, METHOD
+
+
+def body(raw):
+    """Words on the section"""
+    section = raw["section"]
+    sizes = ", ".join(f"{key} {section[key]:g} m" for key in ("beam", "height", "diameter", "draft") if key in section)
+    return f"A {section['shape']}: {sizes}; per metre of its length."
+
+
+def lost(study):
+    """No line may be lost: a breakwater in two dimensions has two"""
+    return []
+
+
+def without(study, name):
+    """Never asked for"""
+    raise StudyError(f"{name}: a breakwater loses no line")
+
+
+def run(study, database, path, _):
+    """`Numbers` of a case, solved for where its file is not there or of another study, and None"""
+    return numbers_of(path, tomli_w.dumps(study), None, lambda: _found(study, path)), None
+
+
+def draw(study, database, numbers, path):
+    """Transmission, tensions, section and sea"""
+    from ...breakwater.picture import draw as picture
+
+    picture(path, *_results(study), None)
+
+
+def _results(raw):
+    from ...breakwater.build import Breakwater
+    from ...breakwater.results import results
+
+    asked = Breakwater(make_breakwater(raw))
+    return asked, results(asked)
+
+
+def _found(raw, path):
+    """`Numbers`, and beside them the files of the door"""
+    from ...breakwater.files import write_h5
+
+    text = tomli_w.dumps(raw)
+    asked, found = _results(raw)
+    write_whole(path.with_suffix(".toml"), text)
+    write_h5(path, asked, text, found)
+    return _numbers(asked, found)
+
+
+def _numbers(asked, found):
+    from ...breakwater.build import KN
+    from ...breakwater.results import design
+
+    study, held, sea = asked.study, found.pretension, found.sea
+    name = _curve(design(study), sea.heights)
+    parts = {BEHIND: {name: sea.heights[name]}, SHARE: {name: sea.heights[name] / sea.cells.height}}
+    provided = {one.name: one.utilisation for one in found.anchors if one.utilisation is not None}
+    if provided:
+        parts[ANCHOR] = provided
+    names = () if held is None else ("front", "back")
+    count, lines = len(names), study.lines
+    spacing = 0.0 if lines is None else lines.spacing
+    largest = np.array([] if held is None else [spacing * (held.used + one) for one in sea.greatest])
+    if count:
+        parts[SLACK] = dict(zip(names, map(float, sea.slack), strict=True))
+        if lines.allowable_kN is not None:
+            allowable = lines.allowable_kN * KN
+            parts[ALLOWABLE] = {end: float(pull / allowable) for end, pull in zip(names, largest, strict=True)}
+    ends = np.array([_ends(asked, side) for side in SIDES[:count]]).reshape(count, 2, 3)
+    along, up = (np.cos(asked.angle), np.sin(asked.angle)) if count else (0.0, 0.0)
+    rest = np.full(count, 0.0 if held is None else spacing * held.used)
+    return Numbers(
+        names=names,
+        types=(("taut line",),) * count,
+        fairlead=ends[:, 0],
+        anchor=ends[:, 1],
+        length=np.full(count, asked.line if count else 0.0),
+        pretension=rest,
+        static=rest,
+        largest=largest,
+        breaking=np.full(count, np.inf),
+        horizontal=largest * abs(along),
+        uplift=largest * up,
+        place=np.zeros(3),
+        motions=np.zeros(0),
+        parts=parts,
+        warnings=tuple(found.warned),
+    )
+
+
+def _curve(chosen, heights):
+    """Name of the curve of (holding, theory) that tensions are of, the first where it has no sea behind it"""
+    holding, theory = chosen
+    known = [name for name in heights if name == holding or (holding in name and theory in name)]
+    return (known or list(heights))[0]
+
+
+def _ends(asked, side):
+    """Upper and lower end, (x, y, z) m, of the line of one side"""
+    lines = asked.study.lines
+    y, z = side * lines.attachment, lines.attachment_height - asked.study.section.draft
+    way = asked.line * np.array([side * np.cos(asked.angle), -np.sin(asked.angle)])
+    return [[0.0, y, z], [0.0, y + way[0], z + way[1]]]
