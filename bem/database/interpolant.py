@@ -283,24 +283,24 @@ class Joined:
         """(q, g, c) at y"""
         gap, share = self._place(y)
         out = np.zeros((len(gap), *self.values.shape[1:]), self.values.dtype)
-        for window, fit, lack, _ in self._fits:
-            here = (gap >= window.low) & (gap < window.high)
+        for part in self._parts:
+            here = (gap >= part.window.low) & (gap < part.window.high)
             if here.any():
-                i, t = gap[here] - window.first, share[here][:, None, None]
-                fitted = fit.value(Abscissa(*(part[here] for part in y)))
-                out[np.ix_(here, self._moving)] = fitted + (1 - t) * lack[i] + t * lack[i + 1]
+                i, t = gap[here] - part.window.first, share[here][:, None, None]
+                fitted = part.fit.value(Abscissa(*(axis[here] for axis in y)))
+                out[np.ix_(here, self._moving)] = fitted + (1 - t) * part.lack[i] + t * part.lack[i + 1]
         return out
 
     def deviation(self, y):
         """(q, g) standard deviations of the modulus, in the mean over the functions of a group"""
         gap, share = self._place(y)
         out = np.zeros((len(gap), self.values.shape[1]))
-        for window, fit, _, at_nodes in self._fits:
-            here = (gap >= window.low) & (gap < window.high)
+        for part in self._parts:
+            here = (gap >= part.window.low) & (gap < part.window.high)
             if here.any():
-                i, t = gap[here] - window.first, share[here][:, None]
+                i, t, at_nodes = gap[here] - part.window.first, share[here][:, None], part.at_nodes
                 known = ((1 - t) * at_nodes[i] ** 2 + t * at_nodes[i + 1] ** 2) * (1 - 2 * t) ** 2
-                open_ = fit.deviation(Abscissa(*(part[here] for part in y))) ** 2 - known
+                open_ = part.fit.deviation(Abscissa(*(axis[here] for axis in y))) ** 2 - known
                 out[np.ix_(here, self._moving)] = np.sqrt(np.maximum(open_, 0))
         return out
 
@@ -316,14 +316,29 @@ class Joined:
         return np.any(self.values != 0, axis=(0, 2))
 
     @cached_property
-    def _fits(self):
-        out, moving = [], self.values[:, self._moving]
-        lead = self.lead if len(self.lead) == 1 else self.lead[self._moving]
-        for window in self.windows if np.any(self._moving) else ():
-            fit = Interpolant(window.nodes, moving[window.first : window.last], lead)
-            x = window.nodes.x
-            out.append((window, fit, fit.values - fit.value(x), fit.deviation(x)))
-        return out
+    def _parts(self):
+        """A `Part` for each window, none where nothing moves"""
+        moving, lead = self.values[:, self._moving], self.lead if len(self.lead) == 1 else self.lead[self._moving]
+        windows = self.windows if moving.size else ()
+        return [Part(w, Interpolant(w.nodes, moving[w.first : w.last], lead)) for w in windows]
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """An `Interpolant` in a `Window`; nothing is fitted before it is asked for"""
+
+    window: Window
+    fit: Interpolant
+
+    @cached_property
+    def lack(self):
+        """(n, g, c) what the fit lacks at its nodes"""
+        return self.fit.values - self.fit.value(self.window.nodes.x)
+
+    @cached_property
+    def at_nodes(self):
+        """(n, g) deviation at the nodes"""
+        return self.fit.deviation(self.window.nodes.x)
 
 
 def _blocks(y):

@@ -40,6 +40,7 @@ class Storing:
         there, estimated = set(file), set(file.get("estimated_error", ()))
         self.shapes = {name: file[name].shape for name in QUANTITIES if name in there and name not in LIMITS}
         self.errors = {name: file[estimate_of(name)].dtype for name in self.shapes if name in estimated}
+        self.axes = {axis: file[axis][()] for axis in ("omega", "wave_direction")}
         self.headings = {}
 
     def add(self, omega, headings, result):
@@ -49,10 +50,10 @@ class Storing:
         result : {name: array}, and "checks", "estimated_error", "wall_time" as `solve_frequency` returns them
         Raises DatabaseError, and takes nothing, if a value has the wrong shape or is not finite.
         """
-        (i,) = places_on(self.file, [omega], "omega")
+        (i,) = places_on(self.axes, [omega], "omega")
         key = tuple(headings)
         if key not in self.headings:
-            self.headings[key] = places_on(self.file, headings, "wave_direction")
+            self.headings[key] = places_on(self.axes, headings, "wave_direction")
         columns = self.headings[key]
         values, errors, given = {}, {}, result.get("estimated_error", {})
         for name in (name for name in self.shapes if name in result):

@@ -35,7 +35,7 @@ class ShapeProblem(Problem):
     sizes: tuple
     tolerance: float = 1e-3
     panels: object = None
-    omegas: tuple = ()
+    omegas: object = ()
     bed: float | None = None
 
     def prepared(self):

@@ -34,7 +34,7 @@ def problem_of(header, scene):
     panels = None if bed is None else _panels_of_limits(scene, body)
     if "pressure" in scene.names():
         panels = _panel_problem(header, scene, body)
-    omegas = tuple(scene.omegas().tolist()) if scene.waves.band is None else ()
+    omegas = scene.omegas() if scene.waves.band is None else ()
     return ShapeProblem(
         method=method, shape=scene.body.shape, sizes=lengths, panels=panels, omegas=omegas, bed=bed, **body
     )

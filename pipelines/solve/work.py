@@ -16,7 +16,7 @@ from ..printing.timing import phase
 
 EXECUTORS = "local, processes:N, dask:N, dask://host:port or slurm:N"
 MOST = {"processes": 256, "dask": 256, "slurm": 10_000}
-_prepared = {}
+_prepared = {}  # hash of the last problem: itself and its preparation
 
 
 def solve_one(problem, omega, headings, want, theta):
@@ -131,12 +131,15 @@ def _end_with_parent():
 def _prepare(problem):
     from bem.methods.panel_problem import prepare
 
+    for known, prepared in _prepared.values():
+        if known is problem:  # in the process that made it nothing need be compared
+            return prepared
     key = _key(problem)
     if key not in _prepared:
         _prepared.clear()
         with phase("preparation"):
-            _prepared[key] = prepare(problem)
-    return _prepared[key]
+            _prepared[key] = problem, prepare(problem)
+    return _prepared[key][1]
 
 
 def _key(problem):
