@@ -12,6 +12,7 @@ block = 0.795             abnormal = 1.5             dolphin = 34000.0     # kN/
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -21,7 +22,8 @@ from mooring.berthing.speeds import speeds_of_moments
 
 from ..common.fender_tables import FenderTable, fender_of, pair_of
 from ..common.quantities import StudyError, Table, below, positive, water_depth
-from ..common.typed import read_toml, typed
+from ..common.typed import typed
+from ..site.link import BERTHING, SiteLink, read_study_at_site
 
 METHODS = {
     "ueda": "Ueda 1981",
@@ -113,6 +115,7 @@ class BerthStudy(Table):
     approach: ApproachTable
     fender: list[BerthFender] = msgspec.field(default_factory=list)
     depth: float | None = None
+    site: SiteLink | None = None
 
 
 class Approach(msgspec.Struct, frozen=True):
@@ -134,7 +137,7 @@ class Approach(msgspec.Struct, frozen=True):
 
 def read_berth(path):
     """The BerthStudy of a TOML file.  Raises StudyError."""
-    return typed(read_toml(path, "a study", StudyError)[0], BerthStudy, StudyError)
+    return typed(read_study_at_site(Path(path), "a berthing", BERTHING)[0], BerthStudy, StudyError)
 
 
 def approach_of(study):

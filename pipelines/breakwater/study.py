@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from ..common.bounds import check_count
 from ..common.quantities import StudyError, positive, water_depth
-from ..common.typed import read_toml, typed
+from ..common.typed import typed
+from ..site.link import BREAKWATER, read_study_at_site
 from .tables import THEORIES, BreakwaterStudy, SpanTable
 
 SHAPES = {"rectangle": ("beam", "height"), "circle": ("diameter",), "outline": ("points",)}
@@ -19,7 +22,7 @@ MOST_UNITS = 30
 
 def read_breakwater(path):
     """The BreakwaterStudy of a TOML file and its text.  Raises StudyError."""
-    raw, text = read_toml(path, "a study of a breakwater", StudyError)
+    raw, text = read_study_at_site(Path(path), "a study of a breakwater", BREAKWATER)
     return make_breakwater(raw), text
 
 

@@ -54,6 +54,7 @@ from __future__ import annotations
 import msgspec
 
 from ..common.quantities import Table
+from ..site.link import SiteLink
 
 THEORIES = ("potential flow", "long waves")
 
@@ -323,6 +324,7 @@ class BreakwaterStudy(Table):
     anchors: AnchorsTable = msgspec.field(default_factory=AnchorsTable)
     holdings: list[str] = msgspec.field(default_factory=lambda: ["fixed"])
     theories: list[str] = msgspec.field(default_factory=lambda: [THEORIES[0]])
+    site: SiteLink | None = None
     design: DesignTable = msgspec.field(default_factory=DesignTable)
     loss: LossTable | None = None
     map: MapTable | None = None

@@ -25,12 +25,14 @@ from mooring.site.seismic import seismic_coefficient
 
 from ..common.fender_tables import FenderTable, fender_of, pair_of
 from ..common.quantities import StudyError, Table, below, positive
-from ..common.typed import read_toml, typed
+from ..common.typed import typed
+from ..site.link import EARTHQUAKE, SiteLink, read_study_at_site
 from ..site.study import EarthquakeTable
 
 MOTIONS = ("surge", "sway")
 COLUMNS = {"acceleration_m_s2": 1.0, "acceleration_gal": 0.01}
 STRONGEST, LONGEST, WIDEST = 50.0, 600.0, 5.0  # m/s²; s; m of clearance
+LARGEST_COEFFICIENT = 2.0
 
 
 class BodyTable(Table):
@@ -86,6 +88,7 @@ class EarthquakeStudy(Table):
     """A floating body between dolphins, and what is known of the earthquake
 
     motion : sway, across the dolphins, or surge
+    coefficient : seismic coefficient, as the values of a site have it; or give rule
     """
 
     fender: SideFender
@@ -94,6 +97,8 @@ class EarthquakeStudy(Table):
     record: RecordTable | None = None
     spectrum: SpectrumTable | None = None
     rule: EarthquakeTable | None = None
+    coefficient: float | None = None
+    site: SiteLink | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,10 +120,14 @@ class Quake:
 
 def read_study(path):
     """The EarthquakeStudy of a TOML file.  Raises StudyError."""
-    study = typed(read_toml(path, "an earthquake study", StudyError)[0], EarthquakeStudy, StudyError)
+    study = typed(read_study_at_site(Path(path), "an earthquake study", EARTHQUAKE)[0], EarthquakeStudy, StudyError)
     if study.motion not in MOTIONS:
         raise StudyError(f"motion is {study.motion!r}; allowed: {', '.join(MOTIONS)}")
-    if study.record is None and study.spectrum is None and study.rule is None:
+    if study.rule is not None and study.coefficient is not None:
+        raise StudyError("rule and coefficient are given; allowed: one of them")
+    if study.coefficient is not None and not 0 < study.coefficient <= LARGEST_COEFFICIENT:
+        raise StudyError(f"coefficient is {study.coefficient:g}; allowed: above 0, at most {LARGEST_COEFFICIENT:g}")
+    if all(one is None for one in (study.record, study.spectrum, study.rule, study.coefficient)):
         raise StudyError("nothing is told of the earthquake; allowed: [record], [spectrum] or [rule], one or more")
     return study
 
@@ -130,7 +139,7 @@ def quake_of(study, folder, database=None):
         raise StudyError(f"fender.clearance is {study.fender.clearance:g} m; allowed: 0 to {WIDEST:g}")
     fenders = Fenders(fender, study.fender.count, study.fender.clearance)
     floater = _floater(study, database)
-    coefficient = None
+    coefficient = study.coefficient
     if study.rule is not None:
         try:
             coefficient = seismic_coefficient(study.rule.rule, **study.rule.factors)

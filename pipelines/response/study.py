@@ -47,7 +47,7 @@ from bem.viscous_table import Laws
 from ..common.quantities import StudyError, Table, direction, positive
 from ..common.seas import family_of, shape_of, spreading_of
 from ..common.typed import typed
-from ..site.link import SiteLink, read_study_at_site
+from ..site.link import RESPONSE, SiteLink, read_study_at_site
 
 
 class SystemTable(Table):
@@ -218,7 +218,7 @@ def keel_points(table, db):
 
 def read_response_study(path):
     """The ResponseStudy of a TOML file and its text.  Raises StudyError."""
-    raw, text = read_study_at_site(Path(path), "a study", "sea", "mean_period")
+    raw, text = read_study_at_site(Path(path), "a response study", RESPONSE)
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"

@@ -12,6 +12,8 @@ site, so that a result kept with its study says them, and another site is anothe
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import msgspec
 
 from ..common.quantities import StudyError, Table
@@ -36,6 +38,28 @@ class SiteLink(Table):
     leave_out: list[str] = msgspec.field(default_factory=list)
 
 
+class Taken(NamedTuple):
+    """What a kind of study takes from a site, and where its tables have it.
+
+    depth : path of its water depth, () where the water is that of a database; states : {key of a state: its table}
+    period : its name of the mean period of waves; ways : whether a table of a state has to be there for its direction
+    coefficient : path of the seismic coefficient, () without
+    """
+
+    depth: tuple = ("water", "depth")
+    states: dict = {"wind": "wind", "current": "current", "waves": "waves"}  # noqa: RUF012
+    period: str = "period"
+    ways: bool = True
+    coefficient: tuple = ()
+
+
+MOORED = Taken()
+RESPONSE = Taken((), {"waves": "sea"}, "mean_period")
+BREAKWATER = Taken(states={"waves": "sea"}, period="mean_period", ways=False)
+BERTHING = Taken(("depth",), {})
+EARTHQUAKE = Taken((), {}, coefficient=("coefficient",))
+
+
 class Linked(Table):
     """A file with [site]"""
 
@@ -49,13 +73,12 @@ class _SiteFile(msgspec.Struct):
     states: dict[str, dict[str, dict[str, float]]]
     site: dict = msgspec.field(default_factory=dict)
     levels: dict[str, float] = msgspec.field(default_factory=dict)
+    earthquake: dict = msgspec.field(default_factory=dict)
 
 
-def read_study_at_site(path, what, waves="waves", period="period"):
-    """Nested dictionaries and text of a study (TOML), water and weather of its [site] laid in.
+def read_study_at_site(path, what, taken=MOORED):
+    """Nested dictionaries and text of a study (TOML), with what it takes of its [site] laid in.
 
-    waves, period : the study's names of its table of waves and of the mean period there; where the waves are not
-    "waves", the water is that of a database and is not laid in.
     raises : StudyError where the site lacks what is asked for, or study and site give the same
     """
     raw, text = read_toml(path, what, StudyError)
@@ -66,23 +89,44 @@ def read_study_at_site(path, what, waves="waves", period="period"):
     link = _link(raw)
     values = site_file(path.parent / link.file)
     laid = {key: value for key, value in raw.items() if key != "site"}
-    if waves == SEA:
-        laid["water"] = laid_in("water", laid.get("water", {}), {"depth": _depth(link, values)})
-    state = {} if link.state is None else named("site.state", link.state, values.states)
-    for key, table in state.items():
-        if key in link.leave_out:
-            continue
-        name = waves if key == SEA else key
-        if key in STREAMS and waves != SEA:
-            continue
-        given = {period if inner == "period" else inner: value for inner, value in table.items()}
-        if name not in laid:
+    if taken.depth:
+        _lay(laid, taken.depth, _depth(link, values))
+    elif link.level != MEAN:
+        raise StudyError(f"site.level is {link.level!r}; {what} takes no water of a site")
+    if taken.coefficient:
+        if "coefficient" not in values.earthquake:
+            raise StudyError("the site's file has no seismic coefficient; give [earthquake] to hakobune site")
+        _lay(laid, taken.coefficient, values.earthquake["coefficient"])
+    for key, table in _state(link, values, taken, what).items():
+        name = taken.states[key]
+        given = {taken.period if inner == "period" else inner: value for inner, value in table.items()}
+        if name not in laid and taken.ways:
             raise StudyError(
                 f"{name} of the site's state {link.state!r} has no direction; give [{name}] with incidence_deg, "
                 f'or site.leave_out = ["{key}"]'
             )
-        laid[name] = laid_in(name, laid[name], given)
+        laid[name] = laid_in(name, laid.get(name, {}), given)
     return laid, f"# {path.name} with state {link.state!r}, level {link.level!r} of {link.file}\n{tomli_w.dumps(laid)}"
+
+
+def _state(link, values, taken, what):
+    """Tables of the state that a study takes.  Raises StudyError."""
+    if link.state is None:
+        return {}
+    if not taken.states:
+        raise StudyError(f"site.state is {link.state!r}; {what} takes no weather of a site")
+    found = named("site.state", link.state, values.states)
+    return {key: table for key, table in found.items() if key in taken.states and key not in link.leave_out}
+
+
+def _lay(laid, path, value):
+    """Put a value of a site into a study at (table, …, key).  Raises StudyError where it is there."""
+    if len(path) == 1:
+        if path[0] in laid:
+            raise StudyError(f"{path[0]} is given by the study and by its site; leave one out")
+        laid[path[0]] = value
+        return
+    laid[path[0]] = laid_in(path[0], laid.get(path[0], {}), {path[1]: value})
 
 
 def site_file(path):

@@ -46,7 +46,7 @@ def reduced(folder, name, **states):
     put(folder, own["study"], raw_of(own["study"]))
     if "scene" in own:
         scene = raw_of(own["scene"])
-        put(folder, own["scene"], {**scene, "tolerance": 0.1 if scene.get("method") else 0.2, "waves": COARSE})
+        put(folder, own["scene"], {**scene, "tolerance": 0.1, "waves": COARSE})
     if "simulation" in project:
         project["simulation"] |= {"duration": 60.0, "ramp": 20.0, "seeds": 1}
         project["simulation"].pop("duration_hours", None)

@@ -10,6 +10,7 @@ import tomli_w
 from mooring.environment.spectra import issc
 from mooring.response.return_period import return_period
 from pipelines import cli
+from pipelines.berth.study import read_berth
 from pipelines.common.quantities import StudyError
 from pipelines.design.project import read_project
 from pipelines.moor.study import read_study
@@ -87,6 +88,52 @@ def test_a_single_point_takes_its_water_and_weather_from_a_site_too(bay):
     assert "site" not in laid
 
 
+def scene_at(folder, name, site, leave_out=(), **changes):
+    """Path of a scene that stands at the bay, without some of its tables"""
+    raw = tomllib.loads(BAY.with_name(name).read_text(encoding="utf-8"))
+    raw = {key: value for key, value in raw.items() if key not in leave_out}
+    (folder / name).write_text(tomli_w.dumps({**raw, "site": {"file": "bay.toml", **site}, **changes}))
+    return folder / name
+
+
+def test_a_breakwater_a_berthing_and_an_earthquake_take_what_they_know_of_a_site(bay):
+    from pipelines.breakwater.study import read_breakwater
+    from pipelines.earthquake.study import quake_of
+    from pipelines.earthquake.study import read_study as read_earthquake
+
+    site = {"state": "operating", "level": "high"}
+    made, text = read_breakwater(scene_at(bay, "breakwater_circle.toml", site, ["water", "sea"], water={"tide": 0.5}))
+    assert made.water.depth == pytest.approx(21.8) and made.water.tide == 0.5
+    assert (made.sea.height, made.sea.mean_period) == (0.6, 5.0) and "mean_period = 5.0" in text
+    assert read_berth(scene_at(bay, "berth_tanker.toml", {"level": "high"}, ["depth"])).depth == pytest.approx(21.8)
+    site = tomllib.loads((bay / "bay.toml").read_text(encoding="utf-8"))
+    quake = quake_of(read_earthquake(scene_at(bay, "earthquake_box.toml", {}, ["rule", "record"])), bay)
+    assert quake.coefficient == site["earthquake"]["coefficient"]
+
+
+@pytest.mark.parametrize(
+    ("name", "reader", "site", "leave_out", "words"),
+    [
+        ("berth_tanker.toml", "berth", {"state": "extreme"}, ["depth"], "site.state is 'extreme'; a berthing takes no"),
+        ("berth_tanker.toml", "berth", {}, [], "depth is given by the study and by its site"),
+        (
+            "earthquake_box.toml",
+            "earthquake",
+            {"level": "high"},
+            [],
+            "site.level is 'high'; an earthquake study takes no",
+        ),
+        ("earthquake_box.toml", "earthquake", {}, [], "rule and coefficient are given; allowed: one of them"),
+    ],
+)
+def test_what_such_a_study_does_not_take_of_a_site_is_one_line(bay, name, reader, site, leave_out, words):
+    from pipelines.earthquake.study import read_study as read_earthquake
+
+    with pytest.raises(StudyError, match=words) as fault:
+        {"berth": read_berth, "earthquake": read_earthquake}[reader](scene_at(bay, name, site, leave_out))
+    assert "\n" not in str(fault.value)
+
+
 def test_a_climate_gives_the_extreme_state_its_waves_and_the_page_their_contour(bay):
     """The highest sea of the contour, its peak period as a mean period; the long wave of a tsunami has a√(g/h)"""
     text = BAY.read_text(encoding="utf-8")
@@ -118,7 +165,10 @@ def test_a_study_takes_water_and_weather_from_its_site_and_its_text_holds_them(b
     assert read.wind.speed == values["states"]["extreme"]["wind"]["speed"]
     assert (read.waves.height, read.waves.period) == tuple(values["states"]["extreme"]["waves"].values())
     assert tomllib.loads(text)["wind"]["speed"] == read.wind.speed
-    path = study(bay, hull=None, wind=None, current=None, waves=None, sea={"incidence_deg": 0.0})
+    still = {"hull": None, "wind": None, "current": None, "waves": None, "sea": {"incidence_deg": 0.0}}
+    with pytest.raises(StudyError, match="level is 'high'; a response study takes no water of a site"):
+        read_response_study(study(bay, **still))
+    path = study(bay, site={"file": "bay.toml", "state": "extreme"}, **still)
     assert read_response_study(path)[0].sea.mean_period == 7.0
 
 
