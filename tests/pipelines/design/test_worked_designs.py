@@ -17,7 +17,7 @@ from pipelines.design.project import read_project
 from pipelines.solve.work import Here
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
-COARSE = {"periods": [6.0, 8.0, 10.0, 14.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}
+COARSE = {"periods": [6.0, 8.0, 11.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}
 
 
 def without_memory(reader):
@@ -64,6 +64,13 @@ def rows(path):
 @pytest.fixture
 def quick(monkeypatch):
     monkeypatch.setattr(engine, "_memory", without_memory)
+
+
+@pytest.fixture(autouse=True)
+def with_one_picture(monkeypatch):
+    """The page with one plan and without the curves of the body, which take seconds"""
+    monkeypatch.setattr("pipelines.design.report.body_picture", lambda db: "")
+    monkeypatch.setattr("pipelines.design.report_pictures.MOST_PLANS", 1)
 
 
 @pytest.fixture(scope="module")
@@ -146,7 +153,7 @@ def barge(tmp_path_factory):
     return path
 
 
-def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge):
+def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, monkeypatch):
     from bem.database import open_database
     from mooring.single_point.equilibria import equilibria
     from pipelines.single_point.report import preferred
@@ -166,8 +173,10 @@ def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge):
     study, _, _ = read_study(out / "cases" / "extreme_30_deg_current_+30.toml")
     best = preferred(equilibria(make(study, None, open_database(out / "databases" / "mean.h5")).point))
     np.testing.assert_allclose(intact.numbers.static, [*best.hawser, *best.lines.tension], rtol=1e-9)
-    # again: taken from the files, the same
-    assert made(read_project(barge), out, Here(), None)[0].ran[0].numbers.warnings == verdict.ran[0].numbers.warnings
+    monkeypatch.setattr("pipelines.design.kinds.single_point._found", None)  # again: taken from the file, the same
+    again, _ = read_project(barge).kind.run(intact.case.study, out / "databases" / "mean.h5", intact.path, [1.0])
+    for name, value in again._asdict().items():
+        np.testing.assert_equal(value, getattr(intact.numbers, name))
 
 
 def test_lines_of_a_buoy_end_at_the_same_anchors_at_every_level(barge):
