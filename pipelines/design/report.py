@@ -31,6 +31,7 @@ def write_report(read, verdict, advice, paths, folder):
 
     template = files(__package__).joinpath("page.html").read_text(encoding="utf-8")
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment.filters["css_text"] = _css_text
     page = environment.from_string(template).render(**_context(read, verdict, advice, paths, folder))
     write_whole(folder / "report.html", page)
     return "report.html", *write_tables(read.project.project.name, verdict, folder)
@@ -92,6 +93,11 @@ def _of_body(read, paths):
         "equipment": [(society, f"{number:.0f}") for society, number in _equipment(read, db)],
         "body_picture": body_picture(db),
     }
+
+
+def _css_text(text):
+    """A text between quotes of a style sheet, in which nothing ends quotes, rule or element"""
+    return "".join(letter if letter.isalnum() or letter in " .,-" else f"\\{ord(letter):x} " for letter in text)
 
 
 def _relative(path, folder):

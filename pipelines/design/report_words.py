@@ -171,7 +171,7 @@ def case(one, links):
             row["line"],
             "unknown" if np.isnan(share) else f"{100 * share:.0f} %",
             f"{row['horizontal_at_anchor_N'] / 1e3:.4g}",
-            f"{max(row['uplift_at_anchor_N'], 0.0) / 1e3:.4g}",
+            f"{max(row['uplift_at_anchor_N'], 0.0) / 1e3 + 0.0:.4g}",
         ]
     return {"name": one.case.name, "link": links[one.case.name], "fault": one.fault, "cells": cells}
 
