@@ -22,13 +22,14 @@ from bem.second_order.bound_waves import bound_waves
 from bem.waves import group_factor, wavenumber
 
 from ..environment.sea import Sea
-from .slow_drift import sums
+from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, sums
 
 FREQUENCIES, SPEEDS = 10, 8  # of the grid
 SAMPLES = 64  # of a record in the shortest period
 LEAST = 1e-4  # of the largest eigenvalue, of those that are kept
 SLOW = (0.4, 0.6)  # of the mean frequency: differences below have the whole force, those above none
 SHALLOW = 1.5  # kh at the mean period, below which what is left out is estimated
+PLACES, FOURTH = 161, 4  # frequencies of an estimate; every fourth of the differences
 WORTH_NAMING = 0.2  # of the slow force by Newman's approximation
 
 
@@ -176,29 +177,34 @@ def left_out(body, sea):
     if ratio is None or ratio <= WORTH_NAMING or _kh(body, sea) >= SHALLOW:
         return
     yield (
-        f"kh is {_kh(body, sea):.2f} at the mean wave period: bound long waves, left out, push slowly with up to about "
+        f"kh is {_kh(body, sea):.2f} at the mean wave period: bound long waves, left out, push slowly with about "
         f"{ratio:.1f} times the slow force by Newman's approximation; "
         'qtf = "bound-wave" or "body" of a response study or a simulation adds them'
     )
 
 
 def bound_to_newman(body, sea):
-    """Estimated slow force of bound waves over that by Newman's approximation, of waves as short as the body too large;
-    None in deep water, and where drift or inertia are not known.  Arguments as of `left_out`
+    """Estimated slow force of bound waves over that by Newman's approximation, root mean squares of surge and sway over
+    the `differences` of the body; None in deep water, and where drift or inertia are not known.
+
+    On boxes of 60 and 100 m in 12 to 20 m of water, head and beam seas, kh of the peak from 0.3 to 2, it is 0.95 to 1.3
+    times what is solved for (`tests/bench/bound_to_newman.py`).  Arguments as of `left_out`
     """
     spectrum = sea.spectrum
-    mean = float(spectrum.moment(1) / spectrum.moment(0))
     if not np.isfinite(body.depth) or not body.knows_drift or body.inertia is None:
         return None
-    omega = np.linspace(*np.clip(spectrum.quantile((0.005, 0.995)), body.omega[0], body.omega[-1]), 81)
-    D, parts = body.drift(omega, [sea.direction])[:, 0, :2], []
-    for step in SLOW[0] * mean * np.array([0.25, 0.5, 1.0]):
-        other = omega + step
-        energy = spectrum.density(omega) * spectrum.density(other)
-        T = estimated_forces(body, other, omega, sea.direction)
-        parts.append([np.trapezoid(energy * np.sum(part, axis=1), omega) for part in (np.abs(T) ** 2, D**2)])
-    bound, newman = np.sqrt(np.mean(parts, axis=0))
-    return bound / max(newman, 1e-300)
+    highest = SLOW[1] * float(spectrum.moment(1) / spectrum.moment(0))
+    omega = np.linspace(*np.clip(spectrum.quantile((0.001, 0.999)), body.omega[0], body.omega[-1]), PLACES)
+    omega, D = held_beyond(omega, body.drift(omega, [sea.direction])[:, 0], spectrum)
+    step = differences(body)[::FOURTH]
+
+    def bound(one, two):
+        return estimated_forces(body, one, two, sea.direction, highest)
+
+    alone = force_spectrum_with(bound, spectrum, omega, np.zeros_like(D), step)
+    parts = alone, force_spectrum(spectrum, omega, D, step)
+    power, newman = (np.trapezoid(part[:, :2].sum(axis=1), step) for part in parts)
+    return float(np.sqrt(power / max(newman, 1e-300)))
 
 
 def _kh(body, sea):
@@ -207,14 +213,20 @@ def _kh(body, sea):
     return float(wavenumber(mean, body.depth, body.gravity)) * body.depth if np.isfinite(body.depth) else np.inf
 
 
-def estimated_forces(body, one, two, direction):
-    """(…, 2) T of bound waves in surge and sway without solving: a long wave pushes with its slope.
+def estimated_forces(body, one, two, direction, highest):
+    """(…, 6) T of bound waves in surge and sway without solving: a long wave pushes with its slope.
 
-    D = iκ ρg (∇ + A/ρ) (cos β, sin β), A added mass at the lowest frequency known; for waves longer than the body,
-    whose length makes it less.  body : `bem.database.reader.Reader` with its inertia
+    D = iκ ρg (∇ + A/ρ) (cos β, sin β) f,   f = sinc(κa cos β) sinc(κb sin β), its mean over a plan of 2a by 2b
+
+    A added mass at the lowest frequency known; body : `bem.database.reader.Reader` with its inertia
+    highest : rad/s, of the differences, as of `BoundWaveForces`
     """
     bound = bound_waves((one, 0.0), (two, 0.0), body.depth, body.gravity)
-    kappa = bound.number[..., 0]
+    kappa, amplitude = bound.number[..., 0], bound.amplitude * slow_share(bound.omega / highest)
     way = np.array([np.cos(direction), np.sin(direction)])
+    half = np.ptp(body.between.outline, axis=0) / 2
+    mean = np.prod(np.sinc(kappa[..., None] * half * way / np.pi), axis=-1)
+    out = np.zeros((*kappa.shape, 6), complex)
     mass = body.inertia[0, 0] + np.diag(body.held_added_mass(0.0)[0])[:2]
-    return 1j * (kappa * bound.amplitude)[..., None] * body.gravity * mass * way
+    out[..., :2] = 1j * (kappa * amplitude * mean)[..., None] * body.gravity * mass * way
+    return out

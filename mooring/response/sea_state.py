@@ -20,12 +20,10 @@ from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, signifi
 from .linear import Moments, frequencies, moments, response_spectrum
 from .points import KeelPoint, Point, keel_name, relative_name, transfer_functions
 from .seas import check_coverage, directions, heading_step
-from .slow_drift import force_spectrum, force_spectrum_with, held_beyond, signed_means
+from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, signed_means
 from .wave_drift_damping import drift_and_damping, mean_damping
 
 TINY = 1e-6  # of the largest standard deviation of its unit: rounding of what symmetry makes zero
-SLOWEST = 0.2, 100.0  # rad/s to which the spectrum of the slow force goes, of a hull of that length, m
-STEPS = 80
 
 
 @dataclass(frozen=True, eq=False)
@@ -231,17 +229,6 @@ def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
         with_bound,
         "newman" if bound is None else bound.level,
     )
-
-
-def differences(body):
-    """(d,) rad/s of the spectrum of the slow force: to 0.2 for a hull of 100 m, by Froude's law for others, and to
-    three times the natural frequency of surge, sway and yaw where the body is held"""
-    high = SLOWEST[0] * np.sqrt(SLOWEST[1] / body.between.length * body.gravity / 9.80665)
-    for mode in (0, 1, 5):
-        if body.stiffness[mode, mode] > 0:
-            mass = body.inertia[mode, mode] + body.held_added_mass(high)[0, mode, mode]
-            high = max(high, 3 * np.sqrt(body.stiffness[mode, mode] / mass))
-    return np.linspace(0.0, high, STEPS + 1)
 
 
 def _without_rounding(found, units):

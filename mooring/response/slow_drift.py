@@ -40,6 +40,8 @@ from .linear import over_headings
 MOST_OUTSIDE = 0.01  # share of the energy in components beyond the stored band that is taken at its ends
 FINE = np.deg2rad(5.0)  # between directions for which drift of short-crested waves is rebuilt
 HORIZONTAL = [0, 1, 5]  # surge, sway and yaw of six degrees of freedom
+SLOWEST = 0.2, 100.0  # rad/s to which the spectrum of the slow force goes, of a hull of that length, m
+STEPS = 80
 ROWS = 256  # times or components handled at once: 256 × 500 complex numbers stay in the cache
 
 
@@ -95,6 +97,17 @@ def newman(components, drift, t):
     power[used] = np.abs(sums(rows[used], np.asarray(components.omega, float), np.atleast_1d(t))) ** 2
     n = drift.shape[1]
     return (power[:n] - power[n:]).T
+
+
+def differences(body):
+    """(d,) rad/s of the spectrum of the slow force: to 0.2 for a hull of 100 m, by Froude's law for others, and to
+    three times the natural frequency of surge, sway and yaw where the body is held"""
+    high = SLOWEST[0] * np.sqrt(SLOWEST[1] / body.between.length * body.gravity / 9.80665)
+    for mode in (0, 1, 5):
+        if body.stiffness[mode, mode] > 0:
+            mass = body.inertia[mode, mode] + body.held_added_mass(high)[0, mode, mode]
+            high = max(high, 3 * np.sqrt(body.stiffness[mode, mode] / mass))
+    return np.linspace(0.0, high, STEPS + 1)
 
 
 def signed_means(drift, weights=(1.0,)):

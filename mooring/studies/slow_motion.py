@@ -30,7 +30,8 @@ import numpy as np
 from bem.database.natural_periods import natural_periods
 
 from ..response.extremes import EULER, expected_maximum
-from ..response.sea_state import TINY, differences, sea_state
+from ..response.sea_state import TINY, sea_state
+from ..response.slow_drift import differences
 from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum
 
 NAMES = ("surge", "sway", "yaw")

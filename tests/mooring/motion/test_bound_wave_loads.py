@@ -8,7 +8,8 @@ from mooring.environment.spectra import jonswap
 from mooring.motion.given_forces import GivenForce
 from mooring.motion.simulation import simulate, wave_components
 from mooring.motion.weather import Settings, Weather
-from mooring.response.bound_wave_drift import left_out, of_sea, record
+from mooring.response.bound_wave_drift import bound_to_newman, left_out, of_sea, record
+from mooring.response.slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond
 
 SWELL = Sea(jonswap(0.5, peak_period=14.0), 0.4)
 
@@ -33,6 +34,18 @@ def test_what_is_left_out_is_said_of_swell_and_not_of_short_waves(database):
     said = list(left_out(body, SWELL))
     assert len(said) == 1 and said[0].startswith("kh is 0.8") and 'qtf = "bound-wave"' in said[0]
     assert not list(left_out(body, Sea(jonswap(0.5, peak_period=6.0), 0.4)))
+
+
+@pytest.mark.parametrize("period", [6.0, 12.0])
+def test_their_size_is_estimated_within_a_factor_of_two(database, period):
+    body, sea = database.reader.floating(), Sea(jonswap(0.5, peak_period=period), 0.4)
+    omega = np.linspace(body.omega[0], body.omega[-1], 200)
+    omega, D = held_beyond(omega, body.drift(omega, [0.4])[:, 0], sea.spectrum)
+    step = differences(body)[::4]
+    solved = force_spectrum_with(of_sea(database, sea), sea.spectrum, omega, np.zeros_like(D), step)
+    newman = force_spectrum(sea.spectrum, omega, D, step)
+    part, whole = (np.trapezoid(one[:, :2].sum(axis=1), step) for one in (solved, newman))
+    assert 0.5 < bound_to_newman(body, sea) / np.sqrt(part / whole) < 2
 
 
 def test_several_seas_have_no_bound_waves(database):

@@ -9,8 +9,8 @@ from mooring.environment.gusts import davenport
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import issc, jonswap
 from mooring.response.extremes import EULER, expected_maximum
-from mooring.response.sea_state import differences, sea_state
-from mooring.response.slow_drift import cross_spectrum, force_spectrum, signed_means, signed_products
+from mooring.response.sea_state import sea_state
+from mooring.response.slow_drift import cross_spectrum, differences, force_spectrum, signed_means, signed_products
 from mooring.studies.slow_motion import Loads, _drift_damping, _expected_largest, _forms_of, _modes, slow_motion
 from mooring.studies.slow_spectrum import drift_of_sea
 
