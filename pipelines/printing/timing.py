@@ -73,6 +73,11 @@ def share(phase, name, wall):
         _asked.share(phase, name, wall)
 
 
+def spent(name):
+    """Seconds by the wall in a phase of the command so far; 0 if its time is not asked for"""
+    return 0.0 if _asked is None else _asked.seconds.get(name, (0.0, 0.0))[0]
+
+
 def begin():
     """Time what follows in this process, if nothing is timed yet."""
     global _asked

@@ -19,7 +19,7 @@ from bem.kernels.progress import progress_callback
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_ending
 from ..common.progress import Preparing, Progress, times
-from ..printing.timing import phase, share
+from ..printing.timing import KERNELS, phase, share, spent
 from .adaptive import filled_band
 from .large import Telling, announced
 from .plan import KOCHIN, planned, resumed
@@ -111,7 +111,7 @@ def _announced(plan, limits, executor, console):
 
 def _fill(plan, executor, console, cost, file):
     todo, before = pending(file), int(open_database(file).rows.sum())
-    failures, interrupted = [], False
+    failures, interrupted, loaded = [], False, spent(KERNELS)
     say = partial(console.print, highlight=False) if console else lambda text: None
     preparing = Preparing(console, cost) if console and cost and isinstance(executor, Here) else None
     telling = Telling(console, preparing) if console else None
@@ -120,7 +120,7 @@ def _fill(plan, executor, console, cost, file):
         progress = Progress(console, len(jobs)) if console else None
         try:
             for job, result in zip(jobs, in_order(executor, (job.call for job in jobs)), strict=True):
-                share("solve", "estimate", sum(times(result).get(step, 0.0) for step in (ESTIMATE, INTERPOLATED)))
+                loaded = _share_estimate(result, loaded)
                 with phase("store"):
                     reason = _stored(job, result)
                 if reason:
@@ -138,6 +138,18 @@ def _fill(plan, executor, console, cost, file):
     return Outcome(
         db.path, stored - before, stored, len(db.rows), len(jobs), tuple(failures), plan.remarks, interrupted
     )
+
+
+def _share_estimate(result, before):
+    """Give the estimate of a result its part of the time, without that of kernels that were loaded for it.
+
+    before : s of kernels loaded before; returns those up to now
+    """
+    steps, loaded = times(result), spent(KERNELS)
+    estimate = sum(steps.get(step, 0.0) for step in (ESTIMATE, INTERPOLATED))
+    if estimate:
+        share("solve", "estimate", estimate * max(0.0, 1 - (loaded - before) / sum(steps.values())))
+    return loaded
 
 
 @dataclass(frozen=True)
