@@ -43,6 +43,7 @@ class Stencils(NamedTuple):
     across: np.ndarray  # (n, 3) m, of the panels on the other face of the edge
     gap: np.ndarray  # (n,) m of water under that face where it is a flat bottom and this one a side, else infinite
     count: np.ndarray  # (n,) panels of the stencil, 1 to 3
+    row: np.ndarray  # (n, 3) `panels` of those of which the stencil is the panel alone, too, as others need them
 
     @property
     def first(self):
@@ -55,9 +56,15 @@ class Stencils(NamedTuple):
             *(np.where(where.reshape(-1, *[1] * (a.ndim - 1)), b, a) for a, b in zip(self, others, strict=True))
         )
 
+    def where(self, used, alone):
+        """The same where the condition `used` (n,) holds, elsewhere those of the panels alone, at the same edges"""
+        first = self.at_edge & (self.own == 0)
+        across = np.where(first[:, None], self.across, alone.across), np.where(first, self.gap, alone.gap)
+        return self.replaced(~used, alone._replace(across=across[0], gap=across[1]))._replace(row=self.row)
+
     def same_layout(self, panel):
         """(n,) whether stencils of other panels (n,) have the same layout: not the same panels, lengths and angles"""
-        measured = dict.fromkeys(("panels", "mu", "lengths", "across", "gap"), self.at_edge)
+        measured = dict.fromkeys(("panels", "mu", "lengths", "across", "gap", "row"), self.at_edge)
         parts = self._replace(**measured)
         return np.all([np.all((a == a[panel]).reshape(len(panel), -1), axis=1) for a in parts], axis=0)
 
@@ -71,15 +78,8 @@ def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
     adjacency = _Adjacency(_continuations(mesh), _planes(mesh))
     (s, single_s), (t, single_t) = (_in_direction(mesh, exponents, adjacency, *sides) for sides in SIDES)
     s, t = (_with_other_face(mesh, stencil, sides, (s, t), depth) for stencil, sides in zip((s, t), SIDES, strict=True))
-    s, t = (
-        s.replaced(~np.broadcast_to(steady(s), s.count.shape), single_s),
-        t.replaced(~np.broadcast_to(steady(t), t.count.shape), single_t),
-    )
-    while True:
-        apart = ~_alike(s, t) & (s.count > 1), ~_alike(t, s) & (t.count > 1)
-        if not np.any(apart):
-            return s, t
-        s, t = s.replaced(apart[0], single_s), t.replaced(apart[1], single_t)
+    one, two = (_alike(*pair) & steady(pair[0]) for pair in ((s, t), (t, s)))
+    return s.where(one, single_s), t.where(two, single_t)
 
 
 def coarsest_at_gap(mesh, depth):
@@ -123,7 +123,7 @@ def _in_direction(mesh, exponents, adjacency, minus, plus):
     def line(parts, count, place):
         panels, images, sides = (np.stack(part, axis=1) for part in zip(*parts, strict=True))
         lengths = size[panels]
-        return Stencils(sharp, place, end, mu, panels, images, sides == plus, lengths, lengths, open_, count)
+        return Stencils(sharp, place, end, mu, panels, images, sides == plus, lengths, lengths, open_, count, panels)
 
     here = own, zero, np.where(end < 0, plus, minus)
     single = line([here] * 3, zero + 1, zero)

@@ -19,7 +19,8 @@ from .edges import SIDES, Stencils, stencils
 
 POINTS = 4  # in each direction of a panel
 NODES = 6  # in each direction, at most
-LARGEST = 25.0  # growth of errors in one direction: 9 to 12 on graded boxes and buoys, 70 to 230 at the ends of ships
+LARGEST = 25.0  # growth of errors in one direction: to 12 on graded boxes and buoys, 70 to 230 at the ends of ships
+SLIVER = 0.3  # collocation error of the first node of panels that are thin beside those beyond the edge
 
 
 class HullQuadrature(NamedTuple):
@@ -54,8 +55,19 @@ def side_quadrature(mesh, exponents, panels, sides, depth=np.inf):
 
 
 def _steady(stencil):
-    """(n,) whether errors of the nodal values grow no more than LARGEST times between the nodes of `Stencils`"""
-    return np.abs(_line_rule(stencil).shape).sum(axis=-1).max(axis=1) < LARGEST
+    """(n,) whether errors of nodal values grow no more than LARGEST times between the nodes of `Stencils`, and are none
+    of slivers
+    """
+    growth = np.abs(_line_rule(stencil).shape).sum(axis=-1).max(axis=1)
+    return (growth < LARGEST) & (_missed(stencil).max(axis=1) < SLIVER)
+
+
+def _missed(stencil):
+    """(n, NODES) `edge_flow.nodal_errors`, 0 away from edges"""
+    at_edge, out = stencil.at_edge, np.zeros((len(stencil.own), NODES))
+    measures = stencil.lengths, stencil.across, stencil.mu, stencil.gap
+    out[at_edge] = nodal_errors(*(part[at_edge] for part in measures))
+    return out
 
 
 def _quadrature(mesh, panels, both, rules, along=None):
@@ -120,23 +132,23 @@ def _powers(r, mu):
 
 def _factors(stencil, lengths):
     """(n, NODES, NODES) from nodal values to coefficients of the powers, zero beyond the nodes that there are"""
-    missed, out = np.zeros((len(lengths), NODES)), np.zeros((len(lengths), NODES, NODES))
-    at_edge = stencil.at_edge
-    missed[at_edge] = nodal_errors(
-        stencil.lengths[at_edge], stencil.across[at_edge], stencil.mu[at_edge], stencil.gap[at_edge]
-    )
+    missed, out = _missed(stencil), np.zeros((len(lengths), NODES, NODES))
     for panels in (1, 2, 3):
         here, m = stencil.count == panels, 2 * panels
         values = _powers(at_nodes(lengths[here, :panels]), stencil.mu[here])[0][..., :m]
         values[..., 1] *= 1 + missed[here, :m]
         out[here, :m, :m] = np.linalg.inv(values)
+    sliver = (stencil.count == 1) & (missed[:, 0] >= SLIVER)  # whose second node alone is right
+    out[sliver] = 0.0
+    out[sliver, 0, 1] = 1.0
     return out
 
 
 def _nodes(s, t):
     """(n, NODES²) numbers of the nodes of the product stencils, and the images on which they lie"""
-    (panel_s, at_s, image_s), (panel_t, at_t, image_t) = _through(s), _through(t)
-    panel = panel_t[panel_s]
+    (panel_s, at_s, image_s), (_, at_t, image_t) = _through(s), _through(t)
+    panel_t = t.row.repeat(2, axis=1)
+    panel = np.where(t.count[:, None, None] > 1, panel_t[panel_s], panel_s[:, :, None])
     nodes = 4 * panel + 2 * at_s[:, :, None] + at_t[:, None]
     return nodes.reshape(len(nodes), -1), (image_s[:, :, None] ^ image_t[:, None]).reshape(len(nodes), -1)
 
@@ -150,7 +162,7 @@ def _through(stencil):
 
 def _edge(v, s, t):
     """(n, 3) m, the point of the edge nearest to the panel's middle, or the corner of two edges; NaN without edge"""
-    corner = t.first[s.first]
+    corner = np.where(t.at_edge & (t.count > 1), t.row[s.first, 0], s.first)
     S, T = (np.where(stencil.at_edge, stencil.end, 0)[:, None] for stencil in (s, t))
     shape = (1 + np.array([-1, 1, 1, -1]) * S) * (1 + np.array([-1, -1, 1, 1]) * T) / 4
     point = np.einsum("na,nac->nc", shape, v[corner])

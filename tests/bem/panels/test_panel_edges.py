@@ -3,12 +3,16 @@
 import numpy as np
 import pytest
 
+from bem import DOFS
+from bem.methods.panel_problem import PanelProblem
 from bem.panels.elements import elements
 from bem.panels.pressure_drift.edge_flow import EdgeFlow, nodal_errors
 from bem.panels.pressure_drift.edges import sharp_sides, stencils
+from bem.panels.pressure_drift.hull_flow import hull_surfaces, radiated_flow
 from bem.panels.pressure_drift.hull_interpolation import hull_quadrature, side_quadrature
 from meshing.panels import PanelMesh, structured
 from meshing.shapes import box, buoy
+from meshing.ship import ship
 
 LENGTH, BEAM, DRAFT = SIZES = (100.0, 50.0, 10.0)
 
@@ -35,6 +39,17 @@ def test_rounding_of_angles_along_an_edge_separates_no_panels(counts):
     assert all(stencil.count.min() >= 2 for stencil in stencils(mesh, exponents))
     turned = np.where(exponents < 1, exponents * (1 + 1e-15 * np.arange(len(mesh))[:, None]), exponents)
     assert all(stencil.count.min() >= 2 for stencil in stencils(mesh, turned))
+
+
+def test_slivers_at_the_ends_of_a_ship_do_not_spoil_its_flow():
+    """No panel has a tenth of ∬ |∇φ|² of surge, heave or pitch"""
+    problem = PanelProblem(ship(280, 40, 14, 0.62, panels=200), depth=18.0)
+    run = problem.prepared().run(0.2, [0.0], {"added_mass"}, None, DOFS)
+    surfaces = hull_surfaces(run.geometry)
+    flow = radiated_flow(run, surfaces)
+    energy = np.sum(np.abs(flow.velocity[[0, 2, 4]]) ** 2, axis=-1) * surfaces.hull.weights
+    panels = energy.reshape(3, len(problem.mesh) * surfaces.hull.copies, -1).sum(axis=-1)
+    assert np.all(panels.max(axis=1) < 0.1 * panels.sum(axis=1))
 
 
 def sharp_plate(rows, side):
