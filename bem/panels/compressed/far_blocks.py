@@ -17,7 +17,9 @@ from ...kernels.jit import kernel
 
 SINGLE, DOUBLE = 0, 1  # layer
 GOLDEN = 0.6180339887498949  # its multiples, modulo 1, are spread evenly
-LOOKED_AT = 3  # rows of a block, after the last term
+# rows of a block, after the last term: three of them were once among the sixth part that was represented already,
+# nodes above each other on a wall
+LOOKED_AT = 8
 CAPACITY = 3_000_000  # entries of a buffer, about; one block at least
 
 
