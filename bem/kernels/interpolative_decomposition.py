@@ -14,6 +14,7 @@ import numpy as np
 
 ENTRIES = 4  # of Ω, not zero, in each of its rows
 SEED = 1_982
+ROUNDING = 1e-12  # of the entries of A Aᵀ
 
 
 class Sketch:
@@ -44,16 +45,36 @@ def interpolative_decomposition(matrix, tolerance):
     """(rows, X) with A ≈ X A[rows], the error of a row at most about `tolerance` in the 2-norm.
 
     matrix : (n, m) A itself or `Sketch.matrix`; rows : (r,) increasing, r ≥ 1; X : (n, r)
-    """
-    from scipy.linalg import qr, solve_triangular
 
-    R, order = qr(matrix.T, mode="r", pivoting=True, check_finite=False)
-    rank = max(int(np.count_nonzero(np.abs(np.diag(R)) > tolerance)), 1)
+    R of pivoted QR is the Cholesky factor of A Aᵀ with the same pivots, which ends at the rank and takes a third of the
+    time or less; where the square of the tolerance is lost in rounding it is made by QR.
+    """
+    from scipy.linalg import solve_triangular
+
+    factor, order, rank = _by_cholesky(matrix, tolerance) or _by_qr(matrix, tolerance)
     X = np.empty((len(matrix), rank))
     X[order[:rank]] = np.eye(rank)
-    X[order[rank:]] = solve_triangular(R[:rank, :rank], R[:rank, rank:], check_finite=False).T
+    X[order[rank:]] = solve_triangular(factor[:rank, :rank], factor[:rank, rank:], check_finite=False).T
     sorting = np.argsort(order[:rank])
     return order[:rank][sorting], np.ascontiguousarray(X[:, sorting])
+
+
+def _by_cholesky(matrix, tolerance):
+    """R, its pivots and the rank; None if rounding is as large as what is left at the rank"""
+    from scipy.linalg.lapack import dpstrf
+
+    gram = matrix @ matrix.T
+    if not tolerance**2 > ROUNDING * gram.diagonal().max():
+        return None
+    factor, order, rank, _ = dpstrf(gram.T, tol=tolerance**2, overwrite_a=True)
+    return factor, order - 1, max(int(rank), 1)
+
+
+def _by_qr(matrix, tolerance):
+    from scipy.linalg import qr
+
+    R, order = qr(matrix.T, mode="r", pivoting=True, check_finite=False)
+    return R, order, max(int(np.count_nonzero(np.abs(np.diag(R)) > tolerance)), 1)
 
 
 def truncated_least_squares(A, b, cutoff):

@@ -39,7 +39,7 @@ STRIDE = (
 FLUX_FREQUENCIES = 3  # frequencies for the incident flux, for one of those of W
 NEGLIGIBLE_FLUX = 1e-6  # of the flux in all classes
 STRIP = 1.0  # panel sizes below the surface down to which every node is a sample, and a part of those below
-COLUMNS_PER_RANK, FIRST_COLUMNS = 3, 1024  # width of a sketch, and the width first tried
+COLUMNS_PER_RANK, FIRST_COLUMNS = 3, 2048  # width of a sketch, and the width first tried
 LID = 0.1  # weight of φ' on the lid relative to φ on the hull: it is zero but for discretisation
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from bem.kernels import interpolative_decomposition as interpolation
 from bem.kernels.interpolative_decomposition import Sketch, interpolative_decomposition, truncated_least_squares
 
 
@@ -53,6 +54,16 @@ def test_a_smaller_tolerance_selects_more_rows_but_never_more_than_the_rank():
     assert counts == sorted(counts) and counts[0] < counts[2]
     low = A[:, :7] @ np.random.default_rng(3).standard_normal((7, 500))
     assert len(interpolative_decomposition(sketched(low), 1e-8)[0]) == 7
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4])
+def test_cholesky_and_qr_select_as_many_rows_and_leave_as_little(tolerance):
+    A = smooth_matrix()
+    found = [select(A, tolerance) for select in (interpolation._by_cholesky, interpolation._by_qr)]
+    (one, _, rank), (other, _, same) = found
+    assert rank == same
+    np.testing.assert_allclose(*(np.abs(np.diag(R)[:rank]) for R in (one, other)), rtol=1e-3)
+    assert interpolation._by_cholesky(A, 1e-8) is None  # whose square is lost in rounding
 
 
 def test_least_squares_leave_out_vanishing_singular_values():
