@@ -1,4 +1,4 @@
-"""A minute of a simulation as a film of body, lines and waves.
+"""A minute of a simulation as a film of body, lines, fenders and waves.
 
 The body follows its stored motion, lines hang in their static shape at every frame, the surface is that of the
 undisturbed waves of the seed.
@@ -19,23 +19,23 @@ from .gif import BED, HULL, SEA, check_count, check_film, new_plotter, turn, wri
 
 GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
 POINTS = 40  # of a line
+FENDER = "#c07020"
 
 
 def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     """Write a film of `length` s from `start` s on, one frame every `step` s; returns the number of frames.
 
-    seed : whose record is stored, by default the first; start : by default half a length before the largest tension
+    seed : whose record is stored, by default the first
+    start : by default half a length before the largest tension, or deflection where there are no lines
     raises : ValueError, one line
     """
     check_film(output, (path,))
     with opened(path) as file:
-        if not len(file["line"]):
-            raise ValueError(f"{path} has no lines and no ropes; allowed: of a body that they hold")
         row = _row(file, seed)
-        time, tension = file["time"][()], file["tension"][row]
+        time = file["time"][()]
         _check_times(time, start, length, step)
         if start is None:
-            start = time[int(np.argmax(tension.max(axis=1)))] - 0.5 * length
+            start = _height_of_it(file, row, time) - 0.5 * length
         start = min(max(start, time[0]), max(time[-1] - length, time[0]))
         at = np.arange(start, min(start + length, time[-1]) + 1e-9, step)
         motion = np.column_stack([np.interp(at, time, column) for column in file["motion"][row].T])
@@ -43,6 +43,12 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
         waves = _waves(file, int(file["seed"][row]))
     write_film(output, _frames(scene, at, motion, waves), len(at))
     return len(at)
+
+
+def _height_of_it(file, row, time):
+    """s of the largest tension; without lines of the largest deflection of a fender"""
+    held = file["tension" if len(file["line"]) else "deflection"][row]
+    return time[int(np.argmax(held.max(axis=1)))]
 
 
 def _check_times(time, start, length, step):
@@ -76,8 +82,12 @@ def _scene(file):
     box = (-length / 2, length / 2, -beam / 2, beam / 2, -draft, freeboard)
     lines = 0 if system is None else len(system.lines)
     ropes = file["anchor"][lines:], file["fairlead"][lines:] - center
-    span, depth = np.ptp(file["anchor"][:, :2], axis=0).max(), float(file.attrs["water_depth"])
-    return SimpleNamespace(system=system, ropes=ropes, lines=lines, box=box, center=center, span=span, depth=depth)
+    fenders = study.berth(hull, center).fenders
+    places = np.concatenate([file["anchor"][:, :2], [[-length, -beam], [length, beam]]])
+    span, depth = np.ptp(places, axis=0).max(), float(file.attrs["water_depth"])
+    return SimpleNamespace(
+        system=system, ropes=ropes, lines=lines, fenders=fenders, box=box, center=center, span=span, depth=depth
+    )  # fmt: skip
 
 
 def _waves(file, seed):
@@ -123,10 +133,19 @@ def _shapes(scene, motion):
     ends = scene.center + motion[:3] + arms @ turn(*motion[3:]).T
     straight = [a + (b - a) * np.linspace(0, 1, POINTS)[:, None] for a, b in zip(bollards, ends, strict=True)]
     if scene.system is None:
-        return np.concatenate(straight)
+        return np.concatenate([np.empty((0, 3)), *straight])
     body = scene.system.bodies[0]
     pose = tuple(float(a + b) for a, b in zip(body.position, motion, strict=True))
     return np.concatenate([*line_shapes(rest(held_at(scene.system, {body.name: pose})), POINTS), *straight])
+
+
+def _fender(one):
+    """A fender as a cylinder from its face outwards, as long and as wide as it is high"""
+    import pyvista
+
+    height = one.fender.height
+    middle = one.face + 0.5 * height * one.normal
+    return pyvista.Cylinder(center=middle, direction=one.normal, radius=0.5 * height, height=height)
 
 
 def _frames(scene, at, motion, waves):
@@ -138,7 +157,7 @@ def _frames(scene, at, motion, waves):
     still = hull.points - scene.center
     count = scene.lines + len(scene.ropes[0])
     cells = np.column_stack([np.full(count, POINTS), np.arange(count * POINTS).reshape(count, POINTS)]).ravel()
-    lines = pyvista.PolyData(_shapes(scene, motion[0]), lines=cells)
+    lines = pyvista.PolyData(_shapes(scene, motion[0]), lines=cells) if count else None
     side = np.linspace(-0.5, 0.5, GRID) * WIDTH * scene.span
     x, y = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
     sea = pyvista.StructuredGrid(*(grid.reshape(GRID, GRID, 1) for grid in (x, y, np.zeros_like(x))))
@@ -146,14 +165,18 @@ def _frames(scene, at, motion, waves):
     plotter.add_mesh(bed, color=BED)
     plotter.add_mesh(sea, color=SEA, opacity=0.45)
     plotter.add_mesh(hull, color=HULL)
-    plotter.add_mesh(lines, color="#202020", line_width=2)
+    if lines is not None:
+        plotter.add_mesh(lines, color="#202020", line_width=2)
+    for one in scene.fenders:
+        plotter.add_mesh(_fender(one), color=FENDER)
     plotter.camera_position = [(0.25 * scene.span, -1.0 * scene.span, 0.4 * scene.span), (0, 0, 0), (0, 0, 1)]
     heights = None if waves is None else surface(waves, *sea.points[:, :2].T)
     label = plotter.add_text("", font_size=9, color="black")
     try:
         for t, moved in zip(at, motion, strict=True):
             hull.points = scene.center + moved[:3] + still @ turn(*moved[3:]).T
-            lines.points = _shapes(scene, moved)
+            if lines is not None:
+                lines.points = _shapes(scene, moved)
             if heights is not None:
                 sea.points = np.column_stack([*sea.points[:, :2].T, heights(t)])
             label.set_text("upper_left", f"{t:.1f} s")

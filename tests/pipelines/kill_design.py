@@ -3,7 +3,8 @@
     python tests/pipelines/kill_design.py project.toml [--kills 10] [--seed 0]
 
 The databases are made once, and given to both.  SIGKILL falls at a random instant within a second of a new file of a
-load case; page and tables then have to be the same to the byte, and a last run, with nothing to make, is timed.
+load case, or of a third of a run where no new file comes; page and tables then have to be the same to the byte, and a
+last run, with nothing to make, is timed.
 """
 
 import argparse
@@ -20,15 +21,16 @@ import numpy as np
 ROOT = Path(__file__).parents[2]
 
 
-def run(project, folder, delay=None):
-    """Seconds of the command, and whether it was killed `delay` s after it stored a new file of a load case"""
+def run(project, folder, delay=None, latest=0.0):
+    """Seconds of the command, and whether it was killed `delay` s after it stored a new file of a load case, or
+    `latest` + `delay` s after its start"""
     words = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())"]
     begun, surroundings = time.perf_counter(), {**os.environ, "PYTHONPATH": str(ROOT)}
     arguments, before = ["design", str(project), "--output", str(folder), "--no-advice"], cases(folder)
     process = subprocess.Popen([*words, *arguments], env=surroundings, stdout=subprocess.DEVNULL)
     while process.poll() is None:
         time.sleep(0.02)
-        if delay is not None and cases(folder) > before:
+        if delay is not None and (cases(folder) > before or time.perf_counter() - begun > latest):
             time.sleep(delay)
             process.kill()
             process.wait()
@@ -53,7 +55,7 @@ def campaign(project, kills, seed):
             shutil.copytree(clean / "databases", killed / "databases")
         fell = []
         for delay in random.uniform(0.0, 1.0, kills):
-            _, was = run(project, killed, delay)
+            _, was = run(project, killed, delay, whole / 3)
             fell.append((cases(killed), was))
         run(project, killed)
         last, _ = run(project, killed)

@@ -23,13 +23,17 @@ def moved(noise=0.0, seed=1):
     return t, X * np.sin(theta) + chance[0], F + chance[1]
 
 
-@pytest.fixture(scope="module")
-def let_go():
+def free_decay():
     def rate(_, y):
         return (y[1], -LINEAR * y[1] - QUADRATIC * y[1] * abs(y[1]) - OMEGA**2 * y[0])
 
     settings = {"t_eval": TIME, "rtol": 1e-11, "atol": 1e-12, "method": "DOP853"}
     return solve_ivp(rate, (0.0, TIME[-1]), (10.0, 0.0), **settings).y[0]
+
+
+@pytest.fixture(scope="module")
+def let_go():
+    return free_decay()
 
 
 def test_forced_oscillation_gives_back_what_it_was_made_of():
