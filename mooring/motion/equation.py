@@ -210,6 +210,7 @@ def rates(scene, t, y, rate):
     restore(body, y, rate, work)
     dissipate(body, y, rate, work)
     load(body, scene.wind, scene.current, t, y, rate, work)
+    scene.line_work.span[0] = t
     good = line_loads(scene.lines, scene.line_work, y[:6], work.R, work.part)
     give(work.force, y, rate, work.part, 6, BY_LINES)
     if len(scene.contacts.numbers):

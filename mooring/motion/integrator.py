@@ -6,6 +6,9 @@ comes taut or a fender is met the force has a corner, and the error of a step ov
 be that of a share of the usual step, which is the mean of steps over time.  Steps end where a window of wave forces
 ends and where a line breaks, so that no jump lies within one.  Samples between steps are
 Hermite polynomials, of fifth degree in what has a known velocity and acceleration.
+
+Lines with a motion of their own (`moving_lines`) go along the course of a step that is taken with the pull foreseen for
+them; the step is then taken again with their pull.
 """
 
 from __future__ import annotations
@@ -18,7 +21,8 @@ from bem.kernels.jit import kernel
 
 from .contact_loads import settle
 from .equation import SLOW, SLOW_RATE, rates
-from .line_loads import hold
+from .line_loads import fairlead_of, hold
+from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions
 from .wave_loads import fill_rows, fill_window
 
 SAFETY, LARGEST, SMALLEST = 0.9, 4.0, 0.2  # of the change of step
@@ -31,7 +35,7 @@ CORNER = 0.1  # of the usual step: the error that a step over a corner may have;
 MEMORY = 20.0  # usual steps, over which their mean is taken
 TIME, STEP, WINDOW, USUAL = range(4)  # places in `Clock.now`
 STEPS, REFUSED, SAMPLES, WINDOWS, SHORT = range(5)  # places in `Clock.counts`
-DONE, RUNNING, TOO_SHORT, NO_LINE, NOT_FINITE, BEYOND = range(6)
+DONE, RUNNING, TOO_SHORT, NO_LINE, NOT_FINITE, BEYOND, STUCK = range(7)
 
 A = np.array(
     [
@@ -104,7 +108,39 @@ def take_step(scene, clock, t, h):
         for j in range(7):
             total += E[j] * k[j, i]
         worst = max(worst, abs(total) / clock.scale[i])  # h·total over scale·h
-    return worst * min(1.0, h / (CORNER * clock.now[USUAL])), good
+    return worst, good
+
+
+@kernel()
+def take_step_with_lines(scene, clock, moving, t, h):
+    """`take_step` with lines that move: with the pull foreseen, lines along that course, and again with theirs.
+
+    The error has the part of the course that lines did not follow: they go where the body was foreseen.
+    """
+    lines, kept = moving
+    work, trial = scene.line_work, clock.trial
+    foresee(lines, kept, h, work.given)
+    work.span[1], work.span[2] = t, h
+    good = rates(scene, t, clock.y, clock.stages[0])
+    error, held = take_step(scene, clock, t, h)
+    if not (good and held and np.isfinite(error)):
+        return error, good and held
+    for i in range(12):
+        kept.foreseen[i] = trial[i]
+    put_sample(clock, t, h, t + 0.5 * h, kept.pose)
+    for i in range(lines.number.size):
+        n, course = lines.number[i], kept.course[i]
+        fairlead_of(scene.lines, n, kept.pose, kept.room, course[1, 0], course[1, 1])
+        fairlead_of(scene.lines, n, trial, kept.room, course[2, 0], course[2, 1])
+    if not advance_lines(lines, kept, work.whole, t, h):
+        return np.inf, True
+    project(lines, kept, t, h, work.given)
+    good = rates(scene, t, clock.y, clock.stages[0])
+    error, held = take_step(scene, clock, t, h)
+    for i in range(12):
+        missed = abs(trial[i] - kept.foreseen[i]) * lines.swing * h * h
+        error = max(error, missed / (clock.scale[i] * h))
+    return error, good and held
 
 
 @kernel()
@@ -158,13 +194,15 @@ def open_window(waves, clock, work):
 
 
 @kernel()
-def advance(scene, waves, clock, samples, most):
+def advance(scene, waves, clock, samples, most, moving):
     """Integrate until the end, or for `most` steps; samples (n, 18) is filled row by row.  Returns why it stopped.
 
-    scene : `equation.Scene`; waves : `wave_loads.Waves`
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; moving : (MovingLines, MovingWork), None where no line
+    moves by itself, and then nothing of it is compiled
     """
     now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step
     lines, length = scene.lines, waves.table.window
+    again = False  # after a step that was refused: one over a corner is, where one that a window cuts short is not
     for _ in range(most):
         t = now[TIME]
         if t >= clock.end - AT_ONCE:
@@ -179,15 +217,24 @@ def advance(scene, waves, clock, samples, most):
             h = limit - t
         elif t + 2.0 * h > limit and fixed == 0.0:
             h = 0.5 * (limit - t)
-        error, good = take_step(scene, clock, t, h)
+        if moving is None:
+            error, good = take_step(scene, clock, t, h)
+        else:
+            error, good = take_step_with_lines(scene, clock, moving, t, h)
+        if again:
+            error *= min(1.0, h / (CORNER * now[USUAL]))
         if not np.isfinite(error) or not good:
             if fixed > 0.0 or h < SHORTEST:
+                if moving is not None:  # noqa: SIM102 - apart, so that nothing of it is compiled where there is none
+                    if moving[1].stuck[0] >= 0:
+                        return STUCK
                 return NO_LINE if not good else NOT_FINITE
             counts[REFUSED] += 1
-            now[STEP] = SMALLEST * h
+            now[STEP], again = SMALLEST * h, True
             continue
         if error > 1.0 and fixed == 0.0:
             counts[REFUSED] += 1
+            again = True
             now[STEP] = h * max(SMALLEST, SAFETY * error**-0.25)
             if now[STEP] < min(SHORTEST, OF_USUAL * now[USUAL]):
                 return TOO_SHORT
@@ -196,11 +243,17 @@ def advance(scene, waves, clock, samples, most):
         if scene.contact_work.beyond[0] >= 0:
             return BEYOND
         settle(scene.contact_work)
+        first = counts[SAMPLES]
         put_samples(clock, t, h, later, samples)
+        if moving is not None:
+            for row in range(first, counts[SAMPLES]):
+                put_tensions(moving[0], moving[1], row, row * clock.sample_step)
+            keep_lines(moving[0], moving[1], h, scene.line_work.given)
         clock.y[:] = clock.trial
         now[TIME] = later
         now[USUAL] += min(1.0, h / (MEMORY * now[USUAL])) * (h - now[USUAL])
         counts[STEPS] += 1
+        again = False
         counts[SHORT] = counts[SHORT] + 1 if h < SHORTEST and not cut else 0
         if counts[SHORT] > AT_CORNER and fixed == 0.0:
             return TOO_SHORT

@@ -21,6 +21,7 @@ from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
 from ..lines.catenary.moving_end import pull_of_any, workspace
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
 from .force_tables import Packed, packed, packed_pull, tabulate
+from .moving_lines.polynomial import TERMS, legendre
 
 reaction = kernel(inline=True)(reaction_of)
 NEVER = np.inf  # s at which a line breaks that does not
@@ -33,7 +34,7 @@ class Lines(NamedTuple):
     anchor : (n, 3) m in space, fairlead : (n, 3) m in the body's axes; lines : (n, 4) length, weight, 1/EA, friction
     lost : (n,) s; bed : m, its height; table : (n,) number of its table, below 0 for a closed form
     tables : `Packed`; hawser : (n,) number of its curve in `curves`, below 0 for other lines
-    place : (3,) m, origin of the body's axes at rest
+    place : (3,) m, origin of the body's axes at rest; moves : (n,) whether a line has a motion of its own
     """
 
     anchor: np.ndarray
@@ -46,6 +47,7 @@ class Lines(NamedTuple):
     hawser: np.ndarray
     curves: ContactTable
     place: np.ndarray
+    moves: np.ndarray
 
 
 class LineWork(NamedTuple):
@@ -53,18 +55,24 @@ class LineWork(NamedTuple):
 
     kept (n, 2) and rows (n, ROW) of `moving_end`; tension : (n, 2) horizontal and vertical pull at the fairlead, N
     whole : (n,) whether a line has not broken yet
+    given : (n, TERMS, 3) N in space, of lines that move, coefficients of Legendre's polynomials over a step of the body
+    span : (3,) s, now, begin and length of that; terms : (TERMS,) room for work
     """
 
     kept: np.ndarray
     rows: np.ndarray
     tension: np.ndarray
     whole: np.ndarray
+    given: np.ndarray
+    span: np.ndarray
+    terms: np.ndarray
 
 
 def line_work(lines):
     """`LineWork` of lines at 0 s"""
     count = len(lines.lost)
-    return LineWork(*workspace(count), np.zeros((count, 2)), lines.lost > 0.0)
+    given, span = np.zeros((count, TERMS, 3)), np.array([0.0, 0.0, 1.0])
+    return LineWork(*workspace(count), np.zeros((count, 2)), lines.lost > 0.0, given, span, np.zeros(TERMS))
 
 
 @kernel()
@@ -74,14 +82,15 @@ def hold(lines, work, t):
         work.whole[i] = lines.lost[i] > t
 
 
-def body_lines(system, lost=(), tables=((), ())):
+def body_lines(system, lost=(), tables=((), ()), moving=()):
     """`Lines` of a System of one body, whose lines run between anchors and fairleads; of None, none.
 
     tables : ForceTables, and for every line the number of its own, below 0 for a uniform line (`tables_of`)
-    lost : (name, s) of lines that break.  raises : ValueError for other systems, and names that are unknown
+    lost : (name, s) of lines that break; moving : numbers of lines with a motion of their own
+    raises : ValueError for other systems, and names that are unknown
     """
     if system is None:
-        return _arrays([], [], [], [], -1.0, np.zeros(3), tables, [], [])
+        return _arrays([], [], [], [], -1.0, np.zeros(3), tables, [], [], [])
     points = {point.name: point for point in system.points}
     if len(system.bodies) != 1:
         raise ValueError(f"the system has {len(system.bodies)} bodies; a body in time is one")
@@ -111,7 +120,8 @@ def body_lines(system, lost=(), tables=((), ())):
     number = np.full(len(given), -1)
     number[list(system.hawsers)] = np.arange(len(system.hawsers))
     pulls = [system.lines[i].pull for i in system.hawsers]
-    return _arrays(anchors, fairleads, given, times, -float(system.depth), place, tables, number, pulls)
+    moves = np.isin(np.arange(len(given)), list(moving))
+    return _arrays(anchors, fairleads, given, times, -float(system.depth), place, tables, number, pulls, moves)
 
 
 def tables_of(system, start):
@@ -143,7 +153,7 @@ def tables_of(system, start):
     return tuple(tables), number
 
 
-def _arrays(anchors, fairleads, given, times, bed, place, tables, hawser, pulls):
+def _arrays(anchors, fairleads, given, times, bed, place, tables, hawser, pulls, moves):
     """Lines as arrays"""
     return Lines(
         np.asarray(anchors, float).reshape(-1, 3),
@@ -156,6 +166,7 @@ def _arrays(anchors, fairleads, given, times, bed, place, tables, hawser, pulls)
         np.asarray(hawser, np.int64),
         contact_table(pulls),
         place,
+        np.asarray(moves, bool),
     )
 
 
@@ -191,6 +202,27 @@ def give_generalized(position, v, f, out):
 
 
 @kernel()
+def fairlead_of(lines, i, state, room, place, velocity):
+    """Place (3,) m and velocity (3,) m/s in space of the fairlead of line i on a body of a state (12 or more,)
+
+    room : `moving_lines.packed.Room`.  The velocity along a direction is the power of a unit force there.
+    """
+    p = lines.fairlead[i]
+    rotation_of(state[3:6], room.R)
+    for j in range(3):
+        room.arm[j] = room.R[j, 0] * p[0] + room.R[j, 1] * p[1] + room.R[j, 2] * p[2]
+        place[j] = lines.place[j] + state[j] + room.arm[j]
+    for j in range(3):
+        room.unit[:] = 0.0
+        room.push[:] = 0.0
+        room.unit[j] = 1.0
+        give_generalized(state, room.arm, room.unit, room.push)
+        velocity[j] = 0.0
+        for k in range(6):
+            velocity[j] += room.push[k] * state[6 + k]
+
+
+@kernel()
 def line_loads(lines, work, position, R, out):
     """out (6,) generalized forces, in heading axes, of the lines on a body at `position` (6,); work.tension is filled.
 
@@ -200,6 +232,7 @@ def line_loads(lines, work, position, R, out):
     out[:] = 0.0
     fx = fy = fz = mx = my = mz = 0.0
     good = True
+    legendre(2 * (work.span[0] - work.span[1]) / work.span[2] - 1, work.terms)
     for i in range(lines.lost.size):
         if not work.whole[i]:
             work.tension[i, 0] = work.tension[i, 1] = 0.0
@@ -208,6 +241,15 @@ def line_loads(lines, work, position, R, out):
         ax = R[0, 0] * p[0] + R[0, 1] * p[1] + R[0, 2] * p[2]
         ay = R[1, 0] * p[0] + R[1, 1] * p[1] + R[1, 2] * p[2]
         az = R[2, 0] * p[0] + R[2, 1] * p[1] + R[2, 2] * p[2]
+        if lines.moves[i]:
+            x = y = z = 0.0
+            for k in range(TERMS):
+                c = work.given[i, k]
+                x, y, z = x + work.terms[k] * c[0], y + work.terms[k] * c[1], z + work.terms[k] * c[2]
+            work.tension[i, 0], work.tension[i, 1] = np.sqrt(x * x + y * y), -z
+            fx, fy, fz = fx + x, fy + y, fz + z
+            mx, my, mz = mx + ay * z - az * y, my + az * x - ax * z, mz + ax * y - ay * x
+            continue
         x = lines.place[0] + position[0] + ax - a[0]
         y = lines.place[1] + position[1] + ay - a[1]
         z = lines.place[2] + position[2] + az

@@ -24,6 +24,8 @@ from .expected import expected_motion
 from .force_tables import TOLERANCE
 from .given_forces import GivenForce, drift_of_half_waves, sampled
 from .line_loads import REACH, body_lines, line_loads, line_work, tables_of, tensions_along
+from .moving_lines.packed import moving_work, state_pull
+from .moving_lines.prepare import moving_of
 from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
 from .wave_loads import WaveForces, drift_of, no_waves, wave_forces, wave_table, waves_of
 
@@ -39,6 +41,7 @@ FASTEST, BAND = 8.0, 2.0  # rad/s and times the band of the database, of states 
 FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
 MOTIONLESS = 1e-9  # m, rad: the deviation of a motion that is none
 FINER, CHAOTIC = 0.1, 0.1  # tolerance of the run that estimates the error; error over σ of a path that is chance
+COARSE = 0.01  # of its tension, by which elements may change a line at rest without a word
 UNKNOWN = 0.4  # rad/s, mean frequency of waves that there are not
 NEXT_SEA, GUSTS = 7919, 104729  # what is added to the seed of a run for each further sea, and for gusts: phases of
 # two loads of a run are never drawn alike; those of runs whose seeds are as far apart as this would be
@@ -156,7 +159,10 @@ def simulate(moored, weather, settings, seed=0, progress=None):
         table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
     end = settings.ramp + settings.duration
     wind, current, drag = _streams(moored, weather, seed, end, findings)
-    lines = body_lines(moored.system, [(name, settings.ramp + t) for name, t in settings.lines_lost], moored.tables)
+    moving = moving_of(moored, settings)
+    findings += _coarse(moored, settings, moving)
+    lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
+    lines = body_lines(moored.system, lost, moored.tables, () if moving is None else moving[0].number)
     body = _body(moored, weather, settings, components, drag, current is not None)
     if components is not None:
         mean, constant = mean_frequency(components), settings.memory == "constant"
@@ -166,12 +172,13 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     contacts = moored.berth.arrays
     scene = Scene(body, lines, line_work(lines), *streams, contacts, contact_work(contacts), room(table.steps))
     waves = waves_of(table, settings.slow_drift == "mean")
-    samples, clock = _run(moored, settings, expected, scene, waves, progress)
-    found = _realisation(moored, settings, seed, scene, table, samples, clock, findings)
+    samples, clock, pulls = _run(moored, settings, expected, scene, waves, moving, progress)
+    found = _realisation(moored, settings, seed, scene, table, samples, clock, findings, pulls)
     if not settings.estimate_error:
         return found
     finer = replace(settings, tolerance=FINER * settings.tolerance)
-    return _with_error(found, _run(moored, finer, expected, scene, waves, progress)[0][:, :6], settings.tolerance)
+    again = _run(moored, finer, expected, scene, waves, moving_of(moored, finer), progress)
+    return _with_error(found, again[0][:, :6], settings.tolerance)
 
 
 def _with_error(found, finer, tolerance):
@@ -357,8 +364,8 @@ def mean_frequency(components):
     return float(components.omega @ energy / energy.sum())
 
 
-def _run(moored, settings, expected, scene, waves, progress):
-    """Samples (n, 18) and the last Clock"""
+def _run(moored, settings, expected, scene, waves, moving, progress):
+    """Samples (n, 18), the last Clock, and {number: (n,) N} of lines with a motion of their own"""
     end = settings.ramp + settings.duration
     rows = int(np.floor(end / settings.step + integrator.AT_ONCE)) + 1
     y = np.zeros(MEMORY + len(scene.body.memory.decay))
@@ -368,17 +375,44 @@ def _run(moored, settings, expected, scene, waves, progress):
     clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale)
     samples = np.zeros((rows, 18))
     scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
+    pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost)))
     while True:
-        state = integrator.advance(scene, waves, clock, samples, STEPS_AT_ONCE)
+        state = integrator.advance(scene, waves, clock, samples, STEPS_AT_ONCE, pair)
         if progress is not None:
             progress(min(clock.now[integrator.TIME] / end, 1.0))
         if state == integrator.DONE:
-            return samples, clock
+            return samples, clock, {} if pair is None else _pulls(*pair)
         if state != integrator.RUNNING:
-            raise SimulationError(_failure(state, clock, settings, scene, moored))
+            stuck = -1 if pair is None else int(pair[1].stuck[0])
+            raise SimulationError(_failure(state, clock, settings, scene, moored, stuck))
 
 
-def _failure(state, clock, settings, scene, moored):
+def _coarse(moored, settings, moving):
+    """Findings on lines with a motion of their own: what they leave out, and where elements make them pull otherwise"""
+    if moving is None:
+        return ()
+    found = ["lines of dynamic_lines move in still water: waves and current push the body, not them"]
+    lines, out = body_lines(moored.system, (), moored.tables), np.zeros(6)
+    static = line_work(lines)
+    line_loads(lines, static, moored.start, np.zeros((3, 3)), out)
+    whole = np.hypot(*static.tension[moving[0].number].T)
+    off = np.array([np.linalg.norm(state_pull(moving[0], i, one)) for i, one in enumerate(moving[1])]) / whole - 1
+    worst = int(np.argmax(np.abs(off)))
+    if abs(off[worst]) > COARSE:
+        name, way = moored.system.line_names[moving[0].number[worst]], "more" if off[worst] > 0 else "less"
+        found.append(
+            f"line {name} in {settings.dynamic_elements} elements pulls {100 * abs(off[worst]):.2g} % {way} at rest "
+            "than in its static shape; give more dynamic_elements"
+        )
+    return tuple(found)
+
+
+def _pulls(lines, kept):
+    """{number: (n,) N} of lines with a motion of their own"""
+    return dict(zip(lines.number.tolist(), kept.tension.T, strict=True))
+
+
+def _failure(state, clock, settings, scene, moored, stuck):
     t, place = clock.now[integrator.TIME], clock.y[:6]
     where = f"at {t - settings.ramp:.4g} s after the ramp, the body {np.hypot(*place[:2]):.3g} m from its place"
     if state == integrator.BEYOND:
@@ -387,6 +421,11 @@ def _failure(state, clock, settings, scene, moored):
         return (
             f"{where}: fender {moored.berth.names[i]} is pressed by {depth:.3g} m, beyond its table, which ends at "
             f"{limit:.3g} m; take a larger one, or give it an overload stiffness"
+        )
+    if state == integrator.STUCK:
+        return (
+            f"{where}: line {moored.system.line_names[stuck]} cannot be followed in its own motion; leave it out of "
+            "dynamic_lines, or raise the tolerance"
         )
     name, tension = _tightest(scene.line_work, moored)
     if state == integrator.NO_LINE and tension > (load := moored.system.breaking_load[_number(moored, name)]):
@@ -420,11 +459,13 @@ def _tightest(kept, moored):
     return moored.system.line_names[int(pull.argmax())], float(pull.max())
 
 
-def _realisation(moored, settings, seed, scene, table, samples, clock, findings):
+def _realisation(moored, settings, seed, scene, table, samples, clock, findings, pulls):
     time = settings.step * np.arange(len(samples)) - settings.ramp
     lines, wind = scene.lines, scene.wind
     tension = np.zeros((len(samples), len(lines.lost)))
     tensions_along(lines, line_work(lines), time + settings.ramp, samples, tension)
+    for number, pull in pulls.items():
+        tension[:, number] = pull
     if moored.system is not None:
         findings += beyond_tables(moored.system, tension.max(axis=0))
     wave = np.zeros(len(samples))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 SLOW_DRIFT = ("newman", "half-waves", "mean", "none")
+MOST_ELEMENTS = 1000
 MEMORY = ("states", "constant")
 
 
@@ -55,6 +56,8 @@ class Settings:
     wave_drift_damping : whether slow velocities change the drift
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
     constant_period : s, of that frequency, None for the mean one of the waves
+    dynamic_lines : names of lines with a motion of their own, or "all"; the others hang in their static shape
+    dynamic_elements : of each of these
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
@@ -69,6 +72,8 @@ class Settings:
     wave_drift_damping: bool = True
     memory: str = "states"
     constant_period: float | None = None
+    dynamic_lines: tuple[str, ...] | str = ()
+    dynamic_elements: int = 20
     lines_lost: tuple[tuple[str, float], ...] = ()
     fixed_step: float | None = None
     estimate_error: bool = False
@@ -90,5 +95,7 @@ class Settings:
                 f'constant_period is {self.constant_period:g} s with memory = "{self.memory}"; allowed: above 0, with '
                 'memory = "constant"'
             )
+        if not 2 <= self.dynamic_elements <= MOST_ELEMENTS:
+            raise ValueError(f"dynamic_elements is {self.dynamic_elements}; allowed: 2 to {MOST_ELEMENTS}")
         if self.components is not None and not (self.components == int(self.components) and self.components >= 1):
             raise ValueError(f"components is {self.components}; allowed: a whole number from 1")

@@ -228,6 +228,9 @@ class SimulationTable(Table):
     qtf : slow force of pairs of waves: "newman", "bound-wave", "body", "full" or "auto", as in a response study
     memory : "states", or "constant" for added mass and damping at one frequency
     constant_period : s, of that frequency, by default the mean one of the waves
+    dynamic_lines : names of lines with inertia, drag and a motion of their own, or "all"; the others hang in their
+        static shape.  They are uniform, of a type of the catalogue
+    dynamic_elements : of each of these
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
     damping_ratio : {motion = share of critical}, beyond waves, as in a response study
     linear_damping : kN s/m, {motion = B₁}, kN m s of rotations, as `hakobune damping` finds it
@@ -247,6 +250,8 @@ class SimulationTable(Table):
     qtf: str = "newman"
     memory: str = "states"
     constant_period: float | None = None
+    dynamic_lines: str | list[str] = msgspec.field(default_factory=list)
+    dynamic_elements: int = 20
     estimate_error: bool = False
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
     linear_damping: dict[str, float] = msgspec.field(default_factory=dict)

@@ -192,7 +192,8 @@ def _duration(table, duration):
 
 def _settings(table, duration):
     names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory",
-             "constant_period", "estimate_error")  # fmt: skip
+             "constant_period", "dynamic_elements", "estimate_error")  # fmt: skip
+    dynamic = table.dynamic_lines if isinstance(table.dynamic_lines, str) else tuple(table.dynamic_lines)
     if table.components is not None and table.components > MOST_COMPONENTS:
         raise StudyError(f"simulation.components is {table.components}; allowed: 1 to {MOST_COMPONENTS}")
     lost = tuple((one.line, one.time) for one in table.lines_lost)
@@ -200,7 +201,9 @@ def _settings(table, duration):
     if wrong:
         raise StudyError(f"simulation.lines_lost: {wrong[0].line} breaks at {wrong[0].time:g} s; allowed: from 0 s on")
     try:
-        settings = Settings(duration, lines_lost=lost, **{name: getattr(table, name) for name in names})
+        settings = Settings(
+            duration, lines_lost=lost, dynamic_lines=dynamic, **{name: getattr(table, name) for name in names}
+        )
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None
     if duration < FEWEST * settings.step:

@@ -1,0 +1,197 @@
+"""Moving lines of a body as the kernels read them: the arrays of all lines behind each other.
+
+Lines have different numbers of nodes; one kernel steps them all, so that their arrays lie in one of each kind and a
+line is a slice of it (`line_system`).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from ...lines.dynamics.lumped.system import State, System, Water
+from ...lines.dynamics.run import FIRST, control_of
+from ...lines.dynamics.start import start
+from ...lines.dynamics.surroundings import water_arrays
+from .polynomial import TERMS
+
+ROWS = 256  # of a line's own steps in one step of the body; more say that the body's step is too long
+OF_BED = ("bed_level", "bed_friction", "bed_slip")
+
+
+class MovingLines(NamedTuple):
+    """m moving lines.
+
+    number : (m,) of each among the lines of its system; system : `System` of them all, bed_normal (m, 3), level,
+    friction and slip of the bed (m,); elements, nodes, bodies, rows : (m + 1,) where the parts of each begin
+    tension, distance : (m,) N, m, scales of their errors; tolerance : of a step; water : `Water`
+    swing : (rad/s)², of the body on these lines if they could only stretch
+    """
+
+    number: np.ndarray
+    system: System
+    elements: np.ndarray
+    nodes: np.ndarray
+    bodies: np.ndarray
+    rows: np.ndarray
+    tension: np.ndarray
+    distance: np.ndarray
+    tolerance: float
+    water: Water
+    swing: float
+
+
+class Room(NamedTuple):
+    """For the place and velocity of a fairlead"""
+
+    R: np.ndarray
+    unit: np.ndarray
+    arm: np.ndarray
+    push: np.ndarray
+
+
+class MovingWork(NamedTuple):
+    """What a run keeps of m moving lines of n nodes in all; arrays are changed in place.
+
+    position, velocity, acceleration, slip : (2, n, 3), [0] at the end of the last step of the body, [1] of one on trial
+    step : (2, m) s, their next own steps; course : (m, 3, 2, 3) place and velocity of each fairlead at begin, middle
+    and end of a step; time : (m, ROWS) s, pull, slope : (m, ROWS, 3) N, N/s at the ends of own steps, of which used
+    (m,) are there
+    before : (m, 4) time and pull before the first of them; foreseen : (12,) pose and velocity by the pull foreseen
+    last : (lines, TERMS, 3) N, of every line of the system, moving or not, by which it pulled in the last step of the
+    body, length : (1,) s of that; pose : (18,), room : `Room` for work
+    tension : (samples, m) N; steps : (m,) own steps; stuck : (1,) a line that stopped, or −1
+    """
+
+    position: np.ndarray
+    velocity: np.ndarray
+    acceleration: np.ndarray
+    slip: np.ndarray
+    step: np.ndarray
+    course: np.ndarray
+    time: np.ndarray
+    pull: np.ndarray
+    slope: np.ndarray
+    used: np.ndarray
+    before: np.ndarray
+    foreseen: np.ndarray
+    last: np.ndarray
+    length: np.ndarray
+    pose: np.ndarray
+    room: Room
+    tension: np.ndarray
+    steps: np.ndarray
+    stuck: np.ndarray
+
+
+def moving_lines(lines, fairleads, tolerance, swing):
+    """`MovingLines` and their States at rest.
+
+    lines : {number: DynamicLine}; fairleads : (m, 3) m in space, of these with the body at rest
+    raises : LineError where a line has no shape at rest
+    """
+    water = water_arrays(None, None, 9.80665)
+    states = [start(line, place, water) for line, place in zip(lines.values(), fairleads, strict=True)]
+    systems = [line.system for line in lines.values()]
+    controls = [control_of(line, state, 1.0, 1.0) for line, state in zip(lines.values(), states, strict=True)]
+    together = {name: [getattr(one, name) for one in systems] for name in System._fields}
+    elements, nodes, bodies, rows = (
+        np.concatenate([[0], np.cumsum([len(value) for value in together[name]])]).astype(np.int64)
+        for name in ("length", "mass", "body_nodes", "elongation")
+    )
+    made = {name: np.array(values, float) for name, values in together.items() if name in (*OF_BED, "bed_normal")}
+    made |= {name: np.concatenate(values) for name, values in together.items() if name not in made}
+    return MovingLines(
+        np.array(list(lines), np.int64),
+        System(**made),
+        elements,
+        nodes,
+        bodies,
+        rows,
+        np.array([one.tension for one in controls]),
+        np.array([one.distance for one in controls]),
+        float(tolerance),
+        water,
+        float(swing),
+    ), tuple(states)
+
+
+def moving_work(moving, states, samples, lines):
+    """`MovingWork` of lines at rest in their `states`, with room for so many samples
+
+    lines : how many there are in all, with those in their static shape
+    """
+    count = len(moving.number)
+    kept = [np.stack([np.concatenate([state[i] for state in states])] * 2) for i in range(1, 5)]
+    pull = np.array([state_pull(moving, i, state) for i, state in enumerate(states)]).reshape(-1, 3)
+    before = np.column_stack([np.full(count, -1.0), pull])
+    last = np.zeros((lines, TERMS, 3))
+    last[moving.number, 0] = pull
+    return MovingWork(
+        *kept,
+        np.full((2, count), FIRST),
+        np.zeros((count, 3, 2, 3)),
+        np.zeros((count, ROWS)),
+        np.zeros((count, ROWS, 3)),
+        np.zeros((count, ROWS, 3)),
+        np.zeros(count, np.int64),
+        before,
+        np.zeros(12),
+        last,
+        np.ones(1),
+        np.zeros(18),
+        Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)),
+        np.zeros((samples, count)),
+        np.zeros(count, np.int64),
+        np.full(1, -1),
+    )
+
+
+def state_pull(moving, i, state: State):
+    """(3,) N of line i on its fairlead at rest"""
+    from .steps import pull_at_rest
+
+    pull = np.zeros(3)
+    pull_at_rest(moving, i, *state[1:5], pull)
+    return pull
+
+
+@kernel()
+def line_system(moving, i):
+    """`System` of line i: slices of the arrays of all"""
+    s = moving.system
+    e, f = moving.elements[i], moving.elements[i + 1]
+    n, m = moving.nodes[i], moving.nodes[i + 1]
+    return System(
+        s.length[e:f],
+        s.stiffness[e:f],
+        s.elongation_rows[e:f],
+        s.elongation[moving.rows[i] : moving.rows[i + 1]],
+        s.damping[e:f],
+        s.soft_strain[e:f],
+        s.half_mass[e:f],
+        s.half_drag_normal[e:f],
+        s.half_drag_tangential[e:f],
+        s.half_added_normal[e:f],
+        s.half_added_tangential[e:f],
+        s.half_displaced[e:f],
+        s.weight[n:m],
+        s.mass[n:m],
+        s.inertia[n:m],
+        s.body_nodes[moving.bodies[i] : moving.bodies[i + 1]],
+        s.body_buoyancy[n:m],
+        s.body_radius[n:m],
+        s.body_drag[n:m],
+        s.body_added[n:m],
+        s.body_displaced[n:m],
+        s.bed_stiffness[n:m],
+        s.bed_damping[n:m],
+        s.bed_thickness[n:m],
+        s.bed_normal[i],
+        s.bed_level[i],
+        s.bed_friction[i],
+        s.bed_slip[i],
+    )

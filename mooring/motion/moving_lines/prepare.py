@@ -1,0 +1,82 @@
+"""Lines of a System as lines with a motion of their own."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...lines.dynamics.line import DynamicLine, DynamicSegment, ElasticBed
+from ...lines.system.parts import Anchor, UniformLine
+from .packed import moving_lines
+
+# Pa/m and Pa s/m of the bed: ten times the usual, which lifts a chain in shallow water so far that it pulls 3e-3 less
+# than its static shape
+FIRM = {"stiffness": 3e6, "damping": 3e5}
+
+
+def moving_of(moored, settings):
+    """(`MovingLines`, States at rest) of the lines that `settings.dynamic_lines` names; None for none
+
+    moored : `simulation.Moored`.  raises : ValueError naming a line that cannot move by itself, and why
+    """
+    system, names = moored.system, settings.dynamic_lines
+    if system is None or not names:
+        if names:
+            raise ValueError("dynamic_lines are given and the body has no lines; allowed: names of its lines")
+        return None
+    whole = [i for i, line in enumerate(system.lines) if isinstance(line, UniformLine)]
+    if isinstance(names, str):
+        if names != "all":
+            raise ValueError(f'dynamic_lines is {names!r}; allowed: "all", or a list of names')
+        numbers = whole
+    else:
+        unknown = [name for name in names if name not in system.line_names]
+        if unknown:
+            raise ValueError(f"dynamic_lines: there is no line {unknown[0]!r}; allowed: {', '.join(system.line_names)}")
+        numbers = sorted(system.line_names.index(name) for name in names)
+    made, places = {}, []
+    points = {point.name: point for point in system.points}
+    body, R = np.asarray(system.bodies[0].position[:3], float), _turn(moored.start[3:])
+    for i in numbers:
+        line = system.lines[i]
+        if i not in whole:
+            raise ValueError(f"dynamic_lines: line {line.name} has segments or is a hawser; allowed: uniform lines")
+        ends = points[line.a], points[line.b]
+        anchor, fairlead = ends if isinstance(ends[0], Anchor) else ends[::-1]
+        made[i] = dynamic_line(line, anchor.position, system, settings.dynamic_elements)
+        places.append(body + moored.start[:3] + R @ np.asarray(fairlead.position, float))
+    swing = sum(line.type.axial_stiffness / line.length for line in (system.lines[i] for i in numbers))
+    swing /= float(moored.reader.inertia[0, 0])
+    return moving_lines(made, np.array(places), settings.tolerance, swing)
+
+
+def dynamic_line(line, anchor, system, elements):
+    """DynamicLine of a UniformLine.  Raises ValueError for what its type does not know."""
+    kind = line.type
+    for name, value in (("mass", kind.mass), ("diameter", kind.diameter)):
+        if value is None:
+            raise ValueError(
+                f"dynamic_lines: type {kind.name} of line {line.name} has no {name}; allowed: a type of the catalogue, "
+                "or mass_kg_per_m and diameter"
+            )
+    if not np.isfinite(kind.axial_stiffness):
+        raise ValueError(f"dynamic_lines: type {kind.name} of line {line.name} does not stretch; give its stiffness")
+    known = {}
+    if kind.dynamics is not None:
+        known = {
+            "drag_normal": kind.dynamics.drag_normal,
+            "drag_tangential": kind.dynamics.drag_tangential,
+            "added_normal": kind.dynamics.added_mass_normal,
+            "added_tangential": kind.dynamics.added_mass_tangential,
+        }
+    segment = DynamicSegment(
+        line.length, kind.mass, kind.weight, kind.diameter, kind.axial_stiffness, elements, **known
+    )
+    below = max(float(anchor[2]) + system.depth, 0.0)
+    bed = ElasticBed(below=below, friction=line.bed_friction, **FIRM)
+    return DynamicLine(segment, anchor, (), bed, system.density, system.gravity)
+
+
+def _turn(angles):
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_euler("ZYX", [angles[2], angles[1], angles[0]]).as_matrix()

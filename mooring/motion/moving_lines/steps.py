@@ -1,0 +1,198 @@
+"""All moving lines over one step of the body: along the course of their fairleads, and what they do to the body.
+
+A fairlead goes from where its line has it to where the body will be, by two cubics through places and velocities at
+begin, middle and end.  A line takes as many own steps as its tolerance asks for (`lines.dynamics.lumped.esdirk`), and
+pulls with F(t), a cubic between their ends with slopes of parabolas through three of them.  The body feels the
+polynomial of third degree
+
+    F(s) = Σ_k c_k P_k(2s − 1),   c_k = (2k + 1) ∫₀¹ F P_k(2s − 1) ds,   s = (t − t₀)/h
+
+with Legendre's P_k: the impulse of F and its first three moments are kept, so that jerks of a line that are shorter
+than the body's step do to the body what they have to, and the body's own error estimate sees a smooth force.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, run, tableau
+from ...lines.dynamics.lumped.forces import node_forces
+from ...lines.dynamics.lumped.stage import copy, workspace
+from ...lines.dynamics.lumped.system import Control, Motion, State
+from ...lines.dynamics.run import SHORTEST
+from .packed import ROWS, line_system
+from .polynomial import TERMS, legendre
+
+GAUSS = np.polynomial.legendre.leggauss(4)  # exact for a cubic times P₃
+NODES, WEIGHTS = 0.5 * (GAUSS[0] + 1), 0.5 * GAUSS[1]
+SCHEME = tableau()
+
+
+@kernel()
+def pull_at_rest(moving, i, q, v, a, slip, out):
+    """out (3,) N, pull of line i at its nodes q (n, 3) m at rest"""
+    work = workspace(q.shape[0])
+    copy(work.q, q)
+    copy(work.v, v)
+    node_forces(line_system(moving, i), work, a, slip, q, 0.0, 0.0)
+    out[:] = work.r[q.shape[0] - 1]
+
+
+@kernel()
+def piece(p, v, q, w, length, out):
+    """out (4, 3): cubic from p at velocity v to q at velocity w (3,) in `length` s, coefficients of 1, τ, τ², τ³"""
+    for j in range(3):
+        rise = (q[j] - p[j]) / length
+        out[0, j], out[1, j] = p[j], v[j]
+        out[2, j] = (3 * rise - 2 * v[j] - w[j]) / length
+        out[3, j] = (v[j] + w[j] - 2 * rise) / (length * length)
+
+
+@kernel()
+def advance_lines(moving, work, whole, t, h):
+    """Take all lines that are `whole` over a step of the body of h s from t s, on trial.
+
+    work.course, but for its begin, is given; work.time, pull, slope and used are filled.
+    returns : whether all could follow; work.stuck names one that could not
+    """
+    rows, knots, cubics = np.zeros((ROWS, COLUMNS)), np.zeros(3), np.zeros((2, 4, 3))
+    none, triples, table = np.zeros(0), np.zeros((0, 3)), np.zeros((0, 0, 3))
+    stations, marks = np.zeros(0, np.int64), np.zeros((ROWS, 0))
+    knots[0], knots[1], knots[2] = t, t + 0.5 * h, t + h
+    for i in range(moving.number.size):
+        if not whole[moving.number[i]]:
+            work.used[i] = 0
+            continue
+        first, last = moving.nodes[i], moving.nodes[i + 1]
+        q, v = work.position[1, first:last], work.velocity[1, first:last]
+        a, slip = work.acceleration[1, first:last], work.slip[1, first:last]
+        copy(q, work.position[0, first:last])
+        copy(v, work.velocity[0, first:last])
+        copy(a, work.acceleration[0, first:last])
+        copy(slip, work.slip[0, first:last])
+        c, end = work.course[i], last - first - 1
+        piece(q[end], v[end], c[1, 0], c[1, 1], 0.5 * h, cubics[0])
+        piece(c[1, 0], c[1, 1], c[2, 0], c[2, 1], 0.5 * h, cubics[1])
+        rows[0, 7:13] = 0.0
+        found = run(
+            line_system(moving, i),
+            moving.water,
+            Motion(knots, cubics, none, triples, triples, 0.0),
+            Control(moving.tolerance, moving.tension[i], moving.distance[i], h, SHORTEST * h),
+            SCHEME,
+            State(t, q, v, a, slip, work.step[0, i]),
+            t + h,
+            rows,
+            none,
+            table,
+            stations,
+            marks,
+        )
+        if found[0] != DONE:
+            work.stuck[0] = moving.number[i]
+            return False
+        work.step[1, i], work.used[i] = found[4], found[1]
+        for j in range(found[1]):
+            work.time[i, j] = rows[j, 0]
+            for k in range(3):
+                work.pull[i, j, k] = rows[j, 1 + k]
+        slopes(work, i)
+    work.stuck[0] = -1
+    return True
+
+
+@kernel()
+def slopes(work, i):
+    """Fill work.slope of line i: that of parabolas through an own step's end and the ones before and after."""
+    time, pull, last = work.time[i], work.pull[i], work.used[i] - 1
+    for j in range(last + 1):
+        for k in range(3):
+            before, at = (work.before[i, 0], work.before[i, 1 + k]) if j == 0 else (time[j - 1], pull[j - 1, k])
+            if j == last:
+                before, at = (work.before[i, 0], work.before[i, 1 + k]) if j < 2 else (time[j - 2], pull[j - 2, k])
+                work.slope[i, j, k] = end_slope(before, at, time[j - 1], pull[j - 1, k], time[j], pull[j, k])
+                continue
+            left, right = time[j] - before, time[j + 1] - time[j]
+            work.slope[i, j, k] = ((pull[j, k] - at) / left * right + (pull[j + 1, k] - pull[j, k]) / right * left) / (
+                left + right
+            )
+
+
+@kernel()
+def end_slope(t0, f0, t1, f1, t2, f2):
+    """Slope at t2 of the parabola through three points"""
+    a, b = (f1 - f0) / (t1 - t0), (f2 - f1) / (t2 - t1)
+    return b + (b - a) / (t2 - t0) * (t2 - t1)
+
+
+@kernel()
+def between(work, i, j, t, k):
+    """N, component k of the pull of line i at t s in its own step from the end j to the next"""
+    length = work.time[i, j + 1] - work.time[i, j]
+    s = (t - work.time[i, j]) / length
+    y, z = work.pull[i, j, k], work.pull[i, j + 1, k]
+    dy, dz = length * work.slope[i, j, k], length * work.slope[i, j + 1, k]
+    return y + s * (dy + s * (3 * (z - y) - 2 * dy - dz + s * (2 * (y - z) + dy + dz)))
+
+
+@kernel()
+def project(moving, work, t, h, given):
+    """given (n, TERMS, 3) N: c_k of every moving line, by its number, of a step of h s from t s"""
+    p = np.zeros(TERMS)
+    for i in range(moving.number.size):
+        c = given[moving.number[i]]
+        c[:] = 0.0
+        for j in range(work.used[i] - 1):
+            length = work.time[i, j + 1] - work.time[i, j]
+            for g in range(NODES.size):
+                at = work.time[i, j] + NODES[g] * length
+                legendre(2 * (at - t) / h - 1, p)
+                for m in range(3):
+                    F = between(work, i, j, at, m) * WEIGHTS[g] * length / h
+                    for k in range(TERMS):
+                        c[k, m] += (2 * k + 1) * p[k] * F
+
+
+@kernel()
+def foresee(moving, work, h, given):
+    """given (n, TERMS, 3) N of a step of h s: the straight part of each pull in the last step, drawn on"""
+    ratio = h / work.length[0]
+    for i in range(moving.number.size):
+        c, last = given[moving.number[i]], work.last[moving.number[i]]
+        c[:] = 0.0
+        for m in range(3):
+            c[0, m] = last[0, m] + (1 + ratio) * last[1, m]
+            c[1, m] = ratio * last[1, m]
+
+
+@kernel()
+def keep_lines(moving, work, h, given):
+    """The step of the body of h s was taken: what was on trial is where the lines are now."""
+    work.position[0], work.velocity[0] = work.position[1], work.velocity[1]
+    work.acceleration[0], work.slip[0], work.step[0] = work.acceleration[1], work.slip[1], work.step[1]
+    work.last[:] = given
+    work.length[0] = h
+    for i in range(moving.number.size):
+        last = work.used[i] - 1
+        if last < 1:
+            continue
+        work.steps[i] += last
+        work.before[i, 0] = work.time[i, last - 1]
+        for k in range(3):
+            work.before[i, 1 + k] = work.pull[i, last - 1, k]
+
+
+@kernel()
+def put_tensions(moving, work, row, t):
+    """Tension of every line at t s of the step just taken, into a row of work.tension"""
+    for i in range(moving.number.size):
+        last = work.used[i] - 1
+        if last < 1:
+            continue
+        j = 0
+        while j < last - 1 and t > work.time[i, j + 1]:
+            j += 1
+        x, y, z = (between(work, i, j, t, 0), between(work, i, j, t, 1), between(work, i, j, t, 2))
+        work.tension[row, i] = np.sqrt(x * x + y * y + z * z)

@@ -1,0 +1,83 @@
+"""Lines with a motion of their own on a body in time: as a line driven alone, and slowly as its static shape."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mooring.environment.sea import Sea
+from mooring.environment.spectra import jonswap
+from mooring.lines.catalogue import line_type
+from mooring.lines.dynamics.simulation import FairleadMotion
+from mooring.lines.dynamics.simulation import simulate as drive
+from mooring.lines.system.moored_body import corner_legs, moored_body
+from mooring.lines.system.parts import UniformLine
+from mooring.motion.line_loads import body_lines, fairlead_of, line_loads, line_work
+from mooring.motion.moving_lines.packed import Room, state_pull
+from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
+from mooring.motion.simulation import moored, simulate
+from mooring.motion.weather import Settings, Weather
+
+ROUGH = Weather((Sea(jonswap(2.0, peak_period=9.0), np.pi),))
+WANTED = Settings(40.0, ramp=40.0, step=0.1, dynamic_lines=("fore port 1", "aft port 1"))
+
+
+@pytest.fixture(scope="module")
+def on_lines(database, on_springs):
+    line = UniformLine("chain", line_type("R3 studless 111 mm"), 260.0, "", "")
+    legs = corner_legs(line, 100.0, 50.0, np.radians([45]), database.water_depth, 4e5)
+    system = moored_body(legs, database.water_depth, database.rotation_center, database.density, database.gravity)
+    return moored(database, system, memory=on_springs.memory)
+
+
+def course(body, run, number):
+    """Places and velocities (n, 3) of a fairlead along a run"""
+    lines, room = body_lines(body.system), Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6))
+    place, velocity = np.zeros((2, len(run.time), 3))
+    for i, state in enumerate(np.hstack([run.motion, run.velocity])):
+        fairlead_of(lines, number, state, room, place[i], velocity[i])
+    return place, velocity
+
+
+def test_a_line_pulls_as_the_same_line_driven_alone(on_lines):
+    number = on_lines.system.line_names.index("fore port 1")
+    run = simulate(on_lines, ROUGH, WANTED, seed=1)
+    place, velocity = course(on_lines, run, number)
+    anchor = body_lines(on_lines.system).anchor[number]
+    line = dynamic_line(on_lines.system.lines[number], anchor, on_lines.system, WANTED.dynamic_elements)
+    t = run.time - run.time[0]
+    alone = drive(line, FairleadMotion.table(t, place, velocity), t[-1], tolerance=1e-4, check_mesh=False)
+    pull = np.interp(t, alone.time, alone.tension_fairlead)
+    off = np.sqrt(np.mean((run.tension[:, number] - pull) ** 2))
+    assert off <= 1e-3 * pull.max() and pull.std() > 1e-2 * pull.max()
+    assert np.ptp(place, axis=0).max() > 0.1  # it moves
+
+
+def test_lines_that_are_not_asked_for_hang_in_their_static_shape(on_lines):
+    some = simulate(on_lines, ROUGH, WANTED, seed=1)
+    none = simulate(on_lines, ROUGH, replace(WANTED, dynamic_lines=()), seed=1)
+    assert not np.array_equal(some.tension[:, 0], none.tension[:, 0])
+    again = simulate(on_lines, ROUGH, WANTED, seed=1)
+    assert np.array_equal(again.tension, some.tension) and np.array_equal(again.motion, some.motion)
+
+
+def test_slow_lines_pull_as_in_their_static_shape_and_few_elements_are_named(on_lines):
+    """At rest in 80 elements; the difference of 10 is told"""
+    lines, out = body_lines(on_lines.system), np.zeros(6)
+    static = line_work(lines)
+    line_loads(lines, static, on_lines.start, np.zeros((3, 3)), out)
+    moving, states = moving_of(on_lines, replace(WANTED, dynamic_lines="all", dynamic_elements=80))
+    pulls = [np.linalg.norm(state_pull(moving, i, state)) for i, state in enumerate(states)]
+    assert np.allclose(pulls, np.hypot(*static.tension.T), rtol=1e-3)
+    told = simulate(on_lines, ROUGH, replace(WANTED, duration=10.0, ramp=5.0, dynamic_elements=10)).findings
+    assert any("in 10 elements pulls" in line for line in told) and any("still water" in line for line in told)
+
+
+def test_names_and_types_that_cannot_move_are_refused(on_lines):
+    for names, told in ((("nix",), "no line 'nix'"), ("every", 'allowed: "all"')):
+        with pytest.raises(ValueError, match=told):
+            simulate(on_lines, ROUGH, replace(WANTED, dynamic_lines=names))
+    plain = tuple(replace(line, type=replace(line.type, mass=None)) for line in on_lines.system.lines)
+    bare = replace(on_lines, system=replace(on_lines.system, lines=plain))
+    with pytest.raises(ValueError, match="has no mass"):
+        simulate(bare, ROUGH, replace(WANTED, dynamic_lines="all"))
