@@ -17,6 +17,9 @@ import numpy as np
 from .body import Hold, SinglePoint, SinglePointError
 
 LONGEST = 40.0, 2.0  # s, of a step in steady and in gusty wind
+UNITS = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])  # of the tolerance of each state
+FIRST = 0.5  # s, of the first step: one that is sought may be refused, for which `scipy` has no answer
+MOST = 20_000  # evaluations until the heading turns back
 STEP = 1e-4  # of a derivative, in m, rad, m/s, rad/s over the scales of `linearised`
 
 
@@ -109,6 +112,50 @@ def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-4, wind_spee
     """
     from scipy.integrate import solve_ivp
 
+    rate, refused = _followed(point, wind_speed)
+    time = step * np.arange(int(np.floor(duration / step + 1e-9)) + 1)
+    with np.errstate(invalid="ignore"):
+        found = solve_ivp(rate, (0.0, duration), start, "DOP853", time, rtol=tolerance, atol=tolerance * UNITS,
+                          max_step=LONGEST[wind_speed is not None], first_step=min(FIRST, duration))  # fmt: skip
+    if not found.success:
+        raise SinglePointError(f"at {found.t[-1]:.4g} s the motion cannot be followed{refused[0]}")
+    return _record(point, time, found.y.T, wind_speed)
+
+
+def until_turn(point: SinglePoint, start, direction, longest, tolerance):
+    """Solution (`scipy`, dense) from a state (6,) until the yaw rate passes 0, upwards for a direction above 0
+
+    raises : SinglePointError where it does not within `longest` s
+    """
+    from scipy.integrate import solve_ivp
+
+    counted = [0]
+
+    def turns(_, y):
+        return y[5]
+
+    def counting(t, y):
+        counted[0] += 1
+        if counted[0] > MOST:
+            raise SinglePointError(f"after {t:.4g} s each step is too short to follow the motion{refused[0]}")
+        return rate(t, y)
+
+    turns.terminal, turns.direction = True, direction
+    rate, refused = _followed(point)
+    with np.errstate(invalid="ignore"):
+        found = solve_ivp(counting, (0.0, longest), start, "DOP853", rtol=tolerance, atol=tolerance * UNITS,
+                          events=turns, dense_output=True, first_step=min(FIRST, longest))  # fmt: skip
+    if not found.success:
+        raise SinglePointError(f"the motion cannot be followed{refused[0]}")
+    if found.status != 1:
+        raise SinglePointError(
+            f"the heading does not turn back within {longest:.3g} s, it is at {np.degrees(found.y[2, -1]) % 360:.1f}°"
+        )
+    return found
+
+
+def _followed(point, wind_speed=None):
+    """Function of (s, state) → rates, nan where the mooring refuses, and a list of what it said last"""
     kept, refused = [None], [""]
 
     def rate(t, y):
@@ -122,14 +169,7 @@ def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-4, wind_spee
         kept[0] = held.buoy
         return out
 
-    time = step * np.arange(int(np.floor(duration / step + 1e-9)) + 1)
-    scale = np.array([1.0, 1.0, 0.02, 0.1, 0.1, 2e-3])
-    with np.errstate(invalid="ignore"):
-        found = solve_ivp(rate, (0.0, duration), start, "DOP853", time, rtol=tolerance, atol=tolerance * scale,
-                          max_step=LONGEST[wind_speed is not None])  # fmt: skip
-    if not found.success:
-        raise SinglePointError(f"at {found.t[-1]:.4g} s the motion cannot be followed{refused[0]}")
-    return _record(point, time, found.y.T, wind_speed)
+    return rate, refused
 
 
 def turned_state(point: SinglePoint, state, turn):

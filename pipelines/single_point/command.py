@@ -13,11 +13,15 @@ from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from . import running
-from .report import findings, preferred, show
+from .report import cycle_of, findings, preferred, show
 from .study import check_buoy, make
 from .tables import read_study
 
 SCHEMA = "hakobune single point 1"
+CYCLE = {  # of the datasets of a limit cycle
+    "period": "s", "amplitude": "rad", "middle": "rad", "time": "s", "states": "m, m, rad, m/s, m/s, rad/s",
+    "hawser": "N", "lines": "N",
+}  # fmt: skip
 
 
 def single_point(study_path, database, output, picture):
@@ -41,6 +45,9 @@ def single_point(study_path, database, output, picture):
         check_buoy(made, one)
     console = new_console()
     show(console, study, made, found)
+    cycle, said = cycle_of(preferred(found))
+    if said is not None:
+        console.print(said, highlight=False, soft_wrap=True, markup=False)
     written = []
     if picture is not None:
         from .pictures import draw_plan
@@ -54,7 +61,7 @@ def single_point(study_path, database, output, picture):
         written.append(_beside(study_path, output, "run"))
         running.draw(study, made_run, written[-1])
     if output is not None:
-        write_result(output, text, found, made_run)
+        write_result(output, text, found, made_run, cycle)
         written.append(output)
     maps = _maps(study, raw, folder, db, (study_path, output), console)
     written += maps
@@ -93,8 +100,8 @@ def _beside(study_path, output, word):
     return path
 
 
-def write_result(path, text, found, run=None):
-    """Write the equilibria whole into a file (HDF5), one row each, and a Run; units as attributes."""
+def write_result(path, text, found, run=None, cycle=None):
+    """Write the equilibria whole into a file (HDF5), one row each, a Run and a LimitCycle; units as attributes."""
     import h5py
 
     from bem.database.file import beside
@@ -117,5 +124,7 @@ def write_result(path, text, found, run=None):
             file.create_dataset(name, data=np.asarray(values, float)).attrs["units"] = unit
         for name, (unit, values) in ({} if run is None else running.datasets(run)).items():
             file.create_dataset(f"run/{name}", data=np.asarray(values, float)).attrs["units"] = unit
+        for name, unit in ({} if cycle is None else CYCLE).items():
+            file.create_dataset(f"limit_cycle/{name}", data=getattr(cycle, name)).attrs["units"] = unit
         file.create_dataset("stable", data=np.array([one.slewing.stable for one in found]))
         file.create_dataset("lines", data=found[0].point.system.line_names, dtype=h5py.string_dtype())

@@ -6,7 +6,9 @@ import numpy as np
 
 from mooring.lines.system.parts import UniformLine
 from mooring.loads.turning import FITTED
+from mooring.single_point.body import SinglePointError
 from mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
+from mooring.single_point.limit_cycle import limit_cycle
 from mooring.single_point.scope import length_without_uplift
 
 from ..common.units import TONF
@@ -55,6 +57,22 @@ def words(study, made, one):
             f"scope without uplift of the anchor, steady: {need / made.point.system.depth:.2f} times the depth "
             f"({need:.0f} m of {line.length:.0f} m)"
         )
+
+
+def cycle_of(one):
+    """LimitCycle of an Equilibrium that is not stable, and a line on it; None where it is stable or comes to none"""
+    if one.slewing.stable:
+        return None, None
+    try:
+        found = limit_cycle(one)
+    except SinglePointError as error:
+        return None, f"limit cycle: {error}"
+    pull = np.linalg.norm(found.hawser, axis=1) / TONF
+    return found, (
+        f"limit cycle: the heading swings {np.degrees(found.amplitude):.1f}° to either side of "
+        f"{np.degrees(found.middle) % 360:.1f}° in {found.period:.0f} s; "
+        f"pull {pull.min():.1f} to {pull.max():.1f} tonf, largest line {found.lines.max() / TONF:.1f} tonf"
+    )
 
 
 def findings(study, made, found):

@@ -4,10 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from boxes import KNOT, TONF, buoy, floater_A, turning_water
+from boxes import floater_A, turning_water
 
 from mooring.single_point.body import SinglePointError
-from mooring.single_point.criterion import routh_hurwitz
 from mooring.single_point.equilibria import equilibria
 from mooring.single_point.history import cycle, line_tensions, settled_after
 from mooring.single_point.loads import Loads, WaterLoad
@@ -56,24 +55,6 @@ def test_the_heading_of_a_box_decays_from_two_degrees(hawser):
     assert np.abs(np.degrees(found.heading[200:])).max() < 0.1
     tension = line_tensions(stable.point, found.buoy)
     assert np.all(tension.min(axis=0) < stable.lines.tension) and np.all(tension.max(axis=0) > stable.lines.tension)
-
-
-def test_an_unstable_body_comes_to_one_cycle_from_any_start():
-    """Slender box in a current alone: the criterion says that it slews; amplitude and period forget the start"""
-    L, d = 300.0, 10.0
-    water = turning_water(L, d, 8.0, slender=3.0, speed=4 * KNOT)
-    mass = floater_A().mass * np.diag([1.0, 1.0, 4.0])
-    lines = buoy(depth=80.0, weight=0.1 * TONF, tension=100 * TONF, length=600.0)
-    point = replace(floater_A(hawser=150.0), loads=Loads(water), mass=mass, ends=[(L / 2, 0)], system=lines)
-    head_on = min(equilibria(point), key=lambda one: abs(np.sin(one.heading / 2)))
-    assert not head_on.slewing.stable and not routh_hurwitz(head_on.quartic)
-    cycles = []
-    for turn in (10.0, 25.0):
-        found = slew(point, turned_state(point, head_on.state, np.radians(turn)), 4500.0, 5.0, tolerance=1e-3)
-        cycles.append(cycle(found.time, found.heading))
-    assert all(one.stays for one in cycles)
-    assert cycles[0].amplitude == pytest.approx(cycles[1].amplitude, rel=0.01) and cycles[0].amplitude > 0.2
-    assert cycles[0].period == pytest.approx(cycles[1].period, rel=0.01)
 
 
 def wave_body(omega, rng):

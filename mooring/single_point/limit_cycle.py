@@ -1,0 +1,139 @@
+"""The cycle that a body which slews comes to: amplitude, period and tensions, whatever it began with.
+
+The motion is followed from one largest heading ψ to the next.  A period at the amplitude A changes it by g = Δψ/A,
+which near the onset of slewing is linear in A² (Hopf): a line through two of them foresees where g = 0, and the
+deviation from the mean of the period is scaled to it.  A cycle attracts where g falls with A; elsewhere the motion is
+left to itself, and after MOST periods it is said how far the heading still swings.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .body import SinglePointError
+from .history import line_tensions
+from .slewing import turned_state, until_turn
+
+SETTLED = 1e-4  # of the amplitude: what is left to that of the cycle
+ACCURACY = 1e-7  # of the integration
+SAMPLES = 128  # of the period
+MOST = 100  # periods that are followed
+SCALED = 2.0  # by which an amplitude is changed at once
+HALVED = 4  # times that a scaling is taken by half of its logarithm
+LEAST = np.radians(0.05)  # of an amplitude, below which the body is at rest
+START = np.radians(2.0)  # of the heading from that of rest
+LATEST = 30.0  # times 1/|λ| of the root that grows, until the heading turns back
+
+
+class LimitCycle(NamedTuple):
+    """A cycle of slewing, over one period from a largest heading on; n = SAMPLES + 1.
+
+    period : s; amplitude, middle : rad, of the heading; time : (n,) s; states : (n, 6) of `slewing.rates`
+    hawser : (n, k), lines : (n, l) N
+    """
+
+    period: float
+    amplitude: float
+    middle: float
+    time: np.ndarray
+    states: np.ndarray
+    hawser: np.ndarray
+    lines: np.ndarray
+
+
+class _Period(NamedTuple):
+    """amplitude : rad; change : g; length : s; samples : function of (n,) s → (n, 6); end : (6,)"""
+
+    amplitude: float
+    change: float
+    length: float
+    samples: object
+    end: np.ndarray
+
+
+def limit_cycle(steady, turn=START) -> LimitCycle:
+    """Cycle of a body that slews about an `Equilibrium`, from its heading `turn` rad beside it.
+
+    raises : SinglePointError where the heading is stable, the body comes to rest elsewhere or does not turn back, or
+        there is no cycle within MOST periods
+    """
+    if steady.slewing.stable:
+        raise SinglePointError(
+            f"the heading of {np.degrees(steady.heading) % 360:.1f}° is stable: no slewing begins there"
+        )
+    point, longest = steady.point, LATEST / abs(steady.roots[0])
+    state = until_turn(point, turned_state(point, steady.state, turn), +1.0, longest, ACCURACY).y[:, -1]
+    state = until_turn(point, state, -1.0, longest, ACCURACY).y[:, -1]
+    before = None
+    for _ in range(MOST):
+        now = _period(point, state, longest)
+        if now.amplitude < LEAST:
+            raise SinglePointError(f"the slewing dies out at a heading of {np.degrees(now.end[2]) % 360:.1f}°")
+        wanted = None if before is None else _foreseen(before, now)
+        if wanted is not None and abs(wanted - now.amplitude) < SETTLED * now.amplitude:
+            return _sampled(point, now)
+        if wanted is None:
+            state, before = now.end, now
+            continue
+        share = min(max(wanted / now.amplitude, 1 / SCALED), SCALED)
+        state, before = _scaled(point, now, share, longest), now
+    raise SinglePointError(
+        f"no cycle within {MOST} periods: the heading still swings {np.degrees(now.amplitude):.3g}° to either side and "
+        f"changes by {100 * now.change:.2g} % a period; run it in time with [slewing]"
+    )
+
+
+def _foreseen(before, now):
+    """rad, amplitude at which a period changes nothing; None where no cycle that attracts is in sight"""
+    if abs(now.change) < ACCURACY:
+        return now.amplitude
+    apart = now.amplitude**2 - before.amplitude**2
+    slope = (now.change - before.change) / apart if apart else 0.0
+    if not slope < 0:
+        return None
+    square = now.amplitude**2 - now.change / slope
+    return np.sqrt(square) if square > 0 else None
+
+
+def _scaled(point, period, share, longest):
+    """State a period after the deviation from its mean was scaled: what is not of the slewing has died out
+
+    Where the lines do not reach so far it is scaled by less.
+    """
+    center = period.samples(np.linspace(0, period.length, SAMPLES, endpoint=False)).mean(axis=0)
+    for _ in range(HALVED):
+        try:
+            return _period(point, center + share * (period.end - center), longest).end
+        except SinglePointError:
+            share = np.sqrt(share)
+    return period.end
+
+
+def _period(point, state, longest):
+    """_Period from a state at a largest heading"""
+    down = until_turn(point, state, +1.0, longest, ACCURACY)
+    up = until_turn(point, down.y[:, -1], -1.0, longest, ACCURACY)
+    half, end = down.t[-1], up.y[:, -1]
+    lowest = down.y[2, -1]
+    amplitude = 0.5 * (0.5 * (state[2] + end[2]) - lowest)
+
+    def samples(t):
+        return np.where(t < half, down.sol(np.minimum(t, half)), up.sol(np.maximum(t - half, 0.0))).T
+
+    change = (end[2] - state[2]) / amplitude if amplitude > 0 else 0.0
+    return _Period(amplitude, change, half + up.t[-1], samples, end)
+
+
+def _sampled(point, period):
+    time = np.linspace(0.0, period.length, SAMPLES + 1)
+    states = period.samples(time)
+    buoy, hawser, near = np.empty((len(time), 2)), np.empty((len(time), len(point.ends))), None
+    for i, state in enumerate(states):
+        held = point.hold(state[:2], state[2], near)
+        buoy[i], hawser[i], near = held.buoy, held.tension, held.buoy
+    heading = states[:, 2]
+    middle = 0.5 * (heading.max() + heading.min())
+    return LimitCycle(period.length, 0.5 * float(np.ptp(heading)), float(middle), time, states, hawser,
+                      line_tensions(point, buoy))  # fmt: skip
