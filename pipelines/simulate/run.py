@@ -123,9 +123,12 @@ def _identity(study, files, duration):
         "quadratic_damping",
         "record",
         "constant_period",
+        "dynamic_lines",
     ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)
+    if "dynamic_lines" not in (words.get("simulation") or {}):
+        (words.get("simulation") or {}).pop("dynamic_elements", None)
     digest = hashlib.sha256(json.dumps([words, duration], sort_keys=True).encode())
     for path in files:
         digest.update(hashlib.sha256(Path(path).read_bytes()).digest())

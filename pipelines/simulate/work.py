@@ -44,6 +44,7 @@ def prepared(task):
     key = task.study, task.database, task.duration
     if key not in _prepared:
         from bem.database import open_database
+        from mooring.motion.moving_lines.prepare import moving_of
         from mooring.motion.simulation import moored
 
         study, db = make_study(tomllib.loads(task.study)), open_database(task.database)
@@ -60,6 +61,7 @@ def prepared(task):
             warnings.simplefilter("always")
             berth = study.berth(hull, db.rotation_center)
             body = moored(db, system, hull, memory=task.memory, damping=extra, quadratic=quadratic(study), berth=berth)
+            moving_of(body, plan.settings)  # refused here, before there is a file
         plan, left = _with_pairs(plan, study, db)
         _prepared.clear()
         _prepared[key] = body, plan, study, (*(str(w.message) for w in caught), *left)

@@ -55,8 +55,8 @@ def dynamic_line(line, anchor, system, elements):
     for name, value in (("mass", kind.mass), ("diameter", kind.diameter)):
         if value is None:
             raise ValueError(
-                f"dynamic_lines: type {kind.name} of line {line.name} has no {name}; allowed: a type of the catalogue, "
-                "or mass_kg_per_m and diameter"
+                f"dynamic_lines: type {kind.name} of line {line.name} has no {name}; allowed: a type with a "
+                "catalogue name, beside which it keeps what it is given"
             )
     if not np.isfinite(kind.axial_stiffness):
         raise ValueError(f"dynamic_lines: type {kind.name} of line {line.name} does not stretch; give its stiffness")

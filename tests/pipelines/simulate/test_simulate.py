@@ -143,6 +143,17 @@ def test_a_force_of_a_file_beside_the_study_is_part_of_what_results_depend_on(fo
         simulate()
 
 
+def test_lines_that_move_are_part_of_what_results_depend_on_and_files_without_them_keep_their_hash(folder):
+    """Elements of lines that there are not change nothing: a run made before there were any takes more seeds"""
+    text = Path("study.toml").read_text()
+    assert simulate().made == 3
+    Path("study.toml").write_text(text + "dynamic_elements = 33\n")
+    assert simulate(4).made == 1
+    Path("study.toml").write_text(text + 'dynamic_lines = "all"\n')
+    with pytest.raises(DatabaseError, match="another study"):
+        simulate()
+
+
 def test_the_file_is_labelled_for_xarray(folder):
     xarray = pytest.importorskip("xarray")
     simulate()
