@@ -52,19 +52,22 @@ def pending(path):
         return np.flatnonzero(file["status"][()] == PENDING).tolist()
 
 
-def store(path, case, status, message, tables, arrays):
-    """Keep what a case gave, then its status.
+def store(path, results):
+    """Keep what cases gave, then their status; the file is opened once for all of them.
 
-    tables : [{"title", "rows": [{name: text}]}]; arrays : {name: (axes, unit, array)}
+    results : [(case, status, message, tables, arrays)]; tables : [{"title", "rows": [{name: text}]}]
+    arrays : {name: (axes, unit, array)}
     """
     with h5py.File(path, "r+") as file:
-        for number, table in enumerate(tables):
-            message = _store_table(file, number, case, table) or message
-        for name, (axes, unit, array) in arrays.items():
-            message = _store_array(file, name, case, axes, unit, np.asarray(array)) or message
-        file["message"][case] = message
+        for case, _, message, tables, arrays in results:
+            for number, table in enumerate(tables):
+                message = _store_table(file, number, case, table) or message
+            for name, (axes, unit, array) in arrays.items():
+                message = _store_array(file, name, case, axes, unit, np.asarray(array)) or message
+            file["message"][case] = message
         file.flush()
-        file["status"][case] = status
+        for case, status, *_ in results:
+            file["status"][case] = status
 
 
 def _store_table(file, number, case, table):

@@ -6,6 +6,7 @@ import contextlib
 import io
 import json
 import tempfile
+import time
 import tomllib
 from pathlib import Path
 from typing import NamedTuple
@@ -47,26 +48,53 @@ def sweep(table, text, folder, output, executor, main, say):
     todo, done, lost = file.pending(output), 0, []
     say(f"{len(values)} cases, {len(values) - len(todo)} are there")
     together = 1 if executor.count == 1 else BATCH * executor.count
-    for batch in (todo[i : i + together] for i in range(0, len(todo), together)):
-        asked = {}
-        for number in batch:
-            varied = raw
-            for key, value in zip(keys, values[number], strict=True):
-                varied = put(varied, key, value)
-            asked[number] = executor.submit(one_case, main, table.command, varied, str(study), tuple(table.arguments))
-        for number, future in asked.items():
-            try:
-                result = future.result()
-            except Exception as error:  # its worker was lost; what a command refuses is a result
-                lost.append(f"case {number}: {' '.join(str(error).split()) or type(error).__name__}")
-                continue
-            file.store(output, number, *result)
-            done += 1
-        say(f"{len(values) - len(todo) + done} of {len(values)} cases")
+    with _kept_together(output) as keep:
+        for batch in (todo[i : i + together] for i in range(0, len(todo), together)):
+            asked = {}
+            for number in batch:
+                varied = raw
+                for key, value in zip(keys, values[number], strict=True):
+                    varied = put(varied, key, value)
+                asked[number] = executor.submit(
+                    one_case, main, table.command, varied, str(study), tuple(table.arguments)
+                )
+            for number, future in asked.items():
+                try:
+                    result = future.result()
+                except Exception as error:  # its worker was lost; what a command refuses is a result
+                    lost.append(f"case {number}: {' '.join(str(error).split()) or type(error).__name__}")
+                    continue
+                keep((number, *result))
+                done += 1
+            say(f"{len(values) - len(todo) + done} of {len(values)} cases")
     return Outcome(len(values), _failed(output), (len(lost), lost[0] if lost else ""))
 
 
 BATCH = 8  # cases that each process is given at once, which are lost with it
+BLOCK = 0.5  # s, of whose cases a kill takes at most; opening the file for each takes as long as writing it
+
+
+@contextlib.contextmanager
+def _kept_together(output):
+    """A function that takes the result of a case; they are stored every `BLOCK` s, and at the end, whatever ends it"""
+    waiting, since = [], time.monotonic()
+
+    def write():
+        if waiting:
+            file.store(output, waiting)
+            waiting.clear()
+
+    def keep(result):
+        nonlocal since
+        waiting.append(result)
+        if time.monotonic() - since >= BLOCK:
+            write()
+            since = time.monotonic()
+
+    try:
+        yield keep
+    finally:
+        write()
 
 
 def _check_same(output, texts):

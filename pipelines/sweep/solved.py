@@ -40,7 +40,8 @@ def _arrays(path):
 
     found = {}
     with h5py.File(path) as file:
+        there = set(file)
         for name, (axes, unit, _) in (*COORDINATES.items(), *QUANTITIES.items(), *BODY.items()):
-            if name in file and name not in LARGE and (name in OF_A_CASE or name not in COORDINATES):
+            if name in there and name not in LARGE and (name in OF_A_CASE or name not in COORDINATES):
                 found[name] = tuple(OF_A_CASE.get(axis, axis) for axis in axes), unit, file[name][()]
     return found
