@@ -38,13 +38,6 @@ def new_plotter():
     return plotter
 
 
-def turn(roll, pitch, yaw):
-    """(3, 3) Rz Ry Rx"""
-    from scipy.spatial.transform import Rotation
-
-    return Rotation.from_euler("ZYX", [yaw, pitch, roll]).as_matrix()
-
-
 def write_film(output, frames, count):
     """Write pictures (height, width, 3) as a film; their number is told where they take long."""
     from PIL import Image

@@ -8,9 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from bem.database import open_database
+from mooring.lines.system.bodies import rotation
 
 from ..waves.command import around_body, frequency, half_width, mapped, remarks
-from .gif import HULL, check_film, new_plotter, turn, write_film
+from .gif import HULL, check_film, new_plotter, write_film
 
 FRAMES = 30  # of a period
 POINTS = 81  # of a side of the surface
@@ -113,9 +114,9 @@ def _frames(db, around, amplitude, coloured):
         for frame in range(FRAMES):
             phase = np.exp(-2j * np.pi * frame / FRAMES)
             moved = np.zeros(6) if around.motion is None else (around.motion * amplitude * phase).real
-            rotation = turn(*moved[3:])
+            R = rotation(*moved[3:])
             for part, rest in zip(parts, rests, strict=True):
-                part.points = center + moved[:3] + rest @ rotation.T
+                part.points = center + moved[:3] + rest @ R.T
             if coloured is not None:
                 hull.cell_data["kPa"] = (coloured.pressure * phase).real * amplitude / 1e3
             height = (still * phase).real.ravel()[order]

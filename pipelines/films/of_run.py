@@ -12,10 +12,12 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from mooring.lines.system.bodies import rotation
+
 from ..moor.study import make_study
 from ..simulate.file import opened, whole_rows
 from ..simulate.study import plan_of
-from .gif import BED, HULL, SEA, check_count, check_film, new_plotter, turn, write_film
+from .gif import BED, HULL, SEA, check_count, check_film, new_plotter, write_film
 
 GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
 POINTS = 40  # of a line
@@ -130,7 +132,7 @@ def _shapes(scene, motion):
     from mooring.lines.system.shapes import line_shapes
 
     bollards, arms = scene.ropes
-    ends = scene.center + motion[:3] + arms @ turn(*motion[3:]).T
+    ends = scene.center + motion[:3] + arms @ rotation(*motion[3:]).T
     straight = [a + (b - a) * np.linspace(0, 1, POINTS)[:, None] for a, b in zip(bollards, ends, strict=True)]
     if scene.system is None:
         return np.concatenate([np.empty((0, 3)), *straight])
@@ -174,7 +176,7 @@ def _frames(scene, at, motion, waves):
     label = plotter.add_text("", font_size=9, color="black")
     try:
         for t, moved in zip(at, motion, strict=True):
-            hull.points = scene.center + moved[:3] + still @ turn(*moved[3:]).T
+            hull.points = scene.center + moved[:3] + still @ rotation(*moved[3:]).T
             if lines is not None:
                 lines.points = _shapes(scene, moved)
             if heights is not None:

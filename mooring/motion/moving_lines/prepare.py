@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...lines.dynamics.line import DynamicLine, DynamicSegment, ElasticBed
+from ...lines.system.bodies import rotation
 from ...lines.system.parts import Anchor, UniformLine
 from .packed import moving_lines
 
@@ -33,9 +34,11 @@ def moving_of(moored, settings):
         if unknown:
             raise ValueError(f"dynamic_lines: there is no line {unknown[0]!r}; allowed: {', '.join(system.line_names)}")
         numbers = sorted(system.line_names.index(name) for name in names)
+    if not numbers:
+        raise ValueError("dynamic_lines: no line of the body is uniform; allowed: uniform lines")
     made, places = {}, []
     points = {point.name: point for point in system.points}
-    body, R = np.asarray(system.bodies[0].position[:3], float), _turn(moored.start[3:])
+    body, R = np.asarray(system.bodies[0].position[:3], float), rotation(*moored.start[3:])
     for i in numbers:
         line = system.lines[i]
         if i not in whole:
@@ -60,23 +63,23 @@ def dynamic_line(line, anchor, system, elements):
             )
     if not np.isfinite(kind.axial_stiffness):
         raise ValueError(f"dynamic_lines: type {kind.name} of line {line.name} does not stretch; give its stiffness")
-    known = {}
-    if kind.dynamics is not None:
-        known = {
-            "drag_normal": kind.dynamics.drag_normal,
-            "drag_tangential": kind.dynamics.drag_tangential,
-            "added_normal": kind.dynamics.added_mass_normal,
-            "added_tangential": kind.dynamics.added_mass_tangential,
-        }
     segment = DynamicSegment(
-        line.length, kind.mass, kind.weight, kind.diameter, kind.axial_stiffness, elements, **known
+        line.length, kind.mass, kind.weight, kind.diameter, kind.axial_stiffness, elements, **_felt(kind.dynamics)
     )
     below = max(float(anchor[2]) + system.depth, 0.0)
     bed = ElasticBed(below=below, friction=line.bed_friction, **FIRM)
     return DynamicLine(segment, anchor, (), bed, system.density, system.gravity)
 
 
-def _turn(angles):
-    from scipy.spatial.transform import Rotation
-
-    return Rotation.from_euler("ZYX", [angles[2], angles[1], angles[0]]).as_matrix()
+def _felt(dynamics):
+    """Keywords of a DynamicSegment for what a `LineDynamics` knows; none for None"""
+    if dynamics is None:
+        return {}
+    damping = "structural_damping" if dynamics.damping >= 0 else "damping_ratio"
+    return {
+        "drag_normal": dynamics.drag_normal,
+        "drag_tangential": dynamics.drag_tangential,
+        "added_normal": dynamics.added_mass_normal,
+        "added_tangential": dynamics.added_mass_tangential,
+        damping: abs(dynamics.damping),
+    }

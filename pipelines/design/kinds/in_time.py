@@ -131,13 +131,12 @@ def _held_line(system, line, place):
 
 def _held_rope(berth, db, rope, place):
     """As `_held_line`, of a rope, which is straight"""
-    from scipy.spatial.transform import Rotation
-
+    from mooring.lines.system.bodies import rotation
     from mooring.motion.contacts import contact_forces
 
     tension = contact_forces(berth, place)[len(berth.fenders) + rope]
     one, center = berth.ropes[rope], np.asarray(db.rotation_center, float)
-    turned = Rotation.from_euler("ZYX", place[[5, 4, 3]]).apply(one.fairlead - center)
+    turned = rotation(*place[3:]) @ (one.fairlead - center)
     way = center + place[:3] + turned - one.bollard
     along, up = np.hypot(*way[:2]) / np.linalg.norm(way), way[2] / np.linalg.norm(way)
     return tension, tension * along, tension * up

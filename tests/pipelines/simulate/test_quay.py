@@ -82,6 +82,20 @@ def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(databa
     assert (tmp_path / "film.gif").read_bytes()[:6] == b"GIF89a"
 
 
+@pytest.mark.parametrize(
+    "asked, told", [('["nix"]', "there is no line 'nix'"), ('"all"', "has no mass"), ('"none"', '"all"')]
+)
+def test_lines_that_cannot_move_by_themselves_leave_no_file(database, tmp_path, monkeypatch, capsys, asked, told):
+    monkeypatch.setattr(engine, "_memory", without_memory)
+    study, run = tmp_path / "study.toml", tmp_path / "run.h5"
+    chains = SCENE.with_name("simulate_chain_12.toml").read_text()
+    study.write_text(chains.replace("[simulation]", f"[simulation]\ndynamic_lines = {asked}"))
+    words = ["simulate", str(study), "--database", str(database), "--duration", "60", "--output", str(run)]
+    assert main(words) == 2
+    error = capsys.readouterr().err
+    assert told in error and error.strip().count("\n") == 0 and not run.exists()
+
+
 def test_a_fender_on_a_dolphin_gives_way_with_it():
     study = read_study(SCENE)[0]
     assert len(study.berth(HULL, np.zeros(3)).names) == 16
