@@ -100,16 +100,8 @@ def _compress(
             x, y, z = sx * nodes[low + row, 0], sy * nodes[low + row, 1], nodes[low + row, 2]
             for j in range(n):
                 right[v + j] = _entry(x, y, z, at_depth[low + row], start + j, sources, water, layer, view)
-            for l in range(rank):
-                factor = left[at_left + l * m + row]
-                for j in range(n):
-                    right[v + j] -= factor * right[at_right + l * n + j]
-            column, largest, square = -1, 0.0, 0.0
-            for j in range(n):
-                a = right[v + j].real ** 2 + right[v + j].imag ** 2
-                square += a
-                if not used_columns[j] and a > largest:
-                    column, largest = j, a
+            _subtract(right, at_right, n, rank, left, at_left + row, m)
+            column, square = _largest(right, v, n, used_columns)
             if column < 0 or square * m <= enough * enough:  # nothing is left of this row
                 looked, asked = looked + 1, asked + 1
                 row = _unused(used_rows, m, int(asked * GOLDEN % 1.0 * m))
@@ -124,16 +116,8 @@ def _compress(
             for i in range(m):
                 x, y, z = sx * nodes[low + i, 0], sy * nodes[low + i, 1], nodes[low + i, 2]
                 left[u + i] = _entry(x, y, z, at_depth[low + i], start + column, sources, water, layer, view)
-            for l in range(rank):
-                factor = right[at_right + l * n + column]
-                for i in range(m):
-                    left[u + i] -= factor * left[at_left + l * m + i]
-            row, largest, column_square = -1, 0.0, 0.0
-            for i in range(m):
-                a = left[u + i].real ** 2 + left[u + i].imag ** 2
-                column_square += a
-                if not used_rows[i] and a > largest:
-                    row, largest = i, a
+            _subtract(left, at_left, m, rank, right, at_right + column, n)
+            row, column_square = _largest(left, u, m, used_rows)
             rank += 1
             looked = looked + 1 if square * column_square <= enough * enough else 0
             if row < 0 or looked:
@@ -147,6 +131,30 @@ def _compress(
         at_left += rank * m
         at_right += rank * n
     return len(blocks)
+
+
+@kernel(inline=True)
+def _subtract(values, begin, count, rank, factors, at, step):
+    """Take from the row or column number `rank` of a buffer, `count` long, what those before it say of it
+
+    factors : the other buffer, in which the factor of each is `step` after the one before, from `at` on
+    """
+    for term in range(rank):
+        factor = factors[at + term * step]
+        for j in range(count):
+            values[begin + rank * count + j] -= factor * values[begin + term * count + j]
+
+
+@kernel(inline=True)
+def _largest(values, begin, count, used):
+    """The number of the largest of `count` values that is not used, −1 for none but zeros, and all squares summed"""
+    found, largest, total = -1, 0.0, 0.0
+    for j in range(count):
+        square = values[begin + j].real ** 2 + values[begin + j].imag ** 2
+        total += square
+        if not used[j] and square > largest:
+            found, largest = j, square
+    return found, total
 
 
 @kernel(inline=True)
