@@ -1,4 +1,7 @@
-"""Any heading from the stored ones: mirror images of a symmetric body, then plane waves over the plan of the hull.
+"""Any heading from the stored ones: turned round bodies, mirror images, then plane waves over the plan of the hull.
+
+A round body sees the same wave from everywhere: with R of a turn by α about its axis F(β + α) = R F(β), drift likewise,
+H(θ + α; β + α) = H(θ; β).  One stored heading is enough, and nothing is interpolated.
 
 On a body with a plane of symmetry the mirror image of a wave exerts the mirror image of the force.  With P the signs of
 the six modes in the mirror (−1 for those that change side), F(β′) = P F(β):
@@ -25,6 +28,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..drift import harmonics
 from ..waves import wavenumber
 from .between_frequencies import BetweenError
 
@@ -47,6 +51,8 @@ class Ring:
 
     source : (M,) number of the stored heading; force, drift : (M, 6), (M, 3) signs; theta : (M, t) numbers of the
     angles at which the stored Kochin function is that of the image; images : {plane: (t,) numbers of the images of θ}
+    angles : (t,) rad, of Kochin functions; is_round : whether all follows at any heading by a turn of the body
+    from_others : whether values at any heading follow from those of other rings, so that no gap is too wide
     """
 
     headings: np.ndarray
@@ -55,6 +61,9 @@ class Ring:
     drift: np.ndarray
     theta: np.ndarray
     images: dict
+    angles: np.ndarray
+    is_round: bool = False
+    from_others: bool = False
 
     def of_forces(self, values):
         """(…, M, 6) from (…, m, 6) at the stored headings"""
@@ -75,7 +84,9 @@ class Ring:
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def gap(self, beta):
-        """rad between the neighbours of a heading"""
+        """rad between the neighbours of a heading, 0 about a round body"""
+        if self.is_round or self.from_others:
+            return 0.0
         offset = np.mod(self.headings - beta, 2 * np.pi)
         return float(offset.min() + (2 * np.pi - offset).min())
 
@@ -118,6 +129,8 @@ class AtHeadings:
         if self._as_folded:
             return values
         values = values[:, self.source]
+        if self.ring.is_round:
+            return _turned(values, self._turns, self.ring.angles, kind)
         for plane, image in self.ring.images.items():
             mirrored = self._folds[plane]
             if kind == "kochin":
@@ -131,6 +144,19 @@ class AtHeadings:
         scale = np.sum(np.abs(_joined(self._root, values)) ** 2, axis=1) / np.maximum(independent, 1)
         left = self._left.reshape(*self._left.shape, *[1] * (values.ndim - 2))
         return np.sqrt(left * scale[:, None])
+
+    def unfolded_deviation(self, deviation, kind):
+        """(q, p, …) of deviations (q, u, …) at the `folded` headings: of a turned vector, of both its parts"""
+        if self._as_folded or not self.ring.is_round:
+            return deviation[:, self.source]
+        if kind == "kochin":
+            return np.abs(self.unfolded(deviation, kind))
+        return np.sqrt(np.einsum("pij,qpj->qpi", _turn(self._turns, kind) ** 2, deviation[:, self.source] ** 2))
+
+    @cached_property
+    def _turns(self):
+        """(p,) rad, from the stored heading that each of `wanted` is taken from by a round body"""
+        return _wrapped(self.wanted - self.folded[self.source])
 
     @cached_property
     def _folds(self):
@@ -150,6 +176,10 @@ class AtHeadings:
 
     @cached_property
     def _once(self):
+        if self.ring.is_round:
+            near = np.abs(_wrapped(self.ring.headings[:, None] - self.wanted)).argmin(axis=0)
+            kept, source = np.unique(near, return_inverse=True)
+            return self.ring.headings[kept], source
         folded = self.wanted
         for plane, mirrored in self._folds.items():
             folded = np.where(mirrored, MIRRORS[plane][0](folded), folded)
@@ -165,6 +195,7 @@ class AtHeadings:
             len(self.folded) == len(self.wanted)
             and not any(map(np.any, self._folds.values()))
             and bool(np.all(self.source == np.arange(len(self.wanted))))
+            and bool(np.all(np.abs(_wrapped(self.folded - self.wanted)) <= SAME))
         )
 
     @cached_property
@@ -209,11 +240,14 @@ class AtHeadings:
         return away[0][:, :, None] * away[1].conj()[:, None] * real
 
 
-def ring(headings, theta, symmetry):
+def ring(headings, theta, symmetry, is_round=False, from_others=False):
     """`Ring` of stored headings (m,) rad and angles theta (t,) of Kochin functions.
 
     symmetry : planes, from `whole_mirrors`; theta : equally spaced from 0, t a multiple of 4 where there are any
+    is_round : whether a turn about the vertical leaves the body as it is, so that no mirrors are needed
+    from_others : see `Ring`
     """
+    symmetry = "" if is_round else symmetry
     found, source = np.asarray(headings, float), np.arange(len(headings))
     force, drift, t = np.ones((len(found), 6)), np.ones((len(found), 3)), len(theta)
     angles, images = np.broadcast_to(np.arange(t), (len(found), t)), {}
@@ -227,7 +261,17 @@ def ring(headings, theta, symmetry):
     found = np.where(2 * np.pi - found < SAME, 0.0, found)
     order = np.argsort(np.round(found / SAME), kind="stable")  # a stored heading goes before its image
     kept = order[np.concatenate([[True], np.diff(found[order]) > 2 * SAME])]
-    return Ring(found[kept], source[kept], force[kept], drift[kept], angles[kept], images)
+    return Ring(
+        found[kept],
+        source[kept],
+        force[kept],
+        drift[kept],
+        angles[kept],
+        images,
+        np.asarray(theta),
+        is_round,
+        from_others,
+    )
 
 
 def at_headings(ring, wanted, omega, between, quadratic=False):
@@ -236,7 +280,14 @@ def at_headings(ring, wanted, omega, between, quadratic=False):
     The last `KEPT` are kept with their weights, which forces, Kochin functions, drift and errors share.
     """
     omega = np.asarray(omega, float)
-    key = (ring.headings.tobytes(), ring.force.tobytes(), np.asarray(wanted).tobytes(), omega.tobytes(), quadratic)
+    key = (
+        ring.is_round,
+        ring.headings.tobytes(),
+        ring.force.tobytes(),
+        np.asarray(wanted).tobytes(),
+        omega.tobytes(),
+        quadratic,
+    )
     kept = between.over_headings
     if key not in kept:
         while len(kept) >= KEPT:
@@ -256,6 +307,37 @@ def _at_headings(ring, wanted, omega, between, quadratic):
 def whole_mirrors(symmetry, matrices, center):
     """Planes of symmetry, of "", "x", "y", "xy", in which all of `matrices` (6, 6) and `center` are their own image."""
     return "".join(plane for plane in symmetry if _is_mirrored(plane, matrices, center))
+
+
+def is_turned(matrices, center):
+    """Whether all of `matrices` (6, 6) and `center` stay what they are when turned about the z axis"""
+    turn = _turn(np.array([1.0]), "force")[0]  # one radian: no part of a circle
+    on_axis = np.abs(np.asarray(center)[:2]).max() <= 1e-9
+    return bool(on_axis and all(_is_same(m, turn @ m @ turn.T) for m in matrices))
+
+
+def _turn(angles, kind):
+    """(p, 6, 6), of drift (p, 3, 3), of turns by angles (p,) rad about the vertical"""
+    c, s, one = np.cos(angles), np.sin(angles), np.ones_like(angles)
+    matrix = np.zeros((len(angles), 3, 3))
+    matrix[:, 0, 0], matrix[:, 0, 1], matrix[:, 1, 0], matrix[:, 1, 1], matrix[:, 2, 2] = c, -s, s, c, one
+    if kind == "drift":
+        return matrix
+    both = np.zeros((len(angles), 6, 6))
+    both[:, :3, :3] = both[:, 3:, 3:] = matrix
+    return both
+
+
+def _turned(values, turns, angles, kind):
+    """Values (q, p, …) of a round body, turned by turns (p,) rad; angles (t,) rad of Kochin functions"""
+    if kind != "kochin":
+        return np.einsum("pij,qpj->qpi", _turn(turns, kind), values)
+    moved = np.abs(turns) > SAME
+    order, series = harmonics(values[:, moved], angles)
+    series = series * np.exp(-1j * np.multiply.outer(turns[moved], order))
+    there = series @ np.exp(1j * np.multiply.outer(order, angles))
+    values[:, moved] = there if np.iscomplexobj(values) else there.real
+    return values
 
 
 def _side(a, b):
@@ -286,5 +368,9 @@ def _is_mirrored(plane, matrices, center):
 
 
 def _is_even(matrix, signs):
+    return _is_same(matrix, signs[:, None] * matrix * signs)
+
+
+def _is_same(matrix, other):
     scale = np.sqrt(np.abs(np.outer(np.diag(matrix), np.diag(matrix)))).max() + np.abs(matrix).max()
-    return np.all(np.abs(matrix - signs[:, None] * matrix * signs) <= 1e-9 * scale)
+    return np.all(np.abs(matrix - other) <= 1e-9 * scale)

@@ -64,7 +64,8 @@ def interpolated(reader, omega, headings, name):
         values = np.where(np.isnan(there), values, values - there)
     spread = np.sqrt(np.abs(over.weights) ** 2 @ (error**2).reshape(*error.shape[:2], -1))
     spread = spread.reshape(*spread.shape[:2], *error.shape[2:])
-    return np.hypot(spread, over.deviation(values, independent))[:, over.source]
+    kind = "drift" if name in DRIFT else "kochin" if name == "kochin_diffraction" else "force"
+    return over.unfolded_deviation(np.hypot(spread, over.deviation(values, independent)), kind)
 
 
 def one_by_one(equation, parts, errors):

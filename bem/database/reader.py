@@ -28,7 +28,7 @@ from ..waves import group_factor, wavenumber
 from . import far_field_drift
 from .between_frequencies import DRIFT, FORCES, KOCHIN, RADIATION, Between, BetweenError
 from .between_frequencies import between as of_database
-from .between_headings import at_headings, ring, whole_mirrors
+from .between_headings import at_headings, is_turned, ring, whole_mirrors
 from .deviations import carried, interpolated
 
 NEEDED = {"rao": (*RADIATION, "excitation_force"), "drift_force_fixed": KOCHIN}
@@ -41,6 +41,7 @@ class Reader:
 
     between : stored quantities over frequency; inertia, stiffness : (6, 6) or None; damping : (6, 6) beside radiation
     rotation_center : m; symmetry : planes of the hull, "", "x", "y" or "xy"
+    is_round : whether the hull is one of revolution about the vertical through the origin
     own : whether stored motions and drift are those of this body
     viscous : `bem.viscous.Viscous` that damps the motions beside radiation, at its wave amplitude; None for none
     """
@@ -52,6 +53,7 @@ class Reader:
     stiffness: np.ndarray | None
     damping: np.ndarray
     symmetry: str = ""
+    is_round: bool = False
     own: bool = True
     viscous: Viscous | None = None
 
@@ -284,14 +286,17 @@ class Reader:
 
     @cached_property
     def _ring(self):
-        return ring(self.headings, self.between.theta, whole_mirrors(self.symmetry, (), self.rotation_center))
+        return self._ring_with(())
 
     @cached_property
     def _moving_ring(self):
-        matrices = (self.inertia, self.stiffness, self.damping)
-        return ring(
-            self.headings, self.between.theta, whole_mirrors(self.symmetry, matrices, self.rotation_center)
-        )  # fmt: skip
+        return self._ring_with((self.inertia, self.stiffness, self.damping))
+
+    def _ring_with(self, matrices):
+        mirrors = whole_mirrors(self.symmetry, matrices, self.rotation_center)
+        is_round = self.is_round and is_turned(matrices, self.rotation_center)
+        from_others = self.is_round and self.rebuilds_drift  # motions and drift follow from forces and far field
+        return ring(self.headings, self.between.theta, mirrors, is_round, from_others)
 
     def _nearest(self, omega):
         omega, (low, high) = np.atleast_1d(np.asarray(omega, float)), self.between.span
@@ -329,6 +334,7 @@ def reader(db):
         _or_none(db.hydrostatic_stiffness),
         np.zeros((6, 6)),
         db.mesh.symmetry,
+        db.is_round,
         viscous=_viscous(db),
     )
 

@@ -272,6 +272,11 @@ class Database:
         return dict(self.header.dimensions)
 
     @property
+    def is_round(self):
+        """Whether the hull is a buoy about the origin, and nothing beside it, as a wall, takes planes of symmetry"""
+        return set(self.dimensions) == {"radius", "draft"} and set(self.mesh.symmetry) == {"x", "y"}
+
+    @property
     def mesh(self):
         """PanelMesh the results were computed with"""
         return self.header.mesh

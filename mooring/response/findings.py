@@ -78,7 +78,8 @@ def errors_between(body, sea, omega, m0, drift, damping):
     The estimated errors of `Reader.at`, as if all of one sign: of σ four times ∫|X|δX S dω of ∫|X|² S dω, of the mean
     force 2∫ δD S dω, of its moment one and a half times that: with three times and once, six and seven of a hundred
     seas on headings 30° apart err more than is said, long crests close to an axis of the hull most.  Over a gap γ
-    between headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.
+    between headings δD swings once: its slope is δD 2π/γ, and wave drift damping errs by (2 + 2π/γ) δD / C_g.  About a
+    round body nothing lies between headings: there is no gap, and no slope.
     """
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
     heading, weights = directions(sea, places)
@@ -102,8 +103,8 @@ def errors_between(body, sea, omega, m0, drift, damping):
         return Errors(motions, errors, None)
     widest = wrong.max(axis=1) if len(heading) == 1 else over_headings(wrong, weights)
     k = wavenumber(places, body.depth, body.gravity)
-    slow = 1 / (group_factor(k, body.depth) * places / k)
-    turned = 2 * np.trapezoid((2 + 2 * np.pi / gap) * widest[:, :2] * (slow * density[:, 0])[:, None], places, axis=0)
+    slow, swing = 1 / (group_factor(k, body.depth) * places / k), 2 * np.pi / gap if gap else 0.0
+    turned = 2 * np.trapezoid((2 + swing) * widest[:, :2] * (slow * density[:, 0])[:, None], places, axis=0)
     return Errors(motions, errors, float(turned.max() / max(np.abs(damping[:2]).max(), 1e-300)))
 
 

@@ -49,6 +49,42 @@ def test_mirrored_headings_have_mirrored_answers(coarse):
     assert np.allclose(drift[1:], drift[0] * [[1, -1, -1], [-1, 1, -1], [-1, -1, 1]], rtol=1e-12)
 
 
+BUOY = "buoy --radius 8 --draft 5 --depth 20 --omega 0.4:1.2:9 --center-of-gravity 0,0,-3 --gyration"
+
+
+@pytest.fixture(scope="module")
+def buoys(tmp_path_factory):
+    """A buoy with one heading and with three, and two of unequal inertia, one of them turned"""
+    folder = tmp_path_factory.mktemp("buoys")
+    kinds = {"one": "4,4,5", "three": "4,4,5 --heading 20,75,130", "unequal": "4,6,5", "turned": "6,4,5"}
+    for name, words in kinds.items():
+        assert main([*f"{BUOY} {words}".split(), "--output", str(folder / f"{name}.h5")]) == 0
+    return {name: open_database(folder / f"{name}.h5") for name in kinds}
+
+
+@pytest.mark.parametrize(
+    "name", ["excitation_force", "diffraction_force", "kochin_diffraction", "rao", "drift_force_fixed", "drift_force"]
+)
+def test_a_round_body_has_from_one_heading_what_is_solved_at_others(buoys, name):
+    one, three = buoys["one"], buoys["three"]
+    value, _ = one.at(three.omega, name, three.wave_direction)
+    assert np.abs(value - three[name]).max() <= 1e-9 * np.abs(three[name]).max()
+    (value, error), quarter = one.at(0.77, name, np.radians([10.0, 100.0])), len(one.reader.between.theta) // 4
+    if name == "kochin_diffraction":
+        assert np.allclose(np.roll(value[0, 0], quarter), value[0, 1], rtol=1e-9)
+    else:
+        assert np.allclose(value[0, 1, 1], value[0, 0, 0], rtol=1e-9)
+    assert np.all(error > 0, where=np.abs(value) > 1e-6 * np.abs(value).max())
+
+
+def test_a_round_hull_of_unequal_inertia_has_forces_from_everywhere(buoys):
+    """Waves towards 90° on a body are those towards 0° on the body turned by −90°: sway → surge, roll → −pitch"""
+    db = buoys["unequal"]
+    across, ahead = db.at(db.omega, "rao", np.radians([90.0]))[0][:, 0], buoys["turned"]["rao"][:, 0]
+    assert np.allclose(across[:, [1, 2, 3]], ahead[:, [0, 2, 4]] * [1, 1, -1], rtol=1e-9)
+    assert np.all(np.isfinite(db.at(db.omega, "drift_force", np.radians([33.0]))[0]))
+
+
 @pytest.mark.parametrize("name", ["excitation_force", "rao", "drift_force_fixed", "drift_force"])
 def test_estimated_errors_hold_against_a_finer_database(coarse, fine, name):
     """Gaps of 30° and 0.067 rad/s against solved waves: nine of ten within three standard deviations"""
