@@ -43,6 +43,8 @@ def carried(reader, omega, headings, name, names):
             return far_field_drift.of_far_field(reader, omega, headings, R, D, X)
 
         error = by_chance(equation, parts, errors, KOCHIN, waves)
+        if reader.ring_of(name).is_round:  # its own image in the plane of axis and wave: no moment, whatever deviates
+            error[..., 2] = 0.0
     return error if found is None else np.where(found.mask[..., None], 0.0, error)
 
 
