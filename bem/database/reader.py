@@ -21,6 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from meshing.panels import PanelMesh
+
 from .. import DOFS
 from ..drift import harmonics
 from ..viscous import Viscous, linearised_response
@@ -44,6 +46,7 @@ class Reader:
     is_round : whether the hull is one of revolution about the vertical through the origin
     own : whether stored motions and drift are those of this body
     viscous : `bem.viscous.Viscous` that damps the motions beside radiation, at its wave amplitude; None for none
+    mesh : PanelMesh of the hull, or None
     """
 
     between: Between
@@ -56,6 +59,7 @@ class Reader:
     is_round: bool = False
     own: bool = True
     viscous: Viscous | None = None
+    mesh: PanelMesh | None = None
 
     def __repr__(self):
         low, high = self.between.span
@@ -336,6 +340,7 @@ def reader(db):
         db.mesh.symmetry,
         db.is_round,
         viscous=_viscous(db),
+        mesh=db.mesh,
     )
 
 

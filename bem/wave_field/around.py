@@ -1,4 +1,4 @@
-"""The waves around one body of a database, fixed or moving with the waves.
+"""The waves around one body of a database, fixed or moving with the waves; at once everywhere, or at points in many.
 
 η(p) = exp(ik·p) + Σ_j s_j H₀(k|p − p_j|), the sources s_j from the Kochin function of the diffraction and, where the
 body moves, of its radiation times its motion (`sources`).  What decays over the depth, as exp(−πr/h) at a distance
@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..waves import wavenumber
-from .sources import Sources, directions, incident
+from .sources import Sources, covers, directions, incident
 
 SURFACE = 1e-6  # of the draft, within which a point of the hull is on the waterline
 CORNERS = 24  # of a plan that is curved
@@ -47,19 +47,49 @@ class WavesAround(NamedTuple):
         return total
 
 
-def waves_around(reader, mesh, omega, beta, fixed=False):
+def waves_around(reader, omega, beta, fixed=False):
     """`WavesAround` of a `Reader`'s body at omega (rad/s) and direction beta (rad).
 
-    mesh : its PanelMesh.  raises : BetweenError outside the database, without Kochin functions or, unless `fixed`, mass
+    raises : BetweenError outside the database, without Kochin functions or, unless `fixed`, mass
     """
     k = float(wavenumber(omega, reader.depth, reader.gravity))
-    plan, pierces = plan_of(mesh)
+    plan, pierces = plan_of(reader.mesh)
     middle = (plan.min(axis=0) + plan.max(axis=0)) / 2
     motion = None if fixed else reader.motions([omega], [beta])[0, 0]
     H = far_field(reader, motion, omega, beta) * np.exp(1j * k * (directions(reader.between.theta) @ middle))
     sources = Sources(plan - middle, k, reader.between.theta)
     strengths, missed = sources.strengths(H)
     return WavesAround(float(omega), k, float(beta), sources, middle, strengths, motion, missed, pierces)
+
+
+def beside_incident(reader, omega, headings, motions, places):
+    """What a `Reader`'s body adds to the waves at places: (q, p, n) complex, m per m, and the largest share missed.
+
+    omega : (q,) rad/s; headings : (p,) rad; motions : (q, p, 6); places : (n, 2) m, see `at_waterline`
+    missed : of the far field, by the sources, among the waves.  Raises as `waves_around`.
+    """
+    plan, _ = plan_of(reader.mesh)
+    middle = (plan.min(axis=0) + plan.max(axis=0)) / 2
+    radiated, diffracted = reader.far_field(omega, headings)
+    H, away = diffracted + motions @ radiated, directions(reader.between.theta) @ middle
+    found, missed = np.empty((len(H), H.shape[1], len(places)), complex), 0.0
+    for q, k in enumerate(np.atleast_1d(wavenumber(omega, reader.depth, reader.gravity))):
+        sources = Sources(plan - middle, k, reader.between.theta)
+        strengths, share = sources.strengths(H[q] * np.exp(1j * k * away))
+        found[q], missed = sources.elevation(strengths, places - middle), max(missed, share)
+    return found, missed
+
+
+def at_waterline(mesh, places):
+    """(n, 2) m, places (n, 2) in plan, those over a hull at the surface moved to the nearest of its waterline"""
+    plan, pierces = plan_of(mesh)
+    places = np.array(places, float).reshape(-1, 2)
+    over = covers(plan, places) if pierces else np.zeros(len(places), bool)
+    side = np.roll(plan, -1, axis=0) - plan
+    share = np.clip(np.sum((places[:, None] - plan) * side, axis=-1) / np.sum(side**2, axis=-1), 0, 1)
+    feet = plan + share[..., None] * side
+    nearest = np.linalg.norm(places[:, None] - feet, axis=-1).argmin(axis=1)
+    return np.where(over[:, None], feet[np.arange(len(places)), nearest], places)
 
 
 def far_field(reader, motion, omega, beta):

@@ -53,15 +53,20 @@ class Sources:
 
     def covers(self, places):
         """(p,) whether places (p, 2) lie in the plan, where there is no wave"""
-        side = np.roll(self.plan, -1, axis=0) - self.plan
-        away = places[:, None] - self.plan
-        return np.all(side[:, 0] * away[..., 1] > side[:, 1] * away[..., 0], axis=1)
+        return covers(self.plan, places)
 
 
 def waves(k, places, points):
     """H₀(k|p − p_j|), (p, s)"""
     r = k * np.hypot(*(places[:, None] - points).transpose(2, 0, 1))
     return j0(r) + 1j * y0(r)
+
+
+def covers(plan, places):
+    """(p,) whether places (p, 2) lie within a convex plan (n, 2), corners anticlockwise"""
+    side = np.roll(plan, -1, axis=0) - plan
+    away = places[:, None] - plan
+    return np.all(side[:, 0] * away[..., 1] > side[:, 1] * away[..., 0], axis=1)
 
 
 def incident(k, beta, places):

@@ -16,7 +16,7 @@ from bem.database.between_headings import SAME
 from ..environment.sea import Sea
 from ..environment.spectra import STEEPEST
 from ..seas.breaking import largest_height
-from .findings import MISSED, missed_response, named_shares
+from .findings import MISSED, missed_response, named_shares, waves_missed
 from .linear import frequencies
 from .long_term import LongTerm, long_term
 from .points import transfer_functions
@@ -31,6 +31,7 @@ class Climate:
     """Responses (c,) in sea states (s,): height m, period s, direction rad, probability.
 
     m0, m2 : (s, c); drift : (s, 3) mean drift N, N, N m, or None without drift in the database
+    missed : of the waves at points, as `points.Transfer.missed`
     """
 
     names: tuple[str, ...]
@@ -44,6 +45,7 @@ class Climate:
     drift: np.ndarray | None
     warnings: tuple[str, ...]
     points: tuple = ()
+    missed: float | None = None
 
     def __repr__(self):
         return f"<Climate {len(self.height)} sea states, {len(self.names)} responses>"
@@ -112,9 +114,10 @@ def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreadin
         *_responses_beyond(known.names, probability, m0, scale * np.array([c.beyond for c in columns])),
         *_drift_beyond(body, probability, drift, scale * np.array([c.drift_beyond for c in columns])),
         *_too_high(body, spectra.values(), scatter),
+        *waves_missed(known.transfer),
     )
-    names, units = known.names, known.units
-    return Climate(names, units, height, period, direction, probability, m0, m2, drift, found, tuple(points))
+    of_states = height, period, direction, probability, m0, m2, drift
+    return Climate(known.names, known.units, *of_states, found, tuple(points), known.transfer.missed)
 
 
 class _Known:
@@ -166,7 +169,9 @@ class _Known:
             drift = self.body.drift(self.omega, heading)
         drift = np.broadcast_to(drift, (len(self.omega), len(heading), 3))
         if self.transfer is not None:
-            transfer = transfer._replace(value=np.concatenate([self.transfer.value, transfer.value], axis=1))
+            value = np.concatenate([self.transfer.value, transfer.value], axis=1)
+            missed = transfer.missed and max(transfer.missed, self.transfer.missed)
+            transfer = transfer._replace(value=value, missed=missed)
             drift = np.concatenate([self.forces, drift], axis=1)
         self.transfer, self.forces = transfer, drift
 

@@ -14,6 +14,7 @@ from .linear import over_headings
 from .seas import directions, energy_outside
 
 MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
+WAVES_MISSED = 0.05  # share of the far field that sources in the hull do not send
 UNSURE = 0.05  # estimated error of a result between stored waves that is warned of
 LEVER = 0.05  # of the radius of the hull: a moment of the drift force on a shorter arm is none
 LARGEST_ROTATION = 15.0  # degrees; there sines leave angles, and restoring its line, by a few per cent
@@ -43,6 +44,15 @@ def responses_outside(body, spectrum, transfer, weights, m0):
     said = named_shares(transfer.names, np.where(m0 > 0, missed / np.maximum(m0 + missed, 1e-300), 0.0))
     if said:
         yield f"responses lack energy beyond the stored frequencies: {said}; limit {100 * MISSED:g} %"
+
+
+def waves_missed(transfer):
+    """What the waves at points lack of those that the body scatters and makes"""
+    if transfer.missed is not None and transfer.missed > WAVES_MISSED:
+        yield (
+            f"waves scattered and made by the body miss up to {100 * transfer.missed:.1f} % of its far field; limit "
+            f"{100 * WAVES_MISSED:g} %: take the elevation at points with care"
+        )
 
 
 def named_shares(names, share):

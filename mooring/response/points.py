@@ -1,13 +1,16 @@
 """What a point of the body feels: displacement, velocity, acceleration, and the water below it.
 
-    d = X₁₋₃ + X₄₋₆ × (p − p₀),    v = −iωd,    a = −ω²d,    r = ζ exp(ik(x cosβ + y sinβ)) − d_z
+    d = X₁₋₃ + X₄₋₆ × (p − p₀),    v = −iωd,    a = −ω²d,    r = ζ − d_z
     f_x = a_x − gX₅,    f_y = a_y + gX₄,    u = h + tide + p_z − sinkage + d_z
+
+ζ is the incident wave and, where the database has Kochin functions, what the body scatters and makes by its motion
+(`bem.wave_field.around`), all but what decays within a depth or a wave length of the hull.  A point over the hull has
+the water at the nearest point of the waterline.
 
 All per unit wave amplitude, in axes that do not turn with the body; a has no part of gravity.  f is what cargo and an
 accelerometer feel along the deck, with the part of gravity that roll and pitch turn into it.  u is the water under a
 point of the bottom; over a plan it is least at a corner of its hull, since d_z is linear in x and y.  r is the height
-of the undisturbed incident wave above its mark on the body; the waves that the body scatters and makes are not in it,
-at a wall that reflects short waves they double ζ.
+of the water above its mark on the body: a wall that reflects short waves doubles ζ.
 """
 
 from __future__ import annotations
@@ -43,6 +46,7 @@ class Transfer(NamedTuple):
     """Transfer functions per m of wave amplitude.
 
     names, units : (c,); omega : (q,) rad/s; heading : (p,) rad; value : (q, p, c) complex
+    missed : share of the far field that is not in the waves at points; None where these are the incident ones alone
     """
 
     names: tuple[str, ...]
@@ -50,6 +54,7 @@ class Transfer(NamedTuple):
     omega: np.ndarray
     heading: np.ndarray
     value: np.ndarray
+    missed: float | None = None
 
 
 def transfer_functions(body, omega, heading, points=()) -> Transfer:
@@ -61,6 +66,9 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
     heading = np.atleast_1d(heading)
     motion = body.motions(omega, heading)
     names, units, values = [name.lower() for name in DOFS], ["m"] * 3 + ["rad"] * 3, [motion]
+    dry = [point.position[:2] for point in points if isinstance(point, Point)]
+    water, missed = elevations(body, omega, heading, motion, dry)
+    levels = iter(np.moveaxis(water, -1, 0))
     for point in points:
         d = displacement(motion, point.position, body.rotation_center)
         if isinstance(point, KeelPoint):
@@ -79,8 +87,9 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
         names += [f"{point.name} felt acceleration {axis}" for axis in "xy"] + [relative_name(point)]
         units += ["m/s²"] * 2 + ["m"]
         values.append(felt_acceleration(omega, d, motion, body.gravity))
-        values.append(relative_elevation(omega, heading, d, point.position, body.depth, body.gravity)[..., None])
-    return Transfer(tuple(names), tuple(units), np.asarray(omega, float), heading, np.concatenate(values, axis=-1))
+        values.append((next(levels) - d[..., 2])[..., None])
+    omega, values = np.asarray(omega, float), np.concatenate(values, axis=-1)
+    return Transfer(tuple(names), tuple(units), omega, heading, values, missed)
 
 
 def relative_name(point):
@@ -115,16 +124,23 @@ def felt_acceleration(omega, displaced, motion, gravity):
     return acceleration(omega, displaced)[..., :2] + turned
 
 
-def incident_elevation(omega, heading, position, depth, gravity):
-    """(q, p) undisturbed wave at x, y of `position` per unit amplitude at the origin"""
-    k = wavenumber(np.asarray(omega, float), depth, gravity)
-    along = position[0] * np.cos(heading) + position[1] * np.sin(heading)
-    return np.exp(1j * np.outer(k, along))
+def elevations(body, omega, heading, motion, places):
+    """ζ (q, p, n) per unit amplitude at the origin of the water at places (n, 2) m, and `Transfer.missed`.
 
+    omega : (q,) rad/s; heading : (p,) rad; motion : (q, p, 6) of the body, a `bem.database.reader.Reader`
+    """
+    from bem.wave_field.around import at_waterline, beside_incident
 
-def relative_elevation(omega, heading, displaced, position, depth, gravity):
-    """(q, p) rise of the incident wave above its still-water mark on the body at `position`"""
-    return incident_elevation(omega, heading, position, depth, gravity) - displaced[..., 2]
+    places = np.asarray(places, float).reshape(-1, 2)
+    if body.mesh is not None:
+        places = at_waterline(body.mesh, places)
+    k = wavenumber(np.asarray(omega, float), body.depth, body.gravity)
+    along = np.cos(heading)[:, None] * places[:, 0] + np.sin(heading)[:, None] * places[:, 1]
+    incident = np.exp(1j * k[:, None, None] * along)
+    if body.mesh is None or not body.rebuilds_drift or not len(places):
+        return incident, None
+    added, missed = beside_incident(body, omega, heading, motion, places)
+    return incident + added, missed
 
 
 def _column(omega, values):

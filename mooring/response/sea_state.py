@@ -63,6 +63,7 @@ class SeaState:
 
     duration : s; spectrum : (q, c) at omega (q,), unit² s/rad; moments : Moments of it, each (c,)
     slow : SlowForces, None where the database has no drift; errors : `findings.Errors` between stored waves
+    missed : of the waves at points, as `points.Transfer.missed`
     """
 
     sea: object
@@ -76,6 +77,7 @@ class SeaState:
     slow: SlowForces | None
     errors: findings.Errors
     warnings: tuple[str, ...]
+    missed: float | None = None
 
     def __repr__(self):
         height = self.sea.spectrum.significant_height
@@ -118,7 +120,7 @@ class SeaState:
     def air_gaps(self):
         """{name of point: (clearance, air gap left by the expected largest rise, probability that water reaches it)}
 
-        m, m, 1; of points with a clearance.  Undisturbed incident waves only, see `points`.
+        m, m, 1; of points with a clearance.
         """
         return {
             point.name: self._left(relative_name(point), point.clearance)
@@ -158,7 +160,6 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
 
     points : of `Point` and `KeelPoint`; bound : of `pair_levels.beside_newman`
     raises : ValueError for a duration that is no time, BetweenError outside the stored headings
-    raises : ValueError for a duration that is no time, BetweenError outside the stored headings
     """
     if not 0 < duration < np.inf:
         raise ValueError(f"duration is {duration:g} s; allowed: above 0, finite")
@@ -174,6 +175,7 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
         *broken,
         *findings.waves_outside(body, sea.spectrum),
         *findings.responses_outside(body, sea.spectrum, transfer, weights, found.m0),
+        *findings.waves_missed(transfer),
     ]
     slow, inside = None, None
     if body.knows_drift:
@@ -185,7 +187,7 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
     warnings += findings.between_waves(body, errors)
     return SeaState(
         sea, float(duration), tuple(points), transfer.names, transfer.units, omega, spectrum, found, slow,
-        errors, tuple(warnings),
+        errors, tuple(warnings), transfer.missed,
     )  # fmt: skip
 
 

@@ -191,7 +191,7 @@ def _gaps_in_years(result, years):
         left = point.clearance - term.level(years * YEAR)
         yield (
             f"air gap at {point.name}: {left:.3g} of {point.clearance:.3g} m left by the rise once in {years:g} years, "
-            f"water reaches it {_often(term, point.clearance)}; waves scattered and made by the body not included"
+            f"water reaches it {_often(term, point.clearance)}; {_whose_waves(result)}"
         )
 
 
@@ -225,9 +225,16 @@ def _often(term, level):
     return f"once in {1 / rate:.3g} years" if rate * 1e6 > 1 else "less than once in a million years"
 
 
+def _whose_waves(result):
+    """Which waves are in the elevation at points of a SeaState or Climate"""
+    if result.missed is None:
+        return "waves scattered and made by the body not included: solve again with --only kochin"
+    return "with the waves that the body scatters and makes, but those that decay within a depth or wave length of it"
+
+
 def _gap_lines(result):
     for name, (clearance, left, reached) in result.air_gaps().items():
         yield (
             f"air gap at {name}: {left:.3g} of {clearance:.3g} m left by the largest rise, water reaches it with "
-            f"probability {reached:.3g}; waves scattered and made by the body not included"
+            f"probability {reached:.3g}; {_whose_waves(result)}"
         )

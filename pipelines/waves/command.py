@@ -74,7 +74,7 @@ def around_body(db, omega, beta, fixed):
     if not math.isfinite(beta):
         raise ValueError("--heading is not a number; allowed: degrees")
     db.require(*KOCHIN)
-    return waves_around(db.reader, db.mesh, omega, beta, fixed)
+    return waves_around(db.reader, omega, beta, fixed)
 
 
 def half_width(around, width):

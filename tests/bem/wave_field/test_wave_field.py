@@ -9,7 +9,7 @@ from scipy.special import h1vp, hankel1, jvp
 from bem.frequency import solve_frequency
 from bem.kochin import angles
 from bem.methods.shape_problem import ShapeProblem
-from bem.wave_field.around import waves_around
+from bem.wave_field.around import at_waterline, beside_incident, waves_around
 from bem.wave_field.sources import Sources, directions, rectangle, waves
 from bem.wave_field.units import field, row
 from bem.waves import wavenumber
@@ -95,11 +95,11 @@ class OfCylinder:
 
     depth, gravity = 12.0, 9.80665
 
-    def __init__(self, a, middle, theta):
-        self.a, self.middle, self.between = a, np.array(middle), SimpleNamespace(theta=theta)
+    def __init__(self, a, middle, theta, mesh):
+        self.a, self.middle, self.between, self.mesh = a, np.array(middle), SimpleNamespace(theta=theta), mesh
 
     def far_field(self, omega, betas):
-        k = float(wavenumber(omega[0], self.depth, self.gravity))
+        k = float(wavenumber(omega[0], self.depth, self.gravity))  # one frequency at a time
         H = of_cylinder(k, self.a, betas, self.between.theta)
         there = np.exp(1j * k * (directions(betas) @ self.middle))[:, None]
         back = np.exp(-1j * k * (directions(self.between.theta) @ self.middle))
@@ -115,10 +115,17 @@ def test_waves_around_a_cylinder_are_those_of_the_closed_form_wherever_it_stands
     corner = np.arange(64)
     sides = np.column_stack([corner, corner + 64, (corner + 1) % 64 + 64, (corner + 1) % 64])
     mesh = PanelMesh(np.concatenate([top, bottom]), sides)
-    around = waves_around(OfCylinder(a, middle, angles(k, 50.0)), mesh, omega, beta, fixed=True)
+    around = waves_around(OfCylinder(a, middle, angles(k, 50.0), mesh), omega, beta, fixed=True)
     assert around.pierces and around.missed < 1e-3
     for r, allowed in ((10.2, 5e-3), (15.0, 2e-3), (40.0, 1e-3)):
         places = r * ring + middle
         exact = of_cylinders(k, a, np.array([middle]), beta, places)
         assert np.abs(around.elevation(places) - exact).max() < allowed
     assert np.isnan(around.elevation([middle])).all()
+    # the same at points, among them one on deck, which has the water at the nearest point of the waterline
+    places = at_waterline(mesh, np.array([[45.0, 5.0], [38.0, -7.0]]))
+    assert np.array_equal(places[0], [45.0, 5.0]) and np.hypot(*(places[1] - middle)) == pytest.approx(a, rel=0.01)
+    reader = OfCylinder(a, middle, angles(k, 50.0), mesh)
+    added, missed = beside_incident(reader, np.array([omega]), np.array([beta]), np.zeros((1, 1, 6)), places)
+    exact = of_cylinders(k, a, np.array([middle]), beta, places) - np.exp(1j * k * (places @ directions(beta)))
+    assert missed < 1e-3 and np.abs(added[0, 0] - exact).max() < 5e-3

@@ -1,6 +1,7 @@
 """What points of the body feel."""
 
 import numpy as np
+import pytest
 from made_up_body import made_up_body
 
 from bem.waves import wavenumber
@@ -9,8 +10,8 @@ from mooring.response.points import (
     acceleration,
     corners_of_bottom,
     displacement,
+    elevations,
     felt_acceleration,
-    relative_elevation,
     transfer_functions,
     velocity,
 )
@@ -35,14 +36,21 @@ def test_velocity_and_acceleration_are_time_derivatives():
 
 
 def test_water_stays_at_its_mark_on_a_body_that_follows_it():
-    """A point that heaves with the wave at its place sees no relative elevation; one that stays sees the wave."""
-    omega, heading, position = np.array([0.3, 0.6]), np.radians([20.0, 200.0]), (40.0, -20.0, 5.0)
-    k = wavenumber(omega, 20.0)
-    along = position[0] * np.cos(heading) + position[1] * np.sin(heading)
-    following = np.zeros((2, 2, 3), complex)
-    following[..., 2] = np.exp(1j * k[:, None] * along)
-    assert np.allclose(relative_elevation(omega, heading, following, position, 20.0, 9.80665), 0)
-    assert np.allclose(np.abs(relative_elevation(omega, heading, 0 * following, position, 20.0, 9.80665)), 1)
+    """Incident waves alone, of a body without far field, have amplitude 1 and the phase of their place"""
+    body, omega, heading = made_up_body(), np.array([0.5, 0.7]), np.radians([20.0, 200.0])
+    water, missed = elevations(body, omega, heading, body.motions(omega, heading), [(40.0, -20.0)])
+    along = 40.0 * np.cos(heading) - 20.0 * np.sin(heading)
+    assert missed is None and np.allclose(water[..., 0], np.exp(1j * np.outer(wavenumber(omega, 20.0), along)))
+
+
+def test_water_stands_high_before_a_wall_and_low_behind_it(box_database):
+    """A held box, 10 m deep in 20 m, in beam waves of 57 m: it reflects most of them"""
+    body, omega, heading = box_database.reader.floating(), np.array([1.0]), np.radians([90.0])
+    held, half = np.zeros((1, 1, 6)), np.pi / wavenumber(omega, body.depth)[0]
+    water, missed = elevations(body, omega, heading, held, [(0.0, -25.0 - half), (0.0, 25.0 + half), (0.0, -20.0)])
+    before, behind, on_deck = np.abs(water[0, 0])
+    assert missed < 0.05 and before > 1.7 and behind < 0.5
+    assert on_deck == pytest.approx(abs(elevations(body, omega, heading, held, [(0.0, -25.0)])[0][0, 0, 0]))
 
 
 def test_table_of_transfer_functions_holds_motions_first_and_names_every_point():
