@@ -29,6 +29,7 @@ from .films.flags import animate
 from .keys.command import keys, new
 from .line_dynamics.flags import line_dynamics
 from .lines.flags import line, lines
+from .members.flags import members
 from .printing import timing
 from .printing.console import new_console, tables_as, taken
 from .qtf.command import qtf
@@ -261,6 +262,7 @@ app.command(single_point)
 app.command(series)
 app.command(breakwater)
 app.command(fender)
+app.command(members)
 app.command(berth)
 app.command(damping)
 app.command(earthquake)

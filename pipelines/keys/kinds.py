@@ -95,6 +95,13 @@ KINDS = {
         "earthquake_box.toml",
         ("hakobune earthquake FILE",),
     ),
+    "members": Kind(
+        "slender members in waves, current and wind",
+        "pipelines.members.study:MembersStudy",
+        "members",
+        "members_dolphin.toml",
+        ("hakobune members FILE",),
+    ),
     "breakwater": Kind(
         "a taut-moored floating breakwater",
         "pipelines.breakwater.tables:BreakwaterStudy",

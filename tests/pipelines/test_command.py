@@ -18,7 +18,7 @@ from bem.database.integrity import row_crcs
 from pipelines.cli import app, main
 
 STUDIES = ("site", "sweep", "moor", "response", "line", "simulate", "design", "berth", "breakwater", "single_point")
-STUDIES += ("earthquake",)
+STUDIES += ("earthquake", "members")
 SCENES = sorted(
     path for path in (Path(pipelines.__file__).parent / "scenes").glob("*.toml") if not path.stem.startswith(STUDIES)
 )

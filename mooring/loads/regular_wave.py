@@ -1,0 +1,62 @@
+"""Velocity and acceleration of the water in one regular wave on a current, up to its surface.
+
+    η = a cos(k·x − ωt),    u = aω cosh ks / sinh kh · k̂ cos(k·x − ωt),    w = aω sinh ks / sinh kh · sin(k·x − ωt)
+
+of linear theory, s = z + h.  Above and below still water they are Wheeler's (1970): those of s h/(h + η), so that the
+water at the crest moves as linear theory has it at z = 0.  The current, with its own profile, is stretched alike; the
+wave is as long as without it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bem.waves import depth_factor, depth_factor_slope, wavenumber
+
+from ..environment.current_profile import CurrentProfile
+
+GRAVITY = 9.80665
+
+
+@dataclass(frozen=True)
+class RegularWave:
+    """amplitude m, omega rad/s, towards `direction` rad, in `depth` m of water with a CurrentProfile or None"""
+
+    amplitude: float
+    omega: float
+    direction: float
+    depth: float
+    current: CurrentProfile | None = None
+
+    @property
+    def k(self):
+        """rad/m"""
+        return float(wavenumber(self.omega, self.depth, GRAVITY))
+
+    def elevation(self, places, phase):
+        """η (n,) m at places (n, 2 or 3) m, crest at the origin at phase ωt = 0 rad"""
+        return self.amplitude * np.cos(self._turn(places, phase))
+
+    def flow(self, places, phase):
+        """Velocity m/s and acceleration m/s² (n, 3) of the water at places (n, 3) m below the surface"""
+        k, turn = self.k, self._turn(places, phase)
+        z = self.unstretched(places, phase)
+        scale = self.amplitude * GRAVITY * k / self.omega
+        across, up = scale * depth_factor(z, k, self.depth), scale * depth_factor_slope(z, k, self.depth) / k
+        way = np.array([np.cos(self.direction), np.sin(self.direction), 0.0])
+        rise = np.array([0.0, 0.0, 1.0])
+        velocity = np.outer(across * np.cos(turn), way) + np.outer(up * np.sin(turn), rise)
+        acceleration = self.omega * (np.outer(across * np.sin(turn), way) - np.outer(up * np.cos(turn), rise))
+        return (velocity if self.current is None else velocity + self.current.velocity(z)), acceleration
+
+    def unstretched(self, places, phase):
+        """(n,) m, the heights of linear theory that heights z under the wave stand for"""
+        eta, z = self.elevation(places, phase), np.asarray(places)[:, 2]
+        return z - eta if np.isinf(self.depth) else (z + self.depth) * self.depth / (self.depth + eta) - self.depth
+
+    def _turn(self, places, phase):
+        places = np.asarray(places, float)
+        along = places[:, 0] * np.cos(self.direction) + places[:, 1] * np.sin(self.direction)
+        return self.k * along - phase

@@ -1,0 +1,1 @@
+"""`hakobune members`: water and wind on the slender members of a structure."""

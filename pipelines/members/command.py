@@ -1,0 +1,154 @@
+"""`hakobune members`: forces on members over one wave, the largest of each and of all, and when."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from mooring.loads.morison import member_force
+
+from ..common.picture import PLOTS, check_picture, save
+from .study import placed, read_study, wave_of, wind_on
+
+PHASES = 360  # of a wave
+HALVINGS = 50  # of a member, to where the surface cuts it
+SLENDER = 0.2  # D/λ, above which a member scatters the wave
+KILO = 1e3
+
+
+class Course(NamedTuple):
+    """name; force : (p, 6) N and N m about the foot (3,) m over the phases of a wave"""
+
+    name: str
+    force: np.ndarray
+    foot: np.ndarray
+
+
+def members(path, plot):
+    """Print a study of members, draw it to `plot`; 0.  Raises ValueError, one line."""
+    if plot is not None:
+        check_picture(plot, PLOTS)
+    study = read_study(path)
+    wave, wind = wave_of(study), wind_on(study)
+    phases = np.linspace(0.0, 2 * np.pi, PHASES, endpoint=False)
+    standing = placed(study)
+    courses = [course(one, wave, phases, study.water.density) for one in standing]
+    _show(courses, wind, phases, wave)
+    for line in remarks(standing, wave):
+        print(line)
+    if plot is not None:
+        _draw(courses, phases, plot)
+        print(plot)
+    return 0
+
+
+def course(member, wave, phases, density):
+    """`Course` of a `study.Placed` in a RegularWave, its wet part at each phase (p,) rad"""
+    foot = min(member.start, member.end, key=lambda end: end[2])
+    force = np.zeros((len(phases), 6))
+    for row, phase in zip(force, phases, strict=True):
+        wet = wet_part(member.start, member.end, wave, phase)
+        if wet is not None:
+            row[:] = member_force(member.section, *wet, lambda places, now=phase: wave.flow(places, now), density)
+            row[3:] -= np.cross(foot, row[:3])
+    return Course(member.name, force, foot)
+
+
+def wet_part(start, end, wave, phase):
+    """Two ends (3,) m of the part of a straight member below the surface, None where it is dry
+
+    A member is cut once: one that is longer than half a wave and lies in the surface is not followed.
+    """
+
+    def over(share):
+        place = (start + share * (end - start))[None]
+        return place[0, 2] - wave.elevation(place, phase)[0]
+
+    dry = over(0.0) > 0, over(1.0) > 0
+    if all(dry):
+        return None
+    if not any(dry):
+        return start, end
+    low, high = 0.0, 1.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if (over(middle) > 0) == dry[0] else (low, middle)
+    cut = start + low * (end - start)
+    return (cut, end) if dry[0] else (start, cut)
+
+
+def remarks(standing, wave):
+    """One line each on members that Morison's formula is not made for, and on the theory of the wave"""
+    length = 2 * np.pi / wave.k
+    wide = [one.name for one in standing if wave.amplitude > 0 and one.section.width > SLENDER * length]
+    if wide:
+        yield (
+            f"warning: {', '.join(wide)}: wider than {SLENDER:g} of the wave's {length:.3g} m; it scatters the wave: "
+            "solve it by hakobune box or buoy"
+        )
+    if wave.amplitude > 0:
+        yield (
+            f"wave of {2 * wave.amplitude:g} m, {length:.4g} m long, by linear theory up to the surface (Wheeler); "
+            "phase 0 with the crest at the origin; moments about the foot of each member, of all and of the wind about "
+            "the bed under the origin"
+        )
+
+
+def _show(courses, wind, phases, wave):
+    from rich.table import Table
+
+    from ..printing.console import new_console
+
+    table = Table(title="largest over the wave" if wave.amplitude > 0 else "in the current")
+    table.add_column("")
+    for name in ("force kN", "at phase °", "Fx kN", "Fy kN", "Fz kN", "moment kN m", "at phase °"):
+        table.add_column(name, justify="right", no_wrap=True)
+    for one in courses:
+        table.add_row(one.name, *_largest(one.force, phases))
+    bed = np.array([0.0, 0.0, -wave.depth if np.isfinite(wave.depth) else 0.0])
+    in_water = sum((_moved(one.force, one.foot, bed) for one in courses), np.zeros((len(phases), 6)))
+    in_wind = [(name, _moved(force[None], np.zeros(3), bed)) for name, force in wind]
+    if courses:
+        table.add_row("all in the water", *_largest(in_water, phases))
+    for name, force in in_wind:
+        table.add_row(f"{name}, wind", *_largest(force, phases))
+    if courses and wind:
+        table.add_row("all", *_largest(in_water + sum(force for _, force in in_wind), phases))
+    console = new_console()
+    console.print(table)
+
+
+def _moved(force, about, other):
+    """(p, 6) of forces (p, 6) with moments about a place (3,) m, with moments about another"""
+    return np.concatenate([force[:, :3], force[:, 3:] + np.cross(about - other, force[:, :3])], axis=1)
+
+
+def _largest(force, phases):
+    size, turning = np.linalg.norm(force[:, :3], axis=1), np.linalg.norm(force[:, 3:], axis=1)
+    i, j = int(size.argmax()), int(turning.argmax())
+    parts = force[i, :3] / KILO + 0.0
+    return (
+        f"{size[i] / KILO:.4g}",
+        f"{np.degrees(phases[i]):.0f}",
+        *(f"{part:.4g}" for part in parts),
+        f"{turning[j] / KILO:.4g}",
+        f"{np.degrees(phases[j]):.0f}",
+    )
+
+
+def _draw(courses, phases, path):
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.0, 5.0), layout="constrained")
+    axis = figure.add_subplot()
+    for one in courses:
+        axis.plot(np.degrees(phases), np.linalg.norm(one.force[:, :3], axis=1) / KILO, label=one.name)
+    if len(courses) > 1:
+        total = sum(one.force[:, :3] for one in courses)
+        axis.plot(np.degrees(phases), np.linalg.norm(total, axis=1) / KILO, "k", linewidth=2, label="all")
+    axis.set(xlabel="phase, °, crest at the origin at 0", ylabel="force, kN", xlim=(0, 360), ylim=(0, None))
+    axis.set_xticks(range(0, 361, 45))
+    axis.grid(alpha=0.3)
+    axis.legend()
+    save(figure, path, 110)

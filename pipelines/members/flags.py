@@ -1,0 +1,23 @@
+"""The flags of `hakobune members`.  Heavy imports happen inside."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+
+def members(
+    study: Annotated[Path, Parameter(help="members, water, wave, current, wind (TOML)")],
+    /,
+    *,
+    plot: Annotated[Path | None, Parameter(help="forces over the wave: .png, .svg or .pdf")] = None,
+):
+    """Water and wind on slender members, piles and frames of a dolphin, cranes: forces over a regular wave.
+
+    By Morison's formula with growth on the members.  hakobune members members_dolphin.toml --plot forces.png
+    """
+    from .command import members
+
+    return members(study, plot)

@@ -1,0 +1,211 @@
+"""Slender members in water and wind as typed TOML.
+
+[water]            [wave]                  [[members]]                 [[wind_members]]
+depth = 12.0       height = 3.0            name = "fore"               name = "crane"
+                   period = 8.0            shape = "circular"          shape = "isolated member"
+[current]          direction_deg = 0       width = 1.2                 area = 14.0
+speed = 1.0                                start = [0.0, 0.0, -12.0]   position = [2.0, 0.0, 9.0]
+direction_deg = 0  [wind]                  end = [0.0, 0.0, 3.0]
+                   speed = 30.0            drag = 1.0
+                   direction_deg = 0       growth = 0.05
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+
+from mooring.environment.current_profile import power_law
+from mooring.loads import members as wind_loads
+from mooring.loads.morison import Section, circular, plate, square
+from mooring.loads.regular_wave import RegularWave
+from mooring.seas.breaking import breaking_height
+
+from ..common.quantities import StudyError, Table, direction, positive, water_depth
+from ..common.typed import read_toml, typed
+
+SHAPES = {"circular": circular, "square": square, "plate": plate}
+THICKEST = 1.0  # m of growth
+MOST = 1000  # members
+
+
+class WaterTable(Table):
+    """Water of the place
+
+    depth : m
+    density : kg/m³
+    """
+
+    depth: float
+    density: float = 1025.0
+
+
+class WaveTable(Table):
+    """One regular wave
+
+    height : m, crest to trough
+    period : s
+    """
+
+    height: float
+    period: float
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+
+
+class CurrentTable(Table):
+    """A current
+
+    speed : m/s, at the surface
+    exponent : of its profile over the depth, 0 for the same all the way down, 0.143 of tides, 1 of wind drift
+    """
+
+    speed: float
+    exponent: float = 0.0
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+
+
+class WindTable(Table):
+    """Wind, at 10 m
+
+    speed : m/s
+    exponent : of its profile over the height, without it by the table of the SR179 report
+    """
+
+    speed: float
+    exponent: float | None = None
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+
+
+class MemberTable(Table):
+    """A straight member in the water, from the bed up or as far as it reaches
+
+    name : for results
+    shape : circular, square (moved along a side) or plate (across the flow)
+    width : m, diameter or side, clean
+    start : m, x, y, z of one end, z up from still water
+    end : m, x, y, z of the other
+    drag : C_D on width and growth
+    inertia : C_M, by default that of potential flow: 2 circular, 2.19 square, 1 plate
+    growth : m, thickness of what grows on it
+    """
+
+    name: str
+    shape: str
+    width: float
+    start: tuple[float, float, float]
+    end: tuple[float, float, float]
+    drag: float
+    inertia: float | None = None
+    growth: float = 0.0
+
+
+class WindMemberTable(Table):
+    """A member in the wind
+
+    name : for results
+    shape : sphere, cylinder, hull side, deck house, isolated member …; or drag
+    drag : coefficient in place of a shape
+    area : m², seen along the wind
+    position : m, x, y, z of its middle
+    """
+
+    name: str
+    area: float
+    position: tuple[float, float, float]
+    shape: str | None = None
+    drag: float | None = None
+
+
+class MembersStudy(Table):
+    """Members of a structure, and the water and the wind that they stand in"""
+
+    water: WaterTable
+    wave: WaveTable | None = None
+    current: CurrentTable | None = None
+    wind: WindTable | None = None
+    members: list[MemberTable] = msgspec.field(default_factory=list)
+    wind_members: list[WindMemberTable] = msgspec.field(default_factory=list)
+
+
+class Placed(NamedTuple):
+    """A member: name; its `Section`, growth included; start, end (3,) m"""
+
+    name: str
+    section: Section
+    start: np.ndarray
+    end: np.ndarray
+
+
+def read_study(path):
+    """The MembersStudy of a TOML file.  Raises StudyError."""
+    study = typed(read_toml(path, "a study of members", StudyError)[0], MembersStudy, StudyError)
+    if not study.members and not study.wind_members:
+        raise StudyError("there are no members; allowed: [[members]], [[wind_members]], one or more")
+    if len(study.members) > MOST:
+        raise StudyError(f"there are {len(study.members)} members; allowed: at most {MOST}")
+    if study.members and study.wave is None and study.current is None:
+        raise StudyError("nothing moves the water; allowed: [wave], [current] or both")
+    if study.wind_members and study.wind is None:
+        raise StudyError("wind is missing; needed by [[wind_members]]")
+    return study
+
+
+def wave_of(study):
+    """`RegularWave` of a study, of no height where it has a current alone.  Raises StudyError, ValueError."""
+    depth, current, wave = water_depth("water.depth", study.water.depth), None, study.wave
+    if study.current is not None:
+        towards = direction("current", study.current)
+        current = power_law(study.current.speed, towards, depth, study.current.exponent)
+    if wave is None:
+        return RegularWave(0.0, 1.0, 0.0, depth, current)
+    height, period = positive("wave.height", wave.height), positive("wave.period", wave.period)
+    highest = float(breaking_height(period, depth))
+    if height > highest:
+        raise StudyError(
+            f"wave.height is {height:g} m; a wave of {period:g} s breaks at {highest:.3g} m in {depth:g} m of water"
+        )
+    return RegularWave(0.5 * height, 2 * np.pi / period, direction("wave", wave), depth, current)
+
+
+def placed(study):
+    """[`Placed`] of a study.  Raises StudyError naming the member."""
+    return [_placed(member, study.water.depth) for member in study.members]
+
+
+def _placed(member, depth):
+    where = f"member {member.name!r}"
+    if member.shape not in SHAPES:
+        raise StudyError(f"{where}: shape is {member.shape!r}; allowed: {', '.join(SHAPES)}")
+    if not 0 <= member.growth <= THICKEST:
+        raise StudyError(f"{where}: growth is {member.growth:g} m; allowed: 0 to {THICKEST:g}")
+    start, end = np.array(member.start), np.array(member.end)
+    if not np.all(np.isfinite([start, end])) or not np.linalg.norm(end - start) > 0:
+        raise StudyError(f"{where} goes from {member.start} to {member.end}; allowed: two finite places, apart")
+    lowest = min(start[2], end[2])
+    if lowest < -depth * (1 + 1e-9):
+        raise StudyError(f"{where} reaches down to z = {lowest:g} m; allowed: at least {-depth:g}, the bed")
+    inertia = () if member.inertia is None else (member.inertia,)
+    try:
+        section = SHAPES[member.shape](member.width + 2 * member.growth, member.drag, *inertia)
+    except ValueError as error:
+        raise StudyError(f"{where}: {error}") from None
+    return Placed(member.name, section, start, end)
+
+
+def wind_on(study):
+    """[(name, (6,) N and N m about the origin)] of the members in the wind.  Raises StudyError, ValueError."""
+    if study.wind is None:
+        return []
+    towards, found = direction("wind", study.wind), []
+    for one in study.wind_members:
+        if (one.shape is None) == (one.drag is None):
+            raise StudyError(f"wind member {one.name!r}: allowed: one of shape, drag")
+        member = wind_loads.Member(one.drag if one.shape is None else one.shape, one.area, one.position)
+        force = wind_loads.wind_on_members([member], study.wind.speed, towards, study.wind.exponent)
+        found.append((one.name, force))
+    return found

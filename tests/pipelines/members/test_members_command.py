@@ -1,0 +1,83 @@
+"""`hakobune members`: piles whose forces are known in closed form, growth, wind, and faults."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pipelines
+from bem.waves import wavenumber
+from mooring.loads.morison import circular
+from mooring.loads.regular_wave import RegularWave
+from pipelines.cli import main
+from pipelines.members.command import course, wet_part
+from pipelines.members.study import Placed
+
+SCENE = Path(pipelines.__file__).parent / "scenes" / "members_dolphin.toml"
+PHASES = np.linspace(0, 2 * np.pi, 180, endpoint=False)
+
+
+def pile(C_D, C_M=2.0, width=1.2, top=3.0):
+    return Placed("pile", circular(width, C_D, C_M), np.array([0.0, 0.0, -12.0]), np.array([0.0, 0.0, top]))
+
+
+def test_inertia_of_a_pile_in_a_low_wave_is_the_closed_form():
+    """F = ρ g a C_M π/4 D² tanh kh, ahead of the crest by a quarter; M about the foot from ∫ (z + h) cosh k(z + h)"""
+    wave, h = RegularWave(1e-4, 0.8, 0.0, 12.0), 12.0
+    force, k = course(pile(0.0), wave, PHASES, 1025.0).force, float(wavenumber(0.8, 12.0))
+    unit = 1025 * 9.80665 * 1e-4 * 2 * np.pi / 4 * 1.2**2
+    assert force[:, 0].max() == pytest.approx(unit * np.tanh(k * h), rel=1e-4)
+    assert np.degrees(PHASES[force[:, 0].argmax()]) == 270
+    arm = h * np.sinh(k * h) / k - (np.cosh(k * h) - 1) / k**2
+    assert force[:, 4].max() == pytest.approx(unit * k * arm / np.cosh(k * h), rel=1e-4)
+
+
+def test_drag_of_a_pile_in_a_current_is_the_hand_calculation():
+    from mooring.environment.current_profile import uniform
+
+    wave = RegularWave(0.0, 1.0, 0.0, 12.0, uniform(1.5, np.pi / 2))
+    force = course(pile(0.9), wave, PHASES[:2], 1025.0).force
+    assert np.allclose(force[:, :3], [0, 0.5 * 1025 * 0.9 * 1.2 * 12 * 1.5**2, 0], atol=1e-6)
+
+
+def test_a_pile_is_wet_up_to_the_surface():
+    wave = RegularWave(1.5, 0.8, 0.0, 12.0)
+    for phase in (0.0, 1.0, np.pi):
+        start, end = wet_part(*pile(1.0)[2:], wave, phase)
+        assert start[2] == -12.0 and end[2] == pytest.approx(1.5 * np.cos(phase), abs=1e-9)
+    assert wet_part(np.array([0, 0, 2.0]), np.array([0, 0, 5.0]), wave, 0.0) is None
+
+
+def test_the_dolphin_of_the_scenes(tmp_path, capsys):
+    assert main(["members", str(SCENE), "--plot", str(tmp_path / "forces.png"), "--csv"]) == 0
+    said = capsys.readouterr().out
+    rows = {line.split(",")[0]: line.split(",")[1:] for line in said.splitlines() if "," in line}
+    assert (tmp_path / "forces.png").stat().st_size > 10_000
+    assert rows["fore port"][0] == rows["fore starboard"][0]  # one is the other's mirror image
+    assert float(rows["all"][0]) > float(rows["all in the water"][0]) > 3 * float(rows["fore port"][0])
+    clean = tmp_path / "clean.toml"
+    clean.write_text(SCENE.read_text().replace("growth = 0.05", "growth = 0.0"))
+    assert main(["members", str(clean), "--csv"]) == 0
+    bare = {line.split(",")[0]: line.split(",")[1:] for line in capsys.readouterr().out.splitlines() if "," in line}
+    share = float(rows["all in the water"][0]) / float(bare["all in the water"][0])
+    assert 1.3 / 1.2 < share < (1.3 / 1.2) ** 2  # drag grows with the width, inertia with its square
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (("height = 3.0", "height = 12.0"), "wave.height is 12 m; a wave of 8 s breaks at"),
+        (('shape = "circular"', 'shape = "round"'), "member 'fore port': shape is 'round'; allowed: circular"),
+        (("growth = 0.05", "growth = -0.1"), "member 'fore port': growth is -0.1 m; allowed: 0 to 1"),
+        (("-12.0]", "-13.0]"), "member 'fore port' reaches down to z = -13 m; allowed: at least -12, the bed"),
+        (("width = 1.2", "width = nan"), "member 'fore port': width of a member is nan"),
+        (("[wind]\\nspeed = 30.0\\ndirection_deg = 0.0", ""), "wind is missing; needed by"),
+        (('shape = "cylinder"', 'shape = "cylinder"\\ndrag = 1.0'), "wind member 'mast': allowed: one of shape, drag"),
+    ],
+)
+def test_what_cannot_be_is_one_line(change, message, tmp_path, capsys):
+    path = tmp_path / "study.toml"
+    path.write_text(SCENE.read_text().replace(*(text.replace("\\n", "\n") for text in change)))
+    assert main(["members", str(path)]) == 2
+    said = capsys.readouterr().err
+    assert message in said and said.count("\n") == 1
