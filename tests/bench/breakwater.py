@@ -235,21 +235,33 @@ def of_table_3_2(depth, draft, mass):
 
 
 def snaps():
+    """Lines that go slack, of the stiffness that fits the front peaks best, which the paper does not print"""
     (taut, deep), (loose, wet) = of_table_3_2(0.5, 0.25, 57.4), of_table_3_2(0.4, 0.15, 49.5)
-    print(
-        "Table 3.2, front and back P/wHD, slack: EA of 1e4 N per m, of 5e4; measured; front, taut: ours, measured; "
-        "slack over taut"
+    rows, unit = published("breakwater_slack.csv"), 9800 * 0.5
+    omegas, heights = (np.array([row[key] for row in rows]) for key in ("period_s", "slack_height_cm"))
+    omegas, heights = 2 * np.pi / omegas, heights / 100
+    waters = [[any_section(wet, 0.4, w, **WATER) for w in frequencies(loose, omega)] for omega in omegas]
+    share = 9.8 / 0.235 / unit * 100
+    measured = np.array(
+        [[row[f"slack_{end}"] * share / row["slack_height_cm"] for end in ("front", "back")] for row in rows]
     )
-    for row in published("breakwater_slack.csv"):
-        omega, unit, height = 2 * np.pi / row["period_s"], 9800 * 0.5, row["slack_height_cm"] / 100
-        waters = [any_section(wet, 0.4, w, **WATER) for w in frequencies(loose, omega)]
-        found = [snap(loose, waters, EA, omega, height / 2) for EA in (1e4, 5e4)]
-        ours = [peak / unit / height for one in found for peak in one.peaks]
+
+    def ours(EA):
+        each = zip(waters, omegas, heights, strict=True)
+        return np.array([np.array(snap(loose, w, EA, o, H / 2).peaks) / unit / H for w, o, H in each])
+
+    def miss(logarithm):
+        return np.sqrt(np.mean((ours(10**logarithm) - measured)[:, 0] ** 2))
+
+    best = minimize_scalar(miss, bounds=(3.0, 5.5), method="bounded", options={"xatol": 0.02})
+    print(f"EA fitted to the front line {10**best.x:.3g} N per m, root mean square of its difference {best.fun:.2f}")
+    for logarithm in (3.5, 4.0, 4.5, 5.0):
+        print(f"  of {10**logarithm:.2g} N per m {miss(logarithm):.2f}")
+    print("Table 3.2, front and back P/wHD, slack; measured; front, taut: ours, measured; slack over taut")
+    for row, omega, found, other in zip(rows, omegas, ours(10**best.x), measured, strict=True):
         linear = abs(taut_exact(taut, any_section(deep, 0.5, omega, **WATER)).front) / 2 / unit
-        share = 9.8 / 0.235 / unit * 100
-        slack = [row[f"slack_{end}"] * share / row["slack_height_cm"] for end in ("front", "back")]
-        others = [linear, row["taut_front"] * share / row["taut_height_cm"], ours[0] / linear]
-        print(f"  {row['period_s']:5.2f} s", *(f"{value:6.2f}" for value in (*ours, *slack, *others)))
+        beside = [linear, row["taut_front"] * share / row["taut_height_cm"], found[0] / linear]
+        print(f"  {row['period_s']:5.2f} s", *(f"{value:6.2f}" for value in (*found, *other, *beside)))
 
 
 if __name__ == "__main__":
