@@ -20,7 +20,8 @@ GOLDEN = 0.6180339887498949  # its multiples, modulo 1, are spread evenly
 # rows of a block, after the last term: three of them were once among the sixth part that was represented already,
 # nodes above each other on a wall
 LOOKED_AT = 8
-CAPACITY = 3_000_000  # entries of a buffer, about; one block at least
+CAPACITY = 3_000_000  # entries of a buffer to begin with, about
+ROOM = 64  # terms of the largest block that they hold to begin with: all that it could have would be its square
 
 
 class Sources(NamedTuple):
@@ -61,11 +62,14 @@ def low_rank_blocks(blocks, nodes, at_depth, sources, water, layer, tolerance):
         return
     shapes = np.column_stack([blocks[:, 1] - blocks[:, 0], blocks[:, 3] - blocks[:, 2]])
     most = shapes.max(axis=0)
-    buffers = [np.empty(max(CAPACITY, int(count * shapes.min(axis=1).max())), complex) for count in most]
+    buffers = [np.empty(max(CAPACITY, ROOM * int(count)), complex) for count in most]
     used = [np.empty(count, np.bool_) for count in most]
     ranks, done = np.empty(len(blocks), np.int64), 0
     while done < len(blocks):
         end = _compress(done, blocks, nodes, at_depth, sources, water, layer, tolerance, *used, *buffers, ranks)
+        if end == done:  # a block that is larger than the buffers
+            buffers = [np.empty(2 * len(buffer), complex) for buffer in buffers]
+            continue
         starts = [0, 0]
         for (m, n), rank in zip(shapes[done:end], ranks[done:end], strict=True):
             U = buffers[0][starts[0] : starts[0] + m * rank].reshape(rank, m).T

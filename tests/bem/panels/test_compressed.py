@@ -8,7 +8,7 @@ import pytest
 from bem import DOFS
 from bem.methods import panel_problem
 from bem.methods.panel_problem import PanelProblem, prepare
-from bem.panels.compressed import equations
+from bem.panels.compressed import equations, far_blocks
 from bem.panels.compressed.clusters import Clusters
 from bem.panels.compressed.one_frequency import CompressedRun
 from bem.panels.compressed.operator import Tree
@@ -127,6 +127,14 @@ def test_a_compression_that_is_too_far_off_is_an_error(monkeypatch):
     prepared = prepare(PanelProblem(BOX, depth=20.0))
     with pytest.raises(FloatingPointError, match=r"compressed equations are [0-9.]+e-0[0-9] off; allowed: 1e-09"):
         _ = CompressedRun(prepared, 0.5, HEADINGS, WANT, None, DOFS).potentials
+
+
+def test_blocks_larger_than_the_buffers_are_made_as_in_large_ones(monkeypatch):
+    monkeypatch.setattr(far_blocks, "CAPACITY", 1)
+    monkeypatch.setattr(far_blocks, "ROOM", 1)
+    mesh, omega, options = BODIES["box"]
+    found = CompressedRun(prepare(PanelProblem(mesh, **options)), omega, HEADINGS, WANT, None, DOFS)
+    assert np.array_equal(found.radiation, both("box")[0].radiation)
 
 
 def test_columns_of_nodes_that_are_represented_already_do_not_end_a_block():
