@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def animate(
-    file: Annotated[Path, Parameter(help="file of a simulation, or a database")],
+    file: Annotated[Path, Parameter(help="file of a simulation or of a single point, or a database")],
     /,
     *,
     output: Annotated[Path, Parameter(help="film, .gif")],
@@ -26,12 +26,16 @@ def animate(
     fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
     field: Annotated[str | None, Parameter(help="pressure: colour the panels by it")] = None,
 ):
-    """A film of body, lines and waves from the file of a simulation; or of a database's body in regular waves.
+    """A film of body, lines and waves from the file of a simulation, or of a body that slews at a single point; or of a
+    database's body in regular waves.
 
     hakobune animate run.h5 --output film.gif
     hakobune animate box.h5 --period 9 --heading 180 --output film.gif
     """
+    from bem.database.results import has_schema
+
     from ..simulate.file import is_run
+    from ..single_point.command import SCHEMA as SINGLE_POINT
 
     of_run = {"seed": seed, "start": start, "length": length, "step": step}
     regular = {
@@ -42,7 +46,12 @@ def animate(
         "fixed": fixed or None,
         "field": field,
     }
-    if is_run(file):
+    if has_schema(file, SINGLE_POINT):
+        from .of_single_point import film_of_single_point
+
+        _check_none({**regular, "seed": seed}, "another film", file, "a single point")
+        frames = film_of_single_point(file, output, **_given({"start": start, "length": length, "step": step}))
+    elif is_run(file):
         from .of_run import film_of_run
 
         _check_none(regular, "a database", file, "a simulation")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import tomllib
 import warnings
+from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -17,11 +18,8 @@ from mooring.lines.system.bodies import rotation
 from ..moor.study import make_study
 from ..simulate.file import opened, whole_rows
 from ..simulate.study import plan_of
-from .gif import BED, HULL, SEA, check_count, check_film, new_plotter, write_film
-
-GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
-POINTS = 40  # of a line
-FENDER = "#c07020"
+from .gif import check_count, check_film, write_film
+from .stage import POINTS, Stage, frames
 
 
 def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
@@ -35,7 +33,7 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     with opened(path) as file:
         row = _row(file, seed)
         time = file["time"][()]
-        _check_times(time, start, length, step)
+        check_times(time, start, length, step)
         if start is None:
             start = _height_of_it(file, row, time) - 0.5 * length
         start = min(max(start, time[0]), max(time[-1] - length, time[0]))
@@ -43,7 +41,9 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
         motion = np.column_stack([np.interp(at, time, column) for column in file["motion"][row].T])
         scene = _scene(file)
         waves = _waves(file, int(file["seed"][row]))
-    write_film(output, _frames(scene, at, motion, waves), len(at))
+    threads = (lambda i: _shapes(scene, motion[i])) if scene.lines + len(scene.ropes[0]) else None
+    heights = None if waves is None else partial(surface, waves)
+    write_film(output, frames(scene.stage, at, motion, threads, heights), len(at))
     return len(at)
 
 
@@ -53,7 +53,7 @@ def _height_of_it(file, row, time):
     return time[int(np.argmax(held.max(axis=1)))]
 
 
-def _check_times(time, start, length, step):
+def check_times(time, start, length, step):
     """Raise ValueError unless there are frames enough, from a time of the record on."""
     if start is not None and not time[0] <= start <= time[-1]:
         raise ValueError(f"--start is {start:g} s; allowed: {time[0]:g} to {time[-1]:g} s")
@@ -75,7 +75,7 @@ def _row(file, seed):
 
 
 def _scene(file):
-    """System, sizes of the hull and rotation centre"""
+    """System, ropes, rotation centre and `Stage`"""
     study = make_study(tomllib.loads(file.attrs["study"]))
     length, beam, draft, freeboard = file.attrs["hull"]
     hull = study.hull_of({"length": length, "beam": beam, "draft": draft})
@@ -87,9 +87,8 @@ def _scene(file):
     fenders = study.berth(hull, center).fenders
     places = np.concatenate([file["anchor"][:, :2], [[-length, -beam], [length, beam]]])
     span, depth = np.ptp(places, axis=0).max(), float(file.attrs["water_depth"])
-    return SimpleNamespace(
-        system=system, ropes=ropes, lines=lines, fenders=fenders, box=box, center=center, span=span, depth=depth
-    )  # fmt: skip
+    stage = Stage(box, center, span, depth, fenders)
+    return SimpleNamespace(system=system, ropes=ropes, lines=lines, center=center, stage=stage)
 
 
 def _waves(file, seed):
@@ -139,50 +138,3 @@ def _shapes(scene, motion):
     body = scene.system.bodies[0]
     pose = tuple(float(a + b) for a, b in zip(body.position, motion, strict=True))
     return np.concatenate([*line_shapes(rest(held_at(scene.system, {body.name: pose})), POINTS), *straight])
-
-
-def _fender(one):
-    """A fender as a cylinder from its face outwards, as long and as wide as it is high"""
-    import pyvista
-
-    height = one.fender.height
-    middle = one.face + 0.5 * height * one.normal
-    return pyvista.Cylinder(center=middle, direction=one.normal, radius=0.5 * height, height=height)
-
-
-def _frames(scene, at, motion, waves):
-    """Pictures, (height, width, 3) each"""
-    import pyvista
-
-    plotter = new_plotter()
-    hull = pyvista.Box(scene.box).triangulate()
-    still = hull.points - scene.center
-    count = scene.lines + len(scene.ropes[0])
-    cells = np.column_stack([np.full(count, POINTS), np.arange(count * POINTS).reshape(count, POINTS)]).ravel()
-    lines = pyvista.PolyData(_shapes(scene, motion[0]), lines=cells) if count else None
-    side = np.linspace(-0.5, 0.5, GRID) * WIDTH * scene.span
-    x, y = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
-    sea = pyvista.StructuredGrid(*(grid.reshape(GRID, GRID, 1) for grid in (x, y, np.zeros_like(x))))
-    bed = pyvista.Plane(center=(0, 0, -scene.depth), i_size=WIDTH * scene.span, j_size=WIDTH * scene.span)
-    plotter.add_mesh(bed, color=BED)
-    plotter.add_mesh(sea, color=SEA, opacity=0.45)
-    plotter.add_mesh(hull, color=HULL)
-    if lines is not None:
-        plotter.add_mesh(lines, color="#202020", line_width=2)
-    for one in scene.fenders:
-        plotter.add_mesh(_fender(one), color=FENDER)
-    plotter.camera_position = [(0.25 * scene.span, -1.0 * scene.span, 0.4 * scene.span), (0, 0, 0), (0, 0, 1)]
-    heights = None if waves is None else surface(waves, *sea.points[:, :2].T)
-    label = plotter.add_text("", font_size=9, color="black")
-    try:
-        for t, moved in zip(at, motion, strict=True):
-            hull.points = scene.center + moved[:3] + still @ rotation(*moved[3:]).T
-            if lines is not None:
-                lines.points = _shapes(scene, moved)
-            if heights is not None:
-                sea.points = np.column_stack([*sea.points[:, :2].T, heights(t)])
-            label.set_text("upper_left", f"{t:.1f} s")
-            plotter.render()
-            yield plotter.screenshot(return_img=True)
-    finally:
-        plotter.close()

@@ -61,7 +61,7 @@ def single_point(study_path, database, output, picture):
         written.append(_beside(study_path, output, "run"))
         running.draw(study, made_run, written[-1])
     if output is not None:
-        write_result(output, text, found, made_run, cycle)
+        write_result(output, text, found, made_run, cycle, sizes_of(study, made.point))
         written.append(output)
     maps = _maps(study, raw, folder, db, (study_path, output), console)
     written += maps
@@ -100,7 +100,18 @@ def _beside(study_path, output, word):
     return path
 
 
-def write_result(path, text, found, run=None, cycle=None):
+def sizes_of(study, point):
+    """What a film of a run needs: m, of the hull, its middle and the ends of hawsers from the centre of mass"""
+    h, ends = study.hull, point.ends
+    freeboard = 0.5 * h.draft if h.freeboard is None else h.freeboard
+    middle = ends.mean(axis=0) - [study.attachment.x, study.attachment.y]
+    return {
+        "hull": [h.length, h.beam, h.draft, freeboard], "hull_middle": middle, "hawser_ends": ends,
+        "water_depth": study.water.depth, "density": point.system.density,
+    }  # fmt: skip
+
+
+def write_result(path, text, found, run=None, cycle=None, sizes=None):
     """Write the equilibria whole into a file (HDF5), one row each, a Run and a LimitCycle; units as attributes."""
     import h5py
 
@@ -124,6 +135,8 @@ def write_result(path, text, found, run=None, cycle=None):
             file.create_dataset(name, data=np.asarray(values, float)).attrs["units"] = unit
         for name, (unit, values) in ({} if run is None else running.datasets(run)).items():
             file.create_dataset(f"run/{name}", data=np.asarray(values, float)).attrs["units"] = unit
+        if run is not None:
+            file["run"].attrs.update(sizes or {})
         for name, unit in ({} if cycle is None else CYCLE).items():
             file.create_dataset(f"limit_cycle/{name}", data=getattr(cycle, name)).attrs["units"] = unit
         file.create_dataset("stable", data=np.array([one.slewing.stable for one in found]))

@@ -8,6 +8,7 @@ import h5py
 import numpy as np
 import pytest
 
+import bem.database
 import mooring.motion.simulation as engine
 import pipelines
 from bem.database.integrity import DatabaseError
@@ -65,7 +66,12 @@ def folder(tmp_path, monkeypatch):
     def prepared(task):
         return body, plan_of(study, WIDE, None, task.duration), study, ()
 
-    monkeypatch.setattr("bem.database.open_database", lambda path: db)
+    real = bem.database.open_database  # modules first imported here keep the stand-in: it serves other files too
+
+    def opened_or(path):
+        return db if Path(path).read_bytes() == b"a database" else real(path)
+
+    monkeypatch.setattr("bem.database.open_database", opened_or)
     monkeypatch.setattr(engine, "simulate", oscillator)
     for module in (work, runs):
         monkeypatch.setattr(module, "prepared", prepared)

@@ -75,6 +75,10 @@ def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
     assert "120 s in time" in said and "watch circle" in said and (tmp_path / "a_run.png").is_file()
     with h5py.File(tmp_path / "a.h5") as file:
         assert file["run/line_tension"].shape == (121, 6) and np.ptp(file["run/wind_speed"][()]) > 1
+    words = ["animate", "a.h5", "--output", "film.gif", "--step", "60"]
+    assert cli.main(words) == 0 and "film.gif: 3 frames" in capsys.readouterr().out
+    assert (tmp_path / "film.gif").stat().st_size > 10_000
+    assert cli.main([*words, "--seed", "1"]) == 2 and "--seed belongs to" in capsys.readouterr().err
     assert run(tmp_path, text + 'scheme = "two_scale"\n', monkeypatch=monkeypatch) == 2
     assert "allowed: with [waves] and --database" in capsys.readouterr().err
 

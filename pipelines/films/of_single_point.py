@@ -1,0 +1,79 @@
+"""A run of a body at a single point as a film: the hull as it slews, hawsers, and the buoy on its lines.
+
+Lines hang in their static shape under the buoy; the surface is drawn still, since waves are not in the file.
+"""
+
+from __future__ import annotations
+
+import tomllib
+
+import h5py
+import numpy as np
+
+from mooring.lines.system.bodies import rotation
+
+from ..single_point.study import system_of
+from ..single_point.tables import make_study
+from .gif import check_film, write_film
+from .of_run import check_times
+from .stage import POINTS, Stage, frames
+
+FRAMES = 150  # of a film whose step is not asked for
+
+
+def film_of_single_point(path, output, start=None, length=None, step=None):
+    """Write the film, by default of the whole run in FRAMES frames; returns their number.  Raises ValueError."""
+    check_film(output, (path,))
+    with h5py.File(path) as file:
+        if "run" not in file:
+            raise ValueError(f"{path} has no run; give its study [slewing]")
+        if "hull" not in file["run"].attrs:
+            raise ValueError(f"{path} does not know its hull; run hakobune single-point again")
+        run = file["run"]
+        time = run["time"][()]
+        length = float(time[-1] - time[0]) if length is None else length
+        step = length / FRAMES if step is None else step
+        check_times(time, start, length, step)
+        start = float(time[0]) if start is None else start
+        at = np.arange(start, min(start + length, time[-1]) + 1e-9, step)
+        place, heading, wave, buoy = (_at(run[name], time, at) for name in ("place", "heading", "wave_motion", "buoy"))
+        given = dict(run.attrs)
+        study = make_study(tomllib.loads(file.attrs["study"]))
+    motion = wave.copy()
+    motion[:, :2] += place
+    motion[:, 5] += heading
+    buoys = np.column_stack([buoy, np.full(len(at), study.buoy.z)])
+    system, _ = system_of(study, float(given["water_depth"]), float(given["density"]))
+    stage = _stage(given, _lines(system, buoys[0]))
+    ends = np.column_stack([given["hawser_ends"], np.full(len(given["hawser_ends"]), study.attachment.z)])
+
+    def threads(i):
+        made_fast = motion[i, :3] + ends @ rotation(*motion[i, 3:]).T
+        hawsers = [buoys[i] + (end - buoys[i]) * np.linspace(0, 1, POINTS)[:, None] for end in made_fast]
+        return np.concatenate([*_lines(system, buoys[i]), *hawsers])
+
+    write_film(output, frames(stage, at, motion, threads, buoys=buoys), len(at))
+    return len(at)
+
+
+def _at(data, time, at):
+    """(n, …) of a record (t, …) at times (n,)"""
+    values = data[()]
+    flat = values.reshape(len(time), -1)
+    return np.column_stack([np.interp(at, time, column) for column in flat.T]).reshape(len(at), *values.shape[1:])
+
+
+def _stage(given, lines):
+    length, beam, draft, freeboard = given["hull"]
+    x, y = given["hull_middle"]
+    box = (x - length / 2, x + length / 2, y - beam / 2, y + beam / 2, -draft, freeboard)
+    places = np.concatenate([*lines, [[-1.5 * length] * 3, [1.5 * length] * 3]])[:, :2]
+    return Stage(box, np.zeros(3), float(np.ptp(places, axis=0).max()), float(given["water_depth"]))
+
+
+def _lines(system, buoy):
+    from mooring.lines.system.equilibrium import held_at, rest
+    from mooring.lines.system.shapes import line_shapes
+
+    pose = (*map(float, buoy), 0.0, 0.0, 0.0)
+    return line_shapes(rest(held_at(system, {"buoy": pose})), POINTS)

@@ -1,0 +1,93 @@
+"""What a film of a moored body shows: hull, lines, fenders, a buoy, the bed and the surface, frame by frame."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from mooring.lines.system.bodies import rotation
+
+from .gif import BED, HULL, SEA, new_plotter
+
+GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
+POINTS = 40  # of a line
+FENDER, BUOY = "#c07020", "#d0a000"
+OF_SPAN = 0.01  # radius of a buoy, so that it is seen
+
+
+class Stage(NamedTuple):
+    """box : m, six sides of the hull at rest; center : (3,) m that it turns about; span : m, of anchors and hull
+
+    depth : m; fenders : of a `mooring.motion.contacts` berth
+    """
+
+    box: tuple
+    center: np.ndarray
+    span: float
+    depth: float
+    fenders: tuple = ()
+
+
+def frames(stage, at, motion, threads=None, heights=None, buoys=None):
+    """Pictures, (height, width, 3) each, at times (n,) s of motions (n, 6) of the hull.
+
+    threads : function of the frame's number that gives (lines × POINTS, 3) m; heights : function of x, y (g,) m that
+    gives one of t (s) → (g,) m; buoys : (n, 3) m
+    """
+    import pyvista
+
+    plotter = new_plotter()
+    hull = pyvista.Box(stage.box).triangulate()
+    still = hull.points - stage.center
+    lines = None if threads is None else _polylines(threads(0))
+    side = np.linspace(-0.5, 0.5, GRID) * WIDTH * stage.span
+    x, y = (grid.ravel() for grid in np.meshgrid(side, side, indexing="ij"))
+    sea = pyvista.StructuredGrid(*(grid.reshape(GRID, GRID, 1) for grid in (x, y, np.zeros_like(x))))
+    bed = pyvista.Plane(center=(0, 0, -stage.depth), i_size=WIDTH * stage.span, j_size=WIDTH * stage.span)
+    plotter.add_mesh(bed, color=BED)
+    plotter.add_mesh(sea, color=SEA, opacity=0.45)
+    plotter.add_mesh(hull, color=HULL)
+    if lines is not None:
+        plotter.add_mesh(lines, color="#202020", line_width=2)
+    for one in stage.fenders:
+        plotter.add_mesh(_fender(one), color=FENDER)
+    ball = None if buoys is None else pyvista.Sphere(radius=OF_SPAN * stage.span)
+    if ball is not None:
+        round_, ball.points = ball.points.copy(), ball.points + buoys[0]
+        plotter.add_mesh(ball, color=BUOY)
+    plotter.camera_position = [(0.25 * stage.span, -1.0 * stage.span, 0.4 * stage.span), (0, 0, 0), (0, 0, 1)]
+    rise = None if heights is None else heights(*sea.points[:, :2].T)
+    label = plotter.add_text("", font_size=9, color="black")
+    try:
+        for i, (t, moved) in enumerate(zip(at, motion, strict=True)):
+            hull.points = stage.center + moved[:3] + still @ rotation(*moved[3:]).T
+            if lines is not None:
+                lines.points = threads(i)
+            if ball is not None:
+                ball.points = round_ + buoys[i]
+            if rise is not None:
+                sea.points = np.column_stack([*sea.points[:, :2].T, rise(t)])
+            label.set_text("upper_left", f"{t:.1f} s")
+            plotter.render()
+            yield plotter.screenshot(return_img=True)
+    finally:
+        plotter.close()
+
+
+def _polylines(points):
+    """Lines of POINTS points each"""
+    import pyvista
+
+    count = len(points) // POINTS
+    cells = np.column_stack([np.full(count, POINTS), np.arange(count * POINTS).reshape(count, POINTS)]).ravel()
+    return pyvista.PolyData(points, lines=cells)
+
+
+def _fender(one):
+    """A fender as a cylinder from its face outwards, as long and as wide as it is high"""
+    import pyvista
+
+    height = one.fender.height
+    middle = one.face + 0.5 * height * one.normal
+    return pyvista.Cylinder(center=middle, direction=one.normal, radius=0.5 * height, height=height)
