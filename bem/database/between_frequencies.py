@@ -40,6 +40,7 @@ class Between:
 
     headings : (m,) rad; theta : (t,) rad of the Kochin functions; outline : (p, 2) m, points of the hull in plan
     limits : {"added_mass_zero", "added_mass_infinity": (6, 6)}, those that are stored
+    wall : m, y of a wall along x, or None: waves then meet the hull's image in it, too
     """
 
     omega: np.ndarray
@@ -50,6 +51,7 @@ class Between:
     theta: np.ndarray
     outline: np.ndarray
     limits: dict = field(default_factory=dict)
+    wall: float | None = None
 
     def value(self, omega, name):
         """A quantity (q, …) at omega (q,) rad/s.  Raises BetweenError for what is not known."""
@@ -82,6 +84,13 @@ class Between:
         Diagonal coefficients, and forces over all headings, are their own kind; couplings have √(ii · jj).
         """
         return np.max([self._relative(self.error(omega, name), name) for name in names], axis=0)
+
+    @cached_property
+    def met_by_waves(self):
+        """(p, 2) m, points of the hull in plan, and of its image in the wall"""
+        if self.wall is None:
+            return self.outline
+        return np.concatenate([self.outline, [0.0, 2 * self.wall] + self.outline * [1, -1]])
 
     @cached_property
     def length(self):
@@ -262,7 +271,7 @@ class Between:
         towards = np.stack([np.cos(self.headings), np.sin(self.headings)], axis=1)
         away = np.stack([np.cos(self.theta), np.sin(self.theta)], axis=1)
         if name in FORCES or name == "pressure":
-            return np.max(-self.outline @ towards.T, axis=0)[:, None]
+            return np.max(-self.met_by_waves @ towards.T, axis=0)[:, None]
         if name == "kochin_radiation":
             return np.max(self.outline @ away.T, axis=0)
         if name == "kochin_diffraction":
@@ -294,5 +303,5 @@ def between(db):
     points = db.mesh.whole().points[:, :2]
     quantities = {name: db[name] for name in names}
     return Between(
-        db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits
+        db.omega, quantities, db.water_depth, db.gravity, db.wave_direction, db["theta"], points, limits, db.wall
     )  # fmt: skip

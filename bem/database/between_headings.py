@@ -18,7 +18,8 @@ headings would have the covariance of these waves, for a plan of 2a by 2b about 
 with a fifth of the weight at the ends of the hull; quantities quadratic in the wave (drift) have κ².  Values
 between are those of Gaussian-process regression with κ, as in `interpolant`: the phase of the wave at the ends of the
 hull is in it, and kR = 3.4 is followed over gaps of 30° to 0.6 % in surge, where a spline is 4 % off.  The remaining
-variance is the estimated error.
+variance is the estimated error.  Beside a wall the waves that it reflects are waves that meet the hull's image in it:
+the plan is that of both, and the plane parallel to the wall is none of symmetry.
 """
 
 from __future__ import annotations
@@ -298,7 +299,7 @@ def at_headings(ring, wanted, omega, between, quadratic=False):
 
 def _at_headings(ring, wanted, omega, between, quadratic):
     k = np.atleast_1d(wavenumber(omega, between.depth, between.gravity))
-    low, high = between.outline.min(axis=0), between.outline.max(axis=0)
+    low, high = between.met_by_waves.min(axis=0), between.met_by_waves.max(axis=0)
     half, middle = 0.5 * (high - low), 0.5 * (high + low)
     middle = np.where(np.abs(middle) <= SAME * half.max(), 0.0, middle)
     return AtHeadings(ring, ring.inside(wanted), k, half, middle, quadratic)

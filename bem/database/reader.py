@@ -42,7 +42,7 @@ class Reader:
     """A body of a database, freely floating unless `restrained`.
 
     between : stored quantities over frequency; inertia, stiffness : (6, 6) or None; damping : (6, 6) beside radiation
-    rotation_center : m; symmetry : planes of the hull, "", "x", "y" or "xy"
+    rotation_center : m; symmetry : planes of hull and water, "", "x", "y" or "xy"
     is_round : whether the hull is one of revolution about the vertical through the origin
     own : whether stored motions and drift are those of this body
     viscous : `bem.viscous.Viscous` that damps the motions beside radiation, at its wave amplitude; None for none
@@ -337,7 +337,7 @@ def reader(db):
         _or_none(db.inertia_matrix),
         _or_none(db.hydrostatic_stiffness),
         np.zeros((6, 6)),
-        db.mesh.symmetry,
+        db.symmetry,
         db.is_round,
         viscous=_viscous(db),
         mesh=db.mesh,

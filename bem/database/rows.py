@@ -182,11 +182,20 @@ class Database:
     @cached_property
     def has_viscous_motions(self):
         """Whether stored motions and drift of the free body hold viscous damping, which belongs to one wave height"""
+        return "viscous" in self._scene
+
+    @property
+    def wall(self):
+        """m, y of the vertical wall along x beside the body, or None"""
+        return self._scene.get("wall")
+
+    @cached_property
+    def _scene(self):
         import tomllib
 
-        with contextlib.suppress(tomllib.TOMLDecodeError):  # a scene of another program's words has no such table
-            return "viscous" in tomllib.loads(self.header.scene)
-        return False
+        with contextlib.suppress(tomllib.TOMLDecodeError):  # a scene of another program's words has no tables
+            return tomllib.loads(self.header.scene)
+        return {}
 
     @cached_property
     def reader(self):
@@ -273,8 +282,13 @@ class Database:
 
     @property
     def is_round(self):
-        """Whether the hull is a buoy about the origin, and nothing beside it, as a wall, takes planes of symmetry"""
-        return set(self.dimensions) == {"radius", "draft"} and set(self.mesh.symmetry) == {"x", "y"}
+        """Whether the hull is a buoy about the origin, and no wall is beside it"""
+        return set(self.dimensions) == {"radius", "draft"} and set(self.symmetry) == {"x", "y"}
+
+    @property
+    def symmetry(self):
+        """Planes of symmetry of hull and water, "", "x", "y" or "xy": a wall takes the one that is parallel to it"""
+        return self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
 
     @property
     def mesh(self):

@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bem.database import open_database
+from bem.database import between_headings, open_database
 from bem.database.between_frequencies import BetweenError
+from bem.waves import wavenumber
 from pipelines.cli import main
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
@@ -85,6 +86,39 @@ def test_a_round_hull_of_unequal_inertia_has_forces_from_everywhere(buoys):
     across, ahead = db.at(db.omega, "rao", np.radians([90.0]))[0][:, 0], buoys["turned"]["rao"][:, 0]
     assert np.allclose(across[:, [1, 2, 3]], ahead[:, [0, 2, 4]] * [1, 1, -1], rtol=1e-9)
     assert np.all(np.isfinite(db.at(db.omega, "drift_force", np.radians([33.0]))[0]))
+
+
+@pytest.fixture(scope="module")
+def walled(tmp_path_factory):
+    """A box 40 m from a wall, with headings 15° apart and with others"""
+    folder, few = tmp_path_factory.mktemp("walled"), "0.3,0.45,0.6,0.75,0.9"
+    return [
+        solved(folder, name, few, headings, "--wall", "-65", "--only", "radiation,excitation_force,motions")
+        for name, headings in (("coarse", "-90:90:13"), ("other", "-37,-8,37,52,82"))
+    ]
+
+
+def test_beside_a_wall_a_heading_is_its_image_with_a_phase_and_no_mirror_of_the_hull(walled):
+    """Waves towards −β are those towards β and their reflection, exp(−2ikw sin β) ahead: all forces are, too"""
+    coarse, other = walled
+    assert coarse.symmetry == "x" and not coarse.is_round
+    k, F = wavenumber(other.omega, 20.0), other["excitation_force"]
+    turn = np.exp(2j * k * 65.0 * np.sin(np.radians(37)))[:, None]
+    assert np.abs(F[:, 0] - turn * F[:, 2]).max() < 1e-6 * np.abs(F).max()
+    ahead = open_database(other.path).at(other.omega, "excitation_force", np.radians([143.0]))[0][:, 0]
+    assert np.allclose(np.abs(ahead), np.abs(F[:, 2])) and np.allclose(ahead[:, 1], F[:, 2, 1])
+    with pytest.raises(BetweenError, match="is not between stored headings"):
+        other.at(0.6, "excitation_force", np.radians([-80.0]))
+
+
+@pytest.mark.parametrize("name", ["excitation_force", "rao"])
+def test_errors_between_headings_beside_a_wall_hold(walled, name):
+    coarse, other = walled
+    value, estimated = coarse.at(other.omega, name, other.wave_direction)
+    wrong, scale = np.abs(value - other[name]), np.abs(other[name]).max(axis=(0, 1))
+    nugget = np.sqrt(between_headings.NUGGET) * scale  # below it the regression resolves nothing
+    assert np.all(scale > 0) and np.mean(wrong <= 3 * estimated + nugget) > 0.9
+    assert wrong.max() > nugget.min() and (wrong / scale).max() < 0.02
 
 
 @pytest.mark.parametrize("name", ["excitation_force", "rao", "drift_force_fixed", "drift_force"])
