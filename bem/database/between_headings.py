@@ -19,7 +19,8 @@ with a fifth of the weight at the ends of the hull; quantities quadratic in the 
 between are those of Gaussian-process regression with κ, as in `interpolant`: the phase of the wave at the ends of the
 hull is in it, and kR = 3.4 is followed over gaps of 30° to 0.6 % in surge, where a spline is 4 % off.  The remaining
 variance is the estimated error.  Beside a wall the waves that it reflects are waves that meet the hull's image in it:
-the plan is that of both, and the plane parallel to the wall is none of symmetry.
+the plan is that of both, and the plane parallel to the wall is none of symmetry.  With the wall at y = w, waves towards
+−β are those towards β and their reflection, but for a phase:  F(−β) = exp(−2ikw sin β) F(β), drift the same.
 """
 
 from __future__ import annotations
@@ -43,6 +44,7 @@ LONGEST = 2.0  # ka of the longest wave κ is taken for: of longer ones it would
 MIRRORS = {
     "y": (lambda beta: -beta, np.array([1, -1, 1, -1, 1, -1]), np.array([1, -1, -1])),
     "x": (lambda beta: np.pi - beta, np.array([-1, 1, 1, 1, -1, -1]), np.array([-1, 1, -1])),
+    "wall": (lambda beta: -beta, np.ones(6), np.ones(3)),  # and a phase
 }
 
 
@@ -53,6 +55,7 @@ class Ring:
     source : (M,) number of the stored heading; force, drift : (M, 6), (M, 3) signs; theta : (M, t) numbers of the
     angles at which the stored Kochin function is that of the image; images : {plane: (t,) numbers of the images of θ}
     angles : (t,) rad, of Kochin functions; is_round : whether all follows at any heading by a turn of the body
+    wall : m, its y, or None
     from_others : whether values at any heading follow from those of other rings, so that no gap is too wide
     """
 
@@ -65,6 +68,7 @@ class Ring:
     angles: np.ndarray
     is_round: bool = False
     from_others: bool = False
+    wall: float | None = None
 
     def of_forces(self, values):
         """(…, M, 6) from (…, m, 6) at the stored headings"""
@@ -84,6 +88,13 @@ class Ring:
         near = apart.argmin(axis=0)
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
+    def reflected(self, wanted):
+        """(p,) whether headings follow from −β beside a wall: not stored, and on the side where fewer are"""
+        if self.wall is None:
+            return np.zeros(len(wanted), bool)
+        side = 1 if np.sum(np.sin(self.headings)) >= -SAME else -1
+        return (side * np.sin(wanted) < -SAME) & (self.stored(wanted) < 0)
+
     def gap(self, beta):
         """rad between the neighbours of a heading, 0 about a round body"""
         if self.is_round or self.from_others:
@@ -96,7 +107,7 @@ class Ring:
         wanted = np.atleast_1d(np.asarray(wanted, float))
         if not np.all(np.isfinite(wanted)):
             raise BetweenError(f"wave direction is {wanted[~np.isfinite(wanted)][0]}; allowed: finite, rad")
-        for beta in wanted[self.stored(wanted) < 0]:
+        for beta in np.where(self.reflected(wanted), -wanted, wanted)[self.stored(wanted) < 0]:
             if self.gap(beta) > WIDEST_GAP * (1 + SAME):
                 stored = ", ".join(f"{np.rad2deg(b):.4g}" for b in self.headings)
                 raise BetweenError(
@@ -138,6 +149,9 @@ class AtHeadings:
                 values[:, mirrored] = values[:, mirrored][..., image]
             else:
                 values[:, mirrored] *= MIRRORS[plane][1 if kind == "force" else 2]
+        if self.ring.wall is not None and kind == "force":
+            ahead = np.where(self._folds["wall"], 2 * self.ring.wall * np.sin(self.wanted), 0.0)
+            values = values * np.exp(1j * np.multiply.outer(self.k, ahead))[..., None]
         return values
 
     def deviation(self, values, independent):
@@ -163,7 +177,8 @@ class AtHeadings:
     def _folds(self):
         """{plane: (p,) whether a heading is taken from its image there}: images agree to the last digit"""
         c, s = np.cos(self.wanted), np.sin(self.wanted)
-        return {plane: (s if plane == "y" else c) < -SAME for plane in self.ring.images}
+        folds = {plane: (s if plane == "y" else c) < -SAME for plane in self.ring.images}
+        return folds if self.ring.wall is None else {**folds, "wall": self.ring.reflected(self.wanted)}
 
     @property
     def folded(self):
@@ -241,12 +256,12 @@ class AtHeadings:
         return away[0][:, :, None] * away[1].conj()[:, None] * real
 
 
-def ring(headings, theta, symmetry, is_round=False, from_others=False):
+def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None):
     """`Ring` of stored headings (m,) rad and angles theta (t,) of Kochin functions.
 
     symmetry : planes, from `whole_mirrors`; theta : equally spaced from 0, t a multiple of 4 where there are any
     is_round : whether a turn about the vertical leaves the body as it is, so that no mirrors are needed
-    from_others : see `Ring`
+    from_others, wall : see `Ring`
     """
     symmetry = "" if is_round else symmetry
     found, source = np.asarray(headings, float), np.arange(len(headings))
@@ -262,17 +277,8 @@ def ring(headings, theta, symmetry, is_round=False, from_others=False):
     found = np.where(2 * np.pi - found < SAME, 0.0, found)
     order = np.argsort(np.round(found / SAME), kind="stable")  # a stored heading goes before its image
     kept = order[np.concatenate([[True], np.diff(found[order]) > 2 * SAME])]
-    return Ring(
-        found[kept],
-        source[kept],
-        force[kept],
-        drift[kept],
-        angles[kept],
-        images,
-        np.asarray(theta),
-        is_round,
-        from_others,
-    )
+    held = found[kept], source[kept], force[kept], drift[kept], angles[kept]
+    return Ring(*held, images, np.asarray(theta), is_round, from_others, wall)
 
 
 def at_headings(ring, wanted, omega, between, quadratic=False):

@@ -300,7 +300,7 @@ class Reader:
         mirrors = whole_mirrors(self.symmetry, matrices, self.rotation_center)
         is_round = self.is_round and is_turned(matrices, self.rotation_center)
         from_others = self.is_round and self.rebuilds_drift  # motions and drift follow from forces and far field
-        return ring(self.headings, self.between.theta, mirrors, is_round, from_others)
+        return ring(self.headings, self.between.theta, mirrors, is_round, from_others, self.between.wall)
 
     def _nearest(self, omega):
         omega, (low, high) = np.atleast_1d(np.asarray(omega, float)), self.between.span

@@ -107,8 +107,11 @@ def test_beside_a_wall_a_heading_is_its_image_with_a_phase_and_no_mirror_of_the_
     assert np.abs(F[:, 0] - turn * F[:, 2]).max() < 1e-6 * np.abs(F).max()
     ahead = open_database(other.path).at(other.omega, "excitation_force", np.radians([143.0]))[0][:, 0]
     assert np.allclose(np.abs(ahead), np.abs(F[:, 2])) and np.allclose(ahead[:, 1], F[:, 2, 1])
-    with pytest.raises(BetweenError, match="is not between stored headings"):
-        other.at(0.6, "excitation_force", np.radians([-80.0]))
+    for name in ("excitation_force", "rao"):
+        towards, away = (other.at(other.omega, name, np.radians([beta]))[0][:, 0] for beta in (82.0, -82.0))
+        turn = np.exp(2j * k * 65.0 * np.sin(np.radians(82)))[:, None]
+        assert np.allclose(away, turn * towards, atol=1e-9 * np.abs(towards).max())
+    assert np.array_equal(other.at(other.omega, "rao", other.wave_direction)[0], other["rao"])
 
 
 @pytest.mark.parametrize("name", ["excitation_force", "rao"])
