@@ -271,7 +271,7 @@ class Between:
         towards = np.stack([np.cos(self.headings), np.sin(self.headings)], axis=1)
         away = np.stack([np.cos(self.theta), np.sin(self.theta)], axis=1)
         if name in FORCES or name == "pressure":
-            return np.max(-self.met_by_waves @ towards.T, axis=0)[:, None]
+            return np.max(-self.outline @ towards.T, axis=0)[:, None]
         if name == "kochin_radiation":
             return np.max(self.outline @ away.T, axis=0)
         if name == "kochin_diffraction":

@@ -96,9 +96,10 @@ class Ring:
         return (side * np.sin(wanted) < -SAME) & (self.stored(wanted) < 0)
 
     def gap(self, beta):
-        """rad between the neighbours of a heading, 0 about a round body"""
+        """rad between the neighbours of a heading, or of what a wall reflects it into; 0 about a round body"""
         if self.is_round or self.from_others:
             return 0.0
+        beta = -beta if self.reflected(np.atleast_1d(beta))[0] else beta
         offset = np.mod(self.headings - beta, 2 * np.pi)
         return float(offset.min() + (2 * np.pi - offset).min())
 
@@ -107,7 +108,7 @@ class Ring:
         wanted = np.atleast_1d(np.asarray(wanted, float))
         if not np.all(np.isfinite(wanted)):
             raise BetweenError(f"wave direction is {wanted[~np.isfinite(wanted)][0]}; allowed: finite, rad")
-        for beta in np.where(self.reflected(wanted), -wanted, wanted)[self.stored(wanted) < 0]:
+        for beta in wanted[self.stored(wanted) < 0]:
             if self.gap(beta) > WIDEST_GAP * (1 + SAME):
                 stored = ", ".join(f"{np.rad2deg(b):.4g}" for b in self.headings)
                 raise BetweenError(
@@ -287,14 +288,8 @@ def at_headings(ring, wanted, omega, between, quadratic=False):
     The last `KEPT` are kept with their weights, which forces, Kochin functions, drift and errors share.
     """
     omega = np.asarray(omega, float)
-    key = (
-        ring.is_round,
-        ring.headings.tobytes(),
-        ring.force.tobytes(),
-        np.asarray(wanted).tobytes(),
-        omega.tobytes(),
-        quadratic,
-    )
+    of_ring = ring.headings.tobytes(), ring.force.tobytes(), ring.is_round
+    key = (*of_ring, np.asarray(wanted).tobytes(), omega.tobytes(), quadratic)
     kept = between.over_headings
     if key not in kept:
         while len(kept) >= KEPT:

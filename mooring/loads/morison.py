@@ -10,6 +10,7 @@ velocity, since |w| w of a sum is not a sum.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -62,10 +63,15 @@ def member_force(section, start, end, flow, density=1025.0, points=8):
     length = np.linalg.norm(end - start)
     if not 0 < length < np.inf:
         raise ValueError(f"member from {start} to {end} is {length:g} m long; allowed: above 0")
-    x, weight = np.polynomial.legendre.leggauss(points)
+    x, weight = _gauss(points)
     places = start + 0.5 * (1 + x)[:, None] * (end - start)
     force = 0.5 * length * weight[:, None] * force_per_metre(section, end - start, *flow(places), density=density)
     return np.concatenate([force.sum(axis=0), np.cross(places, force).sum(axis=0)])
+
+
+@cache
+def _gauss(points):
+    return np.polynomial.legendre.leggauss(points)
 
 
 def _normal(axis):

@@ -4,8 +4,9 @@
     f_x = a_x − gX₅,    f_y = a_y + gX₄,    u = h + tide + p_z − sinkage + d_z
 
 ζ is the incident wave and, where the database has Kochin functions, what the body scatters and makes by its motion
-(`bem.wave_field.around`), all but what decays within a depth or a wave length of the hull.  A point over the hull has
-the water at the nearest point of the waterline.
+(`bem.wave_field.around`), all but what decays within a depth or a wave length of the hull; beside a wall, where no
+Kochin functions are, the incident wave and its reflection, exp(2ikw sinβ) times the wave towards −β, wall at y = w.  A
+point over the hull, the convex hull of its waterline in plan, has the water at the nearest point of that.
 
 All per unit wave amplitude, in axes that do not turn with the body; a has no part of gravity.  f is what cargo and an
 accelerometer feel along the deck, with the part of gravity that roll and pitch turn into it.  u is the water under a
@@ -128,6 +129,7 @@ def elevations(body, omega, heading, motion, places):
     """ζ (q, p, n) per unit amplitude at the origin of the water at places (n, 2) m, and `Transfer.missed`.
 
     omega : (q,) rad/s; heading : (p,) rad; motion : (q, p, 6) of the body, a `bem.database.reader.Reader`
+    raises : BetweenError outside the database
     """
     from bem.wave_field.around import at_waterline, beside_incident
 
@@ -135,12 +137,20 @@ def elevations(body, omega, heading, motion, places):
     if body.mesh is not None:
         places = at_waterline(body.mesh, places)
     k = wavenumber(np.asarray(omega, float), body.depth, body.gravity)
-    along = np.cos(heading)[:, None] * places[:, 0] + np.sin(heading)[:, None] * places[:, 1]
-    incident = np.exp(1j * k[:, None, None] * along)
+    incident = _plane_waves(k, heading, places)
+    if body.between.wall is not None:
+        ahead = np.exp(2j * body.between.wall * np.outer(k, np.sin(heading)))
+        incident += ahead[..., None] * _plane_waves(k, -np.asarray(heading), places)
     if body.mesh is None or not body.rebuilds_drift or not len(places):
         return incident, None
     added, missed = beside_incident(body, omega, heading, motion, places)
     return incident + added, missed
+
+
+def _plane_waves(k, heading, places):
+    """exp(ik(x cosβ + y sinβ)) (q, p, n)"""
+    towards = np.stack([np.cos(heading), np.sin(heading)], axis=1)
+    return np.exp(1j * k[:, None, None] * (towards @ places.T))
 
 
 def _column(omega, values):

@@ -14,9 +14,9 @@ def animate(
     *,
     output: Annotated[Path, Parameter(help="film, .gif")],
     seed: Annotated[int | None, Parameter(help="whose record is stored; the first if not given")] = None,
-    start: Annotated[float | None, Parameter(help="s after the ramp; around the largest tension if not given")] = None,
-    length: Annotated[float | None, Parameter(help="s of the run; 60 if not given")] = None,
-    step: Annotated[float | None, Parameter(help="s between frames, of which ten are shown a second; 1")] = None,
+    start: Annotated[float | None, Parameter(help="s after the ramp; if not given around the largest tension")] = None,
+    length: Annotated[float | None, Parameter(help="s of the run; 60, or all at a single point")] = None,
+    step: Annotated[float | None, Parameter(help="s between frames, ten a second; 1, or 150 frames of all")] = None,
     period: Annotated[float | None, Parameter(help="s, of the waves around the body of a database")] = None,
     omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
     heading: Annotated[

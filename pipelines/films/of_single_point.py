@@ -1,6 +1,7 @@
 """A run of a body at a single point as a film: the hull as it slews, hawsers, and the buoy on its lines.
 
-Lines hang in their static shape under the buoy; the surface is drawn still, since waves are not in the file.
+Lines hang in their static shape under the buoy, which is drawn at its height of the study; the surface is still, since
+neither that height in time nor the waves are in the file.
 """
 
 from __future__ import annotations

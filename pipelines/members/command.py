@@ -8,13 +8,14 @@ import numpy as np
 
 from mooring.loads.morison import member_force
 
+from ..common.bounds import told
 from ..common.picture import PLOTS, check_picture, save
 from .study import placed, read_study, wave_of, wind_on
 
 PHASES = 360  # of a wave
-HALVINGS = 50  # of a member, to where the surface cuts it
 SLENDER = 0.2  # D/λ, above which a member scatters the wave
 KILO = 1e3
+A_MEMBER = 0.1  # s, over a wave
 
 
 class Course(NamedTuple):
@@ -31,11 +32,12 @@ def members(path, plot):
         check_picture(plot, PLOTS)
     study = read_study(path)
     wave, wind = wave_of(study), wind_on(study)
-    phases = np.linspace(0.0, 2 * np.pi, PHASES, endpoint=False)
+    phases = np.linspace(0.0, 2 * np.pi, PHASES if wave.amplitude else 1, endpoint=False)
     standing = placed(study)
+    told(f"{len(standing)} members take", A_MEMBER * len(standing))
     courses = [course(one, wave, phases, study.water.density) for one in standing]
     _show(courses, wind, phases, wave)
-    for line in remarks(standing, wave):
+    for line in remarks(standing, courses, wave):
         print(line)
     if plot is not None:
         _draw(courses, phases, plot)
@@ -56,10 +58,12 @@ def course(member, wave, phases, density):
 
 
 def wet_part(start, end, wave, phase):
-    """Two ends (3,) m of the part of a straight member below the surface, None where it is dry
+    """Two ends (3,) m of the part of a straight member below the surface, None where it is dry.
 
     A member is cut once: one that is longer than half a wave and lies in the surface is not followed.
     """
+
+    from scipy.optimize import brentq
 
     def over(share):
         place = (start + share * (end - start))[None]
@@ -70,17 +74,16 @@ def wet_part(start, end, wave, phase):
         return None
     if not any(dry):
         return start, end
-    low, high = 0.0, 1.0
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if (over(middle) > 0) == dry[0] else (low, middle)
-    cut = start + low * (end - start)
+    cut = start + brentq(over, 0.0, 1.0) * (end - start)
     return (cut, end) if dry[0] else (start, cut)
 
 
-def remarks(standing, wave):
-    """One line each on members that Morison's formula is not made for, and on the theory of the wave"""
+def remarks(standing, courses, wave):
+    """One line each on members that are never wet or too wide for Morison's formula, and on the theory of the wave"""
     length = 2 * np.pi / wave.k
+    dry = [one.name for one in courses if not one.force.any()]
+    if dry:
+        yield f"warning: {', '.join(dry)}: no force, or never in the water; z goes up from still water"
     wide = [one.name for one in standing if wave.amplitude > 0 and one.section.width > SLENDER * length]
     if wide:
         yield (
@@ -88,8 +91,9 @@ def remarks(standing, wave):
             "solve it by hakobune box or buoy"
         )
     if wave.amplitude > 0:
+        alone = "" if wave.current is None else ", as without the current"
         yield (
-            f"wave of {2 * wave.amplitude:g} m, {length:.4g} m long, by linear theory up to the surface (Wheeler); "
+            f"wave of {2 * wave.amplitude:g} m, {length:.4g} m long{alone}; linear theory up to the surface (Wheeler); "
             "phase 0 with the crest at the origin; moments about the foot of each member, of all and of the wind about "
             "the bed under the origin"
         )
@@ -106,7 +110,7 @@ def _show(courses, wind, phases, wave):
         table.add_column(name, justify="right", no_wrap=True)
     for one in courses:
         table.add_row(one.name, *_largest(one.force, phases))
-    bed = np.array([0.0, 0.0, -wave.depth if np.isfinite(wave.depth) else 0.0])
+    bed = np.array([0.0, 0.0, -wave.depth])
     in_water = sum((_moved(one.force, one.foot, bed) for one in courses), np.zeros((len(phases), 6)))
     in_wind = [(name, _moved(force[None], np.zeros(3), bed)) for name, force in wind]
     if courses:

@@ -228,7 +228,7 @@ def _often(term, level):
 def _whose_waves(result):
     """Which waves are in the elevation at points of a SeaState or Climate"""
     if result.missed is None:
-        return "waves scattered and made by the body not included: solve again with --only kochin"
+        return "waves scattered and made by the body not included, for want of Kochin functions in the database"
     return "with the waves that the body scatters and makes, but those that decay within a depth or wave length of it"
 
 

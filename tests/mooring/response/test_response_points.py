@@ -1,5 +1,7 @@
 """What points of the body feel."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from made_up_body import made_up_body
@@ -51,6 +53,18 @@ def test_water_stands_high_before_a_wall_and_low_behind_it(box_database):
     before, behind, on_deck = np.abs(water[0, 0])
     assert missed < 0.05 and before > 1.7 and behind < 0.5
     assert on_deck == pytest.approx(abs(elevations(body, omega, heading, held, [(0.0, -25.0)])[0][0, 0, 0]))
+
+
+def test_beside_a_wall_waves_stand():
+    """At the wall twice the height from any direction, a node a quarter of a wave before it in beam waves"""
+    body, omega, wall = made_up_body(), np.array([0.5, 0.7]), -60.0
+    beside = replace(body, between=replace(body.between, wall=wall))
+    heading = np.radians([-90.0, -40.0])
+    water, missed = elevations(beside, omega, heading, body.motions(omega, heading), [(0.0, wall), (35.0, wall)])
+    assert missed is None and np.allclose(np.abs(water), 2.0)
+    for w, k in zip(omega, wavenumber(omega, 20.0), strict=True):
+        node = elevations(beside, np.array([w]), heading[:1], None, [(3.0, wall + np.pi / 2 / k)])[0]
+        assert np.abs(node).max() < 1e-12
 
 
 def test_table_of_transfer_functions_holds_motions_first_and_names_every_point():

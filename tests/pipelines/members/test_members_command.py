@@ -63,6 +63,17 @@ def test_the_dolphin_of_the_scenes(tmp_path, capsys):
     assert 1.3 / 1.2 < share < (1.3 / 1.2) ** 2  # drag grows with the width, inertia with its square
 
 
+def test_a_member_that_is_never_wet_is_named_and_a_current_alone_has_one_phase(tmp_path, capsys):
+    text = SCENE.read_text().replace("[3.0, 3.0, -12.0]", "[3.0, 3.0, 12.0]")
+    (tmp_path / "dry.toml").write_text(text.replace("[wave]\nheight = 3.0\nperiod = 8.0\ndirection_deg = 0.0", ""))
+    assert main(["members", str(tmp_path / "dry.toml"), "--csv"]) == 0
+    said, remarks = capsys.readouterr()
+    assert "warning: fore port: no force, or never in the water" in remarks and "Wheeler" not in remarks
+    rows = {line.split(",")[0]: line.split(",")[1:] for line in said.splitlines() if line.count(",") > 5}
+    unit = 0.5 * 1025 * 1.0 * 1.3 * 12 / (1 + 2 * 0.143) / 1e3  # ∫(1 + z/h)^2α dz = h/(1 + 2α), of an upright pile
+    assert float(rows["aft port"][0]) == pytest.approx(unit, rel=0.02)  # which leans by 5°
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
