@@ -27,7 +27,7 @@ from mooring.lines.system.composite import of_line
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.graph import System
 from mooring.lines.system.parts import Anchor, CompositeLine, FreePoint, LineType, UniformLine
-from mooring.motion.force_tables import table_pull, tabulate
+from mooring.motion.force_tables import packed, packed_pull, tabulate
 
 LINE = (560.0, 95.0, 595.0, 1000.0, 5e8)
 
@@ -59,10 +59,10 @@ def moving(kept, xs, height, length, weight, flexibility):
 
 
 @kernel()
-def queries(chords, heights, values, xs, z):
+def queries(tables, xs, z):
     total = 0.0
     for x in xs:
-        total += table_pull(chords, heights, values, x, z)[0]
+        total += packed_pull(tables, 0, x, z)[0]
     return total
 
 
@@ -90,9 +90,9 @@ def main():
     rows.append(("composite line, cold, from Python", 50, least(lambda: one.solve(245.0, 80.0), 100)))
     path = np.linspace(243.0, 245.0, 200)
     rows.append(("composite line, of 200 positions", 50, least(lambda: one.solve(path, 80.0), 3) / 200))
-    table = tabulate(of_line(CompositeLine("L", parts, "a", "b"), 0, "a", -80.0), np.inf, 245.0, 80.0, (5.0, 2.0))
+    table = packed([tabulate(of_line(CompositeLine("L", parts, "a", "b"), 0, "a", -80.0), np.inf, 245.0, 80.0, (5, 2))])
     xs = np.random.default_rng(1).uniform(241.0, 249.0, 1000)
-    rows.append(("table query", 0.2, least(lambda: queries(*table[:3], xs, 80.5), 10) / 1000))
+    rows.append(("table query", 0.2, least(lambda: queries(table, xs, 80.5), 10) / 1000))
     eight, ten = eight_lines(), ten_points()
     rows.append(("equilibrium of eight lines", 300, least(lambda: rest(eight), 30)))
     state = rest(ten)
