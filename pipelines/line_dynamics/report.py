@@ -9,6 +9,7 @@ from .figures import LOSSES
 
 STEADY = 0.02  # change of the largest tension between the last two cycles
 DYNAMIC = 0.1  # over the largest quasi-static tension, below which inertia and drag are reported as negligible
+INSIDE = 0.05  # of the largest tension at the ends, by which one between them is told
 BALANCE = 0.01  # of the work that goes in and out: left over by the time steps
 
 
@@ -70,8 +71,8 @@ def _regime(found):
 
 def _steps(result):
     return (
-        f"{result.steps} steps, {result.rejected} repeated; largest tension known to {result.mesh_error:.1%} "
-        "of itself for its elements"
+        f"{result.steps} steps, {result.rejected} repeated; largest tensions known to {result.mesh_error:.1%} "
+        f"of themselves for the elements, {result.step_error:.1%} for the steps"
     )
 
 
@@ -85,9 +86,13 @@ def _number(value, form):
 
 def findings(found, result, breaking):
     """Findings on the figures, one line each."""
-    largest = result.tension_fairlead.max()
-    if max(largest, result.tension_anchor.max()) > breaking:
-        yield f"the largest tension is {largest / KN:.0f} kN, the breaking load {breaking / KN:.0f} kN: the line parts"
+    largest, ends = result.tension_fairlead.max(), max(result.tension_fairlead.max(), result.tension_anchor.max())
+    anywhere = max(ends, result.largest_tension.max())
+    if anywhere > breaking:
+        yield f"the largest tension is {anywhere / KN:.0f} kN, the breaking load {breaking / KN:.0f} kN: the line parts"
+    if anywhere > (1 + INSIDE) * ends:
+        when = result.time[np.argmax(result.largest_tension)]
+        yield f"between its ends the line has {anywhere / KN:.1f} kN at t = {when:.2f} s, more than at either"
     if largest > 1.01 * found.fairlead.largest:
         when = result.time[np.argmax(result.tension_fairlead)]
         yield (

@@ -70,7 +70,8 @@ class Result:
     station_tension : (n, k) N at the asked nodes; least_tension, largest_tension : (n,) N of all elements
     energies : Energies; frame_time (f,) s and frames (f, N + 1, 3) m
     steps, rejected, newton : counts
-    mesh_error : estimated relative error of the largest tension from the elements, nan where it was not asked for
+    mesh_error, step_error : estimated relative errors of the largest tensions, at the fairlead and inside, from the
+    elements and from the steps; nan where not asked for
     end : State to go on from
     """
 
@@ -88,6 +89,7 @@ class Result:
     newton: int
     end: State
     mesh_error: float = np.nan
+    step_error: float = np.nan
 
     def __repr__(self):
         return (
@@ -109,7 +111,7 @@ class Result:
 class Case(NamedTuple):
     """Input of a run, checked; times in s, stations are node numbers; progress : called with the time reached, s.
 
-    stops : rising times that a step has to end at
+    stops : rising times that a step has to end at; coarser : times as long as asked are the steps, in a check of them
     """
 
     line: DynamicLine
@@ -122,6 +124,7 @@ class Case(NamedTuple):
     stations: tuple
     progress: object = None
     stops: tuple = ()
+    coarser: float = 1.0
 
 
 class _Pictures(NamedTuple):
@@ -147,7 +150,8 @@ def control_of(line, state, tolerance, longest):
 
 
 def _control(case, state):
-    return control_of(case.line, state, case.tolerance, min(case.longest_step, case.motion.longest_step))
+    longest = min(case.longest_step, case.motion.longest_step)
+    return control_of(case.line, state, case.coarser**3 * case.tolerance, case.coarser * longest)
 
 
 def stopped(line, time, step, shortest, node):

@@ -15,6 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .estimates import mesh_error, step_error
 from .line import AttachedBody, DynamicLine, DynamicSegment, ElasticBed
 from .run import Case, DynamicLineError, Energies, Result, run_esdirk, run_houbolt
 from .start import start as at_rest
@@ -61,9 +62,9 @@ def simulate(
     tolerance : error of a step in any tension, of the largest tension
     method : "esdirk", or "houbolt", whose step begins at `longest_step` and is halved until tensions agree
     longest_step : s, an upper bound; frames : number of stored shapes, evenly in time; stations : node numbers
-    start : State, the `end` of a run before, which the fairlead goes on from (then the mesh is not checked)
-    check_mesh : run half as many elements too, estimate the error of the largest tension by the square of the
-    element length, and warn above `mesh_tolerance`
+    start : State, the `end` of a run before, which the fairlead goes on from (then the elements are not checked)
+    check_mesh : run half as many elements too, and "esdirk" with steps twice as long; estimate the errors of the
+    largest tensions, at the fairlead and inside, and warn above `mesh_tolerance` (`estimates`)
     progress : called with the time reached (s) after every thousand steps of "esdirk"
     stops : times (s) at which a step of "esdirk" ends, so that the history is exact there
     returns : Result
@@ -77,26 +78,11 @@ def simulate(
     stops = tuple(sorted(set(map(float, stops))))
     case = Case(line, motion, water, duration, tolerance, longest_step, frames, stations, progress, stops)
     result = (run_esdirk if method == "esdirk" else run_houbolt)(case, rest)
-    if start is None and check_mesh:
-        result = replace(result, mesh_error=_mesh_error(case, result, mesh_tolerance))
+    if check_mesh and start is None:
+        result = replace(result, mesh_error=mesh_error(case, result, mesh_tolerance))
+    if check_mesh and method == "esdirk":
+        result = replace(result, step_error=step_error(case, result, rest, mesh_tolerance))
     return result
-
-
-def _mesh_error(case, result, limit):
-    """Estimated share of the largest tension that is due to the elements; warns above `limit`."""
-    counts = [s.elements for s in case.line.segments]
-    other = case.line.with_elements(0.5 if min(counts) >= 4 else 2)
-    state = at_rest(other, case.motion.at(0.0)[0], case.water)
-    peak = run_esdirk(case._replace(line=other, frames=0, stations=()), state).tension_fairlead.max()
-    ratio = (other.elements / case.line.elements) ** 2
-    error = abs(peak / result.tension_fairlead.max() - 1) * ratio / abs(1 - ratio)
-    if not error <= limit:
-        warnings.warn(
-            f"{case.line!r}: the largest tension is {result.tension_fairlead.max():.4g} N, with {other.elements} "
-            f"elements {peak:.4g} N: estimated error {error:.1%}, above mesh_tolerance {limit:.1%}; give more elements",
-            stacklevel=3,
-        )
-    return float(error)
 
 
 def _check(line, motion, duration, tolerance, method, longest_step, frames, stations, start):

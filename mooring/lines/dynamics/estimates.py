@@ -1,0 +1,91 @@
+"""How far the largest tensions of a run are known: the same run with fewer elements, and with longer steps.
+
+Lines that whip strike taut element by element.  Where such strikes add up, errors of the steps do not stay what the
+tolerance allows in one of them: at 1e-3 largest tensions at the fairlead have been 16 % off, inside 8 %.
+Their error falls with the first power of the step there, so that it is about the difference from steps twice as long.
+That of a single largest value may be small by chance; the largest of a tenth of the run, each, leave less to it, and
+of fairlead and inside the worse counts.  `tests/bench/line_peaks.py` counts how often this holds.
+"""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from .run import DynamicLineError, run_esdirk
+from .start import start
+
+COARSER = 2.0  # times as long as the run's are the steps beside it
+PARTS = 10  # of a run, whose largest tensions are compared
+
+
+def mesh_error(case, result, limit):
+    """Estimated share of the largest tension, at the fairlead or inside, that the elements cause; warns above limit.
+
+    It goes with the square of the element length.
+    """
+    counts = [s.elements for s in case.line.segments]
+    other = case.line.with_elements(0.5 if min(counts) >= 4 else 2)
+    state = start(other, case.motion.at(0.0)[0], case.water)
+    found = run_esdirk(_plain(case)._replace(line=other), state)
+    ratio = (other.elements / case.line.elements) ** 2
+    share = ratio / abs(1 - ratio)
+    ours, peaks = _largest(result), _largest(found)
+    error = share * np.abs(peaks / ours - 1)
+    if not np.all(error <= limit):
+        at = int(np.argmax(error))
+        warnings.warn(
+            f"{case.line!r}: the largest tension {_WHERE[at]} is {ours[at]:.4g} N, with {other.elements} elements "
+            f"{peaks[at]:.4g} N: estimated error {error[at]:.1%}, above mesh_tolerance {limit:.1%}; give more elements",
+            stacklevel=3,
+        )
+    return float(error.max())
+
+
+def step_error(case, result, state, limit):
+    """Estimated share of the largest tension, at the fairlead or inside, that the steps cause; warns above limit.
+
+    state : State that the run began from; nan, with a warning, where longer steps cannot be taken
+    """
+    try:
+        found = run_esdirk(_plain(case)._replace(coarser=COARSER), state)
+    except DynamicLineError as error:
+        warnings.warn(f"largest tensions are not known for their steps; with longer ones, {error}", stacklevel=3)
+        return np.nan
+    edges = np.linspace(result.time[0], result.time[-1], PARTS + 1)
+    ours, others = _largest_of_parts(result, edges), _largest_of_parts(found, edges)
+    error = np.abs(ours - others).max(axis=1) / ours.max(axis=1)
+    if not np.all(error <= limit):
+        at = int(np.argmax(error))
+        part = int(np.argmax(np.abs(ours - others)[at]))
+        warnings.warn(
+            f"{case.line!r}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
+            f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {others[at, part]:.4g} N in place of "
+            f"{ours[at, part]:.4g} N: largest tensions are known to {error[at]:.1%} for their steps, above "
+            f"{limit:.1%}; give a smaller tolerance than {case.tolerance:g}",
+            stacklevel=3,
+        )
+    return float(error.max())
+
+
+_WHERE = "at the fairlead", "of all elements"
+
+
+def _plain(case):
+    return case._replace(frames=0, stations=(), stops=())
+
+
+def _largest(result):
+    return np.array([result.tension_fairlead.max(), result.largest_tension.max()])
+
+
+def _largest_of_parts(result, edges):
+    """(2, PARTS) N, at the fairlead and of all elements"""
+    found = np.empty((2, edges.size - 1))
+    for row, values in enumerate((result.tension_fairlead, result.largest_tension)):
+        ends = np.interp(edges, result.time, values)
+        first = np.searchsorted(result.time, edges)
+        for k in range(edges.size - 1):
+            found[row, k] = max(ends[k], ends[k + 1], values[first[k] : first[k + 1]].max(initial=0.0))
+    return found
