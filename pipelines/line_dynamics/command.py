@@ -122,10 +122,11 @@ def check_effort(study, line, course, frames):
 
     Steps are as many as the tolerance asks for, a guess within a factor of three: most in snapping lines.
     """
+    from mooring.lines.dynamics.run import finer
     from mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD
 
     fastest = min(course.motion.longest_step, np.inf if study.wave is None else study.wave.period / PARTS_OF_PERIOD)
-    fastest = min(fastest, course.duration / 100)
+    fastest = min(fastest, course.duration / 100) / finer(line)
     steps = STEPS * (1e-3 / study.tolerance) ** 0.38 * course.duration / fastest
     what = f"{course.duration:g} s of {line.elements} elements"
     way_out = "give a shorter duration (--duration), fewer elements or slower motions"

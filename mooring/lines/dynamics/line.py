@@ -11,6 +11,7 @@ from ..multi_segment.segments import Segment
 from .lumped.system import System
 
 DAMPED = 40  # elements of a segment from which on damping is the line's, and no longer the mesh's
+STUCK, LEAST_SLIP = 0.1, 1e-7  # part of an element's stretch by friction that mobilises it; m, and no less
 SOFT = 1e-2  # damping fades in up to this part of the strain under the line's own weight
 
 
@@ -123,7 +124,9 @@ class ElasticBed:
 
     slope : rad, upwards towards `uphill` (rad, 0 → +x); below : m, depth of the bed under the anchor
     stiffness : Pa/m and damping : Pa s/m, times diameter and length; a line at rest lies on the plane itself
-    friction : Coulomb coefficient; slip : m, displacement that mobilises it (elastic before, sliding after)
+    friction : Coulomb coefficient; slip : m, displacement that mobilises it (elastic before, sliding after), by default
+    a tenth of what friction stretches an element by: an element slides by that much at least where one slides at all,
+    and over a millimetre friction would lose a third to nine tenths of its work in small motions (`line_energy.py`)
     """
 
     slope: float = 0.0
@@ -132,13 +135,14 @@ class ElasticBed:
     stiffness: float = 3e5
     damping: float = 3e4
     friction: float = 0.0
-    slip: float = 1e-3
+    slip: float | None = None
 
     def __post_init__(self):
         if not abs(self.slope) < 1.0:
             raise ValueError(f"bed slope is {self.slope:g} rad; allowed: between −1 and 1")
-        for name in ("stiffness", "slip"):
-            _check(f"bed {name}", getattr(self, name), 0.0, strict=True)
+        _check("bed stiffness", self.stiffness, 0.0, strict=True)
+        if self.slip is not None:
+            _check("bed slip", self.slip, 0.0, strict=True)
         for name in ("below", "damping", "friction"):
             _check(f"bed {name}", getattr(self, name), 0.0)
 
@@ -268,8 +272,14 @@ class DynamicLine:
             bed_normal=bed.normal,
             bed_level=float(bed.normal @ (np.array(self.anchor) - [0.0, 0.0, bed.below])),
             bed_friction=float(bed.friction),
-            bed_slip=float(bed.slip),
+            bed_slip=float(self._slip if bed.slip is None else bed.slip),
         )
+
+    @property
+    def _slip(self):
+        """m, STUCK of the least stretch of an element that friction lets go over its own length"""
+        stretch = [self.bed.friction * s.weight * s.size**2 / s.stiffness for s in self.segments if s.weight > 0]
+        return max(STUCK * min(stretch, default=0.0), LEAST_SLIP)
 
     def _elongation(self):
         """Where each element's material begins and ends in the rows of all, and these"""

@@ -16,6 +16,7 @@ from .surroundings import FairleadMotion
 ROWS = 1000  # of history at a time
 SHORTEST = 1e-8  # of the longest step
 FIRST = 0.02  # of the longest step
+FINER = 2  # times as short are the longest steps where friction acts: its work goes with the cube of a pull
 FREE = 0.01  # of the line's length; a step may move no node wrongly by more than this times the tolerance
 HALVINGS = 10
 
@@ -149,8 +150,13 @@ def control_of(line, state, tolerance, longest):
     return Control(tolerance, max(tension, least), FREE * line.length, longest, SHORTEST * longest)
 
 
+def finer(line):
+    """By how much the longest step is shorter than the motion of a line's fairlead asks for"""
+    return FINER if line.bed is not None and line.bed.friction > 0 else 1
+
+
 def _control(case, state):
-    longest = min(case.longest_step, case.motion.longest_step)
+    longest = min(case.longest_step, case.motion.longest_step / finer(case.line))
     return control_of(case.line, state, case.coarser**3 * case.tolerance, case.coarser * longest)
 
 

@@ -10,7 +10,7 @@ from .lumped import system as lumped
 
 LIGHTEST = 1e-6  # of all weights: least weight of a line in the first guess
 SOFT = 1e4  # times the weight: axial stiffness that Newton's method takes from the first guess
-LOOSE = 1e6  # times the slip that mobilises friction: it then acts as a force, not as a spring
+LOOSE = 1e3  # m, slip that mobilises friction: it then acts as a force, not as a spring
 LEAST_PACKED = 0.5  # of its length; slack elements on the bed start no shorter
 
 
@@ -24,11 +24,11 @@ def start(line, fairlead, water):
     q, slip = _guess(line, fairlead), np.zeros((line.elements + 1, 3))
     q[0], q[-1] = line.anchor, fairlead
     # with its true stiffness friction would keep the nodes where the guess has them
-    loose = line.system._replace(bed_slip=LOOSE * line.system.bed_slip)
+    loose = line.system._replace(bed_slip=LOOSE)
     good = _settled(loose, water, q, slip)
     if good and loose.bed_friction > 0:
         slip = _mobilised(line.system, q)
-        good = _settled(loose, water, q, LOOSE * slip)
+        good = _settled(loose, water, q, LOOSE / line.system.bed_slip * slip)
     if not good:
         raise LineError(
             f"no static shape found for {line!r} with its fairlead at x = {fairlead[0]:.6g}, y = {fairlead[1]:.6g}, "
