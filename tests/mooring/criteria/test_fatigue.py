@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mooring.criteria.fatigue import Curve, curves, dirlik, miner, narrow_band, rainflow_cycles
+from mooring.criteria.fatigue import Curve, Cycles, curves, dirlik, miner, narrow_band, rainflow_cycles
 
 STRAIGHT = Curve("straight", "share", 3.0, 1000.0)
 
@@ -19,6 +19,21 @@ def test_equal_cycles_use_up_life_in_the_cycles_of_the_curve():
     wave = 500.0 + 50.0 * np.tile([1.0, -1.0], 400)
     cycles = rainflow_cycles(wave)
     assert miner(cycles, STRAIGHT, 0.0, 1000.0) == pytest.approx(cycles.count.sum() / (1000.0 * 0.1**-3), rel=1e-12)
+
+
+@pytest.mark.parametrize("curve", curves().values(), ids=lambda curve: curve.name)
+def test_each_curve_is_stood_by_one_per_cent_fewer_cycles_and_not_by_one_per_cent_more(curve):
+    """Equal cycles of a fifth of the breaking load about a tenth of it, N by hand from the row of the table"""
+    diameter, breaking = 84.0, 6.4e6
+    size = 0.2 * breaking
+    area = np.pi / 4 * diameter**2 * (2 if "chain" in curve.name else 1)
+    orq = 2.153 * 9.80665 * diameter**2 * (44 - 0.08 * diameter)
+    over = area if curve.basis == "stress" else orq if curve.chain else breaking
+    stood = curve.constant * 10 ** (0.1 * curve.mean_slope) * (size / over) ** -curve.exponent
+    for share, lasts in ((0.99, True), (1.01, False)):
+        cycles = Cycles(np.array([size]), np.array([0.1 * breaking]), np.array([share * stood]))
+        damage = miner(cycles, curve, diameter, breaking)
+        assert damage == pytest.approx(share, rel=1e-9) and (damage <= 1) is lasts
 
 
 def test_narrow_band_is_the_integral_over_rayleigh_amplitudes():

@@ -4,17 +4,6 @@ import pytest
 
 from mooring.criteria.strength import equipment_number, smallest, worn_breaking_load
 
-TONF = 9806.65
-
-
-def test_the_chain_of_the_single_point_model_is_that_of_the_report():
-    """SR179 (1982), appendix 2: 26.4 t and a safety factor of 4 ask for 36 mm of grade 3.
-
-    It also prints 42 mm of grade 2, whose formula it does not print; by that of class societies 42 mm has 3.80.
-    """
-    assert smallest("grade 3", 26.4 * TONF, 4.0)[0] == "grade 3 36 mm"
-    assert smallest("grade 2", 26.4 * TONF, 3.8)[0] == "grade 2 42 mm"
-
 
 def test_the_smallest_size_carries_and_the_one_below_does_not():
     name, load = smallest("R3 studless", 2.0e6, 1.67)
