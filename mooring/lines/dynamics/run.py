@@ -16,7 +16,7 @@ from .surroundings import FairleadMotion
 ROWS = 1000  # of history at a time
 SHORTEST = 1e-8  # of the longest step
 FIRST = 0.02  # of the longest step
-FINER = 2  # times as short are the longest steps where friction acts: its work goes with the cube of a pull
+FINER = 4  # times as short are the longest steps where friction acts: its work goes with the cube of a pull
 FREE = 0.01  # of the line's length; a step may move no node wrongly by more than this times the tolerance
 HALVINGS = 10
 

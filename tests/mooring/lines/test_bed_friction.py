@@ -33,7 +33,7 @@ def test_a_bar_on_a_bed_that_is_pulled_to_and_fro_slips_as_far_as_friction_lets_
     assert abs(lost / (pull**3 / (12 * EA * f)) - 1) < 0.02
 
 
-@pytest.mark.parametrize(("amplitude", "period"), [(0.5, 7.0), (0.5, 14.0), (1.0, 14.0), (0.5, 45.0)])
+@pytest.mark.parametrize(("amplitude", "period"), [(0.5, 7.0), (1.0, 14.0), (0.7, 20.0), (0.5, 25.0)])
 def test_work_of_friction_is_known_where_a_thousand_times_as_much_goes_into_the_water(amplitude, period):
     line = chain(40, 290.0, 50.0)
     ours, fine = (last_cycle(line, amplitude, period, 4, tolerance=t) for t in (1e-3, 1e-5))
