@@ -253,13 +253,6 @@ def _one(key, value, allowed):
         raise StudyError(f"{key} is {value!r}; allowed: {', '.join(allowed)}")
 
 
-def versions():
-    """{library: version} that results depend on"""
-    from importlib import metadata
-
-    return {name: metadata.version(name) for name in ("hakobune", "numpy", "scipy", "numba", "h5py")}
-
-
 def scene_tables(read):
     """Raw tables of the project's scene"""
     path = read.folder / read.project.project.scene

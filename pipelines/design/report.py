@@ -13,11 +13,11 @@ from meshing.whole_files import write_whole
 from . import report_words as words
 from .checklist import checklist
 from .equipment import equipment
-from .project import versions
 from .report_pictures import body_picture, plans, use_picture
 from .report_tables import WORDS, write_tables
 from .tables import MEAN
 from .verdict import FAILS, OPEN, PASSES
+from .versions import versions
 
 CSS = {PASSES: "passes", FAILS: "fails", OPEN: "open"}
 
@@ -58,7 +58,7 @@ def _context(read, verdict, advice, paths, folder):
         ],
         "return_period": words.return_words(own, verdict),
         "states": [words.state_row(state) for state in read.project.states],
-        **_of_body(read, paths),
+        **_of_body(read, paths, folder),
         "lines": list(words.line_rows(verdict)),
         "criteria": [words.criterion(one, links) for one in verdict.judged],
         "cases": [words.case(one, links) for one in verdict.ran],
@@ -69,8 +69,8 @@ def _context(read, verdict, advice, paths, folder):
         ],
         "part_head": head,
         "parts": parts,
-        "plans": list(plans(read, verdict, paths)),
-        "use_picture": use_picture(verdict),
+        "plans": list(plans(read, verdict, paths, folder)),
+        "use_picture": use_picture(verdict, folder),
         "warnings": list(words.warnings(verdict)),
         "door": door,
         "sources": sources,
@@ -80,7 +80,7 @@ def _context(read, verdict, advice, paths, folder):
     }
 
 
-def _of_body(read, paths):
+def _of_body(read, paths, folder):
     """What the page says of the body and its waves; where no database stands behind it, of the study alone"""
     from bem.database import open_database
 
@@ -91,7 +91,7 @@ def _of_body(read, paths):
         "body": _body_words(db),
         "checks": list(_checks(paths)),
         "equipment": [(society, f"{number:.0f}") for society, number in _equipment(read, db)],
-        "body_picture": body_picture(db),
+        "body_picture": body_picture(paths[MEAN], folder),
     }
 
 

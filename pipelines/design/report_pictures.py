@@ -1,45 +1,61 @@
-"""Pictures of a report as addresses of data: plans of the cases that govern, the body's curves, what is used."""
+"""Pictures of a report as addresses of data: plans of the cases that govern, the body's curves, what is used.
+
+They are kept in `pictures/` beside the report.
+"""
 
 from __future__ import annotations
 
-from ..common.picture import data_address
+import json
+from pathlib import Path
+
+import tomli_w
+
+from .cases import file_name
+from .kinds.stored import key_of, picture, plain
 
 MOST_PLANS = 4
 
 
-def plans(read, verdict, paths):
+def plans(read, verdict, paths, folder):
     """{"name", "data"} of the cases that govern, the worst first"""
     by_name = {one.case.name: one for one in verdict.ran}
     judged = sorted((one for one in verdict.judged if one.governing), key=lambda one: -one.governing.utilisation)
     for name in list(dict.fromkeys(one.governing.case for one in judged))[:MOST_PLANS]:
         one = by_name[name]
         known = one.case.study, paths[one.case.level], one.numbers
-        yield {"name": name, "data": data_address(lambda path, known=known: read.kind.draw(*known, path))}
+        base = None if known[1] is None else Path(known[1])
+        key = key_of(tomli_w.dumps(one.case.study), base, json.dumps(plain(one.numbers)))
+        place = folder / "pictures" / f"{file_name(one.case)}.png"
+        yield {"name": name, "data": picture(place, key, lambda path, known=known: read.kind.draw(*known, path))}
 
 
-def body_picture(db):
+def body_picture(database, folder):
     """Coefficients, forces and responses of a database"""
+    from bem.database import open_database
+
     from ..view.plots import plot
 
-    return data_address(lambda path: plot(db, path))
+    place = folder / "pictures" / "body.png"
+    return picture(place, key_of(Path(database)), lambda path: plot(open_database(database), path))
 
 
-def use_picture(verdict):
+def use_picture(verdict, folder):
     """What is used of each criterion, as bars"""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    from ..common.picture import save
-
     judged = [one for one in verdict.judged if one.governing]
+    shown = [(_short(one.criterion), one.met, one.governing.utilisation) for one in judged]
 
     def draw(path):
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+
+        from ..common.picture import save
+
         figure = Figure(figsize=(9, 0.8 + 0.34 * len(judged)), layout="constrained")
         FigureCanvasAgg(figure)
         axes = figure.add_subplot()
         used = [100 * min(one.governing.utilisation, 3.0) for one in judged]
-        names = [_short(one.criterion) for one in judged]
-        colours = ["#b03030" if one.met is False else "#3f7f4f" for one in judged]
+        names = [name for name, _, _ in shown]
+        colours = ["#b03030" if met is False else "#3f7f4f" for _, met, _ in shown]
         axes.barh(range(len(judged)), used, color=colours)
         axes.axvline(100, color="k", lw=1)
         for i, (one, width) in enumerate(zip(judged, used, strict=True)):
@@ -49,7 +65,7 @@ def use_picture(verdict):
         axes.set(xlabel="utilisation of the criterion, %", xlim=(0, max(115.0, 1.12 * max(used, default=0.0))))
         save(figure, path, 130)
 
-    return data_address(draw)
+    return picture(folder / "pictures" / "utilisation.png", key_of(json.dumps(shown)), draw)
 
 
 def _short(c):

@@ -7,14 +7,17 @@ multiple of where it is at the largest tension of a line, in each run that is ke
 from __future__ import annotations
 
 import tomllib
+from pathlib import Path
 
 import numpy as np
 
 from mooring.criteria.fatigue import Cycles, rainflow_cycles
 
+from .stored import kept, key_of
+
 
 def simulated(study, database, path, factors):
-    """Numbers of a load case in time, run where the file does not have it.
+    """Numbers of a load case in time, run where the file does not have it; kept in NAME_extremes.json beside it.
 
     study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
     factors : of the dynamic displacement
@@ -22,6 +25,29 @@ def simulated(study, database, path, factors):
         anchor with it, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their means, "findings"}
     raises : ValueError, one line, where it cannot be run
     """
+    place, texts = path.with_name(f"{path.stem}_extremes.json"), (study.read_text(encoding="utf-8"), repr(factors))
+    found = kept(
+        place, lambda: key_of(*texts, Path(database), path), lambda: _plain(_simulated(study, database, path, factors))
+    )
+    return {key: READ.get(key, np.array)(value) for key, value in found.items()}
+
+
+def _plain(runs):
+    """Values of JSON of what `simulated` returns"""
+    plain = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in runs.items()}
+    plain["largest"] = [[factor, values.tolist()] for factor, values in runs["largest"].items()]
+    plain["cycles"] = [[time, [part.tolist() for part in cycles]] for time, cycles in runs["cycles"]]
+    return plain | {"findings": list(runs["findings"])}
+
+
+READ = {  # what of JSON is not an array
+    "largest": lambda pairs: {factor: np.array(values) for factor, values in pairs},
+    "cycles": lambda pairs: [(time, Cycles(*map(np.array, parts))) for time, parts in pairs],
+    "findings": tuple,
+}
+
+
+def _simulated(study, database, path, factors):
     from ...simulate.file import opened
     from ...simulate.report import largest_tension, line_values
 

@@ -22,6 +22,7 @@ from ...common.quantities import StudyError
 from ...moor.study import make_study
 from ...site.link import read_study_at_site
 from .numbers import Numbers
+from .stored import numbers_of
 
 NAME, DATABASE, MOVED = "mooring study", "needed", True
 HELD = ("lines", "rope")  # what may be lost
@@ -135,9 +136,11 @@ def run(study, database, path, factors):
     if make_study(study).at_berth:
         from .berth import berth_numbers
 
-        write_study(path, tomli_w.dumps(study))
+        text = tomli_w.dumps(study)
+        write_study(path, text)
         runs = simulated(path.with_suffix(".toml"), database, runs_path, factors)
-        return berth_numbers(study, database, runs_path, runs), runs
+        made = lambda: berth_numbers(study, database, runs_path, runs)  # noqa: E731
+        return numbers_of(runs_path, text, database, made), runs
     stored = _solved(study, database, path)
     if "simulation" not in study:
         return stored, None

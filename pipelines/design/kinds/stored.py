@@ -1,7 +1,12 @@
-"""Numbers of a load case in a file of their own, for doors whose results are not read back."""
+"""What a load case gives, kept beside its results, so that a second run neither follows nor draws it again.
+
+A kept file names what it was made of (texts, databases, results, versions of the libraries) and has a seal of its own:
+of other inputs, or damaged, it is made anew.
+"""
 
 from __future__ import annotations
 
+import base64
 import hashlib
 import json
 from contextlib import suppress
@@ -11,33 +16,73 @@ import numpy as np
 
 from meshing.whole_files import write_whole
 
+from ..versions import versions
 from .numbers import Numbers
 
 ARRAYS = tuple(name for name, kind in Numbers.__annotations__.items() if "ndarray" in str(kind))
+PNG = "data:image/png;base64,"
+
+
+def key_of(*parts):
+    """Digest of texts, and of the bytes of files (Path; None without)"""
+    key = hashlib.sha256(json.dumps(versions()).encode())
+    for part in parts:
+        content = b"" if part is None else part.read_bytes() if isinstance(part, Path) else part.encode()
+        key.update(hashlib.sha256(content).digest())
+    return key.hexdigest()
+
+
+def kept(place, key, made):
+    """Values of JSON: those of the file `place` where it has this key and is undamaged, else what `made()` gives, kept
+
+    key : () → a digest, or OSError where what it is of is not there yet; asked again after `made`
+    """
+    with suppress(OSError, ValueError, KeyError, TypeError):
+        stored = json.loads(place.read_text(encoding="utf-8"))
+        if stored["of"] == key() and stored["seal"] == _seal(stored["values"]):
+            return stored["values"]
+    values = made()
+    write_whole(place, json.dumps({"of": key(), "seal": _seal(values), "values": values}, indent=1))
+    return values
 
 
 def numbers_of(path, text, database, made):
-    """`Numbers` of the study `text`: of NAME_numbers.json beside `path` where it is of this study and database and
-    undamaged, else as `made()` gives them, which are kept there"""
+    """`Numbers` of the study `text`, whose result is the file `path`: kept in NAME_numbers.json, or as `made()`"""
     place = path.with_name(f"{path.stem}_numbers.json")
-    key = hashlib.sha256(text.encode())
-    key.update(b"" if database is None else Path(database).read_bytes())
-    with suppress(OSError, ValueError, KeyError, TypeError):
-        stored = json.loads(place.read_text(encoding="utf-8"))
-        if stored["of"] == key.hexdigest() and stored["seal"] == _seal(stored["numbers"]) and path.is_file():
-            return _read(stored["numbers"])
-    numbers = made()
-    words = {name: _plain(value) for name, value in numbers._asdict().items()}
-    write_whole(place, json.dumps({"of": key.hexdigest(), "seal": _seal(words), "numbers": words}, indent=1))
-    return _read(words)
+    base = None if database is None else Path(database)
+    return _read(kept(place, lambda: key_of(text, base, path), lambda: plain(made())))
 
 
-def _plain(value):
+def plain(numbers):
+    """Values of JSON of `Numbers`"""
+    return {name: _listed(value) for name, value in numbers._asdict().items()}
+
+
+def picture(place, key, draw):
+    """Address of a picture (PNG) as in `place`, drawn where it is not there, of another key, or damaged
+
+    place : .png; key : of `key_of`; draw : writes the picture to a path
+    """
+    place.parent.mkdir(parents=True, exist_ok=True)
+
+    def made():
+        draw(place)
+        return hashlib.sha256(place.read_bytes()).hexdigest()
+
+    note = place.with_suffix(".json")
+    seal, content = kept(note, lambda: key, made), place.read_bytes() if place.is_file() else b""
+    if hashlib.sha256(content).hexdigest() != seal:
+        note.unlink()
+        return picture(place, key, draw)
+    return PNG + base64.b64encode(content).decode()
+
+
+def _listed(value):
     return value.tolist() if isinstance(value, np.ndarray) else value
 
 
-def _seal(words):
-    return hashlib.sha256(json.dumps(words, sort_keys=True).encode()).hexdigest()
+def _seal(values):
+    return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()
 
 
 def _read(words):
