@@ -1,76 +1,126 @@
-"""The smallest change that passes: the next sizes of chain or rope, laid and run again in the cases that govern.
+"""The smallest change that passes, of each way of changing a mooring, found by running the cases that govern.
 
-Only types with a catalogue name are changed, all of them by one size at a time.  A larger size is heavier, so the way
-the lines lie and their stiffness change with it: each size is laid anew, and every criterion is judged again in the
-cases that governed one.
+Each change is laid anew: a heavier line hangs and pulls otherwise.  Of a way the changes are tried by doubling steps,
+then between the last that failed and the first that passed, so that the one below what is advised was run and fails.
 """
 
 from __future__ import annotations
 
-from copy import deepcopy
 from typing import NamedTuple
 
 import msgspec
 
-from mooring.criteria.strength import larger_sizes
 from mooring.criteria.verdict import judge
 
 from .cases import intact_cases, without_line
-from .running import Ran, base_of, factors_of, grouped, judged_case, key_of, repeated
+from .changes import ways
+from .fatigue import fatigue
+from .running import Ran, base_of, factors_of, grouped, judged_case, key_of, repeated, worst_of
 
-MOST = 8  # sizes that are tried
 
+class Tried(NamedTuple):
+    """way : of `changes.ways`; words : the change; utilisation : the largest with it; passes : whether all are met then
 
-class Advice(NamedTuple):
-    """changed : {type: name of the catalogue}; utilisation : the largest with it; passes : whether all are met then"""
+    criterion : that governs then
+    """
 
-    changed: dict
+    way: str
+    words: str
     utilisation: float
     passes: bool
+    criterion: object
 
 
 def advise(read, judged, cases, others, paths, folder, step):
-    """Advice where criteria are not met, None where all are or no type has a catalogue name.
+    """(Tried of each way), the smallest that passes or else the best; () where all is met or nothing may change
 
     judged : of all criteria; cases : {name: LoadCase} of all that ran; others : quantities of the project
-    paths : {level: database}; step : called with the number of the size, how many there may be and its name
+    paths : {level: database}; step : called with the number of changes tried, how many there may be and the change
     """
-    kinds = {name: table["catalogue"] for name, table in read.study.get("types", {}).items() if "catalogue" in table}
-    if not kinds or all(one.met is not False for one in judged):
+    if all(one.met is not False for one in judged):
+        return ()
+    governing = [one for one in judged if one.governing is not None and one.governing.case in cases]
+    keys = {key_of(cases[one.governing.case]) for one in governing}
+    if read.project.fatigue is not None:  # the damage is a sum over all cases that have a share of the time
+        tired = {state.name for state in read.project.states if state.share}
+        keys |= {key_of(case) for case in cases.values() if case.state in tired and not case.lost}
+    criteria, now = [one.criterion for one in governing], max(one.governing.utilisation for one in governing)
+    found, most, tried = [], sum(map(len, ways(read.study).values())), 0
+    for way, changes in ways(read.study).items():
+        done = {}
+
+        def run(i, way=way, changes=changes, done=done):
+            nonlocal tried
+            if i not in done:
+                tried += 1
+                step(tried, most, changes[i].words)
+                place = folder / f"{way.replace(' ', '_')}_{i + 1}"
+                done[i] = _tried(read, way, changes[i], criteria, keys, others, paths, place)
+            return done[i]
+
+        best = _smallest(run, len(changes), now)
+        if best is not None:
+            found.append(best)
+    return tuple(found)
+
+
+def _smallest(run, count, now):
+    """The Tried of the smallest change that passes, else the best, None where none is better than `now`
+
+    run : number of the change → Tried, None where it cannot be laid
+    """
+    failed, i, tried = -1, 0, []
+    while i < count:
+        one = run(i)
+        tried.append(one)
+        if one is not None and one.passes:
+            break
+        if i == 0 and one is not None and one.utilisation >= now:  # the way leads nowhere
+            return None
+        failed, i = i, i + 1 if i == count - 1 else min(2 * i + 1, count - 1)
+    else:
+        better = [one for one in tried if one is not None and one.utilisation < now]
+        return min(better, key=lambda one: one.utilisation, default=None)
+    low, high = failed, i
+    while high - low > 1:
+        middle = (low + high) // 2
+        one = run(middle)
+        low, high = (low, middle) if one is not None and one.passes else (middle, high)
+    return run(high)
+
+
+def _tried(read, way, change, criteria, keys, others, paths, folder):
+    changed = msgspec.structs.replace(read, study=change.study)
+    try:
+        worst = _governing(changed, criteria, keys, others, paths, folder)
+    except ValueError:  # it does not reach, or has no equilibrium: no way out
         return None
-    governing = [key_of(cases[one.governing.case]) for one in judged if one.governing is not None]
-    criteria = [one.criterion for one in judged if one.governing is not None]
-    best = None
-    for number, names in enumerate(zip(*(larger_sizes(kind, MOST) for kind in kinds.values()), strict=False), 1):
-        changed = dict(zip(kinds, names, strict=True))
-        step(number, MOST, ", ".join(names))
-        try:
-            larger = _with_types(read, changed)
-            used = _utilisation(larger, criteria, set(governing), others, paths, folder / str(number))
-        except ValueError:  # it does not reach, or has no equilibrium: no way out
-            continue
-        if best is None or used < best.utilisation:
-            best = Advice(changed, used, used <= 1)
-        if best.passes:
-            return best
-    return best
+    used = worst.governing.utilisation
+    return Tried(way, change.words, used, used <= 1, worst.criterion)
 
 
-def _with_types(read, changed):
-    study = deepcopy(read.study)
-    for name, kind in changed.items():
-        study["types"][name]["catalogue"] = kind
-    return msgspec.structs.replace(read, study=study)
-
-
-def _utilisation(read, criteria, governing, others, paths, folder):
-    """The largest of all criteria in the cases of the keys `governing`"""
+def _governing(read, criteria, keys, others, paths, folder):
+    """The Judged with the largest utilisation, of the cases of `keys`; the line that is lost is the worst of its own"""
     folder.mkdir(parents=True, exist_ok=True)
-    factors, ran = factors_of(read), []
-    for case in intact_cases(read, base_of(read, paths), repeated(read, factors)):
-        for lost in {key[-1] for key in governing if key[:-1] == key_of(case)[:-1]}:
-            one = without_line(read, case, lost) if lost else case
-            path = folder / f"{len(ran)}.h5"
-            ran.append(Ran(one, path, *read.kind.run(one.study, paths[one.level], path, factors)))
-    found = judge(criteria, [judged_case(read, group, others) for group in grouped(ran).values()])
-    return max(one.governing.utilisation for one in found if one.governing is not None)
+    base, factors = base_of(read, paths), factors_of(read)
+    asked, names, ran = {key[:-1] for key in keys}, read.kind.lost(base), []
+
+    def run(case):
+        path = folder / f"{len(ran)}.h5"
+        ran.append(Ran(case, path, *read.kind.run(case.study, paths[case.level], path, factors)))
+
+    for case in intact_cases(read, base, repeated(read, factors)):
+        if key_of(case)[:-1] in asked:
+            run(case)
+    for group in list(grouped(ran).values()):
+        key = key_of(group[1.0].case)
+        if any(other[:-1] == key[:-1] and other[-1] for other in keys):
+            lost = worst_of(group[1.0], names)
+            for one in group.values():
+                run(without_line(read, one.case, lost))
+    worn_out = fatigue(read, ran)
+    found = (
+        *judge(criteria, [judged_case(read, group, others) for group in grouped(ran).values()]),
+        *(() if worn_out is None else (worn_out,)),
+    )
+    return max((one for one in found if one.governing is not None), key=lambda one: one.governing.utilisation)

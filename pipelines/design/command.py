@@ -14,7 +14,7 @@ def design(
     *,
     output: Annotated[Path, Parameter(help="folder of the report, its load cases and databases")],
     executor: Annotated[str, Parameter(help="local or processes:N")] = "local",
-    advice: Annotated[bool, Parameter(help="try larger sizes where a criterion is not met")] = True,
+    advice: Annotated[bool, Parameter(help="try other sizes, pretensions, numbers of lines where it fails")] = True,
 ):
     """A mooring through all load cases of a site, judged by rule sets, as one page.
 
@@ -39,7 +39,7 @@ def design(
 
 
 def made(read, folder, workers, console, advice=True):
-    """Verdict, names of the written files and Advice of a Read project, all in `folder`."""
+    """Verdict, names of the written files and advice (`advise`, None without) of a Read project, all in `folder`."""
     from .advice import advise
     from .report import write_report
     from .running import databases, run_cases
@@ -80,11 +80,11 @@ class _Counting:
 
 def _show(console, verdict, change, written):
     from .report_tables import WORDS
-    from .report_words import advice_words, summary
+    from .report_words import advice_words, percent, summary
 
     for one in verdict.judged:
         c, use = one.criterion, one.governing
-        found = f"{100 * use.utilisation:.0f} %, {use.item}, {use.case}" if use else one.missing
+        found = f"{percent(use.utilisation)}, {use.item}, {use.case}" if use else one.missing
         line = f"{WORDS[one.met]:>10}  {c.rule}: {c.quantity} {c.sense} {c.limit:.4g} {c.unit.strip('-')}: {found}"
         console.print(line, highlight=False, markup=False, soft_wrap=True, style=None if one.met else "red")
     for one in verdict.ran:
@@ -92,7 +92,7 @@ def _show(console, verdict, change, written):
             line = f"{one.case.name} could not be run: {one.fault}"
             console.print(line, highlight=False, markup=False, soft_wrap=True)
     console.print(f"the mooring {verdict.word}{summary(verdict)}", highlight=False, markup=False, soft_wrap=True)
-    if change is not None:
-        console.print(advice_words(change), highlight=False, markup=False, soft_wrap=True)
+    for line in advice_words(change, verdict):
+        console.print(line, highlight=False, markup=False, soft_wrap=True)
     words = ", ".join(map(str, written))
     console.print(f"written: {words}", highlight=False, markup=False, soft_wrap=True)

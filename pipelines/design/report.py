@@ -47,7 +47,7 @@ def _context(read, verdict, advice, paths, folder):
         "word": verdict.word,
         "word_class": CSS[verdict.word],
         "summary": words.summary(verdict),
-        "advice": words.advice_words(advice),
+        "advice": words.advice_words(advice, verdict),
         "levels": [
             {
                 "name": name,

@@ -8,7 +8,7 @@ from mooring.criteria.rules import read_rules
 
 from .kinds.numbers import Numbers
 from .report_tables import CASE_HEAD, WORDS, case_row
-from .verdict import OPEN
+from .verdict import FAILS, OPEN
 
 MARK = {True: "passes", False: "fails", None: "open"}
 
@@ -24,20 +24,36 @@ def summary(verdict):
         return ""
     use, criterion = worst.governing, worst.criterion
     return (
-        f": {100 * use.utilisation:.0f} % of {criterion.name}, {criterion.quantity} {criterion.sense} "
+        f": {percent(use.utilisation)} of {criterion.name}, {criterion.quantity} {criterion.sense} "
         f"{criterion.limit:.4g}, is used by {use.item} in “{use.case}”"
     )
 
 
-def advice_words(advice):
-    """What to change, in a sentence; "" without advice"""
-    if advice is None:
-        return ""
-    names = ", ".join(f"{kind} for {name}" for name, kind in advice.changed.items())
-    used = f"{100 * advice.utilisation:.0f} % of the criterion that governs"
-    if advice.passes:
-        return f"The smallest change of size that passes, run in the cases that govern: {names}; it uses {used}."
-    return f"No larger size of those tried passes; the best is {names}, which uses {used}. Take more lines."
+def percent(used):
+    """A utilisation in words, never "100 %" of what is beyond its limit"""
+    whole = f"{100 * used:.0f} %"
+    return f"{100 * used:.4g} %" if (whole == "100 %" and used > 1) else whole
+
+
+def advice_words(advice, verdict):
+    """What to change, a sentence for each way that was tried; () without advice
+
+    advice : of `advice.advise`, None where it was not asked for
+    """
+    if advice is None or verdict.word != FAILS:
+        return ()
+    if not advice:
+        return ("No other size, pretension or number of lines brings it nearer; change layout or kind of line.",)
+    return tuple(map(_tried_words, sorted(advice, key=lambda one: (not one.passes, one.utilisation))))
+
+
+def _tried_words(one):
+    used = f"{percent(one.utilisation)} of {one.criterion.rule}, {one.criterion.quantity}"
+    if one.passes:
+        return (
+            f"Passes, run in the cases that govern: {one.words}; it uses {used}. A smaller step of this kind does not."
+        )
+    return f"Not enough by itself: {one.words}, the best of its kind, uses {used}."
 
 
 def _worst(verdict):
@@ -131,7 +147,7 @@ def criterion(one, links):
     if use is not None:
         found |= {
             "value": f"{use.value:.4g}",
-            "used": f"{100 * use.utilisation:.0f} %",
+            "used": percent(use.utilisation),
             "case": use.case,
             "item": use.item,
         }
@@ -145,7 +161,7 @@ def rule_set(one):
     unread = f"{one.unread} of them not read in the book" if one.unread else ""
     return {
         "cells": (one.name, one.subject, "judges" if one.chosen else "", f"{one.judged} of {one.known}", limit),
-        "used": f"{100 * use.utilisation:.0f} %",
+        "used": percent(use.utilisation),
         "css": MARK[use.utilisation <= 1],
         "by": f"{use.item}, {use.case}",
         "unread": unread,

@@ -11,6 +11,8 @@ import tomli_w
 from meshing.seals import text_damaged
 from pipelines.common.picture import save
 from pipelines.common.quantities import StudyError
+from pipelines.design.advice import Tried, _smallest
+from pipelines.design.changes import ways
 from pipelines.design.command import made
 from pipelines.design.fatigue import fatigue
 from pipelines.design.kinds import mooring
@@ -197,9 +199,56 @@ def test_the_smallest_size_that_passes_is_found_by_running_it(folder, tmp_path):
     del project["wear"]
     (folder / "thin_project.toml").write_text(tomli_w.dumps(project))
     verdict, _, advice = made(read_project(folder / "thin_project.toml"), tmp_path / "out", Here(), None)
-    assert verdict.word == "fails" and advice is not None
-    size = float(advice.changed["chain"].split()[-2])
-    assert size > 40 and advice.passes == (advice.utilisation <= 1)
+    assert verdict.word == "fails"
+    worst = max(one.governing.utilisation for one in verdict.judged if one.governing)
+    found = {one.way: one for one in advice}
+    assert found["size"].passes and all(one.utilisation < worst for one in advice)
+    size = float(found["size"].words.split()[2])
+    for diameter, word in ((size, "passes"), (size - 2, "fails")):  # the whole project again, and the size below
+        study["types"]["chain"]["catalogue"] = f"grade 2 {diameter:g} mm"
+        (folder / "thin.toml").write_text(tomli_w.dumps(study))
+        again, _, _ = made(read_project(folder / "thin_project.toml"), tmp_path / f"{diameter}", Here(), None, False)
+        used = max(one.governing.utilisation for one in again.judged if one.governing)
+        assert (used <= 1) == (word == "passes")
+        if word == "passes":
+            assert used == pytest.approx(found["size"].utilisation, rel=1e-9)
+
+
+@pytest.mark.parametrize("first", range(12))
+def test_the_smallest_change_is_found_by_doubling_and_the_one_below_is_run(first):
+    """Changes from `first` on pass: that one is found, and the one before it was run; 12 stands for none"""
+    run = {}
+
+    def tried(i):
+        run[i] = Tried("size", str(i), 0.9 if i >= first else 2.0 - 0.05 * i, i >= first, None)
+        return run[i]
+
+    found = _smallest(tried, 11, 2.5)
+    if first < 11:
+        assert found is run[first] and (first == 0 or first - 1 in run) and len(run) <= 7
+    else:
+        assert not found.passes and found.words == "10"
+
+
+def test_a_way_that_leads_nowhere_is_left_and_what_cannot_be_laid_is_passed_over():
+    worse = Tried("size", "", 3.0, False, None)
+    assert _smallest(lambda i: worse, 8, 2.5) is None
+    assert _smallest(lambda i: None, 8, 2.5) is None
+
+
+def test_changes_are_of_pretension_number_ropes_and_sizes():
+    found = ways(STUDY)
+    assert [c.study["spreads"][0]["pretension_tonf"] for c in found["less pretension"]] == [16.0, 13.0, 10.0, 8.0]
+    assert [c.study["spreads"][0]["corner_headings_deg"] for c in found["number"]][:2] == [[35, 55], [35, 45, 55]]
+    assert found["size"][0].words == "R3 studlink 78 mm for chain" and STUDY["types"]["chain"]["catalogue"].endswith(
+        "76 mm"
+    )
+    rope = {"name": "head", "breaking_load_kN": 1000.0, "pretension_kN": 100.0}
+    berth = ways({"rope": [rope]})
+    assert berth["size"][0].study["rope"][0]["breaking_load_kN"] == pytest.approx(1100.0)
+    assert [one["name"] for one in berth["number"][0].study["rope"]] == ["head", "head, second"]
+    assert ways({"mooring": {"count": 6}})["number"][0].study["mooring"]["count"] == 7
+    assert ways({}) == {}
 
 
 @pytest.mark.parametrize(
