@@ -7,10 +7,12 @@
 may be any.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the slow velocity
 (after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew, so that
 it does no work; with a current its moment on the added mass (Munk's) is in the current coefficients and left out here.
-The memory is a linear system that is driven by ν (`bem.time_domain.memory`).
+The memory is a linear system that is driven by ν (`bem.time_domain.memory`).  A buoy with mass between hawsers and
+lines of its own (`buoy`) and a hull that slews in a current (`tables.hull_water`) are terms of the same equation.
 Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
 
-State: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J, memory.
+State: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J, displacement (3) and
+velocity (3) of a buoy in space, memory.
 """
 
 from __future__ import annotations
@@ -23,15 +25,20 @@ from bem.kernels.jit import kernel
 from bem.time_domain.memory import MemoryArrays
 from bem.time_domain.memory_kernels import memory_force, memory_rate
 
+from .buoy import Buoy, BuoyWork, buoy_rates
 from .contact_loads import Contacts, ContactWork, contact_loads
-from .interpolation import EDGE, between_samples, on_ring
 from .line_loads import Lines, LineWork, line_loads
 from .streams import Stream, stream_force
+from .tables.hull_water import HullWater, hull_water_force
+from .tables.interpolation import EDGE, between_samples, on_ring
 from .wave_loads import ROWS
 
-WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "given", "fenders", "ropes")
+WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "given", "fenders", "ropes",
+         "hawsers")  # fmt: skip
 BY_WAVES, BY_DRIFT, BY_WIND, BY_CURRENT, BY_LINES, BY_MEMORY, BY_DAMPING, BY_GIVEN, BY_FENDERS, BY_ROPES = range(10)
-SLOW, SLOW_RATE, FIRST_WORK, MEMORY = 12, 15, 18, 18 + len(WORKS)  # where the parts of the state begin
+BY_HAWSERS = 10
+SLOW, SLOW_RATE, FIRST_WORK, FLOAT = 12, 15, 18, 18 + len(WORKS)  # where the parts of the state begin
+MEMORY = FLOAT + 6
 
 
 class Body(NamedTuple):
@@ -40,6 +47,7 @@ class Body(NamedTuple):
     mass_inverse : (6, 6) of M + A∞; rigid, slow : (6, 6) M, and the added mass of slow motion
     stiffness : (6, 6) hydrostatic, on η in heading axes; spring : (6, 6) on η in space axes; damping : (6, 6) B′
     quadratic : (6,) N₂; filter_rate : ωc, rad/s; ramp : s; munk : 1, or 0 where its moment is in the current
+    wave_ramp : (2,) s, begin of the waves and how long they grow
     memory : `bem.time_domain.memory.MemoryArrays`
     drift_damping : (HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
     given : (6, n) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
@@ -54,6 +62,7 @@ class Body(NamedTuple):
     quadratic: np.ndarray
     filter_rate: float
     ramp: float
+    wave_ramp: np.ndarray
     munk: float
     memory: MemoryArrays
     drift_damping: np.ndarray
@@ -79,6 +88,8 @@ class Work(NamedTuple):
     drag: np.ndarray
     R: np.ndarray
     arm: np.ndarray
+    moving: np.ndarray
+    powers: np.ndarray
 
 
 class Scene(NamedTuple):
@@ -91,6 +102,9 @@ class Scene(NamedTuple):
     current: Stream
     contacts: Contacts
     contact_work: ContactWork
+    hull: HullWater
+    buoy: Buoy
+    buoy_work: BuoyWork
     work: Work
 
 
@@ -98,7 +112,7 @@ def room(columns):
     """`Work` for windows of so many columns"""
     return Work(
         np.zeros((ROWS, columns)), np.zeros(2), np.zeros(6), np.zeros(6), np.zeros(3), np.zeros(ROWS), np.zeros(4),
-        np.zeros(6), np.zeros(1), np.zeros(6), np.zeros((3, 3)), np.zeros(3),
+        np.zeros(6), np.zeros(1), np.zeros(6), np.zeros((3, 3)), np.zeros(3), np.zeros(4), np.zeros(15),
     )  # fmt: skip
 
 
@@ -174,18 +188,19 @@ def dissipate(body, y, rate, work):
 
 
 @kernel()
-def load(body, wind, current, t, y, rate, work):
+def load(body, wind, current, hull, t, y, rate, work):
     """Waves, drift, wind, current and what is given, each grown by the ramp"""
     share = ramp(t, body.ramp)
     if work.window.shape[1] > 1:
         between_samples(work.window, (t - work.span[0]) / work.span[1] + EDGE, work.quintic, work.waves)
+        grown = ramp(t - body.wave_ramp[0], body.wave_ramp[1])
         for j in range(6):
-            work.part[j] = share * work.waves[j]
+            work.part[j] = grown * work.waves[j]
         give(work.force, y, rate, work.part, 6, BY_WAVES)
         on_ring(body.drift_damping, y[14], work.weights, work.drag)
         cos, sin = np.cos(y[14]), np.sin(y[14])
         u, v = cos * y[15] + sin * y[16], -sin * y[15] + cos * y[16]
-        grown, d, w = share * share, work.drag, work.waves
+        grown, d, w = grown * grown, work.drag, work.waves
         add_horizontal(
             work, y, rate, grown * (w[6] - d[0] * u - d[1] * v), grown * (w[7] - d[2] * u - d[3] * v),
             grown * (w[8] - d[4] * u - d[5] * v), BY_DRIFT,
@@ -194,6 +209,11 @@ def load(body, wind, current, t, y, rate, work):
     add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_WIND)
     stream_force(current, t, share, y[5:8], work.weights, work.quintic, work.stream, work.value)
     add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_CURRENT)
+    if hull.length > 0.0:
+        work.moving[:3], work.moving[3] = y[5:8], y[11]
+        hull_water_force(hull, share, work.moving, work.weights, work.powers, work.stream, work.arm)
+        add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_CURRENT)
+        add_horizontal(work, y, rate, work.arm[0], work.arm[1], work.arm[2], BY_DRIFT)
     if body.given.shape[1] > 1:
         between_samples(body.given, t / body.given_step, work.quintic, work.part)
         for j in range(6):
@@ -209,7 +229,7 @@ def rates(scene, t, y, rate):
     work.force[:] = 0.0
     restore(body, y, rate, work)
     dissipate(body, y, rate, work)
-    load(body, scene.wind, scene.current, t, y, rate, work)
+    load(body, scene.wind, scene.current, scene.hull, t, y, rate, work)
     scene.line_work.span[0] = t
     good = line_loads(scene.lines, scene.line_work, y[:6], work.R, work.part)
     give(work.force, y, rate, work.part, 6, BY_LINES)
@@ -217,6 +237,12 @@ def rates(scene, t, y, rate):
         contact_loads(scene.contacts, scene.contact_work, y[:6], work.R, work.stream, work.arm)
         give(work.force, y, rate, scene.contact_work.parts[0], 6, BY_FENDERS)
         give(work.force, y, rate, scene.contact_work.parts[1], 6, BY_ROPES)
+    if len(scene.buoy.ropes):
+        grown = ramp(t - body.wave_ramp[0], body.wave_ramp[1])
+        at, place = (t - work.span[0]) / work.span[1] + EDGE, y[FLOAT : FLOAT + 6]
+        kept, share = scene.buoy_work, ramp(t, body.ramp)
+        good = buoy_rates(scene.buoy, kept, y, place, work.R, at, share, grown, rate[FLOAT : FLOAT + 6]) and good
+        give(work.force, y, rate, kept.part, 6, BY_HAWSERS)
     cos, sin = np.cos(y[5]), np.sin(y[5])
     rate[0], rate[1] = cos * y[6] - sin * y[7], sin * y[6] + cos * y[7]
     for j in range(2, 6):

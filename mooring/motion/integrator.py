@@ -19,8 +19,9 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
+from .buoy import keep_pulls, open_water
 from .contact_loads import settle
-from .equation import SLOW, SLOW_RATE, rates
+from .equation import FLOAT, SLOW, SLOW_RATE, rates
 from .line_loads import fairlead_of, hold
 from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions
 from .wave_loads import fill_rows, fill_window
@@ -58,7 +59,7 @@ class Clock(NamedTuple):
     now : TIME, STEP, WINDOW (its begin), USUAL step, all s
     counts : STEPS, REFUSED, SAMPLES, WINDOWS, SHORT steps in a row
     end, sample_step : s; fixed_step : s, 0 where the error chooses the step
-    scale : (12,) allowed error a second of each position and velocity
+    scale : (12,) allowed error a second of each position and velocity, float_scale : (6,) of those of a buoy
     y, stages : state (n,), its rates (7, n); pose : (3,) slow pose foreseen for the end of the window
     """
 
@@ -68,6 +69,7 @@ class Clock(NamedTuple):
     sample_step: float
     fixed_step: float
     scale: np.ndarray
+    float_scale: np.ndarray
     y: np.ndarray
     trial: np.ndarray
     stages: np.ndarray
@@ -77,6 +79,7 @@ class Clock(NamedTuple):
 def clock_at_rest(y, end, sample_step, fixed_step, scale):
     """Clock of a run from a state y (n,) at 0 s"""
     first = fixed_step or FIRST_STEP
+    buoy = np.repeat([scale[:3].max(), scale[6:9].max()], 3)
     return Clock(
         np.array([0.0, first, -np.inf, first]),
         np.zeros(5, np.int64),
@@ -84,6 +87,7 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale):
         float(sample_step),
         float(fixed_step or 0.0),
         scale,
+        buoy,
         y,
         np.zeros_like(y),
         np.zeros((7, len(y))),
@@ -108,6 +112,12 @@ def take_step(scene, clock, t, h):
         for j in range(7):
             total += E[j] * k[j, i]
         worst = max(worst, abs(total) / clock.scale[i])  # h·total over scale·h
+    if len(scene.buoy.ropes):
+        for i in range(6):
+            total = 0.0
+            for j in range(7):
+                total += E[j] * k[j, FLOAT + i]
+            worst = max(worst, abs(total) / clock.float_scale[i])
     return worst, good
 
 
@@ -145,7 +155,10 @@ def take_step_with_lines(scene, clock, moving, t, h):
 
 @kernel()
 def put_sample(clock, t, h, at, out):
-    """out (18,): position, velocity, slow pose and its rate at a time `at` within the step, by Hermite polynomials"""
+    """out (18 or 24,): position, velocity, slow pose and its rate, place and velocity of a buoy, at a time within
+
+    by Hermite polynomials; at : s
+    """
     s = (at - t) / h
     y, z, k = clock.y, clock.trial, clock.stages
     s2, s3 = s * s, s * s * s
@@ -161,6 +174,9 @@ def put_sample(clock, t, h, at, out):
             )
     for i in range(6, 18):
         out[i] = hermite(s, y[i], z[i], h * k[0, i], h * k[6, i])
+    for i in range(18, out.size):
+        n = FLOAT + i - 18
+        out[i] = hermite(s, y[n], z[n], h * k[0, n], h * k[6, n])
 
 
 @kernel()
@@ -195,7 +211,7 @@ def open_window(waves, clock, work):
 
 @kernel()
 def advance(scene, waves, clock, samples, most, moving):
-    """Integrate until the end, or for `most` steps; samples (n, 18) is filled row by row.  Returns why it stopped.
+    """Integrate until the end, or for `most` steps; samples (n, 18 or 24) is filled.  Returns why it stopped.
 
     scene : `equation.Scene`; waves : `wave_loads.Waves`; moving : (MovingLines, MovingWork), None where no line
     moves by itself, and then nothing of it is compiled
@@ -209,6 +225,7 @@ def advance(scene, waves, clock, samples, most, moving):
             return DONE
         if t >= now[WINDOW] + length - AT_ONCE:
             open_window(waves, clock, scene.work)
+            open_water(waves.table, scene.buoy, scene.buoy_work, clock.y[FLOAT : FLOAT + 3], counts[WINDOWS] - 1, t)
             rates(scene, t, clock.y, k[0])
         limit = min(now[WINDOW] + length, clock.end, next_break(lines, t))
         h = fixed if fixed > 0.0 else now[STEP]
@@ -245,6 +262,8 @@ def advance(scene, waves, clock, samples, most, moving):
         settle(scene.contact_work)
         first = counts[SAMPLES]
         put_samples(clock, t, h, later, samples)
+        if len(scene.buoy.ropes):
+            keep_pulls(scene.buoy_work, first, counts[SAMPLES])
         if moving is not None:
             for row in range(first, counts[SAMPLES]):
                 put_tensions(moving[0], moving[1], row, row * clock.sample_step)

@@ -17,16 +17,18 @@ from ..lines.system.equilibrium import rest
 from ..lines.system.findings import beyond_tables
 from ..response.bound_wave_drift import record as pair_record
 from . import integrator, slow_damping
+from .buoy import buoy_arrays, buoy_work
 from .contact_loads import DEPTH, contact_work
 from .contacts import at_rest, berth_stiffness, courses, no_berth
-from .equation import FIRST_WORK, MEMORY, SLOW, WORKS, Body, Scene, room
+from .equation import FIRST_WORK, FLOAT, MEMORY, SLOW, WORKS, Body, Scene, room
 from .expected import expected_motion
 from .force_tables import TOLERANCE
 from .given_forces import GivenForce, drift_of_half_waves, sampled
 from .line_loads import REACH, body_lines, line_loads, line_work, tables_of, tensions_along
 from .moving_lines.packed import moving_work, state_pull
 from .moving_lines.prepare import moving_of
-from .streams import calm, current_stream, gust_at, turning_drag, wind_stream
+from .streams import calm, current_stream, gust_at, stream_of, turning_drag, wind_stream
+from .tables.hull_water import no_hull_water
 from .wave_loads import WaveForces, drift_of, no_waves, wave_forces, wave_table, waves_of
 
 STEPS_AT_ONCE = 2000  # between reports of progress
@@ -62,7 +64,8 @@ class Moored:
     quadratic : (6,) N₂ of drag on each motion; stiffness : (6, 6) of water, lines and springs at rest
     slow_added_mass : (6, 6) of the lowest frequency known; waves : WaveForces
     tables : of lines with segments (`line_loads.tables_of`); findings : what a reader has to know, one line each
-    berth : `contacts.Berth`, fenders and ropes
+    berth : `contacts.Berth`, fenders and ropes; buoy : `buoy.BuoyOnLines` on hawsers, None for none
+    free : motions that are not held, numbers 0 to 5
     """
 
     reader: object
@@ -79,6 +82,8 @@ class Moored:
     tables: tuple
     findings: tuple[str, ...] = ()
     berth: object = field(default_factory=no_berth)
+    buoy: object = None
+    free: tuple[int, ...] = tuple(range(6))
 
     def __repr__(self):
         lines = 0 if self.system is None else len(self.system.lines)
@@ -94,6 +99,8 @@ class Realisation(NamedTuple):
     estimated_error : (6,) of the motions, nan where not asked for; steps : taken
     deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
     work : {name: J} done on the body from the start of the ramp to the end; findings : one line each
+    buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
+    hawser : (n, k), buoy_lines : (n, l) N, the largest since the sample before
     """
 
     time: np.ndarray
@@ -111,6 +118,9 @@ class Realisation(NamedTuple):
     deflection: np.ndarray
     reaction: np.ndarray
     pull: np.ndarray
+    buoy: np.ndarray | None = None
+    hawser: np.ndarray | None = None
+    buoy_lines: np.ndarray | None = None
 
 
 def moored(
@@ -159,6 +169,7 @@ def simulate(moored, weather, settings, seed=0, progress=None):
         table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
     end = settings.ramp + settings.duration
     wind, current, drag = _streams(moored, weather, seed, end, findings)
+    hull = no_hull_water() if weather.on_hull is None else weather.on_hull.water
     moving = moving_of(moored, settings)
     findings += _coarse(moored, settings, moving)
     lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
@@ -169,11 +180,15 @@ def simulate(moored, weather, settings, seed=0, progress=None):
         mean = 2 * np.pi / settings.constant_period if settings.constant_period else mean
         findings += slow_damping.findings(moored, body, mean, constant, current is not None)
     streams = wind, calm() if current is None else current
-    contacts = moored.berth.arrays
-    scene = Scene(body, lines, line_work(lines), *streams, contacts, contact_work(contacts), room(table.steps))
+    contacts, buoy = moored.berth.arrays, buoy_arrays(moored.buoy)
+    held = contacts, contact_work(contacts), hull, buoy, buoy_work(buoy, table, 0)
+    scene = Scene(body, lines, line_work(lines), *streams, *held, room(table.steps))
     waves = waves_of(table, settings.slow_drift == "mean")
-    samples, clock, pulls = _run(moored, settings, expected, scene, waves, moving, progress)
+    samples, clock, pulls, kept = _run(moored, settings, expected, scene, waves, moving, progress)
     found = _realisation(moored, settings, seed, scene, table, samples, clock, findings, pulls)
+    if moored.buoy is not None:
+        k = len(moored.buoy.lengths)
+        found = found._replace(buoy=samples[:, 18:], hawser=kept[:, :k], buoy_lines=kept[:, k:])
     if not settings.estimate_error:
         return found
     finer = replace(settings, tolerance=FINER * settings.tolerance)
@@ -278,7 +293,14 @@ def _check_place(system, body):
 
 def _streams(moored, weather, seed, end, findings):
     """Wind and current Streams, None for no water drag, and N₂ of yaw"""
-    reader, hull = moored.reader, moored.hull
+    reader, hull, own = moored.reader, moored.hull, weather.on_hull
+    if own is not None:
+        blows = weather.wind is not None and own.wind is not None
+        wind = weather.wind
+        wind = (
+            stream_of(own.wind, wind.speed, wind.direction, weather.gusts, seed + GUSTS, 0.0, end) if blows else calm()
+        )
+        return wind, calm(), own.quadratic
     if hull is None:
         if weather.wind or weather.current:
             raise SimulationError("wind and current need the hull they act on; give its length, beam and freeboard")
@@ -324,16 +346,20 @@ def _body(moored, weather, settings, components, drag, munk):
     ring = np.zeros((4, 6))
     if components is not None and settings.wave_drift_damping and settings.slow_drift != "none" and reader.knows_drift:
         ring = slow_damping.drift_damping_ring(moored.waves, weather, reader.depth, reader.gravity)
+    inverse, free = np.zeros((6, 6)), np.ix_(moored.free, moored.free)
+    inverse[free] = np.linalg.inv((reader.inertia + added)[free])
+    turned = weather.on_hull is None or not weather.on_hull.turning  # turning tests hold the inertia of the turn
     return Body(
-        np.linalg.inv(reader.inertia + added),
-        reader.inertia,
-        moored.slow_added_mass,
+        inverse,
+        turned * reader.inertia,
+        turned * moored.slow_added_mass,
         reader.stiffness,
         moored.spring,
         B,
         quadratic,
         FILTER * mean,
         float(settings.ramp),
+        np.array((0.0, settings.ramp) if settings.wave_ramp is None else settings.wave_ramp, float),
         0.0 if munk else 1.0,
         arrays,
         ring,
@@ -371,17 +397,20 @@ def _run(moored, settings, expected, scene, waves, moving, progress):
     y = np.zeros(MEMORY + len(scene.body.memory.decay))
     y[:6] = moored.start
     y[SLOW : SLOW + 3] = moored.start[[0, 1, 5]]
+    if moored.buoy is not None:
+        y[FLOAT : FLOAT + 3] = moored.buoy.start
     scale = SHARE * settings.tolerance / FORGOTTEN * expected
     clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale)
-    samples = np.zeros((rows, 18))
-    scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
+    samples = np.zeros((rows, 18 if moored.buoy is None else 24))
+    fresh = line_work(scene.lines), contact_work(scene.contacts), buoy_work(scene.buoy, waves.table, rows)
+    scene = scene._replace(**dict(zip(("line_work", "contact_work", "buoy_work"), fresh, strict=True)))
     pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost)))
     while True:
         state = integrator.advance(scene, waves, clock, samples, STEPS_AT_ONCE, pair)
         if progress is not None:
             progress(min(clock.now[integrator.TIME] / end, 1.0))
         if state == integrator.DONE:
-            return samples, clock, {} if pair is None else _pulls(*pair)
+            return samples, clock, {} if pair is None else _pulls(*pair), scene.buoy_work.kept
         if state != integrator.RUNNING:
             stuck = -1 if pair is None else int(pair[1].stuck[0])
             raise SimulationError(_failure(state, clock, settings, scene, moored, stuck))
@@ -427,6 +456,8 @@ def _failure(state, clock, settings, scene, moored, stuck):
             f"{where}: line {moored.system.line_names[stuck]} cannot be followed in its own motion; leave it out of "
             "dynamic_lines, or raise the tolerance"
         )
+    if moored.buoy is not None and state in (integrator.NO_LINE, integrator.TOO_SHORT):
+        return f"{where}: {_of_buoy(state, clock, scene)}"
     name, tension = _tightest(scene.line_work, moored)
     if state == integrator.NO_LINE and tension > (load := moored.system.breaking_load[_number(moored, name)]):
         return (
@@ -445,6 +476,20 @@ def _failure(state, clock, settings, scene, moored, stuck):
             f"{where}: steps below {integrator.SHORTEST:g} s would be needed, line {name} pulls {tension:.3g} N; {way}"
         )
     return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
+
+
+def _of_buoy(state, clock, scene):
+    """Why a body with a buoy cannot be followed"""
+    away, pull = np.hypot(*clock.y[FLOAT : FLOAT + 2]), scene.buoy_work.rope.max()
+    if state == integrator.NO_LINE:
+        return (
+            f"the buoy is {away:.3g} m from its place without the body, a line cannot reach it; lengthen the lines or "
+            "give them an axial stiffness"
+        )
+    return (
+        f"steps below {integrator.SHORTEST:g} s would be needed, a hawser pulls {pull:.3g} N; soften it, or take a "
+        "heavier buoy"
+    )
 
 
 def _number(moored, name):
@@ -478,7 +523,7 @@ def _realisation(moored, settings, seed, scene, table, samples, clock, findings,
     count = len(moored.berth.fenders)
     depth, force = courses(moored.berth, samples)
     depth = np.maximum(depth, 0.0)
-    work = dict(zip(WORKS, clock.y[FIRST_WORK:MEMORY].tolist(), strict=True))
+    work = dict(zip(WORKS, clock.y[FIRST_WORK:FLOAT].tolist(), strict=True))
     return Realisation(
         time, samples[:, :6], samples[:, 6:12], samples[:, 12:15], wave, speed, tension, seed, np.full(6, np.nan),
         int(clock.counts[integrator.STEPS]), work, tuple(findings),

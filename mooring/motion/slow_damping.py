@@ -13,7 +13,7 @@ import numpy as np
 from bem.waves import wavenumber
 
 from ..response.wave_drift_damping import from_slopes
-from .interpolation import ring_table
+from .tables.interpolation import ring_table
 from .wave_loads import HEADINGS
 
 PLANE = ((0, "surge"), (1, "sway"), (5, "yaw"))

@@ -21,7 +21,7 @@ from ..environment.wave_records import real_sum
 from ..loads.box_current import box_table, current_force
 from ..loads.box_drag import about
 from ..loads.box_wind import wind_force
-from .interpolation import between_samples, on_ring, ring_table
+from .tables.interpolation import between_samples, on_ring, ring_table
 
 RING = 720  # angles of a table of coefficients
 GUST_BAND = (2 * np.pi * 1e-4, 2 * np.pi)  # rad/s; the report takes 0.001 to 1 Hz
@@ -51,6 +51,11 @@ def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
     speed, direction, density, table = wind.speed, wind.direction, wind.density, wind.table
     angles = np.arange(RING) * (2 * np.pi / RING)
     unit = wind_force(np.ones(RING), angles, hull.length, hull.beam, hull.freeboard, density, table)
+    return stream_of(about(unit, (0.0, 0.0), center), speed, direction, gusts, seed, start, end)
+
+
+def stream_of(unit, speed, direction, gusts=None, seed=0, start=0.0, end=0.0):
+    """The Stream of forces (n, 3) N, N m at unit speed over the angle it blows to, about the centre of the motion"""
     record, first = np.zeros((1, 1)), start
     if gusts is not None:
         first = start - 4 * GUST_STEP
@@ -59,7 +64,7 @@ def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
             warnings.simplefilter("ignore", MissingVariance)
             omega, amplitude, phase = gust_components(gusts, seed, *GUST_BAND, GUSTS)
         record = real_sum(amplitude * np.exp(-1j * phase), omega, t)[None]
-    return Stream(ring_table(about(unit, (0.0, 0.0), center)), _vector(speed, direction), record, float(first))
+    return Stream(ring_table(unit), _vector(speed, direction), record, float(first))
 
 
 def current_stream(current, hull, center, density, depth):

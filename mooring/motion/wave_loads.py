@@ -22,7 +22,7 @@ from bem.kernels.jit import kernel
 from bem.waves import wavenumber
 
 from ..response.linear import frequencies
-from .interpolation import EDGE, lagrange_weights
+from .tables.interpolation import EDGE, lagrange_weights
 
 HEADINGS = 120  # of the ring on which forces are tabulated; 3° apart, polynomials of fifth degree between
 PHASE = (0.3, 0.6)  # rad of the highest component in a step, of few components and of many: quintics are 4e-6, 2e-4 off

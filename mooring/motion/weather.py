@@ -19,6 +19,7 @@ class Weather:
     forces : tuple of `mooring.motion.given_forces.GivenForce`
     beside_newman : of `mooring.response.pair_levels.beside_newman` in the one sea that there is: forces of pairs that
         push on the body at its place and heading at rest
+    on_hull : `mooring.motion.tables.hull_water.OnHull`, with its current, in place of the hull and current of a box
     components : `mooring.environment.sea.Components` in place of seas, alike for every seed, as of a measured record;
         time is counted from the begin of the ramp
 
@@ -33,6 +34,7 @@ class Weather:
     forces: tuple = ()
     beside_newman: object = None
     components: object = None
+    on_hull: object = None
 
     def __post_init__(self):
         object.__setattr__(self, "seas", tuple(self.seas))
@@ -50,6 +52,7 @@ class Settings:
     """How a run is made.
 
     duration : s that statistics are taken of; ramp : s before it, in which every load grows from nothing
+    wave_ramp : (s, s) from the start, begin of the waves and how long they grow, None for the ramp of all loads
     step : s between samples that are kept; tolerance : of the motions, relative to their standard deviations
     components : number of wave components of each sea, None to choose it by duration and bandwidth
     slow_drift : "newman", "half-waves" (the report's), "mean" or "none"
@@ -77,6 +80,7 @@ class Settings:
     lines_lost: tuple[tuple[str, float], ...] = ()
     fixed_step: float | None = None
     estimate_error: bool = False
+    wave_ramp: tuple[float, float] | None = None
 
     def __post_init__(self):
         for name, low in (("duration", 0.0), ("step", 0.0), ("tolerance", 0.0)):

@@ -148,9 +148,9 @@ def study_of(row, scheme=None):
         raw["current"] = {"speed": current, "incidence_deg": 0.0, "turning": {}}
     if height > 0:
         raw["waves"] = {"height": height, "period": PERIOD, "incidence_deg": 0.0}
-        raw["slewing"]["scheme"] = scheme or ("two_scale" if contact else "buoy")
+        raw["slewing"]["scheme"] = scheme or ("two_scale" if contact else "full")
         raw["slewing"]["slow_step"] = 2.0
-        if raw["slewing"]["scheme"] == "buoy":
+        if raw["slewing"]["scheme"] == "full":
             raw["slewing"]["step"] = 0.1
     return raw
 

@@ -11,6 +11,7 @@ from mooring.loads.box_current import current_force
 from mooring.loads.box_drag import about
 from mooring.loads.box_wind import AIR_DENSITY, BOX, wind_force
 from mooring.loads.coefficients import hull_force, read_hull_coefficients
+from mooring.loads.ship_derivatives import by_yaw_rate, clarke
 from mooring.loads.turning import turning_coefficients
 from mooring.motion.streams import turning_drag
 from mooring.motion.wave_loads import wave_forces
@@ -36,10 +37,10 @@ MIDDLE = (0.0, 0.0)
 ONE_OF = "allowed: one of turning, coefficients, file"
 
 
-def loads_of(study, folder, db, density, center):
-    """Loads of a Study about its centre of mass (2,) m, and findings"""
+def loads_of(study, folder, db, density, center, mass):
+    """Loads of a Study about its centre of mass (2,) m, and findings; mass : (3, 3) kg …, with added mass"""
     findings = []
-    water = _water(study, folder, density, center, findings)
+    water = _water(study, folder, density, center, mass, findings)
     return Loads(water, _wind(study, folder, center), _drift(study, db, center)), findings
 
 
@@ -61,7 +62,7 @@ def _wind(study, folder, center):
     return WindLoad(about(unit, MIDDLE, center), value, direction("wind", w), gusts_of(w))
 
 
-def _water(study, folder, density, center, findings):
+def _water(study, folder, density, center, mass, findings):
     c, h = study.current, study.hull
     if c is None:
         table = _turning(study, None, density, center, findings)
@@ -71,7 +72,7 @@ def _water(study, folder, density, center, findings):
         raise StudyError(f"current: {' and '.join(ways)} are given, which both hold its force; {ONE_OF}")
     stream = speed("current", c), direction("current", c)
     if not ways or ways == ["turning"]:
-        own = [k for k in ("yaw_drag", "sway_damping", "yaw_damping") if getattr(c, k)]
+        own = [k for k in ("yaw_drag", "yaw_rate", "sway_damping", "yaw_damping") if getattr(c, k)]
         if own:
             raise StudyError(
                 f"current.{own[0]} is given beside turning tests, which contain it; allowed: with {ONE_OF}"
@@ -93,7 +94,26 @@ def _water(study, folder, density, center, findings):
             raise StudyError(f"current.{key} is {value:g}; allowed: at least 0, finite")
     linear = 1e3 * np.diag([0.0, c.sway_damping, c.yaw_damping]) if c.sway_damping or c.yaw_damping else None
     table = still_table(about(unit, MIDDLE, center))
+    if c.yaw_rate is not None:
+        table[:, 1] = _by_yaw_rate(study, c.yaw_rate, density, mass)
     return WaterLoad(table, h.length, False, *stream, drag, linear)
+
+
+def _by_yaw_rate(study, given, density, mass):
+    """(count, 3) of a WaterLoad over V (rL), of derivatives that are given or those of Clarke et al. (1983)"""
+    h = study.hull
+    own = density * h.length * h.beam * h.draft if h.displacement is None else 1e3 * h.displacement
+    block = own / (density * h.length * h.beam * h.draft)
+    if not block <= 1 + 1e-9:
+        raise StudyError(f"hull.displacement fills {block:.3g} of length, beam and draft; allowed: at most 1")
+    found = clarke(h.length, h.beam, h.draft, min(block, 1.0))
+    for name in ("Y_r", "N_r"):
+        value = getattr(given, name)
+        if value is not None:
+            if not math.isfinite(value) or (name == "N_r" and value > 0):
+                raise StudyError(f"current.yaw_rate.{name} is {value:g}; allowed: finite, N_r at most 0")
+            found = found._replace(**{name: value})
+    return by_yaw_rate(found, h.length, density, max(mass[0, 0] - own, 0.0), angles())
 
 
 def _turning(study, given, density, center, findings):

@@ -10,8 +10,11 @@ from mooring.single_point.body import SinglePointError
 from mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
 from mooring.single_point.limit_cycle import limit_cycle
 from mooring.single_point.scope import length_without_uplift
+from mooring.single_point.yaw_criteria import yaw_stability
 
 from ..common.units import TONF
+
+REACH, LENGTHS = (0.02, 20.0), 200  # of the length of the line that its changes of stability are sought in
 
 
 def show(console, study, made, found):
@@ -49,6 +52,7 @@ def words(study, made, one):
             f"Routh–Hurwitz {state[bool(routh_hurwitz(one.quartic))]}, "
             f"undamped {state[bool(undamped_stable(undamped(one.quartic)))]}"
         )
+        yield from _yaw_words(m, float(one.state[3]))
     line = made.point.system.lines[int(np.argmax(one.lines.tension))]
     if isinstance(line, UniformLine) and line.type.weight > 0:
         height = one.lines.position[0, 2] + made.point.system.depth
@@ -57,6 +61,20 @@ def words(study, made, one):
             f"scope without uplift of the anchor, steady: {need / made.point.system.depth:.2f} times the depth "
             f"({need:.0f} m of {line.length:.0f} m)"
         )
+
+
+def _yaw_words(m, speed):
+    """A line on published criteria of yaw stability, of a Lateral at a speed, m/s, through the water"""
+    y = yaw_stability(m, speed, np.geomspace(*REACH, LENGTHS) * m.length)
+    state = "stable" if y.static else "unstable"
+    straight = "keeps" if y.straight_line > 0 else "does not keep"
+    turn = ", ".join(f"{length:.4g} m" for length in y.lengths) or "none"
+    low, high = (part * m.length for part in REACH)
+    yield (
+        f"yaw: attachment {m.arm:.1f} m ahead of the centre of mass, side force of a small heading {y.lever:.1f} m: "
+        f"statically {state}; running free it {straight} a straight line; slewing begins or ends at effective "
+        f"lines of {turn} (of {low:.3g} to {high:.3g} m)"
+    )
 
 
 def cycle_of(one):

@@ -1,7 +1,8 @@
-"""A single-point study in time: the slow motion alone, or with the waves by the report's two scales.
+"""A single-point study in time: the slow motion alone, with the waves by the report's two scales, or in one equation.
 
 Waves need a database, a period and a scheme that is not "slow"; gusts are those of [wind].  Tensions of the lines are
-static forms of both displacements together.  Significant values are the report's: steady + ⅔ of the largest amplitude.
+those of static forms at the place where all motion together brings their ends.  Significant values are the report's:
+steady + ⅔ of the largest amplitude.
 """
 
 from __future__ import annotations
@@ -13,23 +14,24 @@ import numpy as np
 
 from mooring.environment.gusts import MissingVariance, gust_record
 from mooring.lines.ropes import RopePart
-from mooring.motion.streams import GUST_STEP
-from mooring.single_point.buoy_run import BuoyBody, given_waves, run_with_buoy
+from mooring.motion.buoy import BuoyBody
 from mooring.single_point.equilibria import Equilibrium
 from mooring.single_point.history import Cycle, cycle, line_tensions, settled_after, watch_circle
+from mooring.single_point.one_equation import body_at, run_in_one
 from mooring.single_point.scope import significant
 from mooring.single_point.slewing import slew, turned_state
 from mooring.single_point.two_scale import Steps, two_scale, wave_body
+from mooring.single_point.waves import GROWS, mean_frequency
 
 from ..common.quantities import StudyError, direction, force, positive
 from ..common.units import TONF
 from ..moor.study import sea_of
 
-SCHEMES = ("slow", "two_scale", "buoy")
+SCHEMES = ("slow", "two_scale", "full")
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
 ALOFT = 104729  # added to the seed of the waves for that of the gusts
 MOST_SAMPLES = 1_000_000
-PATH = 400  # samples of the slow path along which wave motion is given
+FULL_STEP = 0.5  # s, of the record in one equation
 MISSED = 0.05  # share of the energy of the waves
 SLOW_DRIFT = 1.2  # by which the report multiplies the tension of lines for the slow drift that it leaves out
 
@@ -39,6 +41,7 @@ class Run(NamedTuple):
 
     buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N; wind_speed : (n,) m/s; steady : Equilibrium it began beside
     cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
+    drifts : whether slow drift is in the run; findings : one line each
     """
 
     time: np.ndarray
@@ -53,6 +56,8 @@ class Run(NamedTuple):
     cycle: Cycle
     settled: float
     radius: float
+    drifts: bool = False
+    findings: tuple[str, ...] = ()
 
 
 def run(study, point, steady, db=None) -> Run:
@@ -62,8 +67,9 @@ def run(study, point, steady, db=None) -> Run:
     waves = study.waves is not None and db is not None and s.scheme != "slow"
     if s.scheme == "two_scale" and not waves:
         raise StudyError('slewing.scheme is "two_scale"; allowed: with [waves] and --database, or "slow"')
-    if s.scheme == "buoy":
-        record = _with_buoy(study, point, steady, db if waves else None)
+    extra = ()
+    if s.scheme == "full":
+        record, extra = _in_one(study, point, steady, db, waves)
     elif waves:
         start, body = turned_state(point, steady.state, np.radians(s.offset_deg)), _wave_body(study, db)
         fast = 2 * np.pi / body.mean_omega / 30 if s.step is None else s.step
@@ -75,7 +81,7 @@ def run(study, point, steady, db=None) -> Run:
                   slow.wind_speed)  # fmt: skip
     time, place, heading = record[:3]
     return Run(*record, steady, cycle(time, heading), settled_after(time, heading, steady.heading),
-               watch_circle(place, point.origin))  # fmt: skip
+               watch_circle(place, point.origin), *extra)  # fmt: skip
 
 
 def _slow(study, point, steady, step):
@@ -89,36 +95,53 @@ def _wave_body(study, db):
     return wave_body(db.reader, _components(study, db, study.slewing), lever)
 
 
-def _with_buoy(study, point, steady, db):
-    """Record of the body with its buoy in one equation; db : None without waves"""
-    s, body, rope = study.slewing, *_buoy_and_rope(study)
-    path = _slow(study, point, steady, s.duration / PATH)
-    start = turned_state(point, steady.state, np.radians(s.offset_deg))
-    start[:2] = path.place[0] + (path.place[0] - steady.buoy) / np.hypot(*(path.place[0] - steady.buoy)) * (
-        point.lengths.max() * rope.strain_at(steady.hawser.max())
-    )
-    given, wind, lever = None, None, 0.0
-    if db is not None:
-        lever = study.attachment.z - float(db.rotation_center[2])
-        draft = body.draft(point.system.density)
-        given = given_waves(db.reader, _components(study, db, s), path, steady.buoy, draft, s.waves_after)
-    speed = _wind(point, s)
-    if speed is not None:
-        wind = np.array([speed(t) for t in GUST_STEP * (np.arange(int(s.duration / GUST_STEP) + 12) - 4)])
-    found = run_with_buoy(point, body, rope, start, steady.buoy, s.duration, 0.5 if s.step is None else s.step, given,
-                          wind, lever)  # fmt: skip
-    return (*found[:4], found.buoy[:, :2], *found[5:8])
+def _in_one(study, point, steady, db, waves):
+    """Record of body, waves and buoy in one equation, and (whether slow drift is in it, findings)"""
+    s = study.slewing
+    contact = point.lengths[0] == 0.0
+    body, rope = (None, None) if contact else _buoy_and_rope(study)
+    state = turned_state(point, steady.state, np.radians(s.offset_deg))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        moved = body_at(steady, state, db, buoy=body, rope=rope, end_z=study.attachment.z)
+    components = _components(study, db, s) if waves else None
+    mean = waves and study.waves.drift_tonf_per_m2 is None
+    grown = None
+    if waves:
+        grown = s.waves_after, GROWS * 2 * np.pi / mean_frequency(components.omega, components.amplitude)
+    wind = point.loads.wind
+    found = run_in_one(steady, moved, s.duration, FULL_STEP if s.step is None else s.step, components=components,
+                       wave_ramp=grown, gusts=None if wind is None else wind.gusts, tolerance=s.tolerance, seed=s.seed,
+                       drift=not mean)  # fmt: skip
+    center = np.asarray(moved.reader.rotation_center, float)[:2]
+    slow = found.slow if waves else found.motion[:, [0, 1, 5]]
+    wave = found.motion.copy()
+    wave[:, [0, 1, 5]] -= slow
+    buoy, hawser, lines = _of_contact(point, found, center) if contact else (
+        found.buoy[:, :2] + point.system.bodies[0].position[:2], found.hawser, found.buoy_lines)  # fmt: skip
+    told = dict.fromkeys((*(str(one.message) for one in caught), *moved.findings, *found.findings))
+    record = found.time, slow[:, :2] + center, slow[:, 2], wave, buoy, hawser, lines, found.wind_speed
+    return record, (bool(mean), tuple(told))
+
+
+def _of_contact(point, found, center):
+    """Place (n, 2) m of a contact buoy, the pull on it (n, 1) and tensions (n, lines) N of a Realisation"""
+    heading, end = found.motion[:, 5], point.ends[0]
+    cos, sin = np.cos(heading), np.sin(heading)
+    at = found.motion[:, :2] + center + np.stack([cos * end[0] - sin * end[1], sin * end[0] + cos * end[1]], axis=1)
+    pull = np.array([[np.hypot(*point.pull(place).force)] for place in at])
+    return at, pull, found.tension
 
 
 def _buoy_and_rope(study):
     """BuoyBody and RopePart of a study.  Raises StudyError."""
     b, h = study.buoy, study.hawser
     if h is None or b.mass is None:
-        raise StudyError('slewing.scheme is "buoy"; allowed: with [hawser] and the mass, diameter and height of [buoy]')
+        raise StudyError('slewing.scheme is "full"; allowed with a hawser: the mass, diameter and height of [buoy]')
     body = BuoyBody(1e3 * b.mass, b.diameter, b.height)
     stiff, load = force("hawser", h, "axial_stiffness"), force("hawser", h, "breaking_load")
     if (stiff is None) == (load is None) or (load is not None) != (h.strain is not None):
-        raise StudyError('hawser: slewing.scheme "buoy" needs axial_stiffness, or breaking_load with its strain')
+        raise StudyError('hawser: slewing.scheme "full" needs axial_stiffness, or breaking_load with its strain')
     if stiff is not None:
         return body, RopePart(stiff, 1.0)
     return body, RopePart(load, positive("hawser.strain", h.strain), positive("hawser.exponent", h.exponent))
@@ -137,7 +160,12 @@ def words(run: Run):
     """Lines on a run"""
     c = run.cycle
     first = np.degrees(run.heading[0] - run.steady.heading)
-    if c.stays:
+    if c.stays and run.steady.slewing.stable and (run.drifts or np.ptp(run.wind_speed) > 0):
+        yield (
+            f"the heading swings ±{np.degrees(c.amplitude):.1f}° at about {c.period:.0f} s at the end: gusts "
+            "and slow drift drive it, at rest it is stable"
+        )
+    elif c.stays:
         yield (
             f"the body slews: ±{np.degrees(c.amplitude):.1f}° at a period of {c.period:.0f} s at the end of the run"
             + (", still growing" if c.growing > 1.02 else "")
@@ -152,8 +180,10 @@ def words(run: Run):
         shown = [f"{name} {value:.2g} m" for name, value in zip(names[:3], wave[:3], strict=True)]
         shown += [f"{name} {np.degrees(value):.2g}°" for name, value in zip(names[3:], wave[3:], strict=True)]
         yield f"wave motion, standard deviations: {', '.join(shown)}"
-        yield "slow drift is not in the run: the last column adds the report's 20 % for it"
+        if not run.drifts:
+            yield "slow drift is not in the run: the last column adds the report's 20 % for it"
     yield f"watch circle of the centre of mass about the buoy at rest: {run.radius:.1f} m"
+    yield from run.findings
 
 
 def show(console, run: Run):
@@ -161,9 +191,11 @@ def show(console, run: Run):
     from rich.table import Table
 
     table = Table(title=f"{run.time[-1]:.0f} s in time, tonf", title_justify="left")
-    for column in ("", "steady", "mean", "significant", "largest", "significant + 20 %"):
+    columns = ["", "steady", "mean", "significant", "largest", *(() if run.drifts else ("significant + 20 %",))]
+    for column in columns:
         table.add_column(column, justify="right")
     for name, *values in table_of(run):
+        values = values[: len(columns) - 1]
         table.add_row(name, *(f"{value / TONF:.4g}" for value in values))
     console.print(table)
     for line in words(run):

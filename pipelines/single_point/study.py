@@ -41,7 +41,7 @@ def make(study, folder=None, db=None) -> Made:
     _check_hull(study, depth)
     density = DENSITY if db is None else db.density
     mass, center = _mass(study, db, density)
-    loads, findings = loads_of(study, folder, db, density, center)
+    loads, findings = loads_of(study, folder, db, density, center, mass)
     ends, lengths = _hawsers(study, center)
     system, left = system_of(study, depth, density)
     try:

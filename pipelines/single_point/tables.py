@@ -84,8 +84,8 @@ class HawserTable(Table):
     length : m, of each
     count : 1 or 2
     spacing : m, between the ends of two on the hull
-    axial_stiffness : EA, for the scheme "buoy"
-    breaking_load : B of T = B (ε/strain)^exponent, for the scheme "buoy"
+    axial_stiffness : EA, for the scheme "full"
+    breaking_load : B of T = B (ε/strain)^exponent, for the scheme "full"
     strain : at the breaking load
     exponent : of T = B (ε/strain)^exponent
     """
@@ -157,6 +157,17 @@ class TurningTable(Table):
     depth_over_draft: float | None = None
 
 
+class YawRateTable(Table):
+    """Force by the yaw rate of a ship, linear, beside coefficients or file; those of Clarke et al. (1983) if not given
+
+    Y_r : Y'_r over ½ρL³V, of side force
+    N_r : N'_r over ½ρL⁴V, of yaw moment, at most 0
+    """
+
+    Y_r: float | None = None
+    N_r: float | None = None
+
+
 class CurrentTable(Table):
     """Current on the hull, by one of turning, coefficients and file
 
@@ -174,6 +185,7 @@ class CurrentTable(Table):
     turning: TurningTable | None = None
     coefficients: Coefficients | None = None
     file: str | None = None
+    yaw_rate: YawRateTable | None = None
     yaw_drag: float | None = None
     sway_damping: float = 0.0
     yaw_damping: float = 0.0
@@ -227,10 +239,11 @@ class SlewingTable(Table):
     step : s, of the record [1 s, of waves a thirtieth of their period]
     offset_deg : of the heading at its start from that of rest
     waves_after : s, when the waves are added
-    scheme : "two_scale", with waves, "slow", without, or "buoy", with the buoy as a body on an elastic hawser that
-        falls slack and snaps; by default the first where there are waves and a database
+    scheme : "two_scale", with waves, "slow", without, or "full": slow and wave motion in one equation, with slow
+        drift, and on a hawser the buoy as a body and the hawser elastic; by default the first where there are waves and
+        a database
     slow_step : s, of the slow motion with waves
-    tolerance : of place and heading, without waves
+    tolerance : of place and heading, of the schemes slow and full
     components : of the waves
     seed : of gusts and waves
     """

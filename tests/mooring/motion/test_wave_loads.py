@@ -6,7 +6,7 @@ from bem.waves import wavenumber
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
 from mooring.environment.spreading import CosinePower
-from mooring.motion.interpolation import EDGE
+from mooring.motion.tables.interpolation import EDGE
 from mooring.motion.wave_loads import ROWS, fill_rows, fill_window, wave_table, waves_of
 from mooring.response.slow_drift import component_drift, newman
 

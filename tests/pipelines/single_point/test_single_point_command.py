@@ -85,7 +85,7 @@ def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
 
 def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch, capsys):
     text = STUDY.replace("z = -3.0", "z = -3.0\nmass = 120.0\ndiameter = 8.0\nheight = 5.0")
-    text += '\n[hawser]\nlength = 25.0\n[slewing]\nduration = 100.0\nscheme = "buoy"\n'
+    text += '\n[hawser]\nlength = 25.0\n[slewing]\nduration = 100.0\nscheme = "full"\n'
     assert run(tmp_path, text, monkeypatch=monkeypatch) == 2
     assert "needs axial_stiffness" in capsys.readouterr().err
     stiff = text.replace("length = 25.0", "length = 25.0\naxial_stiffness_kN = 2e4")
@@ -125,3 +125,26 @@ def test_a_slender_ship_with_its_own_coefficients_does_not_lie_still_in_a_curren
     said = capsys.readouterr().out
     assert "no heading is stable: the body slews; see the growth over hawser and attachment with [[maps]]" in said
     assert "limit cycle: " in said
+
+
+def test_a_tanker_is_held_to_the_published_criteria_of_yaw(tmp_path, monkeypatch, capsys):
+    a = np.radians(np.arange(0, 181, 5))
+    side, turn = 0.35 * np.sin(a) * np.abs(np.cos(a)) + 0.6 * np.sin(a) ** 3, -0.06 * np.sin(2 * a)
+    columns = np.round([0.03 * np.cos(a), side, turn], 6).T + 0.0
+    rows = [f"{angle:.0f},{','.join(map(str, row))}" for angle, row in zip(np.degrees(a), columns, strict=True)]
+    (tmp_path / "tanker.csv").write_text(TANKER + "\n".join(rows) + "\n")
+    text = STUDY[: STUDY.index("[wind]")] + STUDY[STUDY.index("[current]") : STUDY.index("[waves]")]
+    for old, new in SHIP:
+        text = text.replace(old, new)
+    text += "\n[hawser]\nlength = 100.0\n"
+    said = []
+    for given in ("{}", "{ Y_r = 0.0, N_r = -0.05 }"):
+        own = text.replace('file = "tanker.csv"', f'file = "tanker.csv"\nyaw_rate = {given}')
+        assert run(tmp_path, own, monkeypatch=monkeypatch) == 0
+        said.append(" ".join(capsys.readouterr().out.split()))
+    lever = "attachment 150.0 m ahead of the centre of mass, side force of a small heading "
+    for one, keeps in zip(said, ("does not keep", "keeps"), strict=True):
+        assert lever in one and f"statically stable; running free it {keeps} a straight line" in one
+        assert float(one.split(lever)[1].split()[0]) == pytest.approx(0.12 / 0.35 * 300, rel=0.02)
+    assert run(tmp_path, own.replace("-0.05", "0.05"), monkeypatch=monkeypatch) == 2
+    assert "current.yaw_rate.N_r is 0.05; allowed: finite, N_r at most 0" in capsys.readouterr().err

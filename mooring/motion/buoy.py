@@ -1,0 +1,308 @@
+"""A buoy with mass between its lines and the hawsers of a body, in the equation of motion of the body, compiled.
+
+    (m + C_a ρ∇) ẇ = (1 + C_a) ρ∇ a + ½ρC_dA |q − w|(q − w) + buoyancy − weight + lines − Σ hawsers
+    hawser  T = B (e/(L ε_B))ⁿ + c min(1, e/e_c) ė where it is longer than L, never below 0; 0 where it is shorter
+
+w is the velocity of the buoy; q, a those of the water at the middle of its draft, incident waves and current, B, ε_B
+and n those of a rope (`mooring.lines.ropes`); up and down there is the added mass, and not the ρ∇ a of the buoyancy.
+The loss of a hawser grows with its elongation up to e_c, that at a tenth of B, so that nothing jumps where it comes
+taut.  Lines hang in their static form.  Hawsers go from the deck of the body to the buoy at its centre.  Waves that the
+body scatters are left out.  Water at the buoy is tabulated window by window as are the forces of waves (`wave_loads`),
+at the place where the buoy was found at the begin of the window before.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from ..lines.ropes import RopePart
+from .line_loads import Lines, LineWork, body_lines, generalized, line_loads, line_work, tables_of
+from .tables.interpolation import EDGE, between_samples
+from .wave_loads import WaveTable
+
+WATER = 7  # rows of the water: elevation, velocity, acceleration
+DAMPING = 0.05  # of critical, of a hawser between its ends
+FULL = 0.1  # of the breaking load, from where a hawser has its whole stiffness and damping
+
+
+@dataclass(frozen=True)
+class BuoyBody:
+    """mass : kg; diameter, height : m, of an upright cylinder; added : C_a sideways, and up and down of the same volume
+
+    drag : C_d, of the side and the bottom
+    """
+
+    mass: float
+    diameter: float
+    height: float
+    added: tuple[float, float] = (1.0, 1.0)
+    drag: tuple[float, float] = (1.0, 1.0)
+
+    def draft(self, density):
+        """m, floating free of lines"""
+        return self.mass / (density * 0.25 * np.pi * self.diameter**2)
+
+
+@dataclass(frozen=True, eq=False)
+class BuoyOnLines:
+    """A buoy, and how a body hangs on it.
+
+    system : System whose one body is the buoy, where it floats free of lines; its lines go from anchors to it
+    rope, lengths : RopePart of the hawsers, and (k,) m; ends : (k, 3) m on the body in its axes, from their origin
+    origin : (3,) m in space, of the axes of the body at rest
+    start : (3,) m, displacement of the buoy from its place in the system; level : m, of the hawsers over the lines' end
+    current : (2,) m/s
+    """
+
+    body: BuoyBody
+    system: object
+    rope: RopePart
+    lengths: np.ndarray
+    ends: np.ndarray
+    origin: np.ndarray
+    start: np.ndarray
+    level: float
+    current: np.ndarray
+
+    @cached_property
+    def lines(self):
+        """`Lines` of the buoy"""
+        return body_lines(self.system, (), tables_of(self.system, np.array([*self.start, 0.0, 0.0, 0.0])))
+
+    @property
+    def stiffness(self):
+        """(k,) N/m of each hawser at FULL of its breaking load"""
+        strain = self.rope.strain_at(FULL * self.rope.breaking_load)
+        return FULL * self.rope.breaking_load * self.rope.exponent / (strain * np.asarray(self.lengths))
+
+    @property
+    def damping(self):
+        """(k,) N s/m of each hawser, DAMPING of critical of the buoy alone on it"""
+        return 2 * DAMPING * np.sqrt(self.stiffness * self.body.mass)
+
+
+class Buoy(NamedTuple):
+    """inverse : (3,) 1/kg, of mass and added mass; moved : (3,) kg, of the water; drag : (3,) ½ρC_dA, kg/m
+
+    weight : N; stiffness : ρgA, N/m; draft, height, depth : m, floating free of lines, of the cylinder, of the water
+    ropes : (k, 6) L, B, ε_B, n, c, N s/m, and e_c, none without a buoy; the rest as in `BuoyOnLines`
+    """
+
+    inverse: np.ndarray
+    moved: np.ndarray
+    drag: np.ndarray
+    weight: float
+    stiffness: float
+    draft: float
+    height: float
+    depth: float
+    ropes: np.ndarray
+    ends: np.ndarray
+    origin: np.ndarray
+    level: float
+    current: np.ndarray
+    lines: Lines
+
+
+class BuoyWork(NamedTuple):
+    """Room for work, the window of water in use, and the largest pulls since the last sample.
+
+    window : (WATER, m); rows : (2, WATER, 2c), sums : (WATER, m) of a window; place : (2,) m, foreseen for its end
+    rope : (k,) N now; pull : (k + lines,) N now, most : the largest since the last sample, kept : (samples, …) of those
+    """
+
+    lines: LineWork
+    window: np.ndarray
+    rows: np.ndarray
+    sums: np.ndarray
+    place: np.ndarray
+    water: np.ndarray
+    quintic: np.ndarray
+    pose: np.ndarray
+    R: np.ndarray
+    force: np.ndarray
+    part: np.ndarray
+    rope: np.ndarray
+    most: np.ndarray
+    kept: np.ndarray
+
+
+def buoy_arrays(buoy):
+    """`Buoy` of a BuoyOnLines; of None, one that is not there.  Raises ValueError where it would sink."""
+    if buoy is None:
+        none = np.zeros(3)
+        return Buoy(none, none, none, 0.0, 0.0, 0.0, 0.0, 1.0, np.zeros((0, 6)), np.zeros((0, 3)), none, 0.0,
+                    np.zeros(2), body_lines(None))  # fmt: skip
+    body, system = buoy.body, buoy.system
+    density, gravity = system.density, system.gravity
+    draft, area = body.draft(density), 0.25 * np.pi * body.diameter**2
+    if not draft < body.height:
+        raise ValueError(f"a buoy of {body.mass:g} kg floats at {draft:.3g} m; allowed: below its {body.height:g} m")
+    displaced = density * area * draft
+    added = displaced * np.array([body.added[0], body.added[0], body.added[1]])
+    drag = 0.5 * density * np.array([*[body.drag[0] * body.diameter * draft] * 2, body.drag[1] * area])
+    rope = buoy.rope
+    ropes = np.empty((len(buoy.lengths), 6))
+    ropes[:, 0], ropes[:, 1:4] = buoy.lengths, (rope.breaking_load, rope.strain, rope.exponent)
+    ropes[:, 5] = ropes[:, 0] * rope.strain_at(FULL * rope.breaking_load)
+    ropes[:, 4] = buoy.damping
+    return Buoy(
+        1 / (body.mass + added), np.array([displaced, displaced, 0.0]) + added, drag, gravity * body.mass,
+        density * gravity * area, draft, float(body.height), float(system.depth), ropes,
+        np.asarray(buoy.ends, float).reshape(-1, 3), np.asarray(buoy.origin, float), float(buoy.level),
+        np.asarray(buoy.current, float), buoy.lines,
+    )  # fmt: skip
+
+
+def buoy_work(buoy, table, samples):
+    """`BuoyWork` of a `Buoy` in the waves of a `WaveTable`, with room for so many samples"""
+    c, m = table.factor.shape[1:] if len(table.omega) and len(buoy.ropes) else (0, 1)
+    count = len(buoy.ropes) + len(buoy.lines.lost)
+    return BuoyWork(
+        line_work(buoy.lines), np.zeros((WATER, m)), np.zeros((2, WATER, c)), np.zeros((WATER, m)), np.zeros(2),
+        np.zeros(WATER), np.zeros(6), np.zeros(6), np.zeros((3, 3)), np.zeros(6), np.zeros(6),
+        np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples if len(buoy.ropes) else 0, count)),
+    )  # fmt: skip
+
+
+@kernel()
+def pull_of_rope(rope, stretch, rate):
+    """N, of (L, B, ε_B, n, c, e_c) at an elongation, m, and its rate, m/s"""
+    if stretch <= 0.0:
+        return 0.0
+    return max(rope[1] * (stretch / (rope[0] * rope[2])) ** rope[3] + rope[4] * min(stretch / rope[5], 1.0) * rate, 0.0)
+
+
+@kernel()
+def hawsers(buoy, work, y, place, R):
+    """Pull of the hawsers: work.part (6,) generalized on the body, taken from work.force (3,) on the buoy
+
+    y : state of the body, (12 or more,); place : (6,) m, m/s, displacement and velocity of the buoy; R : of the body
+    """
+    cos, sin = np.cos(y[5]), np.sin(y[5])
+    across, down = np.cos(y[4]), np.sin(y[4])
+    ux, uy, uz = cos * y[6] - sin * y[7], sin * y[6] + cos * y[7], y[8]
+    wx = cos * across * y[9] - sin * y[10]
+    wy = sin * across * y[9] + cos * y[10]
+    wz = y[11] - down * y[9]
+    at = buoy.lines.place
+    work.part[:] = 0.0
+    for i in range(buoy.ropes.shape[0]):
+        p = buoy.ends[i]
+        ax = R[0, 0] * p[0] + R[0, 1] * p[1] + R[0, 2] * p[2]
+        ay = R[1, 0] * p[0] + R[1, 1] * p[1] + R[1, 2] * p[2]
+        az = R[2, 0] * p[0] + R[2, 1] * p[1] + R[2, 2] * p[2]
+        dx = at[0] + place[0] - buoy.origin[0] - y[0] - ax
+        dy = at[1] + place[1] - buoy.origin[1] - y[1] - ay
+        dz = at[2] + place[2] + buoy.level - buoy.origin[2] - y[2] - az
+        distance = np.sqrt(dx * dx + dy * dy + dz * dz)
+        work.rope[i] = 0.0
+        if distance <= buoy.ropes[i, 0]:
+            continue
+        dx, dy, dz = dx / distance, dy / distance, dz / distance
+        vx, vy, vz = ux + wy * az - wz * ay, uy + wz * ax - wx * az, uz + wx * ay - wy * ax
+        rate = dx * (place[3] - vx) + dy * (place[4] - vy) + dz * (place[5] - vz)
+        T = pull_of_rope(buoy.ropes[i], distance - buoy.ropes[i, 0], rate)
+        work.rope[i] = T
+        fx, fy, fz = T * dx, T * dy, T * dz
+        work.force[0] -= fx
+        work.force[1] -= fy
+        work.force[2] -= fz
+        generalized(y, fx, fy, fz, ay * fz - az * fy, az * fx - ax * fz, ax * fy - ay * fx, work.part)
+
+
+@kernel()
+def floats(buoy, work, place, share, waves):
+    """Add buoyancy, weight, drag and inertia of the water to work.force; waves : share of the waves, share : of all"""
+    w = work.water
+    for j in range(3):
+        stream = share * buoy.current[j] if j < 2 else 0.0
+        relative = waves * w[1 + j] + stream - place[3 + j]
+        work.force[j] += buoy.moved[j] * waves * w[4 + j] + buoy.drag[j] * relative * abs(relative)
+    immersed = min(max(buoy.draft + waves * w[0] - place[2], 0.0), buoy.height)
+    work.force[2] += buoy.stiffness * immersed - buoy.weight
+
+
+@kernel()
+def buoy_rates(buoy, work, y, place, R, at, share, waves, rate):
+    """rate (6,) of displacement and velocity of the buoy, (6,) `place`, and work.part on the body of a state y.
+
+    R (3, 3) : attitude of the body; at : place in the window, in steps of it; returns whether all lines have a force
+    """
+    if work.window.shape[1] > 1:
+        between_samples(work.window, at, work.quintic, work.water)
+    work.pose[:3] = place[:3]
+    good = line_loads(buoy.lines, work.lines, work.pose, work.R, work.force)
+    hawsers(buoy, work, y, place, R)
+    floats(buoy, work, place, share, waves)
+    for j in range(3):
+        rate[j] = place[3 + j]
+        rate[3 + j] = buoy.inverse[j] * work.force[j]
+    return good
+
+
+@kernel()
+def water_rows(table: WaveTable, buoy, place, start, rows):
+    """rows (WATER, 2c): coefficients of `factor` for the water at the middle of the draft of a buoy at (2,) m
+
+    start : s of the window
+    """
+    c, h, z = table.omega.size, buoy.depth, -0.5 * buoy.draft
+    for i in range(c):
+        kx, ky, w = table.number[0, i], table.number[1, i], table.omega[i]
+        k = np.sqrt(kx * kx + ky * ky)
+        turn = kx * place[0] + ky * place[1] + table.phase[i] - w * start
+        a, b = table.amplitude[i] * np.cos(turn), table.amplitude[i] * np.sin(turn)
+        over = np.exp(k * z) / (1.0 - np.exp(-2.0 * k * h))
+        ch, sh = over * (1.0 + np.exp(-2.0 * k * (z + h))), over * (1.0 - np.exp(-2.0 * k * (z + h)))
+        rows[0, i], rows[0, c + i] = a, b
+        for j, unit in ((0, kx / k), (1, ky / k)):
+            rows[1 + j, i], rows[1 + j, c + i] = w * ch * unit * a, w * ch * unit * b
+            rows[4 + j, i], rows[4 + j, c + i] = w * w * ch * unit * b, -w * w * ch * unit * a  # −iω (a + ib)
+        rows[3, i], rows[3, c + i] = w * sh * b, -w * sh * a
+        rows[6, i], rows[6, c + i] = -w * w * sh * a, -w * w * sh * b
+
+
+@kernel()
+def open_water(table, buoy, work, place, number, start):
+    """Water at the buoy in window `number`, from `start` s on, and rows of its end; place : (2,) m of the buoy now"""
+    if work.window.shape[1] <= 1:
+        return
+    for j in range(2):  # in the axes of the waves, in which the body at rest lies at the centre of their table
+        work.place[j] = buoy.lines.place[j] + place[j] - buoy.origin[j] + table.center[j]
+    if number == 0:
+        water_rows(table, buoy, work.place, start, work.rows[0])
+    water_rows(table, buoy, work.place, start + table.window, work.rows[(number + 1) % 2])
+    work.window[:] = 0.0
+    steps = work.window.shape[1] - 1 - 2 * EDGE
+    for side in range(2):
+        np.dot(work.rows[(number + side) % 2], table.factor[side], work.sums)
+        for n in range(work.window.shape[1]):
+            later = (n - EDGE) / steps
+            share = 1.0 - later if side == 0 else later
+            for j in range(WATER):
+                work.window[j, n] += share * work.sums[j, n]
+
+
+@kernel()
+def keep_pulls(work, first, last):
+    """Take up the pulls of a step that holds; samples `first` to `last` − 1 lie in it, and their largest begins anew"""
+    k = work.rope.size
+    for i in range(k):
+        work.most[i] = max(work.most[i], work.rope[i])
+    for i in range(work.lines.tension.shape[0]):
+        pull = np.sqrt(work.lines.tension[i, 0] ** 2 + work.lines.tension[i, 1] ** 2)
+        work.most[k + i] = max(work.most[k + i], pull)
+    for row in range(first, last):
+        work.kept[row] = work.most
+    if last > first:
+        for i in range(k):
+            work.most[i] = work.rope[i]
+        for i in range(work.lines.tension.shape[0]):
+            work.most[k + i] = np.sqrt(work.lines.tension[i, 0] ** 2 + work.lines.tension[i, 1] ** 2)

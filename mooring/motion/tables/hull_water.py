@@ -1,0 +1,100 @@
+"""Water and mean drift on a hull that slews in a current, at its velocity through the water, compiled.
+
+    F = Σₖ cₖ(β) V^(2−k) (rL)ᵏ − D ν′ + drift(ψ) + carried,    k = 0 … 4,  |rL| ≤ V/2      (`single_point.loads`)
+
+β, V : angle and speed of the water at the hull; ν′ = (u, v, r) through the water.  `carried` is what the current adds
+to the inertia of the equation of motion, whose velocities are those over the ground: seen from axes that turn, a
+current of components U, W changes at the rate r (W, −U).  With T of the body and the added mass a of slow motion,
+
+    turning tests           r (T₁₁ W, −T₂₂ U, −T₆₂ U)     they hold the inertia of the turn, and C(ν) is left out
+    current coefficients    r ((a₁₁ − a₂₂) W, (a₁₁ − a₂₂) U, −a₆₂ U)
+
+so that a body that drifts with the current moves as in water at rest.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+from .interpolation import on_ring, ring_table
+
+
+class HullWater(NamedTuple):
+    """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces; length : m, 0 without such a hull
+
+    largest : rL/V; velocity : (2,) m/s of the current; linear : (3, 3) D; carried : (3,) kg, kg, kg m
+    drift : (m + 3, 3) N, N, N m over headings
+    """
+
+    water: np.ndarray
+    length: float
+    largest: float
+    velocity: np.ndarray
+    linear: np.ndarray
+    carried: np.ndarray
+    drift: np.ndarray
+
+
+class OnHull(NamedTuple):
+    """Coefficients of a hull all the way round, about the centre of its motion, in place of those of a box.
+
+    wind : (n, 3) N s²/m², N m s²/m² of unit speed over the angle that the wind blows to, None for none
+    water : HullWater; turning : whether it is of turning tests, which hold the inertia of the turn
+    quadratic : N₂ of yaw, N m s²
+    """
+
+    wind: np.ndarray | None
+    water: HullWater
+    turning: bool
+    quadratic: float
+
+
+def no_hull_water():
+    """A HullWater that exerts no force"""
+    none = np.zeros((4, 3))
+    return HullWater(np.zeros((4, 15)), 0.0, 1.0, np.zeros(2), np.zeros((3, 3)), np.zeros(3), none)
+
+
+def hull_water(table, length, largest, velocity, linear, mass, turning, drift=None):
+    """HullWater of a table (n, 5, 3) N … over the angle the water flows to.
+
+    mass : (3, 3) kg …, T of slow surge, sway and yaw with turning tests, else the added mass; linear : (3, 3) or None
+    drift : (m, 3) N, N, N m over the heading, None for none
+    """
+    carried = np.array([mass[0, 0], -mass[1, 1], -mass[2, 1]])
+    if not turning:
+        carried[:2] = mass[0, 0] - mass[1, 1]
+    return HullWater(
+        ring_table(np.reshape(table, (len(table), 15))), float(length), float(largest), np.asarray(velocity, float),
+        np.zeros((3, 3)) if linear is None else np.asarray(linear, float), carried,
+        np.zeros((4, 3)) if drift is None else ring_table(drift),
+    )  # fmt: skip
+
+
+@kernel()
+def hull_water_force(hull, share, moving, weights, room, out, drift):
+    """out (3,) N, N, N m of the water in the body's axes, drift (3,) of the waves, with loads grown to `share`.
+
+    moving : (4,) heading, velocities along and across it and yaw rate over the ground; weights (4,), room (15,)
+    """
+    heading, r = moving[0], moving[3]
+    cos, sin = np.cos(heading), np.sin(heading)
+    x, y = share * hull.velocity[0], share * hull.velocity[1]
+    U, W = cos * x + sin * y, -sin * x + cos * y
+    u, v = moving[1] - U, moving[2] - W
+    out[0], out[1], out[2] = hull.carried[0] * r * W, hull.carried[1] * r * U, hull.carried[2] * r * U
+    V = np.sqrt(u * u + v * v)
+    if V > 0.0:
+        on_ring(hull.water, np.arctan2(-v, -u), weights, room)
+        s = min(max(r * hull.length, -hull.largest * V), hull.largest * V) / V
+        for j in range(3):
+            out[j] += V * V * (room[j] + s * (room[3 + j] + s * (room[6 + j] + s * (room[9 + j] + s * room[12 + j]))))
+    for j in range(3):
+        out[j] -= hull.linear[j, 0] * u + hull.linear[j, 1] * v + hull.linear[j, 2] * r
+    on_ring(hull.drift, heading, weights, drift)
+    for j in range(3):
+        drift[j] *= share * share

@@ -1,0 +1,167 @@
+"""A body at a single point in one equation with its waves and its buoy (`mooring.motion`): what is given, and a run.
+
+Slow and wave motion are one motion, of six degrees of freedom with the memory of the water where there is a database,
+and of three in the plane without.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part of
+the body, whose lines then end at it.  Loads are those of the statics and of the slow motion (`loads`), from turning
+tests or coefficients, all the way round; drift is that of every pair of waves, or the mean one that a study gives.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bem.time_domain.memory import Memory, MemoryArrays
+
+from ..lines.system.parts import Fairlead
+from ..loads.turning import LARGEST_TURN
+from ..motion.buoy import BuoyBody, BuoyOnLines, buoy_arrays
+from ..motion.line_loads import tables_of
+from ..motion.simulation import Moored, SimulationError, moored, simulate
+from ..motion.tables.hull_water import OnHull, hull_water
+from ..motion.wave_loads import WaveForces
+from ..motion.weather import Settings, Weather
+from ..studies.conditions import Wind
+from .body import Hold, SinglePoint, SinglePointError
+from .equilibria import Equilibrium
+
+PLANE = (0, 1, 5)
+
+
+@dataclass(frozen=True, eq=False)
+class PlanarBody:
+    """What a run needs of a body in the plane in place of a database.
+
+    inertia, stiffness : (6, 6) kg …, the stiffness none; rotation_center : (3,) m
+    """
+
+    inertia: np.ndarray
+    depth: float
+    density: float
+    gravity: float
+    stiffness: np.ndarray = None
+    rotation_center: np.ndarray = None
+    knows_drift: bool = False
+
+    def __post_init__(self):
+        object.__setattr__(self, "stiffness", np.zeros((6, 6)))
+        object.__setattr__(self, "rotation_center", np.zeros(3))
+
+
+def planar(point: SinglePoint) -> Moored:
+    """Moored of a body with the masses of a SinglePoint that moves in the plane, held by nothing yet"""
+    T = point.mass
+    rigid = np.zeros((6, 6))
+    own = min(T[0, 0], T[1, 1])  # how T is shared among body and water does not matter in the plane
+    rigid[range(3), range(3)], rigid[range(3, 6), range(3, 6)] = own, own * T[2, 2] / T[1, 1]
+    added = np.zeros((6, 6))
+    added[np.ix_(PLANE, PLANE)] = T - rigid[np.ix_(PLANE, PLANE)]
+    system, none = point.system, np.zeros((6, 0))
+    reader = PlanarBody(rigid, system.depth, system.density, system.gravity)
+    zero = np.zeros((6, 6))
+    arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
+    memory = Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), added, zero, zero, (0.0, 1.0), ())
+    waves = WaveForces(np.zeros(0), np.zeros((0, 1, 12)), None)
+    return Moored(reader, None, None, memory, np.zeros(6), zero, zero, np.zeros(6), zero, added, waves, ((), ()),
+                  free=PLANE)  # fmt: skip
+
+
+def on_hull(point: SinglePoint, slow_added_mass, drift=True) -> OnHull:
+    """OnHull of the loads of a SinglePoint; slow_added_mass : (6, 6); drift : whether their mean drift pushes"""
+    loads, water = point.loads, point.loads.water
+    mass = point.mass if water.turning else slow_added_mass[np.ix_(PLANE, PLANE)]
+    held = loads.drift.table if drift and loads.drift is not None else None
+    found = hull_water(water.table, water.length, LARGEST_TURN, water.velocity, water.linear, mass, water.turning, held)
+    return OnHull(None if loads.wind is None else loads.wind.table, found, bool(water.turning), water.quadratic)
+
+
+def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None, rope=None, end_z=0.0,
+            memory=None) -> Moored:  # fmt: skip
+    """Moored at a state (6,) beside an Equilibrium (`slewing.turned_state`), the hawser as long as its pull makes it.
+
+    db : opened database, None for the plane; memory : of its water; end_z : m, of the attachment over the water
+    buoy, rope : BuoyBody and RopePart of the hawsers, of a mooring with hawsers
+    raises : SinglePointError, ValueError of `moored`
+    """
+    point = steady.point
+    contact = point.lengths[0] == 0.0
+    if not contact and (buoy is None or rope is None):
+        raise SinglePointError("a hawser needs the buoy's mass and the rope's strength; give buoy and rope")
+    if contact and buoy is not None:
+        raise SinglePointError("a contact buoy moves with the body; a buoy of its own needs a hawser")
+    body = planar(point) if db is None else moored(db, memory=memory)
+    center = np.asarray(body.reader.rotation_center, float)
+    out, state = np.zeros(3), np.asarray(state, float)
+    if not contact:
+        out = _stretch(steady, state, rope)
+    start = np.array([*(state[:2] + out[:2] - center[:2]), 0.0, 0.0, 0.0, state[2]])
+    stiffness = body.stiffness.copy()
+    held = point.stiffness(steady.heading, Hold(-steady.force, steady.hawser, steady.buoy))
+    stiffness[PLANE, PLANE] += np.abs(np.diag(held))  # scale of the errors of steps
+    body = replace(body, start=start, stiffness=stiffness)
+    ends = np.column_stack([point.ends, np.full(len(point.ends), end_z - center[2] if db is not None else 0.0)])
+    if contact:
+        system = _at_the_bow(point, center, ends[0], db is not None)
+        return replace(body, system=system, tables=tables_of(system, start))
+    origin = np.array([*center[:2], center[2] if db is not None else 0.0])
+    height = point.pull(steady.buoy).height - point.system.bodies[0].position[2]
+    level = ends[0, 2] + origin[2] - point.system.bodies[0].position[2] - height
+    place = np.array([*(steady.buoy - point.system.bodies[0].position[:2]), height])
+    hung = BuoyOnLines(buoy, point.system, rope, point.lengths, ends, origin, place, level, point.loads.water.velocity)
+    try:
+        buoy_arrays(hung)
+    except ValueError as error:
+        raise SinglePointError(str(error)) from None
+    return replace(body, buoy=hung)
+
+
+def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=None, wave_ramp=None, gusts=None,
+               tolerance=1e-3, seed=0, drift=True):  # fmt: skip
+    """`Realisation` of a body from `body_at`, in the wind, current and drift of its SinglePoint.
+
+    duration, step : s; components : of waves, which grow over wave_ramp, (s, s) begin and length
+    gusts : GustSpectrum of the wind; drift : whether the mean drift of the loads pushes, else that of the waves
+    raises : SinglePointError
+    """
+    loads = steady.point.loads
+    wind = None if loads.wind is None else Wind(loads.wind.speed, loads.wind.direction)
+    held = on_hull(steady.point, body.slow_added_mass, drift)
+    weather = Weather(wind=wind, gusts=gusts, on_hull=held, components=components)
+    kind = "none" if drift or components is None else "newman"
+    settings = Settings(duration, 0.0, step, tolerance, slow_drift=kind, wave_ramp=wave_ramp)
+    try:
+        return simulate(body, weather, settings, seed)
+    except SimulationError as error:
+        raise SinglePointError(str(error)) from None
+
+
+def _stretch(steady, state, rope):
+    """(3,) m, by which the body lies farther from its buoy where the hawser is as long as its pull makes it"""
+    tension = float(steady.hawser.max())
+    away = state[:2] + _turned(state[2]) @ steady.point.apex - steady.buoy
+    size = np.hypot(*away)
+    if not (tension > 0 and size > 0):
+        return np.zeros(3)
+    longer = steady.point.lengths.max() * float(rope.strain_at(tension))
+    return np.array([*(away / size * longer), 0.0])
+
+
+def _turned(heading):
+    c, s = np.cos(heading), np.sin(heading)
+    return np.array([[c, -s], [s, c]])
+
+
+def _at_the_bow(point, center, end, afloat):
+    """System in which the lines of a contact buoy end on the body"""
+    system = point.system
+    z = system.bodies[0].position[2]
+    body = replace(system.bodies[0], position=(*center[:2], center[2] if afloat else 0.0, 0.0, 0.0, 0.0))
+    at = (end[0], end[1], z - body.position[2])
+    points = []
+    for one in system.points:
+        if isinstance(one, Fairlead):
+            own = np.asarray(one.position, float)
+            one = replace(one, position=(at[0] + own[0], at[1] + own[1], at[2] + own[2]))
+        points.append(one)
+    return replace(system, bodies=(body,), points=tuple(points))

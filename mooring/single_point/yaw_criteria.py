@@ -1,0 +1,73 @@
+"""Published criteria of the yaw stability of a ship at a single point, beside the quartic (`criterion`).
+
+static         a > N_ψ/Y_ψ: the attachment lies ahead of the point where the side force of a small heading acts; behind
+               it the heading leaves without oscillation for one of two oblique ones (a pitchfork), whatever the length
+               of the hawser.  D > 0 of the quartic.  Papoulias and Bernitsas, J. Ship Research 32 (1988); Leite et al.,
+               Applied Ocean Research 20 (1998)
+straight line  Y_v N_r − N_v (Y_r − MU) > 0, of a ship that runs free, about its centre of mass: Abkowitz, "Stability
+               and motion control of ocean vehicles" (1969).  MI times what is left of B where the line is long and its
+               pull small, as for the towed ship of Strandhagen, Schoenherr and Kobayashi, Trans. SNAME 58 (1950)
+hawser         ABC − C² − A²D > 0 (Routh and Hurwitz), as in Wichers, "A simulation model for a single point moored
+               tanker" (Delft 1988) and Sharma, Jiang and Schellin (17th Symp. on Naval Hydrodynamics, 1988): where a
+               length of the line changes its sign a limit cycle begins (Hopf)
+
+Y_r of `Lateral` is that of the motion over the ground, in axes that do not turn; −MU with the added mass brings it to
+those of the ship.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .criterion import Lateral, moored_quartic, routh_hurwitz
+
+
+class YawStability(NamedTuple):
+    """lever : m, N_ψ/Y_ψ, ahead of the centre of mass, nan without a side force; static : whether a is larger
+
+    straight_line : Y_v N_r − N_v (Y_r − MU), (N s/m)(N m s), above 0 where the ship keeps a straight line
+    lengths : (k,) m, rising, of the line at which Routh and Hurwitz's condition changes its sign, of those asked for
+    """
+
+    lever: float
+    static: bool
+    straight_line: float
+    lengths: np.ndarray
+
+
+def yaw_stability(lateral: Lateral, speed, lengths) -> YawStability:
+    """YawStability of a Lateral; speed : m/s, ahead through the water
+
+    lengths : (n,) m, rising, of the line, between which its changes are sought
+    """
+    m = lateral
+    lever = m.N_psi / m.Y_psi if m.Y_psi != 0 else np.nan
+    lengths = np.asarray(lengths, float)
+    return YawStability(
+        float(lever), bool(m.arm * m.Y_psi > m.N_psi), float(straight_line(m, speed)), changes(m, lengths)
+    )
+
+
+def straight_line(m: Lateral, speed):
+    """Y_v N_r − N_v (Y_r − MU) of a ship that runs free at `speed`, m/s, from derivatives by motion over the ground"""
+    return m.Y_v * m.N_r - m.N_v * (m.Y_r - m.mass * speed)
+
+
+def changes(m: Lateral, lengths):
+    """(k,) m, between rising lengths (n,) m, at which a line becomes stable or unstable"""
+    from scipy.optimize import brentq
+
+    def margin(length):
+        quartic = moored_quartic(m._replace(length=length))
+        _, A, B, C, D = np.moveaxis(quartic, -1, 0)
+        return A * B * C - C * C - A * A * D
+
+    stable = routh_hurwitz(moored_quartic(m._replace(length=np.asarray(lengths, float))))
+    found = []
+    for i in np.flatnonzero(stable[1:] != stable[:-1]):
+        low, high = lengths[i], lengths[i + 1]
+        if margin(low) * margin(high) < 0:
+            found.append(brentq(margin, low, high, xtol=1e-9 * high))
+    return np.array(found)
