@@ -13,6 +13,10 @@ from .printing import timing
 # commands that solve large linear systems, which more than one BLAS thread serves
 SOLVING = ("box", "buoy", "ship", "solve", "bench", "stress", "compare", "sections")
 
+# kernels of some lines or one system take milliseconds uncompiled, and up to a minute to compile
+LINES = "mooring.lines."
+SHORT, SECONDS = (LINES + "catenary", LINES + "multi_segment", LINES + "system"), 10.0
+
 TOLD = ("keys", "new", "doctor")  # commands that tell what there is, and compute nothing
 
 
@@ -35,6 +39,7 @@ def main():
         timing.begin()
     if len(sys.argv) > 1 and sys.argv[1][0:1] != "-" and sys.argv[1] not in TOLD and "--help" not in sys.argv:
         _spare_numpy()
+        _put_off_compiling()
     from . import cli
     from .common.interrupt import Interrupt
 
@@ -57,6 +62,13 @@ def _spare_numpy():
 
     for name in ("f2py", "testing"):
         vars(numpy).setdefault(name, _Later(f"numpy.{name}"))
+
+
+def _put_off_compiling():
+    """Let kernels of lines run uncompiled for some seconds where none is on disk."""
+    from bem.kernels.uncompiled import allow
+
+    allow(SHORT, SECONDS)
 
 
 def _leave(number, frame):

@@ -17,6 +17,8 @@ from pathlib import Path
 import numba
 from numba.core import config
 
+from .uncompiled import may_wait
+
 ROOT = Path(__file__).parents[2]
 # `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file, at every start
 _IMPORT = re.compile(
@@ -92,13 +94,14 @@ def kernel(inline=False):
         config.CACHE_DIR = str(cache_folder(Path(function.__code__.co_filename), ROOT))
         try:
             # contract and reassoc only: NaN and infinity must stay visible
-            return numba.njit(
+            compiled = numba.njit(
                 cache=True,
                 forceinline=inline,
                 error_model="numpy",
                 fastmath={"contract", "reassoc"},
                 nogil=True,
             )(function)
+            return may_wait(function, compiled)
         finally:
             config.CACHE_DIR = kept
 
