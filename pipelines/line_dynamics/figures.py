@@ -163,7 +163,7 @@ def regime_of(line, course, harmonics):
         return "the simplified method is for a uniform line without bodies"
     if len(line.segments[0].elongation) > 1:
         return "the simplified method is for a line of one axial stiffness"
-    if line.bed is None or line.bed.slope != 0 or line.bed.below > 0:
+    if line.bed is None or line.bed.slope != 0 or line.bed.points or line.bed.below > 0:
         return "the simplified method is for a line whose anchor lies on a flat bed"
     if harmonics != 1:
         return "the simplified method is for one harmonic motion"

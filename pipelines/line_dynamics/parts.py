@@ -105,14 +105,25 @@ def _bed(study):
     try:
         return ElasticBed(
             math.radians(table.slope_deg),
-            math.radians(table.uphill_deg),
+            _uphill(study, table),
             max(below, 0.0),
             1e3 * table.stiffness_kPa_per_m,
             1e3 * table.damping_kPa_s_per_m,
             table.friction,
+            points=tuple(table.points),
         )
     except ValueError as error:
         raise StudyError(f"bed: {error}") from None
+
+
+def _uphill(study, table):
+    """rad, where the bed rises to, or the course that its points are along"""
+    if table.uphill_deg is not None or not table.points:
+        return math.radians(table.uphill_deg or 0.0)
+    if study.fairlead.position is None:
+        raise StudyError("bed.points need a way where the fairlead has a table; allowed: bed.uphill_deg beside them")
+    x, y = (end - begin for begin, end in zip(study.anchor[:2], study.fairlead.position[:2], strict=True))
+    return math.atan2(y, x)
 
 
 def current_of(study):

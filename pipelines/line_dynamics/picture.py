@@ -87,7 +87,10 @@ def _bed(axes, line, start, left, right):
     away = start[-1, :2] - start[0, :2]
     size = np.linalg.norm(away)
     heading = away / size if size > 0 else np.array([1.0, 0.0])
-    x = np.array([left, right])
-    n = line.bed.normal
-    z = line.anchor[2] - line.bed.below - x * (n[:2] @ heading) / n[2]
-    axes.plot(x, z, color="0.5", lw=3, zorder=0)
+    from mooring.lines.dynamics.lumped.system import above_bed
+
+    x = np.linspace(left, right, 401)
+    under = np.column_stack([line.anchor[:2] + x[:, None] * heading, np.zeros_like(x)])
+    for _ in range(10):  # along the normal, which is upright but for the slope
+        under[:, 2] -= above_bed(line.system, under)
+    axes.plot(x, under[:, 2], color="0.5", lw=3, zorder=0)

@@ -26,18 +26,20 @@ class WaterTable(Table):
 
 
 class BedTable(Table):
-    """An elastic bed, a plane
+    """An elastic bed, a plane or hills and valleys under the line
 
     friction : coefficient
+    points : m, [x, z], … from its anchor along the line, in place of a slope
     slope_deg : upwards
-    uphill_deg : where to, 0 → +x
+    uphill_deg : where to, 0 → +x; of points the way they go, by default to the fairlead's mean position
     stiffness_kPa_per_m : times diameter
     damping_kPa_s_per_m : times diameter
     """
 
     friction: float = 0.0
+    points: list[tuple[float, float]] = msgspec.field(default_factory=list)
     slope_deg: float = 0.0
-    uphill_deg: float = 0.0
+    uphill_deg: float | None = None
     stiffness_kPa_per_m: float = 300.0
     damping_kPa_s_per_m: float = 30.0
 

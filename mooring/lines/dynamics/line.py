@@ -8,6 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from ..multi_segment.segments import Segment
+from .bed import ElasticBed
+from .bed import check as _check
 from .lumped.system import System
 
 DAMPED = 40  # elements of a segment from which on damping is the line's, and no longer the mesh's
@@ -119,41 +121,6 @@ class AttachedBody:
 
 
 @dataclass(frozen=True)
-class ElasticBed:
-    """A plane under the anchor.
-
-    slope : rad, upwards towards `uphill` (rad, 0 → +x); below : m, depth of the bed under the anchor
-    stiffness : Pa/m and damping : Pa s/m, times diameter and length; a line at rest lies on the plane itself
-    friction : Coulomb coefficient; slip : m, displacement that mobilises it (elastic before, sliding after), by default
-    a tenth of what friction stretches an element by: an element slides by that much at least where one slides at all,
-    and over a millimetre friction would lose a third to nine tenths of its work in small motions (`line_energy.py`)
-    """
-
-    slope: float = 0.0
-    uphill: float = 0.0
-    below: float = 0.0
-    stiffness: float = 3e5
-    damping: float = 3e4
-    friction: float = 0.0
-    slip: float | None = None
-
-    def __post_init__(self):
-        if not abs(self.slope) < 1.0:
-            raise ValueError(f"bed slope is {self.slope:g} rad; allowed: between −1 and 1")
-        _check("bed stiffness", self.stiffness, 0.0, strict=True)
-        if self.slip is not None:
-            _check("bed slip", self.slip, 0.0, strict=True)
-        for name in ("below", "damping", "friction"):
-            _check(f"bed {name}", getattr(self, name), 0.0)
-
-    @property
-    def normal(self):
-        """(3,) upward unit vector"""
-        s = np.sin(self.slope)
-        return np.array([-s * np.cos(self.uphill), -s * np.sin(self.uphill), np.cos(self.slope)])
-
-
-@dataclass(frozen=True)
 class DynamicLine:
     """Segments from the anchor to the fairlead; `bodies[i]`, or None, sits between segments i and i + 1.
 
@@ -261,6 +228,8 @@ class DynamicLine:
                 bed_level=0.0,
                 bed_friction=0.0,
                 bed_slip=1.0,
+                bed_course=np.zeros(4),
+                bed_profile=np.zeros((0, 4)),
             )
         bed, heavier = self.bed, np.maximum(1.0, weight / np.where(line_weight > 0, line_weight, np.inf))
         k = bed.stiffness * area * heavier
@@ -273,6 +242,8 @@ class DynamicLine:
             bed_level=float(bed.normal @ (np.array(self.anchor) - [0.0, 0.0, bed.below])),
             bed_friction=float(bed.friction),
             bed_slip=float(self._slip if bed.slip is None else bed.slip),
+            bed_course=np.array([*self.anchor[:2], np.cos(bed.uphill), np.sin(bed.uphill)]),
+            bed_profile=bed.profile(self.anchor[2]),
         )
 
     @property
@@ -308,8 +279,3 @@ class DynamicLine:
 def _to_nodes(half):
     """(N + 1,) sum of the halves on both sides of each node"""
     return np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half])
-
-
-def _check(name, value, low, strict=False):
-    if not (np.isfinite(value) and (value > low if strict else value >= low)):
-        raise ValueError(f"{name} is {value:g}; allowed: finite, {'above' if strict else 'at least'} {low:g}")

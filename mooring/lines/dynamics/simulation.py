@@ -17,6 +17,7 @@ import numpy as np
 
 from .estimates import mesh_error, step_error
 from .line import AttachedBody, DynamicLine, DynamicSegment, ElasticBed
+from .lumped.system import above_bed
 from .run import Case, DynamicLineError, Energies, Result, run_esdirk, run_houbolt
 from .start import start as at_rest
 from .surroundings import CurrentProfile, FairleadMotion, WaveTrain, water_arrays
@@ -129,6 +130,6 @@ def _check_above_bed(line, motion, begin, duration):
     if line.bed is None:
         return
     times = np.linspace(begin, begin + duration, 201)
-    height = min(line.system.bed_normal @ motion.at(t)[0] for t in times) - line.system.bed_level
+    height = above_bed(line.system, np.array([motion.at(t)[0] for t in times])).min()
     if height < 0:
         warnings.warn(f"the fairlead goes {-height:.3g} m below the bed; allowed: at or above it", stacklevel=3)

@@ -54,7 +54,8 @@ def _mobilised(system, q):
     along = np.diff(q, axis=0)
     length = np.linalg.norm(along, axis=1)
     tension = lumped.elastic_tension(system, q)
-    p, h = system.bed_level + system.bed_thickness - q @ system.bed_normal, system.bed_thickness
+    h = system.bed_thickness
+    p = h - lumped.above_bed(system, q)
     reaction = system.bed_stiffness * np.where(p < h, 0.5 * np.maximum(p, 0.0) ** 2 / h, p - 0.5 * h)
     held, slip = 0.0, np.zeros_like(q)
     for j in range(len(q) - 2, 0, -1):
@@ -86,7 +87,10 @@ def _guess(line, fairlead):
         found = solve_lines(*given)
         if found.status == State.SLACK:
             x, z = _folded(x, z, s, float(found.grounded_length), span, slope)
-    return line.anchor + np.column_stack([x * heading[0], x * heading[1], up * z])
+    q = line.anchor + np.column_stack([x * heading[0], x * heading[1], up * z])
+    if line.bed is not None and line.bed.points:
+        q[:, 2] += np.maximum(-lumped.above_bed(system, q), 0.0)
+    return q
 
 
 def _folded(x, z, s, lying, span, slope):

@@ -19,14 +19,15 @@ from ...lines.dynamics.surroundings import water_arrays
 from .polynomial import TERMS
 
 ROWS = 256  # of a line's own steps in one step of the body; more say that the body's step is too long
-OF_BED = ("bed_level", "bed_friction", "bed_slip")
+OF_BED = ("bed_level", "bed_friction", "bed_slip", "bed_normal", "bed_course")
 
 
 class MovingLines(NamedTuple):
     """m moving lines.
 
     number : (m,) of each among the lines of its system; system : `System` of them all, bed_normal (m, 3), level,
-    friction and slip of the bed (m,); elements, nodes, bodies, rows : (m + 1,) where the parts of each begin
+    friction, slip (m,) and course (m, 4) of the bed, a plane; elements, nodes, bodies, rows : (m + 1,) where the
+    parts of each begin
     tension, distance : (m,) N, m, scales of their errors; tolerance : of a step; water : `Water`
     swing : (rad/s)², of the body on these lines if they could only stretch
     """
@@ -102,7 +103,7 @@ def moving_lines(lines, fairleads, tolerance, swing):
         np.concatenate([[0], np.cumsum([len(value) for value in together[name]])]).astype(np.int64)
         for name in ("length", "mass", "body_nodes", "elongation")
     )
-    made = {name: np.array(values, float) for name, values in together.items() if name in (*OF_BED, "bed_normal")}
+    made = {name: np.array(values, float) for name, values in together.items() if name in OF_BED}
     made |= {name: np.concatenate(values) for name, values in together.items() if name not in made}
     return MovingLines(
         np.array(list(lines), np.int64),
@@ -194,4 +195,6 @@ def line_system(moving, i):
         s.bed_level[i],
         s.bed_friction[i],
         s.bed_slip[i],
+        s.bed_course[i],
+        s.bed_profile,
     )

@@ -252,3 +252,16 @@ def test_a_rope_may_have_a_table_of_elongation_and_tension(tmp_path):
     short = (rope[0], rope[1].replace("[0, 400, 1600]", "[0, 400]"))
     with pytest.raises(ValueError, match="elongation_percent has 3 numbers"):
         line_of(read_line_dynamics(changed(tmp_path, short))[0])
+
+
+def test_hills_lie_under_the_line_from_its_anchor_towards_the_fairlead(tmp_path):
+    place = tmp_path / "hills.toml"
+    place.write_text(CHAIN + "\n[bed]\nfriction = 0.3\npoints = [[5, 1], [65, 1], [120, 7], [400, 1]]\n")
+    line, _ = line_of(read_line_dynamics(place)[0])
+    assert line.bed.points == ((0.0, 0.0), (60.0, 0.0), (115.0, 6.0), (395.0, 0.0))
+    way = np.array(read_line_dynamics(place)[0].fairlead.position[:2]) - line.anchor[:2]
+    assert np.allclose(line.system.bed_course[2:], way / np.linalg.norm(way))
+    assert main(["line-dynamics", str(place), "--duration", "16", "--picture", str(tmp_path / "hills.png")]) == 0
+    place.write_text(place.read_text().replace("[65, 1]", "[5, 1]"))
+    with pytest.raises(ValueError, match="bed: bed points step 0 m"):
+        line_of(read_line_dynamics(place)[0])

@@ -16,8 +16,10 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
+from .bed import keep_slip
 from .block_tridiagonal import factor, substitute
-from .forces import FRICTION, keep_slip, node_forces, stored_energy
+from .books import FRICTION
+from .forces import node_forces, stored_energy
 from .stage import CONVERGED, add, change, copy, move, solve_stage, workspace
 from .surroundings import fairlead_at, water_at
 

@@ -10,9 +10,7 @@ dimensions):
     normal      ½ρ C_dn D |u_n| u_n,     ρA [(1 + C_an) u̇_n − C_an a_n]
     tangential  ½ρ C_dt πD |u_t| u_t,    ρA C_at (u̇_t − a_t)
 
-Bed: pressure k p²/2h for penetration p ≤ h, k (p − h/2) beyond, with h such that a node at rest has p = h and lies
-on the bed's plane; damping c min(1, p/h) never pulls.  Friction μN acts against the elastic displacement s of the
-node along the bed, −μN s/δ with |s| ≤ δ (elastic up to δ, then sliding).
+Bed: `bed`.
 
 The tangent is exact for tension, bed and friction and for drag against velocity; it leaves out how drag and added
 mass turn with the line, which is h²|F|/mℓ times smaller.
@@ -24,7 +22,8 @@ import math
 
 from bem.kernels.jit import kernel
 
-WORK, DRAG, INERTIA, STRUCTURE, BED, FRICTION = range(6)
+from .bed import bed_energy, bed_forces
+from .books import DRAG, INERTIA, STRUCTURE, WORK
 
 
 @kernel()
@@ -49,16 +48,6 @@ def tension(s, e, strain, rate):
     if T <= 0.0:
         return 0.0, elastic, 0.0, 0.0
     return T, elastic, k + (BA * rate / soft if strain < soft else 0.0), BA * fade
-
-
-@kernel()
-def bearing(k, thickness, p):
-    """Bed reaction without damping, its derivative and its energy at penetration p."""
-    if p <= 0.0:
-        return 0.0, 0.0, 0.0
-    if p < thickness:
-        return 0.5 * k * p * p / thickness, k * p / thickness, k * p * p * p / (6.0 * thickness)
-    return k * (p - 0.5 * thickness), k, 0.5 * k * (p * p - p * thickness + thickness * thickness / 3.0)
 
 
 @kernel()
@@ -172,93 +161,6 @@ def body_forces(s, q, v, a, u, du, cq, cv, r, D, power):
 
 
 @kernel()
-def slipped(n, x, y, z, limit):
-    """Part of a displacement (x, y, z) along the bed, at most `limit` long, and the factor that cut it, ≤ 1."""
-    up = n[0] * x + n[1] * y + n[2] * z
-    x, y, z = x - up * n[0], y - up * n[1], z - up * n[2]
-    size = math.sqrt(x * x + y * y + z * z)
-    f = limit / size if size > limit else 1.0
-    return (f * x, f * y, f * z), f
-
-
-@kernel()
-def bed_forces(s, q, v, slip, since, cq, cv, r, D, power):
-    """Reaction and friction of the bed; slip: elastic displacement of friction when the nodes were at `since`."""
-    n = s.bed_normal
-    for j in range(q.shape[0]):
-        h = s.bed_thickness[j]
-        p = s.bed_level + h - (n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2])
-        if p <= 0.0:
-            continue
-        spring, k, _ = bearing(s.bed_stiffness[j], h, p)
-        rise = n[0] * v[j, 0] + n[1] * v[j, 1] + n[2] * v[j, 2]
-        c = s.bed_damping[j] * min(1.0, p / h)
-        N = max(0.0, spring - c * rise)
-        power[BED] += (spring - N) * rise
-        if N == 0.0:
-            continue
-        normal = cq * (k - (s.bed_damping[j] / h * rise if p < h else 0.0)) + cv * c
-        x, cut = slipped(
-            n,
-            slip[j, 0] + q[j, 0] - since[j, 0],
-            slip[j, 1] + q[j, 1] - since[j, 1],
-            slip[j, 2] + q[j, 2] - since[j, 2],
-            s.bed_slip,
-        )
-        G = s.bed_friction / s.bed_slip
-        F = G * N
-        # along the bed, and where it slides not along the displacement, friction resists like a spring
-        hold, sliding = cq * F * cut, cq * F * cut / s.bed_slip**2 if cut < 1.0 else 0.0
-        for i in range(3):
-            r[j, i] += N * n[i] - F * x[i]
-            power[FRICTION] += F * x[i] * v[j, i]
-            D[j, i, i] += hold
-            for m in range(3):
-                D[j, i, m] += ((normal - hold) * n[i] - G * normal * x[i]) * n[m] - sliding * x[i] * x[m]
-
-
-@kernel()
-def pressing(s, j, q, v):
-    """N, reaction of the bed on node j, its damping included; 0 above the bed"""
-    n, h = s.bed_normal, s.bed_thickness[j]
-    p = s.bed_level + h - (n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2])
-    if p <= 0.0:
-        return 0.0
-    rise = n[0] * v[j, 0] + n[1] * v[j, 1] + n[2] * v[j, 2]
-    return max(0.0, bearing(s.bed_stiffness[j], h, p)[0] - s.bed_damping[j] * min(1.0, p / h) * rise)
-
-
-@kernel()
-def keep_slip(s, q, v, slip, since, before):
-    """Friction displacement of all nodes after a step from `since` (n, 3) m at `before` (n, 3) m/s to q at v.
-
-    It is lost where a node has left the bed.  Returns the work against friction, J: that of the path from end to end
-    of the step, elastic to δ and sliding beyond, because the power at the stages misses what turns within a millimetre.
-    """
-    n, work = s.bed_normal, 0.0
-    for j in range(q.shape[0]):
-        above = n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2] - s.bed_level - s.bed_thickness[j]
-        if above < 0.0:
-            held = slip[j, 0] ** 2 + slip[j, 1] ** 2 + slip[j, 2] ** 2
-            moved, cut = slipped(
-                n,
-                slip[j, 0] + q[j, 0] - since[j, 0],
-                slip[j, 1] + q[j, 1] - since[j, 1],
-                slip[j, 2] + q[j, 2] - since[j, 2],
-                s.bed_slip,
-            )
-            slip[j, 0], slip[j, 1], slip[j, 2] = moved
-            stretched = 0.5 * (moved[0] ** 2 + moved[1] ** 2 + moved[2] ** 2 - held)
-            path = stretched + s.bed_slip**2 * (1.0 / cut - 1.0)
-            if s.bed_friction > 0.0:
-                mean = 0.5 * (pressing(s, j, since, before) + pressing(s, j, q, v))
-                work += s.bed_friction / s.bed_slip * mean * path
-        else:
-            slip[j] = 0.0
-    return work
-
-
-@kernel()
 def node_forces(s, work, a, slip, since, cq, cv):
     """Residual work.r = forces − mass · a of all nodes, tangent blocks D and B, tensions T and powers.
 
@@ -287,15 +189,12 @@ def node_forces(s, work, a, slip, since, cq, cv):
 def stored_energy(s, q, v):
     """Kinetic energy of the dry line, elastic energy, potential of weight and buoyancy, and energy in the bed, J."""
     kinetic, elastic, potential, bed = 0.0, 0.0, 0.0, 0.0
-    n = s.bed_normal
     for j in range(q.shape[0]):
         kinetic += 0.5 * s.mass[j] * (v[j, 0] ** 2 + v[j, 1] ** 2 + v[j, 2] ** 2)
         potential += s.weight[j] * q[j, 2]
         if s.body_buoyancy[j] > 0.0:
             potential += s.body_buoyancy[j] * immersion(q[j, 2], s.body_radius[j])[2]
-        if s.bed_stiffness[j] > 0.0:
-            p = s.bed_level + s.bed_thickness[j] - (n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2])
-            bed += bearing(s.bed_stiffness[j], s.bed_thickness[j], p)[2]
+        bed += bed_energy(s, j, q)
     for e in range(q.shape[0] - 1):
         x, y, z = q[e + 1, 0] - q[e, 0], q[e + 1, 1] - q[e, 1], q[e + 1, 2] - q[e, 2]
         strain = math.sqrt(x * x + y * y + z * z) / s.length[e] - 1.0

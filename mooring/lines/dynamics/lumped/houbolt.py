@@ -14,8 +14,10 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
+from .bed import keep_slip
+from .books import FRICTION
 from .esdirk import frame, mark, record
-from .forces import FRICTION, keep_slip, node_forces
+from .forces import node_forces
 from .stage import CONVERGED, copy, move, solve_stage, workspace
 from .surroundings import fairlead_at, water_at
 

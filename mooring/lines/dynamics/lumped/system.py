@@ -43,6 +43,8 @@ class System(NamedTuple):
     bed_level: float  # n·r of the bed, where a line rests
     bed_friction: float
     bed_slip: float  # m, displacement at which friction is fully mobilised
+    bed_course: np.ndarray  # (4,) m, x and y of its begin, and the unit vector along it
+    bed_profile: np.ndarray  # (k, 4) m along the course from which a row holds; height there, slope, bend; none: plane
 
 
 class Water(NamedTuple):
@@ -89,6 +91,17 @@ class State(NamedTuple):
     acceleration: np.ndarray
     slip: np.ndarray  # m, elastic displacement of the bed friction
     step: float
+
+
+def above_bed(system, q):
+    """(n,) m, height of points q (n, 3) over the bed, along its normal"""
+    profile = system.bed_profile
+    if len(profile) == 0:
+        return q @ system.bed_normal - system.bed_level
+    d = (q[:, :2] - system.bed_course[:2]) @ system.bed_course[2:]
+    begin, height, slope, bend = profile[np.maximum(np.searchsorted(profile[:, 0], d, side="right") - 1, 0)].T
+    more = d - begin
+    return (q[:, 2] - height - more * (slope + 0.5 * bend * more)) / np.hypot(1.0, slope + bend * more)
 
 
 def elastic_tension(system, q):

@@ -1,0 +1,77 @@
+"""The bed under a line that moves, as a value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..multi_segment.bed import Bed
+
+ROUND = 0.1  # of the shorter facet at an edge, that is bent on either side of it
+
+
+@dataclass(frozen=True)
+class ElasticBed:
+    """A plane under the anchor, or hills and valleys along one course.
+
+    slope : rad, upwards towards `uphill` (rad, 0 → +x); below : m, depth of the bed under the anchor
+    points : (k, 2) m in place of a slope, distance from the anchor towards `uphill`, rising, and height; joined by
+    straight facets, the first and the last without end, and moved so that the first is (0, 0)
+    (`multi_segment.bed.Bed`); across that course the bed is level, and its edges are rounded (`ROUND`)
+    stiffness : Pa/m and damping : Pa s/m, times diameter and length; a line at rest lies on the plane itself
+    friction : Coulomb coefficient; slip : m, displacement that mobilises it (elastic before, sliding after), by default
+    a tenth of what friction stretches an element by: an element slides by that much at least where one slides at all,
+    and over a millimetre friction would lose a third to nine tenths of its work in small motions (`line_energy.py`)
+    """
+
+    slope: float = 0.0
+    uphill: float = 0.0
+    below: float = 0.0
+    stiffness: float = 3e5
+    damping: float = 3e4
+    friction: float = 0.0
+    slip: float | None = None
+    points: tuple = ()
+
+    def __post_init__(self):
+        if not abs(self.slope) < 1.0:
+            raise ValueError(f"bed slope is {self.slope:g} rad; allowed: between −1 and 1")
+        if len(self.points):
+            if self.slope != 0:
+                raise ValueError(f"bed slope is {self.slope:g} rad beside points; allowed: one of them")
+            object.__setattr__(self, "points", tuple(map(tuple, Bed(self.points).points.tolist())))
+        check("bed stiffness", self.stiffness, 0.0, strict=True)
+        if self.slip is not None:
+            check("bed slip", self.slip, 0.0, strict=True)
+        for name in ("below", "damping", "friction"):
+            check(f"bed {name}", getattr(self, name), 0.0)
+
+    @property
+    def normal(self):
+        """(3,) upward unit vector"""
+        s = np.sin(self.slope)
+        return np.array([-s * np.cos(self.uphill), -s * np.sin(self.uphill), np.cos(self.slope)])
+
+    def profile(self, z):
+        """(m, 4) m, along the course: where a row begins, height there, slope, and bend; none of a plane.
+
+        z : m, of the anchor, which the bed is `below`
+        """
+        if not self.points:
+            return np.zeros((0, 4))
+        d, height = np.array(self.points).T
+        slope, length = np.diff(height) / np.diff(d), np.diff(d)
+        rows = [[d[0], height[0], slope[0], 0.0]]
+        for i in range(1, len(slope)):
+            half = ROUND * min(length[i - 1], length[i])
+            before, after = slope[i - 1], slope[i]
+            rows.append([d[i] - half, height[i] - half * before, before, (after - before) / (2 * half)])
+            rows.append([d[i] + half, height[i] + half * after, after, 0.0])
+        return np.array(rows) + [0.0, z - self.below, 0.0, 0.0]
+
+
+def check(name, value, low, strict=False):
+    """Raise ValueError for a number that is not finite, or not above (strict) or at least `low`"""
+    if not (np.isfinite(value) and (value > low if strict else value >= low)):
+        raise ValueError(f"{name} is {value:g}; allowed: finite, {'above' if strict else 'at least'} {low:g}")
