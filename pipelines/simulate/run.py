@@ -74,6 +74,11 @@ def simulate(
         check_windows(windows, plan)
     identity = _identity(study, (database_path, *files), plan.settings.duration)
     task = Task(text, str(database_path), plan.settings.duration, None, str(folder))
+    shorter = None if fresh else _shorter(output, study, (database_path, *files), plan, identity)
+    if shorter is not None:
+        plan, fresh = _with_seeds_there(output, plan), True
+        if console:
+            console.print(_made_again(shorter, plan.settings.duration), highlight=False, soft_wrap=True)
     todo = _missing(output, identity, plan, fresh)
     findings = plan.findings
     if todo:
@@ -142,10 +147,36 @@ def _missing(output, identity, plan, fresh):
     with opened(output) as file:
         if file.attrs["identity"] != identity:
             raise DatabaseError(
-                f"{output} is of another study, database or duration; give another name, or --fresh to replace it"
+                f"{output} is of another study or database, or of longer runs; give another name, or --fresh to "
+                "replace it"
             )
         there = set(file["seed"][()][whole_rows(file)].tolist())
     return [seed for seed in plan.seeds if seed not in there]
+
+
+def _shorter(output, study, files, plan, identity):
+    """s of the runs of a file of the same study and database that are shorter than those asked for; else None"""
+    if not output.exists():
+        return None
+    with opened(output) as file:
+        known, there = file.attrs["identity"], float(file.attrs["duration"])
+    same = known != identity and known == _identity(study, files, there)
+    return there if same and there < plan.settings.duration else None
+
+
+def _with_seeds_there(output, plan):
+    """The Plan with the seeds of a file first, so that none of them is lost"""
+    with opened(output) as file:
+        there = file["seed"][()].tolist()
+        kept = max(plan.keep_series, len(file["kept_seed"]))
+    return replace(plan, seeds=(*there, *(seed for seed in plan.seeds if seed not in there)), keep_series=kept)
+
+
+def _made_again(shorter, longer):
+    return (
+        f"runs of {shorter:g} s are there and {longer:g} s are asked for: every seed is made again, since the waves "
+        "and gusts of a longer run lie closer in frequency, so as not to repeat; a shorter run is not its beginning"
+    )
 
 
 def _with_memory(task):

@@ -1,5 +1,6 @@
 """`hakobune simulate` from study to file, its engine and the preparation of the body replaced by an oscillator."""
 
+import io
 import shutil
 from pathlib import Path
 from types import SimpleNamespace
@@ -7,6 +8,7 @@ from types import SimpleNamespace
 import h5py
 import numpy as np
 import pytest
+from rich.console import Console
 
 import bem.database
 import mooring.motion.simulation as engine
@@ -136,6 +138,22 @@ def test_another_study_is_refused_with_the_way_out(folder):
     with pytest.raises(DatabaseError, match="--fresh"):
         simulate(duration=300.0)
     assert simulate(duration=300.0, fresh=True).made == 3
+
+
+def test_more_hours_make_every_seed_again_as_a_run_made_at_once(folder):
+    """Those beyond the seeds asked for too; a kill midway leaves a file that the same command completes"""
+    assert simulate(4).made == 4
+    said = io.StringIO()
+    outcome = runs.simulate("study.toml", "box.h5", "run.h5", Console(file=said, width=300), Here(), duration=900.0)
+    assert outcome.made == 4 and "every seed is made again" in said.getvalue()
+    runs.simulate("study.toml", "box.h5", "once.h5", None, Here(), 4, duration=900.0)
+    assert Path("run.h5").read_bytes() == Path("once.h5").read_bytes()
+    with h5py.File("run.h5", "r+") as file:
+        file["stored"][1] = 0
+    assert simulate(4, duration=900.0).made == 1
+    assert Path("run.h5").read_bytes() == Path("once.h5").read_bytes()
+    with pytest.raises(DatabaseError, match="longer runs"):
+        simulate(4)
 
 
 def test_a_force_of_a_file_beside_the_study_is_part_of_what_results_depend_on(folder):
