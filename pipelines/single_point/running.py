@@ -119,7 +119,10 @@ def _in_one(study, point, steady, db, waves):
     wave[:, [0, 1, 5]] -= slow
     buoy, hawser, lines = _of_contact(point, found, center) if contact else (
         found.buoy[:, :2] + point.system.bodies[0].position[:2], found.hawser, found.buoy_lines)  # fmt: skip
-    told = dict.fromkeys((*(str(one.message) for one in caught), *moved.findings, *found.findings))
+    left = ()
+    if study.waves is not None and not waves:
+        left = ("waves push with their mean drift alone; give --database for the motion that they make",)
+    told = dict.fromkeys((*(str(one.message) for one in caught), *moved.findings, *left, *found.findings))
     record = found.time, slow[:, :2] + center, slow[:, 2], wave, buoy, hawser, lines, found.wind_speed
     return record, (bool(mean), tuple(told))
 

@@ -1,13 +1,18 @@
 """`hakobune single-point`: what it answers, what it writes, and one line on every fault of a study."""
 
+import shutil
 import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from mooring.single_point.equilibria import equilibria
 from pipelines import cli
 from pipelines.single_point.maps import with_value
+from pipelines.single_point.report import preferred
+from pipelines.single_point.study import make
+from pipelines.single_point.tables import make_study
 
 STUDY = (Path(__file__).parents[3] / "pipelines" / "scenes" / "single_point_A.toml").read_text()
 
@@ -90,7 +95,23 @@ def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch,
     assert "needs axial_stiffness" in capsys.readouterr().err
     stiff = text.replace("length = 25.0", "length = 25.0\naxial_stiffness_kN = 2e4")
     assert run(tmp_path, stiff, monkeypatch=monkeypatch) == 0
-    assert "hawser 1" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "hawser 1" in said and "waves push with their mean drift alone" in said
+
+
+def test_the_tanker_of_the_scenes_stands_at_its_hawser_and_its_criteria_are_told(tmp_path, monkeypatch, capsys):
+    scenes = Path(cli.__file__).parent / "scenes"
+    shutil.copy(scenes / "single_point_tanker.csv", tmp_path)
+    text = (scenes / "single_point_tanker.toml").read_text()
+    text = text[: text.index("[[maps]]")]
+    assert run(tmp_path, text, monkeypatch=monkeypatch) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "slewing: stable" in said and "running free it does not keep a straight line" in said
+    first = float(said.split("effective lines of ")[1].split()[0])
+    raw = tomllib.loads(text)
+    for share, stable in ((0.95, True), (1.05, False)):
+        raw["hawser"]["length"] = share * first
+        assert preferred(equilibria(make(make_study(raw), tmp_path).point)).slewing.stable is stable
 
 
 TANKER = """# area_x = 6000.0
@@ -136,7 +157,7 @@ def test_a_tanker_is_held_to_the_published_criteria_of_yaw(tmp_path, monkeypatch
     text = STUDY[: STUDY.index("[wind]")] + STUDY[STUDY.index("[current]") : STUDY.index("[waves]")]
     for old, new in SHIP:
         text = text.replace(old, new)
-    text += "\n[hawser]\nlength = 100.0\n"
+    text += "\n[hawser]\nlength = 20.0\n"
     said = []
     for given in ("{}", "{ Y_r = 0.0, N_r = -0.05 }"):
         own = text.replace('file = "tanker.csv"', f'file = "tanker.csv"\nyaw_rate = {given}')
