@@ -334,6 +334,11 @@ def _body(moored, weather, settings, components, drag, munk):
         w = np.array([2 * np.pi / period if period else mean_frequency(components)])
         A, radiated = reader.coefficients(w)
         added, B = A[0], moored.damping + radiated[0]
+        if np.linalg.eigvalsh(reader.inertia + added).min() <= 0:
+            raise SimulationError(
+                f"mass and added mass at {w[0]:.3g} rad/s are not positive, as water that rings before a wall can make "
+                "them; give another constant_period"
+            )
         arrays = MemoryArrays(np.zeros(0), np.zeros(0), np.zeros((6, 0)), np.zeros((6, 0)))
     quadratic = moored.quadratic.copy()
     quadratic[5] += drag

@@ -271,6 +271,18 @@ class HarbourTable(Table):
     periods: list[float]
 
 
+class QuayTable(Table):
+    """A vertical quay along x that reflects all waves, for simulate
+
+    y : m, of its face with the body at rest, as that of fenders
+    method : "far-field" makes it of a database of open water, with all but the waves that decay between hull and quay;
+        "panels" takes a database that was solved with --wall at y.  By default whichever fits the database
+    """
+
+    y: float
+    method: str | None = None
+
+
 class Study(Table):
     """Water, hull, lines and the weather they have to stand
 
@@ -291,6 +303,7 @@ class Study(Table):
     dolphin: list[DolphinTable] = msgspec.field(default_factory=list)
     rope: list[RopeTable] = msgspec.field(default_factory=list)
     harbour: HarbourTable | None = None
+    quay: QuayTable | None = None
     allowable: float = 0.4
 
     def conditions(self):
@@ -336,10 +349,14 @@ class Study(Table):
         return berth_of_tables(self.fender, self.dolphin, self.rope, hull, center)
 
     def without_berth(self, command):
-        """Itself.  Raises StudyError where fenders or ropes would be left out by a command."""
+        """Itself.  Raises StudyError where fenders, ropes or a quay would be left out by a command."""
         if self.at_berth:
             raise StudyError(
                 f"{command} knows no [[fender]], [[dolphin]] and [[rope]]; allowed: with hakobune simulate"
+            )
+        if self.quay is not None:
+            raise StudyError(
+                f"{command} knows no [quay]; allowed: with hakobune simulate, or a database solved with --wall"
             )
         return self
 

@@ -67,11 +67,12 @@ def lines_on_fenders(file, fenders):
     ]  # fmt: skip
 
 
-def by_design_spectrum(study, db, hull, fenders):
+def by_design_spectrum(study, db, body, hull, fenders):
     """A line of the design spectrum method on fenders that alone hold a body; "" where it has no answer or there are
     ropes or lines.
 
-    study : `Study`; fenders : sequence of `QuayFender`, of which those count that the steady loads across push to
+    study : `Study`; body : `Reader`, before a quay where there is one
+    fenders : sequence of `QuayFender`, of which those count that the steady loads across push to
     """
     from mooring.dolphins.design_spectrum import STATIC, TOTAL, Dolphins, beam_of, limit_height, strains
     from mooring.studies.steady_loads import steady_loads, with_coefficients
@@ -83,8 +84,9 @@ def by_design_spectrum(study, db, hull, fenders):
         return ""
     steady = with_coefficients(conditions, hull, study.water.depth)
     across = sum(load[1] for load in steady_loads(db, hull, steady, study.water.depth).values())
-    beam = beam_of(db.reader.floating(), conditions.waves.direction)
-    side = np.sign(across + beam.drift.sum()) or 1.0
+    beam = beam_of(body.floating(), conditions.waves.direction)
+    density = conditions.sea.spectrum.density(beam.omega)
+    side = np.sign(across + 2 * np.trapezoid(beam.drift * density, beam.omega)) or 1.0
     met = [one for one in fenders if one.normal[1] * side > 0.5]
     if not met:
         return ""

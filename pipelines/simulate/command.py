@@ -8,6 +8,7 @@ import numpy as np
 
 from ..common.quantities import StudyError
 from ..moor.gusts import gusts_of
+from ..moor.quay import body_of
 from ..moor.study import read_study
 from ..solve.work import executor_of
 from . import berth, report
@@ -59,7 +60,7 @@ def _show(console, file, study, database, findings):
         for told, findings_of_it in (
             berth.lines_on_periods(file.attrs["natural_period"], harbour),
             berth.lines_on_fenders(file, fenders),
-            (berth.by_design_spectrum(read, db, hull, fenders), ()),
+            (berth.by_design_spectrum(read, db, body_of(read, db)[0], hull, fenders), ()),
         ):
             if told:
                 console.print(told, highlight=False, soft_wrap=True, markup=False)
@@ -95,6 +96,8 @@ def beside_of(study, database):
     db, read = open_database(database), read_study(study)[0]
     if read.at_berth:
         return None, ("the simplified method knows no fenders and ropes and is left out",)
+    if read.quay is not None:
+        return None, ("the simplified method knows no quay and is left out",)
     hull = read.hull_of(db.dimensions)
     system = read.system(hull, db.rotation_center, db.density, db.gravity)
     try:

@@ -118,7 +118,7 @@ def _identity(study, files, duration):
     words = msgspec.to_builtins(study)
     for name in ("seeds", "keep_series", "duration", "duration_hours"):
         (words.get("simulation") or {}).pop(name, None)
-    for name in ("fender", "dolphin", "rope", "harbour"):
+    for name in ("fender", "dolphin", "rope", "harbour", "quay"):
         if not words[name] or name == "harbour":
             words.pop(name)
     for name in (

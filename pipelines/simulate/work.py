@@ -14,6 +14,7 @@ from bem import DOFS
 from mooring.motion.statistics import record_statistics
 
 from ..common.quantities import StudyError, level_of
+from ..moor.quay import body_of
 from ..moor.study import make_study
 from .file import LONGEST, SERIES
 from .study import damping, plan_of, quadratic
@@ -22,6 +23,7 @@ QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "r
     "wave": "m",
     "wind speed": "m/s",
 }
+UNUSED = 0.03  # tolerance of a memory that stands for one
 _prepared = {}
 
 
@@ -56,24 +58,42 @@ def prepared(task):
         if unknown:
             known = ", ".join(names) or "none"
             raise StudyError(f"simulation.lines_lost: there is no line {unknown[0]!r}; allowed: {known}")
-        extra = damping(study, db.reader.floating())
+        reader, of_quay = body_of(study, db)
+        memory = task.memory
+        if of_quay and db.wall is None:
+            memory = _beside_constant(db, plan.settings, memory)
+        extra = damping(study, reader.floating())
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             berth = study.berth(hull, db.rotation_center)
-            body = moored(db, system, hull, memory=task.memory, damping=extra, quadratic=quadratic(study), berth=berth)
+            body = moored(reader, system, hull, memory=memory, damping=extra, quadratic=quadratic(study), berth=berth)
             moving_of(body, plan.settings)  # refused here, before there is a file
-        plan, left = _with_pairs(plan, study, db)
+        plan, left = _with_pairs(plan, study, db, reader)
         _prepared.clear()
-        _prepared[key] = body, plan, study, (*(str(w.message) for w in caught), *left)
+        _prepared[key] = body, plan, study, (*of_quay, *(str(w.message) for w in caught), *left)
     return _prepared[key]
 
 
-def _with_pairs(plan, study, db):
+def _beside_constant(db, settings, memory):
+    """A Memory that a body before a quay by the far field has and does not use.  Raises StudyError."""
+    from bem.time_domain.memory import memory_of_database
+
+    if settings.memory != "constant":
+        raise StudyError(
+            f'simulation.memory is "{settings.memory}" before a quay by the far field; allowed: "constant", of added '
+            "mass and damping before the quay: water between hull and quay rings too sharply for a few states"
+        )
+    return memory_of_database(db.reader, UNUSED) if memory is None else memory
+
+
+def _with_pairs(plan, study, db, reader):
     """The Plan with what the study's level of the force of pairs has beside Newman's rule, and remarks on it"""
     from mooring.response.bound_wave_drift import left_out
     from mooring.response.pair_levels import beside_newman
 
     weather, level = plan.weather, level_of("simulation.qtf", study.simulation.qtf if study.simulation else "newman")
+    if level != "newman" and study.quay is not None:
+        raise StudyError(f'simulation.qtf is {level!r} before a quay; allowed: "newman"')
     if level != "newman" and len(weather.seas) != 1:
         raise StudyError(f"simulation.qtf is {level!r}; allowed: newman, or with one sea of irregular waves")
     try:
@@ -81,7 +101,7 @@ def _with_pairs(plan, study, db):
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None
     if found is None and plan.settings.slow_drift != "none":
-        body = db.reader.floating()
+        body = reader.floating()
         said = (*said, *(line for sea in weather.seas for line in left_out(body, sea)))
     return replace(plan, weather=replace(weather, beside_newman=found)), tuple(said)
 

@@ -27,6 +27,7 @@ def berth_numbers(study, database, path, runs):
     from bem.database import open_database
     from mooring.motion.contacts import courses
 
+    from ...moor.quay import body_of
     from ...simulate.berth import by_design_spectrum, lines_on_fenders, lines_on_periods
     from ...simulate.file import opened
 
@@ -42,7 +43,7 @@ def berth_numbers(study, database, path, runs):
                 lines_on_fenders(file, berth.fenders))  # fmt: skip
     at_rest = courses(berth, start[None])[1][0][len(berth.fenders) :]
     held = _at_rest(made, db, hull, start)
-    spectrum = by_design_spectrum(made, db, hull, berth.fenders)
+    spectrum = by_design_spectrum(made, db, body_of(made, db)[0], hull, berth.fenders)
     warnings = (*runs["findings"], told[0][0], *told[0][1], *told[1][1], *([spectrum] if spectrum else ()))
     length = [*(one.length for one in held.system.lines)] if held is not None else []
     return Numbers(

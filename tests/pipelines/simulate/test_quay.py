@@ -9,14 +9,16 @@ import pytest
 
 import mooring.motion.simulation as engine
 import pipelines
+from bem.database import open_database
 from bem.time_domain.memory import Memory, MemoryArrays
 from mooring.environment.wave_records import Record, write_record
 from mooring.lines.system.parts import LineSystemError
 from mooring.studies.conditions import ExposedBox
 from pipelines.cli import main
 from pipelines.common.quantities import StudyError
+from pipelines.moor.quay import body_of
 from pipelines.moor.study import make_study, read_study
-from pipelines.simulate.berth import lines_on_periods, natural_periods, windows
+from pipelines.simulate.berth import by_design_spectrum, lines_on_periods, natural_periods, windows
 from pipelines.simulate.file import opened
 from pipelines.simulate.study import plan_of
 
@@ -178,3 +180,57 @@ def test_an_impossible_berth_is_told_in_one_line(tables, says):
         study.berth(HULL, np.zeros(3))
         damping(study, None)
     assert says in str(caught.value) and "\n" not in str(caught.value)
+
+
+DOLPHINS = {
+    "water": {"depth": 20.0}, "hull": {"freeboard": 10.0},
+    "fender": [{**FENDER, "position": [0, 25.5, 0], "overload": 50000.0}],
+    "waves": {"height": 0.7, "period": 8.0, "direction_deg": 90.0},
+    "wind": {"speed": 15.0, "direction_deg": 90.0},
+    "simulation": {"duration": 20.0, "memory": "constant"},
+}  # fmt: skip
+
+
+def test_a_quay_behind_dolphins_changes_waves_water_and_the_design_spectrum(database, monkeypatch):
+    monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 12)
+    monkeypatch.setattr("bem.wave_field.before_wall.MOST", 24)
+    db, lines = open_database(database), []
+    for quay in ({}, {"quay": {"y": 75.0}}):
+        study = make_study({**DOLPHINS, **quay})
+        body, told = body_of(study, db)
+        hull = study.hull_of(db.dimensions)
+        lines.append(by_design_spectrum(study, db, body, hull, study.berth(hull, db.rotation_center).fenders))
+    assert all(line.startswith("design spectrum method, 1 fenders") for line in lines) and lines[0] != lines[1]
+    assert told[0].startswith("quay at y = 75 m: by the far field")
+
+
+@pytest.mark.parametrize(
+    ("quay", "said"),
+    [
+        ({"y": 20.0}, "a wall at y = 20 m meets the hull"),
+        (
+            {"y": 26.0},
+            "of a wave decays between hull and quay, left out; allowed: up to 30 %; solve the body with --wall",
+        ),
+        ({"y": 75.0, "method": "panels"}, "is of open water; solve it again with --wall 75"),
+        ({"y": 75.0, "method": "guess"}, "quay.method is 'guess'; allowed: far-field, panels"),
+    ],
+)
+def test_a_quay_that_does_not_fit_is_refused(database, quay, said, monkeypatch):
+    monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 12)
+    monkeypatch.setattr("bem.wave_field.before_wall.MOST", 24)
+    with pytest.raises(StudyError) as refused:
+        body_of(make_study({**DOLPHINS, "quay": quay}), open_database(database))
+    assert said in str(refused.value)
+
+
+def test_memory_in_states_is_refused_before_a_quay_by_the_far_field(database, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 12)
+    monkeypatch.setattr("bem.wave_field.before_wall.MOST", 24)
+    study = tmp_path / "quay.toml"
+    text = SCENE.read_text().replace("[simulation]", "[quay]\ny = 60.0\n\n[simulation]")
+    study.write_text(text)
+    words = ["simulate", str(study), "--database", str(database), "--output", str(tmp_path / "run.h5")]
+    assert main(words) == 2
+    assert 'allowed: "constant"' in capsys.readouterr().err.replace("\n", " ")
+    assert not (tmp_path / "run.h5").exists()

@@ -1,0 +1,64 @@
+"""The body of a study before its quay: by the far field of open water, or of a database solved with the wall."""
+
+from __future__ import annotations
+
+from ..common.quantities import StudyError
+
+METHODS = ("far-field", "panels")
+SAID, REFUSED = 0.05, 0.3  # of a wave that decays between hull and quay, and is left out
+GIVEN_BACK = 0.01  # of the largest damping
+SAME = 1e-6  # m, of the wall of a database and the quay of a study
+_made = {}
+
+
+def body_of(study, db):
+    """`Reader` of a database's body before the quay of a `Study`, or as it is without one, and lines for the reader
+
+    raises : StudyError where quay and database do not fit
+    """
+    quay, wall = study.quay, db.wall
+    if quay is None:
+        return db.reader, ()
+    method = quay.method or ("far-field" if wall is None else "panels")
+    if method not in METHODS:
+        raise StudyError(f"quay.method is {method!r}; allowed: {', '.join(METHODS)}")
+    if method == "panels":
+        if wall is None or abs(wall - quay.y) > SAME:
+            has = "of open water" if wall is None else f"of a wall at y = {wall:g} m"
+            raise StudyError(
+                f'quay.method is "panels" with a quay at y = {quay.y:g} m, and {db.path} is {has}; solve it again with '
+                f"--wall {quay.y:g}"
+            )
+        return db.reader, (f"quay at y = {quay.y:g} m: by panels with the wall; no drift is known before it",)
+    if wall is not None:
+        raise StudyError(
+            f'quay.method is "far-field", and {db.path} is of a wall at y = {wall:g} m; allowed: of open water'
+        )
+    return _by_far_field(db, quay.y)
+
+
+def _by_far_field(db, y):
+    from bem.wave_field.before_wall import WallError, before_wall, given_back, neglected
+
+    try:
+        key = db.path, db.header, y
+        if key not in _made:
+            made = before_wall(db.reader, y)
+            made = made, neglected(db.reader, y), given_back(made)
+            _made.clear()
+            _made[key] = made
+    except WallError as error:
+        raise StudyError(f"quay: {error}") from None
+    made, left_out, energy = _made[key]
+    share = 100 * left_out
+    told = f"quay at y = {y:g} m: by the far field; {share:.2g} % of a wave decays between hull and quay, left out"
+    if left_out > REFUSED:
+        raise StudyError(f"{told}; allowed: up to {100 * REFUSED:g} %; solve the body with --wall {y:g}")
+    if left_out > SAID:
+        told += f"; more than {100 * SAID:g} %: forces and added mass are about as much off; solve it with --wall {y:g}"
+    if energy > GIVEN_BACK:
+        told += (
+            f"; damping before it is as low as {-energy:.2g} of its largest, and may not be negative: solve with "
+            "headings every 15° or less, and to a smaller tolerance"
+        )
+    return made, (told,)
