@@ -27,6 +27,24 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
     return _of_momentum(scattered, forward, forward_slope, beta, k, n, density * gravity)
 
 
+def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravity):
+    """(headings, headings, 3) complex D of two waves of one frequency: Re Σ Σ a_i conj(a_j) D_ij is their mean drift.
+
+    ahead, ahead_slope : (headings, headings) H and H′ of each wave in the direction of each; else as `mean_drift`, of
+    which D_ii is.  The far field holds the interference of both with what both send:
+
+        −2π cosβ Re H(β) becomes −π {cosβⱼ Hᵢ(βⱼ) + cosβᵢ H̄ⱼ(βᵢ)},    Im H′(β) alike,    |H|² becomes Hᵢ H̄ⱼ
+    """
+    step, back, turn = 2 * np.pi / len(theta), H.conj().T, ahead.conj().T
+    out = [
+        -np.pi * (part(beta) * ahead + part(beta)[:, None] * turn) - step * (H * part(theta)) @ back
+        for part in (np.cos, np.sin)
+    ]
+    out.append(1j * np.pi * (ahead_slope - ahead_slope.conj().T) + 1j * step * slope @ back)
+    scale = density * gravity * n / (np.pi * k)
+    return scale * np.stack([*out[:2], out[2] / k], axis=-1)
+
+
 def mean_drift_of_series(order, series, forward, forward_slope, beta, k, n, density, gravity):
     """`mean_drift` of Kochin functions Σ_m c_m exp(imθ): ∫|H|² exp(iθ) dθ = 2π Σ c_m c̄_m₊₁, ∫Im(H̄H′) dθ = 2π Σ m|c_m|²
 

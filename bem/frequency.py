@@ -9,7 +9,7 @@ import numpy as np
 
 from . import DOFS, ESTIMATE, INTERPOLATED
 from .checks import at_least_haskind, check, damping_error, largest_error
-from .drift import about, mean_drift
+from .drift import about, drift_of_two, mean_drift
 from .free_body import motions
 from .kochin import angles
 from .waves import group_factor, wavenumber
@@ -161,11 +161,26 @@ class FrequencyRun:
         """(m, 3) about the rotation centre"""
         return self._mean_drift(*self.kochin, self.rao if moving else None)
 
-    def _mean_drift(self, radiation, diffraction, rao):
+    def drift_of_two(self, moving):
+        """(m, m, 3) complex of pairs of headings about the rotation centre, `bem.drift.drift_of_two`"""
+        H, slope = self._sent(*self.kochin, self.rao if moving else None)
+        t = len(self.theta)
+        force = drift_of_two(
+            H[:, :t], slope[:, :t], H[:, t:], slope[:, t:], self.theta, self.headings, self.k,
+            self.group_factor, self.problem.density, self.problem.gravity,
+        )  # fmt: skip
+        return about(force, self.problem.rotation_center)
+
+    def _sent(self, radiation, diffraction, rao):
+        """H and H′ of the whole"""
         (radiation, dradiation), (H, slope) = radiation, diffraction
         if rao is not None:
             T = self.problem.transform
             H, slope = H + rao @ (T @ radiation), slope + rao @ (T @ dradiation)
+        return H, slope
+
+    def _mean_drift(self, radiation, diffraction, rao):
+        H, slope = self._sent(radiation, diffraction, rao)
         t, m = len(self.theta), np.arange(len(self.headings))
         force = mean_drift(
             H[:, :t], slope[:, :t], H[m, t + m], slope[m, t + m], self.theta, self.headings, self.k,

@@ -40,19 +40,41 @@ class DepthSums(NamedTuple):
     z: np.ndarray
 
 
-def depth_sums(freq):
-    """`DepthSums` of a solved `ContourFrequency`"""
+class DepthFlow(NamedTuple):
+    """At distances r (q,) m from the keel with weights (q,) m: φ_g and ∂φ_g/∂z, (q, a) each, of `DepthSums`
+
+    top, keel : (a,) φ at z = 0 and −d
+    """
+
+    r: np.ndarray
+    weights: np.ndarray
+    value: np.ndarray
+    slope: np.ndarray
+    top: np.ndarray
+    keel: np.ndarray
+
+
+def depth_flow(freq, surface):
+    """`DepthFlow` of a solved `ContourFrequency`, to be integrated; surface : m, what changes near z = 0 is as long
+
+    The points are those of the body and `surface`, whatever the frequency.
+    """
     modes = _DepthModes.of(freq)
     draft = modes.gap.draft
-    start = CUT / modes.outer.wavenumbers[-1]
+    start = CUT * modes.gap.depth / (np.pi * len(modes.outer.wavenumbers))
     end = END * start
     near, keel = _at_keel(modes, start, end)
-    r, weights = _distances(end, draft, 1 / modes.outer.k)
+    r, weights = _distances(end, draft, surface)
     parts = zip(near, (r, weights, *modes.flow(r)), strict=True)
-    r, weights, value, slope = (np.concatenate(both) for both in parts)
-    forms = (part.T @ (weights[:, None] * part) for part in (value, slope))
     top = modes.flow(np.array([draft]))[0][0]
-    return DepthSums(*forms, top, keel, weights @ value, (weights * (r - draft)) @ value)
+    return DepthFlow(*(np.concatenate(both) for both in parts), top, keel)
+
+
+def depth_sums(freq):
+    """`DepthSums` of a solved `ContourFrequency`"""
+    r, weights, value, slope, top, keel = depth_flow(freq, 1 / freq.k)
+    forms = (part.T @ (weights[:, None] * part) for part in (value, slope))
+    return DepthSums(*forms, top, keel, weights @ value, (weights * (r - freq.body.draft)) @ value)
 
 
 class _DepthModes(NamedTuple):

@@ -1,8 +1,11 @@
-"""Difference-frequency force of pairs of waves on a body on panels, part by part.
+"""Difference-frequency force of pairs of waves on a body, part by part.
 
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        T = squares + bound wave + body + surface
 
-squares : of first-order pressures and motions (`mean_drift`, `rotations`), on the diagonal the mean drift
+squares : of first-order pressures and motions (`mean_drift`, `rotations`), on the diagonal the mean drift.  In surge,
+    sway and yaw the far field knows the diagonal better than the pressure does, and what it has more there, at equal
+    frequencies, is added to all pairs: the mean of both waves' (errors off the diagonal halve by it, one half of the
+    200 scenes of `tests/bench/pair_errors.py`)
 bound wave : incident at second order, and diffracted (`bound_waves`, `long_wave_forces`)
 body : the potential that the moving hull makes in the first-order flow (`body_forces`); none on a fixed body
 surface : the potential that products of first-order waves make on the surface around the body (`surface_forces`);
@@ -13,24 +16,17 @@ Frequencies are at even steps, so that every difference is one of few.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from .. import DOFS
-from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
-from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
 from .body_forces import body_forces
 from .bound_waves import bound_waves
-from .long_wave_forces import LOWEST, long_wave_forces
-from .rotations import first_order_loads, rotated_pairs, still_water_pairs
+from .first_order_waves import EVEN, PanelWaves
 from .surface_forces import Difference, line_integral, surface_forces
-from .surface_waves import SurfaceWaves
 
-EVEN = 1e-6  # of the step between frequencies
-MANY = 12  # differences, from which they share their work: what they share takes as long as some of them
 ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
-BESIDE_DRIFT = 0.3  # share of what two meshes differ by, beside what near and far field do, fitted there too
+SIZES = 0.11, 0.38  # factors of estimated errors: heave, roll and pitch; surge, sway and yaw; fitted there too
 HORIZONTAL = [0, 1, 5]
 PLACES = np.array([0.2, 0.5, 0.8])  # in the band, of pairs that tell how large the surface's part is
 PARTS = ("squares", "bound_wave", "body", "surface")
@@ -43,7 +39,8 @@ class DifferenceForces:
     omega : (n,) rad/s, even; difference : (d,) rad/s, from 0 at the same step; headings : (m,) rad
     squares, bound_wave, body, surface : (d, n, m, m, 6) complex; NaN where ω + Ω is beyond the last frequency;
         surface None where it is left out
-    far_drift : (n, m, 3) mean surge, sway and yaw of single waves by the far field, N/m², N m/m², or None
+    added : (n, m, m, 3) in surge, sway and yaw what the far field has more than the pressure at equal frequencies,
+        in `squares`, N/m², N m/m²; None where it is not known
     """
 
     omega: np.ndarray
@@ -53,7 +50,7 @@ class DifferenceForces:
     bound_wave: np.ndarray
     body: np.ndarray
     surface: np.ndarray | None = None
-    far_drift: np.ndarray | None = None
+    added: np.ndarray | None = None
 
     @property
     def total(self):
@@ -66,15 +63,12 @@ class DifferenceForces:
         return self.squares + self.bound_wave + self.body
 
 
-def difference_forces(
-    problem, omega, headings, highest, moving, report=lambda done, of: None, surface=False, far_field=False
-):
-    """`DifferenceForces` of a `bem.methods.panel_problem.PanelProblem`.
+def difference_forces(problem, omega, headings, highest, moving, report=lambda done, of: None, surface=False):
+    """`DifferenceForces` of a `bem.methods.panel_problem.PanelProblem`, or of a `ShapeProblem` by the contour method.
 
     omega : (n,) rad/s at even steps; headings : (m,) rad; highest : rad/s, largest difference
     moving : freely floating instead of fixed, or the (6, 6) stiffness of lines that hold it beside the water
     report : called with how many of the solutions are done; surface : with its forcing
-    far_field : whether the mean drift by the far field is wanted, from which `panel_errors` tells more
     raises : ValueError for uneven frequencies, constant panels, zero draft, a moving body without inertia; with
         `surface` for a waterline that is not one curve around the body
     """
@@ -85,21 +79,22 @@ def difference_forces(
         raise ValueError("difference forces on a floating body without inertia; solve it with --gyration kxx,kyy,kzz")
     steps = min(int(highest / step + EVEN), len(omega) - 1)
     difference = step * np.arange(steps + 1)
-    waves = _Waves(problem, omega, headings, moving, difference, surface, lines, far_field)
+    waves = _waves_of(problem)(problem, omega, headings, moving, difference, surface, lines)
     for done, w in enumerate(omega):
         waves.solve(w)
         report(done + 1, len(omega) + steps + 1)
     flow, squares = waves.joined()
+    added = _by_far_field(squares, np.array(waves.far))
     out = {name: np.full((steps + 1, len(omega), len(headings), len(headings), 6), np.nan, complex) for name in PARTS}
     on_surface = []
     for m in range(steps + 1):
         pairs = _Pairs(omega, headings, m)
         run = waves.radiation(difference[m])
         out["squares"][m, : pairs.count] = squares[np.arange(m, len(omega)), :, np.arange(pairs.count)]
-        out["bound_wave"][m, : pairs.count] = pairs.shaped(_bound(pairs, run, problem))
+        out["bound_wave"][m, : pairs.count] = pairs.shaped(_bound(pairs, run, waves))
         body, made = np.zeros((len(pairs.one), 6), complex), None
         if m and (moving or surface):
-            made = radiated_flow(run, waves.surfaces)
+            made = waves.radiated(run)
         if m and moving:
             body = body_forces(waves.surfaces, flow, pairs.one, pairs.two, made, problem)
         if m and surface:
@@ -107,66 +102,29 @@ def difference_forces(
         out["body"][m, : pairs.count] = pairs.shaped(body @ problem.transform.T)
         report(len(omega) + m + 1, len(omega) + steps + 1)
     if surface:
-        out["surface"][0] = 0.0
-        for m, found in enumerate(surface_forces(waves.around, on_surface), 1):
+        out["surface"][0] = np.where(np.isnan(out["squares"][0]), np.nan, 0.0)
+        for m, found in enumerate(surface_forces(waves.around, on_surface) if on_surface else (), 1):
             out["surface"][m, : len(omega) - m] = _Pairs(omega, headings, m).shaped(found @ problem.transform.T)
     else:
         out["surface"] = None
-    return DifferenceForces(omega, difference, headings, **out, far_drift=np.array(waves.far) if far_field else None)
+    return DifferenceForces(omega, difference, headings, **out, added=added)
 
 
-class _Waves:
-    """First-order flow of all waves: on the hull, and with `surface` on the water around it
+def _by_far_field(squares, far):
+    """What the far field (n, m, m, 3) has more than `squares` (n, m, n, m, 6) at equal frequencies, added to these"""
+    each = np.arange(len(far))
+    more = far - squares[each, :, each][..., HORIZONTAL]
+    squares[..., HORIZONTAL] += 0.5 * (more[:, :, None] + more.swapaxes(0, 1))
+    return more
 
-    differences : (d,) rad/s, from 0, at which the body radiates; of those among the frequencies one run has both
-    """
 
-    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None, far_field=False):
-        self.problem, self.headings, self.moving, self.far_field = problem, headings, moving, far_field
-        stiffness = problem.hydrostatic_stiffness if lines is None else problem.hydrostatic_stiffness + lines
-        scale = problem.depth if np.isfinite(problem.depth) else problem.mesh.draft
-        self.least = LOWEST * np.sqrt(problem.gravity / scale)
-        held = replace(problem, hydrostatic_stiffness=stiffness)
-        self.differences, self.near = differences, EVEN * differences[-1] / max(len(differences) - 1, 1)
-        low = max(self.least, min([omega[0], *differences[1:2]]))
-        self.prepared = _sharing(held, low, max(omega[-1], differences[-1]), len(omega) + len(differences))
-        check_panels(problem, self.prepared.geometry.mesh)
-        self.surfaces = hull_surfaces(self.prepared.geometry)
-        around = surface and len(differences) > 1
-        self.around = SurfaceWaves(self.prepared, self.surfaces, omega, differences[1:]) if around else None
-        self.parts, self.loads, self.rao, self.far, self.radiating = [], [], [], [], []
+def _waves_of(problem):
+    """The class that collects its waves"""
+    if hasattr(problem, "mesh"):
+        return PanelWaves
+    from .contour_waves import ContourWaves
 
-    def solve(self, omega):
-        again = np.abs(self.differences - omega).min() <= self.near
-        want = {"excitation_force"} | ({"rao", "added_mass"} if self.moving else {"added_mass"} if again else set())
-        drift = {"drift_force" if self.moving else "drift_force_fixed"} if self.far_field else set()
-        run = self.prepared.run(omega, self.headings, want | drift, None, DOFS)
-        if self.far_field:
-            self.far.append(run.drift(self.moving))
-        if again:
-            self.radiating.append(run)
-        rao = run.rao if self.moving else np.zeros((len(self.headings), 6), complex)
-        motions = rao @ self.problem.transform
-        self.parts.append(wave_flow(run, self.surfaces, motions))
-        self.rao.append(rao)
-        self.loads.append(first_order_loads(run, self.problem) if self.moving else 0 * rao)
-        if self.around is not None:
-            self.around.add(run, self.parts[-1], motions)
-
-    def radiation(self, omega):
-        """Run of a difference frequency"""
-        known = [run for run in self.radiating if abs(run.omega - omega) <= self.near]
-        return known[0] if known else self.prepared.run(max(omega, self.least), [0.0], {"added_mass"}, None, DOFS)
-
-    def joined(self):
-        """`HullFlow` of all waves and (n, m, n, m, 6) T of squares of first order"""
-        flow, rao = HullFlow.joined(self.parts), np.concatenate(self.rao)
-        squares = pressure_pairs(self.surfaces, flow, self.problem) @ self.problem.transform.T
-        if self.moving:
-            squares += rotated_pairs(np.concatenate(self.loads), rao)
-            squares += still_water_pairs(rao, self.problem, self.surfaces.hull)
-        n, m = len(self.parts), len(self.headings)
-        return flow, squares.reshape(n, m, n, m, 6)
+    return ContourWaves
 
 
 def surface_share(problem, omega, headings, highest, moving):
@@ -193,24 +151,41 @@ def share_of(forces):
 def panel_errors(forces, rough, refinement):
     """(d, n, m, m, 6) estimated errors of the whole from the same on a coarser mesh, N/m², N m/m²
 
-    What both differ by, and in surge, sway and yaw less of that and what near and far field differ by in the drift of
-    both waves: the far field errs far less, and how panels meet at edges matters more than their number.  Root mean
-    squares of a pair and its neighbours in mean and difference, as errors pass through zero.  In random scenes
-    (`tests/bench/pair_errors.py`) root mean squares of surge, sway and yaw over all pairs are met within a factor of
-    three in nine of ten, of heave, roll and pitch in two of three, single pairs in seven of ten.
+    Two meshes tell little by themselves: where an error passes through zero their difference is chance.  The estimate
+    is the geometric mean of that difference, divided as its order says, and of the squares, in surge, sway and yaw
+    also of what is `added` to them and of the difference on the diagonal, the far field's; of root mean squares of a
+    pair and its neighbours in mean and difference.  In random scenes (`tests/bench/pair_errors.py`) root mean squares
+    over all pairs are met within a factor of three in nearly nine of ten in surge, sway and yaw, in nearly eight of ten
+    in heave, roll and pitch; single pairs in two of three.
     refinement : panels for one of the coarser mesh
     """
-    off = _smoothed(np.abs(forces.total - rough.total) ** 2) / (refinement**ORDER - 1) ** 2
-    if forces.far_drift is not None:
-        each = np.arange(len(forces.headings))
-        near = forces.squares[0][:, each, each][..., HORIZONTAL].real
-        gap = np.abs(near - forces.far_drift) ** 2
-        both = np.full((*off.shape[:4], 3), np.nan)
-        for m in range(len(off)):
-            count = len(gap) - m
-            both[m, :count] = 0.5 * (gap[m:, :, None] + gap[:count, None])
-        off[..., HORIZONTAL] = BESIDE_DRIFT**2 * off[..., HORIZONTAL] + _smoothed(both)
-    return np.sqrt(off)
+    less = 1 / (refinement**ORDER - 1)
+    square = np.abs(forces.total - rough.total) ** 2
+    off, size = np.sqrt(_smoothed(square)) * less, np.sqrt(_smoothed(np.abs(forces.squares) ** 2))
+    out = SIZES[0] * np.sqrt(off * size)
+    if forces.added is not None:
+        more = np.abs(forces.added) ** 2, square[0][..., HORIZONTAL]
+        gap, far = (np.sqrt(_smoothed(_of_both(part, off.shape[:4]))) for part in more)
+        parts = (off[..., HORIZONTAL], size[..., HORIZONTAL], gap, far * less)
+        out[..., HORIZONTAL] = SIZES[1] * np.prod([part**0.25 for part in parts], axis=0)
+    return out
+
+
+def _of_both(values, shape):
+    """(*shape, 3) means of values (n, m, m, 3) of both waves of each pair"""
+    out = np.full((*shape, values.shape[-1]), np.nan)
+    for m in range(len(out)):
+        count = len(values) - m
+        out[m, :count] = 0.5 * (values[m:] + values[:count])
+    return out
+
+
+def resolution_errors(forces, rough):
+    """(d, n, m, m, 6) estimated errors of forces by the contour method from those to a tolerance ten times as large
+
+    What both differ by, root mean square of a pair and its neighbours: more than the finer one errs by
+    """
+    return np.sqrt(_smoothed(np.abs(forces.total - rough.total) ** 2))
 
 
 def _smoothed(values):
@@ -249,15 +224,6 @@ def _on_surface(waves, flow, pairs, run, radiated, omega):
     return Difference(omega, pairs.one, pairs.two, *waves.around.radiated(run, radiated), line)
 
 
-def _sharing(problem, low, high, count):
-    """The problem prepared, its frequencies in a band that shares work where there are many; a round body needs none"""
-    problem = replace(problem, coarse=None, finer=None)
-    alone = replace(problem, band=None).prepared()
-    if count < MANY or alone.axisymmetric_geometry.sectors:
-        return alone
-    return replace(problem, band=(low, high)).prepared()
-
-
 class _Pairs:
     """All pairs of waves `apart` steps apart, by the numbers of their waves, and of two headings each"""
 
@@ -271,12 +237,13 @@ class _Pairs:
         return values.reshape(self.count, self.headings, self.headings, 6)
 
 
-def _bound(pairs, run, problem):
+def _bound(pairs, run, waves):
     """(q, 6) of bound waves, zero in deep water where none reaches the body"""
+    problem = waves.problem
     if not np.isfinite(problem.depth):
         return np.zeros((len(pairs.one), 6), complex)
     bound = bound_waves(*pairs.waves, problem.depth, problem.gravity)
-    return bound.amplitude[:, None] * (long_wave_forces(run, bound.number) @ problem.transform.T)
+    return bound.amplitude[:, None] * (waves.long_waves(run, bound.number) @ problem.transform.T)
 
 
 def _step(omega):

@@ -13,10 +13,10 @@ import numpy as np
 from .. import DOFS
 from ..database.file import DatabaseError
 from ..database.widening import read_group, write_group
-from .difference_forces import PARTS, DifferenceForces
+from .difference_forces import HORIZONTAL, PARTS, DifferenceForces
 
 GROUP = "qtf"
-ERRORS = "estimated_error"
+ERRORS, ADDED = "estimated_error", "added_by_far_field"
 AXES = ("difference", "omega", "wave_direction_1", "wave_direction_2", "influenced_dof")
 MEANING = (
     "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference towards "
@@ -24,12 +24,12 @@ MEANING = (
 )
 
 
-def write_forces(path, forces, moving, share=None, moored="", errors=None):
+def write_forces(path, forces, moving, share=None, moored="", errors=None, method="panel"):
     """Put a `DifferenceForces` into a database.
 
     errors : (d, n, m, m, 6) estimated, of the whole, or None
     moving : whether of the floating body; share : of the surface's forcing in it, estimated where it is left out
-    moored : what holds the floating body beside the water, by name
+    moored : what holds the floating body beside the water, by name; method : "panel" or "contour"
     """
     unit, names = "N/m2, N m/m2", np.array(DOFS, dtype="S8")
     datasets = {
@@ -42,8 +42,12 @@ def write_forces(path, forces, moving, share=None, moored="", errors=None):
     }
     if errors is not None:
         datasets[ERRORS] = (AXES, unit, errors)
+    if forces.added is not None:
+        datasets["horizontal_dof"] = (("horizontal_dof",), "", names[HORIZONTAL])
+        datasets[ADDED] = ((*AXES[1:4], "horizontal_dof"), unit, forces.added)
     attributes = {
         "meaning": MEANING,
+        "method": method,
         "body": "floating" if moving else "fixed",
         "free_surface_integral": "left out" if forces.surface is None else "included",
     }
@@ -71,6 +75,11 @@ def stored_errors(db):
     return None if found is None else found[2]
 
 
+def stored_method(db):
+    """By what method the forces are, "panel" or "contour"; "panel" where an older file does not say"""
+    return str(_read(db)[1].get("method", "panel"))
+
+
 def stored_mooring(db):
     """What held the body whose forces are stored, by name; empty of a free or fixed one"""
     return str(_read(db)[1].get("moored", ""))
@@ -83,7 +92,11 @@ def _read(db):
     datasets, attributes = found
     values = {name: part[2] for name, part in datasets.items()}
     forces = DifferenceForces(
-        values["omega"], values["difference"], values["wave_direction_1"], *(values.get(part) for part in PARTS)
+        values["omega"],
+        values["difference"],
+        values["wave_direction_1"],
+        *(values.get(part) for part in PARTS),
+        added=values.get(ADDED),
     )
     return forces, attributes
 

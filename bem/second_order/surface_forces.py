@@ -130,7 +130,7 @@ def line_integral(surfaces, flow, radiated, waves, one, two):
 
 
 def _chunks(count, points):
-    step = max(1, AT_ONCE // points)
+    step = max(1, AT_ONCE // max(points, 1))
     return [slice(start, min(start + step, count)) for start in range(0, count, step)]
 
 

@@ -25,25 +25,36 @@ def qtf(
     fixed: Annotated[bool, Parameter(negative=(), help="of the body held, instead of floating")] = False,
     moored: Annotated[Path | None, Parameter(help="mooring study whose lines hold the floating body")] = None,
     level: Annotated[str, Parameter(help="body, full (with the surface's forcing) or auto")] = "body",
+    method: Annotated[str, Parameter(help="panel, contour (vertical cylinders) or auto")] = "auto",
     fresh: Annotated[bool, Parameter(negative=(), help="again, though they are stored")] = False,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Slow forces of pairs of waves: squares of the first order, bound long waves, the moving hull and, with
     --level full, the forcing of the surface around it, whose size is estimated where it is left out.
 
-    They go into the database, for qtf = "body" or "full" of response studies and simulations; its body is solved on its
-    panels.  What is stored there already is told and drawn again.
+    They go into the database, for qtf = "body" or "full" of response studies and simulations.  The body is solved on
+    its panels, a vertical cylinder by the contour method.  What is stored there already is told and drawn again.
     """
     from bem.database import DatabaseError, open_database
-    from bem.second_order.stored import read_forces, stored_errors, stored_mooring, stored_share, write_forces
+    from bem.second_order.stored import (
+        read_forces,
+        stored_errors,
+        stored_method,
+        stored_mooring,
+        stored_share,
+        write_forces,
+    )
 
     from ..common.picture import PLOTS, check_picture
+    from .problem import METHODS
     from .report import told
 
     if plot is not None:
         check_picture(plot, PLOTS)
     if level not in LEVELS:
         raise ValueError(f"--level is {level!r}; allowed: {', '.join(LEVELS)}")
+    if method not in METHODS:
+        raise ValueError(f"--method is {method!r}; allowed: {', '.join(METHODS)}")
     if fixed and moored is not None:
         raise ValueError("--fixed and --moored are both given; allowed: one of them")
     db = open_database(database)
@@ -55,17 +66,18 @@ def qtf(
             asked = any(value is not None for value in (omega, heading, difference)) or fixed == floats
             lacks = stored.surface is None and _adds_surface(level, stored_share(db))
             lacks = lacks or (moored is not None and stored_mooring(db) != holder)
+            lacks = lacks or method not in ("auto", stored_method(db))
             forces = None if lacks or (asked and not _covers(stored, floats, waves, fixed)) else stored
         except DatabaseError:
             pass
     if forces is None:
         moving = not fixed if moored is None else _stiffness(moored, db)
-        forces, share, errors = _solved(db, waves, moving, level)
+        body, forces, share, errors = _solved(db, waves, moving, level, method)
         floats = not fixed
-        write_forces(database, forces, floats, share, holder, errors)
+        write_forces(database, forces, floats, share, holder, errors, body.method)
         print(f"{database}: group qtf")
         db = open_database(database)
-    for line in told(forces, db, floats, stored_share(db), stored_mooring(db), stored_errors(db)):
+    for line in told(forces, db, floats, stored_share(db), stored_mooring(db), stored_errors(db), stored_method(db)):
         print(line)
     if plot is not None:
         from .plot import draw
@@ -87,54 +99,38 @@ def _stiffness(study, db):
     return multi_point(db, system, hull, read.conditions(), read.allowable).equilibrium.stiffness
 
 
-def _solved(db, waves, moving, level):
-    """`DifferenceForces`, what the surface's forcing is of them or None where it cannot be told, and their errors"""
+def _solved(db, waves, moving, level, method):
+    """`Bodies`, `DifferenceForces`, what the surface's forcing is of them or None where it cannot be told, and their
+    errors, None without a second resolution"""
     import sys
     import warnings
 
     from bem.second_order.difference_forces import difference_forces, share_of, surface_share
-    from mooring.response.bound_wave_drift import problem_of
+
+    from .problem import bodies
 
     def report(done, of):
         if sys.stderr.isatty():
             print(f"\r{done}/{of} frequencies", end="\n" if done == of else "", file=sys.stderr, flush=True)
 
-    problem, share = problem_of(db), None
+    body, share = bodies(db, method, float(waves[0][-1])), None
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         if level != "full":
             try:
-                share = surface_share(problem, *waves, moving)
+                share = surface_share(body.fine, *waves, moving)
             except ValueError as error:
                 if "surface" not in str(error):
                     raise
                 warnings.warn(str(error), stacklevel=2)
         full = _adds_surface(level, share)
-        forces = difference_forces(problem, *waves, moving, report, full, far_field=True)
-        share = share_of(forces) if full else share
-        errors = _errors(db, problem, forces, lambda coarse: difference_forces(coarse, *waves, moving, surface=full))
+        forces = difference_forces(body.fine, *waves, moving, report, full)
+        share, errors = share_of(forces) if full else share, None
+        if body.rough is not None:
+            errors = body.errors(forces, difference_forces(body.rough, *waves, moving, surface=full))
     for line in dict.fromkeys(str(w.message) for w in caught):
         print(line, file=sys.stderr)
-    return forces, share, errors
-
-
-def _errors(db, problem, forces, solved):
-    """Estimated errors of forces from a mesh of half as many panels; None without one
-
-    solved : function of a `PanelProblem` that gives its `DifferenceForces`
-    """
-    from dataclasses import replace
-
-    from bem.second_order.difference_forces import panel_errors
-
-    from ..solve.hull import coarse_hull_of
-
-    coarse = coarse_hull_of(db.header)
-    if coarse is None:
-        return None
-    mesh, lid = coarse
-    rough = solved(replace(problem, mesh=mesh, lid=problem.lid and lid))
-    return panel_errors(forces, rough, problem.mesh.total / mesh.total)
+    return body, forces, share, errors
 
 
 def _adds_surface(level, share):

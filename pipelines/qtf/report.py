@@ -18,34 +18,32 @@ def newman(forces, mode, heading):
     return out
 
 
-def diagonal_gap(forces, db, floats):
-    """Largest difference of the diagonal from the mean drift of the far field in surge and sway, of the largest of
-    the fixed body's; None where the database does not know it"""
-    if not db.reader.knows_drift and floats:
+def diagonal_gap(forces):
+    """Largest difference of the pressure's mean drift from that of the far field in surge and sway, of the largest
+    mean drift; None where it is not known"""
+    if forces.added is None:
         return None
-    at = forces.omega[(forces.omega >= db.omega[0]) & (forces.omega <= db.omega[-1])]
-    place = np.searchsorted(forces.omega, at)
-    far = db.reader.drift(at, forces.headings, fixed=not floats)[..., :2]
     h = np.arange(len(forces.headings))
-    near = forces.squares[0][place][:, h, h][..., :2].real
-    return float(np.abs(near - far).max() / np.abs(far).max())
+    drift = forces.squares[0][:, h, h][..., :2]
+    return float(np.abs(forces.added[:, h, h][..., :2]).max() / max(np.abs(drift).max(), 1e-300))
 
 
-def told(forces, db, floats, share, moored="", errors=None):
+def told(forces, db, floats, share, moored="", errors=None, method="panel"):
     """Lines of text.
 
     share : what the surface's forcing is of the force, or None; moored : by what study, or empty; errors : estimated
+    method : by which they are
     """
     yield (
         f"{_held(floats, moored)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
         f"{forces.omega[-1]:.4g} rad/s, differences to {forces.difference[-1]:.3g} rad/s, {len(forces.headings)} "
         "headings and all their pairs"
     )
-    gap = None if moored else _quietly(diagonal_gap, forces, db, floats)
+    gap = diagonal_gap(forces)
     if gap is not None:
         yield (
-            f"mean drift on the diagonal by pressure and by the far field differ by {100 * gap:.2g} % of the largest"
-            + ("; more panels bring them together" if gap > 0.05 else "")
+            f"mean drift on the diagonal is that of the far field; by pressure it differs by {100 * gap:.2g} % of the "
+            "largest" + ("; more panels bring them together" if gap > 0.05 else "")
         )
     yield "root mean square over frequencies, kN/m² (yaw MN m/m²), by Newman's rule and with each next part:"
     last = "" if forces.surface is None else "  + surface"
@@ -56,7 +54,8 @@ def told(forces, db, floats, share, moored="", errors=None):
     if errors is None:
         yield "no estimated error: there is no mesh of half as many panels"
     else:
-        yield f"estimated error of the panels, root mean square of the force's: {_relative(forces, errors)}"
+        name = "contour method" if method == "contour" else "panels"
+        yield f"estimated error of the {name}, root mean square of the force's: {_relative(forces, errors)}"
     size = "unknown" if share is None else f"{100 * share:.2g} % of the force in surge and sway"
     if forces.surface is None:
         yield f"left out: the forcing of the surface around the body, estimated from few pairs: {size}; --level full"
@@ -112,11 +111,3 @@ def _rows(forces, h, beta, mode, name):
             f"  {np.degrees(beta):6.4g}° {name:5} Ω {forces.difference[m]:.3f} {rms[0]:12.4g} {rms[1]:13.4g} "
             f"{rms[2]:23.4g} {rms[3]:7.4g}" + "".join(f" {value:10.4g}" for value in rms[4:])
         )
-
-
-def _quietly(function, *arguments):
-    """What it returns, None where a database does not know enough"""
-    try:
-        return function(*arguments)
-    except ValueError:
-        return None

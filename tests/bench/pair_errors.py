@@ -1,11 +1,12 @@
 """Estimated errors of slow forces of pairs against what four times as many panels give, in random scenes.
 
-    python tests/bench/pair_errors.py [--scenes 40] [--seed 1] [--surface]
+    python tests/bench/pair_errors.py [--scenes 40] [--first 0] [--seed 1] [--surface]
 
 Boxes and buoys, floating or held, in water from a tenth of their draft under the keel to deep, oblique waves; three
 frequencies whose shortest wave is three panels long or more.  Prints the share whose error is within a factor of three
 of the estimate: of single pairs and components, and of root mean squares over pairs, as `hakobune qtf` prints them,
-without those below a thousandth of the largest force.
+without those below a thousandth of the largest force.  A median of root mean squares is what to multiply
+`difference_forces.SIZES` by.  A scene depends on its number and the seed alone: many are run in slices.
 """
 
 import argparse
@@ -66,10 +67,7 @@ def ratios(rng, surface):
     length = size * np.exp(rng.uniform(np.log(6), np.log(30)))  # of the shortest waves
     high = np.sqrt(G * 2 * np.pi / length * np.tanh(2 * np.pi / length * min(depth, 1e4)))
     omega, beta = high * (1 - 0.08 * np.arange(3)[::-1]), [rng.uniform(0, np.pi)]
-    found = [
-        difference_forces(p, omega, beta, high, floats, surface=surface, far_field=p is fine)
-        for p in (rough, fine, finest)
-    ]
+    found = [difference_forces(p, omega, beta, high, floats, surface=surface) for p in (rough, fine, finest)]
     estimate = panel_errors(found[1], found[0], totals[1] / totals[0])
     error = np.abs(found[1].total - found[2].total) / (1 - 4.0**-1.16)  # what the finest has left
     scale = np.nanmax(np.abs(found[2].total), axis=(0, 1, 2, 3))
@@ -92,13 +90,14 @@ def told(name, found):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--scenes", type=int, default=40)
+    parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--surface", action="store_true")
     given = parser.parse_args()
-    rng, everything, means = np.random.default_rng(given.seed), [], []
+    everything, means = [], []
     warnings.simplefilter("ignore")
-    for number in range(given.scenes):
-        found, together, largest = ratios(rng, given.surface)
+    for number in range(given.first, given.first + given.scenes):
+        found, together, largest = ratios(np.random.default_rng([given.seed, number]), given.surface)
         everything.append(found)
         means.append(together)
         print(f"{number}: median {np.median(found):.2f}, largest error {100 * largest:.2g} % of the force", flush=True)

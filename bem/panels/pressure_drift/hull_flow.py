@@ -18,22 +18,18 @@ from .edges import sharp_sides
 from .hull_interpolation import hull_quadrature, side_quadrature
 
 
-class Surface:
+class Points:
     """Quadrature points of a hull, or of its waterline, and of their images: p in all, image by image.
 
-    points, normals : (p, 3) m, 1; weights : (p,) m², or m along the waterline
+    images : (i, 2) ±1; signs : (c, i) of each symmetry class on them; members : [degrees of freedom] of each
+    points, normals, weights : of the meshed part, then of all: (p, 3) m, 1; (p,) m², or m along the waterline
     """
 
-    def __init__(self, geometry, flow, normals):
-        self.flow, self.copies = flow, len(geometry.images)
-        self.signs, self.members = geometry.all_signs, [geometry.members(cls) for cls in geometry.classes]
-        q = flow.points.shape[1]
-        self.mirrors = np.column_stack([geometry.images, np.ones(self.copies)])
-        self.nodes = geometry.elements.nodes[: geometry.hull] * self.mirrors[:, None]
-        self.sharp = np.isfinite(flow.edge[:, 0])
-        self.points = self._images(flow.points.reshape(-1, 3))
-        self.normals = self._images(np.repeat(normals, q, axis=0))
-        self.weights = np.tile(flow.weights.ravel(), self.copies)
+    def __init__(self, images, signs, members, points, normals, weights):
+        self.copies, self.signs, self.members = len(images), signs, members
+        self.mirrors = np.column_stack([images, np.ones(self.copies)])
+        self.points, self.normals = self._images(points), self._images(normals)
+        self.weights = np.tile(weights, self.copies)
 
     def _images(self, vectors):
         return (vectors * self.mirrors[:, None]).reshape(-1, 3)
@@ -52,6 +48,19 @@ class Surface:
             of_mode[members] = signs
         same = np.all(of_mode[:, None] * of_mode == self.signs[:, None, None], axis=-1)
         return [np.nonzero(of_class) for of_class in same]
+
+
+class Surface(Points):
+    """`Points` on the panels of a `bem.panels.influence.Geometry`, between whose nodes φ is interpolated"""
+
+    def __init__(self, geometry, flow, normals):
+        q = flow.points.shape[1]
+        members = [geometry.members(cls) for cls in geometry.classes]
+        parts = flow.points.reshape(-1, 3), np.repeat(normals, q, axis=0), flow.weights.ravel()
+        super().__init__(geometry.images, geometry.all_signs, members, *parts)
+        self.flow = flow
+        self.nodes = geometry.elements.nodes[: geometry.hull] * self.mirrors[:, None]
+        self.sharp = np.isfinite(flow.edge[:, 0])
 
     def value(self, run, phi, waves, motion, headings):
         """(f, p) potential and (f, p, 3) its gradient along the surface, of f flows.
@@ -92,10 +101,10 @@ class Surface:
 
 @dataclass(frozen=True, eq=False)
 class HullSurfaces:
-    """The `Surface` of a hull and of its waterline, with generalised normals (p, 6) about the origin"""
+    """`Points` of a hull and of its waterline, with generalised normals (p, 6) about the origin"""
 
-    hull: Surface
-    waterline: Surface
+    hull: Points
+    waterline: Points
 
     @cached_property
     def hull_modes(self):
@@ -158,7 +167,7 @@ class HullFlow:
     """First-order flow of f waves of unit amplitude, or of f motions of unit velocity.
 
     omega : (f,) rad/s; motion : (f, 6) m, rad about the origin; velocity : (f, p, 3) ∇φ on the hull
-    potential : (f, l) along the waterline, m²/s; on_hull : (f, p) the same on the hull; hull : its `Surface`
+    potential : (f, l) along the waterline, m²/s; on_hull : (f, p) the same on the hull; hull : its `Points`
     """
 
     omega: np.ndarray
@@ -166,11 +175,11 @@ class HullFlow:
     velocity: np.ndarray
     potential: np.ndarray
     on_hull: np.ndarray
-    hull: Surface
+    hull: Points
 
     @cached_property
     def parts(self):
-        """(c, 2, f, 3q) real and imaginary part of the velocity of each symmetry class, `Surface.by_class`"""
+        """(c, 2, f, 3q) real and imaginary part of the velocity of each symmetry class, `Points.by_class`"""
         velocity = self.hull.by_class(self.velocity)
         return np.stack([velocity.real, velocity.imag], axis=1)
 

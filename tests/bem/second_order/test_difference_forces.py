@@ -18,13 +18,13 @@ from bem.second_order import surface_near
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
 from bem.second_order.difference_forces import (
-    BESIDE_DRIFT,
     ORDER,
+    SIZES,
     DifferenceForces,
-    _Waves,
     difference_forces,
     panel_errors,
 )
+from bem.second_order.first_order_waves import PanelWaves
 from bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
 from meshing.lid import lid
 from meshing.panels import joined
@@ -76,7 +76,7 @@ def test_the_forcing_of_the_surface_is_the_same_wherever_the_sums_of_hankel_func
 
 def test_differences_of_irregular_frequencies_are_solved_with_a_lid():
     problem = replace(floating(), lid=lid(floating().mesh))
-    waves = _Waves(problem, np.array([1.2, 1.4]), [0.0], False, np.array([0.0, 0.5, 1.0]))
+    waves = PanelWaves(problem, np.array([1.2, 1.4]), [0.0], False, np.array([0.0, 0.5, 1.0]))
     parts = [waves.radiation(difference).geometry.panels for difference in (0.5, 1.0)]
     assert len(parts[0]) == len(problem.mesh) and len(parts[1]) == len(problem.mesh) + len(problem.lid)
 
@@ -88,14 +88,25 @@ def test_around_two_waterlines_or_none_the_forcing_of_the_surface_is_refused():
             difference_forces(PanelProblem(mesh, depth=40.0), [0.5, 0.6], [0.0], 0.1, False, surface=True)
 
 
-def test_on_the_diagonal_it_is_the_mean_drift_of_the_far_field():
+def test_on_the_diagonal_it_is_the_mean_drift_of_the_far_field_and_by_pressure_nearly():
     found, prepared = of_box(), floating().prepared()
     for i in (0, 3):
         run = prepared.run(found.omega[i], found.headings, {"drift_force", "rao"}, None, DOFS)
-        near = found.squares[0, i, [0, 1], [0, 1]][:, [0, 1, 5]]
+        diagonal = found.squares[0, i, [0, 1], [0, 1]][:, [0, 1, 5]]
         scale = np.abs(run.drift(False)[:, :2]).max() * np.array([1, 1, LENGTH / 2])
-        assert np.abs(near.imag).max() < 1e-9 * scale[0]
-        assert np.all(np.abs(near - run.drift(True)) < 0.02 * scale)
+        assert np.abs(diagonal.imag).max() < 1e-9 * scale[0]
+        assert np.all(np.abs(diagonal - run.drift(True)) < 1e-9 * scale)
+        assert np.all(np.abs(found.added[i]) < 0.02 * scale) and np.all(np.abs(found.added[i, 1, 1]) > 1e-6 * scale)
+
+
+def test_off_the_diagonal_of_headings_the_far_field_of_two_waves_is_the_pressures():
+    """Interference of two directions, by momentum far away and by the pressure on the hull"""
+    found = of_box()
+    by_pressure = found.squares[0][:, 0, 1][:, [0, 1, 5]] - found.added[:, 0, 1]
+    scale = np.abs(by_pressure[:, :2]).max() * np.array([1, 1, LENGTH / 2])
+    assert np.all(np.abs(found.added[:, 0, 1]) < 0.02 * scale)
+    swapped = found.added.swapaxes(1, 2).conj()
+    assert np.abs(found.added - swapped).max() < 1e-12 * np.abs(found.squares[0]).max()
 
 
 def test_without_differences_the_diagonal_is_the_same():
@@ -113,21 +124,18 @@ def test_lines_as_stiff_as_rock_hold_the_body_and_lines_without_stiffness_leave_
     np.testing.assert_allclose(loose, free, rtol=1e-9, atol=1e-6 * np.abs(free).max())
 
 
-def test_the_far_field_is_that_of_the_diagonal_and_its_distance_is_the_error_of_pairs():
-    found = difference_forces(floating(), [0.5, 0.6], [0.4], 0.2, True, far_field=True)
-    near = found.squares[0, :, 0, 0][:, [0, 1, 5]].real
-    scale = np.abs(near[:, :2]).max() * np.array([1, 1, LENGTH / 2])
-    gap = np.abs(near - found.far_drift[:, 0])
-    assert np.all(gap < 0.02 * scale) and np.all(gap > 1e-6 * scale)
-    errors = panel_errors(found, found, 2.0)[..., [0, 1, 5]]
-    assert errors[1, 0, 0, 0] == pytest.approx(np.sqrt(np.mean(gap**2, axis=0)), rel=1e-12)
-
-
-def test_the_error_of_two_meshes_is_what_one_has_left_by_the_order():
+def test_the_error_of_two_meshes_is_a_mean_of_what_they_differ_by_and_the_squares():
     part = np.zeros((1, 3, 1, 1, 6), complex)
-    forces = [DifferenceForces(np.arange(1.0, 4), np.zeros(1), np.zeros(1), part + x, part, part) for x in (1.0, 1.5)]
-    known = panel_errors(*forces, 2.0)
-    assert known == pytest.approx(np.full(known.shape, 0.5 / (2**ORDER - 1))) and 0 < BESIDE_DRIFT < 1
+    more = np.full((3, 1, 1, 3), 0.2)
+    fine, rough = (
+        DifferenceForces(np.arange(1.0, 4), np.zeros(1), np.zeros(1), part + x, part, part, added=more)
+        for x in (1.0, 1.5)
+    )
+    off = 0.5 / (2**ORDER - 1)
+    known = panel_errors(fine, rough, 2.0)
+    assert known[..., [2, 3, 4]] == pytest.approx(SIZES[0] * np.sqrt(off))
+    assert known[..., [0, 1, 5]] == pytest.approx(SIZES[1] * 0.2**0.25 * off**0.5)
+    assert np.all(panel_errors(fine, fine, 2.0) == 0)
 
 
 def test_two_headings_in_the_other_order_give_the_conjugate():

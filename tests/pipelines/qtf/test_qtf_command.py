@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from bem.database import open_database
-from bem.second_order.stored import read_forces
+from bem.second_order.stored import read_forces, stored_errors, stored_method
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
 from mooring.response.pair_levels import beside_newman, stored_pairs
@@ -36,7 +36,7 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
     assert "13 frequencies 0.3 to 1.2 rad/s, differences to 0.3" in said
     assert 1 < float(re.search(r"forcing of the surface around the body is (\S+) %", said)[1]) < 50
     assert 0.1 < float(re.search(r"estimated error of the panels.*surge (\S+) %", said)[1]) < 50
-    assert float(re.search(r"far field differ by (\S+) %", said)[1]) < 10
+    assert float(re.search(r"by pressure it differs by (\S+) %", said)[1]) < 10
     assert path.read_bytes() == before and (tmp_path / "qtf.png").stat().st_size > 10_000
 
 
@@ -49,6 +49,8 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
         ("--heading nan", "--heading is nan"),
         ("--plot x.doc", "suffix"),
         ("--level more", "--level is 'more'"),
+        ("--method strip", "--method is 'strip'"),
+        ("--method contour", "--method contour for"),
         ("--fixed --moored moor.toml", "--fixed and --moored"),
     ],
 )
@@ -84,6 +86,21 @@ def test_studies_take_the_level_they_ask_for(path, tmp_path, capsys):
     (tmp_path / "study.toml").write_text(STUDY.format("all"))
     assert main(["response", str(tmp_path / "study.toml"), "--database", str(path)]) == 2
     assert "sea.qtf is 'all'; allowed: newman, bound-wave, body, full, auto" in capsys.readouterr().err
+
+
+def test_a_vertical_cylinder_has_them_by_contour_and_on_panels_when_asked(tmp_path, capsys):
+    buoy, found = tmp_path / "buoy.h5", {}
+    words = "buoy --radius 8 --draft 6 --depth 20 --panels 500 --gyration 4,4,5 --heading 0 --omega 0.5:1.1:7"
+    assert main([*words.split(), "--output", str(buoy)]) == 0
+    for method in ("auto", "panel", "contour"):
+        asked = f"--omega 0.6:1.0:3 --difference 0.3 --level full --method {method}"
+        assert main(["qtf", str(buoy), *asked.split()]) == 0
+        said, db = capsys.readouterr().out, open_database(buoy)
+        name = "panels" if method == "panel" else "contour method"
+        assert f"estimated error of the {name}" in said and stored_method(db) == ("contour", "panel")[name == "panels"]
+        found[method] = read_forces(db)[0].total[1, 0, 0, 0, 0], stored_errors(db)[1, 0, 0, 0, 0]
+    assert found["auto"][0] == found["contour"][0] and found["contour"][1] < 1e-3 * abs(found["contour"][0])
+    assert abs(found["panel"][0] / found["contour"][0] - 1) < 0.02
 
 
 MOORING = """

@@ -1,0 +1,80 @@
+"""First-order waves of a box or vertical cylinder by the contour method, for forces of pairs.
+
+Integrals over sides and bottom have the edge's flow exactly, that of the bound wave is over the wall of the plan
+(`bem.contour.hull`), and the surface around a cylinder is sums of Bessel functions from its side on
+(`contour_surface`).  The flow under a box is known in the mean only: a box is held, its heave, roll and pitch are not
+known, and neither is the forcing of the surface around it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .. import DOFS
+from ..contour.hull.flow import HullPoints, SharedFrequency, radiated_flow, wave_flow
+from ..contour.hull.long_waves import long_wave_forces
+from ..contour.one_frequency import ContourFrequency
+from ..contour.pressure_drift import refined
+from ..waves import wavenumber
+from .contour_surface import CylinderSurface
+from .first_order_waves import FirstOrderWaves
+
+VERTICAL = [2, 3, 4]
+
+
+class ContourWaves(FirstOrderWaves):
+    """As `first_order_waves.PanelWaves`, of a `bem.methods.shape_problem.ShapeProblem`
+
+    raises : ValueError for another method, infinite depth, a floating box, the surface around a box and waves that are
+        not resolved
+    """
+
+    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None):
+        super().__init__(problem, headings, moving, lines)
+        if problem.method != "contour" or not np.isfinite(problem.depth) or problem.bed is not None:
+            raise ValueError(
+                f"pairs by method {problem.method} in {problem.depth:g} m; allowed: panels, or contour in finite depth"
+            )
+        self.prepared = self.held.prepared()
+        self.body = refined(self.prepared.solver)
+        highest = max(omega[-1], differences[-1])
+        if self.body.solver(highest, problem.gravity) is not ContourFrequency:
+            raise ValueError(f"pairs by the contour method up to {highest:.4g} rad/s; allowed: waves it resolves")
+        self.points = HullPoints(self.body, float(wavenumber(highest, problem.depth, problem.gravity)))
+        surface = surface and len(differences) > 1
+        if (moving or surface) and not self.points.whole:
+            raise ValueError(
+                "pairs by the contour method on a floating box or with the surface around a box; allowed: held, "
+                "without the surface; or panels"
+            )
+        first = self._frequency(omega[-1], [])
+        self.surfaces = self.points.surfaces(first)
+        self.around = CylinderSurface(problem, self.points, self.surfaces, omega, differences[1:]) if surface else None
+
+    def _frequency(self, omega, headings):
+        return SharedFrequency(self.points, omega, headings, self.problem.density, self.problem.gravity)
+
+    def solve(self, omega):
+        run = self.prepared.run(omega, self.headings, self.wanted, None, DOFS)
+        freq = self._frequency(omega, self.headings)
+        motions = self.take(run, lambda motions: wave_flow(freq, self.points, self.surfaces, motions))
+        if self.around is not None:
+            self.around.add(freq, motions)
+
+    def radiation(self, omega):
+        """`SharedFrequency` of a difference frequency"""
+        return self._frequency(max(omega, self.least), [])
+
+    def radiated(self, freq):
+        """`HullFlow` of the six motions of unit velocity"""
+        return radiated_flow(freq, self.points, self.surfaces)
+
+    def long_waves(self, freq, number):
+        """(w, 6) about the origin, `bem.contour.hull.long_waves`"""
+        return long_wave_forces(freq, number)
+
+    def joined(self):
+        flow, squares = super().joined()
+        if not self.points.whole:
+            squares[..., VERTICAL] = np.nan
+        return flow, squares

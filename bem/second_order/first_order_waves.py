@@ -1,0 +1,114 @@
+"""First-order waves of one problem as forces of pairs need them, collected frequency by frequency."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from .. import DOFS
+from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
+from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
+from .long_wave_forces import LOWEST, long_wave_forces
+from .rotations import first_order_loads, rotated_pairs, still_water_pairs
+from .surface_waves import SurfaceWaves
+
+EVEN = 1e-6  # of the step between frequencies
+MANY = 12  # differences, from which they share their work: what they share takes as long as some of them
+
+
+class FirstOrderWaves:
+    """What panels and the contour method have in common; a method sets `prepared`, `surfaces` and `around`.
+
+    headings : (m,) rad; lines : (6, 6) stiffness beside the water's, or None
+    surfaces : `hull_flow.HullSurfaces`; around : `surface_waves.SurfaceWaves` or alike, None without the surface
+    """
+
+    def __init__(self, problem, headings, moving, lines=None):
+        stiffness = problem.hydrostatic_stiffness if lines is None else problem.hydrostatic_stiffness + lines
+        self.problem, self.headings, self.moving = problem, headings, moving
+        self.held = replace(problem, hydrostatic_stiffness=stiffness)
+        self.parts, self.loads, self.rao, self.far = [], [], [], []
+
+    @property
+    def least(self):
+        """rad/s, the lowest frequency at which the body is solved: below it nothing changes"""
+        problem = self.problem
+        scale = problem.depth if np.isfinite(problem.depth) else problem.mesh.draft
+        return LOWEST * np.sqrt(problem.gravity / scale)
+
+    @property
+    def wanted(self):
+        """Quantities of a frequency"""
+        return {"excitation_force"} | ({"rao", "added_mass", "drift_force"} if self.moving else {"drift_force_fixed"})
+
+    def take(self, run, flow_of):
+        """Take in the waves of a run; flow_of : function of their motions (m, 6) about the origin that gives a flow"""
+        rao = run.rao if self.moving else np.zeros((len(self.headings), 6), complex)
+        motions = rao @ self.problem.transform
+        self.parts.append(flow_of(motions))
+        self.far.append(run.drift_of_two(self.moving))
+        self.rao.append(rao)
+        self.loads.append(first_order_loads(run, self.problem) if self.moving else 0 * rao)
+        return motions
+
+    def joined(self):
+        """`HullFlow` of all waves and (n, m, n, m, 6) T of squares of first order"""
+        flow, rao = HullFlow.joined(self.parts), np.concatenate(self.rao)
+        squares = pressure_pairs(self.surfaces, flow, self.problem) @ self.problem.transform.T
+        if self.moving:
+            squares += rotated_pairs(np.concatenate(self.loads), rao)
+            squares += still_water_pairs(rao, self.problem, self.surfaces.hull)
+        n, m = len(self.parts), len(self.headings)
+        return flow, squares.reshape(n, m, n, m, 6)
+
+
+class PanelWaves(FirstOrderWaves):
+    """Waves of a `bem.methods.panel_problem.PanelProblem`, on the hull and with `surface` on the water around it
+
+    omega : (n,) rad/s of the waves; differences : (d,) rad/s, from 0, at which the body radiates; of those among the
+    frequencies one run has both
+    """
+
+    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None):
+        super().__init__(problem, headings, moving, lines)
+        self.differences, self.near = differences, EVEN * differences[-1] / max(len(differences) - 1, 1)
+        low = max(self.least, min([omega[0], *differences[1:2]]))
+        self.prepared = _sharing(self.held, low, max(omega[-1], differences[-1]), len(omega) + len(differences))
+        check_panels(problem, self.prepared.geometry.mesh)
+        self.surfaces = hull_surfaces(self.prepared.geometry)
+        around = surface and len(differences) > 1
+        self.around = SurfaceWaves(self.prepared, self.surfaces, omega, differences[1:]) if around else None
+        self.radiating = []
+
+    def solve(self, omega):
+        again = np.abs(self.differences - omega).min() <= self.near
+        want = self.wanted | ({"added_mass"} if again else set())
+        run = self.prepared.run(omega, self.headings, want, None, DOFS)
+        if again:
+            self.radiating.append(run)
+        motions = self.take(run, lambda motions: wave_flow(run, self.surfaces, motions))
+        if self.around is not None:
+            self.around.add(run, self.parts[-1], motions)
+
+    def radiation(self, omega):
+        """Run of a difference frequency"""
+        known = [run for run in self.radiating if abs(run.omega - omega) <= self.near]
+        return known[0] if known else self.prepared.run(max(omega, self.least), [0.0], {"added_mass"}, None, DOFS)
+
+    def radiated(self, run):
+        """`HullFlow` of the six motions of unit velocity"""
+        return radiated_flow(run, self.surfaces)
+
+    def long_waves(self, run, number):
+        """(w, 6) about the origin, `long_wave_forces` of wavenumbers (w, 2)"""
+        return long_wave_forces(run, number)
+
+
+def _sharing(problem, low, high, count):
+    """The problem prepared, its frequencies in a band that shares work where there are many; a round body needs none"""
+    problem = replace(problem, coarse=None, finer=None)
+    alone = replace(problem, band=None).prepared()
+    if count < MANY or alone.axisymmetric_geometry.sectors:
+        return alone
+    return replace(problem, band=(low, high)).prepared()

@@ -1,0 +1,76 @@
+"""The body whose pairs are solved, at two resolutions that tell the error: on its panels or by the contour method."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+METHODS = ("auto", "contour", "panel")
+TOLERANCES = 1e-5, 1e-4  # of the contour method: of what is stored, and of what tells its error
+
+
+@dataclass(frozen=True, eq=False)
+class Bodies:
+    """method : name; fine, rough : problems of `difference_forces`, rough None where there is no second resolution
+
+    errors : function of both forces
+    """
+
+    method: str
+    fine: Any
+    rough: Any
+    errors: Callable
+
+
+def bodies(db, method, highest):
+    """`Bodies` of an opened database for waves up to `highest` rad/s; `auto` takes contour for vertical cylinders
+
+    raises : ValueError for the contour method on another body
+    """
+    from bem.second_order.difference_forces import panel_errors, resolution_errors
+    from mooring.response.bound_wave_drift import problem_of
+
+    from ..solve.hull import coarse_hull_of
+
+    panels = problem_of(db)
+    fits = _fits_contour(db, highest)
+    if method == "contour" and not fits:
+        raise ValueError(
+            f"--method contour for {db.path}; allowed: a vertical cylinder in finite depth, with waves that it resolves"
+        )
+    if method != "panel" and fits:
+        fine, rough = (_cylinder(db, panels, tolerance) for tolerance in TOLERANCES)
+        return Bodies("contour", fine, rough, resolution_errors)
+    coarse, rough, refinement = coarse_hull_of(db.header), None, 1.0
+    if coarse is not None:
+        mesh, lid = coarse
+        rough, refinement = replace(panels, mesh=mesh, lid=panels.lid and lid), panels.mesh.total / mesh.total
+    return Bodies("panel", panels, rough, lambda forces, other: panel_errors(forces, other, refinement))
+
+
+def _fits_contour(db, highest):
+    from bem.contour.short_waves import unresolved
+    from bem.waves import wavenumber
+
+    from ..scene.methods import METHODS as SOLVERS
+
+    if not db.is_round or not db.water_depth < float("inf"):
+        return False
+    radius, draft = db.dimensions["radius"], db.dimensions["draft"]
+    k = float(wavenumber(highest, db.water_depth, db.gravity))
+    gap = (db.water_depth - draft) / min(radius, draft)
+    return gap <= SOLVERS["contour"].highest_gap and not unresolved((radius, draft), k)
+
+
+def _cylinder(db, panels, tolerance):
+    from bem.methods.shape_problem import ShapeProblem
+
+    shared = "depth density gravity rotation_center inertia_matrix hydrostatic_stiffness viscous"
+    return ShapeProblem(
+        method="contour",
+        shape="buoy",
+        sizes=(db.dimensions["radius"], db.dimensions["draft"]),
+        tolerance=tolerance,
+        **{name: getattr(panels, name) for name in shared.split()},
+    )
