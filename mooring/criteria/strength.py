@@ -102,6 +102,19 @@ def equipment_number(society, displacement, *, height_times_breadth=0.0, front=0
     return displacement ** (2 / 3) + terms[society]
 
 
+def equipment_of_box(dimensions, freeboard, mass):
+    """[(society, number)] of a box, SR179 (1982), table 4.3.1; [] of another body, whose areas are not known.
+
+    dimensions : m, {"length", "beam", …}; freeboard m, or None; mass kg
+    The areas are those of its sides above water; the shape factors of BV are those of a plane below 40 m, 1.
+    """
+    if freeboard is None or not {"length", "beam"} <= set(dimensions):
+        return []
+    front, side = dimensions["beam"] * freeboard, dimensions["length"] * freeboard
+    areas = {"height_times_breadth": front, "front": front, "side": side}
+    return [(society, equipment_number(society, mass / 1000.0, **areas)) for society in SOCIETIES]
+
+
 def _is_chain(kind):
     words = re.sub(r"\b(grade|chain|studlink|studless)\b", "", kind.lower()).split()
     return len(words) == 1 and words[0] in CHAIN

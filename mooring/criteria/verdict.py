@@ -54,6 +54,7 @@ class Case(NamedTuple):
     tensions : {motion factor: Tensions}; 1 is what happens, others are asked for by some rules
     motions : {motion: amplitude in m or degrees}, largest; others : {quantity: value} of the whole case
     parts : {quantity: {of what: value}}, as strains of fenders, None where there are none
+    partial : whether it is judged by what it has alone, as an earthquake that knows nothing of ropes
     """
 
     name: str
@@ -64,6 +65,7 @@ class Case(NamedTuple):
     motions: dict
     others: dict
     parts: dict | None = None
+    partial: bool = False
 
 
 class Use(NamedTuple):
@@ -108,7 +110,10 @@ def _judged(criterion, cases):
         try:
             uses.append(_use(criterion, case))
         except LookupError as lacking:
-            missing.append(f"{case.name} has no {lacking.args[0]}")
+            if not case.partial:
+                missing.append(f"{case.name} has no {lacking.args[0]}")
+    if not uses and not missing:
+        missing.append(f"no load case has {criterion.quantity}")
     uses.sort(key=lambda use: -use.utilisation)
     return Judged(criterion, () if missing else tuple(uses), "; ".join(missing[:1]))
 
@@ -120,13 +125,13 @@ def _which(criterion):
 
 def _use(criterion, case):
     """The Use of a case.  Raises LookupError with what is missing."""
-    if criterion.quantity in _OF_TENSIONS:
+    if criterion.quantity in OF_TENSIONS:
         if criterion.motion_factor not in case.tensions:
             raise LookupError(f"tension at {criterion.motion_factor:g} times the motion")
         t = case.tensions[criterion.motion_factor]
         if not t.names:
             raise LookupError("line")
-        values = np.asarray(_OF_TENSIONS[criterion.quantity](criterion, t), float)
+        values = np.asarray(OF_TENSIONS[criterion.quantity](criterion, t), float)
         names, values = _spoken_of(criterion, t, values)
         if np.isnan(values).any():
             raise LookupError(f"breaking load of {names[int(np.argmax(np.isnan(values)))]}")
@@ -195,7 +200,7 @@ def _given(value, what):
     return value
 
 
-_OF_TENSIONS = {
+OF_TENSIONS = {
     SAFETY: lambda _, t: _over(_known(t.breaking), t.largest),
     SHARE: lambda _, t: t.largest / _known(t.breaking),
     PRETENSION: lambda _, t: t.pretension / _known(t.breaking),

@@ -13,8 +13,8 @@ import msgspec
 from mooring.criteria.verdict import judge
 
 from .cases import intact_cases, without_line
-from .changes import ways
 from .fatigue import fatigue
+from .kinds.changes import ways
 from .running import Ran, base_of, factors_of, grouped, judged_case, key_of, repeated, worst_of
 
 
@@ -39,6 +39,9 @@ def advise(read, judged, cases, others, paths, folder, step):
     """
     if all(one.met is not False for one in judged):
         return ()
+    shaken = {case.name for case in cases.values() if case.apart}
+    if any(use.case in shaken and use.utilisation > 1 for one in judged for use in one.uses):
+        return ()  # no line changes what an earthquake does to fenders
     governing = [one for one in judged if one.governing is not None and one.governing.case in cases]
     keys = {key_of(cases[one.governing.case]) for one in governing}
     if read.project.fatigue is not None:  # the damage is a sum over all cases that have a share of the time

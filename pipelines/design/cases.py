@@ -15,7 +15,10 @@ WEATHER = ("wind", "current", "waves")
 
 
 class LoadCase(NamedTuple):
-    """study : raw tables of a study; lost : name of the line that is gone, "" for none; factor : of motions"""
+    """study : raw tables of a study; lost : name of the line that is gone, "" for none; factor : of motions
+
+    apart : whether it is of another kind of study than the project's, an earthquake
+    """
 
     name: str
     state: str
@@ -27,6 +30,7 @@ class LoadCase(NamedTuple):
     lost: str
     factor: float
     study: dict
+    apart: bool = False
 
     @property
     def lines(self):

@@ -6,6 +6,7 @@ characteristic, directional spectra, gusts, a steady current, slow drift that kn
 
 from __future__ import annotations
 
+import tomllib
 from typing import NamedTuple
 
 
@@ -38,12 +39,25 @@ def checklist(read):
             "long bound waves in shallow water", in_time and pairs != "newman",
             f'qtf = "{pairs}"' if in_time else "not in the simplified method",
         ),
-        Requirement(
-            "earthquakes as random motion", None if "fender" not in read.study else False,
-            "not among the load cases; hakobune earthquake" if "fender" in read.study
-            else "lines leave the hull its long periods",
-        ),
+        _earthquakes(read),
     ]  # fmt: skip
+
+
+def _earthquakes(read):
+    text = "earthquakes as random motion"
+    if "fender" not in read.study:
+        return Requirement(text, None, "lines leave the hull its long periods")
+    given = [table.name for table in read.project.earthquakes]
+    if not given:
+        return Requirement(text, False, "not among the load cases; give [[earthquakes]]")
+    timed = [table.name for table in read.project.earthquakes if "record" in _raw(read.folder / table.study)]
+    if not timed:
+        return Requirement(text, False, f"no record in time of {', '.join(given)}; give [record] of its study")
+    return Requirement(text, True, f"records of {', '.join(timed)}")
+
+
+def _raw(path):
+    return tomllib.loads(path.read_text(encoding="utf-8"))
 
 
 def _fenders(read):

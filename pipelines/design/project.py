@@ -41,16 +41,19 @@ Paths are from the folder of the project.  Every fault is one line that names ke
 
 from __future__ import annotations
 
+import math
 import tomllib
 from pathlib import Path
 from types import ModuleType
 
 import msgspec
 
+from bem import DOFS
 from mooring.criteria.rules import LINES as KNOWN_LINES
 from mooring.criteria.rules import STATES as KNOWN_STATES
 from mooring.criteria.rules import Criterion, of_rule, read_rules
 from mooring.criteria.strength import kind_and_size
+from mooring.criteria.verdict import OF_TENSIONS
 
 from ..common.quantities import StudyError, positive
 from ..common.typed import read_toml, typed
@@ -60,6 +63,7 @@ from .tables import MEAN, Project
 
 STATES = ("normal", "abnormal")
 LINES = ("intact", "one lost")
+FOUND = (*OF_TENSIONS, *(dof.lower() for dof in DOFS), "service life", "return period")  # by load cases, the project
 DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
 
@@ -97,7 +101,10 @@ def read_project(path):
     kind.check(project, study)
     _check_wear(project, study)
     _check_fatigue(project, study)
-    return Read(project, raw, text, study, study_text, _criteria(project, folder), folder, kind)
+    criteria = _criteria(project, folder)
+    _check_values(project, criteria)
+    _check_earthquakes(project, study, folder)
+    return Read(project, raw, text, study, study_text, criteria, folder, kind)
 
 
 def _check_bodies(own, kind):
@@ -216,6 +223,30 @@ def _check_fatigue(project, study):
     unnamed = [name for name, table in study.get("types", {"ropes": {}}).items() if "catalogue" not in table]
     if unnamed:
         raise StudyError(f"fatigue of type {unnamed[0]!r} needs its diameter; give it by catalogue")
+
+
+def _check_values(project, criteria):
+    asked = dict.fromkeys(one.quantity for one in criteria if one.quantity not in FOUND)
+    for i, one in enumerate(project.values):
+        where = f"values[{i}]"
+        _one(f"{where}.state", one.state, KNOWN_STATES)
+        _one(f"{where}.lines", one.lines, KNOWN_LINES)
+        if not 0 <= one.value < math.inf:
+            raise StudyError(f"{where}.value is {one.value:g}; allowed: 0 or more, finite")
+        if one.quantity not in asked:
+            known = "; ".join(asked) or "none is asked for"
+            raise StudyError(f"{where}.quantity is {one.quantity!r}; allowed, of the criteria chosen: {known}")
+
+
+def _check_earthquakes(project, study, folder):
+    from ..earthquake.study import read_study
+
+    if project.earthquakes and not study.get("fender"):
+        raise StudyError("earthquakes are given and the study has no fenders; lines leave the hull its long periods")
+    for i, one in enumerate(project.earthquakes):
+        if [other.name for other in project.earthquakes].count(one.name) > 1:
+            raise StudyError(f"earthquakes[{i}].name is {one.name!r} as of another; allowed: each its own")
+        read_study(folder / one.study)
 
 
 def _criteria(project, folder):

@@ -9,15 +9,16 @@ import os
 from importlib.resources import files
 
 from meshing.whole_files import write_whole
+from mooring.criteria.strength import equipment_of_box
 
 from . import report_words as words
 from .checklist import checklist
-from .equipment import equipment
+from .kinds.versions import versions
+from .origins import origin
 from .report_pictures import body_picture, plans, use_picture
 from .report_tables import WORDS, write_tables
 from .tables import MEAN
 from .verdict import FAILS, OPEN, PASSES
-from .versions import versions
 
 CSS = {PASSES: "passes", FAILS: "fails", OPEN: "open"}
 
@@ -57,10 +58,11 @@ def _context(read, verdict, advice, paths, folder):
             for name, path in paths.items()
         ],
         "return_period": words.return_words(own, verdict),
+        "in_time": words.time_words(read),
         "states": [words.state_row(state) for state in read.project.states],
         **_of_body(read, paths, folder),
-        "lines": list(words.line_rows(verdict)),
-        "criteria": [words.criterion(one, links) for one in verdict.judged],
+        "lines": list(words.line_rows(read, verdict)),
+        "criteria": [words.criterion(one, _found_in(read, verdict, folder)) for one in verdict.judged],
         "cases": [words.case(one, links) for one in verdict.ran],
         "rule_sets": [words.rule_set(one) for one in verdict.rule_sets],
         "checklist": [
@@ -78,6 +80,18 @@ def _context(read, verdict, advice, paths, folder):
         "inputs": {"project": read.text, "study": read.study_text, "scene": _scene_text(read)},
         "versions": ", ".join(f"{name} {version}" for name, version in versions().items()),
     }
+
+
+def _found_in(read, verdict, folder):
+    """(name of a load case, criterion) → address of the file that has the number, "" for the project's, and its key"""
+    ran = {one.case.name: one for one in verdict.ran}
+
+    def found(name, criterion):
+        one = ran.get(words.with_factor(name, criterion.motion_factor), ran[name])
+        path, key = origin(read, one, criterion)
+        return "" if path is None else _relative(path, folder), key
+
+    return found
 
 
 def _of_body(read, paths, folder):
@@ -126,7 +140,7 @@ def _checks(paths):
 
 def _equipment(read, db):
     freeboard = read.study.get("hull", {}).get("freeboard")
-    return equipment(db.dimensions, freeboard, db.density * db.mesh.whole().volume)
+    return equipment_of_box(db.dimensions, freeboard, db.density * db.mesh.whole().volume)
 
 
 def _scene_text(read):

@@ -20,7 +20,8 @@ def plans(read, verdict, paths, folder):
     """{"name", "data"} of the cases that govern, the worst first"""
     by_name = {one.case.name: one for one in verdict.ran}
     judged = sorted((one for one in verdict.judged if one.governing), key=lambda one: -one.governing.utilisation)
-    for name in list(dict.fromkeys(one.governing.case for one in judged))[:MOST_PLANS]:
+    drawn = [one.governing.case for one in judged if not by_name[one.governing.case].case.apart]
+    for name in list(dict.fromkeys(drawn))[:MOST_PLANS]:
         one = by_name[name]
         known = one.case.study, paths[one.case.level], one.numbers
         base = None if known[1] is None else Path(known[1])

@@ -70,6 +70,16 @@ def return_words(own, verdict):
     )
 
 
+def time_words(read):
+    """How long the cases are run in time, "" where they are not"""
+    own = read.project.simulation
+    if own is None:
+        return ""
+    hours = (own.duration or 0.0) / 3600.0 if own.duration_hours is None else own.duration_hours
+    count = own.seeds if isinstance(own.seeds, int) else len(own.seeds)
+    return f"Each case is run in time {count} times, {hours:.3g} h each."
+
+
 def state_row(state):
     def stream(table):
         if table is None:
@@ -86,14 +96,19 @@ def state_row(state):
     return state.name, state.state, stream(state.wind), stream(state.current), waves, angles, levels, lines
 
 
-def line_rows(verdict):
+def line_rows(read, verdict):
     """Cells of a line of the table of lines, ropes and hawsers, as they are in the first case that ran"""
+    kinds = {
+        name: f"{name}: {table['catalogue']}"
+        for name, table in read.study.get("types", {}).items()
+        if "catalogue" in table
+    }
     one: Numbers | None = next((one.numbers for one in verdict.ran if one.numbers is not None), None)
     for i, name in enumerate(() if one is None else one.names):
         yield (
             name,
             f"{one.length[i]:.4g}",
-            ", ".join(one.types[i]),
+            ", ".join(kinds.get(name, name) for name in one.types[i]),
             _place(one.fairlead[i]),
             _place(one.anchor[i]),
             f"{one.pretension[i] / 1e3:.4g}",
@@ -122,7 +137,8 @@ def _place(point):
     return ", ".join(f"{round(float(x), 3) + 0.0:g}" for x in point)
 
 
-def criterion(one, links):
+def criterion(one, found_in):
+    """Cells of a Judged; found_in : (name of a load case, criterion) → address of a number's file, and key in it"""
     c, use = one.criterion, one.governing
     factors = f"{c.limit:.4g}" if c.second is None else f"{c.limit:.4g}, {c.second:.4g}"
     for_ = ", ".join(
@@ -140,7 +156,9 @@ def criterion(one, links):
         "missing": one.missing,
         "value": "",
         "used": "",
+        "margin": "",
         "link": "",
+        "key": "",
         "case": "",
         "item": "",
     }
@@ -148,10 +166,11 @@ def criterion(one, links):
         found |= {
             "value": f"{use.value:.4g}",
             "used": percent(use.utilisation),
+            "margin": f"{100 * (1 - use.utilisation):+.0f} %",
             "case": use.case,
             "item": use.item,
         }
-        found["link"] = links.get(_with_factor(use.case, c.motion_factor), links[use.case])
+        found["link"], found["key"] = found_in(use.case, c)
     return found
 
 
@@ -168,7 +187,7 @@ def rule_set(one):
     }
 
 
-def _with_factor(name, factor):
+def with_factor(name, factor):
     """Name of the load case with `factor` times the motions, where it is a case of its own"""
     return name if factor == 1 else f"{name}, motions x {factor:g}"
 

@@ -16,11 +16,13 @@ from mooring.criteria.strength import worn_breaking_load
 from mooring.criteria.verdict import Case, Tensions
 
 from ..common.quantities import StudyError
+from ..common.typed import read_toml
 from .cases import LoadCase, file_name, intact_cases, without_line
 from .kinds.numbers import Numbers
 from .project import MEAN, scene_tables, worn_diameters
 
 ROTATIONS = ("roll", "pitch", "yaw")
+SCOPE = "line length / (5 depths + tidal range)"
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,8 @@ def run_cases(read, paths, folder, executor, step):
     ran = _run_all(read, intact, factors, paths, folder, executor, step, 0)
     names = read.kind.lost(base)
     broken = [case for group in grouped(ran).values() for case in _lost(read, group, names)]
-    return ran + _run_all(read, broken, factors, paths, folder, executor, step, len(ran))
+    ran += _run_all(read, broken, factors, paths, folder, executor, step, len(ran))
+    return ran + list(_shaken(read, paths, folder))
 
 
 def factors_of(read):
@@ -113,7 +116,24 @@ def judged_case(read, ran, others):
         tensions = {factor: _tensions(read, each, each.largest) for factor, each in ran.items() if each.numbers}
     else:
         tensions = {factor: _tensions(read, one, largest) for factor, largest in one.runs["largest"].items()}
-    return Case(case.name, case.kind, case.lines, "quasi-static", tensions, motions, others, one.numbers.parts)
+    parts = given_parts(read, case, one.numbers) | one.numbers.parts
+    return Case(case.name, case.kind, case.lines, "quasi-static", tensions, motions, others, parts, case.apart)
+
+
+def given_parts(read, case, numbers):
+    """{quantity: {of what: value}}: values that the project gives, by their source, and the scope of the lines"""
+    found = {}
+    for one in read.project.values:
+        if one.state in ("any", case.kind) and one.lines in ("any", case.lines) and not case.apart:
+            if one.quantity in numbers.parts:
+                raise StudyError(f"values: {one.quantity!r} is given, and {case.name} finds it; leave it out")
+            found.setdefault(one.quantity, {})[one.source] = one.value
+    lines = [i for i, name in enumerate(numbers.names) if name not in numbers.hawsers and numbers.types[i] != ("rope",)]
+    if "water" in read.study and lines:
+        rises = [0.0, *read.project.levels.values()]
+        depths = 5 * read.study["water"]["depth"] + max(rises) - min(rises)
+        found[SCOPE] = {numbers.names[i]: float(numbers.length[i] / depths) for i in lines}
+    return found
 
 
 def grouped(ran):
@@ -143,6 +163,23 @@ def _run_all(read, cases, factors, paths, folder, executor, step, done):
             ran.append(Ran(case, place, None, None, " ".join(str(fault).split())))
         step(done + len(ran), done + len(cases), case.name)
     return ran
+
+
+def _shaken(read, paths, folder):
+    """Ran of each earthquake"""
+    if not read.project.earthquakes:
+        return
+    from .kinds import earthquake
+
+    for table in read.project.earthquakes:
+        path, name = read.folder / table.study, f"earthquake, {table.name}"
+        raw, _ = read_toml(path, "an earthquake study", StudyError)
+        case = LoadCase(name, name, "abnormal", MEAN, 0.0, 0.0, 0.0, "", 1.0, raw, apart=True)
+        place = folder / "cases" / f"{file_name(case)}_numbers.json"
+        try:
+            yield Ran(case, place, earthquake.run(path, paths[MEAN], place))
+        except ValueError as fault:
+            yield Ran(case, path, None, None, " ".join(str(fault).split()))
 
 
 def _lost(read, group, names):

@@ -101,6 +101,34 @@ class LimitTable(Table):
     statistic: str = "largest"
 
 
+class ValueTable(Table):
+    """A value that no load case finds, from elsewhere, for a criterion that asks for it
+
+    quantity : as rule sets name it: "bending stress / yield stress", "gust factor", …
+    value : in the unit of the criterion
+    source : where it is from, such as a calculation
+    state : that it is of: normal, abnormal or any
+    lines : intact, one lost or any
+    """
+
+    quantity: str
+    value: float
+    source: str
+    state: str = "any"
+    lines: str = "any"
+
+
+class EarthquakeCase(Table):
+    """An earthquake at the dolphins of a berth, as a load case of the abnormal state
+
+    name : for results
+    study : beside this file, of hakobune earthquake; without [body] it has that of the database
+    """
+
+    name: str
+    study: str
+
+
 class WearTable(Table):
     """What chain loses of its diameter
 
@@ -144,6 +172,8 @@ class Project(Table):
     states: list[StateTable]
     rules: list[RuleTable] = msgspec.field(default_factory=list)
     limits: list[LimitTable] = msgspec.field(default_factory=list)
+    values: list[ValueTable] = msgspec.field(default_factory=list)
+    earthquakes: list[EarthquakeCase] = msgspec.field(default_factory=list)
     levels: dict[str, float] = msgspec.field(default_factory=dict)
     wear: WearTable | None = None
     anchors: AnchorsTable | None = None

@@ -37,7 +37,7 @@ def earthquake(study_path, database, output, plot):
     if plot is not None:
         check_picture(plot, PLOTS)
     quake = quake_of(study, Path(study_path).resolve().parent, database)
-    rows, run = _methods(quake)
+    rows, run = methods(quake)
     stiffness = _stiffnesses(quake, rows)
     _show(quake, rows, stiffness)
     if run is not None:
@@ -69,7 +69,7 @@ class Method(NamedTuple):
     reason: str = ""
 
 
-def _methods(quake):
+def methods(quake):
     """`Method` of each that the study has values for, and the `Course` or None"""
     fenders, rows, run = quake.fenders, [], None
     if quake.coefficient is not None:

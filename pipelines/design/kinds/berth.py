@@ -98,7 +98,7 @@ def _of_fenders(file, made, berth):
         row = dict(zip(SUMMARY, file["summary"][names.index(f"deflection {one.name}")], strict=True))
         largest = float(np.nanmax([row["upper_value"], row["largest"], 0.0]))
         steady = _longest_mean(file["deflection"][()][..., i].astype(float), step)
-        fender, yields = fender_of(table), _dolphin_of(table, dolphins)
+        fender, yields = fender_of(table), dolphin_of(table, dolphins)
         alone = [of_fender(fender, bilinear(*yields), y) if yields else y for y in (largest, steady)]
         out[TOTAL][one.name], out[SLOW][one.name] = (y / fender.height for y in alone)
         out[OF_ALLOWABLE][one.name] = alone[0] / (fender.height * fender.allowable)
@@ -112,9 +112,9 @@ def _of_fenders(file, made, berth):
     return {quantity: values for quantity, values in out.items() if values}
 
 
-def _dolphin_of(table, dolphins):
+def dolphin_of(table, dolphins):
     """Stiffness, yield force and stiffness beyond it of the dolphin of a fender's table, SI; () without one"""
-    if table.on is not None:
+    if getattr(table, "on", None) is not None:
         one = dolphins[table.on]
         values = one.stiffness, one.yield_force, one.stiffness_beyond
     else:

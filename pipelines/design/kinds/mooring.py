@@ -45,8 +45,9 @@ AT_BERTH = (
 )
 SOURCES = "Tensions are lines/maximum_tension of its file, offsets equilibrium, motions motion_amplitude."
 IN_TIME_SOURCES = (
-    "Tensions and motions are the extremes in the file of its runs, NAME_runs.h5; offset, yaw and forces at the anchor "
-    "in this table are of the simplified method, in NAME.h5."
+    "Tensions and motions are the extremes of its runs (NAME_runs.h5), kept as values.largest and values.motions of "
+    "NAME_runs_extremes.json; offset, yaw and forces at the anchor in this table are of the simplified method, "
+    "in NAME.h5."
 )
 BERTH_SOURCES = "Tensions, strains and motions are of the summary in the file of its runs; offsets are their means."
 KEPT = ("hull", "types", "allowable", "fender", "dolphin", "rope", "harbour")

@@ -16,8 +16,8 @@ import numpy as np
 
 from meshing.whole_files import write_whole
 
-from ..versions import versions
 from .numbers import Numbers
+from .versions import versions
 
 ARRAYS = tuple(name for name, kind in Numbers.__annotations__.items() if "ndarray" in str(kind))
 PNG = "data:image/png;base64,"
@@ -50,7 +50,7 @@ def numbers_of(path, text, database, made):
     """`Numbers` of the study `text`, whose result is the file `path`: kept in NAME_numbers.json, or as `made()`"""
     place = path.with_name(f"{path.stem}_numbers.json")
     base = None if database is None else Path(database)
-    return _read(kept(place, lambda: key_of(text, base, path), lambda: plain(made())))
+    return read_numbers(kept(place, lambda: key_of(text, base, path), lambda: plain(made())))
 
 
 def plain(numbers):
@@ -85,7 +85,8 @@ def _seal(values):
     return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()
 
 
-def _read(words):
+def read_numbers(words):
+    """`Numbers` of values of JSON"""
     found = {name: np.array(value, float) if name in ARRAYS else value for name, value in words.items()}
     for name in ("fairlead", "anchor"):
         found[name] = found[name].reshape(-1, 3)

@@ -12,10 +12,10 @@ from meshing.seals import text_damaged
 from pipelines.common.picture import save
 from pipelines.common.quantities import StudyError
 from pipelines.design.advice import Tried, _smallest
-from pipelines.design.changes import ways
 from pipelines.design.command import made
 from pipelines.design.fatigue import fatigue
 from pipelines.design.kinds import mooring
+from pipelines.design.kinds.changes import ways
 from pipelines.design.kinds.in_time import cycles_of
 from pipelines.design.project import read_project
 from pipelines.moor.command import studied
@@ -48,6 +48,9 @@ PROJECT = {
     "rules": [{"rule": "JSCE", "subject": "chain of a multi-point mooring"}, {"rule": "port facility II"}],
     "wear": {"mm_per_year": 0.3},
 }  # fmt: skip
+
+
+GIVEN = {"quantity": "gust factor", "value": 1.3, "source": "calculation 7"}
 
 
 @pytest.fixture(scope="module")
@@ -118,6 +121,18 @@ def test_what_nothing_is_known_of_is_not_signed(first):
     verdict = first[0]
     unknown = [one.criterion.quantity for one in verdict.judged if one.met is None]
     assert "gust factor" in unknown and verdict.word != "passes"
+
+
+def test_a_value_from_elsewhere_is_judged_with_its_source_and_the_scope_of_lines_by_their_length(folder, tmp_path):
+    """260 m of line in 20 m of water: 2.6 times five depths"""
+    rules = [{"rule": "port facility II", "subject": "wind at sea, mean of 10 min"}, {"rule": "port facility"}]
+    project = {**PROJECT, "values": [GIVEN], "rules": rules, "states": PROJECT["states"][1:]}
+    (folder / "given.toml").write_text(tomli_w.dumps(project))
+    verdict, _, _ = made(read_project(folder / "given.toml"), tmp_path / "out", Here(), None, advice=False)
+    gusts = [one for one in verdict.judged if one.criterion.quantity == "gust factor"]
+    assert [(one.met, one.governing.item, one.governing.value) for one in gusts] == [(True, "calculation 7", 1.3)] * 2
+    (scope,) = [one for one in verdict.judged if one.criterion.quantity.startswith("line length")]
+    assert scope.governing.value == pytest.approx(2.6) and scope.met
 
 
 def test_the_page_needs_nothing_else_and_its_tables_are_sealed(folder, first):
@@ -267,6 +282,12 @@ def test_changes_are_of_pretension_number_ropes_and_sizes():
         (lambda p: p.update(fatigue={"curve": "steel"}), "fatigue.curve is 'steel'; allowed: DNV studlink chain"),
         (lambda p: p.update(fatigue={"curve": "DNV polyester"}), r"fatigue needs \[simulation\]"),
         (lambda p: p["states"][0].update(share=1.5), "shares of the time are .* together at most 1"),
+        (
+            lambda p: p.update(values=[{**GIVEN, "quantity": "gust"}]),
+            r"values\[0\].quantity is 'gust'; allowed, of the",
+        ),
+        (lambda p: p.update(values=[{**GIVEN, "value": -1.0}]), r"values\[0\].value is -1; allowed: 0 or more"),
+        (lambda p: p.update(earthquakes=[{"name": "x", "study": "x.toml"}]), "the study has no fenders"),
         (lambda p: p.update(ice=1), "ice is unknown; allowed: project"),
     ],
 )

@@ -4,6 +4,7 @@ import csv
 import tomllib
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 import tomli_w
@@ -43,7 +44,8 @@ def reduced(folder, name, **states):
     """
     project = raw_of(name)
     own = project["project"]
-    put(folder, own["study"], raw_of(own["study"]))
+    for study in (own["study"], *(one["study"] for one in project.get("earthquakes", ()))):
+        put(folder, study, raw_of(study))
     if "scene" in own:
         scene = raw_of(own["scene"])
         put(folder, own["scene"], {**scene, "tolerance": 0.1, "waves": COARSE})
@@ -69,7 +71,7 @@ def quick(monkeypatch):
 @pytest.fixture(autouse=True)
 def with_one_picture(monkeypatch):
     """The page with one plan and without the curves of the body, which take seconds"""
-    monkeypatch.setattr("pipelines.design.report.body_picture", lambda db: "")
+    monkeypatch.setattr("pipelines.design.report.body_picture", lambda database, folder: "")
     monkeypatch.setattr("pipelines.design.report_pictures.MOST_PLANS", 1)
 
 
@@ -196,9 +198,11 @@ def test_lines_of_a_buoy_end_at_the_same_anchors_at_every_level(barge):
 
 def test_a_floater_between_dolphins_is_judged_by_strains_and_loads_of_dolphins(tmp_path, quick):
     path = reduced(tmp_path, "design_dolphins_B.toml", extreme={"incidence_deg": [90.0]})
+    body = {"mass": 410000.0, "added_mass": 2e5, "damping": 2e4}  # the coarse database has no memory
+    put(tmp_path, "earthquake_dolphins_B.toml", {**raw_of("earthquake_dolphins_B.toml"), "body": body})
     verdict, _, _ = made(read_project(path), tmp_path / "out", Here(), None)
     assert [one.fault for one in verdict.ran if one.fault] == []
-    (one,) = verdict.ran
+    one, shaken = verdict.ran
     parts, met = one.numbers.parts, ("starboard aft", "starboard fore")  # wind and waves push to starboard
     assert one.numbers.names == () and one.numbers.place[1] < 0
     for name in met:
@@ -206,6 +210,26 @@ def test_a_floater_between_dolphins_is_judged_by_strains_and_loads_of_dolphins(t
         assert 0 < steady <= total and total > parts["fender strain, total"]["fore"]
     assert {use.governing.item for use in verdict.judged if "fender strain" in use.criterion.quantity} <= set(met)
     assert any("design spectrum method, 2 fenders" in line for line in one.numbers.warnings)
+    # the earthquake by its own door: strain of the fender alone, and what of the dolphin's strength it takes
+    from mooring.fenders.dolphin import bilinear, of_fender
+    from pipelines.earthquake.command import methods
+    from pipelines.earthquake.study import quake_of, read_study
+
+    study = read_study(tmp_path / "earthquake_dolphins_B.toml")
+    (row,) = methods(quake_of(study, tmp_path))[0]
+    fender = of_fender(fender_alone(study), bilinear(166667e3, 23333e3, 66667e3), row.deflection)
+    assert shaken.numbers.parts["fender strain, total"][row.name] == pytest.approx(fender / 3.0, rel=1e-9)
+    strength = shaken.numbers.parts["design load of a dolphin / fender reaction"][row.name]
+    assert strength == pytest.approx(6 * 23333e3 / row.reaction, rel=1e-9)
+    judged = {use.criterion.quantity: [u.case for u in use.uses] for use in verdict.judged}
+    assert shaken.case.name in judged["fender strain, total"] and shaken.case.name not in judged["surge"]
+
+
+def fender_alone(study):
+    """The fender of an earthquake study without its dolphin"""
+    from pipelines.common.fender_tables import fender_of
+
+    return fender_of(msgspec.structs.replace(study.fender, count=1))
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,61 @@
+"""An earthquake as a load case of a berth: `hakobune earthquake`, with the body of the project's database.
+
+Every method that its study has values for (seismic coefficient, response spectrum, record in time) gives the reaction
+and the deflection of the fenders of one side; criteria are judged by all of them.  It tells nothing of ropes and
+motions, so criteria on those are not of this case.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from mooring.fenders.dolphin import bilinear, of_fender
+
+from ...common.fender_tables import fender_of
+from ...earthquake.study import quake_of, read_study
+from .berth import DOLPHIN, OF_ALLOWABLE, TOTAL, dolphin_of
+from .numbers import Numbers
+from .stored import kept, key_of, plain, read_numbers
+
+COEFFICIENT = "horizontal seismic coefficient"
+
+
+def run(path, database, place):
+    """`Numbers` of the earthquake study `path`, kept in the file `place`.  Raises ValueError where fenders yield."""
+    study = read_study(path)
+    record = None if study.record is None else path.parent / study.record.file
+    text, base = path.read_text(encoding="utf-8"), None if database is None else Path(database)
+    made = lambda: plain(_found(study, path.parent, None if study.body else database))  # noqa: E731
+    return read_numbers(kept(place, lambda: key_of(text, base, record), made))
+
+
+def _found(study, folder, database):
+    from ...earthquake.command import methods
+
+    quake, table = quake_of(study, folder, database), study.fender
+    fender, yields = fender_of(_alone(table)), dolphin_of(table, {})
+    parts = {TOTAL: {}, OF_ALLOWABLE: {}, DOLPHIN: {}, COEFFICIENT: {}}
+    for row in methods(quake)[0]:
+        if row.reason:
+            raise ValueError(f"{row.name}: {row.reason}")
+        pressed = of_fender(fender, bilinear(*yields), row.deflection) if yields else row.deflection
+        parts[TOTAL][row.name] = float(pressed / fender.height)
+        parts[OF_ALLOWABLE][row.name] = float(pressed / (fender.height * fender.allowable))
+        if yields and np.isfinite(yields[1]) and row.reaction > 0:
+            parts[DOLPHIN][row.name] = float(yields[1] * quake.fenders.count / row.reaction)
+    if quake.coefficient is not None:
+        parts[COEFFICIENT]["of the rule"] = float(quake.coefficient)
+    none, place = np.zeros(0), np.zeros((0, 3))
+    return Numbers(
+        names=(), types=(), fairlead=place, anchor=place, length=none, pretension=none, static=none, largest=none,
+        breaking=none, horizontal=none, uplift=none, place=np.zeros(3), motions=none,
+        parts={quantity: values for quantity, values in parts.items() if values},
+    )  # fmt: skip
+
+
+def _alone(table):
+    import msgspec
+
+    return msgspec.structs.replace(table, count=1)
