@@ -13,18 +13,24 @@ from ..moor.study import read_study
 from ..solve.work import executor_of
 from . import berth, report
 from .file import opened, whole_rows
+from .methods import methods_table
 from .pictures import draw
 from .run import simulate as fill
+from .work import Task
 
 
-def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local", windows=None):
+def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local", windows=None,
+             methods=False, division=None):  # fmt: skip
     """Exit status of the command: 0, 1 with a seed that failed, 130 interrupted.  Raises ValueError before anything.
 
     windows : s, of which the first record is told one by one
+    methods, division : of `methods.methods_table`
     """
     from ..printing.console import new_console
 
     console, workers = new_console(), executor_of(executor)
+    if division is not None and not methods:
+        raise StudyError("--division is given without --methods; allowed: with it")
     if seeds is not None and seeds < 1:
         raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
     try:
@@ -40,11 +46,21 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
             _show(console, file, study, database, outcome.findings)
             if windows is not None:
                 console.print(berth.windows_table(file, windows))
+            if methods:
+                console.print(_methods(file, study, database, division))
             words = ", ".join([str(output), *draw(file, Path(output))])
             console.print(f"written: {words}", highlight=False, soft_wrap=True, markup=False)
     for seed, reason in outcome.failures:
         console.print(f"seed {seed} failed: {reason}", highlight=False, soft_wrap=True, markup=False, style="red")
     return 1 if outcome.failures else 0
+
+
+def _methods(file, study, database, division):
+    """Table of the methods on the first seed of an open file"""
+    task = Task(
+        read_study(study)[1], str(database), float(file.attrs["duration"]), None, str(Path(study).resolve().parent)
+    )
+    return methods_table(task, int(file["seed"][0]), division)
 
 
 def _show(console, file, study, database, findings):

@@ -19,6 +19,12 @@ def simulate(
     fresh: Annotated[bool, Parameter(help="replace a file that is there", negative="")] = False,
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     windows: Annotated[float | None, Parameter(help="s: significant motions of the first record, one by one")] = None,
+    methods: Annotated[
+        bool, Parameter(help="the first seed with memory and with constant coefficients beside each other", negative="")
+    ] = False,
+    division: Annotated[
+        Path | None, Parameter(help="--methods: also on the water of a box of the ship's sizes, --method contour, .h5")
+    ] = None,
 ):
     """A mooring study in time: motions and tensions over seeds, beside the simplified method of `moor`.
 
@@ -26,4 +32,4 @@ def simulate(
     """
     from .command import simulate
 
-    return simulate(study, database, output, seeds, duration, fresh, executor, windows)
+    return simulate(study, database, output, seeds, duration, fresh, executor, windows, methods, division)

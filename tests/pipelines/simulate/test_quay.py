@@ -51,9 +51,30 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     monkeypatch.setattr(engine, "_memory", without_memory)
     monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
     run, words = tmp_path / "quay.h5", ["simulate", str(SCENE), "--database", str(database)]
-    assert main([*words, "--duration", "60", "--seeds", "1", "--output", str(run), "--windows", "30"]) == 0
+    assert (
+        main(
+            [
+                *words,
+                "--duration",
+                "60",
+                "--seeds",
+                "1",
+                "--output",
+                str(run),
+                "--windows",
+                "30",
+                "--methods",
+                "--division",
+                str(database),
+            ]
+        )
+        == 0
+    )
     told = capsys.readouterr().out
     assert "natural periods of small motions at the berth: surge " in told and "in windows of 30 s" in told
+    rows = [line for line in told.split("\n") if re.match(r"│ [1-4] (memory|constant)", line)]
+    assert "by four methods" in told and [row[2] for row in rows] == list("1234")
+    assert rows[0].split("│")[2:] == rows[1].split("│")[2:]  # the box divided is the box
     assert "fenders: F" in told and "% of its height; allowed: 50 %" in told
     assert "deflection F1, m" in told and "tension head 1, tonf" in told and "knows no fenders" in told
     with opened(run) as file:
