@@ -52,7 +52,9 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
         raise FenderError(f"family {family!r} is unknown; allowed: {', '.join(names())}")
     label = f"{family} {height:g} m" + (f" × {length:g} m" if length else "")
     if family == "pneumatic":
-        if length is None or rated_reaction is not None:
+        if length is None:
+            raise FenderError(f"{label}: a pneumatic fender has a length beside its diameter, and none is given")
+        if rated_reaction is not None:
             raise FenderError(f"{label}: a pneumatic fender is given by diameter, length and pressure alone")
         return pneumatic(label, height, length, 50e3 if pressure is None else pressure, overload)
     if pressure is not None:
