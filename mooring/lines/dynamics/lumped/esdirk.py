@@ -17,7 +17,7 @@ import numpy as np
 from bem.kernels.jit import kernel
 
 from .bed import keep_slip
-from .block_tridiagonal import factor, substitute
+from .block_tridiagonal import substitute
 from .books import FRICTION
 from .forces import node_forces, stored_energy
 from .stage import CONVERGED, add, change, copy, move, solve_stage, workspace
@@ -81,11 +81,10 @@ def mark(row, stations, T):
 def error(s, work, eq, ev, hd):
     """Largest filtered error of any tension (N) and position (m), and its element, with the last stage's matrix."""
     last = eq.shape[0] - 1
-    factor(work.D, work.B, 1, last - 1)
     for j in range(1, last):
         for i in range(3):
             work.x[j, i] = s.inertia[j] * (eq[j, i] + hd * ev[j, i])
-    substitute(work.D, work.B, work.x, work.x, 1, last - 1)
+    substitute(work.pivots, work.couplings, work.x, work.x, 1, last - 1)
     return change(s, work.q, work.x, 1.0)
 
 

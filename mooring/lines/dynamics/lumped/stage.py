@@ -33,6 +33,8 @@ class Work(NamedTuple):
     T: np.ndarray  # (n − 1,)
     tangent: np.ndarray  # (n − 1, 3)
     power: np.ndarray  # (6,)
+    pivots: np.ndarray  # (n, 3, 3) of the last tangent that was factored
+    couplings: np.ndarray  # (n, 3, 3)
 
 
 @kernel()
@@ -50,6 +52,8 @@ def workspace(n):
         np.zeros(n - 1),
         np.zeros((n - 1, 3)),
         np.zeros(6),
+        np.zeros((n, 3, 3)),
+        np.zeros((n, 3, 3)),
     )
 
 
@@ -104,23 +108,47 @@ def solve_stage(s, work, guess_q, guess_v, a, slip, since, cq, cv, tension_limit
     copy(q, guess_q)
     copy(v, guess_v)
     move(q, v, a, cq, cv)
+    node_forces(s, work, a, slip, since, cq, cv)
     for iteration in range(ITERATIONS):
-        node_forces(s, work, a, slip, since, cq, cv)
-        factor(work.D, work.B, 1, last - 1)
-        substitute(work.D, work.B, work.r, work.x, 1, last - 1)
-        tension, distance, worst = change(s, q, work.x, cq)
+        refactor(work)
+        tension, distance, worst = correction(s, work, cq)
         if not (math.isfinite(tension) and math.isfinite(distance)):
             return NOT_FINITE, worst, iteration + 1
         move(a, a, work.x, 1.0, 0.0)
         move(q, v, work.x, cq, cv)
+        node_forces(s, work, a, slip, since, cq, cv)
         if tension <= tension_limit and distance <= distance_limit:
-            node_forces(s, work, a, slip, since, cq, cv)
+            return CONVERGED, worst, iteration + 1
+        # what is left of the equations, by the matrix at hand, shows whether another one is needed
+        left, astray, _ = correction(s, work, cq)
+        if left <= tension_limit and astray <= distance_limit:
             return CONVERGED, worst, iteration + 1
         size = max(tension / tension_limit, distance / distance_limit)
         if iteration > 3 and size > 2.0 * before:
             return STALLED, worst, iteration + 1
         before = size
     return STALLED, worst, ITERATIONS
+
+
+@kernel()
+def refactor(work):
+    """Pivots and couplings of the tangent at hand, which `node_forces` overwrites"""
+    for j in range(work.D.shape[0]):
+        for i in range(3):
+            for m in range(3):
+                work.pivots[j, i, m] = work.D[j, i, m]
+                work.couplings[j, i, m] = work.B[j, i, m]
+    factor(work.pivots, work.couplings, 1, work.D.shape[0] - 2)
+
+
+@kernel()
+def correction(s, work, cq):
+    """Accelerations that take away the residual, into work.x, and the largest change of tension and place by them."""
+    copy(work.x, work.r)
+    substitute(work.pivots, work.couplings, work.x, work.x, 1, work.x.shape[0] - 2)
+    for i in range(3):
+        work.x[0, i], work.x[-1, i] = 0.0, 0.0
+    return change(s, work.q, work.x, cq)
 
 
 @kernel()
