@@ -103,7 +103,7 @@ def solve_stage(s, work, guess_q, guess_v, a, slip, since, cq, cv, tension_limit
     guess_q, guess_v : q̂ and v̂ (n, 3), with the end nodes where they are; a : guess, with those of the end nodes
     returns : status, the node at fault, Newton steps
     """
-    last, before = a.shape[0] - 1, np.inf
+    before = np.inf
     q, v = work.q, work.v
     copy(q, guess_q)
     copy(v, guess_v)
