@@ -109,8 +109,10 @@ class FrequencyRun:
         """
         run = self
         for _ in range(self.most_sharper if self.solves else 0):
-            sharper = run.sharper
-            if sharper is None or run.tolerances <= 1:
+            if run.differences is None or run.tolerances <= 1:
+                break
+            sharper = run.sharper  # which may take a mesh and a band of its own
+            if sharper is None:
                 break
             before, run = run, sharper()
             if run.tolerances >= before.tolerances:

@@ -61,8 +61,8 @@ def table_view(t):
 
 @kernel()
 def depth_variables(z, zeta):
-    """Y = −(z + ζ) and V = |z − ζ| in m, and the sign of ζ − z"""
-    return -(z + zeta), abs(z - zeta), 1.0 if zeta > z else -1.0
+    """Y = −(z + ζ) and V = |z − ζ| in m, and the sign of ζ − z: at equal depth ∂/∂ζ of g₂ is zero, of a table nearly"""
+    return -(z + zeta), abs(z - zeta), (1.0 if zeta > z else 0.0) - (1.0 if zeta < z else 0.0)
 
 
 @kernel(inline=True)
@@ -121,6 +121,53 @@ def wave_part_at(position, R, depths, wave, slope, view):
             gr -= wave * view.k * y1
             gz -= slope * y0
     return g, gr, gz, j0, j1
+
+
+@kernel(inline=True)
+def standing_part_at(position, R, depths, wave, slope, slope_back, view):
+    """g₁ + g₂, the real part of G without images, and ∂/∂R, ∂/∂ζ and ∂/∂z of it, at a `table_position`.
+
+    slope_back : ∂/∂z of C Z(z) Z(ζ); the other arguments as of `wave_part`.  ∂/∂z is what the other point sees.
+    """
+    Y, V, upwards = depths
+    g, gr, by_zeta, by_z = 0.0, 0.0, 0.0, 0.0
+    K, n = view.K, position[0]
+    if view.double_depth > 0.0:
+        if n < view.entries:
+            g, gr, by_zeta, by_z = _tabulated_both_ways(position, upwards, view)
+        elif view.beyond != TABLE_ONLY:
+            g, gr, by_zeta = _beyond(R, Y, V, upwards, view)
+            _, _, by_z = _beyond(R, Y, V, -upwards, view)
+    if K > 0.0:
+        explicit = n > 0
+        if not explicit:
+            X = K * R
+            F, FX, sink, far = deep_water(X, K * Y, view.deep)
+            g += 2 * K * F
+            gr += 2 * K * K * FX
+            by_zeta += 2 * K * K * sink
+            by_z += 2 * K * K * sink
+            explicit = far > 0.0 and X > 1.0  # as in `wave_part_at`
+        if explicit:
+            _, y0, _, y1 = bessel_functions(view.k * R, view.bessel)
+            g -= wave * y0
+            gr -= wave * view.k * y1
+            by_zeta -= slope * y0
+            by_z -= slope_back * y0
+    return g, gr, by_zeta, by_z
+
+
+@kernel(inline=True)
+def _tabulated_both_ways(position, upwards, view):
+    """`_tabulated` and its ∂/∂z"""
+    n, surface, bed, x, y, v = position
+    zones, first = view.zones, 9 * n
+    f, fy = sum_over_y(view.pieces, surface, y)
+    b, bv = sum_over_y(view.pieces, bed, v)
+    value, slope = sum_over_x(added(f, b), x)
+    of_surface, of_bed = sum_over_x(fy, x)[0], sum_over_x(bv, x)[0]
+    sinking, rising = -2 * zones[first + 2] * of_surface, 2 * upwards * zones[first + 3] * of_bed
+    return value, 2 * zones[first + 1] * slope, sinking + rising, sinking - rising
 
 
 @kernel(inline=True)

@@ -124,7 +124,8 @@ class PreparedPanelProblem:
         problem = self.problem.refined()
         if problem is None:
             return None
-        band = problem.finer.band(problem.mesh, problem.lid, self._beyond_tolerance)
+        few = problem.finer.band(problem.mesh, problem.lid, problem.finer.omegas) is None
+        band = None if few else problem.finer.band(problem.mesh, problem.lid, self._beyond_tolerance)
         return replace(problem, band=band).prepared_beside(self)
 
     @property

@@ -9,12 +9,11 @@ from __future__ import annotations
 import numpy as np
 
 from ..green.tables import limit_table
-from ..kernels.systems import SIDE_BY_SIDE, solved_systems
+from ..kernels.systems import solved_systems
 from ..kernels.threads import blas_threads
 from ..modes import with_net_flux
 from .axisymmetric import sector_rows, solved_by_harmonics
-from .influence import ROWS
-from .wave_influence import wave_blocks
+from .influence import assembled
 
 
 def added_mass_limit(prepared, which):
@@ -22,8 +21,6 @@ def added_mass_limit(prepared, which):
 
     returns : kg, kg m, kg m²; entries between two modes with net flux are +inf or −inf at zero in finite depth
     """
-    from scipy.linalg import solve
-
     g, velocities, table, mirror = given_at_limit(prepared, which)
     if g.sectors:
         S, D = sector_rows(g, mirror, table, unit_depth_values)
@@ -31,15 +28,11 @@ def added_mass_limit(prepared, which):
         found, _ = solved_by_harmonics(g, S.real, D.real, 0.0, of_class)
         return added_mass_of(prepared, [phi.real for phi in found.values()], which)
     with blas_threads(1):
-        matrices, sides = _equations(g, mirror, table, velocities)
-    if g.hull <= SIDE_BY_SIDE:
-        potentials = [phi.T for phi in solved_systems(matrices, sides)]
-        if not np.all(np.isfinite(np.concatenate(potentials))):
-            raise FloatingPointError(f"added mass at {which} frequency: the solution is not finite")
-        return added_mass_of(prepared, potentials, which)
-    potentials = []
-    while matrices:  # in place, and freed one by one: they may be most of the memory
-        potentials.append(solve(matrices.pop(0).T, sides.pop(0), transposed=True, overwrite_a=True).T)
+        found = assembled(g, g.classes, mirror, table, unit_depth_values, [v.T for v in velocities])
+    sides = [b.real[:, : v.shape[1]] for b, v in zip(found.sides, velocities, strict=True)]
+    potentials = [phi.T for phi in solved_systems(found.matrices, sides)]
+    if not np.all(np.isfinite(np.concatenate(potentials))):
+        raise FloatingPointError(f"added mass at {which} frequency: the solution is not finite")
     return added_mass_of(prepared, potentials, which)
 
 
@@ -50,22 +43,6 @@ def given_at_limit(prepared, which):
     g = prepared.geometry.without_lid  # without waves there are no irregular frequencies
     table = limit_table(which, prepared.problem.depth, g.reach, g.draft)
     return g, [g.modes[:, g.members(c)] for c in g.classes], table, 1.0 if which == "zero" else -1.0
-
-
-def _equations(geometry, mirror, table, velocities):
-    """Real matrices (n, n) and right-hand sides (n, columns) of the hull, lists over the classes"""
-    g, n = geometry, geometry.hull
-    matrices, sides = [np.empty((n, n)) for _ in velocities], [np.empty(v.shape) for v in velocities]
-    for start in range(0, n, ROWS):
-        rows = np.arange(start, min(start + ROWS, n))
-        s, d, s1, d1 = g.rankine_of(rows)
-        S, D = wave_blocks(g, rows, np.arange(n), table, unit_depth_values)
-        for i, v in enumerate(velocities):
-            matrices[i][rows] = -(d + (mirror - 1) * d1)[i, :, :n] - D[i].real
-            sides[i][rows] = -((s + (mirror - 1) * s1)[i, :, :n] + S[i].real) @ v
-    for A in matrices:
-        A.flat[:: n + 1] += 2 * np.pi
-    return matrices, sides
 
 
 def unit_depth_values(z):

@@ -18,15 +18,19 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from ..green.rankine import panel_moments
 from ..kernels.jit import kernel
+from ..kernels.real_times_complex import real_times_complex
 from ..kernels.threads import parallel_rows
 from ..modes import class_of, normal_velocities
 from .elements import elements, quadrature
 from .irregular_frequencies import extent, lid_needed_from
+from .reciprocal_pairs import NODES, add_wave_part
+from .standing_waves import standing_waves
 from .wave_influence import COARSE, FINE, wave_blocks
 
 ROWS = 256  # of the matrices at once
@@ -244,25 +248,54 @@ def layers(geometry, rows, classes, mirror, table, depth_values):
     return S, D
 
 
+class Equations(NamedTuple):
+    """Matrices A + i U Vᵀ and right-hand sides b of c symmetry classes, n nodes; U Vᵀ are a few standing waves."""
+
+    matrices: np.ndarray  # (c, n, n) real, A
+    from_waves: np.ndarray  # (c, n, t) real, U
+    to_waves: np.ndarray  # (c, n, t) real, V
+    sides: np.ndarray  # (c, n, columns) complex, b
+
+
 def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=None):
-    """Matrices (c, n, n) and right-hand sides (c, n, columns) of the given symmetry classes.
+    """`Equations` of the given symmetry classes.
 
     mirror : factor of the 1/r₁ part (1 for waves, −1 at infinite frequency); table : wave part of G
     depth_values : z → (…, 2) of Z and Z′; velocities : per class (columns, hull nodes), padded with
     zeros to the same number of columns; hull : number of nodes on the hull, the others are lid
     """
     g, n = geometry, len(geometry.elements.nodes)
-    hull = g.hull if hull is None else hull
-    A = np.empty((len(classes), n, n), complex)
-    b = np.zeros((len(classes), n, max(len(v) for v in velocities)), complex)
-    nodes = np.arange(n)
-    for start in range(0, n, ROWS):  # S never has to be kept
-        rows = nodes[start : start + ROWS]
-        side = np.where(rows < hull, -1.0, 1.0)[:, None]
-        S, D = layers(g, rows, classes, mirror, table, depth_values)
-        for i in range(len(classes)):
-            A[i, rows, :hull] = side * D[i, :, :hull]
-            A[i, rows, hull:] = (side * table.K) * S[i, :, hull:]
-            b[i, rows, : len(velocities[i])] = side * (S[i, :, :hull] @ velocities[i].T)
+    hull, nodes = g.hull if hull is None else hull, np.arange(n)
+    S, A = _all_layers(g, classes, mirror, table, depth_values)
+    waves, single, double = standing_waves(g, classes, table, depth_values)
+    V = np.zeros((len(classes), hull, max(map(len, velocities))), complex)
+    for given, velocity in zip(V, velocities, strict=True):
+        given[:, : len(velocity)] = velocity.T[:hull]
+    side = np.where(nodes < hull, -1.0, 1.0)[:, None]
+    sides = side * (
+        real_times_complex(S[:, :, :hull], V) + 1j * (waves @ real_times_complex(single[:, :hull].swapaxes(1, 2), V))
+    )
+    A[:, :, hull:] = table.K * S[:, :, hull:]
+    A[:, :hull] *= -1
     A[:, nodes, nodes] += np.where(nodes < hull, 2 * np.pi, 4 * np.pi)
-    return A, b
+    double[:, hull:] = table.K * single[:, hull:]
+    return Equations(A, side * waves, double, sides)
+
+
+def _all_layers(geometry, classes, mirror, table, depth_values):
+    """Real parts of S and D (c, n, n) of symmetry classes, arrays of their own"""
+    own = [geometry.classes.index(c) for c in classes]
+    s, d, s1, d1 = geometry.rankine
+    S, D = (np.array([a[i] for i in own]) for a in (s, d))
+    if mirror != 1:
+        S += (mirror - 1) * s1[own]
+        D += (mirror - 1) * d1[own]
+    if geometry.elements.inverse.shape[2] == NODES:
+        add_wave_part(geometry, classes, table, depth_values, S, D)
+        return S, D
+    nodes = np.arange(len(geometry.elements.nodes))
+    for start in range(0, len(nodes), ROWS):
+        rows = nodes[start : start + ROWS]
+        for whole, part in zip((S, D), wave_blocks(geometry, rows, nodes, table, depth_values, classes), strict=True):
+            whole[:, rows] += part.real
+    return S, D

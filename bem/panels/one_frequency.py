@@ -11,7 +11,7 @@ from ..checks import estimate, share_left
 from ..frequency import FrequencyRun
 from ..green.tables import wave_table
 from ..kernels.progress import FINER, report_progress
-from ..kernels.systems import solved_systems
+from ..kernels.systems import solved_beside_few
 from ..kernels.threads import blas_threads
 from ..kochin import far_field_integrals
 from ..waves import depth_values
@@ -160,23 +160,18 @@ class PanelRun(FrequencyRun):
         self._timed("table", start)
         start = time.perf_counter()
         with blas_threads(1):  # its products are small, and its kernels have threads of their own
-            matrices, sides = self.equations(classes, table, [velocities[c] for c in classes])
+            equations = self.equations(classes, table, [velocities[c] for c in classes])
         self._timed("assemble", start)
         start = time.perf_counter()
-        sides = [b[:, : len(velocities[cls])] for cls, b in zip(classes, sides, strict=True)]
-        solutions = solved_systems(matrices, sides)
-        out, self._residual = {}, 0.0
-        for cls, A, b, x in zip(classes, matrices, sides, solutions, strict=True):
-            if not np.all(np.isfinite(x)):
-                raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
-            scale = np.maximum(np.abs(b).max(axis=0), 1e-300)
-            self._residual = max(self._residual, float((np.abs(A @ x - b).max(axis=0) / scale).max()))
-            out[cls] = self.on_hull(x, velocities[cls])
+        solutions, self._residual = solved_beside_few(equations, [len(velocities[c]) for c in classes])
+        if not all(np.all(np.isfinite(x)) for x in solutions):
+            raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the solution is not finite")
+        out = {cls: self.on_hull(x, velocities[cls]) for cls, x in zip(classes, solutions, strict=True)}
         self._timed("solve", start)
         return out
 
     def equations(self, classes, table, velocities):
-        """Matrices (c, n, n) and right-hand sides (c, n, columns) of the classes"""
+        """`bem.panels.influence.Equations` of the classes"""
         return assembled(self.geometry, classes, 1.0, table, self.depth_values, velocities)
 
     def on_hull(self, solution, velocities):

@@ -1,7 +1,8 @@
 """Wave part of the influence matrices S and D: blocks of some points, some sources, all symmetry classes.
 
 S and D are the integrals of G and ∂G/∂n over panels (`bem.panels.influence`, where their Rankine part 1/r + 1/r₁ + 1/r₂
-is); here G is the remainder of `bem.green.finite_depth`, by Gauss quadrature.
+is); here G is the remainder of `bem.green.finite_depth`, by Gauss quadrature.  The imaginary part of G is as smooth as
+the wave: close panels take fine points for the real part alone, unless the wave is short beside them.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..green.deep_water import bessel as bessel_functions
 from ..green.finite_depth import depth_variables, table_position, table_view, wave_part_at
 from ..kernels.jit import kernel
 from ..kernels.threads import parallel_rows
@@ -71,11 +73,10 @@ class Pairs(NamedTuple):
         table : `bem.green.tables.Table`; depth_values : z → (…, 2) of Z and Z′; classes : index of the classes wanted
         """
         where, sources, signs = self.quadrature.points, self.sources, self.signs[classes]
-        length = min(1 / table.k if table.k > 0 else np.inf, self.depth)
         arguments = (
             self.at, depth_values(self.at[:, 2])[:, 0].copy(), sources.corners, sources.first,
-            self.normals, self.origins, np.where(self.sizes > PER_WAVE * length, np.inf, NEAR * self.sizes),
-            self.images, signs, COARSE**2, *self.quadrature, depth_values(where[..., 2]), table,
+            self.normals, self.origins, close_up_to(self.sizes, table.k, self.depth), self.images, signs, COARSE**2,
+            *self.quadrature, depth_values(where[..., 2]), table,
         )  # fmt: skip
         S, D = np.zeros((2, len(signs), len(self.at), len(sources.corners)), complex)
         images, most = len(self.images), len(self.images) * self.quadrature.weights.shape[1]
@@ -86,6 +87,12 @@ class Pairs(NamedTuple):
 
         parallel_rows(work, len(self.at), S[0].size * images)
         return S, D
+
+
+def close_up_to(sizes, k, depth):
+    """(s,) m, distance of the surface images of panels of these sizes (m) up to which they take the fine points"""
+    length = min(1 / k if k > 0 else np.inf, depth)
+    return np.where(sizes > PER_WAVE * length, np.inf, NEAR * sizes)
 
 
 def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
@@ -120,6 +127,13 @@ def _blocks(
                     low, high = first[j], first[j + 1]
                 if count == 0:
                     continue
+                # where waves are long beside the panel their imaginary part needs no fine points
+                smooth = several and fine == 1 and distances[j] < math.inf
+                if smooth:
+                    _add_standing(
+                        at, i, points, j, normals, images, count, corners, first, signs, table.C * at_depth[i], depth_z,
+                        weights, view, chosen, S, D,
+                    )  # fmt: skip
                 _locate(
                     at, i, points, j, normals, images, count, corners, at_nodes, low, high, view, chosen, pieces, values
                 )
@@ -142,8 +156,9 @@ def _blocks(
                             j0 += sign * values[e, 1]
                             flux += sign * values[e, 2]
                             slope += sign * values[e, 3]
-                        s = weights[j, q] * complex(g, factor * j0)
-                        d = weights[j, q] * complex(flux, factor * slope)
+                        imaginary = 0.0 if smooth else factor
+                        s = weights[j, q] * complex(g, imaginary * j0)
+                        d = weights[j, q] * complex(flux, imaginary * slope)
                         if at_nodes:
                             S[a, i, np.uintp(n)] += s
                             D[a, i, np.uintp(n)] += d
@@ -186,6 +201,27 @@ def _locate(
             values[e, 1] = (sx * normals[j, 0] * dx + sy * normals[j, 1] * dy) / (R + 1e-300)
             zone, surface, bed, values[e, 2], values[e, 3], values[e, 4] = table_position(R, depths, view)
             pieces[e, 0], pieces[e, 1], pieces[e, 2] = zone, surface, bed
+
+
+@kernel(inline=True)
+def _add_standing(
+    at, i, points, j, normals, images, count, corners, first, signs, factor, depth_z, weights, view, chosen, S, D
+):  # fmt: skip
+    """Add the imaginary part of the chosen images of panel j, integrated at its nodes"""
+    for n in range(first[j], first[j + 1]):
+        q = np.uintp(corners[n])
+        for m in range(count):
+            o = np.uintp(chosen[m])
+            sx, sy = images[o, 0], images[o, 1]
+            dx, dy = sx * points[j, q, 0] - at[i, 0], sy * points[j, q, 1] - at[i, 1]
+            R = math.sqrt(dx * dx + dy * dy)
+            along = (sx * normals[j, 0] * dx + sy * normals[j, 1] * dy) / (R + 1e-300)
+            j0, _, j1, _ = bessel_functions(view.k * R, view.bessel)
+            s = weights[j, q] * factor * depth_z[j, q, 0] * j0
+            d = depth_z[j, q, 0] * view.k * j1 * along + depth_z[j, q, 1] * j0 * normals[j, 2]
+            for a in range(len(signs)):
+                S[a, i, np.uintp(n)] += complex(0.0, signs[a, o] * s)
+                D[a, i, np.uintp(n)] += complex(0.0, signs[a, o] * weights[j, q] * factor * d)
 
 
 @kernel(inline=True)

@@ -51,13 +51,12 @@ class ZeroDraftRun(PanelRun):
 
     def equations(self, classes, table, velocities):
         n = self.geometry.hull
-        matrices, _ = assembled(
-            self.geometry, classes, 1.0, table, self.depth_values, [np.zeros((1, 0))] * len(classes), hull=0
-        )
+        nothing = [np.zeros((1, 0))] * len(classes)
+        found = assembled(self.geometry, classes, 1.0, table, self.depth_values, nothing, hull=0)
         sides = np.zeros((len(classes), n, max(map(len, velocities))), complex)
         for side, velocity in zip(sides, velocities, strict=True):
             side[:, : len(velocity)] = -4 * np.pi * velocity.T  # the normal points down
-        return matrices, sides
+        return found._replace(sides=sides)
 
     def on_hull(self, solution, velocities):
         K = self.omega**2 / self.problem.gravity
@@ -82,6 +81,6 @@ def rigid_surface_limit(prepared, which):
     table = limit_table(which, problem.depth, g.reach, g.draft)
     velocities = [g.modes[:, g.members(c)].T.astype(complex) for c in g.classes]
     with blas_threads(len(g.elements.nodes)):
-        _, sides = assembled(g, g.classes, 1.0, table, unit_depth_values, velocities)
+        sides = assembled(g, g.classes, 1.0, table, unit_depth_values, velocities).sides
     potentials = [side.real[:, : len(v)].T / (4 * np.pi) for side, v in zip(sides, velocities, strict=True)]
     return added_mass_of(prepared, potentials, which)

@@ -19,9 +19,9 @@ from ..common.progress import duration
 from ..scene.scene import SceneError
 
 PER_PANEL = 4  # nodes
-# frequencies times nodes of a symmetric part from which the preparation pays: it takes as long as 11, 5 and 2.6
-# frequencies on 472, 944 and 1976 nodes
-WORTH_SHARING = 5000
+# frequencies times nodes^1.5 of a symmetric part from which the preparation pays: on 576, 944 and 1976 nodes it takes
+# as long as 38, 17 and 6 frequencies take more by themselves
+WORTH_SHARING = 5e5
 # from WORTH_COMPRESSING nodes on a frequency alone is compressed (`bem.panels.compressed`), and the preparation takes
 # as long as 6 of them on 2 200 nodes, 8 on 3 900
 NODES_PER_FREQUENCY = 450
@@ -43,7 +43,7 @@ def shared_band(scene, mesh, lid=None, some=None):
     """
     omegas, nodes = scene.omegas() if some is None else some, PER_PANEL * len(mesh)
     count = len(omegas) if scene.waves.band is None or some is not None else ADAPTIVE
-    if nodes < FEWEST or count * nodes <= WORTH_SHARING or nodes > MOST_SHARED:
+    if nodes < FEWEST or count * nodes**1.5 <= WORTH_SHARING or nodes > MOST_SHARED:
         return None
     if nodes > WORTH_COMPRESSING and count < nodes / NODES_PER_FREQUENCY:
         return None

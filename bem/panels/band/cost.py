@@ -81,12 +81,11 @@ def seconds_alone(prepared, omega):
     if prepared.problem.zero_draft or prepared.axisymmetric_geometry.sectors:
         return np.nan
     n = len(geometry.elements.nodes)
-    row = _seconds_of_waves(geometry, omega, gravity) + _seconds_of_rows(geometry)
+    waves, rankine = _seconds_of_waves(geometry, omega, gravity), _seconds_of_rows(geometry)
     if prepared.compressed:
-        return EVALUATIONS_PER_DOUBLING * np.log2(n) * row / len(geometry.images)
-    rows = n * row
-    complex_factor = 4 * _seconds_of_factor() * (n / TIMED_UNKNOWNS) ** 3
-    return rows + len(geometry.classes) * complex_factor
+        return EVALUATIONS_PER_DOUBLING * np.log2(n) * (waves + rankine) / len(geometry.images)
+    # `bem.panels.reciprocal_pairs` evaluates waves for half of the pairs, and real matrices are factored
+    return n * (waves / 2 + rankine) + len(geometry.classes) * _seconds_of_factor() * (n / TIMED_UNKNOWNS) ** 3
 
 
 def _seconds_of_waves(geometry, omega, gravity):

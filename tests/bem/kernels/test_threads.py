@@ -10,6 +10,7 @@ from bem.kernels import threads
 from bem.kernels.threads import PAIRS_WORTH_THREADS, parallel_rows
 from bem.kochin import far_field_integrals
 from bem.methods.panel_problem import PanelProblem, prepare
+from bem.panels.reciprocal_pairs import add_wave_part
 from bem.panels.wave_influence import wave_blocks
 from bem.waves import depth_values, wavenumber
 from meshing.shapes import box
@@ -41,6 +42,9 @@ def test_kernels_give_the_same_bits_with_any_number_of_threads(monkeypatch):
 
     def results():
         yield from body.rankine_rows(nodes)
+        both = np.zeros((2, len(body.classes), len(nodes), len(nodes)))
+        add_wave_part(body, body.classes, table, depth_values(k, 20.0), *both)
+        yield both
         yield from wave_blocks(body, rows, rows, table, depth_values(k, 20.0))
         yield from far_field_integrals(
             theta, k, nodes, body.elements.weights, body.elements.normals, depth_values(k, 20.0)(nodes[:, 2]),

@@ -17,7 +17,7 @@ RUNS = {
     "panel": "--method panel --panels 250 --omega 0.4,0.9",
     # frequencies that share their work (`pipelines.solve.large`), in systems that are worth two threads
     # (`bem.kernels.threads`)
-    "band": "--method panel --panels 800 --omega 0.4:1.0:7 --only added_mass,excitation_force",
+    "band": "--method panel --panels 800 --omega 0.4:1.0:25 --only added_mass,excitation_force",
 }
 MADE = """
 import sys
@@ -32,7 +32,7 @@ def test_one_run_shares_its_work_in_systems_worth_threads():
         {
             "water": {"depth": 20.0},
             "bodies": [{"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0}],
-            "waves": {"omegas": {"from": 0.4, "to": 1.0, "count": 7}},
+            "waves": {"omegas": {"from": 0.4, "to": 1.0, "count": 25}},
             "method": "panel",
         }
     )

@@ -7,14 +7,14 @@ import pytest
 
 from bem import DOFS
 from bem.checks import damping_error, largest_error
-from bem.methods.panel_problem import prepare
+from bem.methods.panel_problem import PROBES, prepare
 from bem.panels.band.one_frequency import BandRun
 from pipelines.scene.scene import make_scene
 from pipelines.solve.plan import planned
 
 RADIATION = {"added_mass", "radiation_damping"}
 BOX = {"shape": "box", "length": 100.0, "beam": 50.0, "draft": 10.0}
-WAVES = {"omegas": {"from": 0.4, "to": 1.0, "count": 13}}
+WAVES = {"omegas": {"from": 0.4, "to": 1.0, "count": 65}}
 RAW = {"water": {"depth": 20.0}, "bodies": [BOX], "waves": WAVES, "method": "panel", "lid": False}
 
 
@@ -37,22 +37,22 @@ def test_the_band_of_the_finer_mesh_holds_every_frequency_that_needs_it_and_few_
     low, high = prepared.finer.problem.band
     shared = (omegas >= low) & (omegas <= high)
     assert 4 < beyond.sum() < len(omegas) - 2
-    assert np.all(shared[beyond]) and np.sum(shared & ~beyond) <= 2
+    assert np.all(shared[beyond]) and np.sum(shared & ~beyond) <= 2 * len(omegas) / (PROBES - 1)
     again = prepare(planned(make_scene(RAW)).problem)
     assert at(again, omegas[beyond][-1]).within_tolerance().prepared.problem.band == (low, high)
 
 
 def test_a_frequency_shares_its_work_to_a_tenth_of_the_tolerance(prepared):
-    run = at(prepared, 0.95).within_tolerance()
+    run = at(prepared, 0.8).within_tolerance()
     alone = prepare(replace(run.problem, band=None))
     assert isinstance(run, BandRun) and run.solution is not None and run.tolerances < 1
-    off = run.radiation - at(alone, 0.95).radiation
+    off = run.radiation - at(alone, 0.8).radiation
     assert max(damping_error(run, off), largest_error(run, off, 0 * run.excitation)) < 0.1 * run.problem.tolerance
 
 
 def test_few_frequencies_and_those_within_the_tolerance_share_nothing():
     few = {**RAW, "waves": {"omegas": [0.8, 0.9, 1.0]}}
     assert prepare(planned(make_scene(few)).problem).finer.problem.band is None
-    low = {**RAW, "waves": {"omegas": {"from": 0.3, "to": 0.5, "count": 12}}}
+    low = {**RAW, "waves": {"omegas": {"from": 0.3, "to": 0.5, "count": 60}}}
     quiet = prepare(planned(make_scene(low)).problem)
     assert np.all(tolerances(quiet) <= 1) and quiet.finer.problem.band is None

@@ -37,7 +37,7 @@ def scene(**waves):
 
 
 def test_many_frequencies_on_many_panels_share_their_work():
-    many, few = {"from": 0.2, "to": 1.0, "count": 10}, {"from": 0.2, "to": 1.0, "count": 8}
+    many, few = {"from": 0.2, "to": 1.0, "count": 40}, {"from": 0.2, "to": 1.0, "count": 30}
     fine, coarse = box(100, 50, 10, panels=600), box(100, 50, 10, panels=104)
     assert shared_band(scene(omegas=many), fine) == pytest.approx((0.2, 1.0))
     assert shared_band(scene(omegas=few), fine) is None

@@ -1,0 +1,33 @@
+"""Systems whose imaginary part has few columns, by a real factorisation."""
+
+import numpy as np
+import pytest
+
+from bem.kernels.systems import solved_beside_few
+
+
+def systems(singular):
+    rng = np.random.default_rng(3)
+    A = rng.standard_normal((3, 40, 40)) + 8 * np.eye(40)
+    U, V = rng.standard_normal((2, 3, 40, 5))
+    if singular:  # where the other is not
+        left, size, right = np.linalg.svd(A[1])
+        A[1] -= size[-1] * np.outer(left[:, -1], right[-1])
+    return A, U, V, rng.standard_normal((3, 40, 4)) + 1j * rng.standard_normal((3, 40, 4))
+
+
+@pytest.mark.parametrize("singular", [False, True])
+def test_solution_is_that_of_the_complex_system(singular):
+    A, U, V, b = systems(singular)
+    found, left = solved_beside_few((A, U, V, b), (4, 2, 3))
+    assert left < 1e-10
+    for x, whole, side in zip(found, A + 1j * (U @ V.swapaxes(1, 2)), b, strict=True):
+        exact = np.linalg.solve(whole, side[:, : x.shape[1]])
+        assert np.abs(x - exact).max() < 1e-10 * np.abs(exact).max()
+
+
+def test_singular_system_has_no_finite_solution():
+    A, U, V, b = systems(False)
+    A[2, 0] = U[2, 0] = 0.0
+    found, left = solved_beside_few((A, U, V, b), (4, 4, 4))
+    assert np.all(np.isfinite(found[0])) and not np.all(np.isfinite(found[2])) and not left < 1.0

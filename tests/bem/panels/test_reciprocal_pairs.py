@@ -1,0 +1,83 @@
+"""Influence matrices from one evaluation of G for both ends of a pair, and of few standing waves, against all pairs."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bem.green.finite_depth import green
+from bem.green.tables import limit_table, wave_table
+from bem.panels.influence import Geometry
+from bem.panels.reciprocal_pairs import add_wave_part
+from bem.panels.standing_waves import directions, standing_waves
+from bem.panels.wave_influence import wave_blocks
+from bem.waves import depth_values
+from meshing.lid import lid
+from meshing.shapes import box
+
+
+def bodies():
+    """Two mirror planes with a lid, one, none in deep water, and before a wall"""
+    mesh = box(60, 30, 8, panels=160)
+    unfolded = replace(replace(mesh, symmetry="y").whole(), symmetry="x")
+    yield Geometry(mesh, lid(mesh, 8.0), 20.0)
+    yield Geometry(unfolded, None, 20.0)
+    yield Geometry(mesh.whole(), None, np.inf)
+    yield Geometry(mesh, None, 12.0, wall=40.0)
+
+
+@pytest.mark.parametrize("geometry", list(bodies()), ids=["two planes and lid", "one plane", "none, deep", "wall"])
+@pytest.mark.parametrize("omega", [0.15, 0.9, 2.5])
+def test_real_part_equals_that_of_all_pairs(geometry, omega):
+    g, n = geometry, len(geometry.elements.nodes)
+    table = wave_table(omega, g.depth, 9.80665, g.reach, g.draft)
+    Z, S, D = depth_values(table.k, g.depth), *np.zeros((2, len(g.classes), n, n))
+    add_wave_part(g, g.classes, table, Z, S, D)
+    single, double = wave_blocks(g, np.arange(n), np.arange(n), table, Z)
+    assert np.abs(S - single.real).max() < 1e-12 * np.abs(single).max()
+    assert np.abs(D - double.real).max() < 1e-12 * np.abs(double).max()
+
+
+@pytest.mark.parametrize("which", ["zero", "infinity"])
+def test_limits_have_no_waves(which):
+    mesh = box(60, 30, 8, panels=160)
+    g = Geometry(mesh, None, 20.0)
+    table = limit_table(which, g.depth, g.reach, g.draft)
+    assert standing_waves(g, g.classes, table, depth_values(0.0, 20.0)).shape[-1] == 0
+
+
+@pytest.mark.parametrize("geometry", list(bodies()), ids=["two planes and lid", "one plane", "none, deep", "wall"])
+@pytest.mark.parametrize("omega", [0.15, 0.9])
+def test_standing_waves_are_the_imaginary_part_of_the_green_function(geometry, omega):
+    g, e = geometry, geometry.elements
+    table = wave_table(omega, g.depth, 9.80665, g.reach, g.draft)
+    waves, single, double = standing_waves(g, g.classes, table, depth_values(table.k, g.depth))
+    rng = np.random.default_rng(5)
+    points, sources = rng.choice(g.hull, 20), rng.choice(len(e.nodes), 20)
+    for c in range(len(g.classes)):
+        S, D = np.zeros((2, 20))
+        for image, sign in zip(g.images, g.all_signs[c], strict=True):
+            there = e.nodes[sources] * [*image, 1]
+            d = e.nodes[points] - there
+            R = np.maximum(np.hypot(d[:, 0], d[:, 1]), 1e-6)
+            # ∂/∂ζ by the symmetry of G
+            G, by_R, by_zeta = green(R, e.nodes[sources, 2], e.nodes[points, 2], omega, g.depth)
+            normals = e.normals[sources] * [*image, 1]
+            S += sign * G.imag
+            D += sign * (-by_R.imag * np.sum(d[:, :2] * normals[:, :2], axis=1) / R + by_zeta.imag * normals[:, 2])
+        ours = [np.sum(waves[c, points] * part[c, sources], axis=1) / e.weights[sources] for part in (single, double)]
+        size = table.C * len(g.images)
+        assert np.abs(ours[0] - S).max() < 1e-8 * size
+        assert np.abs(ours[1] - D).max() < 1e-8 * size * max(table.k, 1.0)
+
+
+@pytest.mark.parametrize("phase", [0.01, 1.0, 10.0, 300.0])
+def test_directions_leave_nothing_of_the_bessel_function(phase):
+    from scipy.special import j0
+
+    count = directions(phase)
+    theta = (np.arange(count) + 0.5) * (np.pi / 2 / count)
+    for x in phase * np.linspace(0, 1, 7):
+        for turn in (0.0, 0.7, 1.5):
+            found = np.mean(np.cos(x * np.cos(turn) * np.cos(theta)) * np.cos(x * np.sin(turn) * np.sin(theta)))
+            assert abs(found - j0(x)) < 1e-12
