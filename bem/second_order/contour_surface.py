@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.special import hankel1, jv, kve
 
-from ..contour.hull.flow import IMAGES, SIGNS, amplitudes
+from ..contour.hull.flow import IMAGES, SIGNS, amplitudes, in_waves, of_motions
 from ..contour.plan.maps import CLASSES
 from ..contour.plan.potentials import plan_values
 from ..depth_modes.gap import evanescent_wavenumbers, smooth_cutoff
@@ -44,17 +44,12 @@ class CylinderSurface:
         shortest = float(wavenumber(omega[-1], h, problem.gravity))
         self.most = orders_sent(shortest * self.radius) + BEYOND
         self.rings = Rings(np.array(edges), 4 * (self.most // 2 + 1), np.zeros(2))
-        self.weights, self.waves, self.empty = np.zeros(0), [], []
+        self.weights, self.waves = np.zeros(0), []
 
     def add(self, freq, motions):
         """Take in the waves of a `SharedFrequency` with motions (m, 6) about the origin"""
         start = freq.amplitude
-        speed = -1j * freq.omega * motions
-        columns = {
-            cls: np.concatenate([speed[:, dofs], np.eye(len(motions))], axis=1)
-            for cls, (dofs, *_) in freq.flows.items()
-        }
-        whole, local = self._of(freq, columns, len(motions))
+        whole, local = self._of(freq, in_waves(freq, motions), len(motions))
         m = np.arange(-self.most, self.most + 1)
         for beta, own, near in zip(freq.headings, whole, local, strict=True):
             coming = start * 1j ** (m % 4) * np.exp(-1j * m * beta) * jv(m, freq.k * self.radius)
@@ -67,11 +62,7 @@ class CylinderSurface:
 
     def radiated(self, freq, flow):
         """No points near the body, and [`Wave`] of the six motions of unit velocity"""
-        columns = {}
-        for cls, (dofs, *_) in freq.flows.items():
-            columns[cls] = np.zeros((6, len(dofs) + len(freq.headings)))
-            columns[cls][dofs, np.arange(len(dofs))] = 1.0
-        whole, local = self._of(freq, columns, 6)
+        whole, local = self._of(freq, of_motions(freq), 6)
         m = np.arange(-self.most, self.most + 1)
         H = hankel1(m, freq.k * self.radius)
         waves = [Wave(freq.omega, freq.k, 0.0, 0.0, own / H, near) for own, near in zip(whole, local, strict=True)]
@@ -116,7 +107,7 @@ class CylinderSurface:
         """(degree + 1, p, r) from velocities by their rows to what decays, on the rings"""
         body, radii = self.points.body, self.rings.radii.ravel()
         gap, R = body.profiles.gap, self.radius
-        most = int(np.ceil(DIES * gap.depth / (np.pi * NEAREST * gap.depth)))
+        most = int(np.ceil(DIES / (np.pi * NEAREST)))
         modes = gap.outer_modes(freq.omega, most, freq.gravity)
         kn = modes.wavenumbers
         rows = (body.profiles.combinations @ modes.rows).T * (np.cos(kn * gap.depth) / modes.norms / kn)[:, None]

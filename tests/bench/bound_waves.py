@@ -3,14 +3,15 @@
     python tests/bench/bound_waves.py [--panels 400]
 
 First T of two waves on a cylinder of radius a = 10 m in 20 m, over ρga: by Newman's approximation, with the bound
-wave, with the exact squares beside it, with the forcing of the surface; and how far panels are off in what they solve.
-Then standard deviations of the slow surge force of the box of 100 × 50 × 10 m in JONSWAP seas of 1 m from ahead, held
-and afloat, and what each level costs in processor time.
+wave, with the exact squares beside it, with the forcing of the surface; and how far off are panels in what they solve
+and the contour method as its gap closes.  Then standard deviations of the slow surge force of the box of 100 × 50 ×
+10 m in JONSWAP seas of 1 m from ahead, held and afloat, and what each level costs in processor time.
 """
 
 import argparse
 import sys
 import time
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ from exact.maccamy_fuchs import drift
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 
 from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from bem.second_order.bound_waves import bound_waves
 from bem.second_order.difference_forces import difference_forces
 from bem.second_order.stored import BetweenPairs
@@ -31,6 +33,7 @@ from mooring.response.pair_levels import PairForces
 from mooring.response.slow_drift import force_spectrum, force_spectrum_with
 
 RADIUS, DEPTH, RHO, G = 10.0, 20.0, 1025.0, 9.80665
+GAPS = 0.4, 0.2, 0.1, 0.05
 PAIRS = ((0.2, 0.4), (0.4, 0.6), (0.6, 0.8), (1.0, 1.2), (1.8, 2.0))
 
 
@@ -64,6 +67,28 @@ def cylinder(panels):
             f"  {pair[0]}, {pair[1]}   {sizes[0]:8.4f} {sizes[1]:8.4f} {sizes[2]:8.4f} {sizes[3]:10.4f} "
             f"{off[0]:12.1e} {off[1]:9.1e} {off[2]:9.1e} {off[3]:9.1e}"
         )
+
+
+def by_contour():
+    """Cylinders with GAPS under the keel by the contour method: each halving is of first order, second, third in it"""
+    print("the same by the contour method, extrapolated to no gap: how far it is off, and with the smallest gap")
+    for pair in PAIRS:
+        two, one = (np.sqrt(G * ka / RADIUS * np.tanh(ka / RADIUS * DEPTH)) for ka in pair)
+        bound = bound_waves((one, 0.0), (two, 0.0), DEPTH)
+        exact = bound.amplitude * long_wave_force(RADIUS, DEPTH, bound.omega, bound.number[0])
+        exact += sum(force(RADIUS, DEPTH, one, two) for force in (quadratic_force, free_surface_force))
+        found = []
+        for gap in GAPS:
+            body = ShapeProblem(
+                method="contour", shape="buoy", sizes=(RADIUS, DEPTH - gap), depth=DEPTH, tolerance=1e-5
+            )
+            forces = difference_forces(body, [two, one], [0.0], 9.0, False, surface=True)
+            found.append(forces.total[1, 0, 0, 0, 0])
+        last, order = found[-1], 1
+        while len(found) > 1:
+            found = [(2**order * b - a) / (2**order - 1) for a, b in pairwise(found)]
+            order += 1
+        print(f"  {pair[0]}, {pair[1]}   {abs(found[0] / exact - 1):.1e} {abs(last / exact - 1):.1e}", flush=True)
 
 
 def seas(panels):
@@ -101,4 +126,5 @@ if __name__ == "__main__":
     parser.add_argument("--panels", type=int, default=400)
     panels = parser.parse_args().panels
     cylinder(panels)
+    by_contour()
     seas(panels)

@@ -97,15 +97,15 @@ class HullPoints:
         along = np.stack([-c.ny, c.nx, 0 * c.nx], axis=1)
         for cls in CLASSES:
             g, slope = amplitudes(freq, values[cls], cls)
-            value, turned = (np.einsum("qa,amc->cqm", depth.value, part) for part in (g, slope))
+            value, turned = (np.moveaxis(np.tensordot(depth.value, part, 1), -1, 0) for part in (g, slope))
             gradient = turned[..., None] * along
-            gradient[..., 2] += np.einsum("qa,amc->cqm", depth.slope, g)
+            gradient[..., 2] += np.moveaxis(np.tensordot(depth.slope, g, 1), -1, 0)
             shape = value.shape[0], -1
             value, gradient = value.reshape(shape), gradient.reshape(*shape, 3)
             if self.whole:
                 below = self.under.flow(freq, cls)
                 value, gradient = (np.concatenate(both, axis=1) for both in zip((value, gradient), below, strict=True))
-            out[cls] = value, gradient, np.einsum("a,amc->cm", depth.top, g)
+            out[cls] = value, gradient, np.tensordot(depth.top, g, 1).T
         return out
 
 
@@ -118,11 +118,11 @@ def amplitudes(freq, values, cls):
     moving, c = len(dofs), freq.contour
     velocity = np.concatenate([flow.velocity, np.zeros((2, *flow.velocity.shape[1:]))])
     velocity[-2:, :, :moving] = np.moveaxis(sides, 0, -1)
-    far = np.einsum("mn,r,rnc->mc", wave.potential, freq.wave_rows, velocity) / freq.modes.wave_norm
+    far = wave.potential @ np.tensordot(freq.wave_rows, velocity, 1) / freq.modes.wave_norm
     far[:, moving:] += freq.amplitude * wave.wall
-    near = np.einsum("kmn,rnc->krmc", values.maps, velocity)
+    near = np.tensordot(values.maps, velocity, (2, 1)).swapaxes(1, 2)  # (k, r, m, c)
     g = np.concatenate([far[None], near.reshape(-1, *far.shape), np.zeros((2, *far.shape))])
-    slope = np.einsum("mn,anc->amc", values.slope, g)
+    slope = np.matmul(values.slope, g)
     modes = normal_velocities(np.stack([c.x, c.y, 0 * c.x], axis=1), np.tile([0.0, 0.0, 1.0], (len(c.x), 1)))
     g[-2, :, :moving] = modes[:, dofs]  # upwards
     g[-1, :, :moving] = np.stack([0 * c.nx] * 3 + [-c.ny, c.nx, 0 * c.nx], axis=1)[:, dofs]
@@ -131,20 +131,24 @@ def amplitudes(freq, values, cls):
 
 def wave_flow(freq, points, surfaces, motions):
     """`HullFlow` in the waves of a `SharedFrequency`; motions : (m, 6) about the origin, m and rad"""
-    speed = -1j * freq.omega * motions
-    columns = {}
-    for cls, (dofs, *_) in freq.flows.items():
-        columns[cls] = np.concatenate([speed[:, dofs], np.eye(len(motions))], axis=1)
-    return _flow(freq, points, surfaces, columns, motions)
+    return _flow(freq, points, surfaces, in_waves(freq, motions), motions)
 
 
 def radiated_flow(freq, points, surfaces):
     """`HullFlow` of the six motions of unit velocity of a `SharedFrequency`"""
-    columns = {}
-    for cls, (dofs, *_) in freq.flows.items():
-        columns[cls] = np.zeros((6, len(dofs) + len(freq.headings)))
-        columns[cls][dofs, np.arange(len(dofs))] = 1.0
-    return _flow(freq, points, surfaces, columns, np.eye(6) / (-1j * freq.omega))
+    return _flow(freq, points, surfaces, of_motions(freq), np.eye(6) / (-1j * freq.omega))
+
+
+def in_waves(freq, motions):
+    """{class: (m, columns)} what each of `freq.flows` is in the waves of a body that moves by motions (m, 6)"""
+    speed, waves = -1j * freq.omega * motions, np.eye(len(motions))
+    return {cls: np.concatenate([speed[:, dofs], waves], axis=1) for cls, (dofs, *_) in freq.flows.items()}
+
+
+def of_motions(freq):
+    """{class: (6, columns)} what each of `freq.flows` is in the six motions of unit velocity"""
+    waves = np.zeros((6, len(freq.headings)))
+    return {cls: np.concatenate([np.eye(6)[:, dofs], waves], axis=1) for cls, (dofs, *_) in freq.flows.items()}
 
 
 def _flow(freq, points, surfaces, columns, motions):

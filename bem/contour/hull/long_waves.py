@@ -31,7 +31,7 @@ def long_wave_forces(freq, number):
         moving = len(dofs)
         g = amplitudes(freq, values[cls], cls)[0][:-2, :, :moving]
         velocity = np.concatenate([flow.velocity[..., :moving], np.moveaxis(sides, 0, -1)])
-        speed = np.einsum("mn,rnc->rmc", wave.basis, velocity)
+        speed = np.matmul(wave.basis, velocity)
         phase, slope = 0.0, 0.0
         for sign, image in zip(signs, IMAGES, strict=True):
             kx, ky = (number * image).T
@@ -40,8 +40,7 @@ def long_wave_forces(freq, number):
             slope = slope + 1j * (np.outer(kx, c.nx) + np.outer(ky, c.ny)) * turn
         for w, (kappa, over) in enumerate(zip(size, over_modes, strict=True)):
             rows = _rows(freq, kappa, depth)
-            pushed = np.einsum("r,rmc->mc", rows, speed)
-            flowing = np.einsum("a,amc->mc", over, g)
+            pushed, flowing = np.tensordot(rows, speed, 1), np.tensordot(over, g, 1)
             out[w, dofs] = (phase[w] * c.weights) @ pushed - (slope[w] * c.weights) @ flowing
     return -freq.density * freq.gravity * out
 

@@ -62,8 +62,9 @@ class UnderKeel:
         around, turned = (np.cos(turn), -np.sin(turn)) if even else (np.sin(turn), np.cos(turn))
         around, turned = around * scale, turned * scale * m
         shape = value.shape[-1], -1
-        out, outward = (np.einsum("an,qnc->cqa", around, part) for part in (value, slope))
-        across = np.einsum("an,qnc->cqa", turned, value) / r[:, None]
+        value, slope = (np.moveaxis(part, -1, 0) for part in (value, slope))  # (c, q, n)
+        out, outward = value @ around.T, slope @ around.T
+        across = value @ turned.T / r[:, None]
         c, s = np.cos(self.theta), np.sin(self.theta)
         gradient = np.stack([outward * c - across * s, outward * s + across * c, 0 * out], axis=-1)
         return out.reshape(shape), gradient.reshape(*shape, 3)
@@ -78,7 +79,8 @@ class UnderKeel:
             velocity[-2:, :, column] = -body.motion(dof, freq.top).slope[:, own]
         rho = np.concatenate([self.found, self.rho[len(self.near) :]])
         maps = self._maps(cls)
-        out = [np.einsum("qnr,rnc->qnc", part, velocity) for part in maps]
+        gap = velocity.swapaxes(0, 1)  # (n, r, c)
+        out = [np.matmul(part.swapaxes(0, 1), gap).swapaxes(0, 1) for part in maps]
         for column, dof in enumerate(dofs):
             for part, own_flow in zip(out, self._particular(dof, self.radius - rho, n), strict=True):
                 part[:, :, column] += own_flow
