@@ -165,7 +165,8 @@ def buoy_work(buoy, table, samples):
     c, m = table.factor.shape[1:] if len(table.omega) and len(buoy.ropes) else (0, 1)
     count = len(buoy.ropes) + len(buoy.lines.lost)
     return BuoyWork(
-        line_work(buoy.lines), np.zeros((WATER, m)), np.zeros((2, WATER, c)), np.zeros((WATER, m)), np.zeros(2),
+        line_work(buoy.lines), np.zeros((WATER, m)),
+        np.zeros((2, WATER, c), np.float32), np.zeros((WATER, m), np.float32), np.zeros(2),
         np.zeros(WATER), np.zeros(6), np.zeros(6), np.zeros((3, 3)), np.zeros(6), np.zeros(6),
         np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples if len(buoy.ropes) else 0, count)),
     )  # fmt: skip

@@ -35,7 +35,8 @@ class WaveTable(NamedTuple):
     """Components and the forces of each on a ring of headings, as the kernels read them.
 
     omega, amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
-    force : (c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift per square metre
+    force : (c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift per square metre,
+    in single precision, 6e-8 of each, as factor: a window reads a megabyte of them, which is what it costs
     factor : (2, 2c, m) cos ωt and sin ωt of the steps of a window, t counted from its begin and from its end
     center : (2,) m, rotation centre; step, window : s, between forces and of a window
     """
@@ -60,7 +61,7 @@ class WaveTable(NamedTuple):
 class Waves(NamedTuple):
     """table : `WaveTable`; mean_drift : whether each component drifts alone, without the beat of pairs
 
-    rows : (2, 19, 2c) `fill_rows` of the begin of window n in place n % 2, that of its end in the other
+    rows : (2, 2c, 19) `fill_rows` of the begin of window n in place n % 2, that of its end in the other
     sums : (19, m), room for work
     """
 
@@ -73,7 +74,7 @@ class Waves(NamedTuple):
 def waves_of(table, mean_drift=False):
     """`Waves` of a `WaveTable`"""
     c, m = table.factor.shape[1:]
-    return Waves(table, bool(mean_drift), np.zeros((2, 19, c)), np.zeros((19, m)))
+    return Waves(table, bool(mean_drift), np.zeros((2, c, 19), np.float32), np.zeros((19, m), np.float32))
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +130,7 @@ def wave_table(forces, components, depth, center, gravity, drift=True):
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     held = np.clip(omega, forces.omega[0], forces.omega[-1])
     of_force, of_drift = forces.curves
-    force = np.zeros((len(omega), HEADINGS, 15))
+    force = np.zeros((len(omega), HEADINGS, 15), np.float32)
     force[:, :, :12] = of_force(held)
     force[held != omega] = 0.0
     if drift and of_drift is not None:
@@ -139,7 +140,7 @@ def wave_table(forces, components, depth, center, gravity, drift=True):
     times = step * (np.arange(count + 1 + 2 * EDGE) - EDGE)
     turn = np.multiply.outer(omega, np.stack([times, times - step * count]))
     factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
-    factor = np.ascontiguousarray(factor.swapaxes(0, 1))
+    factor = np.ascontiguousarray(factor.swapaxes(0, 1), np.float32)
     number = wavenumber(omega, depth, gravity) * np.stack([np.cos(direction), np.sin(direction)])
     return WaveTable(
         omega, number, amplitude, phase, direction, force, factor, np.asarray(center, float)[:2], step, step * count,
@@ -150,13 +151,13 @@ def no_waves(window=WINDOW):
     """A `WaveTable` without components"""
     none = np.zeros(0)
     count = max(2, int(window))
-    shape = np.zeros((0, HEADINGS, 15)), np.zeros((2, 0, count + 1 + 2 * EDGE))
+    shape = np.zeros((0, HEADINGS, 15), np.float32), np.zeros((2, 0, count + 1 + 2 * EDGE), np.float32)
     return WaveTable(none, np.zeros((2, 0)), none, none, none, *shape, np.zeros(2), window / count, float(window))
 
 
 @kernel()
 def fill_rows(table, rows, pose, start):
-    """rows (19, 2c): coefficients of `factor` for 6 forces, the elevation and real and imaginary roots of the drift.
+    """rows (2c, 19): coefficients of `factor` for 6 forces, the elevation and real and imaginary roots of the drift.
 
     pose : (3,) slow x, y (m from the place at rest) and heading; start : s of the window
     """
@@ -164,30 +165,34 @@ def fill_rows(table, rows, pose, start):
     cos, sin = np.cos(pose[2]), np.sin(pose[2])
     cx, cy = table.center
     x, y = cx + pose[0] - cos * cx + sin * cy, cy + pose[1] - sin * cx - cos * cy
-    weights, parts = np.empty(6), np.empty(15)
+    weights, parts, first, towards = np.empty(6), np.empty(15, np.float32), 0, np.nan
     for i in range(c):
         turn = table.number[0, i] * x + table.number[1, i] * y + table.phase[i] - table.omega[i] * start
         a, b = table.amplitude[i] * np.cos(turn), table.amplitude[i] * np.sin(turn)
-        rows[6, i], rows[6, c + i] = a, b
-        place = (table.direction[i] - pose[2]) * (HEADINGS / (2 * np.pi))
-        whole = np.floor(place)
-        lagrange_weights(place - whole + 2.0, weights)
+        if table.direction[i] != towards:
+            towards = table.direction[i]
+            place = (towards - pose[2]) * (HEADINGS / (2 * np.pi))
+            whole = np.floor(place)
+            lagrange_weights(place - whole + 2.0, weights)
+            first = int(whole) - 2
         parts[:] = 0.0
         for n in range(6):
-            w, near = weights[n], table.force[i, (int(whole) - 2 + n) % HEADINGS]
+            w, near = np.float32(weights[n]), table.force[i, (first + n) % HEADINGS]
             for j in range(15):
                 parts[j] += w * near[j]
+        by_cos, by_sin = rows[i], rows[c + i]
         for j in range(6):
-            rows[j, i], rows[j, c + i] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
+            by_cos[j], by_sin[j] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
+        by_cos[6], by_sin[6] = a, b
         for j in range(3):
             d = parts[12 + j]
             root = np.sqrt(abs(d))
             up, down = (root, 0.0) if d > 0.0 else (0.0, root)
             p = 7 + 4 * j
-            rows[p, i], rows[p, c + i] = up * a, up * b
-            rows[p + 1, i], rows[p + 1, c + i] = up * b, -up * a
-            rows[p + 2, i], rows[p + 2, c + i] = down * a, down * b
-            rows[p + 3, i], rows[p + 3, c + i] = down * b, -down * a
+            by_cos[p], by_sin[p] = up * a, up * b
+            by_cos[p + 1], by_sin[p + 1] = up * b, -up * a
+            by_cos[p + 2], by_sin[p + 2] = down * a, down * b
+            by_cos[p + 3], by_sin[p + 3] = down * b, -down * a
 
 
 @kernel()
@@ -205,7 +210,7 @@ def fill_window(waves, window, number, pose, start):
     steps = m - 1 - 2 * EDGE
     for side in range(2):
         rows = waves.rows[(number + side) % 2]
-        np.dot(rows, table.factor[side], sums)
+        np.dot(rows.T, table.factor[side], sums)
         for n in range(m):
             later = (n - EDGE) / steps
             share = 1.0 - later if side == 0 else later
@@ -221,7 +226,7 @@ def fill_window(waves, window, number, pose, start):
             for j in range(3):
                 p, mean = 7 + 4 * j, 0.0
                 for i in range(c):
-                    mean += rows[p, i] ** 2 + rows[p, c + i] ** 2 - rows[p + 2, i] ** 2 - rows[p + 2, c + i] ** 2
+                    mean += rows[i, p] ** 2 + rows[c + i, p] ** 2 - rows[i, p + 2] ** 2 - rows[c + i, p + 2] ** 2
                 for n in range(m):
                     later = (n - EDGE) / steps
                     window[6 + j, n] += (1.0 - later if side == 0 else later) * mean

@@ -1,9 +1,10 @@
 """The pull of a uniform line on an end that moves, from its solution a moment ago: for bodies in time.
 
 The equations are those of `flat_bed` and `suspended`.  Their unknown, H of a line on the bed and the parameter t of one
-that hangs free, is kept between calls.  Newton's method then starts a step's change away from the root and squares the
-error: a step of 1e-7 of H leaves 1e-14.  With T = H + rise at the fairlead and asinh(wS/H) = ln[(wS + T)/H] an
-iteration on the bed takes one logarithm and two roots; where it does not settle, the safe search of `flat_bed` does.
+that hangs free, is kept between calls, with the tangent of H.  Newton's method then starts the square of a step's
+change away from the root and squares the error again: a step of 3e-6 of H leaves 1e-11.  With T = H + rise at the
+fairlead and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where it does not
+settle, the safe search of `flat_bed` does.
 """
 
 from __future__ import annotations
@@ -18,17 +19,25 @@ from .flat_bed import ROW, bed_stretch, free_length, grounded_tension, leaves_be
 from .state import BEYOND_REACH, GROUNDED, SLACK, SUSPENDED
 from .suspended import ellipse_parameter
 
-CLOSE = 1e-7  # relative change by the last step of Newton's method
-KEPT = 2  # numbers kept of each line: its State, and H or t
+CLOSE, CLOSE_FREE = (
+    3e-6,
+    1e-7,
+)  # relative change by the last step of Newton's method, which leaves its square,, of H and of ln t
+WIDEST = 2.0  # factor by which H is foreseen to change
+KEPT = 6  # numbers kept of each line: its State, H or t, and of a line on the bed span, height, ∂H/∂x, ∂H/∂h there
 
 
 @kernel()
-def tension_near(H, x, height, length, weight, flexibility, friction):
-    """H of a line with some length on the bed from a value near it; nan where Newton's method does not settle at once.
+def tension_near(kept, x, height, length, weight, flexibility, friction):
+    """(H, wS) of a line with some length on the bed, from the tangent at what is kept of one near it; kept anew.
+
+    nan where Newton's method does not settle at once
 
     x = (H/w) asinh(wS/H) + H S/EA + (L − S) + stretch of the part on the bed
     """
-    load = weight * height
+    last, load = kept[1], weight * height
+    H = last + kept[4] * (x - kept[2]) + kept[5] * (height - kept[3])
+    H = min(max(H, last / WIDEST), last * WIDEST)
     for _ in range(6):
         s = 1.0 + flexibility * H
         rise = 2.0 * load / (s + math.sqrt(s * s + 2.0 * flexibility * load))
@@ -36,27 +45,31 @@ def tension_near(H, x, height, length, weight, flexibility, friction):
         S, bend = held / weight, math.log((held + T) / H)
         lying = length - S
         if lying <= 0.0:
-            return math.nan
+            return math.nan, math.nan
         stretch, by_tension, by_length, _ = bed_stretch(H, lying, weight, flexibility, friction)
         missed = x - (H * (bend / weight + flexibility * S) + lying + stretch)
         turn = flexibility * H - by_length - rise / T
-        rate = (
-            by_tension + flexibility * S + (bend - held / T) / weight + turn * S / ((T + H) * (1.0 + flexibility * T))
-        )
+        by_H = S / ((T + H) * (1.0 + flexibility * T))
+        rate = by_tension + flexibility * S + (bend - held / T) / weight + turn * by_H
         step = missed / rate
         H += step
-        if H <= 0.0:
-            return math.nan
+        if not H > 0.0:
+            return math.nan, math.nan
         if abs(step) <= CLOSE * H:
-            return H
-    return math.nan
+            held += weight * by_H * step
+            if held >= weight * length:
+                return math.nan, math.nan
+            kept[1], kept[2], kept[3], kept[4] = H, x, height, 1.0 / rate
+            kept[5] = -turn * T / (held * (1.0 + flexibility * T) * rate) if held > 0.0 else 0.0
+            return H, held
+    return math.nan, math.nan
 
 
 @kernel()
 def pull(kept, x, height, length, weight, flexibility, friction):
     """(H, V) N, towards the anchor and down, on an end `height` above the anchor on the bed and x away from it.
 
-    kept : (2,) of an earlier call for this line, zeros before the first, and left for the next
+    kept : (KEPT,) of an earlier call for this line, zeros before the first, and left for the next
     nan where a line cannot reach, or the end is below the bed
     """
     if height < 0.0:
@@ -66,18 +79,18 @@ def pull(kept, x, height, length, weight, flexibility, friction):
     if length - plumb / weight >= x:
         kept[0] = SLACK
         return 0.0, plumb
+    if kept[0] == GROUNDED:
+        H, V = tension_near(kept, x, height, length, weight, flexibility, friction)
+        if not math.isnan(H):
+            return H, V
     if kept[0] == GROUNDED or not leaves_bed(x, height, length, weight, flexibility):
-        H = math.nan
-        if kept[0] == GROUNDED:
-            H = tension_near(kept[1], x, height, length, weight, flexibility, friction)
-        if math.isnan(H):
-            H = grounded_tension(x, 0.0, height, length, weight, flexibility, friction)
+        H = grounded_tension(x, 0.0, height, length, weight, flexibility, friction)
         hanging = free_length(H, height, weight, flexibility)
         if hanging < length:
-            kept[0], kept[1] = GROUNDED, H
+            kept[0], kept[1], kept[2], kept[3], kept[4], kept[5] = GROUNDED, H, x, height, 0.0, 0.0
             return H, weight * hanging
     X, Z, kappa = x / length, height / length, 0.5 * flexibility * weight * length
-    t = ellipse_parameter(X, Z, kappa, kept[1] if kept[0] == SUSPENDED else 0.0, CLOSE)
+    t = ellipse_parameter(X, Z, kappa, kept[1] if kept[0] == SUSPENDED else 0.0, CLOSE_FREE)
     if math.isinf(t):
         kept[0] = BEYOND_REACH
         return math.nan, math.nan

@@ -9,7 +9,7 @@ from bem.kernels.jit import kernel
 EDGE = 3  # samples beyond the ends that a quintic through six samples may need
 
 
-DENOMINATORS = np.array(  # (−1)^(n−1−i) i! (n−1−i)! of n = 4 and 6
+SHARES = 1.0 / np.array(  # 1 / (−1)^(n−1−i) i! (n−1−i)! of n = 4 and 6
     [[-6.0, 2.0, -2.0, 6.0, 1.0, 1.0], [-120.0, 24.0, -12.0, 12.0, -24.0, 120.0]]
 )
 
@@ -21,7 +21,7 @@ def lagrange_weights(place, weights):
     row = 0 if n == 4 else 1
     before = 1.0
     for i in range(n):
-        weights[i] = before / DENOMINATORS[row, i]
+        weights[i] = before * SHARES[row, i]
         before *= place - i
     after = 1.0
     for i in range(n - 1, -1, -1):

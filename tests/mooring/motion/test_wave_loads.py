@@ -10,6 +10,8 @@ from mooring.motion.tables.interpolation import EDGE
 from mooring.motion.wave_loads import ROWS, fill_rows, fill_window, wave_table, waves_of
 from mooring.response.slow_drift import component_drift, newman
 
+SINGLE = float(np.finfo(np.float32).eps)  # rounding of tables and of their product
+
 
 def window_of(moored, components, pose, start, mean=False):
     """(ROWS, m) forces and their times (m,) s of a body that stays in a slow pose"""
@@ -34,7 +36,7 @@ def test_forces_at_a_turned_and_shifted_body_are_the_sum_over_its_waves(on_sprin
     X = np.array([reader.forces([w], [b - pose[2]])[0, 0] for w, b in zip(parts.omega, parts.direction, strict=True)])
     wanted = (waves @ X).real.T
     assert np.abs(window[:6] - wanted).max() <= 1e-3 * np.abs(wanted).max()
-    assert np.abs(window[9] - waves.sum(axis=1).real).max() <= 1e-12 * np.abs(window[9]).max() + 1e-12
+    assert np.abs(window[9] - waves.sum(axis=1).real).max() <= 2 * SINGLE * parts.amplitude.sum()
 
 
 def test_slow_drift_is_newmans_at_rest(on_springs):
@@ -56,4 +58,4 @@ def test_forces_pass_from_one_pose_to_the_next_without_a_jump(on_springs):
     for i in range(2):
         fill_window(waves, windows[i], i, poses[i + 1], i * table.window)
     end, begin = windows[0, :, -1 - EDGE], windows[1, :, EDGE]
-    assert np.allclose(end, begin, rtol=1e-9, atol=1e-9 * np.abs(windows).max())
+    assert np.allclose(end, begin, rtol=0, atol=2 * SINGLE * np.abs(windows).max())
