@@ -16,6 +16,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..plan import convex_hull
+
 # of the lower bound, up to which results are as good without a lid: 250 panels on the box 100 × 50 × 10 m in 12, 20 and
 # 100 m are 0.94, 0.81 and 0.80 % off with and without, forces 0.34, 0.47 and 0.54 %; in 12 m these are twice as far off
 # from 0.8 on, of bodies that it was not chosen for nowhere before 0.9 (tests/bench/fit_lid_share.py)
@@ -35,11 +37,8 @@ def lid_needed_from(mesh):
 
 def rectangle_around(mesh):
     """(2,) m, sides of the rectangle around the plan of the whole hull, at any angle, with the largest κ"""
-    from scipy.spatial import ConvexHull
-
     copies = [mesh.points[:, :2] * image for image in mesh.reflections()]
-    plan = np.concatenate(copies)
-    corners = plan[ConvexHull(plan).vertices]
+    corners = convex_hull(np.concatenate(copies))
     along = np.roll(corners, -1, axis=0) - corners
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     across = np.stack([-along[:, 1], along[:, 0]], axis=1)

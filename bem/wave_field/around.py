@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..plan import convex_hull
 from ..waves import wavenumber
 from .sources import Sources, covers, directions, incident
 
@@ -105,13 +106,11 @@ def plan_of(mesh):
 
     A body below the surface has the plan of all of it.  A curved plan is taken with CORNERS corners.
     """
-    from scipy.spatial import ConvexHull
-
     points = mesh.whole().vertices.reshape(-1, 3)
     at_surface = points[:, 2] > -SURFACE * abs(points[:, 2].min())
     pierces = np.count_nonzero(at_surface) > 2 and bool(np.all(np.ptp(points[at_surface, :2], axis=0) > 0))
     flat = points[at_surface if pierces else slice(None), :2]
-    plan = flat[ConvexHull(flat).vertices]
+    plan = convex_hull(flat)
     if len(plan) <= CORNERS:
         return plan, pierces
     side = np.linalg.norm(np.roll(plan, -1, axis=0) - plan, axis=1)

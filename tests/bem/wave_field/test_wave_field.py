@@ -1,5 +1,7 @@
 """Waves around bodies from their Kochin functions: sources found again, cylinders in closed form, energy of a row."""
 
+import subprocess
+import sys
 from types import SimpleNamespace
 
 import numpy as np
@@ -129,3 +131,12 @@ def test_waves_around_a_cylinder_are_those_of_the_closed_form_wherever_it_stands
     added, missed = beside_incident(reader, np.array([omega]), np.array([beta]), np.zeros((1, 1, 6)), places)
     exact = of_cylinders(k, a, np.array([middle]), beta, places) - np.exp(1j * k * (places @ directions(beta)))
     assert missed < 1e-3 and np.abs(added[0, 0] - exact).max() < 5e-3
+
+
+def test_the_plan_of_a_hull_loads_no_library_of_space():
+    code = (
+        "import sys; from meshing.shapes import box; from bem.wave_field.around import plan_of",
+        "assert plan_of(box(20, 10, 3, panels=60))[0].shape == (4, 2)",
+        "assert 'scipy.spatial' not in sys.modules",
+    )
+    subprocess.run([sys.executable, "-c", "\n".join(code)], check=True)

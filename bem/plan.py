@@ -1,0 +1,44 @@
+"""The convex hull of points in the plane.
+
+scipy.spatial has one as well; to load it takes 0.09 s of processor time, a twelfth of a whole study of responses.
+"""
+
+from __future__ import annotations
+
+from itertools import groupby
+
+import numpy as np
+
+STRAIGHT = 1e-12  # of the square of the size: twice the area of three points on one line, as rounding leaves it
+
+
+def convex_hull(points):
+    """(m, 2), the corners, anticlockwise, of the convex hull of points (n, 2); none within one of its sides.
+
+    The monotone chain of A. M. Andrew, Inf. Process. Lett. 9, 1979, in n log n.
+    raises : ValueError where all lie on one line
+    """
+    points = np.asarray(points, float)
+    least = STRAIGHT * float(np.max(np.ptp(points, axis=0))) ** 2
+    ordered = points[np.lexsort(points.T[::-1])].tolist()
+    ends = []  # lowest and highest point of each x
+    for _, column in groupby(ordered, key=lambda point: point[0]):
+        column = list(column)
+        ends += [column[0], column[-1]] if len(column) > 1 else column
+    corners = _chain(ends, least)[:-1] + _chain(ends[::-1], least)[:-1]
+    if len(corners) < 3:
+        raise ValueError(f"{len(points)} points on one line have no convex hull with an area")
+    return np.array(corners)
+
+
+def _chain(points, least):
+    """Those of points in order along one axis that turn to the left, by more than `least` as twice an area"""
+    chain = []
+    for x, y in points:
+        while len(chain) > 1:
+            (x0, y0), (x1, y1) = chain[-2:]
+            if (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) > least:
+                break
+            chain.pop()
+        chain.append([x, y])
+    return chain
