@@ -16,7 +16,7 @@ Frequencies are at even steps, so that every difference is one of few.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -30,6 +30,7 @@ SIZES = 0.11, 0.38  # factors of estimated errors: heave, roll and pitch; surge,
 HORIZONTAL = [0, 1, 5]
 PLACES = np.array([0.2, 0.5, 0.8])  # in the band, of pairs that tell how large the surface's part is
 PARTS = ("squares", "bound_wave", "body", "surface")
+BLOCK = 8  # differences solved together: what waves are on the surface is summed once for them
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +58,11 @@ class DifferenceForces:
         """(d, n, m, m, 6)"""
         return self.to_body + (0.0 if self.surface is None else self.surface)
 
+    def first(self, count):
+        """Those of the first `count` differences"""
+        parts = {part: None if (v := getattr(self, part)) is None else v[:count] for part in PARTS}
+        return replace(self, difference=self.difference[:count], **parts)
+
     @property
     def to_body(self):
         """(d, n, m, m, 6) without the surface's part"""
@@ -72,42 +78,83 @@ def difference_forces(problem, omega, headings, highest, moving, report=lambda d
     raises : ValueError for uneven frequencies, constant panels, zero draft, a moving body without inertia; with
         `surface` for a waterline that is not one curve around the body
     """
-    omega, headings = np.asarray(omega, float), np.atleast_1d(np.asarray(headings, float))
-    step, lines = _step(omega), moving if np.ndim(moving) else None
-    moving = lines is not None or bool(moving)
-    if moving and problem.inertia_matrix is None:
-        raise ValueError("difference forces on a floating body without inertia; solve it with --gyration kxx,kyy,kzz")
-    steps = min(int(highest / step + EVEN), len(omega) - 1)
-    difference = step * np.arange(steps + 1)
-    waves = _waves_of(problem)(problem, omega, headings, moving, difference, surface, lines)
-    for done, w in enumerate(omega):
-        waves.solve(w)
-        report(done + 1, len(omega) + steps + 1)
-    flow, squares = waves.joined()
-    added = _by_far_field(squares, np.array(waves.far))
-    out = {name: np.full((steps + 1, len(omega), len(headings), len(headings), 6), np.nan, complex) for name in PARTS}
-    on_surface = []
-    for m in range(steps + 1):
-        pairs = _Pairs(omega, headings, m)
-        run = waves.radiation(difference[m])
-        out["squares"][m, : pairs.count] = squares[np.arange(m, len(omega)), :, np.arange(pairs.count)]
-        out["bound_wave"][m, : pairs.count] = pairs.shaped(_bound(pairs, run, waves))
-        body, made = np.zeros((len(pairs.one), 6), complex), None
-        if m and (moving or surface):
-            made = waves.radiated(run)
-        if m and moving:
-            body = body_forces(waves.surfaces, flow, pairs.one, pairs.two, made, problem)
-        if m and surface:
-            on_surface.append(_on_surface(waves, flow, pairs, run, made, difference[m]))
-        out["body"][m, : pairs.count] = pairs.shaped(body @ problem.transform.T)
-        report(len(omega) + m + 1, len(omega) + steps + 1)
-    if surface:
-        out["surface"][0] = np.where(np.isnan(out["squares"][0]), np.nan, 0.0)
-        for m, found in enumerate(surface_forces(waves.around, on_surface) if on_surface else (), 1):
-            out["surface"][m, : len(omega) - m] = _Pairs(omega, headings, m).shaped(found @ problem.transform.T)
-    else:
-        out["surface"] = None
-    return DifferenceForces(omega, difference, headings, **out, added=added)
+    run = DifferenceRun(problem, omega, headings, highest, moving, report, surface)
+    for block in run.blocks():
+        run.solve(block)
+    return run.forces(len(run.difference))
+
+
+class DifferenceRun:
+    """Forces of pairs some differences at a time, from the smallest on, after the first order of all waves.
+
+    Arguments, errors and what is made as of `difference_forces`
+    """
+
+    def __init__(self, problem, omega, headings, highest, moving, report=lambda done, of: None, surface=False):
+        self.omega, self.headings = np.asarray(omega, float), np.atleast_1d(np.asarray(headings, float))
+        step, lines = _step(self.omega), moving if np.ndim(moving) else None
+        self.problem, self.moving, self.surface = problem, lines is not None or bool(moving), surface
+        if self.moving and problem.inertia_matrix is None:
+            raise ValueError(
+                "difference forces on a floating body without inertia; solve it with --gyration kxx,kyy,kzz"
+            )
+        self.difference = step * np.arange(steps_to(highest, self.omega) + 1)
+        of = len(self.omega) + len(self.difference)
+        self.report = lambda done: report(done, of)
+        waves = _waves_of(problem)(problem, self.omega, self.headings, self.moving, self.difference, surface, lines)
+        for done, w in enumerate(self.omega):
+            waves.solve(w)
+            self.report(done + 1)
+        self.waves, (self.flow, self.squares) = waves, waves.joined()
+        self.added = _by_far_field(self.squares, np.array(waves.far))
+        shape = len(self.difference), len(self.omega), len(self.headings), len(self.headings), 6
+        self.parts = {part: np.full(shape, np.nan, complex) for part in PARTS if surface or part != "surface"}
+
+    def blocks(self, done=0):
+        """Ranges of differences, of those after the first `done`; these end where a range does or with the last"""
+        return [range(m, min(m + BLOCK, len(self.difference))) for m in range(done, len(self.difference), BLOCK)]
+
+    def take(self, forces):
+        """Take over the differences of `DifferenceForces` of the same waves"""
+        for part, values in self.parts.items():
+            values[: len(forces.difference)] = getattr(forces, part)
+
+    def forces(self, count):
+        """`DifferenceForces` of the first `count` differences"""
+        parts = {part: values[:count] for part, values in self.parts.items()}
+        return DifferenceForces(self.omega, self.difference[:count], self.headings, **parts, added=self.added)
+
+    def solve(self, block):
+        """Solve the pairs of a range of differences"""
+        out, waves, on_surface, several = self.parts, self.waves, [], {}
+        for m in block:
+            pairs = several[m] = _Pairs(self.omega, self.headings, m)
+            run = waves.radiation(self.difference[m])
+            out["squares"][m, : pairs.count] = self.squares[np.arange(m, len(self.omega)), :, np.arange(pairs.count)]
+            out["bound_wave"][m, : pairs.count] = pairs.shaped(_bound(pairs, run, waves))
+            body, made = np.zeros((len(pairs.one), 6), complex), None
+            if m and (self.moving or self.surface):
+                made = waves.radiated(run)
+            if m and self.moving:
+                body = body_forces(waves.surfaces, self.flow, pairs.one, pairs.two, made, self.problem)
+            if m and self.surface:
+                on_surface.append(_on_surface(waves, self.flow, pairs, run, made, self.difference[m]))
+            out["body"][m, : pairs.count] = pairs.shaped(body @ self.problem.transform.T)
+            if not self.surface:
+                self.report(len(self.omega) + m + 1)
+        if not self.surface:
+            return
+        if 0 in block:
+            out["surface"][0] = np.where(np.isnan(out["squares"][0]), np.nan, 0.0)
+        found = surface_forces(waves.around, on_surface) if on_surface else ()
+        for m, values in zip((m for m in block if m), found, strict=True):
+            out["surface"][m, : several[m].count] = several[m].shaped(values @ self.problem.transform.T)
+        self.report(len(self.omega) + block[-1] + 1)
+
+
+def steps_to(highest, omega):
+    """How many steps of even frequencies (n,) the largest difference is that is not above `highest`, rad/s"""
+    return min(int(highest / _step(omega) + EVEN), len(omega) - 1)
 
 
 def _by_far_field(squares, far):

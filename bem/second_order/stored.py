@@ -16,7 +16,7 @@ from ..database.widening import read_group, write_group
 from .difference_forces import HORIZONTAL, PARTS, DifferenceForces
 
 GROUP = "qtf"
-ERRORS, ADDED = "estimated_error", "added_by_far_field"
+ERRORS, ADDED, ROUGH = "estimated_error", "added_by_far_field", "total_of_coarser"
 AXES = ("difference", "omega", "wave_direction_1", "wave_direction_2", "influenced_dof")
 MEANING = (
     "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference towards "
@@ -24,12 +24,16 @@ MEANING = (
 )
 
 
-def write_forces(path, forces, moving, share=None, moored="", errors=None, method="panel"):
+def write_forces(
+    path, forces, moving, share=None, moored="", errors=None, method="panel", *, rough=None, asked=None, lines=None
+):
     """Put a `DifferenceForces` into a database.
 
     errors : (d, n, m, m, 6) estimated, of the whole, or None
     moving : whether of the floating body; share : of the surface's forcing in it, estimated where it is left out
     moored : what holds the floating body beside the water, by name; method : "panel" or "contour"
+    rough : (d, n, m, m, 6) the whole at a coarser resolution, of which the errors are; asked : rad/s, the largest
+        difference that will be stored, where that of `forces` is not yet; lines : (6, 6) stiffness of what holds it
     """
     unit, names = "N/m2, N m/m2", np.array(DOFS, dtype="S8")
     datasets = {
@@ -42,6 +46,8 @@ def write_forces(path, forces, moving, share=None, moored="", errors=None, metho
     }
     if errors is not None:
         datasets[ERRORS] = (AXES, unit, errors)
+    if rough is not None:
+        datasets[ROUGH] = (AXES, unit, rough)
     if forces.added is not None:
         datasets["horizontal_dof"] = (("horizontal_dof",), "", names[HORIZONTAL])
         datasets[ADDED] = ((*AXES[1:4], "horizontal_dof"), unit, forces.added)
@@ -55,6 +61,10 @@ def write_forces(path, forces, moving, share=None, moored="", errors=None, metho
         attributes["moored"] = moored
     if share is not None:
         attributes["free_surface_share"] = share
+    if asked is not None:
+        attributes["difference_asked"] = asked
+    if lines is not None:
+        attributes["line_stiffness"] = lines
     write_group(path, GROUP, datasets, attributes)
 
 
@@ -73,6 +83,22 @@ def stored_errors(db):
     """(d, n, m, m, 6) estimated errors of the whole, N/m², N m/m², or None"""
     found = read_group(db, GROUP)[0].get(ERRORS)
     return None if found is None else found[2]
+
+
+def stored_rough(db):
+    """(d, n, m, m, 6) the whole at a coarser resolution, N/m², N m/m², or None"""
+    found = read_group(db, GROUP)[0].get(ROUGH)
+    return None if found is None else found[2]
+
+
+def unfinished(db):
+    """rad/s, the largest difference that was asked for where the run that stores it was ended before, or None"""
+    return _read(db)[1].get("difference_asked")
+
+
+def stored_lines(db):
+    """(6, 6) stiffness of the lines that held the body, zero without them"""
+    return np.asarray(_read(db)[1].get("line_stiffness", np.zeros((6, 6))))
 
 
 def stored_method(db):

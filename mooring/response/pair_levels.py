@@ -190,7 +190,7 @@ def stored_pairs(db, sea, level="body", spread=False):
 
     raises : ValueError, one line, for what is not stored in it
     """
-    from bem.second_order.stored import read_forces
+    from bem.second_order.stored import read_forces, unfinished
 
     if not isinstance(sea, Sea) or (sea.spreading is not None and not spread):
         raise ValueError(f'qtf = "{level}" in a sea of several directions; allowed: one system of long crests')
@@ -198,6 +198,11 @@ def stored_pairs(db, sea, level="body", spread=False):
     if not floats:
         raise ValueError(
             f"the pairs in {db.path} are of a fixed body; 'hakobune qtf {db.path} --fresh' solves it afloat"
+        )
+    if (whole := unfinished(db)) is not None:
+        raise ValueError(
+            f"the pairs in {db.path} are those of a run that was ended, differences to {forces.difference[-1]:.3g} of "
+            f"{whole:.3g} rad/s; 'hakobune qtf {db.path}' goes on"
         )
     if level == "full" and forces.surface is None:
         raise ValueError(

@@ -10,8 +10,8 @@ from cyclopts import Parameter
 
 FREQUENCIES = 41, 48  # of the stored band, where none are asked for
 SHARE = 0.4  # of the mean of the band: largest difference, where none is asked for
+EVEN = 1e-6  # of the step between frequencies
 LEVELS = ("body", "full", "auto")
-ENOUGH = 0.05  # of the force: what "auto" leaves out
 MOST_WAVES = 1500  # frequencies times headings: their flow on the hull of a thousand panels takes 2 GB
 
 
@@ -32,8 +32,10 @@ def qtf(
     """Slow forces of pairs of waves: squares of the first order, bound long waves, the moving hull and, with
     --level full, the forcing of the surface around it, whose size is estimated where it is left out.
 
-    They go into the database, for qtf = "body" or "full" of response studies and simulations.  The body is solved on
-    its panels, a vertical cylinder by the contour method.  What is stored there already is told and drawn again.
+    They go into the database as differences are done, from the smallest on, for qtf = "body" or "full" of response
+    studies and simulations.  A run that was ended goes on from them when it is given again, and a larger --difference
+    adds to them.  The body is solved on its panels, a vertical cylinder by the contour method.  What is stored there
+    already is told and drawn again.
     """
     from bem.database import DatabaseError, open_database
     from bem.second_order.stored import (
@@ -42,12 +44,13 @@ def qtf(
         stored_method,
         stored_mooring,
         stored_share,
-        write_forces,
+        unfinished,
     )
 
     from ..common.picture import PLOTS, check_picture
     from .problem import METHODS
     from .report import told
+    from .running import adds_surface, solve
 
     if plot is not None:
         check_picture(plot, PLOTS)
@@ -64,19 +67,22 @@ def qtf(
         try:
             stored, floats = read_forces(db)
             asked = any(value is not None for value in (omega, heading, difference)) or fixed == floats
-            lacks = stored.surface is None and _adds_surface(level, stored_share(db))
+            if not asked and unfinished(db) is not None:
+                waves = stored.omega, stored.headings, unfinished(db)
+                level = level if stored.surface is None else "full"
+                method = stored_method(db) if method == "auto" else method
+            lacks = stored.surface is None and adds_surface(level, stored_share(db))
             lacks = lacks or (moored is not None and stored_mooring(db) != holder)
-            lacks = lacks or method not in ("auto", stored_method(db))
+            lacks = lacks or method not in ("auto", stored_method(db)) or unfinished(db) is not None
             forces = None if lacks or (asked and not _covers(stored, floats, waves, fixed)) else stored
         except DatabaseError:
             pass
     if forces is None:
         moving = not fixed if moored is None else _stiffness(moored, db)
-        body, forces, share, errors = _solved(db, waves, moving, level, method)
-        floats = not fixed
-        write_forces(database, forces, floats, share, holder, errors, body.method)
+        solve(db, waves, moving, level, method, holder, fresh)
         print(f"{database}: group qtf")
         db = open_database(database)
+        forces, floats = read_forces(db)
     for line in told(forces, db, floats, stored_share(db), stored_mooring(db), stored_errors(db), stored_method(db)):
         print(line)
     if plot is not None:
@@ -99,45 +105,6 @@ def _stiffness(study, db):
     return multi_point(db, system, hull, read.conditions(), read.allowable).equilibrium.stiffness
 
 
-def _solved(db, waves, moving, level, method):
-    """`Bodies`, `DifferenceForces`, what the surface's forcing is of them or None where it cannot be told, and their
-    errors, None without a second resolution"""
-    import sys
-    import warnings
-
-    from bem.second_order.difference_forces import difference_forces, share_of, surface_share
-
-    from .problem import bodies
-
-    def report(done, of):
-        if sys.stderr.isatty():
-            print(f"\r{done}/{of} frequencies", end="\n" if done == of else "", file=sys.stderr, flush=True)
-
-    body, share = bodies(db, method, float(waves[0][-1])), None
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        if level != "full":
-            try:
-                share = surface_share(body.fine, *waves, moving)
-            except ValueError as error:
-                if "surface" not in str(error):
-                    raise
-                warnings.warn(str(error), stacklevel=2)
-        full = _adds_surface(level, share)
-        forces = difference_forces(body.fine, *waves, moving, report, full)
-        share, errors = share_of(forces) if full else share, None
-        if body.rough is not None:
-            errors = body.errors(forces, difference_forces(body.rough, *waves, moving, surface=full))
-    for line in dict.fromkeys(str(w.message) for w in caught):
-        print(line, file=sys.stderr)
-    return body, forces, share, errors
-
-
-def _adds_surface(level, share):
-    """Whether a level takes the forcing of the surface, which is that share of the force or unknown"""
-    return level == "full" or (level == "auto" and share is not None and share > ENOUGH)
-
-
 def _waves(db, omega, heading, difference):
     """Frequencies (n,) rad/s, headings (m,) rad and the largest difference that are asked for.  Raises ValueError."""
     import numpy as np
@@ -152,6 +119,8 @@ def _waves(db, omega, heading, difference):
     else:
         given = numbers("--omega", omega)
         given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else np.array(given)
+        if len(given) < 2 or not np.all(np.diff(given) > 0) or np.ptp(np.diff(given)) > EVEN * np.diff(given).mean():
+            raise ValueError(f"--omega is {omega}; allowed: two or more frequencies at equal steps, rising, rad/s")
         if not (np.all(np.isfinite(given)) and given.min() >= low * (1 - 1e-9) and given.max() <= high * (1 + 1e-9)):
             raise ValueError(f"--omega is {omega}; allowed: within the stored {low:.4g} to {high:.4g} rad/s")
         frequencies = given
@@ -161,16 +130,32 @@ def _waves(db, omega, heading, difference):
         given = numbers("--heading", heading)
         given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else given
         headings = np.radians(np.asarray(given, float))
-        if not np.all(np.isfinite(headings)):
-            raise ValueError(f"--heading is {heading}; allowed: finite, degrees")
+        if not len(headings) or not np.all(np.isfinite(headings)):
+            raise ValueError(f"--heading is {heading}; allowed: one or more, finite, degrees")
+        headings = _once(headings)
     if difference is not None and not 0 < difference < math.inf:
         raise ValueError(f"--difference is {difference:g}; allowed: above 0, finite, rad/s")
+    step = frequencies[1] - frequencies[0]
+    if difference is not None and difference < step * (1 - EVEN):
+        raise ValueError(
+            f"--difference is {difference:g}; allowed: {step:.4g} rad/s, the step of the frequencies, or above; "
+            "more of them by --omega"
+        )
     if len(frequencies) * len(headings) > MOST_WAVES:
         raise ValueError(
             f"{len(frequencies)} frequencies and {len(headings)} headings are asked for; allowed: {MOST_WAVES} waves "
             "in all, choose with --omega and --heading"
         )
-    return frequencies, np.unique(headings), difference or SHARE * float(frequencies.mean())
+    widest = float(np.ptp(frequencies))
+    return frequencies, np.unique(headings), min(difference or SHARE * float(frequencies.mean()), widest)
+
+
+def _once(headings):
+    """Those that no other turned by full circles comes before"""
+    import numpy as np
+
+    turned = np.exp(1j * headings)
+    return headings[[np.abs(turned[:n] - turned[n]).min(initial=1.0) > 1e-9 for n in range(len(headings))]]
 
 
 def multiples(low, high):

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 
 from bem.database import open_database
-from bem.second_order.stored import read_forces, stored_errors, stored_method
+from bem.second_order.difference_forces import DifferenceRun
+from bem.second_order.stored import read_forces, stored_errors, stored_method, unfinished
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
 from mooring.response.pair_levels import beside_newman, stored_pairs
 from mooring.response.slow_drift import HORIZONTAL
 from pipelines.cli import main
+from pipelines.qtf import running
 from pipelines.qtf.command import multiples
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28 --heading 0,180"
@@ -44,7 +46,12 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
     "words, said",
     [
         ("--omega 0.1:2:5", "within the stored 0.3 to 1.2"),
-        ("--omega 0.4,0.5,0.9 --fresh", "equal steps"),
+        ("--omega 0.4,0.5,0.9", "equal steps"),
+        ("--omega 0.5", "two or more"),
+        ("--omega 0.4:0.9:0", "two or more"),
+        ("--omega 0.9:0.4:5", "rising"),
+        ("--omega 0.4:0.8:5 --difference 0.05", "the step of the frequencies"),
+        ("--heading 0:90:0", "one or more"),
         ("--difference -1", "--difference is -1"),
         ("--heading nan", "--heading is nan"),
         ("--plot x.doc", "suffix"),
@@ -146,3 +153,45 @@ def test_frequencies_that_nobody_chose_are_multiples_of_their_step(low, high):
     step = found[1] - found[0]
     assert 41 <= len(found) <= 49 and found[-1] == pytest.approx(high) and low - 1e-9 <= found[0] < low + step
     assert found / step == pytest.approx(np.round(found / step), abs=1e-9)
+
+
+QUESTION = ["--omega", "0.3:1.2:19", "--heading", "180", "--difference", "0.85", "--level", "full"]
+
+
+def test_a_run_that_was_ended_goes_on_from_the_differences_it_stored(path, tmp_path, capsys, monkeypatch):
+    whole, ended = (shutil.copy(path, tmp_path / name) for name in ("whole.h5", "ended.h5"))
+    solved, solve = [], DifferenceRun.solve
+
+    def once(run, block):
+        if len(solved) == 2:  # both resolutions of the first differences
+            raise KeyboardInterrupt
+        solved.append(block)
+        solve(run, block)
+
+    assert main(["qtf", str(whole), *QUESTION]) == 0
+    monkeypatch.setattr(running, "EVERY", 0.0)
+    with monkeypatch.context() as patch:
+        patch.setattr(DifferenceRun, "solve", once)
+        assert main(["qtf", str(ended), *QUESTION]) == 130
+    assert capsys.readouterr().err.strip().endswith("kept, the same command goes on from them")
+    db = open_database(ended)
+    assert len(read_forces(db)[0].difference) == 8 and unfinished(db) == pytest.approx(0.85)
+    with pytest.raises(ValueError, match=r"differences to 0.35 of 0.85 rad/s; 'hakobune qtf .*' goes on"):
+        stored_pairs(db, SWELL, "full")
+    with monkeypatch.context() as patch:
+        patch.setattr(DifferenceRun, "solve", lambda run, block: (solved.append(block), solve(run, block)))
+        assert main(["qtf", str(ended)]) == 0
+    assert solved[2][0] == 8
+    one, two = open_database(whole), open_database(ended)
+    assert unfinished(two) is None
+    for part in ("squares", "bound_wave", "body", "surface"):
+        np.testing.assert_array_equal(getattr(read_forces(one)[0], part), getattr(read_forces(two)[0], part))
+    np.testing.assert_allclose(stored_errors(one), stored_errors(two), rtol=1e-9)
+
+
+def test_a_question_that_is_stored_is_not_solved_again_and_differences_end_with_the_band(path, monkeypatch):
+    before = path.read_bytes()
+    monkeypatch.setattr(running, "_solve", None)
+    assert main(["qtf", str(path), *["--omega", "0.3:1.2:13", "--heading", "180", "--difference", "0.3"]]) == 0
+    assert main(["qtf", str(path), *["--omega", "0.3:0.525:4", "--heading", "180,540", "--difference", "9"]]) == 0
+    assert path.read_bytes() == before
