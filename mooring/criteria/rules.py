@@ -4,7 +4,7 @@ A table has a row for each criterion:
 
     rule, edition      whose it is
     quantity           what is bounded: "breaking load / tension", "fender strain, total", "surge", …
-    sense, limit, unit "at least" or "at most"; a number, or a fraction such as 1/3
+    sense, limit, unit "at least" or "at most"; a number, or a fraction such as 1/3; that of the quantity (`unit_of`)
     second             the other factor where a criterion has two (on dynamic tension, `verdict.PARTIAL`)
     state              normal (operating), abnormal (extreme), any
     lines              intact, one lost (at rest after it), transient (just after it), any
@@ -31,6 +31,12 @@ LINES = ("intact", "one lost", "transient", "any")
 ANALYSES = ("quasi-static", "dynamic", "any")
 STATUSES = ("read", "secondary", "unverified")
 TABLES = ("strength.csv", "motions.csv")
+UNITS = {
+    **dict.fromkeys(("surge", "sway", "heave", "transmitted wave height"), "m"),
+    **dict.fromkeys(("roll", "pitch", "yaw"), "deg"),
+    **dict.fromkeys(("service life", "return period"), "years"),
+}
+NUMBERS = ("partial factor", "fender strain", "gust factor", "horizontal seismic coefficient")  # beginnings of names
 
 
 class RuleError(ValueError):
@@ -84,6 +90,17 @@ def read_rules(path=None):
     return tuple(criterion for name, text in tables.items() for criterion in _rows(name, text))
 
 
+def unit_of(where, quantity, unit):
+    """The unit that values of a quantity have, where `unit` is it or left out; `unit` where none is known
+
+    Nothing is converted: another unit raises RuleError that begins with `where`.  A ratio, "… / …", has the unit -.
+    """
+    own = UNITS.get(quantity, "-" if " / " in quantity or quantity.startswith(NUMBERS) else None)
+    if own is not None and unit not in ("", own):
+        raise RuleError(f"{where}: unit of {quantity} is {unit!r}; allowed: {own}")
+    return unit if own is None else own
+
+
 def rule_names(criteria):
     """Names of rule sets in the order of their tables"""
     return tuple(dict.fromkeys(criterion.rule for criterion in criteria))
@@ -131,7 +148,8 @@ def _criterion(where, row):
         "second": _number(where, "second", row["second"]) if row["second"] else None,
         "motion_factor": _number(where, "motion_factor", row["motion_factor"]) if row["motion_factor"] else 1.0,
     }
-    return Criterion(**{key: row[key] for key in Criterion._fields} | numbers)
+    unit = unit_of(where, row["quantity"], (row["unit"] or "").strip())
+    return Criterion(**{key: row[key] for key in Criterion._fields} | numbers | {"unit": unit})
 
 
 def _number(where, key, text):

@@ -39,8 +39,7 @@ def advise(read, judged, cases, others, paths, folder, step):
     """
     if all(one.met is not False for one in judged):
         return ()
-    shaken = {case.name for case in cases.values() if case.apart}
-    if any(use.case in shaken and use.utilisation > 1 for one in judged for use in one.uses):
+    if shaken(judged, cases.values()):
         return ()  # no line changes what an earthquake does to fenders
     governing = [one for one in judged if one.governing is not None and one.governing.case in cases]
     keys = {key_of(cases[one.governing.case]) for one in governing}
@@ -65,6 +64,12 @@ def advise(read, judged, cases, others, paths, folder, step):
         if best is not None:
             found.append(best)
     return tuple(found)
+
+
+def shaken(judged, cases):
+    """Name of an earthquake's load case that a criterion is not met in, "" without one"""
+    apart = {case.name for case in cases if case.apart}
+    return next((use.case for one in judged for use in one.uses if use.case in apart and use.utilisation > 1), "")
 
 
 def _smallest(run, count, now):

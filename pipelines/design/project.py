@@ -51,9 +51,9 @@ import msgspec
 from bem import DOFS
 from mooring.criteria.rules import LINES as KNOWN_LINES
 from mooring.criteria.rules import STATES as KNOWN_STATES
-from mooring.criteria.rules import Criterion, of_rule, read_rules
+from mooring.criteria.rules import Criterion, of_rule, read_rules, unit_of
 from mooring.criteria.strength import kind_and_size
-from mooring.criteria.verdict import OF_TENSIONS
+from mooring.criteria.verdict import OF_TENSIONS, PRETENSION
 
 from ..common.quantities import StudyError, positive
 from ..common.typed import read_toml, typed
@@ -102,6 +102,7 @@ def read_project(path):
     _check_wear(project, study)
     _check_fatigue(project, study)
     criteria = _criteria(project, folder)
+    _check_needs(study, criteria)
     _check_values(project, criteria)
     _check_earthquakes(project, study, folder)
     return Read(project, raw, text, study, study_text, criteria, folder, kind)
@@ -225,6 +226,20 @@ def _check_fatigue(project, study):
         raise StudyError(f"fatigue of type {unnamed[0]!r} needs its diameter; give it by catalogue")
 
 
+def _check_needs(study, criteria):
+    """Raises StudyError where no criterion is about the lines or the fenders of the study: they would pass unjudged"""
+    asked = {one.quantity for one in criteria} - {PRETENSION}
+    for word, keys, example in (
+        ("tension", ("types", "rope"), "tension / breaking load"),
+        ("fender", ("fender",), "fender strain, total"),
+    ):
+        if any(study.get(key) for key in keys) and not any(word in quantity for quantity in asked):
+            raise StudyError(
+                f"the study has a table {next(key for key in keys if study.get(key))!r} and no criterion chosen limits "
+                f"what it finds of {word}s; allowed: a rule set that does, or [[limits]] of {example!r}"
+            )
+
+
 def _check_values(project, criteria):
     asked = dict.fromkeys(one.quantity for one in criteria if one.quantity not in FOUND)
     for i, one in enumerate(project.values):
@@ -273,8 +288,9 @@ def _limit(where, table):
     _one(f"{where}.lines", table.lines, KNOWN_LINES)
     sense = "at most" if table.at_least is None else "at least"
     limit = positive(f"{where}.{sense.replace(' ', '_')}", table.at_most if table.at_least is None else table.at_least)
+    unit = unit_of(where, table.quantity, table.unit)
     return Criterion(
-        "project", "own", table.quantity, sense, limit, None, table.unit, table.state, table.lines, "any", "",
+        "project", "own", table.quantity, sense, limit, None, unit, table.state, table.lines, "any", "",
         table.statistic, 1.0, table.source, "read",
     )  # fmt: skip
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from mooring.criteria.rules import read_rules
 
+from .advice import shaken
 from .kinds.numbers import Numbers
 from .report_tables import CASE_HEAD, WORDS, case_row
 from .verdict import FAILS, OPEN
@@ -42,8 +43,17 @@ def advice_words(advice, verdict):
     """
     if advice is None or verdict.word != FAILS:
         return ()
+    earthquake = shaken(verdict.judged, [one.case for one in verdict.ran])
+    if earthquake:
+        return (
+            f"No change of lines was tried: a limit is exceeded in “{earthquake}”, and lines do not change what an "
+            "earthquake does to fenders and dolphins. Change these, then run the design again.",
+        )
     if not advice:
-        return ("No other size, pretension or number of lines brings it nearer; change layout or kind of line.",)
+        return (
+            "Larger sizes, other pretensions and more lines, where the study has them, were run in the cases that "
+            "govern: none lowers the largest utilisation. Change the layout or the kind of line or fender.",
+        )
     return tuple(map(_tried_words, sorted(advice, key=lambda one: (not one.passes, one.utilisation))))
 
 
@@ -51,7 +61,8 @@ def _tried_words(one):
     used = f"{percent(one.utilisation)} of {one.criterion.rule}, {one.criterion.quantity}"
     if one.passes:
         return (
-            f"Passes, run in the cases that govern: {one.words}; it uses {used}. A smaller step of this kind does not."
+            f"Passes in the cases that govern: {one.words}, which uses {used}. It is the smallest of its kind that "
+            "does: the next smaller one fails."
         )
     return f"Not enough by itself: {one.words}, the best of its kind, uses {used}."
 

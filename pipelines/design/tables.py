@@ -84,7 +84,7 @@ class LimitTable(Table):
     quantity : as rule sets name it: "surge", "fender strain, total", "transmitted wave height", …
     at_most : in the unit of the quantity; or at_least
     at_least : likewise
-    unit : for the report
+    unit : that of the quantity, which it is if left out; another is refused
     state : normal, abnormal or any
     lines : intact, one lost or any
     statistic : largest, or of motions amplitude or peak to peak
@@ -95,7 +95,7 @@ class LimitTable(Table):
     source: str
     at_most: float | None = None
     at_least: float | None = None
-    unit: str = "-"
+    unit: str = ""
     state: str = "any"
     lines: str = "any"
     statistic: str = "largest"

@@ -124,8 +124,8 @@ def scene_of(wide):
     )
 
 
-def study_of(row, scheme=None):
-    """Nested dictionaries of the study of a test"""
+def study_of(row, scheme=None, seed=1):
+    """Nested dictionaries of the study of a test; seed : of its waves"""
     contact = row["buoy"] == "contact"
     current, height = float(row["current_cm_s"]) / 100, float(row["height_cm"]) / 100
     raw = {
@@ -140,7 +140,7 @@ def study_of(row, scheme=None):
             "headings_deg": [60, 180, 300],
             "top_tension_kN": (0.82 if contact else 0.72) * KGF / 1e3,
         },
-        "slewing": {"duration": DURATION, "offset_deg": float(row["heading_deg"])},
+        "slewing": {"duration": DURATION, "offset_deg": float(row["heading_deg"]), "seed": seed},
     }
     if not contact:
         raw["hawser"] = {
@@ -157,9 +157,9 @@ def study_of(row, scheme=None):
     return raw
 
 
-def computed(row, db) -> Outcome:
-    """Outcome of a test"""
-    study = make_study(study_of(row))
+def computed(row, db, seed=1) -> Outcome:
+    """Outcome of a test; seed : of its waves"""
+    study = make_study(study_of(row, seed=seed))
     point = make(study, None, db).point
     best = max(equilibria(point), key=lambda one: np.cos(one.heading))
     with warnings.catch_warnings():
@@ -168,7 +168,7 @@ def computed(row, db) -> Outcome:
         waves, contact = study.waves is not None, row["buoy"] == "contact"
         massless = np.nan
         if waves and not contact:
-            massless = _on_buoy(run(make_study(study_of(row, "two_scale")), point, best, db))
+            massless = _on_buoy(run(make_study(study_of(row, "two_scale", seed)), point, best, db))
     away = np.degrees(np.abs(record.heading - best.heading))
     outside = np.flatnonzero(away > 1.0)
     last = int(outside[-1]) + 1 if len(outside) else 0

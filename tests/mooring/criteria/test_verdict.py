@@ -92,3 +92,12 @@ def test_a_file_of_the_users_own_has_the_form_of_the_tables(tmp_path):
         of_rule(RULES, "Lloyd's")
     with pytest.raises(RuleError, match="nothing on 'ice'"):
         of_rule(RULES, "JSCE", "ice")
+
+
+def test_a_limit_in_another_unit_than_its_quantity_has_is_refused(tmp_path):
+    rows = "\n".join((",".join(RULES[0]._fields), "own,1,surge,at most,3,,ft,any,any,any,ship,largest,,harbour,read"))
+    (tmp_path / "own.csv").write_text(rows)
+    with pytest.raises(RuleError, match="criterion 1: unit of surge is 'ft'; allowed: m"):
+        read_rules(tmp_path / "own.csv")
+    (tmp_path / "own.csv").write_text(rows.replace("ft", ""))
+    assert read_rules(tmp_path / "own.csv")[0].unit == "m"

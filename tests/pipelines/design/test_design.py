@@ -1,5 +1,6 @@
 """A project from its file to its report, on a database of a small scene"""
 
+import re
 import tomllib
 from html.parser import HTMLParser
 from types import SimpleNamespace
@@ -9,6 +10,7 @@ import pytest
 import tomli_w
 
 from meshing.seals import text_damaged
+from mooring.criteria.verdict import SHARE
 from pipelines.common.picture import save
 from pipelines.common.quantities import StudyError
 from pipelines.design.advice import Tried, _smallest
@@ -18,6 +20,7 @@ from pipelines.design.kinds import mooring
 from pipelines.design.kinds.changes import ways
 from pipelines.design.kinds.in_time import cycles_of
 from pipelines.design.project import read_project
+from pipelines.design.report_words import advice_words
 from pipelines.moor.command import studied
 from pipelines.moor.study import make_study
 from pipelines.scene.scene import make_scene
@@ -288,6 +291,18 @@ def test_changes_are_of_pretension_number_ropes_and_sizes():
         ),
         (lambda p: p.update(values=[{**GIVEN, "value": -1.0}]), r"values\[0\].value is -1; allowed: 0 or more"),
         (lambda p: p.update(earthquakes=[{"name": "x", "study": "x.toml"}]), "the study has no fenders"),
+        (
+            lambda p: p.update(rules=[{"rule": "PIANC", "subject": "oil tanker; loading arms", "confirmed": True}]),
+            "the study has a table 'types' and no criterion chosen limits what it finds of tensions",
+        ),
+        (
+            lambda p: p.update(limits=[{"quantity": "surge", "at_most": 5.0, "unit": "ft", "source": "owner"}]),
+            r"limits\[0\]: unit of surge is 'ft'; allowed: m",
+        ),
+        (
+            lambda p: p.update(limits=[{"quantity": SHARE, "at_most": 60.0, "unit": "%", "source": "owner"}]),
+            "unit of tension / breaking load is '%'; allowed: -",
+        ),
         (lambda p: p.update(ice=1), "ice is unknown; allowed: project"),
     ],
 )
@@ -298,6 +313,21 @@ def test_a_wrong_project_is_told_in_one_line(folder, change, message):
     with pytest.raises(ValueError, match=message) as fault:
         read_project(folder / "wrong.toml")
     assert "\n" not in str(fault.value)
+
+
+def test_a_limit_without_a_unit_is_in_that_of_its_quantity(folder):
+    project = {**PROJECT, "limits": [{"quantity": "yaw", "at_most": 2.0, "source": "owner"}]}
+    (folder / "units.toml").write_text(tomli_w.dumps(project))
+    assert read_project(folder / "units.toml").criteria[-1].unit == "deg"
+
+
+@pytest.mark.parametrize(("apart", "words"), [(True, "No change of lines was tried.*“quake”"), (False, "were run in")])
+def test_it_is_said_whether_changes_were_tried_in_vain_or_not_at_all(apart, words):
+    case = SimpleNamespace(name="quake", apart=apart)
+    judged = SimpleNamespace(uses=[SimpleNamespace(case="quake", utilisation=1.2)])
+    verdict = SimpleNamespace(word="fails", judged=[judged], ran=[SimpleNamespace(case=case)])
+    (line,) = advice_words((), verdict)
+    assert re.search(words, line)
 
 
 def test_a_case_that_cannot_be_run_is_named_and_not_dropped(folder, tmp_path, monkeypatch):
