@@ -111,7 +111,7 @@ class DifferenceRun:
         self.parts = {part: np.full(shape, np.nan, complex) for part in PARTS if surface or part != "surface"}
 
     def blocks(self, done=0):
-        """Ranges of differences, of those after the first `done`; these end where a range does or with the last"""
+        """Ranges of up to BLOCK differences after the first `done`, a multiple of BLOCK"""
         return [range(m, min(m + BLOCK, len(self.difference))) for m in range(done, len(self.difference), BLOCK)]
 
     def take(self, forces):
@@ -153,7 +153,10 @@ class DifferenceRun:
 
 
 def steps_to(highest, omega):
-    """How many steps of even frequencies (n,) the largest difference is that is not above `highest`, rad/s"""
+    """How many steps of even frequencies (n,) the largest difference is that is not above `highest`, rad/s.
+
+    raises : ValueError where the frequencies are not at even steps
+    """
     return min(int(highest / _step(omega) + EVEN), len(omega) - 1)
 
 

@@ -62,7 +62,7 @@ def _tried_words(one):
     if one.passes:
         return (
             f"Passes in the cases that govern: {one.words}, which uses {used}. It is the smallest of its kind that "
-            "does: the next smaller one fails."
+            "does."
         )
     return f"Not enough by itself: {one.words}, the best of its kind, uses {used}."
 

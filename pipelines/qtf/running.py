@@ -22,6 +22,7 @@ def solve(db, waves, moving, level, method, holder, fresh):
 
     waves : frequencies (n,) rad/s, headings (m,) rad and largest difference rad/s; moving : as of `difference_forces`
     level, method : of the command; holder : what holds the body, by name; fresh : whether nothing is kept
+    raises : ValueError for what `difference_forces` and `bodies` refuse, OSError where the file cannot be written
     """
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

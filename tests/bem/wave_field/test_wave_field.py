@@ -133,7 +133,7 @@ def test_waves_around_a_cylinder_are_those_of_the_closed_form_wherever_it_stands
     assert missed < 1e-3 and np.abs(added[0, 0] - exact).max() < 5e-3
 
 
-def test_the_plan_of_a_hull_loads_no_library_of_space():
+def test_the_plan_of_a_hull_does_not_load_scipy_spatial():
     code = (
         "import sys; from meshing.shapes import box; from bem.wave_field.around import plan_of",
         "assert plan_of(box(20, 10, 3, panels=60))[0].shape == (4, 2)",

@@ -35,8 +35,8 @@ def row_of(folder):
 
 
 def test_the_hawser_with_the_buoy_s_mass_is_that_measured_and_without_it_a_fraction(folder):
-    """Snaps make the significant load of one record of six minutes scatter by a fifth: the mean of four seeds is within
-    40 % of what one record of the tank shows, for twice its own standard error"""
+    """Snaps make the significant load of a record of six minutes scatter by a fifth (eight seeds: 2.8 to 5.1 kgf):
+    the mean of four is held to the 40 % of what the tank measured"""
     row, db = row_of(folder), open_database(folder / "M3B_Bd10.h5")
     assert row["case"] == "WC3" and row["slews"] == "no"
     assert float(row["settled"]) < 250
@@ -44,9 +44,9 @@ def test_the_hawser_with_the_buoy_s_mass_is_that_measured_and_without_it_a_fract
     others = [computed(given, db, seed) for seed in (2, 3, 4)]
     for column, measured in (("hawser", "hawser_kgf"), ("on_buoy", "buoy_kgf")):
         loads = np.array([float(row[column]), *(getattr(one, column) for one in others)]) / float(row[measured])
-        assert abs(loads.mean() - 1) < 0.4 + 2 * loads.std(ddof=1) / 2
-    massless = [float(row["massless"]), *(one.massless for one in others)]
-    assert max(massless) < 0.5 * float(row["on_buoy"])
+        assert abs(loads.mean() - 1) < 0.4
+    assert float(row["massless"]) < 0.5 * float(row["on_buoy"])
+    assert all(one.massless < 0.5 * one.on_buoy for one in others)
 
 
 def test_every_test_is_a_study():
