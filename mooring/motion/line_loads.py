@@ -21,6 +21,7 @@ from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
 from ..lines.catenary.moving_end import pull_of_any, workspace
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
 from .force_tables import Packed, packed, packed_pull, tabulate
+from .moving_lines.packed import Room
 from .moving_lines.polynomial import TERMS, legendre
 
 reaction = kernel(inline=True)(reaction_of)
@@ -220,6 +221,14 @@ def fairlead_of(lines, i, state, room, place, velocity):
         velocity[j] = 0.0
         for k in range(6):
             velocity[j] += room.push[k] * state[6 + k]
+
+
+def fairlead_course(lines, i, states):
+    """Places and velocities (2, n, 3) m, m/s of the fairlead of line i on a body in states (n, 12 or more)"""
+    room, course = Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)), np.zeros((2, len(states), 3))
+    for now, place, velocity in zip(states, *course, strict=True):
+        fairlead_of(lines, i, now, room, place, velocity)
+    return course
 
 
 @kernel()

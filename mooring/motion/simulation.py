@@ -24,9 +24,10 @@ from .equation import FIRST_WORK, FLOAT, MEMORY, SLOW, WORKS, Body, Scene, room
 from .expected import expected_motion
 from .force_tables import TOLERANCE
 from .given_forces import GivenForce, drift_of_half_waves, sampled
-from .line_loads import REACH, body_lines, line_loads, line_work, tables_of, tensions_along
+from .line_loads import REACH, body_lines, fairlead_course, line_loads, line_work, tables_of, tensions_along
 from .moving_lines.packed import moving_work, state_pull
 from .moving_lines.prepare import moving_of
+from .moving_lines.trial import beside_static
 from .streams import calm, current_stream, gust_at, stream_of, turning_drag, wind_stream
 from .tables.hull_water import no_hull_water
 from .wave_loads import WaveForces, drift_of, no_waves, wave_forces, wave_table, waves_of
@@ -43,6 +44,10 @@ FASTEST, BAND = 8.0, 2.0  # rad/s and times the band of the database, of states 
 FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
 MOTIONLESS = 1e-9  # m, rad: the deviation of a motion that is none
 FINER, CHAOTIC = 0.1, 0.1  # tolerance of the run that estimates the error; error over σ of a path that is chance
+NEGLIGIBLE, TRIAL = (
+    0.1,
+    600.0,
+)  # of a line's largest tension, that its own motion may change; s of the run that shows it
 COARSE = 0.01  # of its tension, by which elements may change a line at rest without a word
 UNKNOWN = 0.4  # rad/s, mean frequency of waves that there are not
 NEXT_SEA, GUSTS = 7919, 104729  # what is added to the seed of a run for each further sea, and for gusts: phases of
@@ -161,6 +166,8 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     raises : SimulationError where the motion cannot be followed
     """
     findings = list(moored.findings)
+    settings, words = with_lines_chosen(moored, weather, settings)
+    findings += words
     components = wave_components(moored, weather, settings, seed)
     table, expected = no_waves(), expected_motion(moored, components)
     if components is not None:
@@ -194,6 +201,33 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     finer = replace(settings, tolerance=FINER * settings.tolerance)
     again = _run(moored, finer, expected, scene, waves, moving_of(moored, finer), progress)
     return _with_error(found, again[0][:, :6], settings.tolerance)
+
+
+def with_lines_chosen(moored, weather, settings):
+    """Settings whose dynamic_lines are names, and findings on the choice, where it is "auto"; others as they are.
+
+    The choice is by a trial, a run with all lines in their static shape, which is the same for every seed.
+    raises : SimulationError as of `simulate`
+    """
+    if settings.dynamic_lines != "auto" or moored.system is None:
+        return settings, ()
+    still = replace(
+        settings, dynamic_lines=(), lines_lost=(), estimate_error=False, duration=min(settings.duration, TRIAL)
+    )
+    run, lines = simulate(moored, weather, still), body_lines(moored.system)
+    states = np.hstack([run.motion, run.velocity])
+    courses = [fairlead_course(lines, i, states) for i in range(len(moored.system.lines))]
+    tried = beside_static(moored.system, run, courses, settings.dynamic_elements)
+    names = moored.system.line_names
+    moving = [i for i, off in tried.off.items() if off > NEGLIGIBLE]
+    told = ", ".join(f"{names[i]} {100 * tried.off[i]:.2g} %" for i in moving) or "none"
+    words = (
+        f'dynamic_lines = "auto": {len(moving)} of {len(names)} lines have a motion of their own, those that pull more '
+        f"than {100 * NEGLIGIBLE:g} % of their largest tension otherwise with it, on a course of {still.duration:g} s: "
+        f"{told}",
+        *tried.refused,
+    )
+    return replace(settings, dynamic_lines=tuple(names[i] for i in moving)), words
 
 
 def _with_error(found, finer, tolerance):

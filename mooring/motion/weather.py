@@ -59,7 +59,8 @@ class Settings:
     wave_drift_damping : whether slow velocities change the drift
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
     constant_period : s, of that frequency, None for the mean one of the waves
-    dynamic_lines : names of lines with a motion of their own, or "all"; the others hang in their static shape
+    dynamic_lines : names of lines with a motion of their own, "all", or "auto" for those that need it by a trial; the
+        others hang in their static shape
     dynamic_elements : of each of these
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it

@@ -20,7 +20,7 @@ from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
 from ..common.quantities import StudyError
 from ..common.units import KN
-from .figures import figures, regime_of
+from .figures import figures, judged_by_regime
 from .motion import course_of
 from .parts import current_of, line_of, wave_of
 from .report import findings, show
@@ -90,7 +90,7 @@ def _run(study, text, folder, output, picture):
             stops=window[:2],
         )
     harmonics = sum(any(part.amplitude) for part in study.fairlead.motions)
-    found = figures(line, course, window, result, current, regime_of(line, course, harmonics))
+    found = figures(line, course, window, result, current, judged_by_regime(line, course, harmonics))
     show(console, study.name, found, course, result, breaking)
     for warning in [*dict.fromkeys(str(w.message) for w in (*left_out, *said)), *findings(found, result, breaking)]:
         console.print(f"warning: {warning}", style="yellow", highlight=False, soft_wrap=True)

@@ -155,40 +155,11 @@ def quasi_static(line, course, window, current):
     return found, places
 
 
-def regime_of(line, course, harmonics):
+def judged_by_regime(line, course, harmonics):
     """Function of a displacement (3,) m → HarmonicTension or a text, or a text where the method does not apply."""
-    from mooring.lines.regimes import harmonic_tension
+    from mooring.lines.dynamics.regime import regime_of
 
-    if len(line.segments) > 1:
-        return "the simplified method is for a uniform line without bodies"
-    if len(line.segments[0].elongation) > 1:
-        return "the simplified method is for a line of one axial stiffness"
-    if line.bed is None or line.bed.slope != 0 or line.bed.points or line.bed.below > 0:
-        return "the simplified method is for a line whose anchor lies on a flat bed"
     if harmonics != 1:
         return "the simplified method is for one harmonic motion"
-    segment, away = line.segments[0], course.motion.mean - np.array(line.anchor)
-    span = float(np.hypot(*away[:2]))
-    heading = away[:2] / span if span > 0 else np.array([1.0, 0.0])
-
-    def judged(displacement):
-        try:
-            return harmonic_tension(
-                span,
-                float(away[2]),
-                segment.length,
-                segment.weight,
-                segment.mass,
-                segment.diameter,
-                (float(displacement[:2] @ heading), float(displacement[2])),
-                2 * np.pi / float(course.motion.omega[0]),
-                axial_stiffness=segment.stiffness,
-                drag=segment.drag_normal,
-                added_mass=segment.added_normal,
-                density=line.density,
-                gravity=line.gravity,
-            )
-        except ValueError as error:
-            return str(error)
-
-    return judged
+    period = 2 * np.pi / float(course.motion.omega[0])
+    return lambda displacement: regime_of(line, course.motion.mean, displacement, period)

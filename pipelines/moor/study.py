@@ -228,8 +228,8 @@ class SimulationTable(Table):
     qtf : slow force of pairs of waves: "newman", "bound-wave", "body", "full" or "auto", as in a response study
     memory : "states", or "constant" for added mass and damping at one frequency
     constant_period : s, of that frequency, by default the mean one of the waves
-    dynamic_lines : names of lines with inertia, drag and a motion of their own, or "all"; the others hang in their
-        static shape.  They are uniform, of a type of the catalogue
+    dynamic_lines : names of lines with inertia, drag and a motion of their own, "all", or "auto" for those that pull
+        otherwise with it in a trial; the others hang in their static shape.  They are uniform, of a catalogue type
     dynamic_elements : of each of these
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
     damping_ratio : {motion = share of critical}, beyond waves, as in a response study

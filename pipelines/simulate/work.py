@@ -47,7 +47,7 @@ def prepared(task):
     if key not in _prepared:
         from bem.database import open_database
         from mooring.motion.moving_lines.prepare import moving_of
-        from mooring.motion.simulation import moored
+        from mooring.motion.simulation import moored, with_lines_chosen
 
         study, db = make_study(tomllib.loads(task.study)), open_database(task.database)
         plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
@@ -67,8 +67,10 @@ def prepared(task):
             warnings.simplefilter("always")
             berth = study.berth(hull, db.rotation_center)
             body = moored(reader, system, hull, memory=memory, damping=extra, quadratic=quadratic(study), berth=berth)
-            moving_of(body, plan.settings)  # refused here, before there is a file
-        plan, left = _with_pairs(plan, study, db, reader)
+            plan, left = _with_pairs(plan, study, db, reader)
+            settings, chosen = with_lines_chosen(body, plan.weather, plan.settings)
+            moving_of(body, settings)  # refused here, before there is a file
+        plan, left = replace(plan, settings=settings), (*left, *chosen)
         _prepared.clear()
         _prepared[key] = body, plan, study, (*of_quay, *(str(w.message) for w in caught), *left)
     return _prepared[key]

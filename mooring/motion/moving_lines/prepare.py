@@ -27,7 +27,7 @@ def moving_of(moored, settings):
     whole = [i for i, line in enumerate(system.lines) if isinstance(line, UniformLine)]
     if isinstance(names, str):
         if names != "all":
-            raise ValueError(f'dynamic_lines is {names!r}; allowed: "all", or a list of names')
+            raise ValueError(f'dynamic_lines is {names!r}; allowed: "all", "auto", or a list of names')
         numbers = whole
     else:
         unknown = [name for name in names if name not in system.line_names]
@@ -37,19 +37,23 @@ def moving_of(moored, settings):
     if not numbers:
         raise ValueError("dynamic_lines: no line of the body is uniform; allowed: uniform lines")
     made, places = {}, []
-    points = {point.name: point for point in system.points}
     body, R = np.asarray(system.bodies[0].position[:3], float), rotation(*moored.start[3:])
     for i in numbers:
         line = system.lines[i]
         if i not in whole:
             raise ValueError(f"dynamic_lines: line {line.name} has segments or is a hawser; allowed: uniform lines")
-        ends = points[line.a], points[line.b]
-        anchor, fairlead = ends if isinstance(ends[0], Anchor) else ends[::-1]
+        anchor, fairlead = ends_of(line, system)
         made[i] = dynamic_line(line, anchor.position, system, settings.dynamic_elements)
         places.append(body + moored.start[:3] + R @ np.asarray(fairlead.position, float))
     swing = sum(line.type.axial_stiffness / line.length for line in (system.lines[i] for i in numbers))
     swing /= float(moored.reader.inertia[0, 0])
     return moving_lines(made, np.array(places), settings.tolerance, swing)
+
+
+def ends_of(line, system):
+    """(Anchor, Fairlead) of a line of a System"""
+    ends = [point for name in (line.a, line.b) for point in system.points if point.name == name]
+    return tuple(ends if isinstance(ends[0], Anchor) else ends[::-1])
 
 
 def dynamic_line(line, anchor, system, elements):

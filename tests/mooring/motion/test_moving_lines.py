@@ -12,10 +12,10 @@ from mooring.lines.dynamics.simulation import FairleadMotion
 from mooring.lines.dynamics.simulation import simulate as drive
 from mooring.lines.system.moored_body import corner_legs, moored_body
 from mooring.lines.system.parts import UniformLine
-from mooring.motion.line_loads import body_lines, fairlead_of, line_loads, line_work
-from mooring.motion.moving_lines.packed import Room, state_pull
+from mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
+from mooring.motion.moving_lines.packed import state_pull
 from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
-from mooring.motion.simulation import moored, simulate
+from mooring.motion.simulation import moored, simulate, with_lines_chosen
 from mooring.motion.weather import Settings, Weather
 
 ROUGH = Weather((Sea(jonswap(2.0, peak_period=9.0), np.pi),))
@@ -30,19 +30,10 @@ def on_lines(database, on_springs):
     return moored(database, system, memory=on_springs.memory)
 
 
-def course(body, run, number):
-    """Places and velocities (n, 3) of a fairlead along a run"""
-    lines, room = body_lines(body.system), Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6))
-    place, velocity = np.zeros((2, len(run.time), 3))
-    for i, state in enumerate(np.hstack([run.motion, run.velocity])):
-        fairlead_of(lines, number, state, room, place[i], velocity[i])
-    return place, velocity
-
-
 def test_a_line_pulls_as_the_same_line_driven_alone(on_lines):
     number = on_lines.system.line_names.index("fore port 1")
     run = simulate(on_lines, ROUGH, WANTED, seed=1)
-    place, velocity = course(on_lines, run, number)
+    place, velocity = fairlead_course(body_lines(on_lines.system), number, np.hstack([run.motion, run.velocity]))
     anchor = body_lines(on_lines.system).anchor[number]
     line = dynamic_line(on_lines.system.lines[number], anchor, on_lines.system, WANTED.dynamic_elements)
     t = run.time - run.time[0]
@@ -71,6 +62,17 @@ def test_slow_lines_pull_as_in_their_static_shape_and_few_elements_are_named(on_
     assert np.allclose(pulls, np.hypot(*static.tension.T), rtol=1e-3)
     told = simulate(on_lines, ROUGH, replace(WANTED, duration=10.0, ramp=5.0, dynamic_elements=10)).findings
     assert any("in 10 elements pulls" in line for line in told) and any("still water" in line for line in told)
+
+
+def test_a_trial_finds_the_lines_that_need_a_motion_of_their_own(on_lines):
+    """In head waves those that are pulled at, and both sides alike; in ripples none; a run is that with these names"""
+    asked = replace(WANTED, dynamic_lines="auto")
+    chosen, told = with_lines_chosen(on_lines, ROUGH, asked)
+    assert chosen.dynamic_lines == ("fore port 1", "fore starboard 1") and "2 of 4 lines" in told[0]
+    run, named = (simulate(on_lines, ROUGH, one, seed=2) for one in (asked, chosen))
+    assert np.array_equal(run.motion, named.motion) and told[0] in run.findings
+    ripples = Weather((Sea(jonswap(0.1, peak_period=9.0), np.pi),))
+    assert with_lines_chosen(on_lines, ripples, asked)[0].dynamic_lines == ()
 
 
 def test_names_and_types_that_cannot_move_are_refused(on_lines):

@@ -1,0 +1,59 @@
+"""What a motion of its own changes in the pull of a line, seen by driving it along the course of its fairlead.
+
+The regimes of the simplified method (`mooring.lines.regimes`) were tried for this: of random chains, wires and ropes
+that they call quasi-static, every second pulled more than a tenth otherwise in a run (`tests/bench/line_regimes.py`).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...lines.catenary.state import LineError
+from ...lines.dynamics.simulation import FairleadMotion
+from ...lines.dynamics.simulation import simulate as drive
+from ...lines.system.parts import UniformLine
+from .prepare import dynamic_line, ends_of
+
+BEFORE, AFTER, SETTLE = 60.0, 20.0, 20.0  # s of the course about the largest static tension, and of its begin, in which
+# the line, which starts at rest, takes up the motion
+
+
+class Trial(NamedTuple):
+    """off : {number of a line: largest difference of its pull from that of its static shape, over the largest of that}
+    refused : why lines cannot move by themselves, one line each; every reason once
+    """
+
+    off: dict
+    refused: tuple[str, ...]
+
+
+def beside_static(system, run, courses, elements):
+    """`Trial` of the uniform lines of a System along a `Realisation` with all lines in their static shape
+
+    courses : for each line the places and velocities (2, n, 3) m, m/s of its fairlead
+    """
+    off, refused = {}, {}
+    for number, line in enumerate(system.lines):
+        if not isinstance(line, UniformLine):
+            kind = type(line).__name__
+            refused.setdefault(kind, f"dynamic_lines: line {line.name} has segments or is a hawser and keeps its shape")
+            continue
+        try:
+            moving = dynamic_line(line, ends_of(line, system)[0].position, system, elements)
+            off[number] = _difference(moving, run, courses[number], number)
+        except (LineError, ValueError) as error:
+            refused.setdefault(line.type.name, str(error))
+    return Trial(off, tuple(refused.values()))
+
+
+def _difference(line, run, course, number):
+    """Of a DynamicLine along the course of its fairlead in a run; largest, over the largest static tension"""
+    middle = run.time[np.argmax(run.tension[:, number])]
+    part = (run.time >= middle - BEFORE) & (run.time <= middle + AFTER)
+    t, still = run.time[part] - run.time[part][0], run.tension[part, number]
+    alone = drive(line, FairleadMotion.table(t, *course[:, part]), float(t[-1]), check_mesh=False)
+    late = t >= min(SETTLE, 0.5 * t[-1])
+    pull = np.interp(t, alone.time, alone.tension_fairlead)
+    return float(np.abs(pull - still)[late].max() / still.max())
