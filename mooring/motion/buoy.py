@@ -91,7 +91,7 @@ class Buoy(NamedTuple):
     """inverse : (3,) 1/kg, of mass and added mass; moved : (3,) kg, of the water; drag : (3,) ½ρC_dA, kg/m
 
     weight : N; stiffness : ρgA, N/m; draft, height, depth : m, floating free of lines, of the cylinder, of the water
-    ropes : (k, 6) L, B, ε_B, n, c, N s/m, and e_c, none without a buoy; the rest as in `BuoyOnLines`
+    ropes : (k, 6) L, B, ε_B, n, c, N s/m, and e_c; the rest as in `BuoyOnLines`
     """
 
     inverse: np.ndarray
@@ -134,11 +134,7 @@ class BuoyWork(NamedTuple):
 
 
 def buoy_arrays(buoy):
-    """`Buoy` of a BuoyOnLines; of None, one that is not there.  Raises ValueError where it would sink."""
-    if buoy is None:
-        none = np.zeros(3)
-        return Buoy(none, none, none, 0.0, 0.0, 0.0, 0.0, 1.0, np.zeros((0, 6)), np.zeros((0, 3)), none, 0.0,
-                    np.zeros(2), body_lines(None))  # fmt: skip
+    """`Buoy` of a BuoyOnLines.  Raises ValueError where it would sink."""
     body, system = buoy.body, buoy.system
     density, gravity = system.density, system.gravity
     draft, area = body.draft(density), 0.25 * np.pi * body.diameter**2
@@ -160,15 +156,16 @@ def buoy_arrays(buoy):
     )  # fmt: skip
 
 
-def buoy_work(buoy, table, samples):
-    """`BuoyWork` of a `Buoy` in the waves of a `WaveTable`, with room for so many samples"""
-    c, m = table.factor.shape[1:] if len(table.omega) and len(buoy.ropes) else (0, 1)
+def buoy_of(hung, table, samples):
+    """(Buoy, BuoyWork) of a BuoyOnLines in the waves of a `WaveTable`, with room for so many samples"""
+    buoy = buoy_arrays(hung)
+    c, m = table.factor.shape[1:] if len(table.omega) else (0, 1)
     count = len(buoy.ropes) + len(buoy.lines.lost)
-    return BuoyWork(
+    return buoy, BuoyWork(
         line_work(buoy.lines), np.zeros((WATER, m)),
         np.zeros((2, WATER, c), np.float32), np.zeros((WATER, m), np.float32), np.zeros(2),
         np.zeros(WATER), np.zeros(6), np.zeros(6), np.zeros((3, 3)), np.zeros(6), np.zeros(6),
-        np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples if len(buoy.ropes) else 0, count)),
+        np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples, count)),
     )  # fmt: skip
 
 

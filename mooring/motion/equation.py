@@ -25,7 +25,7 @@ from bem.kernels.jit import kernel
 from bem.time_domain.memory import MemoryArrays
 from bem.time_domain.memory_kernels import memory_force, memory_rate
 
-from .buoy import Buoy, BuoyWork, buoy_rates
+from .buoy import buoy_rates
 from .contact_loads import Contacts, ContactWork, contact_loads
 from .line_loads import Lines, LineWork, line_loads
 from .streams import Stream, stream_force
@@ -103,8 +103,6 @@ class Scene(NamedTuple):
     contacts: Contacts
     contact_work: ContactWork
     hull: HullWater
-    buoy: Buoy
-    buoy_work: BuoyWork
     work: Work
 
 
@@ -222,8 +220,11 @@ def load(body, wind, current, hull, t, y, rate, work):
 
 
 @kernel()
-def rates(scene, t, y, rate):
-    """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force."""
+def rates(scene, buoy, t, y, rate):
+    """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
+
+    buoy : (Buoy, BuoyWork), None where there is none, and then nothing of it is compiled
+    """
     body, work = scene.body, scene.work
     rate[:] = 0.0
     work.force[:] = 0.0
@@ -237,11 +238,11 @@ def rates(scene, t, y, rate):
         contact_loads(scene.contacts, scene.contact_work, y[:6], work.R, work.stream, work.arm)
         give(work.force, y, rate, scene.contact_work.parts[0], 6, BY_FENDERS)
         give(work.force, y, rate, scene.contact_work.parts[1], 6, BY_ROPES)
-    if len(scene.buoy.ropes):
-        grown = ramp(t - body.wave_ramp[0], body.wave_ramp[1])
+    if buoy is not None:
+        floating, kept = buoy
+        grown, share = ramp(t - body.wave_ramp[0], body.wave_ramp[1]), ramp(t, body.ramp)
         at, place = (t - work.span[0]) / work.span[1] + EDGE, y[FLOAT : FLOAT + 6]
-        kept, share = scene.buoy_work, ramp(t, body.ramp)
-        good = buoy_rates(scene.buoy, kept, y, place, work.R, at, share, grown, rate[FLOAT : FLOAT + 6]) and good
+        good = buoy_rates(floating, kept, y, place, work.R, at, share, grown, rate[FLOAT : FLOAT + 6]) and good
         give(work.force, y, rate, kept.part, 6, BY_HAWSERS)
     cos, sin = np.cos(y[5]), np.sin(y[5])
     rate[0], rate[1] = cos * y[6] - sin * y[7], sin * y[6] + cos * y[7]

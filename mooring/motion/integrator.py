@@ -110,19 +110,19 @@ def stage(trial, y, k, h, s):
 
 
 @kernel()
-def take_step(scene, clock, t, h):
+def take_step(scene, buoy, clock, t, h):
     """Stages and the trial state after a step; returns its error over what is allowed, and whether all lines hold."""
     k, trial, good = clock.stages, clock.trial, True
     for s in range(1, 7):
         stage(trial, clock.y, k, h, s)
-        good = rates(scene, t + C[s] * h, trial, k[s]) and good
+        good = rates(scene, buoy, t + C[s] * h, trial, k[s]) and good
     worst = 0.0
     for i in range(12):
         total = 0.0
         for j in range(7):
             total += E[j] * k[j, i]
         worst = max(worst, abs(total) / clock.scale[i])  # h·total over scale·h
-    if len(scene.buoy.ropes):
+    if buoy is not None:
         for i in range(6):
             total = 0.0
             for j in range(7):
@@ -132,7 +132,7 @@ def take_step(scene, clock, t, h):
 
 
 @kernel()
-def take_step_with_lines(scene, clock, moving, t, h):
+def take_step_with_lines(scene, buoy, clock, moving, t, h):
     """`take_step` with lines that move: with the pull foreseen, lines along that course, and again with theirs.
 
     The error has the part of the course that lines did not follow: they go where the body was foreseen.
@@ -141,8 +141,8 @@ def take_step_with_lines(scene, clock, moving, t, h):
     work, trial = scene.line_work, clock.trial
     foresee(lines, kept, h, work.given)
     work.span[1], work.span[2] = t, h
-    good = rates(scene, t, clock.y, clock.stages[0])
-    error, held = take_step(scene, clock, t, h)
+    good = rates(scene, buoy, t, clock.y, clock.stages[0])
+    error, held = take_step(scene, buoy, clock, t, h)
     if not (good and held and np.isfinite(error)):
         return error, good and held
     for i in range(12):
@@ -155,8 +155,8 @@ def take_step_with_lines(scene, clock, moving, t, h):
     if not advance_lines(lines, kept, work.whole, t, h):
         return np.inf, True
     project(lines, kept, t, h, work.given)
-    good = rates(scene, t, clock.y, clock.stages[0])
-    error, held = take_step(scene, clock, t, h)
+    good = rates(scene, buoy, t, clock.y, clock.stages[0])
+    error, held = take_step(scene, buoy, clock, t, h)
     for i in range(12):
         missed = abs(trial[i] - kept.foreseen[i]) * lines.swing * h * h
         error = max(error, missed / (clock.scale[i] * h))
@@ -220,11 +220,11 @@ def open_window(waves, clock, work):
 
 
 @kernel()
-def advance(scene, waves, clock, samples, most, moving):
+def advance(scene, waves, clock, samples, most, buoy, moving):
     """Integrate until the end, or for `most` steps; samples (n, 18 or 24) is filled.  Returns why it stopped.
 
-    scene : `equation.Scene`; waves : `wave_loads.Waves`; moving : (MovingLines, MovingWork), None where no line
-    moves by itself, and then nothing of it is compiled
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy : (Buoy, BuoyWork), None without a buoy, moving :
+    (MovingLines, MovingWork), None where no line moves by itself, and then nothing of it is compiled
     """
     now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step
     lines, length = scene.lines, waves.table.window
@@ -235,8 +235,9 @@ def advance(scene, waves, clock, samples, most, moving):
             return DONE
         if t >= now[WINDOW] + length - AT_ONCE:
             open_window(waves, clock, scene.work)
-            open_water(waves.table, scene.buoy, scene.buoy_work, clock.y[FLOAT : FLOAT + 3], counts[WINDOWS] - 1, t)
-            rates(scene, t, clock.y, k[0])
+            if buoy is not None:
+                open_water(waves.table, buoy[0], buoy[1], clock.y[FLOAT : FLOAT + 3], counts[WINDOWS] - 1, t)
+            rates(scene, buoy, t, clock.y, k[0])
         limit = min(now[WINDOW] + length, clock.end, next_break(lines, t))
         h = fixed if fixed > 0.0 else now[STEP]
         cut = t + h >= limit - AT_ONCE
@@ -245,9 +246,9 @@ def advance(scene, waves, clock, samples, most, moving):
         elif t + 2.0 * h > limit and fixed == 0.0:
             h = 0.5 * (limit - t)
         if moving is None:
-            error, good = take_step(scene, clock, t, h)
+            error, good = take_step(scene, buoy, clock, t, h)
         else:
-            error, good = take_step_with_lines(scene, clock, moving, t, h)
+            error, good = take_step_with_lines(scene, buoy, clock, moving, t, h)
         if again:
             error *= min(1.0, h / (CORNER * now[USUAL]))
         if not np.isfinite(error) or not good:
@@ -272,8 +273,8 @@ def advance(scene, waves, clock, samples, most, moving):
         settle(scene.contact_work)
         first = counts[SAMPLES]
         put_samples(clock, t, h, later, samples)
-        if len(scene.buoy.ropes):
-            keep_pulls(scene.buoy_work, first, counts[SAMPLES])
+        if buoy is not None:
+            keep_pulls(buoy[1], first, counts[SAMPLES])
         if moving is not None:
             for row in range(first, counts[SAMPLES]):
                 put_tensions(moving[0], moving[1], row, row * clock.sample_step)
@@ -288,7 +289,7 @@ def advance(scene, waves, clock, samples, most, moving):
             return TOO_SHORT
         if later == next_break(lines, t):
             hold(lines, scene.line_work, later)
-            rates(scene, later, clock.y, k[0])
+            rates(scene, buoy, later, clock.y, k[0])
         else:
             k[0] = k[6]
         if not cut or error > 0.0:

@@ -17,7 +17,7 @@ from ..lines.system.equilibrium import rest
 from ..lines.system.findings import beyond_tables
 from ..response.bound_wave_drift import record as pair_record
 from . import integrator, slow_damping
-from .buoy import buoy_arrays, buoy_work
+from .buoy import buoy_of
 from .contact_loads import DEPTH, contact_work
 from .contacts import at_rest, berth_stiffness, courses, no_berth
 from .equation import FIRST_WORK, FLOAT, MEMORY, SLOW, WORKS, Body, Scene, room
@@ -187,14 +187,13 @@ def simulate(moored, weather, settings, seed=0, progress=None):
         mean = 2 * np.pi / settings.constant_period if settings.constant_period else mean
         findings += slow_damping.findings(moored, body, mean, constant, current is not None)
     streams = wind, calm() if current is None else current
-    contacts, buoy = moored.berth.arrays, buoy_arrays(moored.buoy)
-    held = contacts, contact_work(contacts), hull, buoy, buoy_work(buoy, table, 0)
-    scene = Scene(body, lines, line_work(lines), *streams, *held, room(table.steps))
+    contacts = moored.berth.arrays
+    scene = Scene(body, lines, line_work(lines), *streams, contacts, contact_work(contacts), hull, room(table.steps))
     waves = waves_of(table, settings.slow_drift == "mean")
-    samples, clock, pulls, kept = _run(moored, settings, expected, scene, waves, moving, progress)
+    samples, clock, pulls, hung = _run(moored, settings, expected, scene, waves, moving, progress)
     found = _realisation(moored, settings, seed, scene, table, samples, clock, findings, pulls)
     if moored.buoy is not None:
-        k = len(moored.buoy.lengths)
+        k, kept = len(moored.buoy.lengths), hung[1].kept
         found = found._replace(buoy=samples[:, 18:], hawser=kept[:, :k], buoy_lines=kept[:, k:])
     if not settings.estimate_error:
         return found
@@ -430,7 +429,7 @@ def mean_frequency(components):
 
 
 def _run(moored, settings, expected, scene, waves, moving, progress):
-    """Samples (n, 18), the last Clock, and {number: (n,) N} of lines with a motion of their own"""
+    """Samples (n, 18 or 24), the last Clock, {number: (n,) N} of lines with a motion of their own, and the buoy"""
     end = settings.ramp + settings.duration
     rows = int(np.floor(end / settings.step + integrator.AT_ONCE)) + 1
     y = np.zeros(MEMORY + len(scene.body.memory.decay))
@@ -441,18 +440,18 @@ def _run(moored, settings, expected, scene, waves, moving, progress):
     scale = SHARE * settings.tolerance / FORGOTTEN * expected
     clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale)
     samples = np.zeros((rows, 18 if moored.buoy is None else 24))
-    fresh = line_work(scene.lines), contact_work(scene.contacts), buoy_work(scene.buoy, waves.table, rows)
-    scene = scene._replace(**dict(zip(("line_work", "contact_work", "buoy_work"), fresh, strict=True)))
+    scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
+    hung = None if moored.buoy is None else buoy_of(moored.buoy, waves.table, rows)
     pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost)))
     while True:
-        state = integrator.advance(scene, waves, clock, samples, STEPS_AT_ONCE, pair)
+        state = integrator.advance(scene, waves, clock, samples, STEPS_AT_ONCE, hung, pair)
         if progress is not None:
             progress(min(clock.now[integrator.TIME] / end, 1.0))
         if state == integrator.DONE:
-            return samples, clock, {} if pair is None else _pulls(*pair), scene.buoy_work.kept
+            return samples, clock, {} if pair is None else _pulls(*pair), hung
         if state != integrator.RUNNING:
             stuck = -1 if pair is None else int(pair[1].stuck[0])
-            raise SimulationError(_failure(state, clock, settings, scene, moored, stuck))
+            raise SimulationError(_failure(state, clock, settings, scene, moored, hung, stuck))
 
 
 def _coarse(moored, settings, moving):
@@ -480,7 +479,7 @@ def _pulls(lines, kept):
     return dict(zip(lines.number.tolist(), kept.tension.T, strict=True))
 
 
-def _failure(state, clock, settings, scene, moored, stuck):
+def _failure(state, clock, settings, scene, moored, hung, stuck):
     t, place = clock.now[integrator.TIME], clock.y[:6]
     where = f"at {t - settings.ramp:.4g} s after the ramp, the body {np.hypot(*place[:2]):.3g} m from its place"
     if state == integrator.BEYOND:
@@ -496,7 +495,7 @@ def _failure(state, clock, settings, scene, moored, stuck):
             "dynamic_lines, or raise the tolerance"
         )
     if moored.buoy is not None and state in (integrator.NO_LINE, integrator.TOO_SHORT):
-        return f"{where}: {_of_buoy(state, clock, scene)}"
+        return f"{where}: {_of_buoy(state, clock, hung[1])}"
     name, tension = _tightest(scene.line_work, moored)
     if state == integrator.NO_LINE and tension > (load := moored.system.breaking_load[_number(moored, name)]):
         return (
@@ -517,9 +516,9 @@ def _failure(state, clock, settings, scene, moored, stuck):
     return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
 
 
-def _of_buoy(state, clock, scene):
+def _of_buoy(state, clock, work):
     """Why a body with a buoy cannot be followed"""
-    away, pull = np.hypot(*clock.y[FLOAT : FLOAT + 2]), scene.buoy_work.rope.max()
+    away, pull = np.hypot(*clock.y[FLOAT : FLOAT + 2]), work.rope.max()
     if state == integrator.NO_LINE:
         return (
             f"the buoy is {away:.3g} m from its place without the body, a line cannot reach it; lengthen the lines or "
