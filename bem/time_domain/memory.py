@@ -150,6 +150,19 @@ def memory_of_database(db, tolerance=1e-3):
     return Memory(arrays, storage, loss, axis.added_mass_infinity, error, deviation, band, groups)
 
 
+def no_memory(body):
+    """`Memory` without states of a `Reader`, for runs that take coefficients at one frequency and never ask for it
+
+    Water that rings before a wall is not to be had with a few states; its added mass at the highest frequency stands
+    for that of infinite frequency.
+    """
+    band = body.between.span
+    none, square = np.zeros((6, 0)), np.zeros((6, 6))
+    arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
+    A = body.coefficients(np.array([band[1]]))[0][0]
+    return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, band, ())
+
+
 def _axis(body, omega, added_mass, damping):
     """`WholeAxis` of a body, its damping without what would give energy"""
     damping = without_negative(damping, damping)

@@ -6,5 +6,6 @@ hysteresis   unloading with inner loops that never give energy back; the table a
 families     generic characteristics by family; tables of makers
 pneumatic    the gas law
 dolphin      a spring in series
+inclined     under a face that is inclined
 variability  bands of manufacture, ageing, temperature, …; softest and stiffest
 """

@@ -159,6 +159,12 @@ def moored(
     return Moored(body, system, hull, memory, start, spring, damping, quadratic, stiffness, slow, *rest_of_it)
 
 
+def with_memory(moored):
+    """A `Moored` body with the memory of its water fitted.  Raises ValueError where that is not to be had."""
+    memory, findings = _memory(moored.reader)
+    return replace(moored, memory=memory, findings=(*moored.findings, *findings))
+
+
 def simulate(moored, weather, settings, seed=0, progress=None):
     """One `Realisation` of a `Moored` body in a `Weather`.
 

@@ -56,10 +56,17 @@ def shares(moored, damping, drift_damping):
         stiffness = moored.stiffness[i, i]
         if stiffness > 0:
             omega, critical = np.sqrt(stiffness / mass[i, i]), 2 * np.sqrt(stiffness * mass[i, i])
-            radiated = moored.memory.transform(np.array([omega]))[0][i, i].real
+            radiated = _radiated(moored, omega)[i, i]
             drift = drift_damping[i, i] if i < 2 else 0.0
             out[name] = omega, damping[i, i] / critical, radiated / critical, drift / critical
     return out
+
+
+def _radiated(moored, omega):
+    """(6, 6) damping by radiation at omega, rad/s; without a memory that of the nearest frequency of the database"""
+    if moored.memory.states:
+        return moored.memory.transform(np.array([omega]))[0].real
+    return moored.reader.coefficients(np.clip([omega], *moored.reader.between.span))[1][0]
 
 
 def findings(moored, body, mean, constant, dragged):

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import math
+
+import msgspec
 import numpy as np
 
 from mooring.fenders.dolphin import bilinear, in_series
 from mooring.fenders.families import fender_of_family, fender_of_file
+from mooring.fenders.inclined import inclined
 from mooring.fenders.variability import bands, chosen, extremes
 
 from .quantities import StudyError, Table, below, positive
 
 LARGEST = 20.0  # m, a height or diameter
+WIDEST = 50.0  # m, of what an inclined face presses
 MOST = 1000  # fenders side by side
 
 
@@ -29,6 +34,8 @@ class FenderTable(Table):
     return_length : m, over which a fender of a maker's table falls back to its unloading curve
     count : fenders side by side, 1 to 1000
     factor : on the reaction
+    angle_deg : inclination of the face that presses it, 0 to 45
+    width : m, over which that face presses it, across the inclination; its length where that is given
     dolphin : kN/m, stiffness of the dolphin behind it
     dolphin_yield : kN, at which the dolphin yields or the ground softens
     dolphin_beyond : kN/m, stiffness of the dolphin beyond that force
@@ -46,6 +53,8 @@ class FenderTable(Table):
     return_length: float | None = None
     count: int = 1
     factor: float = 1.0
+    angle_deg: float = 0.0
+    width: float | None = None
     dolphin: float | None = None
     dolphin_yield: float | None = None
     dolphin_beyond: float | None = None
@@ -60,8 +69,27 @@ def fender_of(table, where="fender"):
     if not 1 <= table.count <= MOST:
         raise StudyError(f"{where}.count is {table.count}; allowed: 1 to {MOST}")
     factor = positive(f"{where}.factor", table.factor) * table.count
-    made = _of_family(table, where) if table.family else _of_file(table, where)
+    made = _inclined(table, where, _of_family(table, where) if table.family else _of_file(table, where))
     return made.times(factor, f"{table.count} × {made.name}" if table.count > 1 else None)
+
+
+def upright(table):
+    """The FenderTable of the same fender under a face that is not inclined"""
+    return msgspec.structs.replace(table, angle_deg=0.0, width=None)
+
+
+def _inclined(table, where, fender):
+    if table.angle_deg == 0:
+        if table.width is not None:
+            raise StudyError(f"{where}.width is {table.width:g} m without an angle_deg; allowed: of an inclined face")
+        return fender
+    width = table.width if table.width is not None else table.length
+    if width is None:
+        raise StudyError(
+            f"{where}.angle_deg is {table.angle_deg:g} without a width; give it in m: that of the panel, or of a cell "
+            "its flange, 1.1 to 1.3 of the height"
+        )
+    return inclined(fender, below(f"{where}.width", width, WIDEST), math.radians(table.angle_deg))
 
 
 def pair_of(table, fender, where="fender"):

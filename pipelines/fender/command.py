@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..common.fender_tables import causes_of, fender_of, pair_of, softest_and_stiffest
+from ..common.fender_tables import causes_of, fender_of, pair_of, softest_and_stiffest, upright
 from ..common.picture import PLOTS, check_picture, save
 from ..common.quantities import StudyError
 
@@ -27,11 +27,14 @@ def fender(table, strain, deflection, energy, output):
     pair = pair_of(table, alone)
     at = _compression(pair, strain, deflection, energy)
     bands, factors = softest_and_stiffest(table, alone)
-    _show(pair, bands, factors, causes_of(table))
+    straight = pair_of(table, fender_of(upright(table))) if table.angle_deg else None
+    _show(pair, bands, factors, causes_of(table), straight)
+    if straight is not None:
+        _tell_inclined(table, pair, straight)
     if at is not None:
         _tell(pair, bands, at)
     if output is not None:
-        _draw(pair, bands, at, output)
+        _draw(pair, bands, at, straight, output)
         print(output)
     return 0
 
@@ -49,18 +52,26 @@ def _compression(pair, strain, deflection, energy):
     return at
 
 
-def _show(pair, bands, factors, causes):
+def _shares(pair, straight, x):
+    """Reaction and energy over those of the fender under a face that is not inclined, at a deflection, m"""
+    return float(pair.loading(x) / straight.loading(x)), float(pair.energy(x) / straight.loading.integral(x))
+
+
+def _show(pair, bands, factors, causes, straight):
     from rich.table import Table
 
     from ..printing.console import new_console
 
     console = new_console()
     table = Table(title=repr(pair)[1:-1])
-    for name in ("strain %", "deflection m", "reaction kN", "energy kJ", "returned kJ"):
+    beside = ("reaction ×", "energy ×") if straight else ()
+    for name in ("strain %", "deflection m", "reaction kN", "energy kJ", "returned kJ", *beside):
         table.add_column(name, justify="right", no_wrap=True)
     for x in np.linspace(0.0, pair.limit, ROWS):
         values = 100 * x / pair.height, x, pair.loading(x) / KILO, pair.energy(x) / KILO, pair.returned(x) / KILO
-        table.add_row(*(f"{value:.{digits}f}" for value, digits in zip(values, (1, 3, 1, 1, 1), strict=True)))
+        row = [f"{value:.{digits}f}" for value, digits in zip(values, (1, 3, 1, 1, 1), strict=True)]
+        shares = [f"{share:.3f}" for share in _shares(pair, straight, x)] if straight and x > 0 else ["–"] * len(beside)
+        table.add_row(*row, *shares)
     console.print(table)
     lines = [
         f"rated: {100 * pair.rated:.1f} %, {pair.rated_reaction / KILO:.1f} kN, {pair.rated_energy / KILO:.1f} kJ; "
@@ -71,6 +82,18 @@ def _show(pair, bands, factors, causes):
     ]
     for line in lines:
         console.print(line, highlight=False, soft_wrap=True)
+
+
+def _tell_inclined(table, pair, straight):
+    """Rated values over those of the upright fender, where the edge that is pressed most has the rated strain"""
+    width = table.length if table.width is None else table.width
+    reaction, energy = (
+        getattr(pair, name) / getattr(straight, name) for name in ("rated_reaction", "rated_energy")
+    )  # fmt: skip
+    print(
+        f"inclined by {table.angle_deg:g}° over {width:g} m, by strips: × {reaction:.3f} on the rated reaction, × "
+        f"{energy:.3f} on the rated energy; deflections are those of the edge that is pressed most"
+    )
 
 
 def _tell(pair, bands, at):
@@ -91,7 +114,7 @@ def _tell(pair, bands, at):
     print(f"the same energy: {'; '.join(words)}")
 
 
-def _draw(pair, bands, at, output):
+def _draw(pair, bands, at, straight, output):
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
@@ -106,6 +129,9 @@ def _draw(pair, bands, at, output):
     axis.annotate("rated", (pair.rated * pair.height, 0), rotation=90, va="bottom", ha="right", color="grey")
     right = axis.twinx()
     right.plot(x, pair.energy(x) / KILO, color="tab:green", label="energy")
+    if straight is not None:
+        axis.plot(x, straight.loading(x) / KILO, ":", color="tab:blue", label="loading, not inclined")
+        right.plot(x, straight.loading.integral(x) / KILO, ":", color="tab:green", label="energy, not inclined")
     if at is not None:
         axis.plot([at], [float(pair.loading(at)) / KILO], "o", color="black")
         right.plot([at], [float(pair.energy(at)) / KILO], "o", color="tab:green")

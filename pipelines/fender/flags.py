@@ -21,6 +21,8 @@ def fender(
     overload: Annotated[float | None, Parameter(help="kN/m beyond the table", allow_leading_hyphen=True)] = None,
     count: Annotated[int, Parameter(help="side by side", allow_leading_hyphen=True)] = 1,
     dolphin: Annotated[float | None, Parameter(help="kN/m, stiffness behind it", allow_leading_hyphen=True)] = None,
+    angle: Annotated[float, Parameter(help="degrees, inclination of the face on it", allow_leading_hyphen=True)] = 0.0,
+    width: Annotated[float | None, Parameter(help="m, inclined [length]", allow_leading_hyphen=True)] = None,
     strain: Annotated[float | None, Parameter(help="of its height, as 0.35", allow_leading_hyphen=True)] = None,
     deflection: Annotated[float | None, Parameter(help="m", allow_leading_hyphen=True)] = None,
     energy: Annotated[float | None, Parameter(help="kJ, to be taken up", allow_leading_hyphen=True)] = None,
@@ -28,11 +30,15 @@ def fender(
 ):
     """Reaction and energy of a fender over its compression, what it returns, softest and stiffest; lengths in m.
 
+    Under a face inclined by --angle over --width, deflection is that of the edge that is pressed most; shares of the
+    upright fender stand beside.
     hakobune fender --family cell --height 2 --energy 900
+    hakobune fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --output fender.png
     """
     from ..common.fender_tables import FenderTable
     from .command import fender
 
     given = {"family": family, "table": table, "length": length, "rated_reaction": rated_reaction}
     given |= {"pressure": pressure, "overload": overload, "count": count, "dolphin": dolphin}
+    given |= {"angle_deg": angle, "width": width}
     return fender(FenderTable(height=height, **given), strain, deflection, energy, output)

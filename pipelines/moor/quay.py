@@ -8,6 +8,7 @@ METHODS = ("far-field", "panels")
 SAID, REFUSED = 0.05, 0.3  # of a wave that decays between hull and quay, and is left out
 GIVEN_BACK = 0.01  # of the largest damping
 SAME = 1e-6  # m, of the wall of a database and the quay of a study
+NO_DRIFT = "no drift of the waves is known before it, and none is taken"
 _made = {}
 
 
@@ -18,7 +19,7 @@ def body_of(study, db):
     """
     quay, wall = study.quay, db.wall
     if quay is None:
-        return db.reader, ()
+        return db.reader, () if wall is None else (f"{db.path} is of a wall at y = {wall:g} m: {NO_DRIFT}",)
     method = quay.method or ("far-field" if wall is None else "panels")
     if method not in METHODS:
         raise StudyError(f"quay.method is {method!r}; allowed: {', '.join(METHODS)}")
@@ -29,15 +30,16 @@ def body_of(study, db):
                 f'quay.method is "panels" with a quay at y = {quay.y:g} m, and {db.path} is {has}; solve it again with '
                 f"--wall {quay.y:g}"
             )
-        return db.reader, (f"quay at y = {quay.y:g} m: by panels with the wall; no drift is known before it",)
+        return db.reader, (f"quay at y = {quay.y:g} m: by panels with the wall; {NO_DRIFT}",)
     if wall is not None:
         raise StudyError(
             f'quay.method is "far-field", and {db.path} is of a wall at y = {wall:g} m; allowed: of open water'
         )
-    return _by_far_field(db, quay.y)
+    return by_far_field(db, quay.y)
 
 
-def _by_far_field(db, y):
+def by_far_field(db, y):
+    """`Reader` of a database of open water before a quay at y, m, and lines for the reader.  Raises StudyError."""
     from bem.wave_field.before_wall import WallError, before_wall, given_back, neglected
 
     try:

@@ -2,7 +2,8 @@
 
 SR179 report (1982), section 3.7.5: fenders of 700 tonf/m (C2000H, floater A) and 1200 tonf/m (C3000H, B), ISSC spectra,
 waves, wind and current on the beam; strains of at most 10 % under the steady loads and 35 % in all.  Fenders stand on
-two dolphins at a quarter of the length from each end, `fenders` on each; the report gives no layout.
+two dolphins at a quarter of the length from each end, `fenders` on each; the report gives no layout.  With a quay
+behind them the rows of the design spectrum method stand before it, by the far field, those of open water beside.
 """
 
 from __future__ import annotations
@@ -25,7 +26,9 @@ from mooring.studies.steady_loads import steady_loads, with_coefficients
 
 from ..common.outputs import check_folder
 from ..common.picture import save
+from ..common.quantities import StudyError
 from ..common.units import KNOT, TONF
+from ..moor.quay import REFUSED, by_far_field
 from ..scene.scene import make_scene
 from ..solve import run as solving
 from . import dolphin_simulated
@@ -38,6 +41,7 @@ COUNTS = (1, 2, 3, 4, 5)
 PERIODS, HEIGHTS = (6.0, 8.0, 10.0), (0.5, 1.0, 1.5, 2.0, 3.0)
 WEATHER = ((25.0, 1.5), (50.0, 3.0))  # wind m/s, current kn
 FREEBOARD = 10.0
+FARTHEST = 1000.0  # m, of a quay behind
 PRINTED = {("A", 1): 0.35, ("A", 3): 0.9, ("B", 1): 1.5, ("B", 3): 1.05}  # m, in the text; at 10 s, presumably
 BEAM = 0.5 * math.pi
 
@@ -61,30 +65,64 @@ class Row(NamedTuple):
     curve_strain: float
 
 
-def make_series(folder, fresh):
-    """Exit status 0.  Raises ValueError, one line."""
+def make_series(folder, fresh, gap=None):
+    """Exit status 0.  gap : m from the hull to a quay behind its dolphins, or None.  Raises ValueError, one line."""
     from ..printing.console import new_console
 
+    if gap is not None:
+        _check_gap(gap)
     console = new_console()
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    rows, paths = [], {}
+    rows, before_quay, paths = [], [], {}
     for floater, depths in DEPTHS.items():
         for depth in depths:
+            wall = None if gap is None else 0.5 * FLOATERS[floater].beam + gap
             path = paths[floater, depth] = folder / f"{floater}_{depth:g}m_beam.h5"
             outcome = solving.solve(scene_of(floater, depth), path, fresh=fresh)
             if outcome.interrupted:
                 raise KeyboardInterrupt
             console.print(f"{path}: {outcome.stored} of {outcome.total} frequencies", highlight=False, markup=False)
-            rows += rows_of(floater, depth, open_database(path))
+            db = open_database(path)
+            rows += rows_of(floater, depth, db)
+            if wall is not None:
+                body, told = by_far_field(db, wall)
+                before_quay += rows_of(floater, depth, db, body)
+                console.print(*told, highlight=False, soft_wrap=True, markup=False)
+    if gap is None:
+        lines, files = _beside_the_report(console, rows, paths, folder)
+    else:
+        lines, files = _beside_open_water(before_quay, rows, gap, folder)
+    for line in (*lines, *(f"written: {path}" for path in files)):
+        console.print(line, highlight=False, soft_wrap=True, markup=False)
+    return 0
+
+
+def _check_gap(gap):
+    """Raise StudyError for a quay too near for the far field of any of the floaters, or too far."""
+    least = max(min(depth, FLOATERS[floater].beam) for floater, depths in DEPTHS.items() for depth in depths)
+    least *= -math.log(REFUSED) / (2 * math.pi)  # `bem.wave_field.before_wall.neglected`
+    if not least <= gap <= FARTHEST:
+        raise StudyError(
+            f"--quay is {gap:g} m; allowed: {math.ceil(least)} to {FARTHEST:g} m, where waves alone cross the gap "
+            "behind every floater; hakobune simulate takes nearer ones, with a database solved with --wall"
+        )
+
+
+def _beside_the_report(console, rows, paths, folder):
+    """Lines to tell and files written of the charts and of Table 3.7.5.2, which is printed"""
     simulated = dolphin_simulated.simulated_rows(paths)
     console.print(dolphin_simulated.table_of(simulated))
-    for line in (*statements(rows), *dolphin_simulated.statements(simulated)):
-        console.print(line, highlight=False, soft_wrap=True, markup=False)
     tables = _written(folder / "dolphin.csv", rows), _written(folder / "dolphin_simulated.csv", simulated)
-    for written in (*tables, *(_draw(rows, floater, folder) for floater in DEPTHS)):
-        console.print(f"written: {written}", highlight=False, soft_wrap=True, markup=False)
-    return 0
+    charts = (_draw(rows, floater, folder / f"dolphin_{floater}.png", "") for floater in DEPTHS)
+    return (*statements(rows), *dolphin_simulated.statements(simulated)), (*tables, *charts)
+
+
+def _beside_open_water(rows, open_rows, gap, folder):
+    """The same of rows before a quay; the report's runs in time have none"""
+    name, where = f"quay_{gap:g}m", f", a quay {gap:g} m behind"
+    charts = (_draw(rows, floater, folder / f"dolphin_{floater}_{name}.png", where) for floater in DEPTHS)
+    return quay_statements(rows, open_rows), (_written(folder / f"dolphin_{name}.csv", rows), *charts)
 
 
 def _written(path, rows):
@@ -101,8 +139,8 @@ def scene_of(floater, depth):
     """The Scene of a floater in its water, waves on the beam"""
     f = FLOATERS[floater]
     body = {"shape": "box", "length": f.length, "beam": f.beam, "draft": f.draft, "gyration": GYRATION[floater]}
-    waves = {"band": {"from": 0.05, "to": 1.6}, "headings_deg": [0, 45, 90]}
-    want = ["added_mass", "radiation_damping", "excitation_force", "rao", "drift_force"]
+    waves = {"band": {"from": 0.05, "to": 1.6}, "headings_deg": [0, 15, 30, 45, 60, 75, 90]}  # a quay needs as many
+    want = ["added_mass", "radiation_damping", "excitation_force", "rao", "drift_force", "kochin"]
     return make_scene({"water": {"depth": depth}, "bodies": [body], "waves": waves, "want": want, "tolerance": 0.01})
 
 
@@ -113,9 +151,9 @@ def dolphins_of(floater, count, stiffness):
     return Dolphins(fender_of_family("cell", height), np.array(places), stiffness)
 
 
-def rows_of(floater, depth, db):
-    """`Row` of every number of fenders, period, weather and height of waves"""
-    f, beam, out = FLOATERS[floater], beam_of(db.reader.floating(), BEAM), []
+def rows_of(floater, depth, db, body=None):
+    """`Row` of every number of fenders, period, weather and height of waves; body : `Reader` before a quay"""
+    f, beam, out = FLOATERS[floater], beam_of((body or db.reader).floating(), BEAM), []
     hull = ExposedBox(f.length, f.beam, f.draft, FREEBOARD)
     stiffness = FENDERS[floater][1] * TONF
     for (wind, current), count, period in product(WEATHER, COUNTS, PERIODS):
@@ -157,7 +195,16 @@ def statements(rows):
         yield f"floater {floater}: motion is largest at 10 s with {worst} fenders in the report, here with {words}"
 
 
-def _draw(rows, floater, folder):
+def quay_statements(rows, open_rows):
+    """Limits before a quay and in open water, one line each floater and number of fenders"""
+    for floater, count in PRINTED:
+        pairs = [(r, o) for r, o in zip(rows, open_rows, strict=True)
+                 if (r.floater, r.fenders, r.wind_m_s, r.height_m) == (floater, count, WEATHER[0][0], 1.0)]  # fmt: skip
+        words = ", ".join(f"{r.limit_m:.2f} for {o.limit_m:.2f} ({r.depth_m:g} m, {r.period_s:g} s)" for r, o in pairs)
+        yield f"floater {floater}, {count} on each dolphin, m before the quay for open water: {words}"
+
+
+def _draw(rows, floater, path, where):
     """Strain and limit over the number of fenders, a panel for each depth"""
     from matplotlib.figure import Figure
 
@@ -178,7 +225,6 @@ def _draw(rows, floater, folder):
     axes[0, 0].set(ylabel="largest strain in waves of 1 m, %", ylim=(0, None))
     axes[1, 0].set(ylabel="limit of the significant height, m", ylim=(0, None))
     axes[0, 0].legend(title="mean period")
-    figure.suptitle(f"wind {wind:g} m/s, current {current:g} kn, waves on the beam")
-    path = folder / f"dolphin_{floater}.png"
+    figure.suptitle(f"wind {wind:g} m/s, current {current:g} kn, waves on the beam{where}")
     save(figure, path, 110)
     return path

@@ -61,9 +61,11 @@ def _constant(period):
 
 def _row(body, plan, changed, seed):
     """Cells of significant amplitudes and periods; nan of too few waves is a dash"""
-    from mooring.motion.simulation import simulate
+    from mooring.motion.simulation import simulate, with_memory
 
     settings = replace(plan.settings, **changed)
+    if settings.memory != "constant" and not body.memory.states:  # of a study before a quay
+        body = with_memory(body)
     with warnings.catch_warnings():  # energy outside the stored frequencies, which the plan tells
         warnings.simplefilter("ignore")
         run = simulate(body, plan.weather, settings, seed)

@@ -23,7 +23,6 @@ QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "r
     "wave": "m",
     "wind speed": "m/s",
 }
-UNUSED = 0.03  # tolerance of a memory that stands for one
 _prepared = {}
 
 
@@ -46,6 +45,7 @@ def prepared(task):
     key = task.study, task.database, task.duration
     if key not in _prepared:
         from bem.database import open_database
+        from bem.time_domain.memory import no_memory
         from mooring.motion.moving_lines.prepare import moving_of
         from mooring.motion.simulation import moored, with_lines_chosen
 
@@ -59,14 +59,14 @@ def prepared(task):
             known = ", ".join(names) or "none"
             raise StudyError(f"simulation.lines_lost: there is no line {unknown[0]!r}; allowed: {known}")
         reader, of_quay = body_of(study, db)
-        memory = task.memory
-        if of_quay and db.wall is None:
-            memory = _beside_constant(db, plan.settings, memory)
+        memory = no_memory(reader) if of_quay and task.memory is None else task.memory
         extra = damping(study, reader.floating())
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             berth = study.berth(hull, db.rotation_center)
             body = moored(reader, system, hull, memory=memory, damping=extra, quadratic=quadratic(study), berth=berth)
+            if of_quay and task.memory is None and plan.settings.memory != "constant":
+                body = _remembering(body, db, plan.settings.memory)
             plan, left = _with_pairs(plan, study, db, reader)
             settings, chosen = with_lines_chosen(body, plan.weather, plan.settings)
             moving_of(body, settings)  # refused here, before there is a file
@@ -76,16 +76,19 @@ def prepared(task):
     return _prepared[key]
 
 
-def _beside_constant(db, settings, memory):
-    """A Memory that a body before a quay by the far field has and does not use.  Raises StudyError."""
-    from bem.time_domain.memory import memory_of_database
+def _remembering(body, db, asked):
+    """A `Moored` body with memory before a quay.  Raises StudyError where only coefficients of a frequency are."""
+    from mooring.motion.simulation import with_memory
 
-    if settings.memory != "constant":
-        raise StudyError(
-            f'simulation.memory is "{settings.memory}" before a quay by the far field; allowed: "constant", of added '
-            "mass and damping before the quay: water between hull and quay rings too sharply for a few states"
-        )
-    return memory_of_database(db.reader, UNUSED) if memory is None else memory
+    why = "water between hull and quay rings too sharply for a few states"
+    if db.wall is not None:
+        try:
+            return with_memory(body)
+        except ValueError as error:
+            why = " ".join(str(error).split())
+    raise StudyError(
+        f'simulation.memory is "{asked}" before a quay; allowed: "constant", of added mass and damping before it: {why}'
+    )
 
 
 def _with_pairs(plan, study, db, reader):

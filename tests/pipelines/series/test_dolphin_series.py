@@ -1,5 +1,8 @@
 """`hakobune series dolphin`: one floater in one depth of water, its rows and statements, one simulated."""
 
+import csv
+from types import SimpleNamespace
+
 import msgspec
 import pytest
 
@@ -54,6 +57,37 @@ def test_the_printed_rows_are_consistent():
     for row in printed_rows():
         strain = (float(row["mean_m"]) + LARGEST * float(row["sigma_m"])) / float(row["height_m"])
         assert strain == pytest.approx(float(row["strain"]), abs=3e-3)
+
+
+def test_a_quay_behind_is_wired_by_the_far_field_and_lowers_the_limits(database, rows, monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(dolphin, "COUNTS", (3,))
+    monkeypatch.setattr(dolphin, "HEIGHTS", (1.0,))
+    monkeypatch.setattr(dolphin, "DEPTHS", {"A": (20.0,)})
+    monkeypatch.setattr(dolphin, "PRINTED", {("A", 3): 0.9})
+    monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 50)
+    monkeypatch.setattr("bem.wave_field.before_wall.MOST", 60)
+    (tmp_path / "A_20m_beam.h5").symlink_to(database)
+    monkeypatch.setattr(dolphin.solving, "solve", lambda scene, path, fresh: SimpleNamespace(
+        interrupted=False, stored=1, total=1))  # fmt: skip
+    assert cli.main(["series", "dolphin", "--quay", "25", "--output", str(tmp_path)]) == 0
+    told = capsys.readouterr().out
+    assert "quay at y = 50 m: by the far field; 0.039 % of a wave" in told
+    table = list(csv.DictReader((tmp_path / "dolphin_quay_25m.csv").open()))
+    limits = {(float(r["period_s"]), int(r["fenders"]), float(r["wind_m_s"])): float(r["limit_m"]) for r in table}
+    rows = [r for r in rows if r.fenders == 3]
+    assert len(table) == len(rows) and (tmp_path / "dolphin_A_quay_25m.png").stat().st_size > 5000
+    assert not (tmp_path / "dolphin.csv").exists()
+    for r in rows:  # waves that come back at the floater add to those that arrive
+        assert limits[r.period_s, r.fenders, r.wind_m_s] < r.limit_m or r.limit_m == 0
+    first = next(r for r in rows if (r.wind_m_s, r.period_s) == (25.0, 10.0))
+    assert f"{limits[10.0, 3, 25.0]:.2f} for {first.limit_m:.2f} (20 m, 10 s)" in told
+
+
+@pytest.mark.parametrize("gap", ["3", "-5", "nan", "2000"])
+def test_a_quay_too_near_is_refused_before_anything_is_solved(gap, tmp_path, capsys):
+    assert cli.main(["series", "dolphin", "--quay", gap, "--output", str(tmp_path / "s")]) == 2
+    told = capsys.readouterr().err
+    assert "allowed: 20 to 1000 m" in told and told.count("\n") == 1 and not (tmp_path / "s").exists()
 
 
 def test_flags_of_another_series_are_refused(capsys):

@@ -255,3 +255,34 @@ def test_memory_in_states_is_refused_before_a_quay_by_the_far_field(database, tm
     assert main(words) == 2
     assert 'allowed: "constant"' in capsys.readouterr().err.replace("\n", " ")
     assert not (tmp_path / "run.h5").exists()
+
+
+@pytest.fixture(scope="module")
+def before_wall(tmp_path_factory):
+    path = tmp_path_factory.mktemp("quay") / "wall.h5"
+    words = "box --length 100 --beam 50 --draft 10 --depth 20 --omega 0.4:1.2:8 --heading 0:90:3 --panels 72 --wall 60"
+    main([*words.split(), "--gyration", "15.55,29.44,32.28", "--output", str(path)])  # coarse: some checks say so
+    return path
+
+
+def test_dolphins_on_a_database_with_a_wall_take_one_frequency_and_are_told_that_no_drift_is_known(
+    before_wall, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
+    plain = SCENE.with_name("simulate_dolphins.toml").read_text()
+    found = []
+    for i, text in enumerate((plain, plain + "[quay]\ny = 60.0\n")):
+        study, run = tmp_path / f"{i}.toml", tmp_path / f"{i}.h5"
+        study.write_text(text)
+        words = ["simulate", str(study), "--database", str(before_wall), "--duration", "60", "--output", str(run)]
+        assert main(words) == 0
+        told = capsys.readouterr()
+        assert "no drift of the waves is known before it, and none is taken" in told.out + told.err
+        with opened(run) as file:
+            found.append(file["statistics"][:])
+    assert np.array_equal(*found, equal_nan=True)
+    study.write_text(study.read_text().replace('memory = "constant"', 'memory = "states"'))
+    assert main([*words[:-1], str(tmp_path / "states.h5")]) == 2
+    error = capsys.readouterr().err
+    assert 'is "states" before a quay; allowed: "constant"' in error and error.count("\n") == 1
+    assert not (tmp_path / "states.h5").exists()
