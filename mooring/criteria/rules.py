@@ -33,10 +33,13 @@ STATUSES = ("read", "secondary", "unverified")
 TABLES = ("strength.csv", "motions.csv")
 UNITS = {
     **dict.fromkeys(("surge", "sway", "heave", "transmitted wave height"), "m"),
-    **dict.fromkeys(("roll", "pitch", "yaw"), "deg"),
+    **dict.fromkeys(("roll", "pitch", "yaw", "slewing amplitude"), "deg"),
     **dict.fromkeys(("service life", "return period"), "years"),
 }
-NUMBERS = ("partial factor", "fender strain", "gust factor", "horizontal seismic coefficient")  # beginnings of names
+NUMBERS = (  # beginnings of names
+    "partial factor", "fender strain", "gust factor", "horizontal seismic coefficient", "stable headings",
+    "transmission of the sea", "slack share of the cycles", "factor x fatigue damage",
+)  # fmt: skip
 
 
 class RuleError(ValueError):

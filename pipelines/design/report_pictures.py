@@ -23,9 +23,9 @@ def plans(read, verdict, paths, folder):
     drawn = [one.governing.case for one in judged if not by_name[one.governing.case].case.apart]
     for name in list(dict.fromkeys(drawn))[:MOST_PLANS]:
         one = by_name[name]
-        known = one.case.study, paths[one.case.level], one.numbers
+        known = one.case.study, paths[one.case.level], one.numbers._replace(largest=one.largest)
         base = None if known[1] is None else Path(known[1])
-        key = key_of(tomli_w.dumps(one.case.study), base, json.dumps(plain(one.numbers)))
+        key = key_of(tomli_w.dumps(one.case.study), base, json.dumps(plain(known[2])))
         place = folder / "pictures" / f"{file_name(one.case)}.png"
         yield {"name": name, "data": picture(place, key, lambda path, known=known: read.kind.draw(*known, path))}
 

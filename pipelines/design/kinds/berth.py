@@ -14,12 +14,10 @@ from mooring.fenders.fender import FenderError
 
 from .in_time import make_study_of
 from .mooring import types_of
+from .needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
 from .numbers import Numbers
 
 STEADY = 600.0  # s
-TOTAL, SLOW = "fender strain, total", "fender strain, steady"
-OF_ALLOWABLE, OF_ENERGY = "fender strain / allowable strain", "fender energy / rated energy"
-DOLPHIN = "design load of a dolphin / fender reaction"
 
 
 def berth_numbers(study, database, path, runs):
@@ -164,11 +162,11 @@ def draw_berth(made, db, numbers, path):
     corners = 0.5 * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1], [1, 1]]) * [hull.length, hull.beam]
     axes.plot(*corners.T, color="0.6", ls="--", label="as drawn")
     x, y, turn = numbers.place
+    told = "mean place {:.2f} m, {:.2f} m, yaw {:.2f}°".format(*(np.round([x, y, np.degrees(turn)], 2) + 0.0))
     turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
     axes.plot(*(corners @ turned.T + [x, y]).T, color="k", label="mean place")
     figure.colorbar(colours, ax=axes, shrink=0.6, label="tension / breaking load,\nstrain / allowable strain")
     axes.margins(0.12)
-    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"mean place {x:.2f} m, {y:.2f} m, yaw "
-             f"{np.degrees(turn):.2f}°")  # fmt: skip
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=told)
     figure.legend(loc="outside lower center", ncols=2, fontsize=8)
     save(figure, path, 150)
