@@ -34,10 +34,10 @@ def body_picture(database, folder):
     """Coefficients, forces and responses of a database"""
     from bem.database import open_database
 
-    from ..view.plots import plot
+    from ..view.plots import ON_PAPER, plot
 
     place = folder / "pictures" / "body.png"
-    return picture(place, key_of(Path(database)), lambda path: plot(open_database(database), path))
+    return picture(place, key_of(Path(database)), lambda path: plot(open_database(database), path, ON_PAPER))
 
 
 def use_picture(verdict, folder):
