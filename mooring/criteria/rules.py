@@ -67,8 +67,8 @@ class Criterion(NamedTuple):
 
     @property
     def name(self):
-        """The rule with its edition"""
-        return f"{self.rule} ({self.edition})"
+        """The rule with its edition, where it has one"""
+        return f"{self.rule} ({self.edition})" if self.edition else self.rule
 
     def holds(self, state, lines, analysis):
         """Whether the criterion is for a load case of this state, these lines and this kind of analysis"""

@@ -315,7 +315,7 @@ def _limit(where, table):
     limit = positive(f"{where}.{sense.replace(' ', '_')}", table.at_most if table.at_least is None else table.at_least)
     unit = unit_of(where, table.quantity, table.unit)
     return Criterion(
-        "project", "own", table.quantity, sense, limit, None, unit, table.state, table.lines, "any", table.subject,
+        "own limit", "", table.quantity, sense, limit, None, unit, table.state, table.lines, "any", table.subject,
         table.statistic, 1.0, table.source, "read",
     )  # fmt: skip
 

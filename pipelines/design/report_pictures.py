@@ -12,6 +12,7 @@ import tomli_w
 
 from .cases import file_name
 from .kinds.stored import key_of, picture, plain
+from .report_words import percent
 
 MOST_PLANS = 4
 
@@ -60,7 +61,7 @@ def use_picture(verdict, folder):
         axes.barh(range(len(judged)), used, color=colours)
         axes.axvline(100, color="k", lw=1)
         for i, (one, width) in enumerate(zip(judged, used, strict=True)):
-            axes.annotate(f" {100 * one.governing.utilisation:.0f} %", (width, i), va="center", fontsize=8)
+            axes.annotate(f" {percent(one.governing.utilisation)}", (width, i), va="center", fontsize=8)
         axes.set_yticks(range(len(judged)), names, fontsize=8)
         axes.invert_yaxis()
         axes.set(xlabel="utilisation of the criterion, %", xlim=(0, max(115.0, 1.12 * max(used, default=0.0))))

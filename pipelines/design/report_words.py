@@ -211,19 +211,24 @@ def case(one, links):
     row = dict(zip(CASE_HEAD, case_row(one), strict=True))
     cells = []
     if one.numbers is not None and not one.numbers.names:
-        cells = [f"{np.hypot(row['x_m'], row['y_m']):.2f}", f"{round(row['yaw_deg'], 2) + 0.0:.2f}", *["–"] * 5]
+        cells = [*_place_words(row), *["–"] * 5]
     elif one.numbers is not None:
         share = row["of_breaking_load"]
         cells = [
-            f"{np.hypot(row['x_m'], row['y_m']):.2f}",
-            f"{round(row['yaw_deg'], 2) + 0.0:.2f}",
+            *_place_words(row),
             f"{row['largest_tension_N'] / 1e3:.4g}",
             row["line"],
-            "unknown" if np.isnan(share) else f"{100 * share:.0f} %",
+            "not given" if np.isnan(share) else f"{100 * share:.0f} %",
             f"{row['horizontal_at_anchor_N'] / 1e3:.4g}",
             f"{max(row['uplift_at_anchor_N'], 0.0) / 1e3 + 0.0:.4g}",
         ]
     return {"name": one.case.name, "link": links[one.case.name], "fault": one.fault, "cells": cells}
+
+
+def _place_words(row):
+    """Offset and yaw of a row of cases, dashes where the method has none"""
+    values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"]])
+    return [f"{value:.2f}" if np.isfinite(value) else "–" for value in np.round(values, 2) + 0.0]  # no −0.00
 
 
 def warnings(verdict):
@@ -234,5 +239,6 @@ def warnings(verdict):
             found.setdefault(NUMBER.sub("#", text), []).append((text, one.case.name))
     for group in found.values():
         text, name = max(group, key=lambda pair: float((NUMBER.search(pair[0]) or "0")[0]))
-        more = f"; likewise, with numbers of their own, in {len(group) - 1} more" if len(group) > 1 else ""
+        own = ", with numbers of their own" if len({pair[0] for pair in group}) > 1 else ""
+        more = f"; likewise{own}, in {len(group) - 1} more" if len(group) > 1 else ""
         yield {"text": text, "cases": f"{name}{more}"}

@@ -182,7 +182,7 @@ def _numbers(asked, found):
         breaking=np.full(count, np.inf),
         horizontal=largest * abs(along),
         uplift=largest * up,
-        place=np.zeros(3),
+        place=np.full(3, np.nan),
         motions=np.zeros(0),
         parts=parts,
         warnings=tuple(found.warned),

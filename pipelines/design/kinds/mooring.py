@@ -180,7 +180,7 @@ def draw(study, database, numbers, path):
 
     db, made = open_database(database), make_study(study)
     if made.at_berth:
-        from .berth import draw_berth
+        from .berth_plan import draw_berth
 
         draw_berth(made, db, numbers, path)
         return
