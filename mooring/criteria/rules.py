@@ -33,10 +33,13 @@ STATUSES = ("read", "secondary", "unverified")
 TABLES = ("strength.csv", "motions.csv")
 UNITS = {
     **dict.fromkeys(("surge", "sway", "heave", "transmitted wave height"), "m"),
-    **dict.fromkeys(("roll", "pitch", "yaw"), "deg"),
+    **dict.fromkeys(("roll", "pitch", "yaw", "slewing amplitude"), "deg"),
     **dict.fromkeys(("service life", "return period"), "years"),
 }
-NUMBERS = ("partial factor", "fender strain", "gust factor", "horizontal seismic coefficient")  # beginnings of names
+NUMBERS = (  # beginnings of names
+    "partial factor", "fender strain", "gust factor", "horizontal seismic coefficient", "stable headings",
+    "transmission of the sea", "slack share of the cycles", "factor x fatigue damage",
+)  # fmt: skip
 
 
 class RuleError(ValueError):
@@ -64,8 +67,8 @@ class Criterion(NamedTuple):
 
     @property
     def name(self):
-        """The rule with its edition"""
-        return f"{self.rule} ({self.edition})"
+        """The rule with its edition, where it has one"""
+        return f"{self.rule} ({self.edition})" if self.edition else self.rule
 
     def holds(self, state, lines, analysis):
         """Whether the criterion is for a load case of this state, these lines and this kind of analysis"""

@@ -17,6 +17,7 @@ MOVING = 1e-4  # m or rad per m of wave amplitude; less is rounding in waves tha
 NEAR = (0.85, 1.15)  # of the wave period; there a motion without viscous damping is several times too large
 WEAK = 0.1  # damping ratio of waves alone, to which viscous damping adds a tenth to a third
 NEGLIGIBLE = 0.05  # mooring over hydrostatic stiffness, where free motions are used
+IN_TIME = "simulate in time"  # the end of what that method alone is not enough for
 TURNED = 0.1  # rad; over that angle the drag coefficients of a box change by a tenth of their largest values
 SHALLOW = 20.0  # m; SR179 report, section 5.5.3: there some simulations of its floaters exceeded this method
 HORIZONTAL = ("Surge", "Sway", "Yaw")
@@ -66,7 +67,7 @@ def _of_the_sea(result):
     x, y, turn = effects.slow
     yield (
         f"slow drift about the mean, standard deviations Fx {x / 1e3:.3g}, Fy {y / 1e3:.3g} kN, Mz {turn / 1e3:.3g} "
-        "kN m, moves the body at its natural periods; this is not in the tensions: simulate in time"
+        f"kN m, moves the body at its natural periods; this is not in the tensions: {IN_TIME}"
     )
 
 
@@ -81,7 +82,7 @@ def resonances(result, wave_period):
         if near:
             yield (
                 f"natural periods {state} near the wave period {wave_period:g} s: {', '.join(near)} lie within "
-                f"{low:g} to {high:g} of it; free motions underestimate the tension, simulate in time"
+                f"{low:g} to {high:g} of it; free motions underestimate the tension, {IN_TIME}"
             )
 
 
@@ -134,7 +135,7 @@ def _outside_the_method(result, depth):
     if result.conditions.waves and result.conditions.method == "regular_wave" and depth <= SHALLOW:
         yield (
             f"water depth {depth:g} m is not above {SHALLOW:g} m: there simulations in heavy seas exceed this "
-            "method (SR179 report, section 5.5.3); simulate in time"
+            f"method (SR179 report, section 5.5.3); {IN_TIME}"
         )
 
 

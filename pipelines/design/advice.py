@@ -17,6 +17,11 @@ from .fatigue import fatigue
 from .kinds.changes import ways
 from .running import Ran, base_of, factors_of, grouped, judged_case, key_of, repeated, worst_of
 
+NOTHING = (
+    "No change was tried: the study has neither sizes of a catalogue, ropes, pretensions nor numbers of lines to try. "
+    "Change the layout or the kind of line or fender."
+)
+
 
 class Tried(NamedTuple):
     """way : of `changes.ways`; words : the change; utilisation : the largest with it; passes : whether all are met then
@@ -31,17 +36,31 @@ class Tried(NamedTuple):
     criterion: object
 
 
+class Advice(NamedTuple):
+    """tried : names of the ways that were run; found : Tried of each of them that helps; beyond : what no way changes
+
+    Of a way the Tried is the smallest change that passes, or else the best.
+    """
+
+    tried: tuple
+    found: tuple
+    beyond: str
+
+
 def advise(read, judged, cases, others, paths, folder, step):
-    """(Tried of each way), the smallest that passes or else the best; () where all is met or nothing may change
+    """The Advice on what is not met, empty where all is
 
     judged : of all criteria; cases : {name: LoadCase} of all that ran; others : quantities of the project
     paths : {level: database}; step : called with the number of changes tried, how many there may be and the change
     """
-    if all(one.met is not False for one in judged):
-        return ()
-    if shaken(judged, cases.values()):
-        return ()  # no line changes what an earthquake does to fenders
-    governing = [one for one in judged if one.governing is not None and one.governing.case in cases]
+    fixed = {*others, *(one.quantity for one in read.project.values)}
+    beyond = _beyond(judged, cases.values(), fixed)
+    changed = [one for one in judged if one.criterion.quantity not in fixed]
+    if _shaken(judged, cases.values()) or all(one.met is not False for one in changed):
+        return Advice((), (), beyond)
+    if not ways(read.study):
+        return Advice((), (), NOTHING)
+    governing = [one for one in changed if one.governing is not None and one.governing.case in cases]
     keys = {key_of(cases[one.governing.case]) for one in governing}
     if read.project.fatigue is not None:  # the damage is a sum over all cases that have a share of the time
         tired = {state.name for state in read.project.states if state.share}
@@ -63,10 +82,26 @@ def advise(read, judged, cases, others, paths, folder, step):
         best = _smallest(run, len(changes), now)
         if best is not None:
             found.append(best)
-    return tuple(found)
+    return Advice(tuple(ways(read.study)), tuple(found), beyond)
 
 
-def shaken(judged, cases):
+def _beyond(judged, cases, fixed):
+    """What is not met and is not a matter of lines, in a sentence, "" without
+
+    fixed : quantities that the project gives
+    """
+    earthquake = _shaken(judged, cases)
+    if earthquake:
+        return (
+            f"No change of lines was tried: a limit is exceeded in “{earthquake}”, and lines do not change what an "
+            "earthquake does to fenders and dolphins. Change these, then run the design again."
+        )
+    missed = [one.criterion for one in judged if one.met is False and one.criterion.quantity in fixed]
+    words = ", ".join(f"{one.name}, {one.quantity} {one.sense} {one.limit:.4g}" for one in missed)
+    return f"Lines have no part in {words}: what is found there is given by the project." if missed else ""
+
+
+def _shaken(judged, cases):
     """Name of an earthquake's load case that a criterion is not met in, "" without one"""
     apart = {case.name for case in cases if case.apart}
     return next((use.case for one in judged for use in one.uses if use.case in apart and use.utilisation > 1), "")

@@ -1,7 +1,8 @@
 """What every rule set of the tables says to the same load cases, side by side (as Table 4.3 of SR179, 1982, does).
 
-A rule set speaks of several subjects, chain or hawser, one kind of anchor or another: each stands by itself.  Motions
-that are allowed are those of a ship with its cargo, and stand here only where the project has chosen them.
+A rule set speaks of several subjects, chain or hawser, one kind of anchor or another: each stands by itself, where the
+study has such a thing.  Motions that are allowed are those of a ship with its cargo, and stand here only where the
+project has chosen them.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from typing import NamedTuple
 from bem import DOFS
 from mooring.criteria.rules import read_rules
 from mooring.criteria.verdict import judge
+from mooring.lines.catalogue import FIBRE
 
 
 class RuleSet(NamedTuple):
@@ -34,8 +36,11 @@ def side_by_side(read, cases):
     """(RuleSet of each rule set and subject of which a criterion can be judged by Cases, the largest use first)"""
     own, found, motions = set(read.criteria), [], {dof.lower() for dof in DOFS}
     bounded = [one for one in read_rules() if one.quantity not in motions or one in own]
+    things = _things(read.study)
     for rule, subject in dict.fromkeys((one.rule, one.subject) for one in bounded):
         criteria = [one for one in bounded if (one.rule, one.subject) == (rule, subject)]
+        if not own & set(criteria) and any(word in subject for word, there in things.items() if not there):
+            continue
         judged = [one for one in judge(criteria, cases) if one.governing is not None]
         if not judged:
             continue
@@ -45,3 +50,21 @@ def side_by_side(read, cases):
         counts = len(judged), len(criteria), worst.criterion, worst.governing, unread
         found.append(RuleSet(criteria[0].name, subject, chosen, *counts))
     return tuple(sorted(found, key=lambda one: -one.use.utilisation))
+
+
+def _things(study):
+    """{word of a subject: whether the tables of a study have it}; a line of no catalogue may be of anything"""
+    fibre = tuple(FIBRE)
+    made = [table.get("catalogue", "").lower() for table in study.get("types", {}).values()]
+    made += ["rope" for _ in study.get("rope", ())]
+    steel, free = ("wire", "spiral"), ("", "rope")
+    return {
+        "hawser": bool(study.get("hawser")),
+        "fender": bool(study.get("fender")),
+        "dolphin": bool(study.get("fender")),
+        "single-point": "attachment" in study,
+        "multi-point": "attachment" not in study,
+        "chain": any(not name.startswith((*fibre, *steel, "rope")) for name in made),
+        "wire": any(name in free or name.startswith(steel) for name in made),
+        "synthetic": any(name in free or name.startswith(fibre) for name in made),
+    }

@@ -24,7 +24,7 @@ def fatigue(read, ran):
         return None
     curve, own = curves()[read.project.fatigue.curve], read.project.fatigue
     criterion = Criterion(
-        "project", "own", QUANTITY, "at most", 1.0, None, "-", "any", "intact", "dynamic", curve.name, "", 1.0,
+        "own limit", "", QUANTITY, "at most", 1.0, None, "-", "any", "intact", "dynamic", curve.name, "", 1.0,
         f"rainflow and Miner's sum, curve {curve.name} ({curve.source}), factor {own.factor:g}", "read",
     )  # fmt: skip
     total, parts = 0.0, []

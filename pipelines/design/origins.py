@@ -5,7 +5,7 @@ from __future__ import annotations
 from mooring.criteria import verdict as of
 
 from .fatigue import QUANTITY as FATIGUE
-from .running import SCOPE
+from .kinds.needs import SCOPE
 
 H5 = {of.PRETENSION: "lines/pretension", of.HOLDING: "lines/maximum_horizontal_anchor_force"}
 KEPT = {of.PRETENSION: "pretension", of.HOLDING: "horizontal", of.PARTIAL: "mean, values.largest", SCOPE: "length"}

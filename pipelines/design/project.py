@@ -53,17 +53,20 @@ from mooring.criteria.rules import LINES as KNOWN_LINES
 from mooring.criteria.rules import STATES as KNOWN_STATES
 from mooring.criteria.rules import Criterion, of_rule, read_rules, unit_of
 from mooring.criteria.strength import kind_and_size
-from mooring.criteria.verdict import OF_TENSIONS, PRETENSION
+from mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, WORN
 
 from ..common.quantities import StudyError, positive
 from ..common.typed import read_toml, typed
 from ..site.link import laid_in, named, site_file
 from .kinds.choose import kind_of
+from .kinds.needs import SCOPE
 from .tables import MEAN, Project
 
 STATES = ("normal", "abnormal")
 LINES = ("intact", "one lost")
-FOUND = (*OF_TENSIONS, *(dof.lower() for dof in DOFS), "service life", "return period")  # by load cases, the project
+KNOWN_OF_PROJECT = "service life", "return period", SCOPE
+FOUND = (*OF_TENSIONS, *(dof.lower() for dof in DOFS), *KNOWN_OF_PROJECT)  # by load cases, the project
+USED = {"wear": WORN, "anchors": HOLDING}  # tables that one quantity alone knows
 DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 
 
@@ -102,7 +105,9 @@ def read_project(path):
     _check_wear(project, study)
     _check_fatigue(project, study)
     criteria = _criteria(project, folder)
-    _check_needs(study, criteria)
+    _check_limits(project, kind.finds(study))
+    _check_needs(kind.needs(study), criteria)
+    _check_used(project, criteria)
     _check_values(project, criteria)
     _check_earthquakes(project, study, folder)
     return Read(project, raw, text, study, study_text, criteria, folder, kind)
@@ -226,17 +231,35 @@ def _check_fatigue(project, study):
         raise StudyError(f"fatigue of type {unnamed[0]!r} needs its diameter; give it by catalogue")
 
 
-def _check_needs(study, criteria):
-    """Raises StudyError where no criterion is about the lines or the fenders of the study: they would pass unjudged"""
-    asked = {one.quantity for one in criteria} - {PRETENSION}
-    for word, keys, example in (
-        ("tension", ("types", "rope"), "tension / breaking load"),
-        ("fender", ("fender",), "fender strain, total"),
-    ):
-        if any(study.get(key) for key in keys) and not any(word in quantity for quantity in asked):
+def _check_limits(project, found):
+    """Raises StudyError where no load case and no [[values]] has the quantity of a limit; found : by the load cases"""
+    known = (*OF_TENSIONS, *found, *KNOWN_OF_PROJECT)
+    for i, one in enumerate(project.limits):
+        if one.quantity not in (*known, *(value.quantity for value in project.values)):
             raise StudyError(
-                f"the study has a table {next(key for key in keys if study.get(key))!r} and no criterion chosen limits "
-                f"what it finds of {word}s; allowed: a rule set that does, or [[limits]] of {example!r}"
+                f"limits[{i}].quantity is {one.quantity!r}; allowed: {'; '.join(known)}; or give it by [[values]]"
+            )
+
+
+def _check_needs(needs, criteria):
+    """Raises StudyError where no criterion is about a Need of the study: it would pass unjudged"""
+    for need in needs:
+        if not need.judged(criteria):
+            subject = ' with subject = "hawser"' if need.hawser else ""
+            raise StudyError(
+                f"the study has {need.what} and no criterion chosen judges them; allowed: a rule set that does, or "
+                f"[[limits]] of {need.quantities[0]!r}{subject}"
+            )
+
+
+def _check_used(project, criteria):
+    """Raises StudyError where a table is given that no criterion asks for"""
+    asked = {one.quantity for one in criteria}
+    for table, quantity in USED.items():
+        if getattr(project, table) is not None and quantity not in asked:
+            raise StudyError(
+                f"[{table}] is given and no criterion chosen is of {quantity!r}; allowed: a rule set or [[limits]] "
+                f"that is, or no [{table}]"
             )
 
 
@@ -286,11 +309,13 @@ def _limit(where, table):
         raise StudyError(f"{where}: allowed: one of at_most, at_least")
     _one(f"{where}.state", table.state, KNOWN_STATES)
     _one(f"{where}.lines", table.lines, KNOWN_LINES)
+    if table.subject not in ("", HAWSER):
+        raise StudyError(f"{where}.subject is {table.subject!r}; allowed: {HAWSER}, or left out for all other lines")
     sense = "at most" if table.at_least is None else "at least"
     limit = positive(f"{where}.{sense.replace(' ', '_')}", table.at_most if table.at_least is None else table.at_least)
     unit = unit_of(where, table.quantity, table.unit)
     return Criterion(
-        "project", "own", table.quantity, sense, limit, None, unit, table.state, table.lines, "any", "",
+        "own limit", "", table.quantity, sense, limit, None, unit, table.state, table.lines, "any", table.subject,
         table.statistic, 1.0, table.source, "read",
     )  # fmt: skip
 

@@ -8,6 +8,8 @@ from __future__ import annotations
 import os
 from importlib.resources import files
 
+import numpy as np
+
 from meshing.whole_files import write_whole
 from mooring.criteria.strength import equipment_of_box
 
@@ -120,7 +122,17 @@ def _relative(path, folder):
 
 def _body_words(db):
     sizes = ", ".join(f"{name} {value:g} m" for name, value in db.dimensions.items())
-    return f"{sizes or 'a body from a mesh file'}; {len(db.omega)} frequencies, {len(db.wave_direction)} headings."
+    (x, y, z), (shortest, longest) = db.center_of_mass, 2 * np.pi / db.omega[[-1, 0]]
+    return (
+        f"{sizes or 'A body from a mesh file'}; displacement {_whole(1e-3 * db.density * db.displaced_volume)} t, "
+        f"centre of gravity {x:.4g}, {y:.4g}, {z:.4g} m (z up from the water). {db.mesh.total} panels; "
+        f"{len(db.omega)} periods from {shortest:.3g} to {longest:.3g} s, {len(db.wave_direction)} headings."
+    )
+
+
+def _whole(value):
+    """Four digits, thousands apart"""
+    return f"{float(f'{value:.4g}'):,.0f}".replace(",", " ")
 
 
 def _checks(paths):

@@ -12,6 +12,7 @@ import tomli_w
 
 from .cases import file_name
 from .kinds.stored import key_of, picture, plain
+from .report_words import percent
 
 MOST_PLANS = 4
 
@@ -23,9 +24,9 @@ def plans(read, verdict, paths, folder):
     drawn = [one.governing.case for one in judged if not by_name[one.governing.case].case.apart]
     for name in list(dict.fromkeys(drawn))[:MOST_PLANS]:
         one = by_name[name]
-        known = one.case.study, paths[one.case.level], one.numbers
+        known = one.case.study, paths[one.case.level], one.numbers._replace(largest=one.largest)
         base = None if known[1] is None else Path(known[1])
-        key = key_of(tomli_w.dumps(one.case.study), base, json.dumps(plain(one.numbers)))
+        key = key_of(tomli_w.dumps(one.case.study), base, json.dumps(plain(known[2])))
         place = folder / "pictures" / f"{file_name(one.case)}.png"
         yield {"name": name, "data": picture(place, key, lambda path, known=known: read.kind.draw(*known, path))}
 
@@ -34,10 +35,10 @@ def body_picture(database, folder):
     """Coefficients, forces and responses of a database"""
     from bem.database import open_database
 
-    from ..view.plots import plot
+    from ..view.plots import ON_PAPER, plot
 
     place = folder / "pictures" / "body.png"
-    return picture(place, key_of(Path(database)), lambda path: plot(open_database(database), path))
+    return picture(place, key_of(Path(database)), lambda path: plot(open_database(database), path, ON_PAPER))
 
 
 def use_picture(verdict, folder):
@@ -60,7 +61,7 @@ def use_picture(verdict, folder):
         axes.barh(range(len(judged)), used, color=colours)
         axes.axvline(100, color="k", lw=1)
         for i, (one, width) in enumerate(zip(judged, used, strict=True)):
-            axes.annotate(f" {100 * one.governing.utilisation:.0f} %", (width, i), va="center", fontsize=8)
+            axes.annotate(f" {percent(one.governing.utilisation)}", (width, i), va="center", fontsize=8)
         axes.set_yticks(range(len(judged)), names, fontsize=8)
         axes.invert_yaxis()
         axes.set(xlabel="utilisation of the criterion, %", xlim=(0, max(115.0, 1.12 * max(used, default=0.0))))

@@ -66,8 +66,7 @@ def case_row(one):
         one.largest[worst],
         r.names[worst],
         share if np.isfinite(r.breaking[worst]) else np.nan,
-        r.horizontal.max(),
-        r.uplift.max(),
+        *one.at_anchors.max(axis=1),
         "",
     )
 

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 
 from mooring.criteria.rules import read_rules
 
-from .advice import shaken
 from .kinds.numbers import Numbers
+from .origins import OF_PROJECT
 from .report_tables import CASE_HEAD, WORDS, case_row
 from .verdict import FAILS, OPEN
 
+THE_PROJECT = "the project"  # has what is of no load case
+WAYS = {"size": "larger sizes", "number": "more lines"}  # in words, where these are not the name itself
+NUMBER = re.compile(r"-?\d+(\.\d+)?(e[-+]?\d+)?")
 MARK = {True: "passes", False: "fails", None: "open"}
 
 
@@ -26,8 +31,12 @@ def summary(verdict):
     use, criterion = worst.governing, worst.criterion
     return (
         f": {percent(use.utilisation)} of {criterion.name}, {criterion.quantity} {criterion.sense} "
-        f"{criterion.limit:.4g}, is used by {use.item} in “{use.case}”"
+        f"{criterion.limit:.4g}, is used by {_used_by(use, criterion)}"
     )
+
+
+def _used_by(use, criterion):
+    return THE_PROJECT if criterion.quantity in OF_PROJECT else f"{use.item} in “{use.case}”"
 
 
 def percent(used):
@@ -43,18 +52,15 @@ def advice_words(advice, verdict):
     """
     if advice is None or verdict.word != FAILS:
         return ()
-    earthquake = shaken(verdict.judged, [one.case for one in verdict.ran])
-    if earthquake:
+    beyond = (advice.beyond,) if advice.beyond else ()
+    if advice.tried and not advice.found:
+        ways = ", ".join(WAYS.get(way, way) for way in advice.tried)
         return (
-            f"No change of lines was tried: a limit is exceeded in “{earthquake}”, and lines do not change what an "
-            "earthquake does to fenders and dolphins. Change these, then run the design again.",
+            *beyond,
+            f"Run in the cases that govern: {ways}. None lowers the largest utilisation. Change the layout or the kind "
+            "of line or fender.",
         )
-    if not advice:
-        return (
-            "Larger sizes, other pretensions and more lines, where the study has them, were run in the cases that "
-            "govern: none lowers the largest utilisation. Change the layout or the kind of line or fender.",
-        )
-    return tuple(map(_tried_words, sorted(advice, key=lambda one: (not one.passes, one.utilisation))))
+    return *beyond, *map(_tried_words, sorted(advice.found, key=lambda one: (not one.passes, one.utilisation)))
 
 
 def _tried_words(one):
@@ -145,7 +151,7 @@ def part_table(read, verdict):
 
 
 def _place(point):
-    return ", ".join(f"{round(float(x), 3) + 0.0:g}" for x in point)
+    return ", ".join(f"{round(float(x), 1) + 0.0:g}" for x in point)
 
 
 def criterion(one, found_in):
@@ -170,16 +176,14 @@ def criterion(one, found_in):
         "margin": "",
         "link": "",
         "key": "",
-        "case": "",
-        "item": "",
+        "by": "",
     }
     if use is not None:
         found |= {
             "value": f"{use.value:.4g}",
             "used": percent(use.utilisation),
             "margin": f"{100 * (1 - use.utilisation):+.0f} %",
-            "case": use.case,
-            "item": use.item,
+            "by": THE_PROJECT if c.quantity in OF_PROJECT else f"{use.case}, {use.item}",
         }
         found["link"], found["key"] = found_in(use.case, c)
     return found
@@ -188,12 +192,12 @@ def criterion(one, found_in):
 def rule_set(one):
     c, use = one.criterion, one.use
     limit = f"{c.quantity} {c.sense} {c.limit:.4g}"
-    unread = f"{one.unread} of them not read in the book" if one.unread else ""
+    unread = f"{one.unread} of them to be confirmed in the book" if one.unread else ""
     return {
-        "cells": (one.name, one.subject, "judges" if one.chosen else "", f"{one.judged} of {one.known}", limit),
+        "cells": (one.name, one.subject, "yes" if one.chosen else "no", f"{one.judged} of {one.known}", limit),
         "used": percent(use.utilisation),
         "css": MARK[use.utilisation <= 1],
-        "by": f"{use.item}, {use.case}",
+        "by": THE_PROJECT if c.quantity in OF_PROJECT else f"{use.case}, {use.item}",
         "unread": unread,
     }
 
@@ -207,27 +211,34 @@ def case(one, links):
     row = dict(zip(CASE_HEAD, case_row(one), strict=True))
     cells = []
     if one.numbers is not None and not one.numbers.names:
-        cells = [f"{np.hypot(row['x_m'], row['y_m']):.2f}", f"{row['yaw_deg']:.2f}", *["–"] * 5]
+        cells = [*_place_words(row), *["–"] * 5]
     elif one.numbers is not None:
         share = row["of_breaking_load"]
         cells = [
-            f"{np.hypot(row['x_m'], row['y_m']):.2f}",
-            f"{row['yaw_deg']:.2f}",
+            *_place_words(row),
             f"{row['largest_tension_N'] / 1e3:.4g}",
             row["line"],
-            "unknown" if np.isnan(share) else f"{100 * share:.0f} %",
+            "not given" if np.isnan(share) else f"{100 * share:.0f} %",
             f"{row['horizontal_at_anchor_N'] / 1e3:.4g}",
             f"{max(row['uplift_at_anchor_N'], 0.0) / 1e3 + 0.0:.4g}",
         ]
     return {"name": one.case.name, "link": links[one.case.name], "fault": one.fault, "cells": cells}
 
 
+def _place_words(row):
+    """Offset and yaw of a row of cases, dashes where the method has none"""
+    values = np.array([np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"]])
+    return [f"{value:.2f}" if np.isfinite(value) else "–" for value in np.round(values, 2) + 0.0]  # no −0.00
+
+
 def warnings(verdict):
-    """Findings of the cases, each once, with the cases that have it"""
+    """Findings of the cases: of those that differ in numbers alone the one whose first number is the largest"""
     found = {}
     for one in verdict.ran:
         for text in one.numbers.warnings if one.numbers else ():
-            found.setdefault(text, []).append(one.case.name)
-    for text, names in found.items():
-        more = f" and {len(names) - 1} more" if len(names) > 1 else ""
-        yield {"text": text, "cases": f"{names[0]}{more}"}
+            found.setdefault(NUMBER.sub("#", text), []).append((text, one.case.name))
+    for group in found.values():
+        text, name = max(group, key=lambda pair: float((NUMBER.search(pair[0]) or "0")[0]))
+        own = ", with numbers of their own" if len({pair[0] for pair in group}) > 1 else ""
+        more = f"; likewise{own}, in {len(group) - 1} more" if len(group) > 1 else ""
+        yield {"text": text, "cases": f"{name}{more}"}

@@ -18,11 +18,11 @@ from mooring.criteria.verdict import Case, Tensions
 from ..common.quantities import StudyError
 from ..common.typed import read_toml
 from .cases import LoadCase, file_name, intact_cases, without_line
+from .kinds.needs import SCOPE
 from .kinds.numbers import Numbers
 from .project import MEAN, scene_tables, worn_diameters
 
 ROTATIONS = ("roll", "pitch", "yaw")
-SCOPE = "line length / (5 depths + tidal range)"
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,12 @@ class Ran:
     def largest(self):
         """(n,) N, largest tensions: of the runs in time where there are some"""
         return self.numbers.largest if self.runs is None else self.runs["largest"][1.0]
+
+    @property
+    def at_anchors(self):
+        """(2, n) N, largest pull along and up at the anchors: of the runs in time where there are some"""
+        found = self.numbers._asdict() if self.runs is None else self.runs
+        return np.array([found["horizontal"], found["uplift"]])
 
 
 def databases(read, folder, executor, console):
@@ -221,7 +227,7 @@ def _tensions(read, ran, largest):
         largest,
         numbers.breaking,
         _worn_loads(read, numbers),
-        ran.runs["horizontal"] if in_time else numbers.horizontal,
+        ran.at_anchors[0],
         holding,
         numbers.hawsers,
     )

@@ -87,6 +87,7 @@ class LimitTable(Table):
     unit : that of the quantity, which it is if left out; another is refused
     state : normal, abnormal or any
     lines : intact, one lost or any
+    subject : "hawser" for tensions of hawsers; without, of all other lines
     statistic : largest, or of motions amplitude or peak to peak
     source : who asks for it
     """
@@ -98,6 +99,7 @@ class LimitTable(Table):
     unit: str = ""
     state: str = "any"
     lines: str = "any"
+    subject: str = ""
     statistic: str = "largest"
 
 

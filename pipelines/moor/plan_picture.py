@@ -13,8 +13,11 @@ LABEL = 0.3  # of a line from its anchor, where lines are apart
 UNKNOWN = "0.45"  # grey: a line whose breaking load is not given
 
 
-def draw_plan(result, hull, path):
-    """Write the plan of a MultiPoint result as a picture."""
+def draw_plan(result, hull, path, used=None):
+    """Write the plan of a MultiPoint result as a picture.
+
+    used : (n,) largest tension over breaking load of the lines, nan where it is unknown; by default of the result
+    """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
@@ -23,7 +26,7 @@ def draw_plan(result, hull, path):
     figure = Figure(figsize=(10, 7), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
-    used = result.utilisation
+    used = result.utilisation if used is None else used
     colours = ScalarMappable(Normalize(0, max(1.0, used[np.isfinite(used)].max(initial=0.0))), "turbo")
     anchors, at_rest = line_ends(result.rest)
     names = result.equilibrium.system.line_names
@@ -83,5 +86,5 @@ def _draw_loads(axes, result):
 
 
 def _title(result):
-    x, y, turn = result.displacement
-    return f"offset {x:.2f} m, {y:.2f} m, yaw {np.degrees(turn):.2f}°; dashed: at rest"
+    x, y, turn = np.round([*result.displacement[:2], np.degrees(result.displacement[2])], 2) + 0.0  # no −0.00
+    return f"offset {x:.2f} m, {y:.2f} m, yaw {turn:.2f}°; dashed: at rest"

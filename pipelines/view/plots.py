@@ -23,7 +23,9 @@ QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symme
 FORCES, MOMENTS = slice(0, 3), slice(3, 6)
 PLACES = 300  # frequencies of a curve, beside those stored and those about resonances
 MARKED = 30  # stored frequencies that are marked; more would be a thick line
-WIDTH, ROW = 17.0, 2.35  # inches: of the page, and of a row of curves with its margins
+SIZE = 17.0, 2.35  # inches: width of the page, and height of a row of curves with its margins
+ON_PAPER = 11.0, 1.9  # the same for a sheet of paper, on which it shrinks less
+NARROW = 1.5  # inches wide: the name of the first row stands above that of its first column
 MARGINS = {"left": 0.66, "right": 0.08, "bottom": 0.45, "top": 0.7, "between": 0.78, "rows": 0.42}  # inches
 LABEL = 0.5  # inches from a curve's axis to the name of its unit
 HIGH = 5  # times the motion away from a sharp resonance: above, its peak is written and not drawn
@@ -74,8 +76,10 @@ class Curves:
         return resonances(self.db.reader) if "rao" in self.names and len(self.db.omega) >= FEWEST else []
 
 
-def plot(db, output):
+def plot(db, output, size=SIZE):
     """Draw what the database holds to `output` (.png, .svg or .pdf); returns the matplotlib figure.
+
+    size : inches, width of the page and height of a row
 
     Raises DatabaseError if it holds nothing that can be drawn.
     """
@@ -86,7 +90,7 @@ def plot(db, output):
     if not rows or not len(db.omega):
         raise DatabaseError(f"{db.path} has no solved curve to draw; run its command again to go on")
     with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
-        figure, grid = _page(Figure, len(rows))
+        figure, grid = _page(Figure, len(rows), *size)
         curves = Curves(db)
         for name, axes in zip(rows, grid, strict=True):
             DRAW[name](curves, axes)
@@ -95,17 +99,17 @@ def plot(db, output):
     return figure
 
 
-def _page(figure, rows):
-    """A figure with `rows` rows of axes, and these (rows, 6)
+def _page(figure, rows, width, row):
+    """A figure with `rows` rows of axes, and these (rows, 6); width, row : as `SIZE`
 
     All has its place in inches: a layout made to measure looks for it with every tick of the page, twice, which took
     longer than all the rest.
     """
-    height = MARGINS["top"] + MARGINS["bottom"] + ROW * rows - MARGINS["rows"]
-    page = figure(figsize=(WIDTH, height))
-    wide = (WIDTH - MARGINS["left"] - MARGINS["right"] - 5 * MARGINS["between"]) / 6
-    high = ROW - MARGINS["rows"]
-    sides = {"left": MARGINS["left"] / WIDTH, "right": 1 - MARGINS["right"] / WIDTH}
+    height = MARGINS["top"] + MARGINS["bottom"] + row * rows - MARGINS["rows"]
+    page = figure(figsize=(width, height))
+    wide = (width - MARGINS["left"] - MARGINS["right"] - 5 * MARGINS["between"]) / 6
+    high = row - MARGINS["rows"]
+    sides = {"left": MARGINS["left"] / width, "right": 1 - MARGINS["right"] / width}
     sides |= {"bottom": MARGINS["bottom"] / height, "top": 1 - MARGINS["top"] / height}
     spaces = {"wspace": MARGINS["between"] / wide, "hspace": MARGINS["rows"] / high}
     grid = page.subplots(rows, 6, sharex=True, squeeze=False, gridspec_kw=sides | spaces)
@@ -255,8 +259,10 @@ def _dress(db, figure, grid):
     rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
     for axis, dof in zip(grid[0], DOFS, strict=True):
         axis.set_title(dof, fontweight="bold", y=1.0)
-    for axes, row in zip(grid, rows, strict=True):
-        axes[0].set_title(row, loc="left", fontweight="bold", color="0.35", y=1.0)
+    narrow = grid[0, 0].get_position().width * figure.get_figwidth() < NARROW
+    for i, (axes, row) in enumerate(zip(grid, rows, strict=True)):
+        above = 1.08 if narrow and i == 0 else 1.0
+        axes[0].set_title(row, loc="left", fontweight="bold", color="0.35", y=above)
     for axis in grid.flat:
         axis.grid(True, color="0.9", linewidth=0.6)
         axis.spines[["top", "right"]].set_visible(False)

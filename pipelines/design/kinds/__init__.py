@@ -6,6 +6,7 @@
     base(raw, db)              tables of the study, in which all that may be lost has a name and stays where it is laid
     at(base, depth, weather)   tables of a load case; weather : raw tables wind, current, waves, with incidence_deg
     words(project, raw)        the command that gives a case's numbers again, where they are, what the method is
+    needs(raw), finds(raw)     [`Need`] of what the study has; quantities beyond tensions that its cases may find
     lost(study)                names of what may be lost; without(study, name) the tables without one of them
     run(study, database, path, factors)   `Numbers` of a load case, and those of its runs in time or None
     draw(study, database, numbers, path)  a plan of it

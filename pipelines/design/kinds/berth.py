@@ -14,12 +14,10 @@ from mooring.fenders.fender import FenderError
 
 from .in_time import make_study_of
 from .mooring import types_of
+from .needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
 from .numbers import Numbers
 
 STEADY = 600.0  # s
-TOTAL, SLOW = "fender strain, total", "fender strain, steady"
-OF_ALLOWABLE, OF_ENERGY = "fender strain / allowable strain", "fender energy / rated energy"
-DOLPHIN = "design load of a dolphin / fender reaction"
 
 
 def berth_numbers(study, database, path, runs):
@@ -130,45 +128,3 @@ def _longest_mean(records, step):
     width = min(round(STEADY / step), records.shape[1])
     sums = np.cumsum(np.pad(records, ((0, 0), (1, 0))), axis=1)
     return float(((sums[:, width:] - sums[:, :-width]) / width).max())
-
-
-def draw_berth(made, db, numbers, path):
-    """Plan of the hull between its fenders and on its ropes, coloured by what is used of them"""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-    from matplotlib.figure import Figure
-
-    from ...common.picture import save
-
-    hull = made.hull_of(db.dimensions)
-    berth = made.berth(hull, db.rotation_center)
-    figure = Figure(figsize=(11, 4.6), layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.add_subplot()
-    used = numbers.largest / numbers.breaking
-    strain = numbers.parts.get(OF_ALLOWABLE, {})
-    top = max([1.0, *used[np.isfinite(used)], *filter(np.isfinite, strain.values())])
-    colours = ScalarMappable(Normalize(0, min(top, 2.0)), "turbo")
-    for name, anchor, fairlead, share in zip(numbers.names, numbers.anchor, numbers.fairlead, used, strict=True):
-        axes.plot(*zip(anchor[:2], fairlead[:2], strict=True), color=colours.to_rgba(min(share, 2.0)), lw=2)
-        axes.plot(*anchor[:2], "k^", ms=4)
-        axes.annotate(f"{name} {100 * share:.0f} %", anchor[:2], fontsize=7, xytext=(3, 3), textcoords="offset points")
-    for one in berth.fenders:
-        share, inward = strain.get(one.name, 0.0), one.normal[:2]
-        axes.plot(*one.face[:2], "s", ms=9, color=colours.to_rgba(min(share, 2.0)), mec="k")
-        axes.annotate(
-            f"{one.name} {100 * share:.0f} %", one.face[:2], fontsize=7, ha="center", va="center",
-            xytext=inward * [26, 14], textcoords="offset points",
-        )  # fmt: skip
-    corners = 0.5 * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1], [1, 1]]) * [hull.length, hull.beam]
-    axes.plot(*corners.T, color="0.6", ls="--", label="as drawn")
-    x, y, turn = numbers.place
-    turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
-    axes.plot(*(corners @ turned.T + [x, y]).T, color="k", label="mean place")
-    figure.colorbar(colours, ax=axes, shrink=0.6, label="tension / breaking load,\nstrain / allowable strain")
-    axes.margins(0.12)
-    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"mean place {x:.2f} m, {y:.2f} m, yaw "
-             f"{np.degrees(turn):.2f}°")  # fmt: skip
-    figure.legend(loc="outside lower center", ncols=2, fontsize=8)
-    save(figure, path, 150)

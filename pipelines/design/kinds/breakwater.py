@@ -17,6 +17,7 @@ from meshing.whole_files import write_whole
 
 from ...breakwater.study import make_breakwater, read_breakwater
 from ...common.quantities import StudyError
+from .needs import Need
 from .numbers import Numbers
 from .stored import numbers_of
 
@@ -25,6 +26,7 @@ BEHIND, SHARE = "transmitted wave height", "transmission of the sea"
 ALLOWABLE, SLACK, ANCHOR = "tension / allowable tension", "slack share of the cycles", "anchor needed / provided"
 LEFT_OUT = ("sea", "waves", "map", "optimisation", "measured")
 SIDES = (-1, 1)  # of the front and the back line: waves travel to +y
+PROVIDED = {"capacity_kN", "weight_kN_per_m", "spacing"}  # of an anchor that the study has
 HOURS = 3.0  # of a sea, where the study has none
 SOURCES = (
     "Tensions are pretension and expected greatest amplitude in the sea, of a line; NAME.h5 has the curves behind them."
@@ -93,6 +95,18 @@ def body(raw):
     return f"A {section['shape']}: {sizes}; per metre of its length."
 
 
+def needs(raw):
+    """[Need] of lines, and of anchors whose capacity the study has"""
+    lines = [Need("lines (lines)", (ALLOWABLE,))] if raw.get("lines") else []
+    provided = any(PROVIDED & set(table) for table in raw.get("anchors", {}).values())
+    return lines + ([Need("anchors of a known capacity (anchors)", (ANCHOR,))] if provided else [])
+
+
+def finds(raw):
+    """What passes it, and what its lines and anchors use"""
+    return BEHIND, SHARE, ALLOWABLE, SLACK, ANCHOR
+
+
 def lost(study):
     """No line may be lost: a breakwater in two dimensions has two"""
     return []
@@ -141,7 +155,7 @@ def _numbers(asked, found):
     study, held, sea = asked.study, found.pretension, found.sea
     name = _curve(design(study), sea.heights)
     parts = {BEHIND: {name: sea.heights[name]}, SHARE: {name: sea.heights[name] / sea.cells.height}}
-    provided = {one.name: one.utilisation for one in found.anchors if one.utilisation is not None}
+    provided = {one.name: float(one.utilisation) for one in found.anchors if one.utilisation is not None}
     if provided:
         parts[ANCHOR] = provided
     names = () if held is None else ("front", "back")
@@ -168,7 +182,7 @@ def _numbers(asked, found):
         breaking=np.full(count, np.inf),
         horizontal=largest * abs(along),
         uplift=largest * up,
-        place=np.zeros(3),
+        place=np.full(3, np.nan),
         motions=np.zeros(0),
         parts=parts,
         warnings=tuple(found.warned),

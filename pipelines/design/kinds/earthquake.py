@@ -15,11 +15,10 @@ from mooring.fenders.dolphin import bilinear, of_fender
 
 from ...common.fender_tables import fender_of
 from ...earthquake.study import quake_of, read_study
-from .berth import DOLPHIN, OF_ALLOWABLE, TOTAL, dolphin_of
+from .berth import dolphin_of
+from .needs import COEFFICIENT, DOLPHIN, OF_ALLOWABLE, TOTAL
 from .numbers import Numbers
 from .stored import kept, key_of, plain, read_numbers
-
-COEFFICIENT = "horizontal seismic coefficient"
 
 
 def run(path, database, place):

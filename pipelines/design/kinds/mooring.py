@@ -15,12 +15,15 @@ from pathlib import Path
 import numpy as np
 import tomli_w
 
+from bem import DOFS
 from meshing.whole_files import write_whole
 from mooring.lines.system.hawser import Hawser
+from mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
 
 from ...common.quantities import StudyError
 from ...moor.study import make_study
 from ...site.link import read_study_at_site
+from .needs import COEFFICIENT, DOLPHIN, OF_FENDERS, Need, of_lines
 from .numbers import Numbers
 from .stored import numbers_of
 
@@ -35,8 +38,8 @@ SIMPLIFIED = (
     "drift is not in the method. Where a natural period lies near the waves, give the project [simulation]."
 )
 IN_TIME = (
-    "Tensions and motions are those of simulations in time with lines in their static form; findings above are of the "
-    "simplified method, which was run beside them."
+    "Tensions and motions are those of simulations in time with lines in their static form. The simplified method was "
+    "run beside them for the place under steady forces; its findings are of it alone."
 )
 AT_BERTH = (
     "Tensions, strains and motions are expected extremes of simulations in time; forces at anchors and bollards are "
@@ -45,9 +48,8 @@ AT_BERTH = (
 )
 SOURCES = "Tensions are lines/maximum_tension of its file, offsets equilibrium, motions motion_amplitude."
 IN_TIME_SOURCES = (
-    "Tensions and motions are the extremes of its runs (NAME_runs.h5), kept as values.largest and values.motions of "
-    "NAME_runs_extremes.json; offset, yaw and forces at the anchor in this table are of the simplified method, "
-    "in NAME.h5."
+    "Tensions, motions and forces at the anchor are the extremes of its runs (NAME_runs.h5), kept as values.largest, "
+    "motions, horizontal and uplift of NAME_runs_extremes.json; offset and yaw are under steady forces, in NAME.h5."
 )
 BERTH_SOURCES = "Tensions, strains and motions are of the summary in the file of its runs; offsets are their means."
 KEPT = ("hull", "types", "allowable", "fender", "dolphin", "rope", "harbour")
@@ -91,6 +93,21 @@ def words(project, raw):
         return "hakobune simulate cases/NAME.toml --database … --output …", BERTH_SOURCES, AT_BERTH
     sources = (SOURCES, SIMPLIFIED) if project.simulation is None else (IN_TIME_SOURCES, IN_TIME)
     return "hakobune moor cases/NAME.toml --database …", *sources
+
+
+def needs(raw):
+    """[Need] of lines, ropes, fenders and dolphins that yield"""
+    found = [of_lines(f"{what} ({table})") for what, table in (("lines", "types"), ("ropes", "rope")) if raw.get(table)]
+    fenders = raw.get("fender", ())
+    yielding = [one for one in (*fenders, *raw.get("dolphin", ())) if {"yield_force", "dolphin_yield"} & set(one)]
+    found += [Need("fenders (fender)", OF_FENDERS)] if fenders else []
+    return found + ([Need("dolphins that yield (dolphin)", (DOLPHIN,))] if fenders and yielding else [])
+
+
+def finds(raw):
+    """Motions, and what fenders and earthquakes give"""
+    motions = tuple(dof.lower() for dof in DOFS)
+    return (*motions, *OF_FENDERS, DOLPHIN, COEFFICIENT) if raw.get("fender") else motions
 
 
 def lost(study):
@@ -145,7 +162,9 @@ def run(study, database, path, factors):
     stored = _solved(study, database, path)
     if "simulation" not in study:
         return stored, None
-    return stored, simulated(path.with_suffix(".toml"), database, runs_path, factors)
+    runs = simulated(path.with_suffix(".toml"), database, runs_path, factors)
+    beside = (f"simplified method: {text}" for text in stored.warnings if FINDINGS_IN_TIME not in text)
+    return stored._replace(warnings=(*runs["findings"], *beside)), runs
 
 
 def write_study(path, text):
@@ -161,14 +180,16 @@ def draw(study, database, numbers, path):
 
     db, made = open_database(database), make_study(study)
     if made.at_berth:
-        from .berth import draw_berth
+        from .berth_plan import draw_berth
 
         draw_berth(made, db, numbers, path)
         return
     from ...moor.command import studied
     from ...moor.plan_picture import draw_plan
 
-    draw_plan(*studied(made, db), path)
+    known = np.isfinite(numbers.breaking)
+    used = np.where(known, numbers.largest / numbers.breaking, np.nan)
+    draw_plan(*studied(made, db), path, used)
 
 
 def line_tables(raw):

@@ -13,7 +13,8 @@ class Numbers(NamedTuple):
     types : names of the types that each is made of; fairlead, anchor : (n, 3) m, at rest
     pretension, static, largest, breaking : (n,) N, at rest, under steady loads, largest, inf where it is unknown
     horizontal, uplift : (n,) N, largest at the anchor
-    place : (3,) m, m, rad, under steady loads; motions : (6,) m, rad, largest, () where there are none
+    place : (3,) m, m, rad, under steady loads, nan where the method has none
+    motions : (6,) m, rad, largest, () where there are none
     parts : {quantity: {of what: value}}, beyond tensions and motions; hawsers : names of those that are
     warnings : what a reader has to know, one line each
     """

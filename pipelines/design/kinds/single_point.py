@@ -16,6 +16,7 @@ from meshing.whole_files import write_whole
 
 from ...common.quantities import StudyError, force
 from ...single_point.tables import make_study, read_study
+from .needs import of_lines
 from .numbers import Numbers
 from .stored import numbers_of
 
@@ -88,6 +89,17 @@ def body(raw):
     """Words on the body"""
     h = raw["hull"]
     return f"A hull of {h['length']:g} × {h['beam']:g} m, draft {h['draft']:g} m; added mass and drift of the study."
+
+
+def needs(raw):
+    """[Need] of the lines of the buoy and of the hawser"""
+    hawsers = [of_lines("a hawser (hawser)", True)] if raw.get("hawser") else []
+    return [of_lines("lines at the buoy (mooring)", False), *hawsers]
+
+
+def finds(raw):
+    """Headings of rest, and slewing where it is run"""
+    return (STABLE, SLEWING) if "slewing" in raw else (STABLE,)
 
 
 def lost(study):

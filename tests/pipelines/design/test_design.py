@@ -10,15 +10,18 @@ import pytest
 import tomli_w
 
 from meshing.seals import text_damaged
-from mooring.criteria.verdict import SHARE
+from mooring.criteria.rules import RuleError, unit_of
+from mooring.criteria.verdict import OF_TENSIONS, SHARE
 from pipelines.common.picture import save
 from pipelines.common.quantities import StudyError
-from pipelines.design.advice import Tried, _smallest
+from pipelines.design.advice import Advice, Tried, _smallest, advise
 from pipelines.design.command import made
+from pipelines.design.fatigue import QUANTITY as FATIGUE
 from pipelines.design.fatigue import fatigue
-from pipelines.design.kinds import mooring
+from pipelines.design.kinds import breakwater, mooring, single_point
 from pipelines.design.kinds.changes import ways
 from pipelines.design.kinds.in_time import cycles_of
+from pipelines.design.kinds.needs import SCOPE
 from pipelines.design.project import read_project
 from pipelines.design.report_words import advice_words
 from pipelines.moor.command import studied
@@ -130,6 +133,7 @@ def test_a_value_from_elsewhere_is_judged_with_its_source_and_the_scope_of_lines
     """260 m of line in 20 m of water: 2.6 times five depths"""
     rules = [{"rule": "port facility II", "subject": "wind at sea, mean of 10 min"}, {"rule": "port facility"}]
     project = {**PROJECT, "values": [GIVEN], "rules": rules, "states": PROJECT["states"][1:]}
+    del project["wear"]
     (folder / "given.toml").write_text(tomli_w.dumps(project))
     verdict, _, _ = made(read_project(folder / "given.toml"), tmp_path / "out", Here(), None, advice=False)
     gusts = [one for one in verdict.judged if one.criterion.quantity == "gust factor"]
@@ -219,8 +223,8 @@ def test_the_smallest_size_that_passes_is_found_by_running_it(folder, tmp_path):
     verdict, _, advice = made(read_project(folder / "thin_project.toml"), tmp_path / "out", Here(), None)
     assert verdict.word == "fails"
     worst = max(one.governing.utilisation for one in verdict.judged if one.governing)
-    found = {one.way: one for one in advice}
-    assert found["size"].passes and all(one.utilisation < worst for one in advice)
+    found = {one.way: one for one in advice.found}
+    assert found["size"].passes and all(one.utilisation < worst for one in advice.found)
     size = float(found["size"].words.split()[2])
     for diameter, word in ((size, "passes"), (size - 2, "fails")):  # the whole project again, and the size below
         study["types"]["chain"]["catalogue"] = f"grade 2 {diameter:g} mm"
@@ -293,7 +297,13 @@ def test_changes_are_of_pretension_number_ropes_and_sizes():
         (lambda p: p.update(earthquakes=[{"name": "x", "study": "x.toml"}]), "the study has no fenders"),
         (
             lambda p: p.update(rules=[{"rule": "PIANC", "subject": "oil tanker; loading arms", "confirmed": True}]),
-            "the study has a table 'types' and no criterion chosen limits what it finds of tensions",
+            r"the study has lines \(types\) and no criterion chosen judges them; .* 'tension / breaking load'",
+        ),
+        (lambda p: p["rules"].pop(), r"\[wear\] is given and no criterion chosen is of 'tension / .* load, worn'"),
+        (lambda p: p.update(anchors={"holding_kN": 1e4}), r"\[anchors\] is given .* 'holding capacity"),
+        (
+            lambda p: p.update(limits=[{"quantity": "swai", "at_most": 5.0, "source": "owner"}]),
+            r"limits\[0\].quantity is 'swai'; allowed: .*; sway; .* by \[\[values\]\]",
         ),
         (
             lambda p: p.update(limits=[{"quantity": "surge", "at_most": 5.0, "unit": "ft", "source": "owner"}]),
@@ -315,19 +325,47 @@ def test_a_wrong_project_is_told_in_one_line(folder, change, message):
     assert "\n" not in str(fault.value)
 
 
+def test_quantities_that_one_kind_of_study_knows_have_their_units():
+    """Whatever a load case may find is refused in another unit"""
+    berth, slewing = {"fender": [{"name": "one"}]}, {"slewing": {}}
+    found = (*mooring.finds(berth), *single_point.finds(slewing), *breakwater.finds({}), SCOPE, FATIGUE, *OF_TENSIONS)
+    assert len(set(found)) == len(found) == 28
+    for quantity in found:
+        with pytest.raises(RuleError, match=r"'furlong'; allowed: (m|deg|-)$"):
+            unit_of("limit", quantity, "furlong")
+
+
 def test_a_limit_without_a_unit_is_in_that_of_its_quantity(folder):
     project = {**PROJECT, "limits": [{"quantity": "yaw", "at_most": 2.0, "source": "owner"}]}
     (folder / "units.toml").write_text(tomli_w.dumps(project))
     assert read_project(folder / "units.toml").criteria[-1].unit == "deg"
 
 
-@pytest.mark.parametrize(("apart", "words"), [(True, "No change of lines was tried.*“quake”"), (False, "were run in")])
-def test_it_is_said_whether_changes_were_tried_in_vain_or_not_at_all(apart, words):
+@pytest.mark.parametrize(
+    ("apart", "quantity", "words"),
+    [
+        (True, "fender strain, total", "No change of lines was tried.*“quake”"),
+        (False, "return period", "Lines have no part in .*, return period at least 1"),
+        (False, "gust factor", "Lines have no part in .*, gust factor at least 1"),
+        (False, SHARE, "No change was tried: the study has neither sizes"),
+    ],
+)
+def test_it_is_said_why_no_change_was_tried(apart, quantity, words):
+    """A study without sizes, ropes, pretensions and numbers of lines"""
     case = SimpleNamespace(name="quake", apart=apart)
-    judged = SimpleNamespace(uses=[SimpleNamespace(case="quake", utilisation=1.2)])
-    verdict = SimpleNamespace(word="fails", judged=[judged], ran=[SimpleNamespace(case=case)])
-    (line,) = advice_words((), verdict)
+    criterion = SimpleNamespace(quantity=quantity, name="rule", sense="at least", limit=1.0)
+    use = SimpleNamespace(case="quake", utilisation=1.2)
+    judged = SimpleNamespace(uses=[use], governing=use, criterion=criterion, met=False)
+    project = SimpleNamespace(values=[SimpleNamespace(quantity="gust factor")])
+    read = SimpleNamespace(study={"section": {}, "lines": {"angle_deg": 44.0}}, project=project)
+    advice = advise(read, [judged], {"quake": case}, {"return period": 50.0}, {}, None, None)
+    (line,) = advice_words(advice, SimpleNamespace(word="fails"))
     assert re.search(words, line)
+
+
+def test_ways_that_were_tried_in_vain_are_named():
+    (line,) = advice_words(Advice(("size", "more pretension"), (), ""), SimpleNamespace(word="fails"))
+    assert "larger sizes, more pretension. None lowers" in line
 
 
 def test_a_case_that_cannot_be_run_is_named_and_not_dropped(folder, tmp_path, monkeypatch):

@@ -181,6 +181,27 @@ def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, 
         np.testing.assert_equal(value, getattr(intact.numbers, name))
 
 
+@pytest.mark.parametrize(
+    ("drop", "message"),
+    [
+        ("hawser", r"a hawser \(hawser\) and no criterion chosen judges them; .* with subject = \"hawser\""),
+        ("chain of a single-point mooring", r"lines at the buoy \(mooring\) and no criterion chosen judges them"),
+    ],
+)
+def test_a_hawser_and_the_lines_of_its_buoy_are_each_judged(barge, drop, message):
+    """A limit of one's own is of either"""
+    project = tomllib.loads(barge.read_text(encoding="utf-8"))
+    project["rules"] = [one for one in project["rules"] if one["subject"] != drop]
+    worn = project["limits"].pop(0)
+    del project["wear"]
+    put(barge.parent, "unjudged.toml", project)
+    with pytest.raises(StudyError, match=message):
+        read_project(barge.parent / "unjudged.toml")
+    own = {**worn, "quantity": "tension / breaking load"} | ({"subject": "hawser"} if drop == "hawser" else {})
+    put(barge.parent, "judged.toml", {**project, "limits": [own]})
+    assert read_project(barge.parent / "judged.toml").criteria[-1].subject == own.get("subject", "")
+
+
 def test_lines_of_a_buoy_end_at_the_same_anchors_at_every_level(barge):
     from pipelines.design.kinds import single_point
     from pipelines.single_point.study import DENSITY, system_of
@@ -276,12 +297,15 @@ def test_a_breakwater_is_judged_by_what_passes_it(marina):
         (lambda p: p["project"].update(scene="box.toml"), "a study of a breakwater has its own section"),
         (lambda p: p["limits"][0].update(at_least=1.0), r"limits\[0\]: allowed: one of at_most, at_least"),
         (lambda p: p["limits"][0].update(state="calm"), r"limits\[0\].state is 'calm'"),
+        (lambda p: p["limits"].pop(1), r"the study has lines \(lines\) and no .* 'tension / allowable tension'"),
+        (lambda p: p["limits"].pop(2), r"the study has anchors of a known capacity \(anchors\) and no"),
+        (lambda p: p["limits"][3].update(unit="%"), "unit of slack share of the cycles is '%'; allowed: -"),
     ],
 )
 def test_what_a_breakwater_has_not_is_told_in_one_line(marina, change, message):
     project = tomllib.loads(marina.read_text(encoding="utf-8"))
     change(project)
     put(marina.parent, "wrong.toml", project)
-    with pytest.raises(StudyError, match=message) as fault:
+    with pytest.raises(ValueError, match=message) as fault:
         read_project(marina.parent / "wrong.toml")
     assert "\n" not in str(fault.value)

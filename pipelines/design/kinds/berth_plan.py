@@ -1,0 +1,106 @@
+"""Plan of a berth: the hull between its fenders and on its ropes, coloured by what is used of them.
+
+Names stand in rows, those of ropes beyond the bollards of their side and those of fenders within the hull, so that none
+lies over another.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .needs import OF_ALLOWABLE
+
+LETTER, ROW = 0.06, 0.15  # inches: width of a letter of a name, height of a row of names
+WIDTH, MARGIN = 8.6, 0.1  # inches of the plan along x, and share of its length that is left free at either end
+SIDES = (1, -1)
+
+
+def draw_berth(made, db, numbers, path):
+    """Write the plan of a Study with the body of a database and what `Numbers` of a load case say"""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
+
+    from ...common.picture import save
+
+    hull = made.hull_of(db.dimensions)
+    fenders = made.berth(hull, db.rotation_center).fenders
+    used, strain = numbers.largest / numbers.breaking, numbers.parts.get(OF_ALLOWABLE, {})
+    top = max([1.0, *used[np.isfinite(used)], *filter(np.isfinite, strain.values())])
+    colours = ScalarMappable(Normalize(0, min(top, 2.0)), "turbo")
+    corners = 0.5 * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1], [1, 1]]) * [hull.length, hull.beam]
+    ends = np.vstack([corners, numbers.anchor[:, :2]])
+    (left, low), (right, high) = ends.min(axis=0), ends.max(axis=0)
+    scale = WIDTH / ((1 + 2 * MARGIN) * (right - left))  # inches a metre
+    words = [f"{name} {100 * share:.0f} %" for name, share in zip(numbers.names, used, strict=True)]
+    above, below = _by_side(words, numbers.anchor[:, :2], numbers.anchor[:, 1], scale)
+    high, low = (end + side * (0.2 + ROW * len(rows)) / scale for end, side, rows in
+                 ((high, 1, above), (low, -1, below)))  # fmt: skip
+    figure = Figure(figsize=(11, scale * (high - low) + 1.5), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    for anchor, fairlead, share in zip(numbers.anchor, numbers.fairlead, used, strict=True):
+        axes.plot(*zip(anchor[:2], fairlead[:2], strict=True), color=colours.to_rgba(min(share, 2.0)), lw=2)
+        axes.plot(*anchor[:2], "k^", ms=4)
+    for rows, edge, inward in ((above, high, -1), (below, low, 1)):
+        _write(axes, rows, edge + inward * 0.12 / scale, inward * ROW / scale)
+    _draw_fenders(axes, fenders, strain, colours, hull, scale)
+    axes.plot(*corners.T, color="0.6", ls="--", label="as drawn")
+    x, y, turn = numbers.place
+    turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    axes.plot(*(corners @ turned.T + [x, y]).T, color="k", label="mean place")
+    figure.colorbar(colours, ax=axes, shrink=0.8, label="tension / breaking load,\nstrain / allowable strain")
+    at = "mean place {:.2f} m, {:.2f} m, yaw {:.2f}°".format(*(np.round([x, y, np.degrees(turn)], 2) + 0.0))
+    free = MARGIN * (right - left)
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=at, xlim=(left - free, right + free), ylim=(low, high))
+    figure.legend(loc="outside lower center", ncols=2, fontsize=8)
+    save(figure, path, 150)
+
+
+def _draw_fenders(axes, fenders, strain, colours, hull, scale):
+    """Fenders with their names; those at the ends of the hull, which push along x, have theirs beside them"""
+    told = [f"{one.name} {100 * strain.get(one.name, 0.0):.0f} %" for one in fenders]
+    for one in fenders:
+        axes.plot(*one.face[:2], "s", ms=9, color=colours.to_rgba(min(strain.get(one.name, 0.0), 2.0)), mec="k")
+    across = [(text, one) for text, one in zip(told, fenders, strict=True) if abs(one.normal[1]) > abs(one.normal[0])]
+    places = np.array([one.face[:2] for _, one in across]).reshape(-1, 2)
+    for side, rows in zip(SIDES, _by_side([text for text, _ in across], places, places[:, 1], scale), strict=True):
+        inner = 0.5 * hull.beam - (0.07 + ROW * len(rows)) / scale
+        _write(axes, rows, side * inner, side * ROW / scale)
+    for text, one in zip(told, fenders, strict=True):
+        if abs(one.normal[1]) <= abs(one.normal[0]):
+            x, y = one.face[:2]
+            axes.annotate(text, (x, y), fontsize=7, ha="left" if x < 0 else "right", va="center",
+                          xytext=(-12 * np.sign(x), 0), textcoords="offset points")  # fmt: skip
+
+
+def _by_side(words, places, y, scale):
+    """Rows of the names at y ≥ 0, and of those below; scale : inches a metre"""
+    pairs = list(zip(words, places, y, strict=True))
+    return [_in_rows([(text, place) for text, place, at in pairs if (at >= 0) == (side > 0)], scale) for side in SIDES]
+
+
+def _in_rows(words, scale):
+    """[[(text, (2,) m)] of each row], from left to right, so that none lies over another of its row"""
+    rows, ends = [], []  # ends : of each row, m along x where its last name ends
+    for text, place in sorted(words, key=lambda one: one[1][0]):
+        half = 0.5 * LETTER * len(text) / scale
+        row = next((i for i, end in enumerate(ends) if end < place[0] - half), len(rows))
+        if row == len(rows):
+            rows.append([])
+            ends.append(0.0)
+        rows[row].append((text, place))
+        ends[row] = place[0] + half + LETTER / scale
+    return rows
+
+
+def _write(axes, rows, edge, step):
+    """Names of `_in_rows` with a line to what they name; the last row at y = `edge` m, each before it `step` m on"""
+    for i, row in enumerate(rows):
+        for text, (x, y) in row:
+            axes.annotate(
+                text, (x, y), fontsize=7, ha="center", va="center", xytext=(x, edge + (len(rows) - 1 - i) * step),
+                bbox={"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none"},
+                arrowprops={"arrowstyle": "-", "lw": 0.4, "color": "0.6", "shrinkA": 0, "shrinkB": 2},
+            )  # fmt: skip
