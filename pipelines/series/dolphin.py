@@ -159,7 +159,7 @@ def statements(rows):
 
 def _draw(rows, floater, folder):
     """Strain and limit over the number of fenders, a panel for each depth"""
-    from matplotlib.figure import Figure
+    from ..common.figures import Figure
 
     depths = DEPTHS[floater]
     figure = Figure(figsize=(4.0 * len(depths), 8.0), layout="constrained")
