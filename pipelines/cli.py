@@ -13,6 +13,7 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
+from bem import __version__
 from meshing.whole_files import NotWritten
 
 from .bench.command import bench
@@ -52,7 +53,7 @@ app = App(
     help="From a floating body's dimensions to the tension in its last mooring line.\n\n"
     "Any command prints its tables as CSV with --csv, as JSON with --json, a line for each table;\n"
     "with --timing it tells on stderr where its time went.",
-    version=lambda: _version(),
+    version=__version__,
     result_action="return_value",
     suppress_keyboard_interrupt=False,
     help_format="plaintext",  # without the 0.1 s that a reader of Markdown takes to load
@@ -303,12 +304,6 @@ def main(arguments=None):
     finally:
         for line in timing.told() if timed else ():
             print(line, file=sys.stderr)
-
-
-def _version():
-    from importlib import metadata  # 0.03 s, which no command should wait for
-
-    return metadata.version("hakobune")
 
 
 def _one_line(error):

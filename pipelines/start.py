@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import importlib
 import os
 import signal
@@ -16,6 +17,10 @@ SOLVING = ("box", "buoy", "ship", "solve", "bench", "stress", "compare", "sectio
 # kernels of some lines or one system take milliseconds uncompiled, and up to a minute to compile
 LINES = "mooring.lines."
 SHORT, SECONDS = (LINES + "catenary", LINES + "multi_segment", LINES + "system"), 10.0
+# and of a few equilibria as long as it takes to load numba and them: 0.4 s for so many calls
+FEW, CALLS = ("line", "lines", "moor"), 100_000
+
+YOUNG = 50_000  # objects made between two searches for cycles; Python's 700 take a tenth of the time of imports
 
 # whose files are the same to the byte whatever is compiled: sums of uncompiled kernels differ in their last digit
 SAME = ("design",)
@@ -33,6 +38,7 @@ class _Later(ModuleType):
 def main():
     """The command line of this process.  Returns the exit status."""
     signal.signal(signal.SIGINT, _leave)
+    gc.set_threshold(YOUNG)
     if not set(sys.argv[1:2]) & set(SOLVING):
         # products of some dozen rows gain nothing from BLAS threads, which wait for each other where a core is taken:
         # `moor` took 5 s of processor time on a busy machine with two cores in place of 0.8
@@ -69,10 +75,10 @@ def _spare_numpy():
 
 
 def _put_off_compiling():
-    """Let kernels of lines run uncompiled for some seconds where none is on disk."""
+    """Let kernels of lines run uncompiled: for some seconds where none is on disk, in short commands in any case."""
     from bem.kernels.uncompiled import allow
 
-    allow(SHORT, SECONDS)
+    allow(SHORT, SECONDS, CALLS if sys.argv[1] in FEW else 0)
 
 
 def _leave(number, frame):

@@ -5,6 +5,8 @@ Every deviation is about one standard deviation, of a complex quantity that of t
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from ..waves import wavenumber
@@ -22,13 +24,13 @@ def carried(reader, omega, headings, name, names):
         return np.zeros(found.values.shape)
     if not reader.rebuilds_drift and name != "rao":
         return interpolated(reader, omega, headings, name)
-    radiated, H = reader.far_field(omega, headings) if reader.rebuilds_drift else (None, None)
+    far_field = cache(lambda: reader.far_field(omega, headings))
     parts = {
         "added_mass": lambda: reader.coefficients(omega)[0],
         "radiation_damping": lambda: reader.coefficients(omega)[1],
         "excitation_force": lambda: reader.forces(omega, headings),
-        "kochin_radiation": lambda: radiated,
-        "kochin_diffraction": lambda: H,
+        "kochin_radiation": lambda: far_field()[0],
+        "kochin_diffraction": lambda: far_field()[1],
     }
     parts = {part: parts[part]() for part in names}
     errors = {part: interpolated(reader, omega, headings, part) for part in names}

@@ -6,8 +6,6 @@ import contextlib
 import json
 import os
 from dataclasses import dataclass, field
-from functools import cache
-from importlib import metadata
 from pathlib import Path
 
 import h5py
@@ -65,15 +63,6 @@ class Header:
     scene: str = ""
     scene_hash: str = ""
     attributes: dict = field(default_factory=dict)
-
-
-@cache
-def software_version():
-    """Version of the installed distribution."""
-    try:
-        return metadata.version("hakobune")
-    except metadata.PackageNotFoundError:
-        return "unknown"
 
 
 def check_place(path):
@@ -229,7 +218,7 @@ def _attributes(header):
     return {
         "format": FORMAT,
         "schema_version": SCHEMA_VERSION,
-        "software_version": software_version(),
+        "software_version": bem.__version__,
         "convention": bem.__doc__,
         "water_depth": float(header.water_depth),
         "density": float(header.density),

@@ -14,10 +14,7 @@ import re
 from functools import cache
 from pathlib import Path
 
-import numba
-from numba.core import config
-
-from .uncompiled import may_wait
+from .uncompiled import Waiting, may_wait
 
 ROOT = Path(__file__).parents[2]
 # `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file, at every start
@@ -90,19 +87,38 @@ def kernel(inline=False):
     """
 
     def compile_later(function):
-        kept = config.CACHE_DIR
-        config.CACHE_DIR = str(cache_folder(Path(function.__code__.co_filename), ROOT))
-        try:
-            # contract and reassoc only: NaN and infinity must stay visible
-            compiled = numba.njit(
-                cache=True,
-                forceinline=inline,
-                error_model="numpy",
-                fastmath={"contract", "reassoc"},
-                nogil=True,
-            )(function)
-            return may_wait(function, compiled)
-        finally:
-            config.CACHE_DIR = kept
+        if not may_wait(function):
+            return _dispatcher(function, inline)
+        return Waiting(function, lambda: _dispatcher(function, inline), lambda: _is_kept(function))
 
     return compile_later
+
+
+def _dispatcher(function, inline):
+    """Numba's dispatcher of a function; numba, which takes 0.25 s to import, is loaded by the first one."""
+    import numba
+    from numba.core import config
+
+    kept = config.CACHE_DIR
+    config.CACHE_DIR = str(_folder_of(function))
+    try:
+        # contract and reassoc only: NaN and infinity must stay visible
+        return numba.njit(
+            cache=True,
+            forceinline=inline,
+            error_model="numpy",
+            fastmath={"contract", "reassoc"},
+            nogil=True,
+        )(function)
+    finally:
+        config.CACHE_DIR = kept
+
+
+def _is_kept(function):
+    """Whether numba's index of some kernel of that name and line is on disk"""
+    name = f"*.{function.__qualname__}-{function.__code__.co_firstlineno}.py*.nbi"
+    return next(_folder_of(function).rglob(name), None) is not None
+
+
+def _folder_of(function):
+    return cache_folder(Path(function.__code__.co_filename), ROOT)

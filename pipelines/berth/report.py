@@ -117,8 +117,7 @@ def write_course(path, course):
 
 def draw(approach, course, path):
     """Forces and deflections of the fenders, energies, over time"""
-    from matplotlib.figure import Figure
-
+    from ..common.figures import Figure
     from ..common.picture import save
 
     figure = Figure(figsize=(8.0, 8.0), layout="constrained")

@@ -32,8 +32,9 @@ def save(figure, path, dpi):
     where there is none, a warning says so.
     """
     _give_letters(figure)
-    drawn = io.BytesIO()
-    figure.savefig(drawn, dpi=dpi, format=Path(path).suffix[1:].lower() or "png")
+    drawn, kind = io.BytesIO(), Path(path).suffix[1:].lower() or "png"
+    packed = {"pil_kwargs": {"compress_level": 1}} if kind == "png" else {}  # a tenth larger in a third of the time
+    figure.savefig(drawn, dpi=dpi, format=kind, **packed)
     write_whole(path, drawn.getvalue())
 
 
@@ -47,9 +48,7 @@ def font_file(text):
 
 def _give_letters(figure):
     """Put a font behind that of every text with letters which that lacks"""
-    from matplotlib.text import Text
-
-    texts = [text for text in figure.findobj(Text) if not text.get_text().isascii()]
+    texts = [text for text in _texts(figure) if not text.get_text().isascii()]
     strange = {letter for text in texts for letter in text.get_text() if letter > FIRST_OF_OTHERS}
     if not strange:
         return
@@ -64,6 +63,16 @@ def _give_letters(figure):
         return
     for text in texts:
         text.set_fontfamily([*text.get_fontfamily(), font.name])
+
+
+def _texts(artist):
+    """Every matplotlib Text that is seen of a Figure or a part of it; axes make ticks for who asks, seen or not"""
+    from matplotlib.text import Text
+
+    if isinstance(artist, Text):
+        yield artist
+    for child in artist.get_children() if artist.get_visible() else ():
+        yield from _texts(child)
 
 
 def font_with(letters):

@@ -111,8 +111,7 @@ def _decay(columns, mass):
 
 
 def _draw(path, time, measured, fitted, label):
-    from matplotlib.figure import Figure
-
+    from ..common.figures import Figure
     from ..common.picture import save
 
     figure = Figure(figsize=(9.0, 4.5), layout="constrained")

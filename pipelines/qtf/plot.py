@@ -11,7 +11,8 @@ from .report import MODES, NAMES, levels, newman
 def draw(forces, db, floats, path):
     """Write the picture of the heading with the largest force to `path`; returns the matplotlib figure"""
     import matplotlib
-    from matplotlib.figure import Figure
+
+    from ..common.figures import Figure
 
     diagonal = np.arange(len(forces.headings))
     size = np.nanmax(np.abs(forces.total[:, :, diagonal, diagonal][..., MODES]), axis=(0, 1))  # (m, 3)

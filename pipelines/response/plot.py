@@ -16,7 +16,8 @@ COLUMNS = 3
 def draw(result, path):
     """Write the picture of a SeaState or a Climate to `path`; returns the matplotlib figure."""
     import matplotlib
-    from matplotlib.figure import Figure
+
+    from ..common.figures import Figure
 
     climate = hasattr(result, "probability")
     panels = [*_panels(result)] if climate else ["waves", *_panels(result), *(["drift"] if result.slow else [])]

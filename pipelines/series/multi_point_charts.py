@@ -88,7 +88,8 @@ def _slow(results, path):
 
 def _figure(count):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+
+    from ..common.figures import Figure
 
     rows = 2 if count > 3 else 1
     columns = -(-count // rows)

@@ -17,7 +17,7 @@ import numpy as np
 
 import bem
 from bem import DOFS
-from bem.database.file import beside, software_version
+from bem.database.file import beside
 from bem.database.integrity import DatabaseError, crc
 from bem.database.results import check_seal
 from meshing.seals import kind_filled_in
@@ -90,7 +90,7 @@ def _take_over(old, new, row):
 
 def _lay_out(file, header, seeds, kept):
     file.attrs.update(
-        schema=SCHEMA, software_version=software_version(), convention=bem.__doc__, identity=header.identity,
+        schema=SCHEMA, software_version=bem.__version__, convention=bem.__doc__, identity=header.identity,
         study=header.study, breaking_load=header.breaking_load, **header.attributes
     )  # fmt: skip
     axes = {

@@ -32,7 +32,8 @@ def draw(file, output):
 
 def _figure(rows, columns, size, **more):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+
+    from ..common.figures import Figure
 
     figure = Figure(figsize=size, layout="constrained")
     FigureCanvasAgg(figure)

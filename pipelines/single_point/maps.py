@@ -107,7 +107,8 @@ def _values(where, axis):
 def draw(found: Map, path: Path):
     """Growth over one number as a curve, over two as colours with the boundary of slewing"""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+
+    from ..common.figures import Figure
 
     figure = Figure(figsize=(8, 6), layout="constrained")
     FigureCanvasAgg(figure)

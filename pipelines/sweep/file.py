@@ -11,7 +11,7 @@ from __future__ import annotations
 import h5py
 import numpy as np
 
-from bem.database.file import software_version
+from bem import __version__
 from bem.database.schema import DOFS, DRIFT_DOFS
 
 SCHEMA = "hakobune sweep 1"
@@ -29,7 +29,7 @@ def is_sweep(path):
 def create(path, keys, values, texts):
     """Make the file with every case to do; texts : {name: text} of sweep and study, kept as attributes"""
     with h5py.File(path, "w") as file:
-        file.attrs.update({"schema": SCHEMA, "software_version": software_version(), **texts})
+        file.attrs.update({"schema": SCHEMA, "software_version": __version__, **texts})
         count = len(values)
         file.create_dataset("case", data=np.arange(count)).make_scale("case")
         for name, column in zip(keys, zip(*values, strict=True), strict=True):

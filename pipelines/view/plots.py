@@ -28,6 +28,8 @@ ON_PAPER = 11.0, 1.9  # the same for a sheet of paper, on which it shrinks less
 NARROW = 1.5  # inches wide: the name of the first row stands above that of its first column
 MARGINS = {"left": 0.66, "right": 0.08, "bottom": 0.45, "top": 0.7, "between": 0.78, "rows": 0.42}  # inches
 LABEL = 0.5  # inches from a curve's axis to the name of its unit
+TICKS = 5  # spaces between those of a curve, at most; frequencies have them once a column
+GRID = {"color": "0.9", "linewidth": 0.6}
 HIGH = 5  # times the motion away from a sharp resonance: above, its peak is written and not drawn
 ROWS = {
     "A and B/ω": ("added_mass", "radiation_damping"),
@@ -84,7 +86,8 @@ def plot(db, output, size=SIZE):
     Raises DatabaseError if it holds nothing that can be drawn.
     """
     import matplotlib
-    from matplotlib.figure import Figure
+
+    from ..common.figures import Figure
 
     rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
     if not rows or not len(db.omega):
@@ -92,6 +95,7 @@ def plot(db, output, size=SIZE):
     with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
         figure, grid = _page(Figure, len(rows), *size)
         curves = Curves(db)
+        _same_frequencies(grid[0, 0], curves.omega)
         for name, axes in zip(rows, grid, strict=True):
             DRAW[name](curves, axes)
         _dress(db, figure, grid)
@@ -115,9 +119,17 @@ def _page(figure, rows, width, row):
     grid = page.subplots(rows, 6, sharex=True, squeeze=False, gridspec_kw=sides | spaces)
     for axis in grid.flat:
         axis.set_title("", y=1.0)
+        axis.locator_params(axis="y", nbins=TICKS)
         axis.yaxis.set_label_coords(-LABEL / wide, 0.5)
         axis.xaxis.set_label_coords(0.5, -0.3 / high)
     return page, grid
+
+
+def _same_frequencies(axis, omega):
+    """Limits of the frequencies of all curves, which matplotlib would look for again with every curve"""
+    low, high = omega[[0, -1]]
+    if low < high:
+        axis.set_xlim(low - axis.margins()[0] * (high - low), high + axis.margins()[0] * (high - low))
 
 
 def heading_colors(count):
@@ -264,10 +276,13 @@ def _dress(db, figure, grid):
         above = 1.08 if narrow and i == 0 else 1.0
         axes[0].set_title(row, loc="left", fontweight="bold", color="0.35", y=above)
     for axis in grid.flat:
-        axis.grid(True, color="0.9", linewidth=0.6)
         axis.spines[["top", "right"]].set_visible(False)
-        if not axis.lines and axis.axison:
+        if axis.lines:
+            axis.grid(True, axis="y", **GRID)
+        elif axis.axison:
             axis.text(0.5, 0.5, "zero by symmetry", transform=axis.transAxes, ha="center", color="0.5")
+            axis.set_yticks([])
+    _share_ticks(grid)
     for axis in grid[-1]:
         axis.set_xlabel("ω  rad/s")
     if any("wave_direction" in QUANTITIES[name][0] for row in rows for name in ROWS[row]):
@@ -276,6 +291,24 @@ def _dress(db, figure, grid):
     figure.suptitle(
         f"{db.mesh.name or db.path.stem}, {depth}", x=0.01, y=1 - 0.1 / figure.get_figheight(), ha="left", fontsize=12
     )
+
+
+def _share_ticks(grid):
+    """Ticks of frequencies for the lowest row alone, and lines at their places in all: a tick takes a millisecond"""
+    from matplotlib.collections import LineCollection
+    from matplotlib.ticker import MaxNLocator
+
+    low, high = grid[0, 0].get_xlim()
+    places = [place for place in MaxNLocator(8).tick_values(low, high) if low <= place <= high]
+    grid[0, 0].set(xticks=places, xlim=(low, high))
+    for axis in grid.flat:
+        if axis.axison and axis.lines:
+            lines = LineCollection(
+                [[(place, 0), (place, 1)] for place in places], transform=axis.get_xaxis_transform(), zorder=1, **GRID
+            )  # fmt: skip
+            axis.add_collection(lines, autolim=False)
+    for axis in grid[:-1].flat:
+        axis.xaxis.set_visible(False)
 
 
 def _name_headings(db, figure):

@@ -14,7 +14,8 @@ LEVELS = 0.1
 def draw(path, name, found):
     """Write the two maps of a `Map`."""
     import matplotlib
-    from matplotlib.figure import Figure
+
+    from ..common.figures import Figure
 
     around = found.around
     height, moment = np.abs(found.elevation), found.elevation.real

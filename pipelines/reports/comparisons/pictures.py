@@ -160,7 +160,8 @@ class _figure:
 
     def __init__(self, path, rows, columns, size, title):
         import matplotlib
-        from matplotlib.figure import Figure
+
+        from ...common.figures import Figure
 
         self.path = path
         self.style = matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"})

@@ -42,7 +42,8 @@ COMMANDS = [
 def ran(words, folder, limit):
     """status and what was said by a command that may write `limit` bytes into a file"""
     words = [str(SCENES / word) if (SCENES / word).is_file() else word for word in shlex.split(words)]
-    environment = {**os.environ, "PYTHONPATH": str(SCENES.parents[1])}
+    # a limit cuts bytecode short, too, which other tests would read
+    environment = {**os.environ, "PYTHONPATH": str(SCENES.parents[1]), "PYTHONDONTWRITEBYTECODE": "1"}
     command = [sys.executable, "-c", LIMITED, str(limit), *words]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, env=environment)
     return done.returncode, done.stderr
