@@ -9,7 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from bem.database import DatabaseError
+from bem.database import DatabaseError, writing
+from bem.database.file import check_place
 from bem.second_order.difference_forces import (
     BLOCK,
     DifferenceForces,
@@ -30,8 +31,17 @@ def solve(db, question, fresh):
     """Put the forces that a `Question` asks for into the file of an opened database; unless `fresh`, what is stored of
     the same waves is kept.
 
-    raises : ValueError for what `difference_forces` and `bodies` refuse, OSError where the file cannot be written
+    raises : ValueError for what `difference_forces` and `bodies` refuse and for a floating body without inertia;
+        DatabaseError and OSError, before anything is solved, where the file cannot be written
     """
+    if question.held.floats and db.inertia_matrix is None:
+        raise ValueError(
+            f"{db.path} has no inertia with which its body floats; its solve command with --gyration kxx,kyy,kzz adds "
+            f"it, 'hakobune qtf {db.path} --fixed' is of the body held"
+        )
+    check_place(db.path)
+    with writing(db.path):
+        pass
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:

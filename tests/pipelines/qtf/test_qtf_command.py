@@ -1,5 +1,6 @@
 """`hakobune qtf` as a person runs it, and the studies that use what it stores."""
 
+import os
 import re
 import shutil
 
@@ -66,6 +67,20 @@ def test_wrong_questions_are_refused_in_one_line(path, words, said, capsys):
     assert main(["qtf", str(path), *words.split()]) == 2
     line = capsys.readouterr().err.strip().splitlines()[-1]
     assert line.startswith("hakobune qtf:") and said in line
+
+
+def test_what_cannot_be_written_or_floats_without_inertia_is_refused_before_it_is_solved(
+    coarse, tmp_path, capsys, monkeypatch
+):
+    path = shutil.copy(coarse[0], tmp_path / "box.h5")
+    monkeypatch.setattr(running, "_solve", None)
+    with monkeypatch.context() as patch:
+        patch.setattr(type(open_database(path)), "inertia_matrix", None, raising=False)
+        assert main(["qtf", str(path)]) == 2
+    assert f"{path} has no inertia with which its body floats" in capsys.readouterr().err
+    monkeypatch.setattr(os, "access", lambda place, mode: False)
+    assert main(["qtf", str(path), "--fixed"]) == 2
+    assert f"{path} cannot be written: no permission" in capsys.readouterr().err
 
 
 def test_what_is_added_to_newman_makes_the_stored_force_of_a_pair(path):
