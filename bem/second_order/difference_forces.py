@@ -58,6 +58,12 @@ class DifferenceForces:
         """(d, n, m, m, 6)"""
         return self.to_body + (0.0 if self.surface is None else self.surface)
 
+    @classmethod
+    def joined(cls, several):
+        """Those of several ranges of differences of the same waves, in their order"""
+        parts = {part: [getattr(forces, part) for forces in several] for part in ("difference", *PARTS)}
+        return replace(several[0], **{part: None if v[0] is None else np.concatenate(v) for part, v in parts.items()})
+
     def first(self, count):
         """Those of the first `count` differences"""
         parts = {part: None if (v := getattr(self, part)) is None else v[:count] for part in PARTS}
@@ -69,19 +75,18 @@ class DifferenceForces:
         return self.squares + self.bound_wave + self.body
 
 
-def difference_forces(problem, omega, headings, highest, moving, report=lambda done, of: None, surface=False):
+def difference_forces(problem, omega, headings, highest, moving, report=lambda part, done, of: None, surface=False):
     """`DifferenceForces` of a `bem.methods.panel_problem.PanelProblem`, or of a `ShapeProblem` by the contour method.
 
     omega : (n,) rad/s at even steps; headings : (m,) rad; highest : rad/s, largest difference
     moving : freely floating instead of fixed, or the (6, 6) stiffness of lines that hold it beside the water
-    report : called with how many of the solutions are done; surface : with its forcing
+    report : called with how many "frequencies" of the first order are done, then with how many "pairs", and of how many
+    surface : with its forcing
     raises : ValueError for uneven frequencies, constant panels, zero draft, a moving body without inertia; with
         `surface` for a waterline that is not one curve around the body
     """
     run = DifferenceRun(problem, omega, headings, highest, moving, report, surface)
-    for block in run.blocks():
-        run.solve(block)
-    return run.forces(len(run.difference))
+    return DifferenceForces.joined([run.solve(block) for block in run.blocks()])
 
 
 class DifferenceRun:
@@ -90,7 +95,7 @@ class DifferenceRun:
     Arguments, errors and what is made as of `difference_forces`
     """
 
-    def __init__(self, problem, omega, headings, highest, moving, report=lambda done, of: None, surface=False):
+    def __init__(self, problem, omega, headings, highest, moving, report=lambda part, done, of: None, surface=False):
         self.omega, self.headings = np.asarray(omega, float), np.atleast_1d(np.asarray(headings, float))
         step, lines = _step(self.omega), moving if np.ndim(moving) else None
         self.problem, self.moving, self.surface = problem, lines is not None or bool(moving), surface
@@ -98,58 +103,62 @@ class DifferenceRun:
             raise ValueError(
                 "difference forces on a floating body without inertia; solve it with --gyration kxx,kyy,kzz"
             )
-        self.difference = step * np.arange(steps_to(highest, self.omega) + 1)
-        of = len(self.omega) + len(self.difference)
-        self.report = lambda done: report(done, of)
+        self.difference, self.report = step * np.arange(steps_to(highest, self.omega) + 1), report
         waves = _waves_of(problem)(problem, self.omega, self.headings, self.moving, self.difference, surface, lines)
         for done, w in enumerate(self.omega):
             waves.solve(w)
-            self.report(done + 1)
+            report("frequencies", done + 1, len(self.omega))
         self.waves, (self.flow, self.squares) = waves, waves.joined()
         self.added = _by_far_field(self.squares, np.array(waves.far))
-        shape = len(self.difference), len(self.omega), len(self.headings), len(self.headings), 6
-        self.parts = {part: np.full(shape, np.nan, complex) for part in PARTS if surface or part != "surface"}
 
     def blocks(self, done=0):
         """Ranges of up to BLOCK differences after the first `done`, a multiple of BLOCK"""
         return [range(m, min(m + BLOCK, len(self.difference))) for m in range(done, len(self.difference), BLOCK)]
 
-    def take(self, forces):
-        """Take over the differences of `DifferenceForces` of the same waves"""
-        for part, values in self.parts.items():
-            values[: len(forces.difference)] = getattr(forces, part)
-
-    def forces(self, count):
-        """`DifferenceForces` of the first `count` differences"""
-        parts = {part: values[:count] for part, values in self.parts.items()}
-        return DifferenceForces(self.omega, self.difference[:count], self.headings, **parts, added=self.added)
-
     def solve(self, block):
-        """Solve the pairs of a range of differences"""
-        out, waves, on_surface, several = self.parts, self.waves, [], {}
-        for m in block:
-            pairs = several[m] = _Pairs(self.omega, self.headings, m)
-            run = waves.radiation(self.difference[m])
-            out["squares"][m, : pairs.count] = self.squares[np.arange(m, len(self.omega)), :, np.arange(pairs.count)]
-            out["bound_wave"][m, : pairs.count] = pairs.shaped(_bound(pairs, run, waves))
-            body, made = np.zeros((len(pairs.one), 6), complex), None
-            if m and (self.moving or self.surface):
-                made = waves.radiated(run)
-            if m and self.moving:
-                body = body_forces(waves.surfaces, self.flow, pairs.one, pairs.two, made, self.problem)
+        """`DifferenceForces` of a range of differences"""
+        several = [_Pairs(self.omega, self.headings, m) for m in block]
+        parts, on_surface = {part: [] for part in PARTS}, []
+        for m, pairs in zip(block, several, strict=True):
+            run = self.waves.radiation(self.difference[m])
+            made = self.waves.radiated(run) if m and (self.moving or self.surface) else None
+            parts["squares"].append(self.squares[np.arange(m, len(self.omega)), :, np.arange(pairs.count)])
+            parts["bound_wave"].append(pairs.shaped(_bound(pairs, run, self.waves)))
+            parts["body"].append(self._body(pairs, made if self.moving else None))
             if m and self.surface:
-                on_surface.append(_on_surface(waves, self.flow, pairs, run, made, self.difference[m]))
-            out["body"][m, : pairs.count] = pairs.shaped(body @ self.problem.transform.T)
+                on_surface.append(_on_surface(self.waves, self.flow, pairs, run, made, self.difference[m]))
             if not self.surface:
-                self.report(len(self.omega) + m + 1)
-        if not self.surface:
-            return
-        if 0 in block:
-            out["surface"][0] = np.where(np.isnan(out["squares"][0]), np.nan, 0.0)
-        found = surface_forces(waves.around, on_surface) if on_surface else ()
-        for m, values in zip((m for m in block if m), found, strict=True):
-            out["surface"][m, : several[m].count] = several[m].shaped(values @ self.problem.transform.T)
-        self.report(len(self.omega) + block[-1] + 1)
+                self._tell(m)
+        if self.surface:
+            found = iter(surface_forces(self.waves.around, on_surface) if on_surface else ())
+            turned = self.problem.transform.T
+            parts["surface"] = [
+                pairs.shaped(next(found) @ turned) if m else np.zeros_like(parts["body"][0])
+                for m, pairs in zip(block, several, strict=True)
+            ]
+            self._tell(block[-1])
+        parts = {
+            part: np.array([_filled(v, len(self.omega)) for v in values]) for part, values in parts.items() if values
+        }
+        return DifferenceForces(self.omega, self.difference[list(block)], self.headings, **parts, added=self.added)
+
+    def _body(self, pairs, made):
+        """(n − m, m, m, 6) of the moving hull, made : `HullFlow` of its radiated waves, None for none"""
+        if made is None:
+            return pairs.shaped(np.zeros((len(pairs.one), 6), complex))
+        body = body_forces(self.waves.surfaces, self.flow, pairs.one, pairs.two, made, self.problem)
+        return pairs.shaped(body @ self.problem.transform.T)
+
+    def _tell(self, last):
+        """That the pairs of the differences up to the number `last` are solved"""
+        done, of = (sum(len(self.omega) - m for m in range(count)) for count in (last + 1, len(self.difference)))
+        each = len(self.headings) ** 2
+        self.report("pairs", each * done, each * of)
+
+
+def _filled(values, count):
+    """(count, …) of values, NaN where there are none"""
+    return np.concatenate([values, np.full((count - len(values), *values.shape[1:]), np.nan)])
 
 
 def steps_to(highest, omega):
@@ -198,8 +207,8 @@ def share_of(forces):
     return _ratio(_sizes(forces))
 
 
-def panel_errors(forces, rough, refinement):
-    """(d, n, m, m, 6) estimated errors of the whole from the same on a coarser mesh, N/m², N m/m²
+def panel_errors(forces, coarser, refinement):
+    """(d, n, m, m, 6) estimated errors of the whole from that on a coarser mesh, N/m², N m/m²
 
     Two meshes tell little by themselves: where an error passes through zero their difference is chance.  The estimate
     is the geometric mean of that difference, divided as its order says, and of the squares, in surge, sway and yaw
@@ -207,10 +216,10 @@ def panel_errors(forces, rough, refinement):
     pair and its neighbours in mean and difference.  In random scenes (`tests/bench/pair_errors.py`) root mean squares
     over all pairs are met within a factor of three in nearly nine of ten in surge, sway and yaw, in nearly eight of ten
     in heave, roll and pitch; single pairs in two of three.
-    refinement : panels for one of the coarser mesh
+    coarser : (d, n, m, m, 6) the whole on the coarser mesh; refinement : panels for one of it
     """
     less = 1 / (refinement**ORDER - 1)
-    square = np.abs(forces.total - rough.total) ** 2
+    square = np.abs(forces.total - coarser) ** 2
     off, size = np.sqrt(_smoothed(square)) * less, np.sqrt(_smoothed(np.abs(forces.squares) ** 2))
     out = SIZES[0] * np.sqrt(off * size)
     if forces.added is not None:
@@ -230,12 +239,13 @@ def _of_both(values, shape):
     return out
 
 
-def resolution_errors(forces, rough):
-    """(d, n, m, m, 6) estimated errors of forces by the contour method from those to a tolerance ten times as large
+def resolution_errors(forces, coarser):
+    """(d, n, m, m, 6) estimated errors of forces by the contour method from the whole (d, n, m, m, 6) to a tolerance
+    ten times as large
 
     What both differ by, root mean square of a pair and its neighbours: more than the finer one errs by
     """
-    return np.sqrt(_smoothed(np.abs(forces.total - rough.total) ** 2))
+    return np.sqrt(_smoothed(np.abs(forces.total - coarser) ** 2))
 
 
 def _smoothed(values):

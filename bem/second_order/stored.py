@@ -16,7 +16,7 @@ from ..database.widening import read_group, write_group
 from .difference_forces import HORIZONTAL, PARTS, DifferenceForces
 
 GROUP = "qtf"
-ERRORS, ADDED, ROUGH = "estimated_error", "added_by_far_field", "total_of_coarser"
+ERRORS, ADDED, COARSER = "estimated_error", "added_by_far_field", "total_of_coarser"
 AXES = ("difference", "omega", "wave_direction_1", "wave_direction_2", "influenced_dof")
 MEANING = (
     "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference towards "
@@ -24,107 +24,98 @@ MEANING = (
 )
 
 
-def write_forces(
-    path, forces, moving, share=None, moored="", errors=None, method="panel", *, rough=None, asked=None, lines=None
-):
-    """Put a `DifferenceForces` into a database.
+@dataclass(frozen=True, eq=False)
+class Held:
+    """What holds the body beside the water.
 
-    errors : (d, n, m, m, 6) estimated, of the whole, or None
-    moving : whether of the floating body; share : of the surface's forcing in it, estimated where it is left out
-    moored : what holds the floating body beside the water, by name; method : "panel" or "contour"
-    rough : (d, n, m, m, 6) the whole at a coarser resolution, of which the errors are; asked : rad/s, the largest
-        difference that will be stored, where that of `forces` is not yet; lines : (6, 6) stiffness of what holds it
+    floats : whether it moves; name : of the study whose lines hold the floating body, or empty
+    lines : (6, 6) their stiffness about the rotation centre, None without them
     """
-    unit, names = "N/m2, N m/m2", np.array(DOFS, dtype="S8")
+
+    floats: bool
+    name: str = ""
+    lines: np.ndarray | None = None
+
+    @property
+    def moving(self):
+        """As `difference_forces` takes it"""
+        return self.floats if self.lines is None else self.lines
+
+    def same_as(self, other):
+        lines = [np.zeros((6, 6)) if held.lines is None else held.lines for held in (self, other)]
+        return (self.floats, self.name) == (other.floats, other.name) and np.array_equal(*lines)
+
+
+@dataclass(frozen=True, eq=False)
+class StoredForces:
+    """Forces of pairs as a database has them, what body they are of and what is known of them.
+
+    method : "panel" or "contour"; share : of the surface's forcing in them, estimated where it is left out, or None
+    errors : (d, n, m, m, 6) estimated, of the whole, or None; coarser : (d, n, m, m, 6) the whole at a coarser
+        resolution, of which the errors are, or None
+    asked : rad/s, the largest difference that will be stored, where the run that stores them has not ended, or None
+    """
+
+    forces: DifferenceForces
+    held: Held
+    method: str = "panel"
+    share: float | None = None
+    errors: np.ndarray | None = None
+    coarser: np.ndarray | None = None
+    asked: float | None = None
+
+
+def write_forces(path, stored):
+    """Put `StoredForces` into a database, in place of what it has"""
+    forces, unit, names = stored.forces, "N/m2, N m/m2", np.array(DOFS, dtype="S8")
     datasets = {
         "omega": (("omega",), "rad/s", forces.omega),
         "difference": (("difference",), "rad/s", forces.difference),
         "wave_direction_1": (("wave_direction_1",), "rad", forces.headings),
         "wave_direction_2": (("wave_direction_2",), "rad", forces.headings),
         "influenced_dof": (("influenced_dof",), "", names),
-        **{part: (AXES, unit, value) for part in PARTS if (value := getattr(forces, part)) is not None},
     }
-    if errors is not None:
-        datasets[ERRORS] = (AXES, unit, errors)
-    if rough is not None:
-        datasets[ROUGH] = (AXES, unit, rough)
+    values = {part: getattr(forces, part) for part in PARTS} | {ERRORS: stored.errors, COARSER: stored.coarser}
+    datasets |= {name: (AXES, unit, value) for name, value in values.items() if value is not None}
     if forces.added is not None:
         datasets["horizontal_dof"] = (("horizontal_dof",), "", names[HORIZONTAL])
         datasets[ADDED] = ((*AXES[1:4], "horizontal_dof"), unit, forces.added)
+    held = stored.held
     attributes = {
         "meaning": MEANING,
-        "method": method,
-        "body": "floating" if moving else "fixed",
+        "method": stored.method,
+        "body": "floating" if held.floats else "fixed",
         "free_surface_integral": "left out" if forces.surface is None else "included",
+        "moored": held.name or None,
+        "line_stiffness": held.lines,
+        "free_surface_share": stored.share,
+        "difference_asked": stored.asked,
     }
-    if moored:
-        attributes["moored"] = moored
-    if share is not None:
-        attributes["free_surface_share"] = share
-    if asked is not None:
-        attributes["difference_asked"] = asked
-    if lines is not None:
-        attributes["line_stiffness"] = lines
-    write_group(path, GROUP, datasets, attributes)
+    write_group(path, GROUP, datasets, {name: value for name, value in attributes.items() if value is not None})
 
 
 def read_forces(db):
-    """`DifferenceForces` of an opened database and whether the body floats.  Raises DatabaseError where it has none."""
-    forces, attributes = _read(db)
-    return forces, attributes["body"] == "floating"
-
-
-def stored_share(db):
-    """Share of the surface's forcing as stored beside the forces, a number, or None"""
-    return _read(db)[1].get("free_surface_share")
-
-
-def stored_errors(db):
-    """(d, n, m, m, 6) estimated errors of the whole, N/m², N m/m², or None"""
-    found = read_group(db, GROUP)[0].get(ERRORS)
-    return None if found is None else found[2]
-
-
-def stored_rough(db):
-    """(d, n, m, m, 6) the whole at a coarser resolution, N/m², N m/m², or None"""
-    found = read_group(db, GROUP)[0].get(ROUGH)
-    return None if found is None else found[2]
-
-
-def unfinished(db):
-    """rad/s, the largest difference that was asked for where the run that stores it was ended before, or None"""
-    return _read(db)[1].get("difference_asked")
-
-
-def stored_lines(db):
-    """(6, 6) stiffness of the lines that held the body, zero without them"""
-    return np.asarray(_read(db)[1].get("line_stiffness", np.zeros((6, 6))))
-
-
-def stored_method(db):
-    """By what method the forces are, "panel" or "contour"; "panel" where an older file does not say"""
-    return str(_read(db)[1].get("method", "panel"))
-
-
-def stored_mooring(db):
-    """What held the body whose forces are stored, by name; empty of a free or fixed one"""
-    return str(_read(db)[1].get("moored", ""))
-
-
-def _read(db):
+    """`StoredForces` of an opened database.  Raises DatabaseError where it has none."""
     found = read_group(db, GROUP)
     if found is None:
         raise DatabaseError(f"{db.path} holds no difference forces of pairs; 'hakobune qtf {db.path}' adds them")
     datasets, attributes = found
     values = {name: part[2] for name, part in datasets.items()}
-    forces = DifferenceForces(
-        values["omega"],
-        values["difference"],
-        values["wave_direction_1"],
-        *(values.get(part) for part in PARTS),
-        added=values.get(ADDED),
+    axes = values["omega"], values["difference"], values["wave_direction_1"]
+    lines = attributes.get("line_stiffness")
+    return StoredForces(
+        DifferenceForces(*axes, *(values.get(part) for part in PARTS), added=values.get(ADDED)),
+        Held(
+            attributes["body"] == "floating",
+            str(attributes.get("moored", "")),
+            None if lines is None else np.asarray(lines),
+        ),
+        str(attributes.get("method", "panel")),
+        attributes.get("free_surface_share"),
+        values.get(ERRORS),
+        values.get(COARSER),
+        attributes.get("difference_asked"),
     )
-    return forces, attributes
 
 
 @dataclass(frozen=True, eq=False)

@@ -176,9 +176,9 @@ def beside_newman(db, sea, level, spread=False):
 
 def _surface_left_out(db, level):
     """Remark on what the forcing of the surface is, where it is left out of the level `body`"""
-    from bem.second_order.stored import stored_share
+    from bem.second_order.stored import read_forces
 
-    share = stored_share(db)
+    share = read_forces(db).share
     if level == "full" or share is None:
         return ()
     return (f'qtf = "body" leaves out the forcing of the surface, about {100 * share:.2g} % of the slow force',)
@@ -190,19 +190,20 @@ def stored_pairs(db, sea, level="body", spread=False):
 
     raises : ValueError, one line, for what is not stored in it
     """
-    from bem.second_order.stored import read_forces, unfinished
+    from bem.second_order.stored import read_forces
 
     if not isinstance(sea, Sea) or (sea.spreading is not None and not spread):
         raise ValueError(f'qtf = "{level}" in a sea of several directions; allowed: one system of long crests')
-    forces, floats = read_forces(db)
-    if not floats:
+    stored = read_forces(db)
+    forces = stored.forces
+    if not stored.held.floats:
         raise ValueError(
             f"the pairs in {db.path} are of a fixed body; 'hakobune qtf {db.path} --fresh' solves it afloat"
         )
-    if (whole := unfinished(db)) is not None:
+    if stored.asked is not None:
         raise ValueError(
             f"the pairs in {db.path} are those of a run that was ended, differences to {forces.difference[-1]:.3g} of "
-            f"{whole:.3g} rad/s; 'hakobune qtf {db.path}' goes on"
+            f"{stored.asked:.3g} rad/s; 'hakobune qtf {db.path}' goes on"
         )
     if level == "full" and forces.surface is None:
         raise ValueError(

@@ -75,7 +75,7 @@ def _pairs_written(db, values, output):
 
     if read_group(db, GROUP) is None:
         return []
-    return [write_pairs(read_forces(db)[0], output, values.density * values.gravity)]
+    return [write_pairs(read_forces(db).forces, output, values.density * values.gravity)]
 
 
 def _format(flag, name):
@@ -156,9 +156,9 @@ def import_(place, kind_name, mesh, known, output):
         print(f"{hull}: {finding}", file=sys.stderr)
     _store(values, panels, output, f"{kind_name}: {place}")
     if pairs is not None:
-        from bem.second_order.stored import write_forces
+        from bem.second_order.stored import Held, StoredForces, write_forces
 
-        write_forces(output, pairs, "rao" in values.quantities)
+        write_forces(output, StoredForces(pairs, Held("rao" in values.quantities)))
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
     print(", ".join([*values.quantities, *([] if pairs is None else ["qtf"])]))
     lacking = [name for name in ("inertia_matrix", "mass") if values.get(name) is None]

@@ -28,14 +28,11 @@ def diagonal_gap(forces):
     return float(np.abs(forces.added[:, h, h][..., :2]).max() / max(np.abs(drift).max(), 1e-300))
 
 
-def told(forces, db, floats, share, moored="", errors=None, method="panel"):
-    """Lines of text.
-
-    share : what the surface's forcing is of the force, or None; moored : by what study, or empty; errors : estimated
-    method : by which they are
-    """
+def told(stored, db):
+    """Lines of text about `StoredForces` of an opened database"""
+    forces, share = stored.forces, stored.share
     yield (
-        f"{_held(floats, moored)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
+        f"{_held(stored.held)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
         f"{forces.omega[-1]:.4g} rad/s, differences to {forces.difference[-1]:.3g} rad/s, {len(forces.headings)} "
         "headings and all their pairs"
     )
@@ -51,11 +48,11 @@ def told(forces, db, floats, share, moored="", errors=None, method="panel"):
     for h, beta in enumerate(forces.headings):
         for mode, name in zip(MODES, NAMES, strict=True):
             yield from _rows(forces, h, beta, mode, name)
-    if errors is None:
+    if stored.errors is None:
         yield "no estimated error: there is no mesh of half as many panels"
     else:
-        name = "contour method" if method == "contour" else "panels"
-        yield f"estimated error of the {name}, root mean square of the force's: {_relative(forces, errors)}"
+        name = "contour method" if stored.method == "contour" else "panels"
+        yield f"estimated error of the {name}, root mean square of the force's: {_relative(forces, stored.errors)}"
     size = "unknown" if share is None else f"{100 * share:.2g} % of the force in surge and sway"
     if forces.surface is None:
         yield f"left out: the forcing of the surface around the body, estimated from few pairs: {size}; --level full"
@@ -76,10 +73,10 @@ def _relative(forces, errors):
     )
 
 
-def _held(floats, moored):
-    if moored:
-        return f"moored ({moored})"
-    return "floating" if floats else "fixed"
+def _held(held):
+    if held.name:
+        return f"moored ({held.name})"
+    return "floating" if held.floats else "fixed"
 
 
 def levels(forces, mode, heading):

@@ -5,129 +5,136 @@ from __future__ import annotations
 import sys
 import time
 import warnings
+from dataclasses import replace
 
 import numpy as np
 
-ENOUGH = 0.05  # of the force: what "auto" leaves out
+from bem.database import DatabaseError, writing
+from bem.database.file import check_place
+from bem.second_order.difference_forces import (
+    BLOCK,
+    DifferenceForces,
+    DifferenceRun,
+    share_of,
+    steps_to,
+    surface_share,
+)
+from bem.second_order.stored import StoredForces, read_forces, write_forces
+
+from ..common.progress import duration
+from .problem import bodies
+
 EVERY = 5.0  # s, between writings
 
 
-def adds_surface(level, share):
-    """Whether a level takes the forcing of the surface, which is that share of the force or unknown"""
-    return level == "full" or (level == "auto" and share is not None and share > ENOUGH)
+def solve(db, question, fresh):
+    """Put the forces that a `Question` asks for into the file of an opened database; unless `fresh`, what is stored of
+    the same waves is kept.
 
-
-def solve(db, waves, moving, level, method, holder, fresh):
-    """Put the forces of pairs into the file of an opened database; what is stored of the same waves is kept.
-
-    waves : frequencies (n,) rad/s, headings (m,) rad and largest difference rad/s; moving : as of `difference_forces`
-    level, method : of the command; holder : what holds the body, by name; fresh : whether nothing is kept
-    raises : ValueError for what `difference_forces` and `bodies` refuse, OSError where the file cannot be written
+    raises : ValueError for what `difference_forces` and `bodies` refuse and for a floating body without inertia;
+        DatabaseError and OSError, before anything is solved, where the file cannot be written
     """
+    if question.held.floats and db.inertia_matrix is None:
+        raise ValueError(
+            f"{db.path} has no inertia with which its body floats; its solve command with --gyration kxx,kyy,kzz adds "
+            f"it, 'hakobune qtf {db.path} --fixed' is of the body held"
+        )
+    check_place(db.path)
+    with writing(db.path):
+        pass
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
-            _solve(db, waves, moving, level, method, holder, fresh)
+            _solve(db, question, fresh)
         finally:
             for line in dict.fromkeys(str(w.message) for w in caught):
                 print(line, file=sys.stderr)
 
 
-def _solve(db, waves, moving, level, method, holder, fresh):
-    from bem.second_order.difference_forces import DifferenceRun, share_of, surface_share
-    from bem.second_order.stored import write_forces
-
-    from .problem import bodies
-
-    body, share = bodies(db, method, float(waves[0][-1])), None
-    if level != "full":
-        try:
-            share = surface_share(body.fine, *waves, moving)
-        except ValueError as error:
-            if "surface" not in str(error):
-                raise
-            warnings.warn(str(error), stacklevel=2)
-    full, lines = adds_surface(level, share), moving if np.ndim(moving) else None
-    known = None if fresh else _known(db, waves, body, full, moving, holder)
-    problems = [problem for problem in (body.fine, body.rough) if problem is not None]
-    told = _Told(len(problems))
-    runs = [DifferenceRun(p, *waves, moving, told.of(n), full) for n, p in enumerate(problems)]
-    done, written = 0, time.monotonic()
-    if known is not None:
-        done = len(known[0].difference)
-        for run, forces in zip(runs, known, strict=True):
-            run.take(forces)
-    blocks = runs[0].blocks(done)
+def _solve(db, question, fresh):
+    body = bodies(db, question.method, float(question.omega[-1]))
+    share = None if question.level == "full" else _share(body.fine, question)
+    full = question.adds_surface(share)
+    known = None if fresh else _known(db, question, body, full)
+    told = _Told(2 if body.rough else 1)
+    fine, rough = (
+        problem and DifferenceRun(problem, *question.waves, question.held.moving, told.of(n), full)
+        for n, problem in enumerate((body.fine, body.rough))
+    )
+    forces, coarser = ([], []) if known is None else ([known.forces], [known.coarser])
+    written = time.monotonic()
+    blocks = fine.blocks(sum(len(part.difference) for part in forces))
     for block in blocks:
-        for run in runs:
-            run.solve(block)
+        forces = [DifferenceForces.joined([*forces, fine.solve(block)])]
+        if rough:
+            coarser = [np.concatenate([*coarser, rough.solve(block).total])]
         last = block is blocks[-1]
-        if not last and time.monotonic() - written < EVERY:
-            continue
-        fine, *rough = (run.forces(block[-1] + 1) for run in runs)
-        write_forces(
-            db.path,
-            fine,
-            moving is not False,
-            share_of(fine) if full else share,
-            holder,
-            body.errors(fine, rough[0]) if rough else None,
-            body.method,
-            rough=rough[0].total if rough else None,
-            asked=None if last else float(waves[2]),
-            lines=lines,
-        )
-        written = time.monotonic()
+        if last or time.monotonic() - written > EVERY:
+            asked = None if last else question.highest
+            write_forces(db.path, _stored(question, body, forces[0], share, coarser[0] if rough else None, asked))
+            written = time.monotonic()
 
 
-def _known(db, waves, body, full, moving, holder):
-    """[`DifferenceForces`] of each resolution, fewer differences of the same waves as they are stored, or None"""
-    from bem.database import DatabaseError
-    from bem.second_order.difference_forces import BLOCK, DifferenceForces, steps_to
-    from bem.second_order.stored import read_forces, stored_lines, stored_method, stored_mooring, stored_rough
-
+def _share(problem, question):
+    """`surface_share`, None with a warning where the surface cannot be gone around"""
     try:
-        forces, floats = read_forces(db)
+        return surface_share(problem, *question.waves, question.held.moving)
+    except ValueError as error:
+        if "surface" not in str(error):
+            raise
+        warnings.warn(str(error), stacklevel=2)
+        return None
+
+
+def _stored(question, body, forces, share, coarser, asked):
+    share = share if forces.surface is None else share_of(forces)
+    errors = None if coarser is None else body.errors(forces, coarser)
+    return StoredForces(forces, question.held, body.method, share, errors, coarser, asked)
+
+
+def _known(db, question, body, full):
+    """`StoredForces` of fewer differences of the same waves, a multiple of BLOCK, as a run goes on from; or None"""
+    try:
+        stored = read_forces(db)
     except DatabaseError:
         return None
-    omega, headings, highest = waves
-    lines = moving if np.ndim(moving) else np.zeros((6, 6))
-    count = min(len(forces.difference), steps_to(highest, omega) + 1) // BLOCK * BLOCK
-    rough = stored_rough(db)
+    forces, coarser = stored.forces, stored.coarser
+    count = min(len(forces.difference), steps_to(question.highest, question.omega) + 1) // BLOCK * BLOCK
     same = (
-        np.array_equal(forces.omega, omega)
-        and np.array_equal(forces.headings, headings)
-        and floats == (moving is not False)
-        and stored_mooring(db) == holder
-        and np.array_equal(stored_lines(db), lines)
-        and stored_method(db) == body.method
+        np.array_equal(forces.omega, question.omega)
+        and np.array_equal(forces.headings, question.headings)
+        and stored.held.same_as(question.held)
+        and stored.method == body.method
         and (forces.surface is not None) == full
-        and (rough is not None) == (body.rough is not None)
+        and (coarser is not None) == (body.rough is not None)
     )
     if not same or not count:
         return None
-    kept = [forces.first(count)]
-    if rough is not None:  # of whose parts the sum alone is known
-        zero = np.where(np.isnan(rough[:count]), rough[:count], 0.0)
-        kept.append(
-            DifferenceForces(omega, kept[0].difference, headings, rough[:count], zero, zero, zero if full else None)
-        )
-    return kept
+    return replace(stored, forces=forces.first(count), coarser=None if coarser is None else coarser[:count])
 
 
 class _Told:
-    """Progress of several runs of as many solutions each, in one line of a terminal"""
+    """Progress of several runs over the same frequencies and pairs, one line of a terminal for each part"""
 
-    def __init__(self, count):
-        self.count, self.done = count, [0] * count
+    def __init__(self, runs):
+        self.runs, self.part, self.done, self.before, self.since = runs, None, {}, 0, 0.0
 
-    def of(self, n):
+    def of(self, run):
         """Callback of one of them"""
 
-        def report(done, of):
-            self.done[n] = done
+        def report(part, done, of):
+            self.done[part, run] = done
             if sys.stderr.isatty():
-                end = "\n" if sum(self.done) == of * self.count else ""
-                print(f"\r{sum(self.done)}/{of * self.count} frequencies", end=end, file=sys.stderr, flush=True)
+                self._print(part, sum(self.done.get((part, n), 0) for n in range(self.runs)), of * self.runs)
 
         return report
+
+    def _print(self, part, done, of):
+        if part != self.part:  # the pace is that of what this run does of the part
+            self.part, self.before, self.since = part, done, time.monotonic()
+        left = f", {duration(self._left(done, of))} left" if self.before < done < of else ""
+        print(f"\r\033[K{done}/{of} {part}{left}", end="\n" if done == of else "", file=sys.stderr, flush=True)
+
+    def _left(self, done, of):
+        """s"""
+        return (time.monotonic() - self.since) / (done - self.before) * (of - done)

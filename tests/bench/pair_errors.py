@@ -68,7 +68,7 @@ def ratios(rng, surface):
     high = np.sqrt(G * 2 * np.pi / length * np.tanh(2 * np.pi / length * min(depth, 1e4)))
     omega, beta = high * (1 - 0.08 * np.arange(3)[::-1]), [rng.uniform(0, np.pi)]
     found = [difference_forces(p, omega, beta, high, floats, surface=surface) for p in (rough, fine, finest)]
-    estimate = panel_errors(found[1], found[0], totals[1] / totals[0])
+    estimate = panel_errors(found[1], found[0].total, totals[1] / totals[0])
     error = np.abs(found[1].total - found[2].total) / (1 - 4.0**-1.16)  # what the finest has left
     scale = np.nanmax(np.abs(found[2].total), axis=(0, 1, 2, 3))
     scale = np.array([max(scale[:3])] * 3 + [max(scale[3:])] * 3)

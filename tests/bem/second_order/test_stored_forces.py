@@ -9,7 +9,7 @@ import pytest
 from bem.database import DatabaseError, extend, open_database
 from bem.database.integrity import DamagedError
 from bem.second_order.difference_forces import PARTS, DifferenceForces
-from bem.second_order.stored import BetweenPairs, read_forces, stored_share, write_forces
+from bem.second_order.stored import BetweenPairs, Held, StoredForces, read_forces, write_forces
 from pipelines.cli import main
 
 OMEGA, HEADINGS = np.linspace(0.5, 1.1, 13), np.array([0.3, 1.0])
@@ -47,27 +47,29 @@ def test_they_are_read_as_they_were_written_and_the_rest_stays(path):
     with pytest.raises(DatabaseError, match="hakobune qtf"):
         read_forces(open_database(path))
     before = open_database(path)["added_mass"]
-    write_forces(path, made_up(), True, 0.1)
+    lines = np.diag(np.arange(6.0))
+    write_forces(path, StoredForces(made_up(), Held(True, "moor.toml", lines), "contour", 0.1, asked=0.5))
     db = open_database(path)
-    found, floats = read_forces(db)
-    assert stored_share(db) == 0.1
-    assert floats and np.array_equal(db["added_mass"], before)
+    found = read_forces(db)
+    assert (found.share, found.asked, found.method, found.errors, found.coarser) == (0.1, 0.5, "contour", None, None)
+    assert found.held.same_as(Held(True, "moor.toml", lines)) and not found.held.same_as(Held(True, "moor.toml"))
+    assert np.array_equal(db["added_mass"], before)
     for part in PARTS:
-        np.testing.assert_array_equal(getattr(found, part), getattr(made_up(), part))
+        np.testing.assert_array_equal(getattr(found.forces, part), getattr(made_up(), part))
     with h5py.File(path) as file:
         assert file["qtf/squares"].dims[1][0].name.endswith("qtf/omega") and file["qtf"].attrs["meaning"]
 
 
 def test_they_stay_while_a_database_grows_and_are_replaced_whole(path):
-    write_forces(path, made_up(), True)
+    write_forces(path, StoredForces(made_up(), Held(True)))
     assert extend(path, omega=[0.6])
-    assert np.array_equal(read_forces(open_database(path))[0].omega, OMEGA)
-    write_forces(path, made_up(), False)
-    assert not read_forces(open_database(path))[1]
+    assert np.array_equal(read_forces(open_database(path)).forces.omega, OMEGA)
+    write_forces(path, StoredForces(made_up(), Held(False)))
+    assert not read_forces(open_database(path)).held.floats
 
 
 def test_damage_in_them_is_found(path):
-    write_forces(path, made_up(), True)
+    write_forces(path, StoredForces(made_up(), Held(True)))
     data = bytearray(path.read_bytes())
     place = data.find(made_up().squares[2, 3, 0, 0].tobytes())
     data[place + 3] ^= 1

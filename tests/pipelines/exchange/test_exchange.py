@@ -5,7 +5,7 @@ import pytest
 
 from bem.database import open_database
 from bem.second_order.difference_forces import DifferenceForces
-from bem.second_order.stored import read_forces, write_forces
+from bem.second_order.stored import Held, StoredForces, read_forces, write_forces
 from pipelines import cli
 
 BOX = "--length 40 --beam 20 --draft 5 --depth 20 --omega 0.3:0.9:3 --heading 0,45 --gyration 6,12,13"
@@ -18,7 +18,8 @@ def folder(tmp_path_factory):
     T = np.random.default_rng(1).normal(size=(2, 3, 1, 1, 6)) + 0j
     T[1, 2] = np.nan
     omega = np.linspace(0.3, 0.9, 3)
-    write_forces(place / "box.h5", DifferenceForces(omega, np.array([0.0, 0.3]), np.zeros(1), T, T, T), True)
+    forces = DifferenceForces(omega, np.array([0.0, 0.3]), np.zeros(1), T, T, T)
+    write_forces(place / "box.h5", StoredForces(forces, Held(True)))
     return place
 
 
@@ -34,7 +35,7 @@ def test_a_database_goes_out_and_comes_back(kind, place, folder, capsys):
     for name in ("added_mass", "excitation_force"):
         assert np.abs(found[name] - true[name]).max() <= 1e-6 * np.abs(true[name]).max()
     if kind == "wamit":
-        np.testing.assert_allclose(read_forces(found)[0].total, read_forces(true)[0].total, rtol=1e-5)
+        np.testing.assert_allclose(read_forces(found).forces.total, read_forces(true).forces.total, rtol=1e-5)
 
 
 def test_refusals_name_the_way_out(folder, capsys):

@@ -1,5 +1,6 @@
 """`hakobune qtf` as a person runs it, and the studies that use what it stores."""
 
+import os
 import re
 import shutil
 
@@ -7,15 +8,16 @@ import numpy as np
 import pytest
 
 from bem.database import open_database
-from bem.second_order.difference_forces import DifferenceRun
-from bem.second_order.stored import read_forces, stored_errors, stored_method, unfinished
+from bem.second_order import difference_forces, first_order_waves
+from bem.second_order.difference_forces import PARTS, DifferenceRun
+from bem.second_order.stored import read_forces
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
 from mooring.response.pair_levels import beside_newman, stored_pairs
 from mooring.response.slow_drift import HORIZONTAL
 from pipelines.cli import main
 from pipelines.qtf import running
-from pipelines.qtf.command import multiples
+from pipelines.qtf.question import multiples
 
 BOX = "box --length 100 --beam 50 --draft 10 --depth 20 --panels 120 --gyration 15.55,29.44,32.28 --heading 0,180"
 SWELL = Sea(jonswap(1.0, peak_period=11.0), np.pi)
@@ -67,9 +69,23 @@ def test_wrong_questions_are_refused_in_one_line(path, words, said, capsys):
     assert line.startswith("hakobune qtf:") and said in line
 
 
+def test_what_cannot_be_written_or_floats_without_inertia_is_refused_before_it_is_solved(
+    coarse, tmp_path, capsys, monkeypatch
+):
+    path = shutil.copy(coarse[0], tmp_path / "box.h5")
+    monkeypatch.setattr(running, "_solve", None)
+    with monkeypatch.context() as patch:
+        patch.setattr(type(open_database(path)), "inertia_matrix", None, raising=False)
+        assert main(["qtf", str(path)]) == 2
+    assert f"{path} has no inertia with which its body floats" in capsys.readouterr().err
+    monkeypatch.setattr(os, "access", lambda place, mode: False)
+    assert main(["qtf", str(path), "--fixed"]) == 2
+    assert f"{path} cannot be written: no permission" in capsys.readouterr().err
+
+
 def test_what_is_added_to_newman_makes_the_stored_force_of_a_pair(path):
     db = open_database(path)
-    forces, pairs = read_forces(db)[0], stored_pairs(db, SWELL, "full")
+    forces, pairs = read_forces(db).forces, stored_pairs(db, SWELL, "full")
     one, two = forces.omega[6:8], forces.omega[5:7]
     D, E = (db.reader.floating().drift(w, [np.pi])[:, 0] for w in (one, two))
     rule = np.where(D * E > 0, np.sign(D) * np.sqrt(np.abs(D * E)), 0.0)
@@ -102,10 +118,10 @@ def test_a_vertical_cylinder_has_them_by_contour_and_on_panels_when_asked(tmp_pa
     for method in ("auto", "panel", "contour"):
         asked = f"--omega 0.6:1.0:3 --difference 0.3 --level full --method {method}"
         assert main(["qtf", str(buoy), *asked.split()]) == 0
-        said, db = capsys.readouterr().out, open_database(buoy)
+        said, stored = capsys.readouterr().out, read_forces(open_database(buoy))
         name = "panels" if method == "panel" else "contour method"
-        assert f"estimated error of the {name}" in said and stored_method(db) == ("contour", "panel")[name == "panels"]
-        found[method] = read_forces(db)[0].total[1, 0, 0, 0, 0], stored_errors(db)[1, 0, 0, 0, 0]
+        assert f"estimated error of the {name}" in said and stored.method == ("contour", "panel")[name == "panels"]
+        found[method] = [values[1, 0, 0, 0, 0] for values in (stored.forces.total, stored.errors)]
     assert found["auto"][0] == found["contour"][0] and found["contour"][1] < 1e-3 * abs(found["contour"][0])
     assert abs(found["panel"][0] / found["contour"][0] - 1) < 0.02
 
@@ -134,7 +150,7 @@ def test_a_body_on_its_lines_has_forces_of_its_own(path, tmp_path, capsys):
     words = ["qtf", str(other), *question, "--moored", str(study)]
     assert main(words) == 0
     assert f"moored ({study}) body" in capsys.readouterr().out
-    held, free = (read_forces(open_database(p))[0].total[0, :, 0, 0, 0].real for p in (other, path))
+    held, free = (read_forces(open_database(p)).forces.total[0, :, 0, 0, 0].real for p in (other, path))
     assert 1e-5 < abs(held[4] / free[8] - 1) < 0.05  # at 0.9 rad/s, where lines are soft beside the waves
 
 
@@ -155,38 +171,91 @@ def test_frequencies_that_nobody_chose_are_multiples_of_their_step(low, high):
     assert found / step == pytest.approx(np.round(found / step), abs=1e-9)
 
 
-QUESTION = ["--omega", "0.3:1.2:19", "--heading", "180", "--difference", "0.85", "--level", "full"]
+QUESTION = ["--omega", "0.3:1.2:7", "--heading", "180", "--level", "full", "--difference"]
 
 
-def test_a_run_that_was_ended_goes_on_from_the_differences_it_stored(path, tmp_path, capsys, monkeypatch):
-    whole, ended = (shutil.copy(path, tmp_path / name) for name in ("whole.h5", "ended.h5"))
+def by_twos(patch):
+    """Blocks of two differences each, and no work that differences share, which few of them do without"""
+    for module in (running, difference_forces):
+        patch.setattr(module, "BLOCK", 2)
+    patch.setattr(first_order_waves, "MANY", 100)
+
+
+@pytest.fixture
+def recorded(monkeypatch):
+    """Blocks of both resolutions as they are solved, each stored at once"""
     solved, solve = [], DifferenceRun.solve
+    by_twos(monkeypatch)
+    monkeypatch.setattr(running, "EVERY", 0.0)
+    monkeypatch.setattr(DifferenceRun, "solve", lambda run, block: (solved.append(block), solve(run, block))[1])
+    return solved
+
+
+@pytest.fixture(scope="module")
+def coarse(tmp_path_factory):
+    """Database of a box on 80 panels, and the same with pairs to 0.6 rad/s"""
+    path, whole = (tmp_path_factory.mktemp("coarse") / name for name in ("box.h5", "whole.h5"))
+    words = BOX.replace("--panels 120", "--panels 80").replace("0,180", "180")
+    assert main([*words.split(), "--omega", "0.3,1.2", "--output", str(path)]) == 0
+    shutil.copy(path, whole)
+    with pytest.MonkeyPatch.context() as patch:
+        by_twos(patch)
+        assert main(["qtf", str(whole), *QUESTION, "0.6"]) == 0
+    return path, whole
+
+
+def equal(one, two):
+    """Whether two databases have the same pairs, bit for bit, and errors to the last digits"""
+    one, two = (read_forces(open_database(path)) for path in (one, two))
+    assert one.asked is None and two.asked is None
+    for part in PARTS:
+        np.testing.assert_array_equal(getattr(one.forces, part), getattr(two.forces, part))
+    np.testing.assert_array_equal(one.coarser, two.coarser)
+    np.testing.assert_allclose(one.errors, two.errors, rtol=1e-9)
+    return True
+
+
+def test_a_run_that_was_ended_goes_on_from_the_differences_it_stored(coarse, tmp_path, capsys, monkeypatch, recorded):
+    ended, solve = shutil.copy(coarse[0], tmp_path / "ended.h5"), DifferenceRun.solve
 
     def once(run, block):
-        if len(solved) == 2:  # both resolutions of the first differences
+        if len(recorded) == 2:  # both resolutions of the first differences
             raise KeyboardInterrupt
-        solved.append(block)
-        solve(run, block)
+        return solve(run, block)
 
-    assert main(["qtf", str(whole), *QUESTION]) == 0
-    monkeypatch.setattr(running, "EVERY", 0.0)
     with monkeypatch.context() as patch:
         patch.setattr(DifferenceRun, "solve", once)
-        assert main(["qtf", str(ended), *QUESTION]) == 130
+        assert main(["qtf", str(ended), *QUESTION, "0.6"]) == 130
     assert capsys.readouterr().err.strip().endswith("kept, the same command goes on from them")
     db = open_database(ended)
-    assert len(read_forces(db)[0].difference) == 8 and unfinished(db) == pytest.approx(0.85)
-    with pytest.raises(ValueError, match=r"differences to 0.35 of 0.85 rad/s; 'hakobune qtf .*' goes on"):
+    assert len(read_forces(db).forces.difference) == 2 and read_forces(db).asked == pytest.approx(0.6)
+    with pytest.raises(ValueError, match=r"differences to 0.15 of 0.6 rad/s; 'hakobune qtf .*' goes on"):
         stored_pairs(db, SWELL, "full")
-    with monkeypatch.context() as patch:
-        patch.setattr(DifferenceRun, "solve", lambda run, block: (solved.append(block), solve(run, block)))
-        assert main(["qtf", str(ended)]) == 0
-    assert solved[2][0] == 8
-    one, two = open_database(whole), open_database(ended)
-    assert unfinished(two) is None
-    for part in ("squares", "bound_wave", "body", "surface"):
-        np.testing.assert_array_equal(getattr(read_forces(one)[0], part), getattr(read_forces(two)[0], part))
-    np.testing.assert_allclose(stored_errors(one), stored_errors(two), rtol=1e-9)
+    assert main(["qtf", str(ended)]) == 0
+    assert recorded[2][0] == 2 and equal(ended, coarse[1])
+
+
+def test_a_larger_difference_adds_to_what_is_stored(coarse, tmp_path, recorded):
+    wider = shutil.copy(coarse[0], tmp_path / "wider.h5")
+    for difference in ("0.3", "0.6"):
+        assert main(["qtf", str(wider), *QUESTION, difference]) == 0
+    first, second = [0, 0, 2, 2], [2, 2, 4, 4]  # of three differences two are a whole block
+    assert [block[0] for block in recorded] == [*first, *second] and equal(wider, coarse[1])
+
+
+def test_progress_tells_frequencies_pairs_and_the_time_left(monkeypatch, capsys):
+    now = iter([0.0, 2.0, 6.0])
+    monkeypatch.setattr(running.time, "monotonic", lambda: next(now))
+    monkeypatch.setattr(running.sys.stderr, "isatty", lambda: True)
+    told = running._Told(2)
+    for run, part, done, of in ((0, "frequencies", 1, 1), (0, "pairs", 20, 100), (1, "pairs", 20, 100)):
+        told.of(run)(part, done, of)
+    lines = re.split("[\r\n]", capsys.readouterr().err)
+    assert [line.removeprefix("\x1b[K") for line in lines if line] == [
+        "1/2 frequencies",
+        "20/200 pairs",
+        "40/200 pairs, 32 s left",
+    ]
 
 
 def test_a_question_that_is_stored_is_not_solved_again_and_differences_end_with_the_band(path, monkeypatch):

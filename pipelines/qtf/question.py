@@ -1,0 +1,140 @@
+"""What is asked of pairs of waves: which waves, how far apart, of what body, with which parts."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bem.second_order.stored import Held
+
+from ..scene.scene import numbers
+
+FREQUENCIES = 41, 48  # of the stored band, where none are asked for
+SHARE = 0.4  # of the mean of the band: largest difference, where none is asked for
+EVEN = 1e-6  # of the step between frequencies
+SAME = 1e-9  # rad/s, rad: between frequencies and headings that are one
+ENOUGH = 0.05  # of the force: what the level "auto" leaves out
+MOST_WAVES = 1500  # frequencies times headings: their flow on the hull of a thousand panels takes 2 GB
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """omega : (n,) rad/s at even steps; headings : (m,) rad; highest : rad/s, largest difference; held : `Held`
+
+    level : body, full or auto; method : panel, contour or auto
+    waves_given : whether a person chose the waves, instead of leaving them to the database
+    """
+
+    omega: np.ndarray
+    headings: np.ndarray
+    highest: float
+    held: Held
+    level: str
+    method: str
+    waves_given: bool
+
+    @property
+    def waves(self):
+        """As `difference_forces` takes them"""
+        return self.omega, self.headings, self.highest
+
+    def continued(self, stored):
+        """The question of the `StoredForces` of a run that was ended, where it is what is asked for"""
+        if stored.asked is None or self.waves_given or stored.held.floats != self.held.floats:
+            return self
+        forces = stored.forces
+        return replace(
+            self,
+            omega=forces.omega,
+            headings=forces.headings,
+            highest=stored.asked,
+            held=self.held if self.held.name else stored.held,
+            level=self.level if forces.surface is None else "full",
+            method=stored.method if self.method == "auto" else self.method,
+        )
+
+    def answered_by(self, stored):
+        """Whether `StoredForces` are what is asked for"""
+        forces = stored.forces
+        lacks = (
+            stored.asked is not None
+            or (forces.surface is None and self.adds_surface(stored.share))
+            or (self.held.name and stored.held.name != self.held.name)
+            or self.method not in ("auto", stored.method)
+        )
+        if lacks or not (self.waves_given or stored.held.floats != self.held.floats):
+            return not lacks
+        step, (low, high) = forces.omega[1] - forces.omega[0], forces.omega[[0, -1]]
+        return bool(
+            stored.held.floats == self.held.floats
+            and low <= self.omega[0] + SAME
+            and high >= self.omega[-1] - SAME
+            and step <= (self.omega[1] - self.omega[0]) * (1 + SAME)
+            and forces.difference[-1] > self.highest - step
+            and all(np.abs(np.exp(1j * forces.headings) - np.exp(1j * h)).min() < SAME for h in self.headings)
+        )
+
+    def adds_surface(self, share):
+        """Whether it takes the forcing of the surface, which is that share of the force or unknown"""
+        return self.level == "full" or (self.level == "auto" and share is not None and share > ENOUGH)
+
+
+def waves_of(db, omega, heading, difference):
+    """Frequencies (n,) rad/s, headings (m,) rad and the largest difference that are asked for.  Raises ValueError."""
+    low, high = float(db.omega[0]), float(db.omega[-1]) if len(db.omega) else 0.0
+    if len(db.omega) < 2:
+        raise ValueError(f"{db.path} has {len(db.omega)} solved frequencies; allowed: two or more")
+    frequencies = multiples(low, high) if omega is None else _frequencies(omega, low, high)
+    headings = db.wave_direction if heading is None else _headings(heading)
+    if difference is not None and not 0 < difference < math.inf:
+        raise ValueError(f"--difference is {difference:g}; allowed: above 0, finite, rad/s")
+    step = frequencies[1] - frequencies[0]
+    if difference is not None and difference < step * (1 - EVEN):
+        raise ValueError(
+            f"--difference is {difference:g}; allowed: {step:.4g} rad/s, the step of the frequencies, or above; "
+            "more of them by --omega"
+        )
+    if len(frequencies) * len(headings) > MOST_WAVES:
+        raise ValueError(
+            f"{len(frequencies)} frequencies and {len(headings)} headings are asked for; allowed: {MOST_WAVES} waves "
+            "in all, choose with --omega and --heading"
+        )
+    widest = float(np.ptp(frequencies))
+    return frequencies, np.unique(headings), min(difference or SHARE * float(frequencies.mean()), widest)
+
+
+def _frequencies(omega, low, high):
+    given = numbers("--omega", omega)
+    given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else np.array(given)
+    if len(given) < 2 or not np.all(np.diff(given) > 0) or np.ptp(np.diff(given)) > EVEN * np.diff(given).mean():
+        raise ValueError(f"--omega is {omega}; allowed: two or more frequencies at equal steps, rising, rad/s")
+    if not (np.all(np.isfinite(given)) and given.min() >= low * (1 - 1e-9) and given.max() <= high * (1 + 1e-9)):
+        raise ValueError(f"--omega is {omega}; allowed: within the stored {low:.4g} to {high:.4g} rad/s")
+    return given
+
+
+def _headings(heading):
+    given = numbers("--heading", heading)
+    given = np.linspace(given["from"], given["to"], given["count"]) if isinstance(given, dict) else given
+    headings = np.radians(np.asarray(given, float))
+    if not len(headings) or not np.all(np.isfinite(headings)):
+        raise ValueError(f"--heading is {heading}; allowed: one or more, finite, degrees")
+    turned = np.exp(1j * headings)  # of those that are one by full circles the first is kept
+    return headings[[np.abs(turned[:n] - turned[n]).min(initial=1.0) > SAME for n in range(len(headings))]]
+
+
+def multiples(low, high):
+    """(n,) multiples of a step, which their differences are too, that end at `high` and begin closest to `low`, rad/s
+
+    A frequency that is also a difference is solved once.
+    """
+
+    def first_of(steps):
+        return int(np.ceil(low / high * steps * (1 - 1e-12)))
+
+    least, most = (int(count / (1 - low / high)) for count in FREQUENCIES)
+    fitting = [steps for steps in range(least, most + 1) if FREQUENCIES[0] <= steps - first_of(steps) + 1]
+    steps = min(fitting, key=lambda steps: (round(first_of(steps) / steps - low / high, 9), steps))
+    return high / steps * np.arange(first_of(steps), steps + 1)
