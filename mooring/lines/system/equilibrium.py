@@ -7,6 +7,7 @@ gives no way, damping makes a drift along the force of it.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -87,10 +88,14 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
     start : Pose, that of the system if not given
     raises : EquilibriumError with what is left of the forces, and where
     """
+    from .steps import left_over
+
     pose = system.pose if start is None else start
     pose = moved(system, pose, np.zeros(6 * len(system.bodies) + 3 * len(system.free_points)))
     may = freedom(system)
     unit = _units(system)
+    moving, residual = np.zeros(len(unit), bool), np.zeros(len(unit))
+    given = _given(system)
     radius = longest = 0.05 * float(np.median([line.length for line in system.lines]))
     load = system.total_load(pose)
     if not np.isfinite(load.force).all():
@@ -98,24 +103,23 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
         raise EquilibriumError(f"{culprit(system, load.rows, a, b)} at the position the search starts from")
     count, before = 0, np.zeros(len(unit))
     while count < steps:
-        moving = may & ~_held_by_bed(system, pose, load.force)
-        residual = np.where(moving, load.force, 0.0) / unit
-        if np.abs(residual).max(initial=0.0) <= TARGET * _scale(system, load):
+        left, scale = left_over(load.force, load.rows, pose.free, -system.depth, may, unit, moving, residual)
+        if left <= TARGET * (scale + given):
             break
         found = _advance(system, pose, load, moving, residual, unit, radius)
         count += 1
         if found is None:
             break
         pose, load, step = found
-        radius = min(_next_radius(radius, step, before), 4 * longest)
+        radius = min(_next_radius(radius, step, before), 16 * longest)
         before = step
     return _found(system, pose, load, may, unit, count)
 
 
 def _next_radius(radius, step, before):
     """m; to and fro across a kink, of a line that falls slack say, the steps grow ever shorter"""
-    size = np.sqrt(step @ step)
-    back = before @ step < -0.5 * np.sqrt(before @ before) * size
+    size = math.sqrt(step @ step)
+    back = before @ step < -0.5 * math.sqrt(before @ before) * size
     return 0.5 * size if back else max(2 * size, radius)
 
 
@@ -128,19 +132,9 @@ def _units(system):
     return unit
 
 
-def _scale(system, load):
-    """N, all forces at work"""
-    total = np.abs(load.rows[:, 1:5]).sum() + sum(np.abs(body.load[:3]).sum() for body in system.bodies)
-    return total + system.arrays.floats[:, :2].sum()
-
-
-def _held_by_bed(system, pose, force):
-    """(N,) vertical freedoms of free points that lie on the bed and are pressed down"""
-    held = np.zeros(len(force), bool)
-    if len(pose.free):
-        vertical = slice(6 * len(system.bodies) + 2, None, 3)
-        held[vertical] = (pose.free[:, 2] <= -system.depth) & (force[vertical] <= 0)
-    return held
+def _given(system):
+    """N, all forces at work but those of the lines"""
+    return sum(np.abs(body.load[:3]).sum() for body in system.bodies) + system.arrays.floats[:, :2].sum()
 
 
 def _advance(system, pose, load, moving, residual, unit, radius):
@@ -148,64 +142,57 @@ def _advance(system, pose, load, moving, residual, unit, radius):
 
     A step that overshoots is taken back, and sought anew within a smaller radius from the same stiffness.
     """
-    chosen = np.flatnonzero(moving)
-    K = load.stiffness[np.ix_(chosen, chosen)] / np.outer(unit[chosen], unit[chosen])
-    steps = _Steps(0.5 * (K + K.T), K, residual[chosen])
-    step, least = np.zeros_like(residual), 1e-14 * radius
+    from .steps import FOUND, ahead_of, step_within
+
+    step, least, indefinite = np.zeros_like(residual), 1e-14 * radius, None
     while radius > least:
-        step[chosen] = steps.within(radius)
-        size = np.sqrt(step @ step)
+        if indefinite is None and step_within(load.stiffness, residual, unit, moving, radius, step) != FOUND:
+            indefinite = _Indefinite(load.stiffness, residual, unit, moving)
+        if indefinite is not None:
+            step[moving] = indefinite.within(radius)
         following = moved(system, pose, step / unit)
         ahead = system.total_load(following)
-        left = np.where(_held_by_bed(system, following, ahead.force), 0.0, ahead.force) / unit
-        if step @ left >= -0.5 * abs(step @ residual):  # false for nan: out of reach
+        forth, here, size = ahead_of(step, residual, ahead.force, following.free, -system.depth, unit)
+        if forth >= -0.5 * abs(here):  # false for nan: out of reach
             return following, ahead, step
         radius = 0.5 * min(size, radius)
     return None
 
 
-class _Steps:
-    """Newton's step, or the step of a given length for a stiffness raised evenly until it is positive.
+class _Indefinite:
+    """Steps of a given length for a stiffness K with directions in which it gives way: (|K| + m) s = r, m ≥ 0.
 
-    (|K| + m) s = r with the least m ≥ 0 for which s is not too long: stiff ways are followed to their end while
-    soft ones, slack lines say, wait.
+    |K| has the absolute eigenvalues of the symmetric part of K.
     """
 
-    def __init__(self, symmetric, stiffness, residual):
-        self.symmetric, self.residual, self.spectrum = symmetric, residual, None
-        try:
-            np.linalg.cholesky(symmetric)
-            self.newton = np.linalg.solve(stiffness, residual)
-        except np.linalg.LinAlgError:
-            self.newton = None
+    def __init__(self, stiffness, residual, unit, moving):
+        chosen = np.flatnonzero(moving)
+        K = stiffness[np.ix_(chosen, chosen)] / np.outer(unit[chosen], unit[chosen])
+        values, self.vectors = np.linalg.eigh(0.5 * (K + K.T))
+        self.values, self.along = np.abs(values), self.vectors.T @ residual[chosen]
 
     def within(self, radius):
         """(k,) m, of at most `radius`"""
-        if self.newton is not None and self.newton @ self.newton <= radius * radius:
-            return self.newton
-        if self.spectrum is None:
-            values, vectors = np.linalg.eigh(self.symmetric)
-            self.spectrum = np.abs(values), vectors
-        values, vectors = self.spectrum
-        along = vectors.T @ self.residual
-        high = np.linalg.norm(along) / radius
-        values = np.maximum(values, 1e-9 * high)
-        if np.linalg.norm(along / values) <= radius:
-            return vectors @ (along / values)
+        high = np.linalg.norm(self.along) / radius
+        values = np.maximum(self.values, 1e-9 * high)
+        if np.linalg.norm(self.along / values) <= radius:
+            return self.vectors @ (self.along / values)
         low = 0.0
         for _ in range(60):
             if high - low <= 1e-2 * high:
                 break
             middle = np.sqrt(max(low, 1e-12 * high) * high)
-            low, high = (middle, high) if np.linalg.norm(along / (values + middle)) > radius else (low, middle)
-        return vectors @ (along / (values + high))
+            low, high = (middle, high) if np.linalg.norm(self.along / (values + middle)) > radius else (low, middle)
+        return self.vectors @ (self.along / (values + high))
 
 
 def _found(system, pose, load, may, unit, count):
-    held = _held_by_bed(system, pose, load.force)
-    moving = may & ~held
-    residual = np.where(moving, load.force, 0.0)
-    share = np.abs(residual / unit).max(initial=0.0) / (_scale(system, load) or 1.0)
+    from .steps import left_over
+
+    moving, residual = np.zeros(len(unit), bool), np.zeros(len(unit))
+    left, scale = left_over(load.force, load.rows, pose.free, -system.depth, may, unit, moving, residual)
+    share = left / (scale + _given(system) or 1.0)
+    residual *= unit
     if not share <= LIMIT:
         worst = int(np.argmax(np.abs(residual / unit)))
         raise EquilibriumError(
@@ -214,7 +201,7 @@ def _found(system, pose, load, may, unit, count):
             "start nearer to it"
         )
     vertical = slice(6 * len(system.bodies) + 2, None, 3)
-    on_bed = held[vertical]
+    on_bed = ~moving[vertical]
     reaction = np.where(on_bed, -load.force[vertical], 0.0)
     lines = line_forces(system, load.rows, load.solutions)
     check_free(system, load.points, load.solutions)

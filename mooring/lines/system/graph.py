@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..catenary.state import State
-from .bodies import hydrostatic_load, rotation
+from .bodies import rotation
 from .checks import ON_BED, check_system
 from .composite import composite, fill_row
 from .findings import culprit
@@ -257,15 +257,19 @@ class System:
         """`load` with the steady loads and the hydrostatic forces of the bodies."""
         pose = self.pose if pose is None else pose
         load = self.load(pose)
-        for i, body in enumerate(self.bodies):
-            own = slice(6 * i, 6 * i + 6)
-            load.force[own] += body.load
-            if body.hydrostatic_stiffness is not None:
-                sinkage = pose.place[i, 2] - body.position[2]
-                force, K = hydrostatic_load(body.hydrostatic_stiffness, sinkage, pose.turn[i])
-                load.force[own] += force
-                load.stiffness[own, own] += K
+        if self.bodies:
+            from .hydrostatics import add_loads
+
+            add_loads(load.force, load.stiffness, *self.body_loads, pose.place, pose.turn)
         return load
+
+    @cached_property
+    def body_loads(self):
+        """(b, 6) N and N m, steady; (b, 6, 6) hydrostatic stiffness, 0 for a body without one; (b,) m, z at rest"""
+        springs = [body.hydrostatic_stiffness for body in self.bodies]
+        springs = [np.zeros((6, 6)) if spring is None else np.array(spring, float) for spring in springs]
+        loads = np.array([body.load for body in self.bodies], float)
+        return loads, np.array(springs), self.pose.place[:, 2].copy()
 
     def with_loads(self, loads):
         """The same system under other steady loads: {body name: (6,) N and N m}."""

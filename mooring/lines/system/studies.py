@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .bodies import cross_matrix, hydrostatic_load
+from .bodies import cross_matrix
 from .equilibrium import SystemEquilibrium, held_at, rest
 from .parts import EquilibriumError, LineSystemError
 
@@ -62,6 +62,8 @@ def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
     follows[own if others == "free" else slice(0, 6 * len(system.bodies))] = False
     K = state.stiffness.copy()
     if system.bodies[i].hydrostatic_stiffness is not None:
+        from .hydrostatics import hydrostatic_load
+
         sinkage = state.pose.place[i, 2] - system.bodies[i].position[2]
         K[np.ix_(own, own)] -= hydrostatic_load(system.bodies[i].hydrostatic_stiffness, sinkage, state.pose.turn[i])[1]
     rest_of = np.flatnonzero(follows)

@@ -11,9 +11,10 @@ import pytest
 from bem import DOFS
 from bem.database.between_frequencies import Between
 from bem.database.reader import Reader
-from mooring.lines.system.bodies import angles, cross_matrix, heading, hydrostatic_load, rotated, rotation
+from mooring.lines.system.bodies import angles, cross_matrix, rotated, rotation
 from mooring.lines.system.equilibrium import moved, rest
 from mooring.lines.system.graph import System
+from mooring.lines.system.hydrostatics import heading, hydrostatic_load
 from mooring.lines.system.parts import (
     Anchor,
     EquilibriumError,

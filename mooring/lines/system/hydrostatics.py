@@ -1,0 +1,76 @@
+"""Steady loads of bodies, and the hydrostatic forces of one that heaves, rolls, pitches and turns to any heading.
+
+R takes body axes to space axes.  It is read as a turn ψ about the vertical followed by the shortest tilt that
+carries the vertical to u = R e_z.  In axes that turn with ψ the hydrostatic force is −C (heave, roll, pitch)
+with roll and pitch taken from the tilt e_z × u: exact in heading, linear in tilt, as C itself is.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+
+
+@kernel()
+def heading(R):
+    """ψ, rad: the turn about the vertical that is left when the shortest tilt is taken off."""
+    return math.atan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1])
+
+
+@kernel()
+def add_hydrostatics(force, K, first, stiffness, sinkage, R):
+    """Add force and moment of a body, and −∂/∂(shift, rotation about space axes), whose freedoms begin at `first`.
+
+    stiffness : (6, 6), of which heave, roll and pitch count; sinkage : m, height over that at rest
+    """
+    psi, x, y, z = heading(R), R[0, 2], R[1, 2], R[2, 2]
+    c, s = math.cos(psi), math.sin(psi)
+    heave, roll, pitch = stiffness[2], stiffness[3], stiffness[4]
+    # T C T' for (heave, roll, pitch), T from the heading's axes to space
+    a, b = heave[2], c * heave[3] - s * heave[4]
+    d, e, f = s * heave[3] + c * heave[4], c * roll[2] - s * pitch[2], s * roll[2] + c * pitch[2]
+    rr, rp, pr, pp = roll[3], roll[4], pitch[3], pitch[4]
+    g = c * (c * rr - s * rp) - s * (c * pr - s * pp)
+    h = c * (s * rr + c * rp) - s * (s * pr + c * pp)
+    m = s * (c * rr - s * rp) + c * (c * pr - s * pp)
+    n = s * (s * rr + c * rp) + c * (s * pr + c * pp)
+    # against (sinkage, −y, x)
+    up, about_x, about_y = a * sinkage - b * y + d * x, e * sinkage - g * y + h * x, f * sinkage - m * y + n * x
+    force[first + 2] -= up
+    force[first + 3] -= about_x
+    force[first + 4] -= about_y
+    K[first + 2, first + 2] += a
+    K[first + 3, first + 2] += e
+    K[first + 4, first + 2] += f
+    # how the force turns with ψ, and how ψ and the tilt turn with the body
+    rows = (
+        (b, d, b * x + d * y),
+        (g, h, g * x + h * y - about_y),
+        (m, n, m * x + n * y + about_x),
+    )
+    by_psi = 1.0 / (1.0 + z)
+    for i in range(3):
+        row = K[first + 2 + i]
+        one, two, turn = rows[i]
+        row[first + 3] += one * z + turn * x * by_psi
+        row[first + 4] += two * z + turn * y * by_psi
+        row[first + 5] += -one * x - two * y + turn
+
+
+@kernel()
+def add_loads(force, K, loads, springs, height, place, turn):
+    """Add steady loads (b, 6) of bodies and their hydrostatics; springs : (b, 6, 6); height : (b,) m, z at rest."""
+    for i in range(loads.shape[0]):
+        for j in range(6):
+            force[6 * i + j] += loads[i, j]
+        add_hydrostatics(force, K, 6 * i, springs[i], place[i, 2] - height[i], turn[i])
+
+
+def hydrostatic_load(stiffness, sinkage, R):
+    """(6,) force and moment in space axes and its (6, 6) stiffness: see `add_hydrostatics`."""
+    force, K = np.zeros(6), np.zeros((6, 6))
+    add_hydrostatics(force, K, 0, np.asarray(stiffness, float), float(sinkage), np.asarray(R, float))
+    return force, K
