@@ -8,6 +8,7 @@ import pytest
 from bem.database import open_database
 from pipelines import cli
 from pipelines.series.appendix_2 import ceilings, chains, pitch_amplitude, read_rows, study_of
+from pipelines.single_point.study import make
 from pipelines.single_point.tables import make_study
 
 TARGET = 0.382  # °/cm, σ of pitch over σ of the waves, B/d = 10
@@ -39,6 +40,12 @@ def test_no_sea_of_any_period_pitches_the_free_model_as_far_as_was_measured_on_a
     assert TARGET < most < 0.41
     measured = [2 * float(row["pitch_deg"]) / float(row["height_cm"]) for row in rows_of(folder)]
     assert min(measured) > 1.1 * most
+
+
+def test_drift_that_stored_waves_do_not_tell_well_is_told_of(folder):
+    (given,) = read_rows("WC3")
+    made = make(make_study(study_of(given)), None, open_database(folder / "M3B_Bd10.h5"))
+    assert [line for line in made.findings if line.startswith("mean drift of the waves is uncertain by ")]
 
 
 def rows_of(folder):
