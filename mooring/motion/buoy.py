@@ -2,11 +2,14 @@
 
     (m + C_a ρ∇) ẇ = (1 + C_a) ρ∇ a + ½ρC_dA |q − w|(q − w) + buoyancy − weight + lines − Σ hawsers
     hawser  T = B (e/(L ε_B))ⁿ + c min(1, e/e_c) ė where it is longer than L, never below 0; 0 where it is shorter
+    tilt    ΣT h cos θ = c_θ sin θ,   c_θ = mg (z_B + I/∇ − z_G),   hawsers yield by h sin θ
 
 w is the velocity of the buoy; q, a those of the water at the middle of its draft, incident waves and current, B, ε_B
 and n those of a rope (`mooring.lines.ropes`); up and down there is the added mass, and not the ρ∇ a of the buoyancy.
 The loss of a hawser grows with its elongation up to e_c, that at a tenth of B, so that nothing jumps where it comes
-taut.  Lines hang in their static form.  Hawsers go from the deck of the body to the buoy at its centre.  Waves that the
+taut.  A buoy whose hawsers are made fast at a height h over its lines tilts under their pull, at once, its centre of
+gravity at half its height: a small buoy yields by more than its hawsers, by which they snap less.  Lines hang in their
+static form.  Hawsers go from the deck of the body to the buoy at its centre.  Waves that the
 body scatters are left out.  Water at the buoy is tabulated window by window as are the forces of waves (`wave_loads`),
 at the place where the buoy was found at the begin of the window before.
 """
@@ -29,13 +32,14 @@ from .wave_loads import WaveTable
 WATER = 7  # rows of the water: elevation, velocity, acceleration
 DAMPING = 0.05  # of critical, of a hawser between its ends
 FULL = 0.1  # of the breaking load, from where a hawser has its whole stiffness and damping
+BALANCED = 60  # steps at most to the pull under which buoy and hawsers yield alike
 
 
 @dataclass(frozen=True)
 class BuoyBody:
     """mass : kg; diameter, height : m, of an upright cylinder; added : C_a sideways, and up and down of the same volume
 
-    drag : C_d, of the side and the bottom
+    drag : C_d, of the side and the bottom; lever : m, of its hawsers over its lines, 0 where it does not tilt
     """
 
     mass: float
@@ -43,10 +47,21 @@ class BuoyBody:
     height: float
     added: tuple[float, float] = (1.0, 1.0)
     drag: tuple[float, float] = (1.0, 1.0)
+    lever: float = 0.0
 
     def draft(self, density):
         """m, floating free of lines"""
         return self.mass / (density * 0.25 * np.pi * self.diameter**2)
+
+    def yields(self, pull, system):
+        """m by which its hawsers yield to the tilt that their pull, N together, makes in the water of a System"""
+        righting = self.mass * system.gravity * self.metacentric_height(system.density)
+        return self.lever * float(np.sin(np.arctan(pull * self.lever / righting)))
+
+    def metacentric_height(self, density):
+        """m, floating free of lines"""
+        draft = self.draft(density)
+        return 0.5 * (draft - self.height) + self.diameter**2 / (16 * draft)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,6 +105,7 @@ class BuoyOnLines:
 class Buoy(NamedTuple):
     """inverse : (3,) 1/kg, of mass and added mass; moved : (3,) kg, of the water; drag : (3,) ½ρC_dA, kg/m
 
+    lever : m; upright : c_θ over the lever, N, of which half is the pull of hawsers that tilt it by 27°
     weight : N; stiffness : ρgA, N/m; draft, height, depth : m, floating free of lines, of the cylinder, of the water
     ropes : (k, 6) L, B, ε_B, n, c, N s/m, and e_c; the rest as in `BuoyOnLines`
     """
@@ -97,6 +113,8 @@ class Buoy(NamedTuple):
     inverse: np.ndarray
     moved: np.ndarray
     drag: np.ndarray
+    lever: float
+    upright: float
     weight: float
     stiffness: float
     draft: float
@@ -114,6 +132,7 @@ class BuoyWork(NamedTuple):
     """Room for work, the window of water in use, and the largest pulls since the last sample.
 
     window : (WATER, m); rows : (2, WATER, 2c), sums : (WATER, m) of a window; place : (2,) m, foreseen for its end
+    reach : (k, 5) unit vector, m, m/s: of each hawser, by how much it is spanned, and its rate
     rope : (k,) N now; pull : (k + lines,) N now, most : the largest since the last sample, kept : (samples, …) of those
     """
 
@@ -128,6 +147,7 @@ class BuoyWork(NamedTuple):
     R: np.ndarray
     force: np.ndarray
     part: np.ndarray
+    reach: np.ndarray
     rope: np.ndarray
     most: np.ndarray
     kept: np.ndarray
@@ -140,6 +160,13 @@ def buoy_arrays(buoy):
     draft, area = body.draft(density), 0.25 * np.pi * body.diameter**2
     if not draft < body.height:
         raise ValueError(f"a buoy of {body.mass:g} kg floats at {draft:.3g} m; allowed: below its {body.height:g} m")
+    righting = body.metacentric_height(density)
+    if body.lever != 0 and not (body.lever > 0 and righting > 0):
+        raise ValueError(
+            f"a buoy on hawsers {body.lever:.3g} m over its lines, its metacentric height {righting:.3g} m, does not "
+            "stand up; allowed: both above 0"
+        )
+    upright = gravity * body.mass * righting / body.lever if body.lever > 0 else 1.0
     displaced = density * area * draft
     added = displaced * np.array([body.added[0], body.added[0], body.added[1]])
     drag = 0.5 * density * np.array([*[body.drag[0] * body.diameter * draft] * 2, body.drag[1] * area])
@@ -149,9 +176,9 @@ def buoy_arrays(buoy):
     ropes[:, 5] = ropes[:, 0] * rope.strain_at(FULL * rope.breaking_load)
     ropes[:, 4] = buoy.damping
     return Buoy(
-        1 / (body.mass + added), np.array([displaced, displaced, 0.0]) + added, drag, gravity * body.mass,
-        density * gravity * area, draft, float(body.height), float(system.depth), ropes,
-        np.asarray(buoy.ends, float).reshape(-1, 3), np.asarray(buoy.origin, float), float(buoy.level),
+        1 / (body.mass + added), np.array([displaced, displaced, 0.0]) + added, drag, float(body.lever),
+        float(upright), gravity * body.mass, density * gravity * area, draft, float(body.height), float(system.depth),
+        ropes, np.asarray(buoy.ends, float).reshape(-1, 3), np.asarray(buoy.origin, float), float(buoy.level),
         np.asarray(buoy.current, float), buoy.lines,
     )  # fmt: skip
 
@@ -165,7 +192,7 @@ def buoy_of(hung, table, samples):
         line_work(buoy.lines), np.zeros((WATER, m)),
         np.zeros((2, WATER, c), np.float32), np.zeros((WATER, m), np.float32), np.zeros(2),
         np.zeros(WATER), np.zeros(6), np.zeros(6), np.zeros((3, 3)), np.zeros(6), np.zeros(6),
-        np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples, count)),
+        np.zeros((len(buoy.ropes), 5)), np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples, count)),
     )  # fmt: skip
 
 
@@ -175,6 +202,50 @@ def pull_of_rope(rope, stretch, rate):
     if stretch <= 0.0:
         return 0.0
     return max(rope[1] * (stretch / (rope[0] * rope[2])) ** rope[3] + rope[4] * min(stretch / rope[5], 1.0) * rate, 0.0)
+
+
+@kernel()
+def yielding(buoy, pull):
+    """m by which hawsers yield to the tilt of the buoy that their pull, N together, makes; and its slope, m/N"""
+    steep = pull / buoy.upright
+    away = 1.0 + steep * steep
+    return buoy.lever * steep / np.sqrt(away), buoy.lever / (buoy.upright * away * np.sqrt(away))
+
+
+@kernel()
+def slope_of_rope(rope, stretch):
+    """N/m of (L, B, ε_B, n, c, e_c) at an elongation, m"""
+    return 0.0 if stretch <= 0.0 else rope[3] * rope[1] * (stretch / (rope[0] * rope[2])) ** rope[3] / stretch
+
+
+@kernel()
+def yielded(buoy, work):
+    """m by which the buoy gives way to its hawsers, spanned as work.reach tells: S = Σ T(e − x(S)), and dx/dS Σ T′
+
+    The pull S that balances is the only one: the left side rises with it, the right side falls.  Newton's method,
+    by halves where it leaves the bracket.
+    """
+    most = 0.0
+    for i in range(buoy.ropes.shape[0]):
+        most += pull_of_rope(buoy.ropes[i], work.reach[i, 3], 0.0)
+    if buoy.lever == 0.0 or most == 0.0:
+        return 0.0, 0.0
+    low, high, pull = 0.0, most, 0.0
+    for i in range(buoy.ropes.shape[0]):
+        pull += work.rope[i]
+    pull = min(pull, most)
+    for _ in range(BALANCED):
+        shift, soft = yielding(buoy, pull)
+        left, steep = pull, 0.0
+        for i in range(buoy.ropes.shape[0]):
+            left -= pull_of_rope(buoy.ropes[i], work.reach[i, 3] - shift, 0.0)
+            steep += slope_of_rope(buoy.ropes[i], work.reach[i, 3] - shift)
+        low, high = (pull, high) if left < 0.0 else (low, pull)
+        if abs(left) <= 1e-12 * most:
+            break
+        following = pull - left / (1.0 + soft * steep)
+        pull = following if low < following < high else 0.5 * (low + high)
+    return shift, soft * steep
 
 
 @kernel()
@@ -192,27 +263,40 @@ def hawsers(buoy, work, y, place, R):
     at = buoy.lines.place
     work.part[:] = 0.0
     for i in range(buoy.ropes.shape[0]):
-        p = buoy.ends[i]
-        ax = R[0, 0] * p[0] + R[0, 1] * p[1] + R[0, 2] * p[2]
-        ay = R[1, 0] * p[0] + R[1, 1] * p[1] + R[1, 2] * p[2]
-        az = R[2, 0] * p[0] + R[2, 1] * p[1] + R[2, 2] * p[2]
+        ax, ay, az = turned(R, buoy.ends[i])
         dx = at[0] + place[0] - buoy.origin[0] - y[0] - ax
         dy = at[1] + place[1] - buoy.origin[1] - y[1] - ay
         dz = at[2] + place[2] + buoy.level - buoy.origin[2] - y[2] - az
         distance = np.sqrt(dx * dx + dy * dy + dz * dz)
-        work.rope[i] = 0.0
+        work.reach[i, 3] = distance - buoy.ropes[i, 0]
         if distance <= buoy.ropes[i, 0]:
             continue
         dx, dy, dz = dx / distance, dy / distance, dz / distance
         vx, vy, vz = ux + wy * az - wz * ay, uy + wz * ax - wx * az, uz + wx * ay - wy * ax
-        rate = dx * (place[3] - vx) + dy * (place[4] - vy) + dz * (place[5] - vz)
-        T = pull_of_rope(buoy.ropes[i], distance - buoy.ropes[i, 0], rate)
+        work.reach[i, 0], work.reach[i, 1], work.reach[i, 2] = dx, dy, dz
+        work.reach[i, 4] = dx * (place[3] - vx) + dy * (place[4] - vy) + dz * (place[5] - vz)
+    shift, softer = yielded(buoy, work)
+    for i in range(buoy.ropes.shape[0]):
+        T = pull_of_rope(buoy.ropes[i], work.reach[i, 3] - shift, work.reach[i, 4] / (1.0 + softer))
         work.rope[i] = T
-        fx, fy, fz = T * dx, T * dy, T * dz
+        if T == 0.0:
+            continue
+        fx, fy, fz = T * work.reach[i, 0], T * work.reach[i, 1], T * work.reach[i, 2]
         work.force[0] -= fx
         work.force[1] -= fy
         work.force[2] -= fz
+        ax, ay, az = turned(R, buoy.ends[i])
         generalized(y, fx, fy, fz, ay * fz - az * fy, az * fx - ax * fz, ax * fy - ay * fx, work.part)
+
+
+@kernel()
+def turned(R, p):
+    """m, m, m: a point of the body, (3,), from its axes into space"""
+    return (
+        R[0, 0] * p[0] + R[0, 1] * p[1] + R[0, 2] * p[2],
+        R[1, 0] * p[0] + R[1, 1] * p[1] + R[1, 2] * p[2],
+        R[2, 0] * p[0] + R[2, 1] * p[1] + R[2, 2] * p[2],
+    )
 
 
 @kernel()

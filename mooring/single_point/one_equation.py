@@ -94,7 +94,7 @@ def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None
     center = np.asarray(body.reader.rotation_center, float)
     out, state = np.zeros(3), np.asarray(state, float)
     if not contact:
-        out = _stretch(steady, state, rope)
+        out = _stretch(steady, state, rope, buoy)
     start = np.array([*(state[:2] + out[:2] - center[:2]), 0.0, 0.0, 0.0, state[2]])
     stiffness = body.stiffness.copy()
     held = point.stiffness(steady.heading, Hold(-steady.force, steady.hawser, steady.buoy))
@@ -136,14 +136,18 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
         raise SinglePointError(str(error)) from None
 
 
-def _stretch(steady, state, rope):
-    """(3,) m, by which the body lies farther from its buoy where the hawser is as long as its pull makes it"""
+def _stretch(steady, state, rope, buoy):
+    """(3,) m, by which the body lies farther from its buoy where the hawser is as long as its pull makes it
+
+    and the buoy tilted as far
+    """
     tension = float(steady.hawser.max())
     away = state[:2] + _turned(state[2]) @ steady.point.apex - steady.buoy
     size = np.hypot(*away)
     if not (tension > 0 and size > 0):
         return np.zeros(3)
     longer = steady.point.lengths.max() * float(rope.strain_at(tension))
+    longer += buoy.yields(float(steady.hawser.sum()), steady.point.system)
     return np.array([*(away / size * longer), 0.0])
 
 

@@ -11,6 +11,8 @@ import numpy as np
 COUNT = 720  # half a degree; tables of coefficients have nodes every 5° or more
 SCAN = 360  # of a search for zeros; where the spline is too coarse the exact function decides
 TOUCH = 1e-3  # of the largest value: crests as near to 0 as that are searched on the exact function
+NARROW, STRAIGHT = 1e-5, 1e-6  # a chord tells a zero: of a step, at most, and of its rise, by which it is bent
+WIDTHS = np.concatenate([-np.array([0.5, 0.1, 1e-3, 1e-4, 1e-5, 1e-6]), [0.0], [1e-6, 1e-5, 1e-4, 1e-3, 0.1, 0.5]])
 
 
 def angles(count=COUNT):
@@ -100,21 +102,30 @@ def zeros(function, count=SCAN):
     for i in np.flatnonzero((value == 0) | (value * after < 0)):
         end = place[i + 1] if i + 1 < len(place) else 2 * np.pi
         zero = place[i] if value[i] == 0 else brentq(ring, place[i], end, xtol=1e-12, disp=False)
-        low, high = _bracket(exact, zero, ring.step)
-        if low is not None:
-            found.append(brentq(exact, low, high, xtol=1e-13) if low < high else low)
+        found += _near(function, exact, zero, ring.step)
     return _distinct(np.mod(found, 2 * np.pi))
 
 
-def _bracket(exact, zero, step):
-    """Two angles about a zero of the spline between which the function changes sign; None where it does not"""
-    if exact(zero) == 0.0:
-        return zero, zero
-    for width in (1e-6, 1e-5, 1e-4, 1e-3, 0.1, 0.5):
-        low, high = zero - width * step, zero + width * step
-        if exact(low) * exact(high) <= 0.0:
-            return low, high
-    return None, None
+def _near(function, exact, zero, step):
+    """[the zero of a function by that of its spline], none where it does not change sign there
+
+    All widths are asked in one call.  Where the narrowest bracket shows a straight line its chord ends at the zero to
+    1e-13 rad, and no more calls are needed.
+    """
+    from scipy.optimize import brentq
+
+    at = zero + step * WIDTHS
+    g = np.asarray(function(at), float)
+    middle = len(WIDTHS) // 2
+    if g[middle] == 0.0:
+        return [zero]
+    for i in range(middle - 1, -1, -1):
+        low, high = g[i], g[-1 - i]
+        if low * high <= 0.0:
+            if WIDTHS[-1 - i] <= NARROW and abs(g[middle] - 0.5 * (low + high)) <= STRAIGHT * abs(high - low):
+                return [at[i] - low * (at[-1 - i] - at[i]) / (high - low)]
+            return [brentq(exact, at[i], at[-1 - i], xtol=1e-13)]
+    return []
 
 
 def _beside_crest(exact, crest, step):

@@ -149,6 +149,18 @@ def struct_of(name):
     return getattr(importlib.import_module(module), struct)
 
 
+def that_read(raw):
+    """["hakobune moor", …], commands that read a file of these nested dictionaries as it is"""
+    found = {}
+    for name, kind in KINDS.items():
+        try:
+            msgspec.convert(raw, struct_of(name))
+        except msgspec.ValidationError:
+            continue
+        found.update(dict.fromkeys(kind.commands.split(", ")))
+    return [f"hakobune {command}" for command in found]
+
+
 @cache
 def examples_of(name):
     """{path of a key: value} in the shipped files of a kind, the kind's own example first"""

@@ -8,6 +8,8 @@ import warnings
 from typing import NamedTuple
 
 import numpy as np
+from scipy.interpolate import PchipInterpolator
+from scipy.optimize import brentq
 
 from bem.database import open_database
 from meshing.whole_files import write_whole
@@ -17,22 +19,25 @@ from mooring.single_point.scope import length_without_uplift, peak, significant
 from ..common.outputs import check_folder, check_output, opening
 from ..common.quantities import StudyError
 from ..common.units import TONF
+from ..moor.study import sea_of
 from ..single_point.report import preferred
 from ..single_point.running import run
 from ..single_point.study import make
 from ..single_point.tables import make_study
 from ..solve import run as solving
 from .single_point_cases import FLOATERS, read_cases, scene_of, study_of
-from .single_point_charts import draw, statements
+from .single_point_charts import draw, statements, trends
 
 MOST_SEEDS = 100
+HIGHEST = 3.5  # rad/s of the waves that drift is summed over
 COLUMNS = ("heading_deg", "static_ton", "significant_ton", "scope", "hawser_ton")
 
 
 class Result(NamedTuple):
     """Of a Case, per line in tonf as the report prints: heading_deg, static_ton, significant_ton, scope, hawser_ton
 
-    nan where lines do not hold; settled : s of the heading from 2°; note : why a value is missing
+    nan where lines do not hold; apart_m : m of surge head-on from the printed significant tension to the computed one
+    settled : s of the heading from 2°; note : why a value is missing
     """
 
     case: object
@@ -41,6 +46,7 @@ class Result(NamedTuple):
     significant_ton: float
     scope: float
     hawser_ton: float
+    apart_m: float
     settled: float
     note: str
 
@@ -61,12 +67,12 @@ def make_series(folder, cases_path, only, seeds, fresh):
     results = []
     for case in cases:
         results.append(computed(case, databases[case.database], seeds))
-        write_study(case, folder)
+        write_study(case, databases[case.database], folder)
         _tell(console, results[-1])
     write_table(path, results)
     written = [path]
     written += draw(results, folder)
-    for line in statements(results):
+    for line in (*statements(results), *trends(results)):
         console.print(line, highlight=False, soft_wrap=True, markup=False)
     for path in written:
         console.print(f"written: {path}", highlight=False, soft_wrap=True, markup=False)
@@ -91,11 +97,11 @@ def computed(case, db, seeds=1) -> Result:
     """Result of a case, its significant tensions averaged over `seeds` records of waves"""
     f, n = FLOATERS[case.floater], case.together
     try:
-        study = study_of(case)
+        study = study_of(case, drift=drift_of(case, db))
         point = make(make_study(study), None, db).point
         best = lying(equilibria(point))
     except ValueError as error:
-        return Result(case, *[np.nan] * 6, " ".join(str(error).split()))
+        return Result(case, *[np.nan] * 7, " ".join(str(error).split()))
     steady = float(best.lines.tension.max()) / TONF / n
     heading = float(np.degrees(np.mod(best.heading + np.pi, 2 * np.pi) - np.pi))
     found, note, settled = [], "", np.nan
@@ -112,12 +118,37 @@ def computed(case, db, seeds=1) -> Result:
         found.append((significant(one.lines, best.lines.tension).max() / TONF / n,
                       significant(np.linalg.norm(one.hawser, axis=1), best.pull) / TONF))  # fmt: skip
     if note:
-        return Result(case, heading, steady, np.nan, np.nan, np.nan, settled, note)
+        return Result(case, heading, steady, *[np.nan] * 4, settled, note)
     tension, hawser = np.mean(found, axis=0)
     height = case.values["depth_m"] - f.attached
     weight = case.values["weight_ton_m"]
     scope = float(length_without_uplift(peak(steady, tension), weight, height)) / case.values["depth_m"]
-    return Result(case, heading, steady, float(tension), scope, float(hawser), settled, "")
+    printed, away = case.printed["significant_ton"], np.nan
+    if printed is not None and case.current_deg == 0:
+        away = surge_at(point, n * TONF * tension) - surge_at(point, n * TONF * printed)
+    return Result(case, heading, steady, float(tension), scope, float(hawser), away, settled, "")
+
+
+def surge_at(point, tension):
+    """m that the buoy has moved straight back when its leading line pulls with a tension, N"""
+
+    def leading(force):
+        return float(point.buoy_under(np.array([-force, 0.0])).tension.max()) - tension
+
+    force = brentq(leading, 1.0, len(point.at_rest.tension) * tension, rtol=1e-6)
+    return float(point.origin[0] - point.buoy_under(np.array([-force, 0.0])).position[0, 0])
+
+
+def drift_of(case, db):
+    """tonf over the square of the height: that of the head-on rows, by what is computed for the depth and the period"""
+    f, sea = FLOATERS[case.floater], make_study(study_of(case)).waves
+    omega = np.sort(db.reader.omega)
+    stored = db.reader.drift(omega, [np.pi])[:, 0, 0]
+    fine = np.linspace(omega[0], HIGHEST, 4000)
+    density = sea_of("waves", sea, np.pi, db.water_depth).spectrum.density(fine)
+    drift = PchipInterpolator(omega, stored)(np.minimum(fine, omega[-1]))  # as in the shortest stored waves beyond
+    mean = 2 * float(np.trapezoid(density * drift, fine))
+    return f.drift / f.computed * abs(mean) / TONF / sea.height**2
 
 
 def lying(found):
@@ -126,11 +157,12 @@ def lying(found):
     return max(stable, key=lambda one: np.cos(one.heading)) if stable else preferred(found)
 
 
-def write_study(case, folder):
+def write_study(case, db, folder):
     """The study of a case, for `hakobune single-point --database`"""
     import tomli_w
 
-    text = f"# Case {case.name} of the SR179 report's single-point series (1982)\n\n{tomli_w.dumps(study_of(case))}"
+    study = tomli_w.dumps(study_of(case, drift=drift_of(case, db)))
+    text = f"# Case {case.name} of the SR179 report's single-point series (1982)\n\n{study}"
     write_whole(folder / f"{case.name}.toml", text.encode())
 
 
@@ -146,13 +178,13 @@ def write_table(path, results):
     table = csv.writer(out, lineterminator="\n")
     names = [name for column in COLUMNS for name in (column, f"printed_{column}")]
     given = ["case", "floater", "system", "current_deg", *results[0].case.values]
-    table.writerow([*given, *names, "settled_s", "note"])
+    table.writerow([*given, *names, "apart_m", "settled_s", "note", "flag"])
     for one in results:
         values = [v for c in COLUMNS for v in (getattr(one, c), one.case.printed[c])]
-        shown = ["" if v is None or np.isnan(v) else f"{v:.5g}" for v in (*values, one.settled)]
+        shown = ["" if v is None or np.isnan(v) else f"{v:.5g}" for v in (*values, one.apart_m, one.settled)]
         case = one.case
         table.writerow([case.name, case.floater, case.system, f"{case.current_deg:g}",
-                        *(f"{v:g}" for v in case.values.values()), *shown, one.note])  # fmt: skip
+                        *(f"{v:g}" for v in case.values.values()), *shown, one.note, case.flag])  # fmt: skip
     write_whole(path, out.getvalue().encode())
 
 
@@ -164,6 +196,8 @@ def _tell(console, one):
     words = (
         f"heading {beside('heading_deg', 0)}°, static {beside('static_ton', 0)} t",
         f"significant {beside('significant_ton', 0)} t, scope {beside('scope', 1)}",
-        f"hawser {beside('hawser_ton', 0)} t  {one.note}",
+        f"hawser {beside('hawser_ton', 0)} t",
     )
+    doubtful = one.case.flag and not one.case.flag.startswith("= ")  # a row that is another one says so
+    words += tuple(text for text in (one.note, doubtful and f"in print: {one.case.flag}") if text)
     console.print(f"{one.case.name:4} {', '.join(words)}", highlight=False, soft_wrap=True, markup=False)

@@ -101,6 +101,38 @@ def statements(results):
             yield f"report: {text}; computed: {value(*(named[name] for name in cases))}"
 
 
+def trends(results):
+    """Lines on significant over static tension of a contact buoy head-on, six lines, computed beside printed
+
+    Where lines are nearly taut, decimetres of surge decide: by how many the two are apart is told with each.
+    """
+    found = {}
+    for one in results:
+        v, printed = one.case.values, one.case.printed
+        if one.case.system == "contact" and v["lines"] == 6 and v["current_kn"] == 1.5 and np.isfinite(one.apart_m):
+            key = one.case.floater, v["height_m"], v["mean_period_s"], v["depth_m"]
+            ratios = one.significant_ton / one.static_ton, printed["significant_ton"] / printed["static_ton"]
+            found.setdefault(key, []).append((*ratios, one.apart_m))
+    for (floater, height, period, depth), rows in found.items():
+        ours, printed, away = np.array(rows).T
+        yield (
+            f"{floater}, H {height:g} m, {period:g} s, {depth:g} m: significant over static {_ends(ours, 2)}, printed "
+            f"{_ends(printed, 2)}; apart by {_ends(away, 2)} m of surge"
+        )
+    away = np.abs([one.apart_m for one in results if np.isfinite(one.apart_m)])
+    if len(away) > 1:
+        yield (
+            f"significant tensions of {len(away)} cases head-on and those printed are apart by {np.median(away):.2f} m "
+            f"of surge at the median, {np.quantile(away, 0.9):.2f} m in nine of ten: lines nearly taut make much of it"
+        )
+
+
+def _ends(values, digits):
+    """Smallest and largest as text, once where they are the same"""
+    low, high = (f"{v:.{digits}f}" for v in (values.min(), values.max()))
+    return low if low == high else f"{low} to {high}"
+
+
 def _t(one):
     return "beyond reach" if np.isnan(one.significant_ton) else f"{one.significant_ton:.0f} t"
 

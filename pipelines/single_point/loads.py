@@ -15,6 +15,8 @@ from mooring.loads.ship_derivatives import by_yaw_rate, clarke
 from mooring.loads.turning import turning_coefficients
 from mooring.motion.streams import turning_drag
 from mooring.motion.wave_loads import wave_forces
+from mooring.response.findings import UNSURE
+from mooring.response.linear import frequencies
 from mooring.single_point.loads import (
     DriftLoad,
     Loads,
@@ -41,7 +43,7 @@ def loads_of(study, folder, db, density, center, mass):
     """Loads of a Study about its centre of mass (2,) m, and findings; mass : (3, 3) kg …, with added mass"""
     findings = []
     water = _water(study, folder, density, center, mass, findings)
-    return Loads(water, _wind(study, folder, center), _drift(study, db, center)), findings
+    return Loads(water, _wind(study, folder, center), _drift(study, db, center, findings)), findings
 
 
 def _wind(study, folder, center):
@@ -143,7 +145,7 @@ def _turning(study, given, density, center, findings):
     return turning_table(found, h.length, h.draft, density)
 
 
-def _drift(study, db, center):
+def _drift(study, db, center, findings):
     w = study.waves
     if w is None:
         return None
@@ -159,7 +161,22 @@ def _drift(study, db, center):
         raise StudyError("waves.period is missing; allowed: s, mean, for the drift of a database")
     if not db.reader.knows_drift:
         raise StudyError('the database holds no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2')
-    return DriftLoad(mean_drift(wave_forces(db.reader.floating()), sea_of("waves", w, to, db.water_depth)))
+    body, sea = db.reader.floating(), sea_of("waves", w, to, db.water_depth)
+    findings += _between_waves(body, sea)
+    return DriftLoad(mean_drift(wave_forces(body), sea))
+
+
+def _between_waves(body, sea):
+    """A line on mean drift against the bow that stored waves do not tell well; as if all errors were of one sign"""
+    omega = frequencies(body)
+    value, error = body.at(omega, "drift_force", [np.pi])
+    density = sea.spectrum.density(omega)
+    unsure, mean = (float(np.trapezoid(density * np.abs(of[:, 0, 0]), omega)) for of in (error, value))
+    if unsure > UNSURE * mean:
+        yield (
+            f"mean drift of the waves is uncertain by {100 * unsure / mean:.2g} % between stored waves; limit "
+            f"{100 * UNSURE:g} %; add frequencies to the database, or give waves.drift_tonf_per_m2"
+        )
 
 
 def _file(name, folder):

@@ -7,6 +7,7 @@ steady + ⅔ of the largest amplitude.
 
 from __future__ import annotations
 
+import math
 import warnings
 from typing import NamedTuple
 
@@ -141,7 +142,10 @@ def _buoy_and_rope(study):
     b, h = study.buoy, study.hawser
     if h is None or b.mass is None:
         raise StudyError('slewing.scheme is "full"; allowed with a hawser: the mass, diameter and height of [buoy]')
-    body = BuoyBody(1e3 * b.mass, b.diameter, b.height)
+    lever = 0.0 if b.hawser_z is None else b.hawser_z - b.z
+    if not 0 <= lever < math.inf:
+        raise StudyError(f"buoy.hawser_z is {b.hawser_z:g} m; allowed: at least buoy.z, {b.z:g} m")
+    body = BuoyBody(1e3 * b.mass, b.diameter, b.height, lever=lever)
     stiff, load = force("hawser", h, "axial_stiffness"), force("hawser", h, "breaking_load")
     if (stiff is None) == (load is None) or (load is not None) != (h.strain is not None):
         raise StudyError('hawser: slewing.scheme "full" needs axial_stiffness, or breaking_load with its strain')

@@ -108,12 +108,14 @@ class BuoyTable(Table):
     mass : t
     diameter : m
     height : m
+    hawser_z : m over the water, where hawsers are made fast: it tilts under their pull, for the scheme "full"
     """
 
     z: float
     mass: float | None = None
     diameter: float | None = None
     height: float | None = None
+    hawser_z: float | None = None
 
 
 class MooringTable(LineTable, kw_only=True):

@@ -10,7 +10,7 @@ from mooring.single_point.body import SinglePointError
 from mooring.single_point.equilibria import equilibria
 from mooring.single_point.history import cycle, line_tensions, settled_after
 from mooring.single_point.loads import Loads, WaterLoad
-from mooring.single_point.scope import peak, significant
+from mooring.single_point.scope import highest_third, peak, significant
 from mooring.single_point.slewing import slew, turned_state
 from mooring.single_point.two_scale import RING, Steps, WaveBody, two_scale
 
@@ -105,3 +105,11 @@ def test_words_of_a_run_are_those_of_its_numbers():
     assert cycle(t, staying).period == pytest.approx(2 * np.pi / 0.05, rel=1e-3)
     assert np.isnan(settled_after(t, staying, 0.0)) and 250 < settled_after(t, dying, 0.0) < 400
     assert peak(30.0, significant(np.array([10.0, 60.0]), 30.0)) == pytest.approx(60.0)
+
+
+def test_the_highest_third_of_crests_of_a_record_is_their_mean():
+    """Twelve waves with crests of 1 to 12: the mean of 9 to 12; a record that never crosses its mean has its largest"""
+    t = np.arange(0, 12, 1e-3)
+    record = (1 + np.floor(t)) * np.sin(2 * np.pi * t)
+    assert highest_third(np.concatenate([record, record[:300]])) == pytest.approx(10.5, rel=1e-4)
+    assert highest_third(np.array([2.0, 2.0, 2.0])) == 2.0

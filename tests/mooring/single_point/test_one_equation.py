@@ -13,6 +13,7 @@ from mooring.lines.system.parts import MooredBody
 from mooring.motion import buoy as buoys
 from mooring.motion.buoy import BuoyBody, pull_of_rope
 from mooring.motion.simulation import simulate
+from mooring.motion.wave_loads import no_waves
 from mooring.motion.weather import Settings, Weather
 from mooring.single_point.body import NO_POINTS, Hold, SinglePointError
 from mooring.single_point.equilibria import equilibria
@@ -37,6 +38,9 @@ def floating_point(current=30.0, turning=True):
     return replace(point, system=replace(point.system, bodies=(freed,)))
 
 
+TILTS = replace(BUOY, lever=1.5)
+
+
 @pytest.fixture(scope="module", params=[True, False], ids=["turning tests", "current coefficients"])
 def steady(request):
     return next(one for one in equilibria(floating_point(turning=request.param)) if one.slewing.stable)
@@ -46,8 +50,9 @@ def placed(steady, turn=0.0, buoy=BUOY, rope=ROPE):
     return body_at(steady, turned_state(steady.point, steady.state, turn), buoy=buoy, rope=rope)
 
 
-def test_at_rest_the_body_stays_and_pulls_as_in_statics(steady):
-    body = placed(steady)
+@pytest.mark.parametrize("kind", [BUOY, TILTS], ids=["upright", "tilts"])
+def test_at_rest_the_body_stays_and_pulls_as_in_statics(steady, kind):
+    body = placed(steady, buoy=kind)
     found = run_in_one(steady, body, 60.0, 0.5, tolerance=1e-6)
     assert np.abs(found.motion - body.start).max() < 1e-6 and np.abs(found.buoy[:, :3] - body.buoy.start).max() < 1e-6
     assert np.allclose(found.hawser, steady.hawser, rtol=1e-6)
@@ -128,10 +133,11 @@ def test_small_motions_are_those_of_the_linear_system_of_body_and_buoy(steady):
     assert np.abs(own - exact)[:, 2].max() < 2e-3 * np.abs(np.array(exact)[:, 2]).max()
 
 
-def test_energy_is_kept_by_a_buoy_that_snaps_between_a_drifting_body_and_its_lines(steady, monkeypatch):
-    """No water, no loss in the hawser: kinetic energy, buoyancy, lines and hawser together"""
+@pytest.mark.parametrize("kind", [BUOY, TILTS], ids=["upright", "tilts"])
+def test_energy_is_kept_by_a_buoy_that_snaps_between_a_drifting_body_and_its_lines(steady, kind, monkeypatch):
+    """No water, no loss in the hawser: kinetic energy, buoyancy, lines, hawser and tilt, c(1 − cos θ), together"""
     monkeypatch.setattr(buoys, "DAMPING", 0.0)
-    body = placed(steady)
+    body = placed(steady, buoy=kind)
     settings = Settings(500.0, 0.0, 0.5, 1e-6, slow_drift="none")
     found = simulate(body, Weather(), settings)
     slack = int(np.argmax(found.hawser[:, 0] == 0.0))
@@ -148,7 +154,12 @@ def test_energy_is_kept_by_a_buoy_that_snaps_between_a_drifting_body_and_its_lin
     bow = found.motion[:, :2] + np.stack([cos * end[0] - sin * end[1], sin * end[0] + cos * end[1]], axis=1)
     d = np.column_stack([found.buoy[:, :2] - bow, system.bodies[0].position[2] + found.buoy[:, 2] + body.buoy.level])
     stretch = np.maximum(np.linalg.norm(d, axis=1) - LENGTH, 0.0)
-    elastic = 0.5 * ROPE.breaking_load / (LENGTH * ROPE.strain) * stretch**2
+    hard = ROPE.breaking_load / (LENGTH * ROPE.strain)
+    c = kind.mass * system.gravity * kind.metacentric_height(system.density)
+    pulls = np.linspace(0.0, 2 * found.hawser.max(), 20001)
+    tilts = np.arctan(pulls * kind.lever / c)
+    tilt = np.interp(stretch, pulls / hard + kind.lever * np.sin(tilts), tilts)
+    elastic = 0.5 * hard * (stretch - kind.lever * np.sin(tilt)) ** 2 + c * (1 - np.cos(tilt))
     rows = np.arange(0, len(found.time), 12)
     total = np.array([kinetic[i] + floats[i] + elastic[i] + work_to(system, found.buoy[i, :3]) for i in rows])
     assert np.ptp(total) < 1e-3 * (kinetic + elastic).max()
@@ -196,9 +207,31 @@ def test_a_rope_hardens_slackens_and_never_pushes():
     assert pull_of_rope(rope, 1e-6, 5.0) == pytest.approx(0.0, abs=0.1)  # without a jump where it comes taut
 
 
+def test_a_buoy_that_tilts_yields_to_its_hawsers_as_far_as_its_moments_say():
+    """Rope and tilt in series: e = L ε_B (T/B)^(1/n) + h sin θ with ΣT h cos θ = c sin θ; two hawsers share the tilt"""
+    kind, rope = BuoyBody(5.8, 0.33, 0.11, lever=0.1), RopePart(4e3, 0.25, 2.0)
+    system = floating_point().system
+    c = kind.mass * system.gravity * kind.metacentric_height(system.density)
+    ends = np.zeros((2, 3))
+    hung = buoys.BuoyOnLines(kind, system, rope, [1.25, 1.3], ends, np.zeros(3), np.zeros(3), 0.0, np.zeros(2))
+    made = buoys.buoy_arrays(hung)
+    work = buoys.buoy_work(made, no_waves(), 0)
+    for first, second in ((30.0, 0.0), (30.0, 5.0), (1e-3, 2e-3), (800.0, 900.0)):
+        pull = np.array([first, second])
+        theta = np.arctan(pull.sum() * kind.lever / c)
+        assert kind.yields(pull.sum(), system) == pytest.approx(kind.lever * np.sin(theta), rel=1e-12)
+        work.reach[:, 3] = [1.25, 1.3] * rope.strain_at(pull) + kind.lever * np.sin(theta)
+        work.rope[:] = 0.0
+        shift, _ = buoys.yielded(made, work)
+        found = [pull_of_rope(one, e - shift, 0.0) for one, e in zip(made.ropes, work.reach[:, 3], strict=True)]
+        assert np.allclose(found, pull, rtol=1e-7, atol=1e-9 * pull.sum())
+
+
 def test_a_buoy_that_would_sink_and_a_contact_buoy_are_refused(steady):
     with pytest.raises(SinglePointError, match="floats at"):
         placed(steady, buoy=replace(BUOY, mass=900e3))
+    with pytest.raises(SinglePointError, match=r"metacentric height -\d.* does not stand up"):
+        placed(steady, buoy=BuoyBody(20e3, 2.0, 12.0, lever=1.0))
     with pytest.raises(SinglePointError, match="needs the buoy's mass"):
         body_at(steady, steady.state)
     contact = next(one for one in equilibria(floater_A()) if one.slewing.stable)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from boxes import TONF, buoy, floater_A
-from scipy.optimize import brentq
+from scipy.optimize import brentq, linprog
 
 from mooring.catenary import solve_lines
 from mooring.single_point.body import SinglePoint
@@ -15,12 +15,12 @@ from mooring.single_point.equilibria import equilibria
 from mooring.single_point.scope import length_without_uplift, peak
 
 SERIES = Path(__file__).parents[3] / "pipelines" / "series" / "single_point.csv"
-FLOATERS = {"A": (3.0, (0.02856, 4.988, 20.74), 14.0, 12.0), "B": (6.0, (0.05999, 8.314, 76.40), 40.0, 20.0)}
-LEFT = {"A": 1.3, "B": 2.4}  # tonf
+FLOATERS = {"A": (3.0, 14.0), "B": (6.0, 40.0)}  # m, draft of the buoy, and the depth of most head-on rows
+LEFT = 1.3  # tonf
 LONG = 200  # depths; the report does not tell, and of long lines the direction does not change
-OUT_OF_LINE = {"A10", "B25", "B26", "B74"}  # scopes, a tension, and a force 2 % from that of a case of equal load
-# lines of ordinary scope carry A's headings; those of the rows whose 12 lines are not halved in print are left out
+OUT_OF_LINE = {"A10", "B25", "B26", "B74"}  # scopes, a tension, and a force 8 t, 2 %, below that of equal load (B27)
 OBLIQUE = {"A54", "A55", "A56", "A57", "A65", "A66", "A67", "A68"}
+PAIRS = {"A61", "A62", "A64"}  # static tensions printed for the two lines that were computed as one
 
 
 def series():
@@ -96,18 +96,18 @@ def total_force(row):
 def test_head_on_tensions_of_the_series_follow_one_law_of_force(floater):
     """F = c_w U² + c_d H² + F_c (V/1.5 kn)² whatever the pretension and the number of lines
 
-    To 1.3 t and the rounding of the tension; six lines of B under the largest loads lie up to 3.2 t, 0.8 %, above,
-    while twelve under the same load lie 0.7 t below: printed tensions of equal loads differ by more than rounding.
+    There are three constants, positive, that leave no more than 1.3 t beyond the rounding of the printed tensions: a
+    linear program finds those that leave least (0.3 t of A; 0.8 t of B, 0.2 % of its load).
     """
-    c_wind, c_drift, c_current = FLOATERS[floater][1]
-    depth = FLOATERS[floater][2]
-    rows = [r for r in series() if r["floater"] == floater and number(r, "depth_m") == depth and r["static_ton"]
-            and r["case"] not in OUT_OF_LINE and (r["current_deg"] in ("", "0"))]  # fmt: skip
+    rows = [r for r in series() if r["floater"] == floater and number(r, "depth_m") == FLOATERS[floater][1]
+            and r["static_ton"] and r["case"] not in OUT_OF_LINE and r["current_deg"] in ("", "0")]  # fmt: skip
     assert len(rows) > 8
-    for row in rows:
-        law = (c_wind * number(row, "wind_m_s") ** 2 + c_drift * number(row, "height_m") ** 2
-               + c_current * (number(row, "current_kn") / 1.5) ** 2)  # fmt: skip
-        assert abs(total_force(row) - law) < LEFT[floater] + rounding(row), (row["case"], total_force(row), law)
+    force, within = np.array([(total_force(row), rounding(row)) for row in rows]).T
+    terms = np.array([(number(row, "wind_m_s") ** 2, number(row, "height_m") ** 2,
+                       (number(row, "current_kn") / 1.5) ** 2) for row in rows])  # fmt: skip
+    one = np.ones((len(rows), 1))
+    found = linprog([0, 0, 0, 1], np.block([[terms, -one], [-terms, -one]]), np.r_[force + within, within - force])
+    assert found.status == 0 and found.x[3] < LEFT
 
 
 def rounding(row):
@@ -115,17 +115,49 @@ def rounding(row):
     return 0.5 * together(row) * 2 * np.cos(np.radians(30))
 
 
-@pytest.mark.parametrize("case", sorted(OBLIQUE))
-def test_headings_in_an_oblique_current_are_those_of_the_series(case):
-    """Within 5°, tensions within 7 %, as the report has them without a moment of the wind (with it 3 to 8° more)"""
-    row = next(r for r in series() if r["case"] == case)
+def lies(row):
+    """The one stable Equilibrium of a row, without a moment of the wind"""
     point = floater_A(number(row, "current_deg"), 25.0 if row["system"] == "buoy" else 0.0)
     point = replace(point, system=held(row), loads=without_wind_moment(point.loads))
-    found = [one for one in equilibria(point) if one.slewing.stable]
-    assert len(found) == 1
-    assert abs(np.degrees(found[0].heading) - number(row, "heading_deg")) < 5
-    printed = number(row, "static_ton")
-    assert abs(found[0].lines.tension.max() / TONF - printed) < 0.07 * printed + 0.5  # and its rounding
+    (found,) = [one for one in equilibria(point) if one.slewing.stable]
+    return found
+
+
+def row_of(case):
+    return next(r for r in series() if r["case"] == case)
+
+
+@pytest.mark.parametrize("case", sorted(OBLIQUE | PAIRS))
+def test_headings_in_an_oblique_current_are_those_of_the_series(case):
+    """Within 5°, tensions within 7 %, as the report has them without a moment of the wind (with it 3 to 8° more)"""
+    row = row_of(case)
+    found = lies(row)
+    assert abs(np.degrees(found.heading) - number(row, "heading_deg")) < 5
+    computed, printed = (found.lines.tension.max() / TONF, number(row, "static_ton"))
+    if case not in PAIRS:
+        computed /= together(row)
+    assert abs(computed - printed) < 0.07 * printed + 0.5  # and its rounding
+
+
+@pytest.mark.parametrize(("case", "sister"), [("A61", "A54"), ("A62", "A55"), ("A63", "A56"), ("A64", "A57")])
+def test_twelve_lines_cannot_carry_what_is_printed_for_them_in_an_oblique_current(case, sister):
+    """One body in one weather: the load that six lines print (A54 to A57) is the load on twelve
+
+    Were the printed static tensions those of one of twelve lines, they would hold more than twice that load.  Those of
+    both lines of a pair fit in three rows; in A63 (36 t, 46 t computed) neither reading does, and half of it is less
+    than twelve lines need whichever way the load points.
+    """
+    row, six = row_of(case), row_of(sister)
+    assert [row[key] for key in ("height_m", "wind_m_s", "current_kn", "current_deg")] == [
+        six[key] for key in ("height_m", "wind_m_s", "current_kn", "current_deg")
+    ]
+    load = lies(six).pull / TONF
+    assert total_force(row) > (2 if case in PAIRS else 1.5) * load
+    if case not in PAIRS:
+        point = lies(row).point
+        ways = np.radians(np.arange(0, 61, 5))
+        least = min(point.buoy_under(-load * TONF * np.array([np.cos(a), np.sin(a)])).tension.max() for a in ways)
+        assert least / TONF > 1.2 * number(row, "static_ton")
 
 
 def without_wind_moment(loads):

@@ -52,6 +52,21 @@ def test_every_file_that_is_read_into_a_table_is_a_kind():
     assert read == known
 
 
+@pytest.mark.parametrize(
+    ("command", "file", "key", "readers"),
+    [
+        ("simulate", "single_point_barge.toml", "attachment", "hakobune single-point"),
+        ("single-point", "simulate_chain_12.toml", "spreads", "hakobune moor or hakobune simulate"),
+    ],
+)
+def test_a_file_of_another_command_names_that_command(command, file, key, readers, tmp_path, capsys):
+    output = ["--database", str(SCENES / file), "--output", str(tmp_path / "run.h5")]
+    assert cli.main([command, str(SCENES / file), *output]) == 2
+    said = f"hakobune {command}: {key} is for another command: this file is read by {readers}\n"
+    assert capsys.readouterr().err == said
+    assert not list(tmp_path.iterdir())
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_file_to_begin_with_says_what_its_example_says(kind):
     text, example = commented(kind), (SCENES / KINDS[kind].example).read_text(encoding="utf-8")

@@ -1,11 +1,14 @@
 """Appendix 2 of the SR179 report: model M3B at a single point, computed beside what was measured."""
 
+import csv
+
 import numpy as np
 import pytest
 
 from bem.database import open_database
 from pipelines import cli
-from pipelines.series.appendix_2 import chains, computed, pitch_amplitude, read_rows, study_of
+from pipelines.series.appendix_2 import ceilings, chains, pitch_amplitude, read_rows, study_of
+from pipelines.single_point.study import make
 from pipelines.single_point.tables import make_study
 
 TARGET = 0.382  # °/cm, σ of pitch over σ of the waves, B/d = 10
@@ -13,9 +16,9 @@ TARGET = 0.382  # °/cm, σ of pitch over σ of the waves, B/d = 10
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """WC3 solved, run and tabulated"""
+    """W2 and WC3 solved, run and tabulated"""
     place = tmp_path_factory.mktemp("appendix")
-    assert cli.main(["series", "appendix-2", "--only", "WC3", "--output", str(place)]) == 0
+    assert cli.main(["series", "appendix-2", "--only", "W2,WC3", "--output", str(place)]) == 0
     return place
 
 
@@ -24,29 +27,41 @@ def test_pitch_on_a_contact_buoy_is_that_measured_and_a_little_larger_on_an_inte
     db = open_database(folder / "M3B_Bd10.h5")
     contact = pitch_amplitude(db, 0.06) / 2 / 1.5
     assert abs(contact / TARGET - 1) < 0.05
-    row = row_of(folder)
-    intermediate = 2 * float(row["pitch"]) / float(row["height_cm"])
-    assert 1.0 < intermediate / contact < 1.19
+    for row in rows_of(folder):
+        intermediate = 2 * float(row["pitch"]) / float(row["height_cm"])
+        assert 1.0 < intermediate / contact < 1.19
 
 
-def row_of(folder):
-    text = (folder / "appendix_2.csv").read_text().splitlines()
-    return dict(zip(text[1].split(","), text[2].split(","), strict=True))
+def test_no_sea_of_any_period_pitches_the_free_model_as_far_as_was_measured_on_an_intermediate_buoy(folder):
+    """0.400 °/cm at most, where the tests on the intermediate buoy have 0.45 and those on a contact buoy 0.382"""
+    db = open_database(folder / "M3B_Bd10.h5")
+    (line,) = ceilings({"10": db})
+    most = float(line.split(" °/cm")[0].split()[-1])
+    assert TARGET < most < 0.41
+    measured = [2 * float(row["pitch_deg"]) / float(row["height_cm"]) for row in rows_of(folder)]
+    assert min(measured) > 1.1 * most
 
 
-def test_the_hawser_with_the_buoy_s_mass_is_that_measured_and_without_it_a_fraction(folder):
-    """Snaps make the significant load of a record of six minutes scatter by a fifth (eight seeds: 2.8 to 5.1 kgf):
-    the mean of four is held to the 40 % of what the tank measured"""
-    row, db = row_of(folder), open_database(folder / "M3B_Bd10.h5")
-    assert row["case"] == "WC3" and row["slews"] == "no"
-    assert float(row["settled"]) < 250
+def test_drift_that_stored_waves_do_not_tell_well_is_told_of(folder):
     (given,) = read_rows("WC3")
-    others = [computed(given, db, seed) for seed in (2, 3, 4)]
-    for column, measured in (("hawser", "hawser_kgf"), ("on_buoy", "buoy_kgf")):
-        loads = np.array([float(row[column]), *(getattr(one, column) for one in others)]) / float(row[measured])
-        assert abs(loads.mean() - 1) < 0.4
-    assert float(row["massless"]) < 0.5 * float(row["on_buoy"])
-    assert all(one.massless < 0.5 * one.on_buoy for one in others)
+    made = make(make_study(study_of(given)), None, open_database(folder / "M3B_Bd10.h5"))
+    assert [line for line in made.findings if line.startswith("mean drift of the waves is uncertain by ")]
+
+
+def rows_of(folder):
+    """W2 and WC3"""
+    return list(csv.DictReader((folder / "appendix_2.csv").read_text().splitlines()[1:]))
+
+
+def test_hawsers_of_a_buoy_with_mass_are_those_measured_and_without_it_a_fraction(folder):
+    """Mean of the highest third of the crests: 3.3 kgf of 3.70 measured, and 2.8 of 2.95; seeds scatter by 11 and 4 %,
+    and the loads of one hawser by as much, so that one record is held to the 40 %"""
+    for row in rows_of(folder):
+        for column, measured in (("hawser", "hawser_kgf"), ("on_buoy", "buoy_kgf")):
+            assert abs(float(row[column]) / float(row[measured]) - 1) < 0.4, (row["case"], column)
+        assert float(row["massless"]) < 0.5 * float(row["on_buoy"])
+        assert row["slews"] == "no"
+        assert float(row["settled"]) < 250
 
 
 def test_every_test_is_a_study():

@@ -26,7 +26,10 @@ def test_every_case_is_a_study_of_its_printed_numbers():
 
 
 def test_two_cases_are_solved_run_and_tabulated_beside_the_print(tmp_path, capsys):
-    """A16 and A17: 20 m, waves of 10 s; the report's ratios of significant to static tension are 1.17 and 1.20"""
+    """A16 and A17: 20 m, waves of 10 s; the report's ratios of significant to static tension are 1.17 and 1.20
+
+    Printed and computed significant tensions are decimetres of surge apart.
+    """
     folder = tmp_path / "series"
     assert cli.main(["series", "single-point", "--only", "A16,A17", "--output", str(folder)]) == 0
     assert {p.name for p in folder.iterdir()} == {
@@ -35,9 +38,12 @@ def test_two_cases_are_solved_run_and_tabulated_beside_the_print(tmp_path, capsy
     lines = [line for line in (folder / "single_point.csv").read_text().splitlines() if not line.startswith("#")]
     for row in csv.DictReader(lines):
         static, printed = float(row["static_ton"]), float(row["printed_static_ton"])
-        assert abs(static / printed - 1) < 0.1
+        assert abs(static / printed - 1) < 0.05  # by the drift of this depth; that of 14 m would be 5 to 18 % too much
         assert 1.1 < float(row["significant_ton"]) / static < 1.35
+        assert abs(float(row["apart_m"])) < 0.5
         assert abs(float(row["scope"]) / float(row["printed_scope"]) - 1) < 0.1
+    said = capsys.readouterr().out
+    assert "A, H 1.5 m, 10 s, 20 m: significant over static" in said and "m of surge" in said
     assert cli.main(["single-point", str(folder / "A16.toml"), "--database", str(folder / "A_20m.h5"), "--output",
                      str(tmp_path / "a.h5")]) == 0  # fmt: skip
 

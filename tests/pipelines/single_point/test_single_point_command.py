@@ -97,6 +97,10 @@ def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch,
     assert run(tmp_path, stiff, monkeypatch=monkeypatch) == 0
     said = capsys.readouterr().out
     assert "hawser 1" in said and "waves push with their mean drift alone" in said
+    for height, said in ((-4.0, "buoy.hawser_z is -4 m; allowed: at least buoy.z, -3 m"), (2.0, "")):
+        tilts = stiff.replace("height = 5.0", f"height = 5.0\nhawser_z = {height}")
+        assert run(tmp_path, tilts, monkeypatch=monkeypatch) == (2 if said else 0)
+        assert said in capsys.readouterr().err
 
 
 def test_the_tanker_of_the_scenes_stands_at_its_hawser_and_its_criteria_are_told(tmp_path, monkeypatch, capsys):
