@@ -26,6 +26,7 @@ from .linearised import equivalent
 
 FINE = 90  # steps of the shortest period of the body on its fenders; 1e-6 of the reaction
 ROUNDS, SETTLED = 200, 1e-6  # of the equivalent spring
+UNEVEN = 1e-3  # of a step of a record
 LEAST = 0.55  # of a spectrum by damping
 
 
@@ -108,11 +109,13 @@ def ground_of_record(time, acceleration, after=0.0):
             f"the record has {len(t)} times and {len(a)} finite accelerations; allowed: 4 or more, as many"
         )
     steps = np.diff(t)
-    if not np.all(np.abs(steps - steps[0]) <= 1e-3 * abs(steps[0])) or steps[0] <= 0:
+    if not np.all(np.abs(steps - steps[0]) <= UNEVEN * abs(steps[0])) or steps[0] <= 0:
         i = int(np.argmax(np.abs(steps - np.median(steps))))
         raise EarthquakeError(
             f"the record steps by {steps[i]:g} s after {t[i]:g} s, else by {np.median(steps):g} s; allowed: no gaps"
         )
+    if not np.any(a):
+        raise EarthquakeError("all accelerations of the record are 0; allowed: of a ground that moves")
     s = (t - t[0]) / (t[-1] - t[0])
     shapes = [np.ones_like(s), s]
     ends = np.array([[x[-1] for x in _integrated(t, shape)] for shape in (*shapes, a)]).T

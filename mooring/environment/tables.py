@@ -24,7 +24,7 @@ def read_table(path, blank=None):
     text = read_text(path, TableError)
     lines = [line for line in text.splitlines() if _has_data(line)]
     if not lines:
-        raise TableError(f"{path} has no rows")
+        raise TableError(f"{path} has no rows; allowed: rows of numbers")
     names = None if _is_number(_split(lines[0])[0]) else _split(lines.pop(0))
     if not lines:
         raise TableError(f"{path} has no rows of numbers")
@@ -65,6 +65,37 @@ def column_of(path, names, wanted):
     return names.index(wanted)
 
 
+def fault_of_steps(path, time, off):
+    """`TableError` on times (n,) of a table that do not step evenly, within `off` of a step: its line and what to do"""
+    steps = np.diff(time)
+    usual = float(np.median(steps))
+    falling, wrong = np.flatnonzero(steps <= 0), np.flatnonzero(np.abs(steps - usual) > off * abs(usual))
+    i = int(falling[0]) if len(falling) else int(wrong[0]) if len(wrong) else int(np.argmax(np.abs(steps - usual)))
+    where, a, b = f"{path}: line {line_of(path, i + 1)}", time[i], time[i + 1]
+    if len(falling):
+        moved = f"stays at {a:g} s" if a == b else f"goes back from {a:.8g} to {b:.8g} s"
+        return TableError(
+            f"{where}: time {moved}; allowed: equal steps: put the rows in order, and leave out what is there twice"
+        )
+    told = f"{where}: time goes from {a:.8g} to {b:.8g} s where the step is {usual:.6g} s"
+    lost = [max(0, round(step / usual) - 1) for step in steps[wrong]]
+    whole = np.abs(steps[wrong] - usual * (1 + np.array(lost))) <= max(off, 0.05) * usual
+    if len(wrong) and np.all(whole) and min(lost) > 0:
+        more = f", the first of {len(wrong)} gaps" if len(wrong) > 1 else ""
+        count = f"{lost[0]} row is" if lost[0] == 1 else f"{lost[0]} rows are"
+        return TableError(f"{told}: {count} missing{more}; allowed: equal steps; fill the gap, or cut the record there")
+    return TableError(
+        f"{told}, from {steps.min():.4g} to {steps.max():.4g} s in the file; allowed: equal steps; interpolate to such"
+    )
+
+
+def line_of(path, row):
+    """Number, from 1, of the line of a file that `read_table` takes for a row of numbers, from 0"""
+    lines = [(n, line) for n, line in enumerate(read_text(Path(path), TableError).splitlines(), 1) if _has_data(line)]
+    named = not _is_number(_split(lines[0][1])[0])
+    return lines[row + named][0]
+
+
 def _has_data(line):
     return line.strip() and not line.lstrip().startswith("#")
 
@@ -93,5 +124,5 @@ def _number(path, line, word, blank):
     except ValueError:
         value = np.nan
     if not np.isfinite(value):
-        raise TableError(f"{path}: line {line} has {word!r}; allowed: finite numbers")
+        raise TableError(f"{path}: line {line} has {word!r}; allowed: finite numbers: fill it in")
     return value

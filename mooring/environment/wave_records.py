@@ -16,7 +16,7 @@ from bem.waves import wavenumber
 from meshing.seals import write_sealed
 
 from .allowed import positive, row_of_numbers
-from .tables import TableError, column_of, read_table
+from .tables import TableError, column_of, fault_of_steps, read_table
 
 UNEVEN = 0.01  # of a step, that a time in a file may lie off
 FAINT = 1e-6  # of the largest amplitude, of components that are left out
@@ -92,7 +92,7 @@ def read_record(path, step=None, column=None):
     if timed and step is not None:
         raise TableError(f"{path} has a column of times; a step of {step:g} s is given too; leave it out")
     if not timed and step is None:
-        raise TableError(f"{path} has one column and no times; give the step (s)")
+        raise TableError(f"{path} has one column and no times; give the step (s), or times in a first column")
     if timed:
         return Record(values[:, place], *_even_steps(path, values[:, 0]))
     return Record(values[:, place], positive("step", step, "s"))
@@ -120,9 +120,5 @@ def _even_steps(path, t):
     step = (t[-1] - t[0]) / (len(t) - 1)
     off = np.abs(t - (t[0] + step * np.arange(len(t))))
     if not step > 0 or off.max() > UNEVEN * step:
-        i = int(np.argmax(np.abs(np.diff(t) - np.median(np.diff(t)))))
-        raise TableError(
-            f"{path}: time goes from {t[i]:g} to {t[i + 1]:g} s where the step is {np.median(np.diff(t)):g} s; "
-            "allowed: equal steps; fill the gap, or cut the record there"
-        )
+        raise fault_of_steps(path, t, UNEVEN)
     return float(step), float(t[0])

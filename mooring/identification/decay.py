@@ -18,6 +18,7 @@ from .record import RecordError, checked
 
 FEWEST = 3  # extremes
 STEPS = 120  # of the solution in a cycle: 1e-8 off
+FAR = 1e6  # in place of what is no number
 DIFFERENCE = 1e-5  # of a parameter over its unit
 
 
@@ -101,12 +102,15 @@ def _fitted(t, x, start, size):
     shift = DIFFERENCE * np.eye(6)
 
     def off(p):
-        return (_solutions((p * unit)[:, None], len(t), step, parts)[:, 0] - x) / size
+        with np.errstate(over="ignore", invalid="ignore"):  # a try with damping that drives the motion away
+            y = _solutions((p * unit)[:, None], len(t), step, parts)[:, 0]
+        return np.nan_to_num((y - x) / size, nan=FAR, posinf=FAR, neginf=-FAR)
 
     def slope(p):
         both = np.concatenate([p + shift, p - shift]) * unit
-        y = _solutions(both.T, len(t), step, parts) / size
-        return (y[:, :6] - y[:, 6:]) / (2 * DIFFERENCE)
+        with np.errstate(over="ignore", invalid="ignore"):
+            y = _solutions(both.T, len(t), step, parts) / size
+            return np.nan_to_num((y[:, :6] - y[:, 6:]) / (2 * DIFFERENCE), nan=0.0, posinf=FAR, neginf=-FAR)
 
     found = least_squares(off, start / unit, jac=slope, method="lm", xtol=1e-13, ftol=1e-15, gtol=1e-15, max_nfev=50)
     return found.x * unit, x + size * found.fun

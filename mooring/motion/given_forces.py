@@ -9,14 +9,16 @@ Drift by half waves (`mooring.response.slow_drift.half_wave_drift`; SR179 report
 from __future__ import annotations
 
 from dataclasses import dataclass
+from warnings import warn
 
 import numpy as np
 
-from ..environment.tables import TableError, read_table
-from ..environment.wave_records import elevation
+from ..environment.tables import TableError, fault_of_steps, line_of, read_table
+from ..environment.wave_records import UNEVEN, elevation
 from ..response.slow_drift import half_wave_drift, half_waves
 
 COLUMNS = ("t", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
+GAP = 10.0  # usual steps of a table, from which one is warned of
 FINE = 4  # samples of the shortest interval, between which polynomials of fifth degree are 1e-4 off
 MOST = 2_000_000  # samples
 FREQUENCIES = 500  # of the drift, straight between
@@ -43,15 +45,26 @@ class GivenForce:
 def read_force(path):
     """`GivenForce` of a CSV file with a row of names and the columns t (s), Fx, Fy, Fz (N), Mx, My, Mz (N m).
 
-    raises : TableError naming the file
+    Steps may be of any length; one of GAP usual ones is warned of.  raises : TableError naming the file and the line
     """
-    _, values = read_table(path)
-    if values.shape[1] != len(COLUMNS):
-        raise TableError(f"{path} has {values.shape[1]} columns; allowed: {', '.join(COLUMNS)}")
-    try:
-        return GivenForce(values[:, 0], values[:, 1:])
-    except ValueError as error:
-        raise TableError(f"{path}: {error}") from None
+    names, values = read_table(path)
+    if names is None or sorted(names) != sorted(COLUMNS):
+        shown = "no names of columns in its first row" if names is None else f"the columns {', '.join(names)}"
+        raise TableError(f"{path} has {shown}; allowed: {', '.join(COLUMNS)}: name them so")
+    values = values[:, [names.index(name) for name in COLUMNS]]
+    t, steps = values[:, 0], np.diff(values[:, 0])
+    if len(t) < 2:
+        raise TableError(f"{path} has one row; allowed: 2 or more")
+    if steps.min() <= 0:
+        raise fault_of_steps(path, t, UNEVEN)
+    i, usual = int(steps.argmax()), float(np.median(steps))
+    if steps[i] > GAP * usual:
+        warn(
+            f"{path}: line {line_of(path, i + 1)}: no force is given from {t[i]:g} to {t[i + 1]:g} s, where the step "
+            f"is {usual:g} s; a smooth curve is drawn across",
+            stacklevel=2,
+        )
+    return GivenForce(t, values[:, 1:])
 
 
 def drift_of_half_waves(reader, components, heading, ramp, duration):

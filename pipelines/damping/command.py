@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 from pathlib import Path
 from typing import Annotated
 
 from cyclopts import Parameter
 
+LEFT = 0.25  # of the record, that a fit may leave without a warning
 COLUMNS = ("time_s", "motion_m", "force_kN")
 
 
@@ -30,12 +30,12 @@ def damping(
     if mass is not None and not 0 < mass < float("inf"):
         raise ValueError(f"--mass is {mass:g}; allowed: above 0, finite")
     columns = read_record(record)
-    if "force_kN" in columns:
-        if mass is not None:
-            raise ValueError("--mass is given with force_kN in the record; allowed: of a decay")
-        drawn = _forced(columns)
-    else:
-        drawn = _decay(columns, mass)
+    if "force_kN" in columns and mass is not None:
+        raise ValueError("--mass is given with force_kN in the record; allowed: of a decay")
+    try:
+        drawn = _forced(columns) if "force_kN" in columns else _decay(columns, mass)
+    except ValueError as error:
+        raise ValueError(f"{record}: {error}") from None
     if plot is not None:
         _draw(plot, *drawn)
         print(plot)
@@ -43,24 +43,24 @@ def damping(
 
 
 def read_record(path):
-    """{column: list of numbers} of a CSV.  Raises ValueError."""
-    from meshing.text_files import read_text
+    """{column: (n,) array} of a CSV.  Raises ValueError."""
+    import numpy as np
 
-    lines = [line for line in read_text(path, ValueError).splitlines() if line.strip() and line[0] != "#"]
-    rows = list(csv.DictReader(lines))
-    names = list(rows[0]) if rows else []
-    wrong = [name for name in names if name not in COLUMNS]
-    if wrong or not {"time_s", "motion_m"} <= set(names):
-        shown = ", ".join(map(str, names)) or "no rows"
-        raise ValueError(f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved")
-    out = {name: [] for name in names}
-    for i, row in enumerate(rows, 1):
-        for name in names:
-            try:
-                out[name].append(float(row[name]))
-            except (TypeError, ValueError):
-                raise ValueError(f"{path}, row {i}: {name} is {row[name]!r}; allowed: a number") from None
-    return out
+    from mooring.environment.tables import fault_of_steps, read_table
+    from mooring.identification.record import UNEVEN
+
+    names, values = read_table(path)
+    wrong = [name for name in names or () if name not in COLUMNS]
+    if wrong or not {"time_s", "motion_m"} <= set(names or ()):
+        shown = "no names of columns in its first row" if names is None else f"the columns {', '.join(names)}"
+        raise ValueError(
+            f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved: name them so"
+        )
+    columns = dict(zip(names, values.T, strict=True))
+    steps = np.diff(columns["time_s"])
+    if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= UNEVEN * np.median(steps)):
+        raise fault_of_steps(path, columns["time_s"], UNEVEN)
+    return columns
 
 
 def _forced(columns):
@@ -75,6 +75,7 @@ def _forced(columns):
         f"forced: amplitude {sine.amplitude:.4g} m, period {2 * np.pi / sine.omega:.5g} s; "
         f"{100 * made.off:.2g} % of the force is left over"
     )
+    _warn_of_rest(made.off, "force", "a sine that moves a body with added mass and damping")
     print(f"added mass {made.added_mass / 1e3:.6g} t")
     print(f"B1 = {made.linear / 1e3:.6g} kN s/m, B2 = {made.quadratic / 1e3:.6g} kN s²/m²; by first and third harmonic "
           f"{made.by_harmonics[0] / 1e3:.5g} and {made.by_harmonics[1] / 1e3:.5g}")  # fmt: skip
@@ -100,6 +101,7 @@ def _decay(columns, mass):
         f"free decay: natural period {period:.5g} s, {len(made.extremes)} extremes from {made.extremes[0]:.4g} m; "
         f"{100 * made.off:.2g} % of the motion is left over"
     )
+    _warn_of_rest(made.off, "motion", "the free decay of one motion")
     print(f"a = {made.a:.4g}, b = {made.b:.4g} 1/m by half cycles; a = {made.linear_only:.4g} with b = 0")
     print(
         f"B1/M = {made.linear:.6g} 1/s ({100 * ratio:.3g} % of critical), B2/M = {made.quadratic:.6g} 1/m, "
@@ -108,6 +110,11 @@ def _decay(columns, mass):
     if mass is not None:
         print(f"B1 = {made.linear * mass:.6g} kN s/m, B2 = {made.quadratic * mass:.6g} kN s²/m²")
     return time, motion, made.fitted, "motion, m"
+
+
+def _warn_of_rest(off, what, kind):
+    if off > LEFT:
+        print(f"warning: {100 * off:.2g} % of the {what} is left over; this is no record of {kind}; look at --plot")
 
 
 def _draw(path, time, measured, fitted, label):

@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mooring.dolphins.earthquake import EarthquakeError, Fenders, Floater, ground_of_record
+from mooring.dolphins.earthquake import UNEVEN, EarthquakeError, Fenders, Floater, ground_of_record
 from mooring.site.seismic import seismic_coefficient
 
 from ..common.fender_tables import FenderTable, fender_of, pair_of
@@ -203,7 +203,7 @@ def _spectrum(table):
 
 
 def _ground(table, folder):
-    from mooring.environment.tables import TableError, read_table
+    from mooring.environment.tables import TableError, fault_of_steps, read_table
 
     path = folder / table.file
     try:
@@ -214,12 +214,17 @@ def _ground(table, folder):
     known = [name for name in names if name in COLUMNS]
     if "time_s" not in names or len(known) != 1:
         raise StudyError(
-            f"{path} has {', '.join(names) or 'no names'}; allowed: time_s, and one of {', '.join(COLUMNS)}"
+            f"{path} has {'the columns ' + ', '.join(names) if names else 'no names of columns in its first row'}; "
+            f"allowed: time_s, and one of {', '.join(COLUMNS)}: name them so"
         )
     if not 0 <= table.after <= LONGEST:
         raise StudyError(f"record.after is {table.after:g} s; allowed: 0 to {LONGEST:g}")
     scale = positive("record.scale", table.scale) * COLUMNS[known[0]]
+    time, shaken = values[:, names.index("time_s")], scale * values[:, names.index(known[0])]
+    steps = np.diff(time)
+    if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= UNEVEN * np.median(steps)):
+        raise StudyError(str(fault_of_steps(path, time, UNEVEN)))
     try:
-        return ground_of_record(values[:, names.index("time_s")], scale * values[:, names.index(known[0])], table.after)
+        return ground_of_record(time, shaken, table.after)
     except EarthquakeError as error:
         raise StudyError(f"{path}: {error}") from None

@@ -175,6 +175,8 @@ def _extremes(file, kept, path):
         records = file["motion"][kept, :, j].astype(float)
         if records.std() > 0:
             tops = _maxima(records, local_maxima) / records.std(axis=1).mean()
+            if not len(tops):  # pushed one way by a given force, or too short a run
+                continue
             least = min(least, 0.3 / len(tops))
             left.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), lw=1.2, label=name)
     level = np.linspace(0, 5, 200)

@@ -14,6 +14,7 @@ file = "tug.csv"                 # beside the study: t, Fx, Fy, Fz, Mx, My, Mz
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -92,7 +93,9 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
     if table.record is not None:
         components, found = _record(study, table, settings, omega, folder)
         findings += found
-    weather = Weather(seas, waves, *streams, _forces(table, folder), components=components)
+    forces, found = _forces(table, folder)
+    findings += found
+    weather = Weather(seas, waves, *streams, forces, components=components)
     split = 0.5 * waves.omega if waves else float(omega[0])
     if seas:
         split = float(min(one.spectrum.quantile(LOWEST) for one in seas))
@@ -173,10 +176,13 @@ def _by_motion(key, values):
 
 
 def _forces(table, folder):
-    """`GivenForce` of each file"""
+    """`GivenForce` of each file, and findings"""
     from mooring.motion.given_forces import read_force
 
-    return () if folder is None else tuple(read_force(Path(folder) / one.file) for one in table.force)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        forces = () if folder is None else tuple(read_force(Path(folder) / one.file) for one in table.force)
+    return forces, tuple(str(w.message) for w in caught)
 
 
 def _duration(table, duration):

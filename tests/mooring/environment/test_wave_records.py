@@ -152,7 +152,12 @@ def test_a_column_is_found_by_its_name_and_a_lone_one_needs_its_step(tmp_path):
 @pytest.mark.parametrize(
     ("text", "step", "words"),
     [
-        ("t,eta\n0,1\n1,2\n3,1\n4,2\n", None, "time goes from 1 to 3 s where the step is 1 s"),
+        (
+            "t,eta\n0,1\n1,2\n3,1\n4,2\n",
+            None,
+            "line 4: time goes from 1 to 3 s where the step is 1 s: 1 row is missing",
+        ),
+        ("t,eta\n0,1\n1,2\n2.4,1\n3.1,2\n4,1\n", None, "from 0.7 to 1.4 s in the file; allowed: equal steps; interp"),
         ("t,eta\n0,1\n1,\n2,1\n", None, "line 3 has ''; allowed: finite numbers"),
         ("t,eta\n0,1\n1,nan\n", None, "line 3 has 'nan'"),
         ("t,eta\n0,1\n1,2,3\n", None, "line 3 has 3 columns; allowed: 2"),

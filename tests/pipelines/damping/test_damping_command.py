@@ -35,12 +35,26 @@ def test_a_free_decay_is_told_with_its_mass(tmp_path, capsys):
     assert f"B1 = {2 * ratio * OMEGA * 5000:.5g}"[:11] in told
 
 
+def test_a_record_of_something_else_is_warned_of(tmp_path, capsys):
+    noise = np.random.default_rng(1).standard_normal(len(T))
+    path = written(tmp_path / "noise.csv", time_s=T, motion_m=np.exp(-0.01 * T) * np.cos(OMEGA * T) + noise)
+    assert cli.main(["damping", path]) == 0
+    assert "of the motion is left over; this is no record of the free decay" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     "text, flags, says",
     [
         ("t,x\n0,0\n", [], "allowed: the columns time_s, motion_m"),
-        ("time_s,motion_m\n0,a\n", [], "row 1: motion_m is 'a'; allowed: a number"),
-        ("time_s,motion_m\n0,1\n1,2\n", [], "the record has 2 times"),
+        ("time_s,motion_m\n0,a\n", [], "line 2 has 'a'; allowed: finite numbers"),
+        ("time_s,motion_m\n0,1\n1,2\n", [], "record.csv: the record has 2 times"),
+        ("time_s,motion_m\n0,1\n1,2\n2,3,4\n", [], "line 4 has 3 columns; allowed: 2"),
+        ("time_s,motion_m\n0,1\n1,nan\n", [], "line 3 has 'nan'"),
+        ("# a\ntime_s,motion_m\n0,1\n1,2\n4,1\n5,2\n6,3\n7,3\n", [], "line 5: time goes from 1 to 4 s"),
+        ("time_s,motion_m\n0,1\n1,2\n1,1\n2,2\n", [], "line 4: time stays at 1 s; allowed: equal steps: put"),
+        ("time_s\n0\n1\n", [], "has the columns time_s; allowed: the columns time_s, motion_m"),
+        ("0,1\n1,2\n", [], "no names of columns in its first row"),
+        ("", [], "record.csv has no rows"),
         ("time_s,motion_m\n0,1\n1,2\n", ["--mass", "-1"], "--mass is -1; allowed: above 0"),
         ("time_s,motion_m\n0,1\n1,2\n", ["--plot", "f.txt"], "has the suffix '.txt'"),
     ],

@@ -55,6 +55,28 @@ def test_a_wrong_study_is_told_in_one_line(study, capsys, old, new, says):
     assert says in told and told.count("\n") == 1
 
 
+@pytest.mark.parametrize(
+    "change, says",
+    [
+        (
+            lambda rows: rows[:50] + rows[53:],
+            "line 51: time goes from 0.96 to 1.04 s where the step is 0.02 s: 3 rows are",
+        ),
+        (lambda rows: rows[:50] + rows[49:], "line 51: time stays at 0.96 s"),
+        (lambda rows: rows[:50] + ["1.0,nan"] + rows[51:], "line 51 has 'nan'; allowed: finite numbers: fill it in"),
+        (lambda rows: rows[1:], "no names of columns in its first row; allowed: time_s"),
+        (lambda rows: rows[:1], "no rows of numbers"),
+        (lambda rows: rows[:1] + [f"{t:g},0" for t in T], "all accelerations of the record are 0"),
+    ],
+)
+def test_a_record_with_gaps_is_told_with_its_line(study, capsys, change, says):
+    record = study.with_name("record.csv")
+    record.write_text("\n".join(change(record.read_text().splitlines())) + "\n")
+    assert cli.main(["earthquake", str(study)]) == 2
+    told = capsys.readouterr().err
+    assert says in told and "record.csv" in told and told.count("\n") == 1
+
+
 def test_a_body_comes_from_the_study_or_a_database(study, capsys):
     assert cli.main(["earthquake", str(study), "--database", "box.h5"]) == 2
     assert "[body] and --database: both are given; allowed: one of them" in capsys.readouterr().err
