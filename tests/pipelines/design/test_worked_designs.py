@@ -135,6 +135,20 @@ def test_a_berth_at_high_water_has_its_bollards_and_fenders_lower_on_the_hull(ta
     assert study["rope"][0]["fairlead"] == base["rope"][0]["fairlead"]
 
 
+def test_names_in_the_plan_of_a_berth_lie_over_none_of_their_row():
+    from pipelines.design.kinds.berth_plan import LETTER, _in_rows
+
+    rng = np.random.default_rng(1)
+    for scale in (0.01, 0.03, 0.2):
+        words = [("x" * rng.integers(3, 20), rng.uniform(-150, 150, 2)) for _ in range(24)]
+        rows = _in_rows(words, scale)
+        assert sorted(text for row in rows for text, _ in row) == sorted(text for text, _ in words)
+        for row in rows:
+            half = np.array([0.5 * LETTER * len(text) / scale for text, _ in row])
+            x = np.array([place[0] for _, place in row])
+            assert np.all(np.diff(x) > half[:-1] + half[1:])
+
+
 def test_a_berth_without_time_is_refused(tanker):
     raw = tomllib.loads(tanker.read_text(encoding="utf-8"))
     del raw["simulation"]
