@@ -30,6 +30,7 @@ STATES = ("normal", "abnormal", "any")
 LINES = ("intact", "one lost", "transient", "any")
 ANALYSES = ("quasi-static", "dynamic", "any")
 STATUSES = ("read", "secondary", "unverified")
+OWN = "own limit"  # rule of a criterion that is of no rule set
 TABLES = ("strength.csv", "motions.csv")
 UNITS = {
     **dict.fromkeys(("surge", "sway", "heave", "transmitted wave height"), "m"),

@@ -93,7 +93,7 @@ class Judged:
     @property
     def met(self):
         """True, False, or None where it cannot be judged"""
-        return None if not self.uses else self.uses[0].utilisation <= 1.0
+        return None if not self.uses else bool(self.uses[0].utilisation <= 1.0)
 
 
 def judge(criteria, cases):

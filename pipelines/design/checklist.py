@@ -37,10 +37,15 @@ def checklist(read):
         ),
         Requirement(
             "long bound waves in shallow water", in_time and pairs != "newman",
-            f'qtf = "{pairs}"' if in_time else "not in the simplified method",
+            _pairs_words(pairs) if in_time else "not in the simplified method",
         ),
         _earthquakes(read),
     ]  # fmt: skip
+
+
+def _pairs_words(pairs):
+    more = '; give "bound-wave" or "body" where they matter' if pairs == "newman" else ""
+    return f'simulation.qtf is "{pairs}"{more}'
 
 
 def _earthquakes(read):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from bem import DOFS
-from mooring.criteria.rules import read_rules
+from mooring.criteria.rules import OWN, read_rules
 from mooring.criteria.verdict import judge
 from mooring.lines.catalogue import FIBRE
 
@@ -35,7 +35,8 @@ class RuleSet(NamedTuple):
 def side_by_side(read, cases):
     """(RuleSet of each rule set and subject of which a criterion can be judged by Cases, the largest use first)"""
     own, found, motions = set(read.criteria), [], {dof.lower() for dof in DOFS}
-    bounded = [one for one in read_rules() if one.quantity not in motions or one in own]
+    known = dict.fromkeys((*read_rules(), *(one for one in read.criteria if one.rule != OWN)))  # and own files
+    bounded = [one for one in known if one.quantity not in motions or one in own]
     things = _things(read.study)
     for rule, subject in dict.fromkeys((one.rule, one.subject) for one in bounded):
         criteria = [one for one in bounded if (one.rule, one.subject) == (rule, subject)]

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from mooring.criteria.fatigue import YEAR, curves, miner
-from mooring.criteria.rules import Criterion
+from mooring.criteria.rules import OWN, Criterion
 from mooring.criteria.strength import kind_and_size
 from mooring.criteria.verdict import Judged, Use
 
@@ -24,7 +24,7 @@ def fatigue(read, ran):
         return None
     curve, own = curves()[read.project.fatigue.curve], read.project.fatigue
     criterion = Criterion(
-        "own limit", "", QUANTITY, "at most", 1.0, None, "-", "any", "intact", "dynamic", curve.name, "", 1.0,
+        OWN, "", QUANTITY, "at most", 1.0, None, "-", "any", "intact", "dynamic", curve.name, "", 1.0,
         f"rainflow and Miner's sum, curve {curve.name} ({curve.source}), factor {own.factor:g}", "read",
     )  # fmt: skip
     total, parts = 0.0, []

@@ -42,7 +42,6 @@ Paths are from the folder of the project.  Every fault is one line that names ke
 from __future__ import annotations
 
 import math
-import tomllib
 from pathlib import Path
 from types import ModuleType
 
@@ -50,12 +49,12 @@ import msgspec
 
 from bem import DOFS
 from mooring.criteria.rules import LINES as KNOWN_LINES
+from mooring.criteria.rules import OWN, Criterion, of_rule, read_rules, unit_of
 from mooring.criteria.rules import STATES as KNOWN_STATES
-from mooring.criteria.rules import Criterion, of_rule, read_rules, unit_of
 from mooring.criteria.strength import kind_and_size
 from mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, WORN
 
-from ..common.quantities import StudyError, positive
+from ..common.quantities import StudyError, positive, speed
 from ..common.typed import read_toml, typed
 from ..site.link import laid_in, named, site_file
 from .kinds.choose import kind_of
@@ -110,7 +109,9 @@ def read_project(path):
     _check_used(project, criteria)
     _check_values(project, criteria)
     _check_earthquakes(project, study, folder)
-    return Read(project, raw, text, study, study_text, criteria, folder, kind)
+    read = Read(project, raw, text, study, study_text, criteria, folder, kind)
+    scenes(read)
+    return read
 
 
 def _check_bodies(own, kind):
@@ -192,6 +193,11 @@ def _check_states(project):
             given = [name for name in DIRECTION_KEYS if table is not None and getattr(table, name) is not None]
             if given:
                 raise StudyError(f"{where}.{key}.{given[0]} is given; allowed: directions in {where}.incidence_deg")
+        for key in ("wind", "current"):
+            if getattr(state, key) is not None:
+                speed(f"{where}.{key}", getattr(state, key))
+        for key in ("height", "period") if state.waves is not None else ():
+            positive(f"{where}.waves.{key}", getattr(state.waves, key))
 
 
 def _check_wear(project, study):
@@ -315,7 +321,7 @@ def _limit(where, table):
     limit = positive(f"{where}.{sense.replace(' ', '_')}", table.at_most if table.at_least is None else table.at_least)
     unit = unit_of(where, table.quantity, table.unit)
     return Criterion(
-        "own limit", "", table.quantity, sense, limit, None, unit, table.state, table.lines, "any", table.subject,
+        OWN, "", table.quantity, sense, limit, None, unit, table.state, table.lines, "any", table.subject,
         table.statistic, 1.0, table.source, "read",
     )  # fmt: skip
 
@@ -325,10 +331,22 @@ def _one(key, value, allowed):
         raise StudyError(f"{key} is {value!r}; allowed: {', '.join(allowed)}")
 
 
-def scene_tables(read):
-    """Raw tables of the project's scene"""
-    path = read.folder / read.project.project.scene
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as fault:
-        raise StudyError(f"{path} is not a scene: {fault}") from None
+def scenes(read):
+    """{level: Scene} of the levels that states use, {} without a scene.  Raises StudyError."""
+    from ..scene.scene import SceneError, make_scene
+
+    if read.project.project.scene is None:
+        return {}
+    used = dict.fromkeys(level for state in read.project.states for level in state.levels)
+    found, path = {}, read.folder / read.project.project.scene
+    for level in (MEAN, *(name for name in used if name != MEAN)):
+        depth = read.study["water"]["depth"] + read.project.level(level)
+        if not depth > 0:
+            raise StudyError(f"levels.{level} is {read.project.level(level):g} m; allowed: above the bed of the study")
+        try:
+            raw, _ = read_toml(path, "a scene", StudyError)
+            raw.setdefault("water", {})["depth"] = depth
+            found[level] = make_scene(raw)
+        except SceneError as fault:
+            raise StudyError(f"scene {path.name}: {fault}") from None
+    return found

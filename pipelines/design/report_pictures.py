@@ -44,7 +44,12 @@ def body_picture(database, folder):
 def use_picture(verdict, folder):
     """What is used of each criterion, as bars"""
     judged = [one for one in verdict.judged if one.governing]
-    shown = [(_short(one.criterion), one.met, one.governing.utilisation) for one in judged]
+    names = [_short(one.criterion) for one in judged]
+    names = [
+        f"{name}, {one.criterion.subject}" if names.count(name) > 1 and one.criterion.subject else name
+        for name, one in zip(names, judged, strict=True)
+    ]
+    shown = [(name, one.met, one.governing.utilisation) for name, one in zip(names, judged, strict=True)]
 
     def draw(path):
         from matplotlib.backends.backend_agg import FigureCanvasAgg

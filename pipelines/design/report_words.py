@@ -13,6 +13,7 @@ from .origins import OF_PROJECT
 from .report_tables import CASE_HEAD, WORDS, case_row
 from .verdict import FAILS, OPEN
 
+COUNTED = ("stable headings",)  # a number of things: where it is met, nothing of it is used
 THE_PROJECT = "the project"  # has what is of no load case
 WAYS = {"size": "larger sizes", "number": "more lines"}  # in words, where these are not the name itself
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[-+]?\d+)?")
@@ -75,6 +76,7 @@ def _tried_words(one):
 
 def _worst(verdict):
     found = [one for one in verdict.judged if one.governing is not None]
+    found = [one for one in found if not one.met or one.criterion.quantity not in COUNTED] or found
     return max(found, key=lambda one: one.governing.utilisation, default=None)
 
 

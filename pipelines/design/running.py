@@ -20,7 +20,7 @@ from ..common.typed import read_toml
 from .cases import LoadCase, file_name, intact_cases, without_line
 from .kinds.needs import SCOPE
 from .kinds.numbers import Numbers
-from .project import MEAN, scene_tables, worn_diameters
+from .project import MEAN, scenes, worn_diameters
 
 ROTATIONS = ("roll", "pitch", "yaw")
 
@@ -52,7 +52,6 @@ class Ran:
 
 def databases(read, folder, executor, console):
     """{level: path} of the databases, solved for where they are missing.  Raises StudyError where one is not whole."""
-    from ..scene.scene import make_scene
     from ..solve.run import solve
 
     own = read.project.project
@@ -60,14 +59,11 @@ def databases(read, folder, executor, console):
         return {MEAN: read.folder / own.database}
     if own.scene is None:
         return {MEAN: None, **dict.fromkeys(read.project.levels)}
-    used = dict.fromkeys(level for state in read.project.states for level in state.levels)
     (folder / "databases").mkdir(parents=True, exist_ok=True)
     found = {}
-    for level in (MEAN, *(name for name in used if name != MEAN)):
-        raw = scene_tables(read)
-        raw.setdefault("water", {})["depth"] = read.study["water"]["depth"] + read.project.level(level)
+    for level, scene in scenes(read).items():
         found[level] = folder / "databases" / f"{level}.h5"
-        outcome = solve(make_scene(raw), found[level], executor=executor, console=console)
+        outcome = solve(scene, found[level], executor=executor, console=console)
         if outcome.interrupted:
             raise KeyboardInterrupt
         if outcome.exit_status:

@@ -188,7 +188,7 @@ def words(run: Run):
         shown += [f"{name} {np.degrees(value):.2g}°" for name, value in zip(names[3:], wave[3:], strict=True)]
         yield f"wave motion, standard deviations: {', '.join(shown)}"
         if not run.drifts:
-            yield "slow drift is not in the run: the last column adds the report's 20 % for it"
+            yield "slow drift is not in the run; the report adds 20 % for it"
     yield f"watch circle of the centre of mass about the buoy at rest: {run.radius:.1f} m"
     yield from run.findings
 

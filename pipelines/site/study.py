@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import msgspec
+import numpy as np
 
 from mooring.environment.allowed import positive
 from mooring.environment.current_profile import CurrentProfile
@@ -219,8 +220,11 @@ def site_values(study, folder):
     water_depth("site.depth", own.depth)
     if (own.probability is None) == (own.return_period is None):
         raise StudyError("site: allowed: one of probability, return_period")
-    years = own.return_period or float(return_period(own.service_life, own.probability))
-    probability = float(probability_not_exceeded(own.service_life, years))
+    try:
+        years = own.return_period or float(return_period(own.service_life, own.probability))
+        probability = float(probability_not_exceeded(own.service_life, years))
+    except ValueError as error:
+        raise StudyError(f"site: {error}") from None
     wind = _extreme("wind", study.wind, "speed", years, own.confidence, folder, findings)
     waves = _extreme("waves", study.waves, "height", years, own.confidence, folder, findings)
     wind_10 = None if wind is None else _wind_10(study.wind, wind.value)
@@ -236,7 +240,10 @@ def site_values(study, folder):
     if study.levels is not None and study.levels.tsunami_period is not None:
         states["tsunami"] = tsunami_state(study.levels, own.depth)
     quake = study.earthquake
-    seismic = None if quake is None else seismic_coefficient(quake.rule, **quake.factors)
+    try:
+        seismic = None if quake is None else seismic_coefficient(quake.rule, **quake.factors)
+    except ValueError as error:
+        raise StudyError(f"earthquake: {error}") from None
     return SiteValues(
         years, probability, wind, wind_10, waves, climate, profile, levels, states, seismic, tuple(findings)
     )
@@ -253,7 +260,10 @@ def _extreme(where, table, given, years, confidence, folder, findings):
         value = positive(f"{where}.{given}", getattr(table, given), "")
         return Extreme(value, value, value, None)
     try:
-        fit = fit_extremes(_maxima(table, folder), table.family)
+        maxima = np.asarray(_maxima(table, folder), float)
+        if np.any(maxima <= 0):  # such as −999 where a year is missing
+            raise StudyError(f"a yearly maximum is {maxima.min():g}; allowed: above 0, and no row where none is known")
+        fit = fit_extremes(maxima, table.family)
     except ValueError as error:
         raise StudyError(f"{where}: {error}") from None
     found = Extreme(float(fit.value(years)), *fit.interval(years, confidence), fit)

@@ -1,7 +1,12 @@
 """Where the process begins."""
 
+import signal
 import subprocess
 import sys
+
+import pytest
+
+from pipelines import cli, start
 
 
 def test_scipy_loads_no_package_of_numpy_that_nothing_uses_and_each_is_there_when_it_is_used():
@@ -14,3 +19,15 @@ def test_scipy_loads_no_package_of_numpy_that_nothing_uses_and_each_is_there_whe
         "import numpy.testing, numpy.f2py; assert numpy.f2py.__file__ and numpy.testing.__file__",
     )
     subprocess.run([sys.executable, "-c", "\n".join(lines)], check=True)
+
+
+@pytest.mark.parametrize(("command", "put_off"), [("design", False), ("moor", True)])
+def test_a_design_has_the_same_digits_whatever_was_compiled_before(command, put_off, monkeypatch):
+    """No kernel of it is evaluated uncompiled, whose sums end otherwise"""
+    asked = []
+    monkeypatch.setattr(sys, "argv", ["hakobune", command, "x.toml"])
+    monkeypatch.setattr(start, "_put_off_compiling", lambda: asked.append(command))
+    monkeypatch.setattr(start, "_spare_numpy", lambda: None)
+    monkeypatch.setattr(cli, "main", lambda: 0)
+    monkeypatch.setattr(signal, "signal", lambda *given: None)
+    assert start.main() == 0 and bool(asked) is put_off

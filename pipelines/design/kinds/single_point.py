@@ -29,12 +29,12 @@ OF_HULL = {
 LEFT_OUT = ("wind", "current", "waves", "maps", "site")
 STABLE, SLEWING = "stable headings", "slewing amplitude"  # number; degrees, at the end of the run
 SOURCES = (
-    "Tensions are the largest of the run in time where the study has one, else those at rest; a line's pretension is "
-    "its tension with the buoy alone, offsets are of the buoy."
+    "Tensions are the largest of the run in time where the study has one, with 20 % where waves are without their slow "
+    "drift, else those at rest; a line's pretension is its tension with the buoy alone, offsets are of the buoy."
 )
 METHOD = (
     "Of all headings of rest the one that decays fastest, or grows least, is taken (SR179 report, 1982, 3.6). Slow "
-    "drift is in no run of the two scales: the report adds 20 % for it."
+    "drift is in no run of the two scales: tensions have the 20 % that the report adds for it."
 )
 STRONGEST = 1e6  # kN, of lines whose breaking load is not known
 CLOSE = 1e-10  # of the anchors' distance, to which they are laid again in other water
@@ -166,11 +166,14 @@ def _found(raw, database, path):
 
 
 def _numbers(study, best, stable, ran, hawsers, line_names, warnings):
+    from ...single_point.running import SLOW_DRIFT
+
     lines, system = best.lines, best.lines.system
     anchors, tops = lines.points[system.arrays.ends].swapaxes(0, 1)
     count, own = len(hawsers), ("hawser",) if hawsers else ()
-    largest = lines.tension if ran is None else ran.lines.max(axis=0)
-    pulls = np.array([*(best.hawser if ran is None else ran.hawser.max(axis=0))][:count])
+    drift = SLOW_DRIFT if ran is not None and study.waves is not None and not ran.drifts else 1.0
+    largest = lines.tension if ran is None else drift * ran.lines.max(axis=0)
+    pulls = np.array([*(best.hawser if ran is None else drift * ran.hawser.max(axis=0))][:count])
     share = largest / np.maximum(lines.tension, 1e-300)
     load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
     none = np.zeros(count)

@@ -10,7 +10,7 @@ import pytest
 import tomli_w
 
 from meshing.seals import text_damaged
-from mooring.criteria.rules import RuleError, unit_of
+from mooring.criteria.rules import Criterion, RuleError, unit_of
 from mooring.criteria.verdict import OF_TENSIONS, SHARE
 from pipelines.common.picture import save
 from pipelines.common.quantities import StudyError
@@ -23,7 +23,8 @@ from pipelines.design.kinds.changes import ways
 from pipelines.design.kinds.in_time import cycles_of
 from pipelines.design.kinds.needs import SCOPE
 from pipelines.design.project import read_project
-from pipelines.design.report_words import advice_words
+from pipelines.design.report_words import advice_words, warnings
+from pipelines.design.verdict import judged_project
 from pipelines.moor.command import studied
 from pipelines.moor.study import make_study
 from pipelines.scene.scene import make_scene
@@ -66,6 +67,22 @@ def folder(tmp_path_factory):
     (folder / "study.toml").write_text(tomli_w.dumps(STUDY))
     (folder / "project.toml").write_text(tomli_w.dumps(PROJECT))
     return folder
+
+
+@pytest.fixture(scope="module", autouse=True)
+def one_plan():
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("pipelines.design.report_pictures.MOST_PLANS", 1)
+        yield
+
+
+@pytest.fixture(autouse=True)
+def without_pictures(request, monkeypatch):
+    """Where the page is not looked at: its pictures take most of the time"""
+    if "first" not in request.fixturenames:
+        for name in ("body_picture", "use_picture"):
+            monkeypatch.setattr(f"pipelines.design.report.{name}", lambda *given: "")
+        monkeypatch.setattr("pipelines.design.report.plans", lambda *given: ())
 
 
 @pytest.fixture(scope="module")
@@ -166,6 +183,25 @@ def test_rule_sets_stand_side_by_side_and_those_that_judge_say_the_same_as_the_v
     assert used == sorted(used, reverse=True)
 
 
+def test_a_rule_set_of_ones_own_file_stands_beside_those_of_the_tables_and_what_the_study_has_not_is_left_out(
+    folder, first
+):
+    """A chain mooring, of which rules on hawsers, fenders, wire and fibre say nothing"""
+    head = ",".join(Criterion._fields)
+    (folder / "own.csv").write_text(
+        f"{head}\nport X,2026,{SHARE},at most,1/2,,-,any,any,any,barge,largest,,bylaw 7,read\n"
+    )
+    rules = [*PROJECT["rules"], {"rule": "port X", "file": "own.csv"}]
+    (folder / "own.toml").write_text(tomli_w.dumps({**PROJECT, "rules": rules}))
+    ran = first[0].ran
+    of_port = next(one for one in judged_project(read_project(folder / "own.toml"), ran).rule_sets if one.chosen
+                   and one.name == "port X (2026)")  # fmt: skip
+    largest = max((one.largest / one.numbers.breaking).max() for one in ran if one.case.factor == 1)
+    assert of_port.use.utilisation == pytest.approx(2 * largest, rel=1e-9)
+    subjects = " ".join(one.subject for one in first[0].rule_sets)
+    assert not any(word in subjects for word in ("hawser", "fender", "wire", "synthetic", "single-point"))
+
+
 def test_the_checklist_says_what_the_simplified_method_lacks_and_equipment_numbers_are_those_of_the_box(folder, first):
     """Δ = 1025 · 50000 kg, front 50 × 10 and side 100 × 10 m² above water"""
     page = (folder / "out" / "report.html").read_text(encoding="utf-8")
@@ -216,9 +252,8 @@ def test_the_smallest_size_that_passes_is_found_by_running_it(folder, tmp_path):
     study = {**STUDY, "types": {"chain": {"catalogue": "grade 2 40 mm", "bed_friction": 0.6}}}
     (folder / "thin.toml").write_text(tomli_w.dumps(study))
     project = {**PROJECT, "project": {**PROJECT["project"], "study": "thin.toml"}, "rules": PROJECT["rules"][:1]}
-    project["states"] = [{**PROJECT["states"][0], "incidence_deg": [0.0], "lines": ["intact"]}]
-    project["states"][0]["waves"] = {"height": 0.8, "period": 6.0}
-    del project["wear"]
+    project["states"] = [{**PROJECT["states"][0], "incidence_deg": [0.0], "lines": ["intact"], "wind": {"speed": 50.0}}]
+    del project["wear"], project["states"][0]["waves"]  # steady loads alone: a case takes a tenth of the time
     (folder / "thin_project.toml").write_text(tomli_w.dumps(project))
     verdict, _, advice = made(read_project(folder / "thin_project.toml"), tmp_path / "out", Here(), None)
     assert verdict.word == "fails"
@@ -283,6 +318,12 @@ def test_changes_are_of_pretension_number_ropes_and_sizes():
         (lambda p: p["states"][0].update(state="calm"), "state is 'calm'; allowed: normal, abnormal"),
         (lambda p: p["states"][0]["wind"].update(incidence_deg=3.0), r"directions in states\[0\].incidence_deg"),
         (lambda p: p["states"][1].update(name="storm"), "as of another state"),
+        (
+            lambda p: p["states"][0]["wind"].update(speed_knots=9.0),
+            r"states\[0\].wind: speed and speed_knots are given",
+        ),
+        (lambda p: p["states"][0]["waves"].update(period=-7.0), r"states\[0\].waves.period is -7"),
+        (lambda p: p["project"].update(scene=p["project"].pop("database")), "box.h5 cannot be read"),
         (lambda p: p.update(rules=[{"rule": "Lloyd"}]), "rule set 'Lloyd' is unknown; allowed: JSCE"),
         (lambda p: p.update(rules=[{"rule": "API RP 2SK"}]), "nobody has checked in the book"),
         (lambda p: p.update(wear={"mm_per_year": -1.0}), "wear.mm_per_year is -1"),
@@ -361,6 +402,17 @@ def test_it_is_said_why_no_change_was_tried(apart, quantity, words):
     advice = advise(read, [judged], {"quake": case}, {"return period": 50.0}, {}, None, None)
     (line,) = advice_words(advice, SimpleNamespace(word="fails"))
     assert re.search(words, line)
+
+
+def test_findings_that_differ_in_numbers_alone_are_told_once_by_the_largest():
+    ran = []
+    for part, name in ((2.0, "a"), (9.5, "b"), (3.0, "c")):
+        numbers = SimpleNamespace(warnings=(f"{part} % is lost", "warm"))
+        ran.append(SimpleNamespace(case=SimpleNamespace(name=name), numbers=numbers))
+    found = list(warnings(SimpleNamespace(ran=ran)))
+    assert [one["text"] for one in found] == ["9.5 % is lost", "warm"]
+    cases = [one["cases"] for one in found]
+    assert cases == ["b; likewise, with numbers of their own, in 2 more", "a; likewise, in 2 more"]
 
 
 def test_ways_that_were_tried_in_vain_are_named():

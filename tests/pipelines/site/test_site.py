@@ -158,6 +158,11 @@ def test_fewer_than_ten_maxima_are_said_with_the_interval():
     assert "7 yearly maxima" in values.findings[0] and f"{values.wind.high:.4g}" in values.findings[0]
 
 
+def test_a_year_without_a_value_is_not_a_maximum():
+    with pytest.raises(StudyError, match="wind: a yearly maximum is -999; allowed: above 0"):
+        values_of(wind={"maxima": [20.0, 22.0, 25.0, -999.0, 21.0]})
+
+
 def test_a_study_takes_water_and_weather_from_its_site_and_its_text_holds_them(bay):
     values = tomllib.loads((bay / "bay.toml").read_text())
     read, text = read_study(study(bay))
@@ -181,6 +186,7 @@ def test_a_project_takes_weather_levels_and_service_life_from_its_site(bay):
         "rules": [{"rule": "JSCE", "subject": "chain of a multi-point mooring"}],
     }
     (bay / "project.toml").write_text(tomli_w.dumps(project))
+    (bay / "box.toml").write_text(BAY.with_name("series_box_20m.toml").read_text(encoding="utf-8"))
     read = read_project(bay / "project.toml")
     assert read.project.levels == {"high": pytest.approx(1.8)}
     assert read.raw["states"][0]["waves"]["period"] == 7.0
