@@ -27,6 +27,7 @@ KOCHIN = ("kochin_radiation", "kochin_diffraction")
 DRIFT = ("drift_force_fixed", "drift_force")
 SAME = 1e-9  # relative in omega
 FEWEST = 4  # frequencies of which something is known between
+LEAD = 9  # digits of a lead, in lengths of the body: those that symmetry makes equal are equal
 KEPT = 1 << 27  # bytes of values that are kept for who asks again
 
 
@@ -229,7 +230,7 @@ class Between:
     def _interpolant(self, name):
         if name not in self._fits:
             values = self._impedance if name == "impedance" else self.quantities[name]
-            lead = np.atleast_2d(self._lead(name) / self.length)
+            lead = np.atleast_2d(np.round(self._lead(name) / self.length, LEAD))
             if name not in KOCHIN:
                 lead = lead if lead.size == 1 else np.broadcast_to(lead, values.shape[1:]).reshape(-1, 1)
                 values = values.reshape(len(values), -1, 1)

@@ -182,8 +182,8 @@ class Interpolant:
         value, rows = 0.0, self.nodes.rows(y)
         for lead, chosen in _by_lead():
             mixed = np.tensordot(self._weights[chosen].T, rows.cardinal[_kernels()[1][chosen]], axes=1)
-            part = np.matmul(mixed, self._shifted[lead])
-            value = value + part.swapaxes(0, 1) * self._phase(lead, y, self.lead).conj()
+            part = np.matmul(mixed, self._shifted[lead]).swapaxes(0, 1)
+            value = value + part * self._phase(-lead, y, self.lead)
         return value if np.iscomplexobj(self.values) else value.real
 
     def _deviation(self, y):
@@ -193,7 +193,7 @@ class Interpolant:
             shifted = (values * self._phase(lead, self.nodes.x, leads)).reshape(len(values), -1)
             kernels = _kernels()[1][chosen]
             guess = (rows.cardinal[kernels] @ shifted).reshape(len(chosen), -1, *values.shape[1:])
-            guess = guess * self._phase(lead, y, leads).conj()
+            guess = guess * self._phase(-lead, y, leads)
             weight = self._weights[chosen][:, None, :, None]
             mean = mean + np.sum(weight * guess, axis=0)
             square = square + np.sum(weight * np.abs(guess) ** 2, axis=0)
@@ -217,7 +217,10 @@ class Interpolant:
         return self.values[:, :, some], self.lead[:, some]
 
     def _phase(self, lead, x, leads):
-        return np.exp(1j * lead * np.multiply.outer(x.phase, leads))
+        """(n, g, c); a symmetric hull has most leads four times, and exponentials take longer than all the rest"""
+        distinct, place = np.unique(leads, return_inverse=True)
+        phase = np.exp(1j * lead * np.multiply.outer(x.phase, distinct))
+        return phase[:, place.reshape(leads.shape)]
 
     @cached_property
     def _fits(self):

@@ -316,9 +316,9 @@ class Database:
 
 
 def mark_whole_rows(file):
-    """Note which frequencies have all their quantities"""
+    """Note which frequencies have all their quantities; file : or what has its datasets by name"""
     whole = np.ones(len(file["omega"]), bool)
-    for mark in (file["stored"][name][()] for name in file["stored"] if name not in LIMITS):
+    for mark in (file[f"stored/{name}"][()] for name in file["stored"] if name not in LIMITS):
         whole &= (mark != 0).reshape(len(whole), -1).all(axis=1)
     if not np.array_equal(file["solved"][()], whole):
         file["solved"][...] = whole

@@ -36,7 +36,7 @@ class Storing:
     """Frequencies on their way into the open file of `rows.writing`."""
 
     def __init__(self, file):
-        self.file, self.waiting = file, []
+        self.file, self.waiting, self.opened = file, [], Opened(file)
         there, estimated = set(file), set(file.get("estimated_error", ()))
         self.shapes = {name: file[name].shape for name in QUANTITIES if name in there and name not in LIMITS}
         self.errors = {name: file[estimate_of(name)].dtype for name in self.shapes if name in estimated}
@@ -70,7 +70,19 @@ class Storing:
         """Store and mark what was added, each frequency once"""
         rows, self.waiting = sorted(self.waiting, key=lambda row: row.place), []
         if rows:
-            _append(self.file, rows)
+            _append(self.file, self.opened, rows)
+
+
+class Opened(dict):
+    """{name: dataset} of a file, each looked for once: h5py takes 0.05 ms to find one, as long as to write to it"""
+
+    def __init__(self, file):
+        super().__init__()
+        self.file = file
+
+    def __missing__(self, name):
+        self[name] = self.file[name]
+        return self[name]
 
 
 def append(file, omega, headings, result):
@@ -83,26 +95,26 @@ def append(file, omega, headings, result):
     storing.store()
 
 
-def _append(file, rows):
-    """Store `Solved` frequencies in ascending order, then mark them"""
+def _append(file, opened, rows):
+    """Store `Solved` frequencies in ascending order, then mark them; opened : `Opened` of the file"""
     sealed = has_checksums(file)
     names = [name for name in QUANTITIES if any(name in row.values for row in rows)]
     marks = {}
     for name in names:
         having = [row for row in rows if name in row.values]
-        put(file[name], name, [(row, row.values[name]) for row in having])
+        put(opened[name], name, [(row, row.values[name]) for row in having])
         if name in having[0].errors:
-            put(file[estimate_of(name)], name, [(row, row.errors[name]) for row in having])
+            put(opened[estimate_of(name)], name, [(row, row.errors[name]) for row in having])
         marks[name] = [(row, _mark(row, name, sealed)) for row in having]
-    _append_checks(file, rows)
+    _append_checks(opened, rows, sealed)
     # motions before what they follow from: a run killed between the two would else make them again from what is
     # stored, without their estimated errors
     free = [name for name in names if name in NEEDS_MOTION]
     for group in (free, [name for name in names if name not in NEEDS_MOTION]):
         file.flush()
         for name in group:
-            put(file["stored"][name], name, marks[name])
-    mark_whole_rows(file)
+            put(opened[f"stored/{name}"], name, marks[name])
+    mark_whole_rows(opened)
     file.flush()
 
 
@@ -114,12 +126,12 @@ def _mark(row, name, sealed):
     return np.array(crc(*parts) if sealed else 1, MARK)
 
 
-def _append_checks(file, rows):
+def _append_checks(opened, rows, sealed):
     """The worst of each check of a frequency, and its wall times, summed"""
     low, high = rows[0].place, rows[-1].place + 1  # what lies between is written as it was read
-    checks = {name: file["checks"][name][low:high] for name in CHECKS}
-    texts = file["wall_time"][low:high]
-    sums = file[ROWS][low:high] if has_checksums(file) else None
+    checks = {name: opened[f"checks/{name}"][low:high] for name in CHECKS}
+    texts = opened["wall_time"][low:high]
+    sums = opened[ROWS][low:high] if sealed else None
     for row in rows:
         i = row.place - low
         for name in (name for name in CHECKS if name in row.checks):
@@ -131,15 +143,16 @@ def _append_checks(file, rows):
         if sums is not None:
             sums[i] = checks_crc({name: values[i] for name, values in checks.items()}, bytes(texts[i]))
     for name, values in checks.items():
-        file["checks"][name][low:high] = values
-    file["wall_time"][low:high] = texts
+        opened[f"checks/{name}"][low:high] = values
+    opened["wall_time"][low:high] = texts
     if sums is not None:
-        file[ROWS][low:high] = sums
+        opened[ROWS][low:high] = sums
 
 
 def put(dataset, name, rows):
     """Write what is stored with a quantity of (row, value) in ascending order, in as few writes as there are gaps"""
-    if len(cell_axes(name)) > 1 and any(row.columns != list(range(dataset.shape[1])) for row, _ in rows):
+    every = list(range(dataset.shape[1])) if len(cell_axes(name)) > 1 else None
+    if every is not None and any(row.columns != every for row, _ in rows):
         for row, value in rows:
             for column, part in zip(row.columns, value, strict=True):
                 dataset[row.place, column] = part

@@ -14,6 +14,7 @@ from .progress import duration
 
 LONGEST = 30 * 86400.0  # s
 WORTH_TELLING = 10.0  # s
+LITTLE = 1e8  # bytes, as much as imports take: whether they are free is not asked, which takes 0.01 s
 MOST = 10_000  # numbers of one list or span
 
 
@@ -26,8 +27,7 @@ def check_memory(what, needed, way_out, error=TooMuchError):
 
     what : of the question, with its verb, as "5000 panels need"; way_out : "give fewer panels (--panels)"
     """
-    free = available_memory()
-    if needed > free:
+    if needed > LITTLE and needed > (free := available_memory()):
         raise error(f"{what} about {needed / 1e9:.3g} GB, {free / 1e9:.1f} GB are free; {way_out}")
 
 

@@ -7,7 +7,7 @@ since that is expensive once and cheap for every frequency after.
 from __future__ import annotations
 
 import hashlib
-from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures import Future
 from dataclasses import fields, is_dataclass
 
 import numpy as np
@@ -68,27 +68,6 @@ def in_order(executor, calls):
             yield error
 
 
-class Processes(ProcessPoolExecutor):
-    """Spawned processes, because a fork has none of the threads that BLAS may wait for; they end with their parent."""
-
-    def __init__(self, count):
-        import multiprocessing
-        import os
-
-        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
-        self.count = count
-        super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, cores // count),))
-
-    def shutdown(self, wait=True, *, cancel_futures=False):
-        """Without waiting the processes are ended: nobody is left to take what they are at.
-
-        Otherwise the interpreter waits for them at its end, and a Ctrl-C there leaves it waiting for ever.
-        """
-        for process in () if wait else list((self._processes or {}).values()):  # public from Python 3.14 on
-            process.terminate()
-        super().shutdown(wait=True, cancel_futures=cancel_futures)
-
-
 def executor_of(text):
     """`local`, `processes:N`, each with its share of the cores, or what `cluster` has.  Raises ValueError."""
     kind, _, rest = text.partition(":")
@@ -101,31 +80,12 @@ def executor_of(text):
     if kind not in ("processes", "dask", "slurm") or not rest.isdigit() or not 1 <= int(rest) <= MOST[kind]:
         raise ValueError(f"executor is {text!r}; allowed: {EXECUTORS}, N from 1 to 256, of slurm to 10000")
     if kind == "processes":
+        from .processes import Processes
+
         return Processes(int(rest))
     from . import cluster
 
     return {"dask": cluster.here, "slurm": cluster.slurm}[kind](text, int(rest))
-
-
-def _start(threads):
-    import os
-    import signal
-    import threading
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides what Ctrl-C means
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"):
-        os.environ[name] = str(threads)
-
-
-def _end_with_parent():
-    """A killed parent cannot end its processes, which would wait for work for ever."""
-    import multiprocessing
-    import os
-    from multiprocessing.connection import wait
-
-    wait([multiprocessing.parent_process().sentinel])
-    os._exit(1)
 
 
 def _prepare(problem):

@@ -20,6 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 SCENES = ROOT / "pipelines" / "scenes"
 BOX = ["box", "--length", "100", "--beam", "50", "--draft", "10", "--depth", "20", "--gyration", "15,28,30"]
+READ = "from bem.database import open_database; open_database('stored.h5')['added_mass']"
 PEER = """
 import capytaine as cpt, numpy as np
 cpt.set_logging("ERROR")
@@ -58,6 +59,7 @@ def jobs(stored):
         "response": ["response", SCENES / "response_box_20m.toml", "--database", stored],
         "moor": ["moor", SCENES / "moor_chain_12.toml", "--database", stored],
         "lines": ["lines", SCENES / "lines_barge.toml"],
+        "line": ["line", "--weight", "1000", "--length", "300", "--depth", "50", "--span", "280"],
     }
     rows = {f"contour, {count} frequencies": solving(count) for count in (1, 40, 200)}
     rows |= {f"panels at 1 %, {count}": solving(count, "--method", "panel") for count in (1, 40)}
@@ -104,6 +106,9 @@ def main():
                 tell(f"{name}, cold", seconds([*hakobune, *words], folder, cold))
             runs = [seconds([*hakobune, *words], folder, environment) for _ in range(given.repeats)]
             tell(name, map(min, zip(*runs, strict=True)))
+        if given.only in "database to array":
+            runs = [seconds([sys.executable, "-c", READ], folder, environment) for _ in range(given.repeats)]
+            tell("database to array", map(min, zip(*runs, strict=True)))
         for count in (4, 40) if given.peer else ():
             words = [given.peer, "-c", PEER.replace("{count}", str(count))]
             tell(f"Capytaine, {count}", seconds(words, folder, dict(os.environ)))

@@ -162,7 +162,7 @@ class Rectangle:
 
     def contour(self, k, degree, tolerance):
         """`Contour` of the nodes for waves of k rad/m"""
-        return self.wave_layout(k, degree).contour
+        return _wave_panels(*self._wave_arguments(k, degree)).contour
 
     def layers(self, panels, smallest):
         c = panels.contour
@@ -243,9 +243,14 @@ class WaveLayout(NamedTuple):
     at_interior: Layers
 
 
+@lru_cache(maxsize=64)
+def _wave_panels(rectangle, k, degree):
+    return rectangle.panels(k, degree)
+
+
 @lru_cache(maxsize=8)
 def _wave_layout(rectangle, k, degree):
-    panels = rectangle.panels(k, degree)
+    panels = _wave_panels(rectangle, k, degree)
     n = np.arange(1, int(8 + k * np.hypot(rectangle.length, rectangle.beam) / 4) + 1)
     x = 0.45 * rectangle.length * ((n * (np.sqrt(5) - 1) / 2) % 1.0)  # irrational steps: no nodal line holds many
     y = 0.45 * rectangle.beam * ((n * (np.sqrt(2) - 1)) % 1.0)

@@ -9,6 +9,7 @@ import pytest
 
 from pipelines import cli
 from pipelines.solve import work
+from pipelines.solve.processes import Processes
 from pipelines.sweep import file, run
 
 SCENE = """panels = 60
@@ -75,7 +76,7 @@ def test_the_file_of_all_cases_has_the_numbers_of_each(folder, tmp_path):
 
 
 def test_a_killed_process_is_told_of_and_its_cases_are_done_by_the_next_run(folder, monkeypatch, capsys):
-    workers = work.Processes(2)
+    workers = Processes(2)
     monkeypatch.setattr("pipelines.sweep.command.executor_of", lambda text: workers)
     killed = kill_at_first_result(monkeypatch, lambda: list(workers._processes))
     command = ["sweep", str(folder / "sweep.toml"), "--output", str(folder / "two.h5")]
