@@ -26,10 +26,7 @@ from .first_order_waves import EVEN, PanelWaves
 from .surface_forces import Difference, SurfaceForces, line_integral
 
 ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
-SIZES = 0.17, 0.38  # factors of estimated errors: heave, roll and pitch; surge, sway and yaw; fitted there too
-SEEN = (
-    0.6  # power of what two meshes differ by in that of heave, roll and pitch, the rest that of the squares; likewise
-)
+SIZES = 0.11, 0.38  # factors of estimated errors: heave, roll and pitch; surge, sway and yaw; fitted there too
 HORIZONTAL = [0, 1, 5]
 PLACES = np.array([0.2, 0.5, 0.8])  # in the band, of pairs that tell how large the surface's part is
 PARTS = ("squares", "bound_wave", "body", "surface")
@@ -215,7 +212,7 @@ def panel_errors(forces, coarser, refinement):
     """(d, n, m, m, 6) estimated errors of the whole from that on a coarser mesh, N/m², N m/m²
 
     Two meshes tell little by themselves: where an error passes through zero their difference is chance.  The estimate
-    is a geometric mean of that difference, divided as its order says, and of the squares, in surge, sway and yaw also
+    is the geometric mean of that difference, divided as its order says, and of the squares, in surge, sway and yaw also
     of what is `added` to them and of the difference on the diagonal, the far field's; of root mean squares of a pair
     and its neighbours in mean and difference.  `tests/bench/pair_errors.py` has the shares that are met within a factor
     of three.  Meshes of different proportions, or alike in a direction, tell less.
@@ -224,7 +221,7 @@ def panel_errors(forces, coarser, refinement):
     less = 1 / (refinement**ORDER - 1)
     square = np.abs(forces.total - coarser) ** 2
     off, size = np.sqrt(_smoothed(square)) * less, np.sqrt(_smoothed(np.abs(forces.squares) ** 2))
-    out = SIZES[0] * off**SEEN * size ** (1 - SEEN)
+    out = SIZES[0] * np.sqrt(off * size)
     if forces.added is not None:
         more = np.abs(forces.added) ** 2, square[0][..., HORIZONTAL]
         gap, far = (np.sqrt(_smoothed(_of_both(part, off.shape[:4]))) for part in more)

@@ -7,8 +7,8 @@ frequencies whose shortest wave is three panels long or more; the coarser mesh a
 share whose error is within a factor of three of the estimate: of single pairs and components, and of root mean squares
 over pairs, as `hakobune qtf` prints them, without those below a thousandth of the largest force, also of meshes with
 three panels or more in every direction.  A median of root mean squares is what to multiply `difference_forces.SIZES`
-by; the power of SEEN is that of least squares.  A scene depends on its number and the seed alone: many are run in
-slices.
+by; of the difference of both meshes in heave, roll and pitch its power in a geometric mean with the squares, and the
+factor, by least squares.  A scene depends on its number and the seed alone: many are run in slices.
 """
 
 import argparse
