@@ -23,7 +23,7 @@ import numpy as np
 from .body_forces import body_forces
 from .bound_waves import bound_waves
 from .first_order_waves import EVEN, PanelWaves
-from .surface_forces import Difference, line_integral, surface_forces
+from .surface_forces import Difference, SurfaceForces, line_integral
 
 ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
 SIZES = 0.11, 0.38  # factors of estimated errors: heave, roll and pitch; surge, sway and yaw; fitted there too
@@ -110,6 +110,7 @@ class DifferenceRun:
             report("frequencies", done + 1, len(self.omega))
         self.waves, (self.flow, self.squares) = waves, waves.joined()
         self.added = _by_far_field(self.squares, np.array(waves.far))
+        self.of_surface = None if waves.around is None else SurfaceForces(waves.around)
 
     def blocks(self, done=0):
         """Ranges of up to BLOCK differences after the first `done`, a multiple of BLOCK"""
@@ -130,7 +131,7 @@ class DifferenceRun:
             if not self.surface:
                 self._tell(m)
         if self.surface:
-            found = iter(surface_forces(self.waves.around, on_surface) if on_surface else ())
+            found = iter(self.of_surface(on_surface) if on_surface else ())
             turned = self.problem.transform.T
             parts["surface"] = [
                 pairs.shaped(next(found) @ turned) if m else np.zeros_like(parts["body"][0])
@@ -211,11 +212,10 @@ def panel_errors(forces, coarser, refinement):
     """(d, n, m, m, 6) estimated errors of the whole from that on a coarser mesh, N/m², N m/m²
 
     Two meshes tell little by themselves: where an error passes through zero their difference is chance.  The estimate
-    is the geometric mean of that difference, divided as its order says, and of the squares, in surge, sway and yaw
-    also of what is `added` to them and of the difference on the diagonal, the far field's; of root mean squares of a
-    pair and its neighbours in mean and difference.  In random scenes (`tests/bench/pair_errors.py`) root mean squares
-    over all pairs are met within a factor of three in nearly nine of ten in surge, sway and yaw, in nearly eight of ten
-    in heave, roll and pitch; single pairs in two of three.
+    is the geometric mean of that difference, divided as its order says, and of the squares, in surge, sway and yaw also
+    of what is `added` to them and of the difference on the diagonal, the far field's; of root mean squares of a pair
+    and its neighbours in mean and difference.  `tests/bench/pair_errors.py` has the shares that are met within a factor
+    of three.  Meshes of different proportions, or alike in a direction, tell less.
     coarser : (d, n, m, m, 6) the whole on the coarser mesh; refinement : panels for one of it
     """
     less = 1 / (refinement**ORDER - 1)

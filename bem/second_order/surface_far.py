@@ -18,6 +18,7 @@ from ..waves import depth_values
 RING_POINTS, GROWTH = 6, 1.6  # rings of one interval of radii, and by how much the next one is wider
 DEPTHS, WAVES, RADII = 2.0, 8.0, 10.0  # from the circle to where no local part is left: depths, 1/k, radii of it
 LOCAL = 2.0  # directions of rings for an order that is sent
+BEYOND = 12  # orders above the last: to twice that |z| Bessel functions are not halves of Hankel functions
 MORE = 1  # orders beyond ka + 4 (ka)^(1/3)
 
 
@@ -132,13 +133,28 @@ def bessel_orders(most, z):
 
     Half the sum of both Hankel functions, but where these grow with the order and cancel.
     """
-    from scipy.special import jve
-
     one, two = (hankel_orders(kind, most, z) for kind in (1, 2))
     out = 0.5 * (two * np.exp(-1j * z.real) + one * np.exp(1j * z.real - 2 * z.imag))
-    few = np.abs(z) < most + 12
-    out[:, few] = jve(np.arange(most + 2)[:, None], z[few])
+    size, edge = np.abs(z), most + BEYOND
+    for low, high in ((0, edge), (edge, 2 * edge)):
+        few = (low <= size) & (size < high)
+        out[:, few] = _downwards(most + 2, high + 3 * BEYOND, z[few])
     return out
+
+
+def _downwards(count, start, z):
+    """(count, …) J_m without e^{|Im z|} by recurrence from an order `start` well above |z|, after Miller"""
+    from scipy.special import jve
+
+    above, here = np.zeros_like(z), np.full_like(z, 1e-250)
+    out = np.empty((count, *z.shape), complex)
+    for m in range(start, 0, -1):
+        above, here = here, (2 * m / z) * here - above
+        if m <= count:
+            out[m - 1] = here
+    known = jve(np.array([0, 1])[:, None], z)
+    larger = np.argmax(np.abs(known), axis=0), np.arange(len(z))
+    return out * (known[larger] / out[:2][larger])
 
 
 def both_signs(values):

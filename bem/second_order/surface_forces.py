@@ -11,8 +11,8 @@ less the same of the incident waves alone, which the bound wave meets (ψ as in 
               − ¼i ∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl
 
 ∇ along the surface, n out of the body.  Up to a circle about the body the waves are those of its panels
-(`surface_near`), beyond it sums of Hankel functions (`surface_far`): over real r to where all orders oscillate, then
-along r ± ix, where products of three of them decay.
+(`surface_near`), beyond it sums of Hankel functions with a local part on rings (`surface_far`), then without
+(`surface_tail`).
 """
 
 from __future__ import annotations
@@ -23,13 +23,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ..kernels.threads import blas_threads
-from ..waves import incident_wave
+from ..waves import incident_wave, wavenumber
 from .surface_far import bessel_orders, both_signs, directions, hankel_orders, orders_sent, slopes
+from .surface_tail import FEW, PER_RADIAN, Tails
 from .surface_waves import Field
 
-PER_RADIAN, FEW = 0.6, 6  # radii of an interval for a radian of the fastest product, and beside
 GROWTH = 1.6  # of intervals beyond the rings
-TAIL, TAIL_PANELS, TAIL_POINTS = 30.0, 9, 4  # decay at the end of the tail, its intervals, points of each
 AT_ONCE = 1_000_000  # products of pairs at points
 
 
@@ -79,30 +78,39 @@ class Difference:
     line: np.ndarray
 
 
-def surface_forces(waves, differences):
-    """[(q, 6)] T about the origin, N/m², N m/m², of a `SurfaceWaves` and several `Difference`"""
-    with blas_threads(1):  # many small products
-        return _forces(waves, differences)
+class SurfaceForces:
+    """T of a `SurfaceWaves` whose waves are all known"""
 
+    def __init__(self, waves):
+        self.waves, problem = waves, waves.problem
+        self.omega = np.array([wave.omega for wave in waves.waves])
+        self.whole, self.incident = waves.joined()
+        edges, end = _intervals(waves)
+        self.begin = np.minimum(end, len(waves.rings.edges) - 1)
+        slowest = float(wavenumber(np.diff(np.unique(self.omega)).min(), problem.depth, problem.gravity))
+        self.tails = Tails(waves.waves, edges, self.begin, end, slowest, problem.gravity)
 
-def _forces(waves, differences):
-    problem, omega = waves.problem, np.array([wave.omega for wave in waves.waves])
-    products = [Products.of(omega[d.one], omega[d.two], problem.gravity) for d in differences]
-    total = [d.line.astype(complex) for d in differences]
-    whole, incident = waves.joined()
-    for d, factors, out in zip(differences, products, total, strict=True):
-        for chunk in _chunks(len(d.one), len(waves.weights)):
-            i, j = d.one[chunk], d.two[chunk]
-            own, psi = Products(*(f[chunk] for f in factors)), d.near[None]
-            out[chunk] += integrated(own, [(whole[i], whole[j].conj())], psi, waves.weights)
-            out[chunk] -= integrated(own, [(incident[i], incident[j].conj())], psi, waves.weights)
-    edges, ends = _intervals(waves)
-    for w in range(len(edges) - 1):
-        _add_interval(waves, differences, products, edges, w, ends, total)
-    for d, factors, out in zip(differences, products, total, strict=True):
-        _add_tail(waves, d, factors, edges[ends[d.one]], out)
-    scale = 0.25j * 1j * problem.density / problem.gravity
-    return [scale * d.omega * out for d, out in zip(differences, total, strict=True)]
+    def __call__(self, differences):
+        """[(q, 6)] about the origin, N/m², N m/m², of several `Difference`"""
+        with blas_threads(1):  # many small products
+            return self._forces(differences)
+
+    def _forces(self, differences):
+        waves, problem = self.waves, self.waves.problem
+        products = [Products.of(self.omega[d.one], self.omega[d.two], problem.gravity) for d in differences]
+        total = [d.line.astype(complex) for d in differences]
+        for d, factors, out in zip(differences, products, total, strict=True):
+            for chunk in _chunks(len(d.one), len(waves.weights)):
+                i, j = d.one[chunk], d.two[chunk]
+                own, psi = Products(*(f[chunk] for f in factors)), d.near[None]
+                out[chunk] += integrated(own, [(self.whole[i], self.whole[j].conj())], psi, waves.weights)
+                out[chunk] -= integrated(own, [(self.incident[i], self.incident[j].conj())], psi, waves.weights)
+        for w in range(len(waves.rings.edges) - 1):
+            _add_interval(waves, differences, products, w, self.begin, total)
+        for d, out in zip(differences, total, strict=True):
+            self.tails.add(d, out)
+        scale = 0.25j * 1j * problem.density / problem.gravity
+        return [scale * d.omega * out for d, out in zip(differences, total, strict=True)]
 
 
 def line_integral(surfaces, flow, radiated, waves, one, two):
@@ -147,8 +155,8 @@ def _intervals(waves):
     return edges, np.maximum(np.searchsorted(edges, needed), np.maximum(local, 1))
 
 
-def _add_interval(waves, differences, products, edges, w, ends, total):
-    """∬ over radii edges[w] … edges[w + 1] of all pairs whose tail begins beyond"""
+def _add_interval(waves, differences, products, w, ends, total):
+    """∬ over the interval w of the rings of all pairs that no tail has there"""
     active = [np.flatnonzero(ends[d.one] > w) for d in differences]
     both = zip(differences, active, strict=True)
     used = np.unique(np.concatenate([np.concatenate([d.one[a], d.two[a]]) for d, a in both]))
@@ -156,12 +164,11 @@ def _add_interval(waves, differences, products, edges, w, ends, total):
         return
     fastest = max(waves.waves[i].k for i in used)
     slow = max(d.far[0].k for d, a in zip(differences, active, strict=True) if len(a))
-    low, high = edges[w : w + 2]
+    low, high = waves.rings.edges[w : w + 2]
     x, v = np.polynomial.legendre.leggauss(int(FEW + PER_RADIAN * (2 * fastest + slow) * (high - low) / 2))
     r = low + (high - low) * (1 + x) / 2
-    local = w < len(waves.rings.edges) - 1
     count = directions(orders_sent(fastest * waves.circle.radius))
-    grid = _Grid(r, count, waves.rings if local else None, w, x)
+    grid = _Grid(r, count, waves.rings, w, x)
     weights = np.repeat((high - low) / 2 * v * r * 2 * np.pi / count, count)
     place = {wave: n for n, wave in enumerate(used)}
     sent, incident = grid.fields([waves.waves[i] for i in used])
@@ -179,13 +186,13 @@ def _add_interval(waves, differences, products, edges, w, ends, total):
 
 class _Grid:
     """Radii r (n,) m times `count` directions; rings : `surface_far.Rings` of whose interval w they are the places x
-    (n,), or None"""
+    (n,)"""
 
     def __init__(self, r, count, rings, w, x):
         self.r, self.count, self.rings, self.w = r, count, rings, w
         self.m = np.fft.fftfreq(count, 1 / count).astype(int)
         self.turn = np.exp(1j * np.outer(self.m, 2 * np.pi * (np.arange(count) + 0.5) / count))
-        self.interpolation = None if rings is None else rings.interpolation(w, x)
+        self.interpolation = rings.interpolation(w, x)
 
     def fields(self, waves):
         """(sent and local, incident) `Field` (f, n count) of [`Wave`]"""
@@ -195,7 +202,7 @@ class _Grid:
             z = wave.k * self.r
             H = hankel_orders(1, wave.most, z) * np.exp(1j * z)
             sent = self._orders(wave.sent, *slopes(H, wave.k))
-            if self.rings is not None and self.w < len(wave.local):
+            if self.w < len(wave.local):
                 for part, matrix in zip(sent, self.interpolation, strict=True):
                     part[:, self.rings.orders] += matrix @ wave.local[self.w]
             coming = None
@@ -221,76 +228,4 @@ class _Grid:
         across = 1j * self.m * value / self.r[:, None]
         size = len(parts), -1
         value, slope, across = ((part @ self.turn).reshape(size) for part in (value, slope, across))
-        return Field(value, np.stack([slope, across]))
-
-
-def _add_tail(waves, d, factors, start, out):
-    """∬ beyond radii `start` (q,) of the pairs of a `Difference`, along r = start + ix and, of what comes in, − ix"""
-    wave = d.far[0]
-    k, q = (np.array([waves.waves[n].k for n in side]) for side in (d.one, d.two))
-    most = max(max(waves.waves[n].most for n in side) for side in (d.one, d.two))
-    count = directions(most)
-    points = TAIL_PANELS * TAIL_POINTS * count
-    for chunk in _chunks(len(d.one), 2 * points):
-        own = Products(*(f[chunk] for f in factors))
-        i, j = ([waves.waves[n] for n in side[chunk]] for side in (d.one, d.two))
-        for sign, slope in ((1, (k - q + wave.k)[chunk]), (-1, (k + q - wave.k)[chunk])):
-            tail = _Tail(sign, slope, start[chunk], i, j, d.far, count)
-            out[chunk] += tail.integral(own)
-
-
-class _Tail:
-    """Along r = start ± ix, exponentials of three waves together exp(−slope x); sign : of ±
-
-    Upwards sent with sent, sent with incoming, and of the first incident wave what goes out; downwards what comes in.
-    """
-
-    def __init__(self, sign, slope, start, one, two, psi, count):
-        self.sign, self.one, self.two, self.psi, self.count = sign, one, two, psi, count
-        x, w = np.polynomial.legendre.leggauss(TAIL_POINTS)
-        ends = np.concatenate([[0.0], 2.0 ** np.arange(1 - TAIL_PANELS, 1)])
-        t = (ends[:-1, None] + np.diff(ends)[:, None] * (1 + x) / 2).ravel() * TAIL
-        w = (np.diff(ends)[:, None] * w / 2).ravel() * TAIL
-        self.x = t / slope[:, None]
-        self.r = start[:, None] + sign * 1j * self.x
-        self.start = start
-        weights = sign * 1j * w / slope[:, None] * np.exp(-t) * np.exp(sign * 1j * (slope * start)[:, None])
-        self.weights = np.repeat(weights * self.r * 2 * np.pi / count, count, axis=1)
-        self.theta = 2 * np.pi * (np.arange(count) + 0.5) / count
-
-    def integral(self, factors):
-        kind, k = (1, 2)[self.sign < 0], np.array([wave.k for wave in self.one])
-        q, size = np.array([wave.k for wave in self.two]), self.psi[0].most
-        psi = self._of([np.array([wave.sent for wave in self.psi])] * len(k), 1, np.full(len(k), self.psi[0].k))
-        most = [wave.most + size for wave in self.two]
-        coming = self._of([0.5 * wave.incident_orders(m) for wave, m in zip(self.one, most, strict=True)], kind, k)
-        away = self._of([wave.sent.conj() for wave in self.two], 2, q, -1)
-        if self.sign < 0:
-            return integrated(factors, [(coming, away)], psi, self.weights)
-        sent = self._of([wave.sent for wave in self.one], 1, k)
-        most = [wave.most + size for wave in self.one]
-        other = self._of([wave.incident_orders(m).conj() for wave, m in zip(self.two, most, strict=True)], 0, q, -1)
-        return integrated(factors, [(sent + coming, away), (sent, other)], psi, self.weights)
-
-    def _of(self, coefficients, kind, k, turn=1):
-        """`Field` (q, (6,) n count) of sums of Hankel functions of a kind, of Bessel functions for 0, e^{±imθ}"""
-        most = max(c.shape[-1] // 2 for c in coefficients)
-        z = k[:, None] * self.r
-        start = np.exp(1j * k * self.start)[:, None]
-        values = hankel_orders(kind, most, z) if kind else bessel_orders(most, z) * start
-        c = np.zeros((len(k), *coefficients[0].shape[:-1], 2 * most + 1), complex)
-        for row, own in zip(c, coefficients, strict=True):
-            size = own.shape[-1] // 2
-            row[..., most - size : most + size + 1] = own
-        several = c.ndim == 3
-        value, slope = (np.moveaxis(both_signs(part), 0, -1) for part in slopes(values, k[:, None]))
-        if several:
-            value, slope, c, r = value[:, None], slope[:, None], c[:, :, None], self.r[:, None, :, None]
-        else:
-            c, r = c[:, None], self.r[..., None]
-        m = turn * np.arange(-most, most + 1)
-        angles, value = np.exp(1j * np.outer(m, self.theta)), c * value
-        parts = value, c * slope, 1j * m * value / r
-        shape = (*value.shape[:-2], -1)
-        value, slope, across = ((part @ angles).reshape(shape) for part in parts)
         return Field(value, np.stack([slope, across]))

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+FEWEST = 1  # panels in a direction of the coarser mesh: what both have alike shows no error
 METHODS = ("auto", "contour", "panel")
 TOLERANCES = 1e-5, 1e-4  # of the contour method: of what is stored, and of what tells its error
 
@@ -42,7 +43,7 @@ def bodies(db, method, highest):
     if method != "panel" and fits:
         fine, rough = (_cylinder(db, panels, tolerance) for tolerance in TOLERANCES)
         return Bodies("contour", fine, rough, resolution_errors)
-    coarse, rough, refinement = coarse_hull_of(db.header), None, 1.0
+    coarse, rough, refinement = coarse_hull_of(db.header, FEWEST), None, 1.0
     if coarse is not None:
         mesh, lid = coarse
         rough, refinement = replace(panels, mesh=mesh, lid=panels.lid and lid), panels.mesh.total / mesh.total

@@ -53,9 +53,10 @@ def solve(db, question, fresh):
 
 def _solve(db, question, fresh):
     body = bodies(db, question.method, float(question.omega[-1]))
-    share = None if question.level == "full" else _share(body.fine, question)
+    stored = None if fresh else _of_same_waves(db, question, body)
+    share = None if question.level == "full" else _share(body.fine, question, stored)
     full = question.adds_surface(share)
-    known = None if fresh else _known(db, question, body, full)
+    known = _begun(stored, question, full)
     told = _Told(2 if body.rough else 1)
     fine, rough = (
         problem and DifferenceRun(problem, *question.waves, question.held.moving, told.of(n), full)
@@ -63,20 +64,22 @@ def _solve(db, question, fresh):
     )
     forces, coarser = ([], []) if known is None else ([known.forces], [known.coarser])
     written = time.monotonic()
-    blocks = fine.blocks(sum(len(part.difference) for part in forces))
-    for block in blocks:
-        forces = [DifferenceForces.joined([*forces, fine.solve(block)])]
-        if rough:
-            coarser = [np.concatenate([*coarser, rough.solve(block).total])]
-        last = block is blocks[-1]
-        if last or time.monotonic() - written > EVERY:
-            asked = None if last else question.highest
-            write_forces(db.path, _stored(question, body, forces[0], share, coarser[0] if rough else None, asked))
+    *blocks, last = fine.blocks(sum(len(part.difference) for part in forces)) or [None]
+    for block in (*blocks, last):
+        if block is not None:
+            forces = [DifferenceForces.joined([*forces, fine.solve(block)])]
+            coarser = [np.concatenate([*coarser, rough.solve(block).total])] if rough else [None]
+        if block is last or time.monotonic() - written > EVERY:
+            asked = None if block is last else question.highest
+            write_forces(db.path, _stored(question, body, forces[0], share, coarser[0], asked))
             written = time.monotonic()
 
 
-def _share(problem, question):
-    """`surface_share`, None with a warning where the surface cannot be gone around"""
+def _share(problem, question, stored):
+    """`surface_share`, that of a run that was ended where it is known, None with a warning where the surface cannot be
+    gone around"""
+    if stored is not None and stored.asked == question.highest and stored.forces.surface is None:
+        return stored.share
     try:
         return surface_share(problem, *question.waves, question.held.moving)
     except ValueError as error:
@@ -92,23 +95,29 @@ def _stored(question, body, forces, share, coarser, asked):
     return StoredForces(forces, question.held, body.method, share, errors, coarser, asked)
 
 
-def _known(db, question, body, full):
-    """`StoredForces` of fewer differences of the same waves, a multiple of BLOCK, as a run goes on from; or None"""
+def _of_same_waves(db, question, body):
+    """`StoredForces` of the same waves and body by the same method, or None"""
     try:
         stored = read_forces(db)
     except DatabaseError:
         return None
-    forces, coarser = stored.forces, stored.coarser
-    count = min(len(forces.difference), steps_to(question.highest, question.omega) + 1) // BLOCK * BLOCK
     same = (
-        np.array_equal(forces.omega, question.omega)
-        and np.array_equal(forces.headings, question.headings)
+        np.array_equal(stored.forces.omega, question.omega)
+        and np.array_equal(stored.forces.headings, question.headings)
         and stored.held.same_as(question.held)
         and stored.method == body.method
-        and (forces.surface is not None) == full
-        and (coarser is not None) == (body.rough is not None)
+        and (stored.coarser is not None) == (body.rough is not None)
     )
-    if not same or not count:
+    return stored if same else None
+
+
+def _begun(stored, question, full):
+    """`StoredForces` with the first differences of a question, a multiple of BLOCK, as a run goes on from; or None"""
+    if stored is None or (stored.forces.surface is not None) != full:
+        return None
+    forces, coarser = stored.forces, stored.coarser
+    count = min(len(forces.difference), steps_to(question.highest, question.omega) + 1) // BLOCK * BLOCK
+    if not count:
         return None
     return replace(stored, forces=forces.first(count), coarser=None if coarser is None else coarser[:count])
 

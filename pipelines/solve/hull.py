@@ -18,7 +18,7 @@ from ..common.typed import typed
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
 from .large import shared_band
-from .panel_counts import coarse_counts, fine_counts, finer_counts, meshed
+from .panel_counts import FEWEST, coarse_counts, fine_counts, finer_counts, meshed
 
 MOST_PANELS = 20_000
 MOST_GIVEN = 100_000  # of a mesh file, or by --panels
@@ -108,21 +108,24 @@ def make_lid(scene, mesh):
     return lid(mesh, max(wide, math.sqrt(3 * waterplane / mesh.total)))
 
 
-def coarse_hull(scene, mesh):
+def coarse_hull(scene, mesh, fewest=FEWEST):
     """(mesh, lid) with about half as many panels, against which the error is estimated.
 
     None for mesh files, and where the mesh itself is so coarse that half of it would tell nothing.
+    fewest : in a direction
     """
-    counts = None if scene.body.shape == "mesh" else coarse_counts(scene.body, mesh)
+    counts = None if scene.body.shape == "mesh" else coarse_counts(scene.body, mesh, fewest)
     if counts is None:
         return None
     coarse = meshed(scene.body, counts)
     return coarse, make_lid(scene, coarse)
 
 
-def coarse_hull_of(header):
+def coarse_hull_of(header, fewest):
     """`coarse_hull` of the scene in the header of a database; None without a scene"""
-    return coarse_hull(typed(tomllib.loads(header.scene), Scene, SceneError), header.mesh) if header.scene else None
+    if not header.scene:
+        return None
+    return coarse_hull(typed(tomllib.loads(header.scene), Scene, SceneError), header.mesh, fewest)
 
 
 @dataclass(frozen=True)

@@ -50,10 +50,13 @@ def fine_counts(body, tolerance, longest):
     return tuple(max(pair) for pair in zip(counts, LEAST[body.shape], strict=True))
 
 
-def coarse_counts(body, mesh):
-    """Counts of about half as many panels as a mesh of the body has, in the same proportion; None where it has few"""
+def coarse_counts(body, mesh, fewest=FEWEST):
+    """Counts of about half as many panels as a mesh of the body has, in the same proportion; None where it has few
+
+    fewest : in a direction
+    """
     fine = counts_of(body, mesh)
-    coarse = tuple(max(FEWEST, round(COARSE * n)) for n in fine)
+    coarse = tuple(max(fewest, round(COARSE * n)) for n in fine)
     coarser = all(c <= n for c, n in zip(coarse, fine, strict=True))
     return coarse if coarser and _total(body, coarse) <= TOO_CLOSE * _total(body, fine) else None
 

@@ -231,8 +231,31 @@ def test_a_run_that_was_ended_goes_on_from_the_differences_it_stored(coarse, tmp
     assert len(read_forces(db).forces.difference) == 2 and read_forces(db).asked == pytest.approx(0.6)
     with pytest.raises(ValueError, match=r"differences to 0.15 of 0.6 rad/s; 'hakobune qtf .*' goes on"):
         stored_pairs(db, SWELL, "full")
+    less = shutil.copy(ended, tmp_path / "less.h5")
     assert main(["qtf", str(ended)]) == 0
     assert recorded[2][0] == 2 and equal(ended, coarse[1])
+    before = len(recorded)
+    assert main(["qtf", str(less), *QUESTION, "0.15"]) == 0  # of which all is there
+    assert len(recorded) == before and read_forces(open_database(less)).asked is None
+
+
+def test_the_share_of_the_surface_is_estimated_once(coarse, tmp_path, monkeypatch, recorded):
+    path, share, asked = shutil.copy(coarse[0], tmp_path / "box.h5"), running.surface_share, []
+    monkeypatch.setattr(running, "surface_share", lambda *question: (asked.append(question), share(*question))[1])
+    words = ["qtf", str(path), *QUESTION[:4], "--difference", "0.45"]
+    with monkeypatch.context() as patch:
+        patch.setattr(running.DifferenceForces, "joined", _ended_at_the_second(running.DifferenceForces.joined))
+        assert main(words) == 130
+    assert main(words) == 0 and len(asked) == 1 and read_forces(open_database(path)).share > 0
+
+
+def _ended_at_the_second(joined):
+    def once(several):
+        if len(several) > 1:
+            raise KeyboardInterrupt
+        return joined(several)
+
+    return once
 
 
 def test_a_larger_difference_adds_to_what_is_stored(coarse, tmp_path, recorded):

@@ -1,0 +1,251 @@
+"""Beyond the rings, where waves have no local part: integrals of three sums of Hankel functions.
+
+There ∇²φ = −k²φ along the surface, and Green's theorem leaves of ∬ ψQ dS (`surface_forces`), over ¼i,
+
+    C ∬ ψ φᵢ φ̄ⱼ dS + ∮ {ψ (ωⱼ φᵢ ∂φ̄ⱼ/∂r − ωᵢ φ̄ⱼ ∂φᵢ/∂r) + Ω φᵢ φ̄ⱼ ∂ψ/∂r} dl,
+    C = Ω (k² + q² − κ² + 2KᵢKⱼ) + ωᵢ (Kⱼ² − q²) − ωⱼ (Kᵢ² − k²),
+
+the line along the circle where it begins, k, q and κ the wavenumbers of φᵢ, φⱼ and ψ.  Around it the orders m of φᵢ, n
+of φ̄ⱼ and p = n − m of ψ meet, with a factor of frequencies alone that is the same of −m, −n, −p:
+
+    2π C ∫ f_m(kr) f̄_n(qr) H_p(κr) r dr + …
+
+Radii are real to where all orders oscillate, then r + ix, where sent waves decay with sent and with incident ones, and
+r − ix for what comes in with the first incident wave.  All pairs share the radii of a path, and the functions there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.lib.stride_tricks import as_strided
+
+from .surface_far import bessel_orders, both_signs, hankel_orders, slopes
+
+PER_RADIAN, FEW = 0.6, 6  # radii of a real interval for a radian of the fastest product, and beside
+DECAY, POINTS, FIRST = 30.0, 6, 0.25  # at the end of a tail; of its intervals; of the shortest length, the first
+NEGLIGIBLE = 1e-11  # of the largest order where a path begins: orders that are left out
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """Radii in columns: along r − ix, the first one three times, real ones, along r + ix.
+
+    edges : (w,) m, of real intervals; highest : rad/m, of the waves
+    lowest, slowest : rad/m, of the waves that they meet and of ψ
+    """
+
+    edges: np.ndarray
+    highest: float
+    lowest: float
+    slowest: float
+
+    @cached_property
+    def real(self):
+        """(2, c) radii and weights, m"""
+        parts = [np.zeros((2, 0))]
+        for low, high in zip(self.edges[:-1], self.edges[1:], strict=True):
+            x, w = np.polynomial.legendre.leggauss(int(FEW + PER_RADIAN * 3 * self.highest * (high - low) / 2))
+            parts.append(np.stack([low + (high - low) * (1 + x) / 2, (high - low) / 2 * w]))
+        return np.concatenate(parts, axis=1)
+
+    @cached_property
+    def down(self):
+        """(2, c) x and weights, m, of products that decay with k + q − κ, 2q or more"""
+        return self._away(2 * self.lowest)
+
+    @cached_property
+    def up(self):
+        """(2, c) x and weights, m, of products that decay with k − q + κ, 2κ or more"""
+        return self._away(2 * self.slowest)
+
+    def _away(self, least):
+        ends = [0.0, FIRST / (self.highest + 1 / self.edges[-1])]
+        while ends[-1] < DECAY / least:
+            ends.append(2 * ends[-1])
+        x, w = np.polynomial.legendre.leggauss(POINTS)
+        low, size = np.array(ends[:-1])[:, None], np.diff(ends)[:, None]
+        return np.stack([(low + size * (1 + x) / 2).ravel(), (size * w / 2).ravel()])
+
+    @property
+    def first(self):
+        """Number of the column of the first radius"""
+        return self.down.shape[1]
+
+    def reach(self, slope):
+        """Number of columns up to where exp(−slope x) along r + ix is negligible"""
+        return self.first + 3 + self.real.shape[1] + int(np.searchsorted(self.up[0], DECAY / slope))
+
+    def hankel(self, kind, k, most, place):
+        """(most + 1, c) H_m(kr) of a kind, its derivative in one of the three places; along r ± ix without e^{±ikr}"""
+        z = self._radii(k)
+        values = hankel_orders(kind, most, z)
+        real = slice(self.first, self.first + 1 + self.real.shape[1])
+        values[:, real] *= np.exp((1j if kind == 1 else -1j) * z[real])
+        return self._thrice(values, k, place)
+
+    def bessel(self, k, most, place):
+        """The same of J_m(kr), along r + ix without e^{−ikr}, along r − ix nothing"""
+        z = self._radii(k)[self.first :]
+        values = bessel_orders(most, z)
+        values[:, 1 + self.real.shape[1] :] *= np.exp(1j * k * self.edges[-1])
+        return self._thrice(np.pad(values, ((0, 0), (self.first, 0))), k, place)
+
+    def _radii(self, k):
+        end = self.edges[-1]
+        parts = end - 1j * self.down[0], self.edges[:1], self.real[0], end + 1j * self.up[0]
+        return k * np.concatenate(parts)
+
+    def _thrice(self, values, k, place):
+        value, slope = slopes(values[:, [self.first]], k)
+        three = np.repeat(value, 3, axis=1)
+        three[:, place] = slope[:, 0]
+        return np.concatenate([values[:-1, : self.first], three, values[:-1, self.first + 1 :]], axis=1)
+
+    def weights(self, up, down, C, sides):
+        """(c,) of columns; up, down : rad/m, k − q + κ, k + q − κ; sides : of the three at the first radius, over it"""
+        (y, v), (r, u), (x, w) = self.down, self.real, self.up
+        below, above = self.edges[-1] - 1j * y, self.edges[-1] + 1j * x
+        parts = (
+            -1j * C * v * below * np.exp(-1j * down * below),
+            self.edges[0] * np.asarray(sides),
+            C * u * r,
+            1j * C * w * above * np.exp(1j * up * above),
+        )
+        return np.concatenate(parts)
+
+
+class Tails:
+    """Integrals of waves [`surface_waves.Wave`] beyond the rings.
+
+    edges : (w,) m of radii; begin, end : (f,) of each wave, the edges between which the radii of its pairs, as the
+    faster one, are real; slowest : rad/m, the least of ψ
+    """
+
+    def __init__(self, waves, edges, begin, end, slowest, gravity):
+        self.waves, self.gravity, self.tables = waves, gravity, {}
+        self.omega, first, self.number = np.unique([w.omega for w in waves], return_index=True, return_inverse=True)
+        self.k, self.most = (np.array([getattr(waves[n], name) for n in first]) for name in ("k", "most"))
+        self.ends = [(int(begin[n]), int(end[n])) for n in first]
+        highest = dict(zip(self.ends, self.k, strict=True))  # the last of each, k rises
+        self.paths = {ends: Path(edges[ends[0] : ends[1] + 1], k, self.k[0], slowest) for ends, k in highest.items()}
+
+    def add(self, d, out):
+        """Add ∬ ψQ dS over ¼i, (q, 6), of the pairs of a `surface_forces.Difference` to `out`"""
+        one, two = self.number[d.one], self.number[d.two]
+        psi = {}
+        for i, j in sorted(set(zip(one.tolist(), two.tolist(), strict=True))):
+            ends, own = self.ends[i], np.flatnonzero((one == i) & (two == j))
+            if ends not in psi:
+                psi[ends] = _third(d.far, self.paths[ends])
+            out[own] += self._pairs(i, j, d.one[own], d.two[own], psi[ends])
+
+    def _pairs(self, i, j, one, two, psi):
+        """(q, 6) of pairs (q,) of waves of the frequencies i and j"""
+        path, kappa = self.paths[self.ends[i]], psi.k
+        first, second = self._first(i), self._second(j, self.ends[i])
+        M, N, P = first.most, second.most, psi.most
+        up, down = self.k[i] - self.k[j] + kappa, self.k[i] + self.k[j] - kappa
+        reach = path.reach(up)
+        H = psi.of_sent[:, :reach] * path.weights(up, down, *self._factors(i, j, kappa))[:reach]
+        beyond = slice(path.first, reach)
+        sent, other = (np.array([self.waves[n].sent for n in side]) for side in (one, two))
+        sent, other = _orders(sent, M), _orders(other, N).conj()
+        coming = np.array([self.waves[n].incident_orders(N + P) for n in one])
+        met = np.array([self.waves[n].incident_orders(M + P) for n in two]).conj()
+        both = _products(first.of_sent[:, beyond], second.of_sent[:, beyond], H[:, beyond], N, 1)
+        with_first = _products(first.of_incident[:, :reach], second.of_sent[:, :reach], H, N, 1)
+        with_second = _products(second.of_incident[:, beyond], first.of_sent[:, beyond], H[:, beyond], M, -1)
+        sums = _met(both, _orders(sent, N + P), other, 1)
+        sums = sums + _met(with_first, coming, other, 1) + _met(with_second, met, sent, -1)
+        return 2 * np.pi * sums @ psi.coefficients.T
+
+    def _factors(self, i, j, kappa):
+        one, two, k, q = self.omega[i], self.omega[j], self.k[i], self.k[j]
+        K, L = one**2 / self.gravity, two**2 / self.gravity
+        C = (one - two) * (k**2 + q**2 - kappa**2 + 2 * K * L) + one * (L**2 - q**2) - two * (K**2 - k**2)
+        return C, (two, -one, one - two)
+
+    def _first(self, i):
+        """`_Functions` of φᵢ along its own path"""
+        if (i, None) not in self.tables:
+            path, k, most = self.paths[self.ends[i]], self.k[i], self._kept(i, self.ends[i])
+            up = path.first + 3 + path.real.shape[1]
+            H, J = path.hankel(1, k, 2 * self.most[i], 1), path.bessel(k, 2 * self.most[i], 1)
+            J[:, : path.first] = 0.5 * path.hankel(2, k, 2 * self.most[i], 1)[:, : path.first]
+            J[:, up:] = 0.5 * H[:, up:]
+            self.tables[i, None] = _Functions(k, most, both_signs(H), both_signs(J))
+        return self.tables[i, None]
+
+    def _second(self, j, ends):
+        """`_Functions` of φ̄ⱼ along the path of another"""
+        if (j, ends) not in self.tables:
+            path, k, most = self.paths[ends], self.k[j], self._kept(j, ends)
+            top = 2 * max(m for m, own in zip(self.most, self.ends, strict=True) if own == ends)
+            H, J = path.hankel(2, k, most, 0), path.bessel(k, top, 0)
+            self.tables[j, ends] = _Functions(k, most, both_signs(H), both_signs(J))
+        return self.tables[j, ends]
+
+    def _kept(self, i, ends):
+        """The last order of waves of a frequency that is not negligible where a path begins"""
+        sent = np.array([wave.sent for wave, n in zip(self.waves, self.number, strict=True) if n == i])
+        return _last(sent, self.k[i] * self.paths[ends].edges[0])
+
+
+class _Functions(NamedTuple):
+    """Along a path, of one frequency: orders −M … M of sent waves in rows, those of incident ones; most : M that count
+
+    coefficients : (6, 2 most + 1) of ψ
+    """
+
+    k: float
+    most: int
+    of_sent: np.ndarray
+    of_incident: np.ndarray | None = None
+    coefficients: np.ndarray | None = None
+
+
+def _third(waves, path):
+    """`_Functions` of ψ, its orders from 0 on alone"""
+    k, sent = waves[0].k, np.array([wave.sent for wave in waves])
+    most = _last(sent, k * path.edges[0])
+    return _Functions(k, most, path.hankel(1, k, most, 2), None, _orders(sent, most))
+
+
+def _last(sent, z):
+    """The last of orders (w, 2M + 1) that is not negligible beside the largest of its wave at kr = z"""
+    size = np.abs(sent * both_signs(hankel_orders(1, sent.shape[1] // 2, np.array([z + 0j]))[:-1])[:, 0])
+    large = np.any(size > NEGLIGIBLE * size.max(axis=1, keepdims=True), axis=0)
+    return int(np.abs(np.flatnonzero(large) - sent.shape[1] // 2).max(initial=0))
+
+
+def _orders(coefficients, most):
+    """(…, 2 most + 1) those of (…, 2M + 1), zero beyond"""
+    M = coefficients.shape[-1] // 2
+    if most <= M:
+        return coefficients[..., M - most : M + most + 1]
+    return np.pad(coefficients, [(0, 0)] * (coefficients.ndim - 1) + [(most - M, most - M)])
+
+
+def _shifted(values, most, count, sign):
+    """View (count, 2 most + 1, …) of values (2M + 1, …) of orders n − sign p, p = 0 … count − 1, n = −most … most"""
+    start = values[len(values) // 2 - most :]
+    return as_strided(start, (count, 2 * most + 1, *values.shape[1:]), (-sign * values.strides[0], *values.strides))
+
+
+def _products(shifted, own, H, most, sign):
+    """(P + 1, 2 most + 1) of p and n: sums over columns of functions of orders n − sign p, n and p"""
+    product = _shifted(shifted, most, len(H), sign) * _orders(own.T, most).T
+    return np.matmul(product, H[:, :, None])[..., 0]
+
+
+def _met(products, shifted, own, sign):
+    """(q, 2P + 1) of p = −P … P: sums over n of products with coefficients (q, …) of orders n − sign p and n"""
+    count, most = len(products), products.shape[1] // 2
+    out = []
+    for a, b in ((shifted, own), (shifted[:, ::-1], own[:, ::-1])):  # p, and −p of negative orders
+        out.append(np.einsum("pnq,nq,pn->qp", _shifted(np.ascontiguousarray(a.T), most, count, sign), b.T, products))
+    return np.concatenate([out[1][:, :0:-1], out[0]], axis=1)

@@ -1,0 +1,74 @@
+"""Integrals of three waves beyond a circle: what two circles differ by is between them, by its own form there."""
+
+import numpy as np
+import pytest
+from scipy.special import h1vp, hankel1, jv, jve, jvp
+
+from bem.second_order.surface_far import bessel_orders
+from bem.second_order.surface_forces import Difference, Products, integrated
+from bem.second_order.surface_tail import Tails
+from bem.second_order.surface_waves import Field, Wave
+from bem.waves import wavenumber
+
+G, DEPTH, ORDERS = 9.80665, 20.0, 4
+OMEGA = np.array([0.5, 0.7, 0.9])
+RNG = np.random.default_rng(3)
+
+
+def made_up(omega, incident):
+    k = float(wavenumber(omega, DEPTH, G))
+    m = np.arange(-ORDERS, ORDERS + 1)
+    sent = (RNG.normal(size=m.shape) + 1j * RNG.normal(size=m.shape)) / np.abs(hankel1(m, 6.0))
+    return Wave(omega, k, 0.4, incident, sent, np.zeros((0, 6, 8)))
+
+
+WAVES = [made_up(omega, 1.0 - 0.5j) for omega in OMEGA]
+
+
+def on_grid(wave, r, theta):
+    """`Field` (1, r θ) of the sent wave and of the incident one"""
+    m = np.arange(-40, 41)
+    turn, z = np.exp(1j * np.outer(m, theta)), wave.k * r[:, None]
+    sent = np.pad(wave.sent, (40 - ORDERS, 40 - ORDERS))
+    out = []
+    for c, value, slope in (
+        (sent, hankel1(m, z), wave.k * h1vp(m, z)),
+        (wave.incident_orders(40), jv(m, z), wave.k * jvp(m, z)),
+    ):
+        c = np.where(c == 0, 0, c)
+        value, slope = (np.where(c == 0, 0, c * part) for part in (value, slope))
+        parts = value, slope, 1j * m * value / r[:, None]
+        value, slope, across = ((part @ turn).reshape(1, -1) for part in parts)
+        out.append(Field(value, np.stack([slope, across])))
+    return out
+
+
+@pytest.mark.parametrize("one, two", [(2, 1), (1, 0), (2, 0)])
+def test_what_two_circles_differ_by_is_between_them(one, two):
+    edges = np.array([50.0, 70.0, 90.0, 250.0])
+    psi = [made_up(OMEGA[one] - OMEGA[two], 0.0)] * 6
+    slowest = float(wavenumber(0.2, DEPTH, G))
+    found = []
+    for begin in (0, 2):
+        tails, out = Tails(WAVES, edges, [begin] * 3, [3] * 3, slowest, G), np.zeros((1, 6), complex)
+        one_pair = Difference(OMEGA[one] - OMEGA[two], np.array([one]), np.array([two]), None, psi, None)
+        tails.add(one_pair, out)
+        found.append(out[0, 0])
+    x, w = np.polynomial.legendre.leggauss(24)
+    r, theta = 70.0 + 20.0 * x, 2 * np.pi * np.arange(180) / 180
+    weights = np.repeat(20.0 * w * r * 2 * np.pi / 180, 180)
+    (sent, coming), (other, met) = (on_grid(WAVES[n], r, theta) for n in (one, two))
+    factors = Products.of(OMEGA[[one]], OMEGA[[two]], G)
+    third = on_grid(psi[0], r, theta)[0][None]
+    between = integrated(factors, [(sent + coming, other.conj()), (sent, met.conj())], third, weights)[0, 0]
+    assert abs(found[0] - found[1] - between) < 1e-8 * abs(between)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, 1.2])
+def test_bessel_functions_are_exact_beside_the_largest_order_and_by_themselves_near_the_origin(angle):
+    z = np.geomspace(0.02, 400, 60) * np.exp(1j * angle)
+    known = jve(np.arange(32)[:, None], z)
+    off = np.abs(bessel_orders(30, z) - known)
+    near = np.abs(z) < 40
+    assert np.all(off < 1e-12 * np.abs(known).max(axis=0) + 1e-300)
+    assert angle == 0 or np.all(off[:, near] < 1e-12 * np.abs(known[:, near]) + 1e-290)
