@@ -110,20 +110,23 @@ class StaticLine:
 
     def _solve(self, data, x, z):
         """What `search.solve_positions` finds; what one way of traversal does not find is sought in another."""
-        from .search import COARSE, FINE, LOST, solve_positions
+        from .search import COARSE, EXACT, FINE, LOST, QUICK, solve_positions
 
         guess = self._like_a_uniform_line(x[0], z[0])
-        found, status, pieces, loads = solve_positions(data, x, z, guess, self._capacity(data), COARSE)
+        begin = QUICK if len(x) == 1 else COARSE
+        found, status, pieces, loads = solve_positions(data, x, z, guess, self._capacity(data), begin)
         if not (status == LOST).any():
             return found, status, pieces, loads
         ways = [data, data._replace(to_place=not data.to_place)]
+        tries = [(ways[1], QUICK), (ways[0], EXACT), (ways[1], EXACT)]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
             softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
             ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
-        tries = [(way, COARSE) for way in ways[1:]] + [(way, FINE) for way in ways]
+        tries += [(way, COARSE) for way in ways[2:]] + [(way, FINE) for way in ways]
         for way, tolerances in tries:
             for i in np.flatnonzero(status == LOST):
-                given = way, x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data), tolerances
+                guess = self._like_a_uniform_line(x[i], z[i])
+                given = way, x[i : i + 1], z[i : i + 1], guess, self._capacity(data), tolerances
                 once, state, its, words = solve_positions(*given)
                 if state[0] != LOST:
                     found[i], status[i] = once[0], state[0]

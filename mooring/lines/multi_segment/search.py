@@ -22,9 +22,10 @@ from .traverse import traverse
 # results of a search beside `State`: an equilibrium that is not slack; none found, though in reach; one with a heap
 # at the bed vertex to which the line slides
 SOLVED, LOST, SLIDES = -1, -2, -3
-# of the length, left over at the anchor by a search: those to begin with, and those where these find nothing, which
-# take ten times as long; each begins with the tension of the one before
-COARSE = 1e-3, 1e-6
+# of the length, left over at the anchor by a search: that of a single position to begin with, that where it finds
+# nothing, and those where these find nothing, which take ten times as long
+QUICK, EXACT = (1e-3,), (1e-6,)
+COARSE = QUICK + EXACT
 FINE = (*COARSE, 1e-9, 1e-12, 1e-15)
 CLOSE = 1e-10  # of the starts of spans in the coarsest search
 
@@ -89,7 +90,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
 def solve_positions(line, x, z, guess, capacity, tolerances):
     """Positions (n,) one after another.
 
-    guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `COARSE` or `FINE`
+    guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `QUICK` to `FINE`
     returns : results (n, 11), see `newton.store`; states (n,); pieces, states of the point loads at the last position
     """
     found, status = np.zeros((len(x), 11)), np.full(len(x), LOST)
@@ -121,7 +122,7 @@ def _solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
         slack = state == SLACK and (not line.to_place or w.steps[w.count[0] - 1, 0] == GROUNDED_ANCHOR)
         left = HEAP_AT_ANCHOR if slack else TAUT
         after = continuation(line, w, x, z, first, left, 0.0, pieces, found) if w.count[0] > 0 else first
-        if after == first and slack:
+        if after == first and slack and line.close == 0.0:
             heap = _heap(line, w, np.int64(0), line.least, x[first], z[first], 1e-15)
             if w.count[0] > 0:
                 after = continuation(line, w, x, z, first, HEAP_AT_TOUCHDOWN, heap, pieces, found)
