@@ -26,7 +26,7 @@ from .stage import CONVERGED, add, copy, move, solve_stage, spread, workspace
 from .surroundings import fairlead_at, water_at
 
 DONE, FULL, TOO_SHORT = range(3)
-NEWTON = 0.1  # of the step's tolerance, left by Newton's method
+NEWTON = 0.02  # of the step's tolerance, left by Newton's method
 COLUMNS = 20  # time, fairlead force, anchor force, six works, four energies, least and largest tension, step
 SAFETY, LEAST, MOST = 0.8, 0.2, 1.6
 
