@@ -24,10 +24,10 @@ from .traverse import traverse
 SOLVED, LOST, SLIDES = -1, -2, -3
 # of the length, left over at the anchor by a search: that of a single position to begin with, that where it finds
 # nothing, and those where these find nothing, which take ten times as long
-QUICK, EXACT = (1e-3,), (1e-6,)
-COARSE = QUICK + EXACT
+QUICK, EXACT = (1e-2,), (1e-6,)
+COARSE = (1e-3, *EXACT)
 FINE = (*COARSE, 1e-9, 1e-12, 1e-15)
-CLOSE = 1e-10  # of the starts of spans in the coarsest search
+CLOSE = 1e-7  # of the starts of spans in the coarsest searches
 
 
 @kernel()
