@@ -54,7 +54,7 @@ class DrivenLine:
     """A line whose fairlead a host moves, in a current and in waves.
 
     line : DynamicLine; current : CurrentProfile or None; waves : WaveTrain or None, of the host's time
-    tolerance : error of a step in any tension, of the largest tension
+    tolerance : error of a step in the tensions at the ends, and in the mean of all, of the largest tension so far
     """
 
     line: DynamicLine

@@ -203,6 +203,7 @@ def run_esdirk(case, state):
         parts.append(rows[again:used])
         marks.append(station_rows[again:used])
         state = state._replace(time=time, step=step)
+        control = control._replace(tension=max(control.tension, rows[:used, 18].max()))
         if case.progress is not None:
             case.progress(float(time))
     pictures.nodes[drawn:] = state.position

@@ -60,7 +60,7 @@ def simulate(
     """Motion and tension of `line` while its fairlead follows `motion`, from rest or from the end of another run.
 
     line : DynamicLine; motion : FairleadMotion; duration : s; current : CurrentProfile; waves : WaveTrain
-    tolerance : error of a step in any tension, of the largest tension
+    tolerance : error of a step in the tensions at the ends, and in the mean of all, of the largest tension so far
     method : "esdirk", or "houbolt", whose step begins at `longest_step` and is halved until tensions agree
     longest_step : s, an upper bound; frames : number of stored shapes, evenly in time; stations : node numbers
     start : State, the `end` of a run before, which the fairlead goes on from (then the elements are not checked)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -70,10 +71,16 @@ class Bed:
 
     def depth_below(self, x, z):
         """Height of points (x, z) above the bed, m; negative under it."""
-        px, pz = self.points.T
-        slope = np.diff(pz) / np.diff(px)
+        px, pz, slope = *self.points.T, self.slopes
+        if len(slope) == 1:
+            return z - slope[0] * x
         beyond = slope[0] * np.minimum(x, 0.0) + slope[-1] * np.maximum(x - px[-1], 0.0)
         return z - np.interp(x, px, pz) - beyond
+
+    @cached_property
+    def slopes(self):
+        """(k − 1,) of the facets"""
+        return np.diff(self.points[:, 1]) / np.diff(self.points[:, 0])
 
 
 def _bilinear(x, y, z, at):

@@ -14,7 +14,7 @@ from bem.kernels.jit import kernel
 from .line_data import EMERGED, FLOATING, LENGTH, SUBMERGED, H, S, V, X, Z, slides_on, strain_row
 
 
-@kernel()
+@kernel(inline=True)
 def free_step(q, g, ds, weight, factor, flexibility):
     """Advance the state down a free piece of length ds, whose derivatives are g[LENGTH]."""
     h, v = q[H], q[V]
@@ -47,7 +47,7 @@ def free_step(q, g, ds, weight, factor, flexibility):
         g[S, i] -= slid
 
 
-@kernel()
+@kernel(inline=True)
 def free_table_row(line, q, segment):
     """Row of the tension table that holds for a free piece here, and the length for which it holds."""
     first, last = line.first_row[segment], line.first_row[segment + 1] - 1
@@ -64,7 +64,7 @@ def free_table_row(line, q, segment):
     return row, max(v - end, 0.0) / line.segments[segment, 1]
 
 
-@kernel()
+@kernel(inline=True)
 def tangent_beyond(line, q):
     """Slope of the bed at x m beyond the anchor's place, 0 above the bed itself.
 
@@ -77,13 +77,13 @@ def tangent_beyond(line, q):
     return math.tan(line.bed[0, 2])
 
 
-@kernel()
+@kernel(inline=True)
 def level_in_sea(line, q):
     """Height of the line here, moved with the bed to the anchor where it lies beyond it."""
     return q[Z] - (q[X] - line.bed[0, 0]) * tangent_beyond(line, q)
 
 
-@kernel()
+@kernel(inline=True)
 def smoothed_weight(line, load, z):
     """Weight (N) and state of a point load at z; a buoy loses its lift linearly over the height `line.soft`."""
     wet, dry = line.loads[load, 1], line.loads[load, 2]

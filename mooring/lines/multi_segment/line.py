@@ -23,7 +23,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..catenary.state import BeyondReachError, LineError, State
+from ..catenary.state import BEYOND_REACH, SLACK, BeyondReachError, LineError
 from .bed import Bed
 from .segments import PointLoad, Segment
 from .solution import LineState, StaticSolution, heaped
@@ -89,10 +89,7 @@ class StaticLine:
     @cached_property
     def _steep(self):
         """Whether some facet is too steep for a line without tension to lie on."""
-        return (
-            self.bed is not None
-            and float(np.abs(np.diff(self.bed.points[:, 1]) / np.diff(self.bed.points[:, 0])).max()) > self.bed.friction
-        )
+        return self.bed is not None and float(np.abs(self.bed.slopes).max()) > self.bed.friction
 
     def solve(self, x, z, state=None):
         """Forces, stiffness and shape with the fairlead at (x, z).
@@ -101,7 +98,9 @@ class StaticLine:
         state : LineState of the position before, for friction with history; None: pulled out from slack
         returns : StaticSolution; raises : LineError where there is no equilibrium, ValueError for impossible input
         """
-        x, z = np.broadcast_arrays(np.asarray(x, float), np.asarray(z, float))
+        x, z = np.asarray(x, float), np.asarray(z, float)
+        if x.shape != z.shape:
+            x, z = np.broadcast_arrays(x, z)
         self._check(x, z)
         data = self._data if state is None else self._data._replace(kept=np.ascontiguousarray(state.pieces, float))
         close = np.maximum(x.ravel(), 1e-9 * self.length)
@@ -111,24 +110,43 @@ class StaticLine:
 
     def _solve(self, data, x, z):
         """What `search.solve_positions` finds; what one way of traversal does not find is sought in another."""
-        from .search import COARSE, FINE, LOST, solve_positions
+        from .search import COARSE, EXACT, FINE, LOST, QUICK, solve_positions
 
-        found, status, pieces, loads = solve_positions(data, x, z, self.weight, self._capacity(data), COARSE)
-        if not np.any(status == LOST):
+        guess = self._like_a_uniform_line(x[0], z[0])
+        begin = QUICK if len(x) == 1 else COARSE
+        found, status, pieces, loads = solve_positions(data, x, z, guess, self._capacity(data), begin)
+        if not (status == LOST).any():
             return found, status, pieces, loads
         ways = [data, data._replace(to_place=not data.to_place)]
+        tries = [(ways[1], QUICK), (ways[0], EXACT), (ways[1], EXACT)]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
             softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
             ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
-        tries = [(way, COARSE) for way in ways[1:]] + [(way, FINE) for way in ways]
+        tries += [(way, COARSE) for way in ways[2:]] + [(way, FINE) for way in ways]
         for way, tolerances in tries:
             for i in np.flatnonzero(status == LOST):
-                given = way, x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data), tolerances
+                guess = self._like_a_uniform_line(x[i], z[i])
+                given = way, x[i : i + 1], z[i : i + 1], guess, self._capacity(data), tolerances
                 once, state, its, words = solve_positions(*given)
                 if state[0] != LOST:
                     found[i], status[i] = once[0], state[0]
                     pieces, loads = (its, words) if i + 1 == len(x) else (pieces, loads)
         return found, status, pieces, loads
+
+    def _like_a_uniform_line(self, x, z):
+        """H, N, of a uniform line of the same length, weight and stretch on a flat bed; 0 where it is slack"""
+        from ..catenary.uniform import COLUMNS, solve_uniform
+
+        row = np.empty(COLUMNS)
+        solve_uniform(row, (x, z, self.length, *self._mean, 0.0, 0.0), bool(z > 0 and self.bed is not None))
+        return float(row[0]) if 0 <= row[0] < np.inf else self.weight
+
+    @cached_property
+    def _mean(self):
+        """N/m and 1/N: weight with point loads, or a fifth of that of the line where buoys lift more, and stretch"""
+        weight = max(self.weight + sum(load.weight for load in self.loads), 0.2 * self.weight)
+        stretch = sum(segment.length * segment.strain_table[0, 2] for segment in self.segments)
+        return weight / self.length, stretch / self.length
 
     def path(self, x, z, state=None):
         """Solutions of positions (n,) visited one after another, each keeping the friction of the one before."""
@@ -139,10 +157,11 @@ class StaticLine:
         return solutions
 
     def _solution(self, x, z, found, status, loads, pieces):
-        slack = status == State.SLACK
-        found[slack, 0] = 0.0
-        found[slack, 5:7] = 0.0
-        H, V, H_anchor, V_anchor = (column.reshape(x.shape)[()] for column in found[:, :4].T)
+        slack = status == SLACK
+        if slack.any():
+            found[slack, 0] = 0.0
+            found[slack, 5:7] = 0.0
+        H, V, H_anchor, V_anchor = found[:, :4].T.reshape(4, *x.shape)
         words = ("submerged", "floating", "emerged")
         one = x.ndim == 0
         if one and slack[0] and not np.any(pieces[:, 10] > 0.5 * np.pi):  # the bight of a line that slides
@@ -164,20 +183,21 @@ class StaticLine:
         )
 
     def _check(self, x, z):
-        if not np.all(np.isfinite(x) & (x >= 0)):
+        if not (np.isfinite(x) & (x >= 0)).all():
             raise ValueError(f"line x is {x[~(np.isfinite(x) & (x >= 0))].flat[0]:g} m; allowed: finite, at least 0 m")
-        if not np.all(np.isfinite(z)):
+        if not np.isfinite(z).all():
             raise ValueError(f"line z is {z[~np.isfinite(z)].flat[0]:g} m; allowed: finite")
         if self.bed is not None:
             under = self.bed.depth_below(x, z)
-            if not np.all(under > 0):
+            if not (under > 0).all():
                 raise ValueError(f"the fairlead is {-under.min():g} m below the bed; allowed: above it")
 
     def _judge(self, x, z, found, status):
-        wrong = ~((found[:, 9] <= RESIDUAL) & (status != State.BEYOND_REACH))
-        if np.any(wrong):
+        good = (found[:, 9] <= RESIDUAL) & (status != BEYOND_REACH)
+        if not good.all():
+            wrong = ~good
             i = int(np.argmax(wrong))
-            beyond = status[i] == State.BEYOND_REACH
+            beyond = status[i] == BEYOND_REACH
             what = "cannot be reached" if beyond else "is in reach, but no equilibrium was found"
             if not beyond and self._steep:
                 what += f" (a slack line may slide: part of the bed is steeper than its friction {self.bed.friction:g})"
@@ -219,5 +239,6 @@ class StaticLine:
             0.0,
             0,
             self.weight,
+            0.0,
             np.empty((0, 4)),
         )

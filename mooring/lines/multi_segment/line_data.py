@@ -42,6 +42,7 @@ class LineData(NamedTuple):
     to_place : whether a traversal ends at the anchor's place, with some length left over, else with the line, somewhere
     heap : m that lie in a heap, where the line first touches the bed or, from 1 on, at the bed vertex `foot`
     weight : N, of the whole line
+    close : how closely the starts of spans are sought, of their size
     kept : (j, 4) rows of s₀, s₁, T₀, T₁ on the bed at the position before, downwards: the tension that friction keeps
     """
 
@@ -61,6 +62,7 @@ class LineData(NamedTuple):
     heap: float
     foot: int
     weight: float
+    close: float
     kept: np.ndarray
 
 
@@ -71,7 +73,7 @@ def mix(g, row, a, i, b, j):
         g[row, k] = a * g[i, k] + b * g[j, k]
 
 
-@kernel()
+@kernel(inline=True)
 def copy_state(q, at, q0, at0):
     for i in range(q0.size):
         q[i] = q0[i]
@@ -79,13 +81,13 @@ def copy_state(q, at, q0, at0):
         at[i] = at0[i]
 
 
-@kernel()
+@kernel(inline=True)
 def slides_on(line, facet):
     """Whether a line without tension slides down a facet, away from the fairlead; with a history it stays."""
     return math.tan(line.bed[facet, 2]) > line.friction + STEEP and line.kept.shape[0] == 0
 
 
-@kernel()
+@kernel(inline=True)
 def next_stop(line, at):
     """s of the next load or joint below, and whether it is a load; the lowest segment goes on below the anchor."""
     stop, is_load = -np.inf, False
@@ -96,7 +98,7 @@ def next_stop(line, at):
     return stop, is_load
 
 
-@kernel()
+@kernel(inline=True)
 def strain_row(line, segment, tension, falling):
     """Row of the tension table that holds just below (falling) or just above `tension`."""
     row = line.first_row[segment]
@@ -106,7 +108,7 @@ def strain_row(line, segment, tension, falling):
     return row
 
 
-@kernel()
+@kernel(inline=True)
 def record(rows, at, q, ds, rate, weight, row, angle, on_bed, strain_table):
     """Store a piece: kind (0 free, 1 on the bed), s, ds, x, z, H or T, V or rate, w, λ, 1/EA, β."""
     if at[2] < rows.shape[0]:
@@ -179,6 +181,7 @@ def with_heap(line, heap, foot):
         heap,
         foot,
         line.weight,
+        line.close,
         line.kept,
     )
 

@@ -22,10 +22,12 @@ from .traverse import traverse
 # results of a search beside `State`: an equilibrium that is not slack; none found, though in reach; one with a heap
 # at the bed vertex to which the line slides
 SOLVED, LOST, SLIDES = -1, -2, -3
-# of the length, left over at the anchor by a search: those to begin with, and those where these find nothing, which
-# take ten times as long; each begins with the tension of the one before
-COARSE = 1e-3, 1e-6
+# of the length, left over at the anchor by a search: that of a single position to begin with, that where it finds
+# nothing, and those where these find nothing, which take ten times as long
+QUICK, EXACT = (1e-2,), (1e-6,)
+COARSE = (1e-3, *EXACT)
 FINE = (*COARSE, 1e-9, 1e-12, 1e-15)
+CLOSE = 1e-7  # of the starts of spans in the coarsest searches
 
 
 @kernel()
@@ -35,17 +37,18 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
     Where a line slides down to a bed vertex, a lower limit of H is that with which it arrives there without tension.
     returns : H, state; w holds the traversal, or at least in w.count that vertex
     """
-    bottom, start = math.log(line.least), math.log(guess)
-    low, high, f_low, f_high = bottom, math.inf, math.nan, math.nan
-    q, wide, room, foot, passed = bottom, 0.0, 0.0, 0, 0
+    bottom, start = math.log(line.least), math.log(max(guess, line.least))
+    low, high, f_low, f_high = -math.inf, math.inf, math.nan, math.nan
+    q, wide, room, foot, passed, step = start, 0.0, 0.0, 0, 0, 0.25
     # the length may jump where a buoy comes out of the sea: the contacts on either side are tried before the last bit
     narrow = 1e-5 if tolerance >= COARSE[0] else 1e-15
-    for trial in range(200):
-        value = traverse(line, w, math.exp(q), x, z)
-        if trial == 0:
+    for _ in range(200):
+        value = traverse(line, w, math.exp(q) if q > bottom else line.least, x, z)
+        if q <= bottom:
             if value > 0:
                 return line.least, SLACK
-            f_low, q = value, start
+            low, f_low = bottom, value
+            q = math.log(line.weight) if math.isinf(high) else high - min(2.0, 0.5 * (high - low))
             continue
         slid, narrowed = w.count[0] == 0, high - low <= narrow * max(1.0, abs(q))
         near = abs(value) <= tolerance * line.length
@@ -66,9 +69,14 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
         else:
             low, f_low = q, value
         if math.isinf(high):
-            q += 2.0
-            if q > start + 25:
+            q += step
+            step = min(2 * step, 2.0)
+            if q > max(start, math.log(line.weight)) + 25:
                 return math.exp(q), BEYOND_REACH
+        elif math.isinf(low):
+            # slack lines are told by the least tension, which is tried where a little less is not enough
+            q = q - step if step < 1.0 and q - step > bottom else bottom
+            step *= 2
         elif low == bottom:
             # the length left over depends on ln H only near the root: approach it from above
             q -= 2.0 if q - 2.0 > low else 0.5 * (q - low)
@@ -82,7 +90,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
 def solve_positions(line, x, z, guess, capacity, tolerances):
     """Positions (n,) one after another.
 
-    guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `COARSE` or `FINE`
+    guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `QUICK` to `FINE`
     returns : results (n, 11), see `newton.store`; states (n,); pieces, states of the point loads at the last position
     """
     found, status = np.zeros((len(x), 11)), np.full(len(x), LOST)
@@ -104,6 +112,7 @@ def solve_positions(line, x, z, guess, capacity, tolerances):
 def _solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
     """Solve one position and those after it with the same contacts.  returns : the position after them, state"""
     for tolerance in tolerances:
+        line = line._replace(close=CLOSE if tolerance >= COARSE[0] else 0.0)
         guess, state = horizontal_tension(line, w, x[first], z[first], guess, tolerance)
         if state == SLIDES:
             _heap(line, w, w.count[2], guess, x[first], z[first], tolerance)
@@ -113,13 +122,13 @@ def _solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
         slack = state == SLACK and (not line.to_place or w.steps[w.count[0] - 1, 0] == GROUNDED_ANCHOR)
         left = HEAP_AT_ANCHOR if slack else TAUT
         after = continuation(line, w, x, z, first, left, 0.0, pieces, found) if w.count[0] > 0 else first
-        if after == first and slack:
+        if after == first and slack and line.close == 0.0:
             heap = _heap(line, w, np.int64(0), line.least, x[first], z[first], 1e-15)
             if w.count[0] > 0:
                 after = continuation(line, w, x, z, first, HEAP_AT_TOUCHDOWN, heap, pieces, found)
         if after > first:
             return after, SLACK if slack else SOLVED
-        if state == SLACK:  # whatever the tolerance
+        if state == SLACK and line.close == 0.0:  # whatever the tolerance
             break
     return first, LOST
 

@@ -30,7 +30,7 @@ ROUNDING = 1e-12  # of the length: penetration by which a span may seem to begin
 WALK = 10_000  # pieces of one span, far above what a line can have: no walk goes on for ever
 
 
-@kernel()
+@kernel(inline=True)
 def clears(line, q, at, facet):
     """Whether the line, now above `facet`, cannot touch the bed further down."""
     if at[1] >= line.lowest_buoy:
@@ -40,14 +40,14 @@ def clears(line, q, at, facet):
     return q[V] <= q[H] * line.bed[facet, 3] and (line.to_place or q[Z] >= line.bed[0, 1])
 
 
-@kernel()
+@kernel(inline=True)
 def height_over(line, q, facet):
     """Distance of the line from a facet, normal to it, m; negative under it."""
     angle = line.bed[facet, 2]
     return (q[Z] - line.bed[facet, 1]) * math.cos(angle) - (q[X] - line.bed[facet, 0]) * math.sin(angle)
 
 
-@kernel()
+@kernel(inline=True)
 def height_at_end(line, q, facet):
     """Height of the line's end over the bed; before the anchor's place it need not go down into a hollow."""
     value = height_over(line, q, facet)
@@ -63,7 +63,7 @@ def span_to_vertex(q, g, weight, factor, flexibility, x, z):
     return (q[Z] - z) * q[H] / math.hypot(q[H], q[V])
 
 
-@kernel()
+@kernel(inline=True)
 def first_contact(line, q, g, at, facet, states, load_weights):
     """Integrate down a free span to the first facet or vertex that it would penetrate, or to its end or the anchor.
 
@@ -179,27 +179,41 @@ def between(low, high, f_low, f_high, wide, room, least):
 def touching_start(line, origin, q, g, at, facet, low, high, states, load_weights, rows):
     """Start of the span that just touches the bed; from `low` it stays clear, from `high` it penetrates.
 
+    From the fairlead these are where to begin with, and are moved apart until they do.
     q, at : left where it touches.  returns : start, step, index; the step is MISSED where none penetrated
     """
     q0, at0 = q.copy(), at.copy()
-    step, index = MISSED, facet
-    # a span that starts free may touch its own start by rounding
-    f_low = max(try_span(line, origin, q0, at0, facet, low, q, g, at, states, load_weights, rows)[0], 0.0)
+    step, index, wide = MISSED, facet, high - low
+    widenings = 200 if origin == FROM_FAIRLEAD else 0
+    f_low = try_span(line, origin, q0, at0, facet, low, q, g, at, states, load_weights, rows)[0]
+    for _ in range(widenings):
+        if f_low >= 0:
+            break
+        low, wide = low - wide, 2 * wide
+        f_low = try_span(line, origin, q0, at0, facet, low, q, g, at, states, load_weights, rows)[0]
+    f_low = max(f_low, 0.0)  # a span that starts free may touch its own start by rounding
     f_high, found, where = try_span(line, origin, q0, at0, facet, high, q, g, at, states, load_weights, rows)
+    for _ in range(widenings):
+        if f_high < 0:
+            break
+        high = low + 4 * (high - low)
+        f_high, found, where = try_span(line, origin, q0, at0, facet, high, q, g, at, states, load_weights, rows)
     if found != NONE:
         step, index = found, where
-    wide = high - low
+    wide, at_high = high - low, True
     room = 2 * wide
     for _ in range(200):
         least = 4e-16 * (abs(high) + abs(low))
-        if high - low <= 4 * least:
+        if high - low <= max(4 * least, line.close * (abs(high) + abs(low))):
             break
         amount = between(low, high, f_low, f_high, wide, room, least)
         room *= 0.5
         value, found, where = try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weights, rows)
-        if value < 0:
+        at_high = value < 0
+        if at_high:
             high, f_high, step, index = amount, value, found, where
         else:
             low, f_low = amount, value
-    try_span(line, origin, q0, at0, facet, high, q, g, at, states, load_weights, rows)
+    if not at_high:
+        try_span(line, origin, q0, at0, facet, high, q, g, at, states, load_weights, rows)
     return high, step, index

@@ -69,7 +69,7 @@ def touching_span(line, w, origin, facet, low, high):
 
 @kernel()
 def first_span(line, w, facet):
-    """The span from the fairlead, between a V that clears the bed and one that penetrates.  returns : step, index"""
+    """The span from the fairlead, from V about those that clear the bed and that penetrate.  returns : step, index"""
     q = w.q
     slope = (q[Z] - line.bed[0, 1]) / (q[X] - line.bed[0, 0])
     for i in range(1, facet + 1):
@@ -82,15 +82,6 @@ def first_span(line, w, facet):
     low = q[H] * slope - lift
     high = low + lift + q[H] + heaviest * (abs(q[Z] - line.bed[0, 1]) + 1e-3 * line.length)
     low -= 1e-9 * abs(low)
-    wide = high - low
-    for _ in range(200):
-        if gap_of(line, w, FROM_FAIRLEAD, facet, low) >= 0:
-            break
-        low, wide = low - wide, 2 * wide
-    for _ in range(200):
-        if gap_of(line, w, FROM_FAIRLEAD, facet, high) < 0:
-            break
-        high = low + 4 * (high - low)
     return touching_span(line, w, FROM_FAIRLEAD, facet, low, high)
 
 

@@ -96,7 +96,8 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
     unit = _units(system)
     moving, residual = np.zeros(len(unit), bool), np.zeros(len(unit))
     given = _given(system)
-    radius = longest = 0.05 * float(np.median([line.length for line in system.lines]))
+    lengths = sorted(line.length for line in system.lines)
+    radius = longest = 0.05 * float(lengths[len(lengths) // 2])
     load = system.total_load(pose)
     if not np.isfinite(load.force).all():
         a, b = load.points[system.arrays.ends].swapaxes(0, 1)
@@ -126,6 +127,8 @@ def _next_radius(radius, step, before):
 def _units(system):
     """(N,) moments are compared as forces at the outermost fairlead of the body."""
     unit = np.ones(6 * len(system.bodies) + 3 * len(system.free_points))
+    if not system.bodies:
+        return unit
     arms = np.sqrt((system.arrays.position**2).sum(axis=1))
     for i in range(len(system.bodies)):
         unit[6 * i + 3 : 6 * i + 6] = arms[system.arrays.owner == i].max(initial=1.0)

@@ -602,3 +602,24 @@ def test_a_body_hung_at_its_center_turns_freely_and_passes_on_what_a_point_of_it
     K = stiffness(Fairlead("J", "clump", (0.0, 0.0, 0.0)), body)
     expected = stiffness(FreePoint("J", place, mass=weight / 9.80665))
     assert np.abs(K - expected).max() < 1e-6 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("skew", [0.0, 0.2])
+def test_a_step_solves_the_stiffness_or_is_as_long_as_allowed(skew):
+    """(K + m) s = r with m = 0 where that is short enough; a matrix that gives way is refused."""
+    from mooring.lines.system.steps import FOUND, INDEFINITE, step_within
+
+    rng, n = np.random.default_rng(4), 9
+    band = np.tril(rng.normal(size=(n, n))) * (np.abs(np.subtract.outer(range(n), range(n))) < 3)
+    K = band @ band.T + 0.1 * np.eye(n) + skew * (band - band.T)
+    unit, moving, r, step = rng.uniform(0.5, 2, n), np.arange(n) != 5, rng.normal(size=n), np.ones(n)
+    inner = (K / np.outer(unit, unit))[np.ix_(moving, moving)]
+    newton = np.linalg.solve(inner, r[moving])
+    assert step_within(K, r, unit, moving, 1e9, step) == FOUND
+    assert np.allclose(step[moving], newton) and step[5] == 0
+    radius = 0.1 * np.linalg.norm(newton)
+    assert step_within(K, r, unit, moving, radius, step) == FOUND
+    assert radius <= np.linalg.norm(step) <= 1.02 * radius
+    raised = r[moving] - 0.5 * (inner + inner.T) @ step[moving]
+    assert np.allclose(raised / step[moving], (raised @ step[moving]) / (step @ step), rtol=1e-8)  # m s
+    assert step_within(K - 2 * np.trace(K) * np.eye(n), r, unit, moving, radius, step) == INDEFINITE

@@ -19,7 +19,7 @@ from bem.kernels.jit import kernel
 from .books import BED, FRICTION
 
 
-@kernel()
+@kernel(inline=True)
 def plane_at(s, x, y):
     """Normal and level of the plane that touches the bed at (x, y), and how n turns along the course.
 
@@ -39,7 +39,7 @@ def plane_at(s, x, y):
     return n, n[0] * x + n[1] * y + up * f, bend * up * up * up
 
 
-@kernel()
+@kernel(inline=True)
 def bearing(k, thickness, p):
     """Bed reaction without damping, its derivative and its energy at penetration p."""
     if p <= 0.0:
@@ -49,7 +49,7 @@ def bearing(k, thickness, p):
     return k * (p - 0.5 * thickness), k, 0.5 * k * (p * p - p * thickness + thickness * thickness / 3.0)
 
 
-@kernel()
+@kernel(inline=True)
 def slipped(n, x, y, z, limit):
     """Part of a displacement (x, y, z) along the bed, at most `limit` long, and the factor that cut it, ≤ 1."""
     up = n[0] * x + n[1] * y + n[2] * z
@@ -101,7 +101,7 @@ def bed_forces(s, q, v, slip, since, cq, cv, r, D, power):
                 D[j, i, 1] -= cq * N * turn * turned[i] * cy
 
 
-@kernel()
+@kernel(inline=True)
 def pressing(s, j, q, v):
     """N, reaction of the bed on node j, its damping included; 0 above the bed"""
     h = s.bed_thickness[j]

@@ -11,7 +11,7 @@ from __future__ import annotations
 from bem.kernels.jit import kernel
 
 
-@kernel()
+@kernel(inline=True)
 def invert(a):
     """Inverse of a (3, 3) matrix, in place."""
     a00, a01, a02 = a[0, 0], a[0, 1], a[0, 2]

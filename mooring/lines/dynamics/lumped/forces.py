@@ -26,7 +26,7 @@ from .bed import bed_energy, bed_forces
 from .books import DRAG, INERTIA, STRUCTURE, WORK
 
 
-@kernel()
+@kernel(inline=True)
 def elongation_row(s, e, strain):
     """Row of s.elongation that holds at a strain of element e."""
     row = s.elongation_rows[e, 0]
@@ -35,7 +35,7 @@ def elongation_row(s, e, strain):
     return row
 
 
-@kernel()
+@kernel(inline=True)
 def tension(s, e, strain, rate):
     """Tension of element e, its elastic part, ∂T/∂ε and ∂T/∂ε̇."""
     if strain <= 0.0:

@@ -73,27 +73,50 @@ def add(y, f, x):
             y[j, i] += f * x[j, i]
 
 
-@kernel()
-def change(s, q, x, scale):
-    """Largest change of any element's tension (N) and of any node's position (m) by displacements ± scale · x.
+@kernel(inline=True)
+def element_change(s, q, x, scale, e):
+    """Change of the tension of element e (N) and of the position of its upper node (m) by displacements ± scale · x.
 
     A slack element has no tension to change until it is taut.
     """
+    axial, length, moved = 0.0, 0.0, 0.0
+    for i in range(3):
+        d = q[e + 1, i] - q[e, i]
+        axial += d * (x[e + 1, i] - x[e, i])
+        length += d * d
+        moved += x[e + 1, i] ** 2
+    length = math.sqrt(length)
+    slack = max(0.0, s.length[e] - length)
+    tension = s.stiffness[e] / s.length[e] * max(0.0, abs(axial) * scale / length - slack)
+    return tension, scale * math.sqrt(moved)
+
+
+@kernel()
+def change(s, q, x, scale):
+    """Largest change of any element's tension (N) and of any node's position (m), and the element of the one."""
     tension, distance, worst = 0.0, 0.0, 0
     for e in range(s.length.size):
-        axial, length, moved = 0.0, 0.0, 0.0
-        for i in range(3):
-            d = q[e + 1, i] - q[e, i]
-            axial += d * (x[e + 1, i] - x[e, i])
-            length += d * d
-            moved += x[e + 1, i] ** 2
-        length = math.sqrt(length)
-        slack = max(0.0, s.length[e] - length)
-        here = s.stiffness[e] / s.length[e] * max(0.0, abs(axial) * scale / length - slack)
+        here, moved = element_change(s, q, x, scale, e)
         if not here <= tension:
             tension, worst = here, e
-        distance = max(distance, scale * math.sqrt(moved))
+        distance = max(distance, moved)
     return tension, distance, worst
+
+
+@kernel()
+def spread(s, q, x):
+    """The same with the change of tension at either end, or the root mean square of all where that is larger."""
+    total, ends, distance, largest, worst, last = 0.0, 0.0, 0.0, 0.0, 0, s.length.size - 1
+    for e in range(last + 1):
+        here, moved = element_change(s, q, x, 1.0, e)
+        total += here * here
+        if not here <= largest:
+            largest, worst = here, e
+        if e == 0 or e == last:
+            ends = max(ends, here)
+        distance = max(distance, moved)
+    mean = math.sqrt(total / (last + 1))
+    return ends if mean <= ends else mean, distance, worst  # nan stays
 
 
 @kernel()
