@@ -329,7 +329,7 @@ def _solve(file, body, flags, run):
 def _run(scene, output, flags):
     from bem.database import open_database
 
-    from .solve.work import executor_of
+    from .executors.choice import executor_of
 
     console, executor = new_console(), executor_of(flags.executor)
     from .solve import run

@@ -22,8 +22,7 @@ STYLES = {
 def draw(path, rows, note):
     """Draw the rows that have an error to `path`; several threads are dashed and open.  `note` stands below."""
     import matplotlib
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     shown = [row for row in rows if row.cache == "full" and not row.note]
     cases = [case for case in CASES.values() if any(row.case == case.name for row in shown)]

@@ -117,7 +117,8 @@ def write_course(path, course):
 
 def draw(approach, course, path):
     """Forces and deflections of the fenders, energies, over time"""
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
+
     from ..common.picture import save
 
     figure = Figure(figsize=(8.0, 8.0), layout="constrained")

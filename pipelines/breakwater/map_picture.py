@@ -10,8 +10,7 @@ from ..common.picture import save
 def draw_map(path, name, lee):
     """Write the map of a `Lee`: waves come from below"""
     import matplotlib
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     with matplotlib.rc_context({"font.size": 9, "svg.fonttype": "none"}):
         figure = Figure(figsize=(9, 8), layout="constrained")

@@ -13,8 +13,7 @@ COLORS = {"fixed": "k", "free": "C2", "taut": "C0", "elastic": "C1"}
 def draw(path, breakwater, found, measured):
     """Write the picture of Results; measured : columns of `measured`, or None"""
     import matplotlib
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     held = [curve for curve in found.curves if np.isfinite(curve.response.front).all()]
     with matplotlib.rc_context({"font.size": 9, "svg.fonttype": "none"}):

@@ -118,7 +118,8 @@ def _warn_of_rest(off, what, kind):
 
 
 def _draw(path, time, measured, fitted, label):
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
+
     from ..common.picture import save
 
     figure = Figure(figsize=(9.0, 4.5), layout="constrained")

@@ -21,8 +21,8 @@ def design(
     Status 1 where a criterion is not met, is not judged, or a case could not be run.
     """
     from ..common.outputs import check_folder
+    from ..executors.choice import executor_of
     from ..printing.console import new_console
-    from ..solve.work import executor_of
     from .project import read_project
 
     console, read = new_console(), read_project(project)

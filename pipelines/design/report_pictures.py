@@ -53,8 +53,8 @@ def use_picture(verdict, folder):
 
     def draw(path):
         from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
 
-        from ..common.figures import Figure
         from ..common.picture import save
 
         figure = Figure(figsize=(9, 0.8 + 0.34 * len(judged)), layout="constrained")

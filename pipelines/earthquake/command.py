@@ -196,7 +196,7 @@ def _write(path, quake, run):
 
 def _draw(quake, run, stiffness, path):
     """Normalised reaction over the period; with a record, body, ground and reaction over time"""
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8.0, 4.5 if run is None else 9.0), layout="constrained")
     axes = np.atleast_1d(figure.subplots(1 if run is None else 3))

@@ -115,7 +115,7 @@ def _tell(pair, bands, at):
 
 
 def _draw(pair, bands, at, straight, output):
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     axis = figure.add_subplot()

@@ -16,7 +16,7 @@ def draw_run(path, name, line, course, result, found, breaking):
 
     line : DynamicLine; course : Course; result : Result; found : Figures; breaking : N, or inf
     """
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(13, 9.5), layout="constrained")
     grid = figure.add_gridspec(3, SHAPES // 2, height_ratios=(1.6, 1, 1))

@@ -216,7 +216,7 @@ def tension_curve(one, points=120):
 
 
 def _draw(one, span, found, output):
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(12, 4.6), layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(3, 2))

@@ -15,8 +15,7 @@ def draw_system(state, path, curves=(), losses=None):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     rows = 1 + bool(curves or losses)
     figure = Figure(figsize=(13, 6.0 * rows), layout="constrained")
@@ -86,7 +85,7 @@ def draw_frames(time, nodes, path, count=12):
 
     time : (f,) s; nodes : (f, k, 3) m
     """
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     plane = line_plane(nodes)
     if path.suffix.lower() == ".gif":
@@ -119,8 +118,7 @@ def line_plane(nodes):
 def _film(time, plane, path):
     from matplotlib.animation import FuncAnimation, PillowWriter
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8, 4), layout="constrained")
     FigureCanvasAgg(figure)

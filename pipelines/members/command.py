@@ -142,7 +142,7 @@ def _largest(force, phases):
 
 
 def _draw(courses, phases, path):
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     axis = figure.add_subplot()

@@ -11,8 +11,7 @@ from .report import MODES, NAMES, levels, newman
 def draw(forces, db, floats, path):
     """Write the picture of the heading with the largest force to `path`; returns the matplotlib figure"""
     import matplotlib
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     diagonal = np.arange(len(forces.headings))
     size = np.nanmax(np.abs(forces.total[:, :, diagonal, diagonal][..., MODES]), axis=(0, 1))  # (m, 3)

@@ -16,8 +16,7 @@ COLUMNS = 3
 def draw(result, path):
     """Write the picture of a SeaState or a Climate to `path`; returns the matplotlib figure."""
     import matplotlib
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     climate = hasattr(result, "probability")
     panels = [*_panels(result)] if climate else ["waves", *_panels(result), *(["drift"] if result.slow else [])]

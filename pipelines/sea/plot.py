@@ -13,8 +13,7 @@ SHOWN = 600.0  # s of the record that are drawn large enough to be read
 def draw(found, path):
     """Write the picture of Findings to `path`; returns the matplotlib figure."""
     import matplotlib
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     rows = 1 if found.record is None else 3
     with matplotlib.rc_context({"font.size": 9, "svg.fonttype": "none"}):

@@ -206,7 +206,7 @@ def quay_statements(rows, open_rows):
 
 def _draw(rows, floater, path, where):
     """Strain and limit over the number of fenders, a panel for each depth"""
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     depths = DEPTHS[floater]
     figure = Figure(figsize=(4.0 * len(depths), 8.0), layout="constrained")

@@ -171,7 +171,7 @@ def table_text(made):
 
 
 def _draw(made, path):
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(15.0, 10.0), layout="constrained")
     for axes, chart in zip(figure.subplots(2, 3).ravel(), made, strict=True):

@@ -88,8 +88,7 @@ def _slow(results, path):
 
 def _figure(count):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     rows = 2 if count > 3 else 1
     columns = -(-count // rows)

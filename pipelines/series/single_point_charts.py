@@ -32,8 +32,7 @@ CHARTS = (  # over a column, of cases that agree in the others, and how these ar
 def draw(results, folder):
     """Charts of tension over depth, weather and direction of the current, and computed beside printed; their paths"""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     paths = []
     for floater in sorted({one.case.floater for one in results}):

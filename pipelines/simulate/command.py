@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from ..common.quantities import StudyError
+from ..executors.choice import executor_of
 from ..moor.gusts import gusts_of
 from ..moor.quay import body_of
 from ..moor.study import read_study
-from ..solve.work import executor_of
 from . import berth, report
 from .file import opened, whole_rows
 from .methods import methods_table

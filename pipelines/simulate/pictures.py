@@ -32,8 +32,7 @@ def draw(file, output):
 
 def _figure(rows, columns, size, **more):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="constrained")
     FigureCanvasAgg(figure)

@@ -17,8 +17,8 @@ from mooring.motion.statistics import expected_extreme, over_runs
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
 from ..common.progress import duration as words_of
+from ..executors.choice import Here, in_order
 from ..moor.study import read_study
-from ..solve.work import Here, in_order
 from .berth import check_windows, natural_periods
 from .file import (
     STATISTICS,

@@ -107,8 +107,7 @@ def _values(where, axis):
 def draw(found: Map, path: Path):
     """Growth over one number as a curve, over two as colours with the boundary of slewing"""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8, 6), layout="constrained")
     FigureCanvasAgg(figure)

@@ -12,8 +12,7 @@ from .report import preferred
 def draw_plan(study, point, found, path):
     """Write the plan of all Equilibrium of a study as a picture; lines are those of the preferred one."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9, 8), layout="constrained")
     FigureCanvasAgg(figure)

@@ -221,8 +221,8 @@ def datasets(run: Run):
 def draw(study, run: Run, path):
     """Heading, tensions and the track of a run"""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
 
-    from ..common.figures import Figure
     from ..common.picture import save
     from .pictures import draw_hull, draw_lines
 

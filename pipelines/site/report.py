@@ -97,8 +97,8 @@ def _climate(values):
 def draw_contour(path, values):
     """The scatter and contours of one year, ten years and the return period"""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
 
-    from ..common.figures import Figure
     from ..common.picture import save
 
     one, figure = values.climate, Figure(figsize=(7, 4.6), layout="constrained")
@@ -133,8 +133,8 @@ def _fit(name, extreme, years):
 def draw_paper(path, name, extreme, years):
     """Maxima and their law on Gumbel's probability paper, with the interval of the return value"""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
 
-    from ..common.figures import Figure
     from ..common.picture import save
 
     fit, figure = extreme.fit, Figure(figsize=(7, 4.2), layout="constrained")

@@ -19,11 +19,12 @@ from bem.kernels.progress import progress_callback
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_ending
 from ..common.progress import Preparing, Progress, times
+from ..executors.choice import Here, in_order
 from ..printing.timing import KERNELS, phase, share, spent
 from .adaptive import filled_band
 from .large import Telling, announced
 from .plan import KOCHIN, planned, resumed
-from .work import Here, in_order, limit_one, solve_one
+from .work import limit_one, solve_one
 
 EVERY = 0.5  # s: what is solved meanwhile is stored together, and what a kill can take
 

@@ -27,7 +27,7 @@ def stress(
     Finite, reciprocal, energy kept and damping not negative within the stored estimated error; one scene in twenty
     again with every parameter moved a little, and one as a mesh rotated and shifted.  Status 1 if one fails.
     """
-    from ..solve.work import executor_of
+    from ..executors.choice import executor_of
     from .run import SECONDS, run
 
     count, start, number = whole_number("scenes", scenes, 1), whole_number("seed", seed), whole_number("first", first)

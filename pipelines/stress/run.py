@@ -10,7 +10,7 @@ from ..common.bounds import told
 from ..common.interrupt import ctrl_c
 from ..common.outputs import check_output
 from ..common.progress import duration
-from ..solve.work import Here
+from ..executors.choice import Here
 from .campaign import row_of
 from .table import Writer, is_table, summary
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 from ..common.outputs import DATABASE, check_output
-from ..solve.work import executor_of
+from ..executors.choice import executor_of
 from . import run
 from .file import is_sweep
 from .study import read_sweep

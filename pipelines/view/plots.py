@@ -86,8 +86,7 @@ def plot(db, output, size=SIZE):
     Raises DatabaseError if it holds nothing that can be drawn.
     """
     import matplotlib
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
     if not rows or not len(db.omega):

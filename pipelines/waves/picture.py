@@ -14,8 +14,7 @@ LEVELS = 0.1
 def draw(path, name, found):
     """Write the two maps of a `Map`."""
     import matplotlib
-
-    from ..common.figures import Figure
+    from matplotlib.figure import Figure
 
     around = found.around
     height, moment = np.abs(found.elevation), found.elevation.real

@@ -25,8 +25,8 @@ from moored_in_time import databases
 from scipy import stats
 
 from mooring.criteria.fatigue import Curve, dirlik, miner, narrow_band, rainflow_cycles
+from pipelines.executors.choice import Here
 from pipelines.simulate.run import simulate
-from pipelines.solve.work import Here
 
 TAUT = {"catalogue": "polyester 200 mm"}
 WEATHER = {  # m/s of wind, knots of current, m and s of the waves

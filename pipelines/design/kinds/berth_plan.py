@@ -20,8 +20,8 @@ def draw_berth(made, db, numbers, path):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
 
-    from ...common.figures import Figure
     from ...common.picture import save
 
     hull = made.hull_of(db.dimensions)

@@ -92,8 +92,8 @@ def cycles_of(tension, step):
 def _run(study, database, path):
     from bem.database.integrity import DatabaseError
 
+    from ...executors.choice import Here
     from ...simulate.run import simulate
-    from ...solve.work import Here
 
     try:
         return simulate(study, database, path, None, Here())

@@ -160,8 +160,7 @@ class _figure:
 
     def __init__(self, path, rows, columns, size, title):
         import matplotlib
-
-        from ...common.figures import Figure
+        from matplotlib.figure import Figure
 
         self.path = path
         self.style = matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"})

@@ -25,11 +25,11 @@ from pipelines.design.kinds.needs import SCOPE
 from pipelines.design.project import read_project
 from pipelines.design.report_words import advice_words, warnings
 from pipelines.design.verdict import judged_project
+from pipelines.executors.choice import Here
 from pipelines.moor.command import studied
 from pipelines.moor.study import make_study
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
-from pipelines.solve.work import Here
 
 SCENE = {
     "water": {"depth": 20.0},

@@ -16,7 +16,7 @@ from bem.time_domain.memory import Memory, MemoryArrays
 from pipelines.common.quantities import StudyError
 from pipelines.design.command import made
 from pipelines.design.project import read_project
-from pipelines.solve.work import Here
+from pipelines.executors.choice import Here
 
 SCENES = Path(pipelines.__file__).parent / "scenes"
 COARSE = {"periods": [6.0, 8.0, 11.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 135.0, 180.0]}

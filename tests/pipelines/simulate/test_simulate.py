@@ -25,6 +25,7 @@ from mooring.motion.simulation import Realisation
 from pipelines.cli import main
 from pipelines.common.quantities import StudyError
 from pipelines.common.units import KGF
+from pipelines.executors.choice import Here
 from pipelines.films.of_run import film_of_run, surface
 from pipelines.moor.study import make_study, read_study
 from pipelines.simulate import run as runs
@@ -32,7 +33,6 @@ from pipelines.simulate import work
 from pipelines.simulate.file import opened, whole_rows
 from pipelines.simulate.pictures import draw, spectrum
 from pipelines.simulate.study import plan_of
-from pipelines.solve.work import Here
 
 MOOR = Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml"
 TABLE = "\n[simulation]\nduration = 600.0\nramp = 50.0\nseeds = 3\nkeep_series = 2\n"

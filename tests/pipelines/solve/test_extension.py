@@ -5,9 +5,10 @@ import pytest
 
 from bem.database import open_database
 from bem.database.schema import LIMITS, ONLY_BY_NAME, QUANTITIES
+from pipelines.executors.choice import Here
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
-from pipelines.solve.work import Here, solve_one
+from pipelines.solve.work import solve_one
 
 RADIATION = frozenset({"added_mass", "radiation_damping"})
 FORCES = frozenset({"Froude_Krylov_force", "diffraction_force", "excitation_force"})

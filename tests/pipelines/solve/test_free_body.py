@@ -5,9 +5,9 @@ import pytest
 
 from bem.database import open_database, storing
 from bem.database.schema import BODY, QUANTITIES
+from pipelines.executors.choice import Here
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
-from pipelines.solve.work import Here
 
 LIGHT = {"gyration": [6.0, 12.0, 13.0]}
 HEAVY = {"gyration": [7.0, 11.0, 14.0], "mass": 3.9e6, "center_of_gravity": [0.5, -0.25, 1.5], "trimmed": True}

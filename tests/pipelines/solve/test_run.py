@@ -9,9 +9,10 @@ import pytest
 
 from bem.database import open_database, pending
 from bem.database.schema import QUANTITIES
+from pipelines.executors.choice import executor_of
 from pipelines.scene.scene import make_scene
 from pipelines.solve.run import solve
-from pipelines.solve.work import executor_of, solve_one
+from pipelines.solve.work import solve_one
 
 
 def scene(**changes):

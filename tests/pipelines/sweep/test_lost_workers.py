@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from pipelines import cli
-from pipelines.solve import work
-from pipelines.solve.processes import Processes
+from pipelines.executors import choice
+from pipelines.executors.processes import Processes
 from pipelines.sweep import file, run
 
 SCENE = """panels = 60
@@ -89,7 +89,7 @@ def test_a_killed_process_is_told_of_and_its_cases_are_done_by_the_next_run(fold
 
 def test_dask_does_the_work_of_a_killed_worker_again(folder, monkeypatch):
     pytest.importorskip("distributed")
-    made = work.executor_of("dask:2")
+    made = choice.executor_of("dask:2")
     monkeypatch.setattr("pipelines.sweep.command.executor_of", lambda text: made)
     killed = kill_at_first_result(monkeypatch, lambda: list(made._client.run(os.getpid).values()))
     assert cli.main(["sweep", str(folder / "sweep.toml"), "--output", str(folder / "dask.h5")]) == 0 and killed
@@ -101,7 +101,7 @@ def test_dask_does_the_work_of_a_killed_worker_again(folder, monkeypatch):
 )
 def test_other_executors_are_refused(text):
     with pytest.raises(ValueError, match="allowed: local, processes:N, dask:N"):
-        work.executor_of(text)
+        choice.executor_of(text)
 
 
 def test_a_scheduler_that_is_not_there_is_named(monkeypatch):
@@ -109,4 +109,4 @@ def test_a_scheduler_that_is_not_there_is_named(monkeypatch):
     pytest.importorskip("dask_jobqueue")
     monkeypatch.setenv("PATH", "")
     with pytest.raises(ValueError, match="there is no sbatch here"):
-        work.executor_of("slurm:4")
+        choice.executor_of("slurm:4")

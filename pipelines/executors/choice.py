@@ -1,0 +1,58 @@
+"""Which executor a text asks for, the one that works in its caller's process, and results in order."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+
+EXECUTORS = "local, processes:N, dask:N, dask://host:port or slurm:N"
+MOST = {"processes": 256, "dask": 256, "slurm": 10_000}
+
+
+class Here:
+    """An executor without processes: the work is done in the call of `submit`."""
+
+    count = 1
+
+    def submit(self, function, *arguments):
+        """A future that is already done.  KeyboardInterrupt passes through."""
+        future = Future()
+        try:
+            future.set_result(function(*arguments))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+    def shutdown(self, wait=True, cancel_futures=False):
+        """Nothing to do; here for the interface."""
+
+
+def in_order(executor, calls):
+    """Yield the result of each (function, *arguments), or its exception; an executor with processes works ahead."""
+    futures = (executor.submit(*call) for call in calls)
+    if not isinstance(executor, Here):
+        futures = list(futures)
+    for future in futures:
+        try:
+            yield future.result()
+        except Exception as error:
+            yield error
+
+
+def executor_of(text):
+    """`local`, `processes:N`, each with its share of the cores, or what `cluster` has.  Raises ValueError."""
+    kind, _, rest = text.partition(":")
+    if text == "local":
+        return Here()
+    if kind == "dask" and rest.startswith("//") and len(rest) > 2:
+        from .cluster import there
+
+        return there(text, rest[2:])
+    if kind not in ("processes", "dask", "slurm") or not rest.isdigit() or not 1 <= int(rest) <= MOST[kind]:
+        raise ValueError(f"executor is {text!r}; allowed: {EXECUTORS}, N from 1 to 256, of slurm to 10000")
+    if kind == "processes":
+        from .processes import Processes
+
+        return Processes(int(rest))
+    from . import cluster
+
+    return {"dask": cluster.here, "slurm": cluster.slurm}[kind](text, int(rest))
