@@ -142,7 +142,7 @@ class BuoyWork(NamedTuple):
     sums: np.ndarray
     place: np.ndarray
     water: np.ndarray
-    quintic: np.ndarray
+    weights: np.ndarray
     pose: np.ndarray
     R: np.ndarray
     force: np.ndarray
@@ -318,7 +318,7 @@ def buoy_rates(buoy, work, y, place, R, at, share, waves, rate):
     R (3, 3) : attitude of the body; at : place in the window, in steps of it; returns whether all lines have a force
     """
     if work.window.shape[1] > 1:
-        between_samples(work.window, at, work.quintic, work.water)
+        between_samples(work.window, at, work.weights, work.water)
     work.pose[:3] = place[:3]
     good = line_loads(buoy.lines, work.lines, work.pose, work.R, work.force)
     hawsers(buoy, work, y, place, R)

@@ -29,7 +29,6 @@ from .moving_lines.packed import moving_work, state_pull
 from .moving_lines.prepare import moving_of
 from .moving_lines.trial import beside_static
 from .streams import calm, current_stream, gust_at, stream_of, turning_drag, wind_stream
-from .tables.hull_water import no_hull_water
 from .wave_loads import WaveForces, drift_of, no_waves, wave_forces, wave_table, waves_of
 
 STEPS_AT_ONCE = 2000  # between reports of progress
@@ -182,7 +181,7 @@ def simulate(moored, weather, settings, seed=0, progress=None):
         table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
     end = settings.ramp + settings.duration
     wind, current, drag = _streams(moored, weather, seed, end, findings)
-    hull = no_hull_water() if weather.on_hull is None else weather.on_hull.water
+    hull = None if weather.on_hull is None else weather.on_hull.water
     moving = moving_of(moored, settings)
     findings += _coarse(moored, settings, moving)
     lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
