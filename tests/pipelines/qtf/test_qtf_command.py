@@ -6,6 +6,7 @@ import shutil
 
 import numpy as np
 import pytest
+from chain_study import chain_study
 
 from bem.database import open_database
 from bem.second_order import difference_forces, first_order_waves
@@ -126,26 +127,9 @@ def test_a_vertical_cylinder_has_them_by_contour_and_on_panels_when_asked(tmp_pa
     assert abs(found["panel"][0] / found["contour"][0] - 1) < 0.02
 
 
-MOORING = """
-[water]
-depth = 20.0
-[hull]
-freeboard = 10.0
-[types.chain]
-weight_kg_per_m = 406.0
-axial_stiffness_tonf = 221700.0
-breaking_load_tonf = 1700.0
-[[spreads]]
-type = "chain"
-length = 260.0
-corner_headings_deg = [30, 60]
-pretension_tonf = 40.0
-"""
-
-
 def test_a_body_on_its_lines_has_forces_of_its_own(path, tmp_path, capsys):
     other, study = shutil.copy(path, tmp_path / "box.h5"), tmp_path / "moor.toml"
-    study.write_text(MOORING)
+    study.write_text(chain_study([30, 60]))
     question = ["--omega", "0.3:0.9:5", "--heading", "180", "--difference", "0.15"]
     words = ["qtf", str(other), *question, "--moored", str(study)]
     assert main(words) == 0

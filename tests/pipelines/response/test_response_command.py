@@ -8,6 +8,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from chain_study import chain_study
 
 import pipelines
 from bem.database import open_database
@@ -277,21 +278,7 @@ def test_water_under_the_keel_is_that_of_tide_and_draft(folder, capsys):
     assert "there is -0.1 m of water at rest, depth 20, tide -9.6, extra draft 0.5 m" in capsys.readouterr().err
 
 
-MOORING = """
-[water]
-depth = 20.0
-[hull]
-freeboard = 10.0
-[types.chain]
-weight_kg_per_m = 406.0
-axial_stiffness_tonf = 221700.0
-breaking_load_tonf = 1700.0
-[[spreads]]
-type = "chain"
-length = 260.0
-corner_headings_deg = [30, 60]
-pretension_tonf = 40.0
-[wind]
+MOORING = f"""{chain_study([30, 60])}[wind]
 speed = 20.0
 incidence_deg = 180.0
 gusts = "davenport"
