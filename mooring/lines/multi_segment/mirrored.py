@@ -1,4 +1,4 @@
-"""A line that slides past the foot of its fairlead, down a bed that falls from its anchor: seen mirrored, the bed rises.
+"""A line that slides past the foot of its fairlead, down a bed that falls from its anchor: mirrored, that bed rises.
 
 On a facet that falls from the anchor more steeply than friction holds, what is more than the line needs slides down
 and hangs in a bight farther down than the fairlead; both of its legs pull the line's ends there, so that H < 0 at the
