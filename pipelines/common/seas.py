@@ -4,9 +4,31 @@ from __future__ import annotations
 
 import math
 
-from .quantities import StudyError
+from .quantities import StudyError, Table, direction, positive
 
 SPREADINGS = "cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES"
+
+
+class SeaTable(Table):
+    """A further sea beside [waves], as swell
+
+    height : m, significant
+    period : s, mean
+    """
+
+    height: float
+    period: float
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    spectrum: str = "issc"
+    gamma: float | None = None
+    spreading: str | None = None
+
+    def sea(self, where, depth):
+        """The Sea in water of `depth` m.  Raises StudyError."""
+        positive(f"{where}.height", self.height)
+        positive(f"{where}.period", self.period)
+        return sea_of(where, self, direction(where, self), depth)
 
 
 def family_of(where, table, depth):
@@ -19,6 +41,17 @@ def family_of(where, table, depth):
     if table.gamma is not None and table.spectrum not in PEAKED:
         raise StudyError(f"{where}.gamma is given for {table.spectrum}; allowed: with {', '.join(PEAKED)}")
     return known[table.spectrum]
+
+
+def sea_of(where, waves, towards, depth):
+    """The Sea of a table with the keys of a SeaTable that travels towards a direction, rad, in `depth` m.
+
+    Raises StudyError.
+    """
+    from mooring.environment.sea import Sea
+
+    spectrum = family_of(where, waves, depth)(waves.height, mean_period=waves.period, **shape_of(waves))
+    return Sea(spectrum, towards, spreading_of(where, waves, spectrum))
 
 
 def shape_of(table):

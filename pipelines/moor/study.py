@@ -16,7 +16,6 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from mooring.environment.sea import Sea
 from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
 from mooring.loads.box_drag import drag_table
 from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
@@ -25,7 +24,7 @@ from mooring.studies.wave_effects import METHODS
 from ..common.line_tables import LineTable, TypeTable, hawser_at_tension, line_of
 from ..common.quantities import StudyError, Table, below, direction, force, positive, speed, water_depth
 from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
-from ..common.seas import family_of, shape_of, spreading_of
+from ..common.seas import SeaTable, sea_of
 from ..common.typed import typed
 from ..site.link import SiteLink, read_study_at_site
 
@@ -175,28 +174,6 @@ class GivenForceTable(Table):
     """
 
     file: str
-
-
-class SeaTable(Table):
-    """A further sea beside [waves], as swell
-
-    height : m, significant
-    period : s, mean
-    """
-
-    height: float
-    period: float
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
-    spectrum: str = "issc"
-    gamma: float | None = None
-    spreading: str | None = None
-
-    def sea(self, where, depth):
-        """The Sea in water of `depth` m.  Raises StudyError."""
-        positive(f"{where}.height", self.height)
-        positive(f"{where}.period", self.period)
-        return sea_of(where, self, direction(where, self), depth)
 
 
 class RecordTable(Table):
@@ -411,12 +388,6 @@ class Study(Table):
 
     def _straight(self, table):
         return table.type in self.types and self.types[table.type].straight
-
-
-def sea_of(where, waves, towards, depth):
-    """The Sea of a WavesTable or SeaTable that travels towards a direction, rad, in `depth` m.  Raises StudyError."""
-    spectrum = family_of(where, waves, depth)(waves.height, mean_period=waves.period, **shape_of(waves))
-    return Sea(spectrum, towards, spreading_of(where, waves, spectrum))
 
 
 def read_study(path):

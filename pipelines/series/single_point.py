@@ -18,8 +18,8 @@ from mooring.single_point.scope import length_without_uplift, peak, significant
 
 from ..common.outputs import check_folder, check_output, opening
 from ..common.quantities import StudyError
+from ..common.seas import sea_of
 from ..common.units import TONF
-from ..moor.study import sea_of
 from ..single_point.report import preferred
 from ..single_point.running import run
 from ..single_point.study import make

@@ -31,9 +31,10 @@ from mooring.single_point.stored import mean_drift
 from mooring.studies.conditions import ExposedBox
 
 from ..common.quantities import StudyError, direction, positive, speed
+from ..common.seas import sea_of
 from ..common.units import TONF
 from ..moor.gusts import gusts_of
-from ..moor.study import coefficients_of, sea_of
+from ..moor.study import coefficients_of
 
 MIDDLE = (0.0, 0.0)
 ONE_OF = "allowed: one of turning, coefficients, file"
