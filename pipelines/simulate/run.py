@@ -42,7 +42,10 @@ AFTER = 10.0  # s between lines of a long run
 
 @dataclass(frozen=True)
 class Outcome:
-    """made : seeds of this run; there : whole rows; total : seeds asked for; failures : (seed, reason)"""
+    """made : seeds of this run; there : whole rows; total : seeds asked for; failures : (seed, reason)
+
+    interrupted : by Ctrl-C, also where it came in the last of them: what was to follow is not wanted either
+    """
 
     made: int
     there: int
@@ -252,7 +255,7 @@ def _fill(file, task, plan, console, executor, findings):
                     put(file, row, result)
                     made += 1
                 progress.step(seed, result)
-                if stop.asked and row != rows[-1]:
+                if stop.asked:
                     raise KeyboardInterrupt
         except KeyboardInterrupt:
             interrupted = True
