@@ -84,7 +84,13 @@ def _mass(study, db, density):
 
 def _hawsers(study, center):
     """Ends (k, 2) m from the centre of mass, and lengths (k,) m"""
-    at = np.array([study.attachment.x, study.attachment.y]) - center
+    a, hull = study.attachment, study.hull
+    for name, place, size in (("x", a.x, hull.length), ("y", a.y, hull.beam)):
+        if not abs(place) <= size:
+            raise StudyError(
+                f"attachment.{name} is {place:g} m; allowed: -{size:g} to {size:g}, the hull and around it"
+            )
+    at = np.array([a.x, a.y]) - center
     if study.hawser is None:
         return at[None], np.zeros(1)
     h = study.hawser

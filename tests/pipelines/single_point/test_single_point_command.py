@@ -52,6 +52,7 @@ def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeyp
         ("drift_tonf_per_m2 = 4.988", "", "their drift is not known"),
         ("[mass]\nadded_surge = 0.1\nadded_sway = 0.6\nadded_yaw = 0.4\n", "", "mass is missing"),
         ("[attachment]\nx = 50.0", "[attachment]\nw = 50.0", "attachment.w is unknown"),
+        ("[attachment]\nx = 50.0", "[attachment]\nx = 5e4", "attachment.x is 50000 m; allowed: -100 to 100"),
         ("speed = 25.0", "speed = 9e4", "the lines do not hold"),
     ],
 )  # fmt: skip
