@@ -260,6 +260,7 @@ def _fill(file, task, plan, console, executor, findings):
         except KeyboardInterrupt:
             interrupted = True
             executor.shutdown(wait=False, cancel_futures=True)
+    interrupted = interrupted or stop.asked
     there = int((whole_rows(file) & asked).sum())
     told = {line for row in np.flatnonzero(asked) for line in _findings(file, row)}
     return Outcome(made, there, int(asked.sum()), tuple(failures), interrupted, (*findings, *sorted(told)))

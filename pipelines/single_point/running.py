@@ -7,7 +7,6 @@ steady + ⅔ of the largest amplitude.
 
 from __future__ import annotations
 
-import math
 import warnings
 from typing import NamedTuple
 

@@ -135,6 +135,7 @@ def _fill(plan, executor, console, cost, file):
         except KeyboardInterrupt:
             interrupted = True
             executor.shutdown(wait=False, cancel_futures=True)
+    interrupted = interrupted or stop.asked  # also between two frequencies, after the last, or with none to solve
     db = open_database(file)
     stored = int(db.rows.sum())
     return Outcome(

@@ -2,7 +2,9 @@
 
 import signal
 from concurrent.futures import Future
+from contextlib import nullcontext
 from pathlib import Path
+from types import SimpleNamespace
 
 import h5py
 import numpy as np
@@ -12,6 +14,7 @@ from bem.database import open_database, pending
 from bem.database.schema import QUANTITIES
 from pipelines.executors.choice import executor_of
 from pipelines.scene.scene import make_scene
+from pipelines.solve import run
 from pipelines.solve.run import solve
 from pipelines.solve.work import solve_one
 
@@ -139,6 +142,13 @@ def test_ctrl_c_at_the_last_frequency_leaves_all_of_it_and_stops_what_follows(tm
 
     outcome = solve(scene(), tmp_path / "box.h5", executor=Late())
     assert outcome.interrupted and outcome.stored == outcome.total and outcome.exit_status == 0
+
+
+def test_ctrl_c_while_there_is_nothing_to_solve_stops_what_follows(tmp_path, monkeypatch):
+    solve(scene(), tmp_path / "box.h5", executor=MadeUp())
+    monkeypatch.setattr(run, "ctrl_c", lambda say: nullcontext(SimpleNamespace(asked=True)))
+    outcome = solve(scene(), tmp_path / "box.h5", executor=MadeUp())
+    assert outcome.interrupted and outcome.jobs == 0 and outcome.exit_status == 0
 
 
 def test_another_scene_is_refused_by_name_and_replaced_when_fresh(tmp_path):
