@@ -183,7 +183,7 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     wind, current, drag = _streams(moored, weather, seed, end, findings)
     hull = None if weather.on_hull is None else weather.on_hull.water
     moving = moving_of(moored, settings)
-    findings += _coarse(moored, settings, moving)
+    findings += [*_coarse(moored, settings, moving), *_of_lost(settings)]
     lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
     lines = body_lines(moored.system, lost, moored.tables, () if moving is None else moving[0].number)
     body = _body(moored, weather, settings, components, drag, current is not None)
@@ -267,6 +267,17 @@ def wave_components(moored, weather, settings, seed):
             count = int(np.clip(np.ptp(band) * settings.duration / (4 * np.pi), FEWEST, MOST))
         parts.append(sea.components(count, seed + NEXT_SEA * number, low=float(band[0]), high=float(band[1])))
     return parts[0] if len(parts) == 1 else joined(*parts)
+
+
+def _of_lost(settings):
+    """Findings on what the statistics of lines that break hold"""
+    for name, at in settings.lines_lost:
+        if at < settings.duration:
+            yield (
+                f"line {name} breaks {at:g} s after the ramp: its mean and σ are of a record that is zero from then on"
+            )
+        else:
+            yield f"line {name} does not break: {at:g} s after the ramp, a run lasts {settings.duration:g} s"
 
 
 def _of_tables(system, tables):

@@ -229,6 +229,15 @@ def test_a_line_lost_at_the_start_never_pulls(on_chains):
     name = on_chains.system.line_names[0]
     run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 0.0),)))
     assert np.all(run.tension[:, 0] == 0) and np.abs(run.motion[-1] - on_chains.start).max() > 0.01
+    told = f"line {name} breaks 0 s after the ramp: its mean and σ are of a record that is zero from then on"
+    assert told in run.findings
+
+
+def test_a_line_that_would_break_after_the_end_is_said_not_to(on_chains):
+    name = on_chains.system.line_names[0]
+    run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 30.0),)))
+    assert run.tension[-1, 0] > 0
+    assert f"line {name} does not break: 30 s after the ramp, a run lasts 20 s" in run.findings
 
 
 def test_constant_coefficients_without_waves_are_refused(on_springs):
