@@ -16,7 +16,9 @@ from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.hawser import Hawser, pull_of_points
 from mooring.lines.system.moored_body import Leg, moored_body
 from mooring.motion.given_forces import GivenForce, drift_of_half_waves
-from mooring.motion.simulation import FASTEST, SimulationError, _with_error, simulate, wave_components
+from mooring.motion.simulation import SimulationError, simulate, wave_components
+from mooring.motion.simulation.body import FASTEST
+from mooring.motion.simulation.realisation import with_error
 from mooring.motion.weather import Settings, Weather
 from mooring.response.drift import mean_in_sea
 from mooring.response.slow_drift import force_spectrum
@@ -285,7 +287,7 @@ def test_drift_by_half_waves_of_a_regular_wave_is_its_mean_drift(on_springs):
 def test_an_error_beyond_the_tolerance_is_said(on_springs):
     still = simulate(on_springs, Weather(), replace(CALM, duration=5.0))
     motion = np.sin(still.time)[:, None] * np.ones(6)
-    told = [_with_error(still._replace(motion=motion), motion * (1 + off), 1e-3).findings for off in (5e-4, 2e-3, 0.3)]
+    told = [with_error(still._replace(motion=motion), motion * (1 + off), 1e-3).findings for off in (5e-4, 2e-3, 0.3)]
     assert told[0] == () and "give a smaller one" in told[1][0] and "forgets" in told[2][0]
 
 
