@@ -30,7 +30,8 @@ EVERY = 2.0  # s between two lines of progress
 FINEST = 1e-8  # tolerance; rounding of tensions is 1e-10 or so
 STEPS = 2.0  # for each longest step that the motion allows, at a tolerance of 1e-3: 1 to 4 were counted
 OF_ELEMENT, OF_STEP = 2e3, 600.0  # bytes
-OF_CALL, OF_ELEMENT_STEP = 2.7e-5, 5.3e-6  # s of a step, and of each element in it, with the checks of both
+# s of a step, of each element in it, and of each wave at each element, with the checks of both
+OF_CALL, OF_ELEMENT_STEP, OF_WAVE = 2.7e-5, 5.3e-6, 2e-7
 FRAMES = 20  # of a cycle, or of a run without one at least 200
 
 
@@ -73,7 +74,7 @@ def _run(study, text, folder, output, picture):
     window = course.window(study.measure_from)
     current, wave = current_of(study), wave_of(study, course.ramp or None)
     frames = frames_of(study, course)
-    check_effort(study, line, course, frames)
+    check_effort(study, line, course, wave, frames)
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         check_reach(line, breaking, course)
@@ -89,7 +90,7 @@ def _run(study, text, folder, output, picture):
             progress=Progress(console, course.duration),
             stops=window[:2],
         )
-    harmonics = sum(any(part.amplitude) for part in study.fairlead.motions)
+    harmonics = 0 if study.sea else sum(any(part.amplitude) for part in study.fairlead.motions)
     found = figures(line, course, window, result, current, judged_by_regime(line, course, harmonics))
     show(console, study.name, found, course, result, breaking)
     for warning in [*dict.fromkeys(str(w.message) for w in (*left_out, *said)), *findings(found, result, breaking)]:
@@ -117,7 +118,7 @@ def _check_finest(study):
     check_memory(f"{elements} elements need", OF_ELEMENT * elements, "give fewer elements")
 
 
-def check_effort(study, line, course, frames):
+def check_effort(study, line, course, wave, frames):
     """Raise TooMuchError for a run that nobody can wait for or store, and say what a long one takes.
 
     Steps are as many as the tolerance asks for, a guess within a factor of three: most in snapping lines.
@@ -125,14 +126,15 @@ def check_effort(study, line, course, frames):
     from mooring.lines.dynamics.run import finer
     from mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD
 
-    fastest = min(course.motion.longest_step, np.inf if study.wave is None else study.wave.period / PARTS_OF_PERIOD)
+    periods = np.zeros(0) if wave is None else wave.period
+    fastest = min(course.motion.longest_step, periods.min(initial=np.inf) / PARTS_OF_PERIOD)
     fastest = min(fastest, course.duration / 100) / finer(line)
     steps = STEPS * (1e-3 / study.tolerance) ** 0.38 * course.duration / fastest
     what = f"{course.duration:g} s of {line.elements} elements"
     way_out = "give a shorter duration (--duration), fewer elements or slower motions"
     memory = OF_STEP * steps + 3 * 24.0 * frames * (line.elements + 1)
     check_memory(f"{what} need", memory, way_out)
-    seconds = (OF_CALL + OF_ELEMENT_STEP * line.elements) * steps
+    seconds = (OF_CALL + (OF_ELEMENT_STEP + OF_WAVE * len(periods)) * line.elements) * steps
     check_seconds(f"{what} take", seconds, way_out)
     told(f"{what} take", seconds)
 

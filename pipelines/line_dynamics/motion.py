@@ -73,16 +73,19 @@ def _harmonic(study, kind):
     periods = [part.period for part in moving] + (
         [] if study.wave is None else [positive("wave.period", study.wave.period)]
     )
-    longest = max(periods, default=0.0)
+    sea = [] if study.sea is None else [positive("sea.period", study.sea.period)]
+    if sea and study.duration is None:
+        raise StudyError("duration is not given beside a sea, which does not repeat; allowed: above 0 s")
+    longest = max(periods + sea, default=0.0)
     ramp = longest if given.ramp is None else given.ramp
     if study.duration is None and not periods:
         raise StudyError("duration is not given and nothing moves; allowed: above 0 s, or a motion or a wave")
     duration = ramp + CYCLES * longest if study.duration is None else study.duration
     if not moving:
-        return Course(kind.still(given.position), ramp, duration, longest or None)
+        return Course(kind.still(given.position), ramp, duration, None if sea else longest or None)
     X = [np.multiply(part.amplitude, np.exp(1j * np.radians(part.phase_deg))) for part in moving]
     motion = kind.harmonic(given.position, X, [part.period for part in moving], ramp)
-    whole = all(abs(longest / T - round(longest / T)) <= TOGETHER * longest / T for T in periods)
+    whole = not sea and all(abs(longest / T - round(longest / T)) <= TOGETHER * longest / T for T in periods)
     return Course(motion, ramp, duration, longest if whole else None)
 
 

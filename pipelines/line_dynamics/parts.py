@@ -15,6 +15,7 @@ from .study import BedTable
 
 ELEMENTS = 40  # of a line whose segments do not say how many, at least 4 each
 LEVELS = 41  # at which a current over the depth is sampled
+FEWEST, MOST = 10, 1000  # components of a sea
 
 
 def line_of(study):
@@ -149,16 +150,40 @@ def current_of(study):
 
 
 def wave_of(study, ramp):
-    """WaveTrain that fades in over `ramp` s, or None.  Raises ValueError, also for a wave that would break (Miche)."""
-    from bem.waves import wavenumber
+    """WaveTrain of the wave or the sea that fades in over `ramp` s, or None.
+
+    Raises ValueError, also for a wave that would break (Miche), or a sea of that height and period.
+    """
     from mooring.lines.dynamics.simulation import WaveTrain
 
-    wave, depth = study.wave, study.water.depth
+    depth = study.water.depth
+    if study.sea is not None:
+        made = _components(study)
+        period = 2 * math.pi / made.omega
+        return WaveTrain(made.amplitude, period, made.direction, made.phase, depth, ramp)
+    wave = study.wave
     if wave is None:
         return None
-    height, period = positive("wave.height", wave.height), positive("wave.period", wave.period)
-    k = float(wavenumber(2 * math.pi / period, depth, study.water.gravity))
-    breaking = 0.142 * 2 * math.pi / k * math.tanh(min(k * depth, 20.0))
+    _check_breaking("wave", wave, study.water)
+    towards, phase = direction("wave", wave), math.radians(wave.phase_deg)
+    return WaveTrain(0.5 * wave.height, wave.period, towards, phase, depth, ramp)
+
+
+def _components(study):
+    """Components of the sea.  Raises StudyError."""
+    sea = study.sea
+    _check_breaking("sea", sea, study.water)
+    for name, least, most in (("seed", 0, 2**32), ("components", FEWEST, MOST)):
+        if not least <= getattr(sea, name) <= most:
+            raise StudyError(f"sea.{name} is {getattr(sea, name)}; allowed: {least} to {most}")
+    return sea.sea("sea", study.water.depth).components(sea.components, sea.seed)
+
+
+def _check_breaking(where, given, water):
+    from bem.waves import wavenumber
+
+    height, period = positive(f"{where}.height", given.height), positive(f"{where}.period", given.period)
+    k = float(wavenumber(2 * math.pi / period, water.depth, water.gravity))
+    breaking = 0.142 * 2 * math.pi / k * math.tanh(min(k * water.depth, 20.0))
     if height > breaking:
-        raise StudyError(f"wave.height is {height:g} m; allowed: up to {breaking:.3g} m, where a wave of it breaks")
-    return WaveTrain(0.5 * height, period, direction("wave", wave), math.radians(wave.phase_deg), depth, ramp)
+        raise StudyError(f"{where}.height is {height:g} m; allowed: up to {breaking:.3g} m, where a wave of it breaks")

@@ -11,6 +11,7 @@ import msgspec
 
 from ..common.line_tables import AttachedTable, MaterialTable, SegmentTable
 from ..common.quantities import StudyError, Table
+from ..common.seas import SeaTable
 from ..common.typed import read_toml, typed
 
 
@@ -130,6 +131,17 @@ class WaveTable(Table):
     phase_deg: float = 0.0
 
 
+class LineSeaTable(SeaTable):
+    """An irregular sea, in place of a wave
+
+    seed : of its phases and frequencies; the same seed gives the same sea
+    components : regular waves that it is made of
+    """
+
+    seed: int = 1
+    components: int = 100
+
+
 class MoorDynTable(Table):
     """A line of a MoorDyn file, in place of water, types, segments, bodies and anchor
 
@@ -148,7 +160,7 @@ class LineDynamicsStudy(Table):
 
     anchor : m, x, y, z in space
     name : for results and pictures
-    duration : s, by default to the end of a table or twelve of the longest period
+    duration : s, by default to the end of a table or twelve of the longest period; to be given with a sea
     tolerance : error of a step in any tension, of the largest
     measure_from : s, where the figures begin, by default at the end of the ramp
     frames : pictures of the line that are stored, by default about 20 for each cycle
@@ -165,6 +177,7 @@ class LineDynamicsStudy(Table):
     bed: BedTable | None = None
     current: CurrentTable | None = None
     wave: WaveTable | None = None
+    sea: LineSeaTable | None = None
     duration: float | None = None
     tolerance: float = 1e-3
     measure_from: float | None = None
@@ -180,6 +193,8 @@ def read_line_dynamics(path):
 def make_line_dynamics(raw):
     """The LineDynamicsStudy of nested dictionaries as TOML gives them.  Raises StudyError."""
     study = typed(raw, LineDynamicsStudy, StudyError)
+    if study.wave is not None and study.sea is not None:
+        raise StudyError("wave and sea are both given; allowed: one of them")
     given = {key: getattr(study, key) for key in ("water", "types", "segments", "anchor")}
     if study.moordyn is not None:
         twice = [key for key, value in (given | {"bodies": study.bodies}).items() if value]

@@ -15,7 +15,7 @@ import numpy as np
 from bem.viscous_table import ViscousTable
 from bem.waves import wavenumber
 
-from ..common.typed import read_toml, typed
+from ..common.typed import of_another, read_toml, typed
 from . import products
 from .checks import check, check_depth_given
 from .methods import approach, names_given
@@ -114,10 +114,14 @@ class Scene(SceneTable, dict=True):  # where derived quantities are kept
 def read_scene(path):
     """The raw tables of a scene file, mesh file names made relative to here.
 
-    Raises SceneError if the file is not there or not TOML.
+    Raises SceneError if the file is not there, not TOML, or a file of another command, which is seen before the tables
+    of the command line stand beside it.
     """
     path = Path(path)
     raw, _ = read_toml(path, "a scene", SceneError)
+    other = of_another(raw, Scene)
+    if other:
+        raise SceneError(other)
     bodies = raw.get("bodies")
     for body in bodies if isinstance(bodies, list) else ():
         if isinstance(body, dict) and isinstance(body.get("file"), str):

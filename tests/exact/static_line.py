@@ -34,7 +34,8 @@ def strain(segment, tension):
 def intervals(H, V, down, weight):
     """Ends of intervals in [0, down], from the upper end, that shrink towards the place where V = 0."""
     middle = V / weight
-    steps = np.geomspace(max(H / weight, 1e-16 * (down + abs(middle))), down + abs(middle) + H / weight, 48)
+    scale = abs(H) / weight
+    steps = np.geomspace(max(scale, 1e-16 * (down + abs(middle))), down + abs(middle) + scale, 48)
     ends = np.concatenate([[0.0, down, middle], middle - steps, middle + steps])
     return np.unique(np.clip(ends, 0.0, down))
 

@@ -12,7 +12,8 @@ Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls i
 and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too; a
 buoy does not rise out of the sea but floats in its surface with a part of its lift, or is lifted out of it by a
 fairlead that stands above.  On a slope steeper than friction holds a line without tension slides down: into a heap
-above the next vertex that stops it, or in a bight below its anchor, which then holds it.  Bending, current on the
+above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where the first facet
+falls from the anchor, in a bight past the foot of its fairlead (`mirrored`).  Bending, current on the
 line and the weight of the line above water are neglected.
 """
 
@@ -110,20 +111,16 @@ class StaticLine:
 
     def _solve(self, data, x, z):
         """What `search.solve_positions` finds; what one way of traversal does not find is sought in another."""
-        from .search import COARSE, EXACT, FINE, LOST, QUICK, solve_positions
+        from .search import COARSE, LOST, QUICK, solve_positions
 
         guess = self._like_a_uniform_line(x[0], z[0])
+        if guess == 0 and data.lowest_buoy < len(data.loads):  # slack: see `traverse`
+            data = data._replace(to_place=False)
         begin = QUICK if len(x) == 1 else COARSE
         found, status, pieces, loads = solve_positions(data, x, z, guess, self._capacity(data), begin)
-        if not (status == LOST).any():
-            return found, status, pieces, loads
-        ways = [data, data._replace(to_place=not data.to_place)]
-        tries = [(ways[1], QUICK), (ways[0], EXACT), (ways[1], EXACT)]
-        if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
-            softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
-            ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
-        tries += [(way, COARSE) for way in ways[2:]] + [(way, FINE) for way in ways]
-        for way, tolerances in tries:
+        if self._mirrored is not None and len(data.kept) == 0:
+            pieces, loads = self._slide_beyond(x, z, found, status, pieces, loads)
+        for way, tolerances in self._further_tries(data) if (status == LOST).any() else ():
             for i in np.flatnonzero(status == LOST):
                 guess = self._like_a_uniform_line(x[i], z[i])
                 given = way, x[i : i + 1], z[i : i + 1], guess, self._capacity(data), tolerances
@@ -133,12 +130,50 @@ class StaticLine:
                     pieces, loads = (its, words) if i + 1 == len(x) else (pieces, loads)
         return found, status, pieces, loads
 
+    def _further_tries(self, data):
+        """Pairs of LineData and tolerances by which a line is sought that is not found at once, the quickest first"""
+        from .search import COARSE, EXACT, FINE, QUICK
+
+        ways = [data, data._replace(to_place=not data.to_place)]
+        tries = [(ways[1], QUICK), (ways[0], EXACT), (ways[1], EXACT)]
+        if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
+            softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
+            ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
+        return tries + [(way, COARSE) for way in ways[2:]] + [(way, FINE) for way in ways]
+
+    @cached_property
+    def _mirrored(self):
+        """The line with x turned round, where it may slide past the foot of its fairlead; else None"""
+        from .mirrored import slides_beyond
+
+        if not slides_beyond(self.bed):
+            return None
+        bed = Bed.sloping(-float(np.arctan(self.bed.slopes[0])), self.bed.friction)
+        return StaticLine(self.segments, self.loads, bed, self.surface)
+
+    def _slide_beyond(self, x, z, found, status, pieces, loads):
+        """Find positions that are slack or lost as a line that slides down its first facet, into found and status.
+
+        returns : pieces and states of the point loads at the last position, as given where that is none of them
+        """
+        from .mirrored import farthest, turned
+        from .search import LOST, QUICK, SOLVED, solve_positions
+
+        far, data = farthest(self.bed), self._mirrored._data
+        for i in np.flatnonzero(((status == SLACK) | (status == LOST)) & (x <= far)):
+            given = data, -x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data), QUICK
+            once, state, its, words = solve_positions(*given)
+            if state[0] == SOLVED and its[:, 3].min() >= -far:
+                status[i], (found[i], its) = SOLVED, turned(once[0], its)
+                pieces, loads = (its, words) if i + 1 == len(x) else (pieces, loads)
+        return pieces, loads
+
     def _like_a_uniform_line(self, x, z):
         """H, N, of a uniform line of the same length, weight and stretch on a flat bed; 0 where it is slack"""
         from ..catenary.uniform import COLUMNS, solve_uniform
 
         row = np.empty(COLUMNS)
-        solve_uniform(row, (x, z, self.length, *self._mean, 0.0, 0.0), bool(z > 0 and self.bed is not None))
+        solve_uniform(row, (abs(x), z, self.length, *self._mean, 0.0, 0.0), bool(z > 0 and self.bed is not None))
         return float(row[0]) if 0 <= row[0] < np.inf else self.weight
 
     @cached_property

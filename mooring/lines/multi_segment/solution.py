@@ -103,7 +103,8 @@ class StaticSolution:
         """Whether a part without tension lies on a bed steeper than friction holds, in a heap at the anchor too.
 
         It is taken to lie where it is laid; in truth it would slide to the nearest hollow, and pull there.  What
-        slides away from the fairlead is solved, so that this is left of lines with buoys or that slide towards it.
+        slides towards the anchor, or down the first facet, is solved; this is left of lines with buoys, and of those
+        that slide into a hollow beyond their fairlead.
         """
         if self.line.bed is None:
             return False
@@ -181,9 +182,9 @@ def _along(p, down):
     _, _, _, x, z, first, second, weight, factor, flexibility, angle = p.T
     on_bed = p[:, 0] == 1
     H, V = np.where(on_bed, 1.0, first), np.where(on_bed, 0.0, second)
-    dx, dz = free_pieces(H, V - weight * down, down, weight, flexibility / factor)
+    dx, dz = free_pieces(np.abs(H), V - weight * down, down, weight, flexibility / factor)
     slid = down * (factor + flexibility * (first - 0.5 * second * down))
-    dx = np.where(on_bed, slid * np.cos(angle), factor * dx)
+    dx = np.where(on_bed, slid * np.cos(angle), np.sign(first) * factor * dx)
     dz = np.where(on_bed, slid * np.sin(angle), factor * dz)
     tension = np.where(on_bed, first - second * down, np.hypot(H, V - weight * down))
     return np.column_stack([x - dx, z - dz, tension])

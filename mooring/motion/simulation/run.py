@@ -72,7 +72,7 @@ def _begun(moored, weather, settings, seed):
         table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
     wind, current, drag, findings = streams(moored, weather, seed, settings.ramp + settings.duration)
     moving = moving_of(moored, settings)
-    findings += _coarse(moored, settings, moving)
+    findings += (*_coarse(moored, settings, moving), *_of_lost(settings))
     lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
     lines = body_lines(moored.system, lost, moored.tables, () if moving is None else moving[0].number)
     body = body_of(moored, weather, settings, components, drag, current is not None)
@@ -158,3 +158,14 @@ def _coarse(moored, settings, moving):
             "than in its static shape; give more dynamic_elements"
         )
     return tuple(found)
+
+
+def _of_lost(settings):
+    """Findings on what the statistics of lines that break hold"""
+    for name, at in settings.lines_lost:
+        if at < settings.duration:
+            yield (
+                f"line {name} breaks {at:g} s after the ramp: its mean and σ are of a record that is zero from then on"
+            )
+        else:
+            yield f"line {name} does not break: {at:g} s after the ramp, a run lasts {settings.duration:g} s"

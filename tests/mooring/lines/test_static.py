@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from exact.static_line import faults
 
 from mooring.lines.catenary.solve import solve_lines, span_at_tension
 from mooring.lines.catenary.state import LineError
@@ -55,8 +56,6 @@ def test_one_segment_on_a_plane_is_the_uniform_line():
         z = max(0.0, x * np.tan(slope)) + length * rng.uniform(0.05, 0.3)
         uniform = solve_lines(x, z, length, weight, stiffness, friction, slope)
         line = StaticLine([Segment(length, weight, stiffness)], bed=Bed.sloping(slope, friction)).solve(x, z)
-        if uniform.horizontal_fairlead < 0:  # hangs beyond its fairlead, down the slope
-            continue
         assert not line.slides
         T = uniform.tension_fairlead
         assert abs(line.horizontal_fairlead - uniform.horizontal_fairlead) < 1e-9 * T
@@ -82,12 +81,37 @@ def test_a_line_that_slides_without_friction_weighs_down_to_the_hollow_and_to_th
     assert np.isclose(found.tension_fairlead - found.tension_anchor, 500.0 * 40.0, rtol=1e-9)
 
 
-@pytest.mark.parametrize(("x", "friction"), [(80.0, 0.0), (80.0, 0.15), (70.0, 0.05)])
-def test_stiffness_of_a_line_that_slides_into_a_hollow_is_the_derivative_of_its_forces(x, friction):
+def test_a_line_that_slides_past_its_fairlead_pulls_both_its_ends_down_the_slope():
+    """Friction takes w μ cos β from each of its legs; the profile is drawn from one end to the other."""
+    parts = [Segment(60.0, 500.0), Segment(90.0, 500.0)]
+    line = StaticLine(parts, bed=Bed.sloping(-0.2, 0.05))
+    found = line.solve([40.0, 41.0, 130.0], 30.0)
+    assert np.all(found.horizontal_fairlead[:2] < 0) and found.horizontal_fairlead[2] > 0
+    found = line.solve(40.0, 30.0)
+    assert not faults(found) and not found.slides
+    s, x, z, T = found.profile(3001).T
+    assert np.allclose([x[0], z[0], x[-1], z[-1]], [0.0, 0.0, 40.0, 30.0], atol=1e-6)
+    turn = int(np.argmax(x))
+    assert x[turn] > 60.0 and T[turn] < 50.0
+    leg = s < s[turn]
+    held = 500.0 * (np.sin(0.2) - 0.05 * np.cos(0.2))
+    assert np.allclose(np.diff(T[leg]), -held * np.diff(s[leg]), rtol=1e-6)
+
+
+HOLLOW, FALLING = [[0, 0], [30, -8], [90, 12], [120, 15]], [[0, 0], [150, -45], [200, -40]]
+
+
+@pytest.mark.parametrize(
+    ("bed", "x", "friction"), [(HOLLOW, 80.0, 0.0), (HOLLOW, 80.0, 0.15), (HOLLOW, 70.0, 0.05), (FALLING, 70.0, 0.1)]
+)
+def test_stiffness_of_a_line_that_slides_into_a_hollow_or_past_its_fairlead_is_the_derivative_of_its_forces(
+    bed, x, friction
+):
     segments = [Segment(70.0, 500.0, 1e6), Segment(80.0, 700.0, 2e6)]
-    line = StaticLine(segments, [PointLoad(95.0, 2e3)], Bed([[0, 0], [30, -8], [90, 12], [120, 15]], friction))
+    line = StaticLine(segments, [PointLoad(95.0, 2e3)], Bed(bed, friction))
     found = line.solve(x, 40.0)
-    assert not found.slides and not found.slack
+    assert not found.slides and not found.slack and not faults(found)
+    assert (found.horizontal_fairlead < 0) == (bed is FALLING)
     rough = difference_stiffness(line, x, 40.0, 0.02)
     assert np.abs(found.stiffness - rough).max() < 1e-6 * np.abs(rough).max()
 

@@ -92,8 +92,8 @@ def test_free_decay_is_the_inverse_fourier_transform_of_the_database(on_springs)
 
 def test_the_integrator_is_of_fifth_order(without_hull):
     moved = replace(without_hull, start=without_hull.start + [1.5, -1.0, 0.3, 0.01, 0.01, 0.02])
-    steps = np.array([0.5, 0.25, 0.125])
-    settings = Settings(duration=24.0, ramp=0.0, memory="states", fixed_step=1 / 64)
+    steps = np.array([0.25, 0.125, 0.0625])
+    settings = Settings(duration=24.0, ramp=0.0, memory="states", fixed_step=1 / 128)
     exact = simulate(moved, Weather(), settings).motion[-1]
     errors = [np.abs(simulate(moved, Weather(), replace(settings, fixed_step=h)).motion[-1] - exact)[0] for h in steps]
     assert np.all(np.log2(np.divide(errors[:-1], errors[1:])) > 4.5), errors
@@ -231,6 +231,15 @@ def test_a_line_lost_at_the_start_never_pulls(on_chains):
     name = on_chains.system.line_names[0]
     run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 0.0),)))
     assert np.all(run.tension[:, 0] == 0) and np.abs(run.motion[-1] - on_chains.start).max() > 0.01
+    told = f"line {name} breaks 0 s after the ramp: its mean and σ are of a record that is zero from then on"
+    assert told in run.findings
+
+
+def test_a_line_that_would_break_after_the_end_is_said_not_to(on_chains):
+    name = on_chains.system.line_names[0]
+    run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 30.0),)))
+    assert run.tension[-1, 0] > 0
+    assert f"line {name} does not break: 30 s after the ramp, a run lasts 20 s" in run.findings
 
 
 def test_constant_coefficients_without_waves_are_refused(on_springs):

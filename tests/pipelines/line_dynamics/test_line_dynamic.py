@@ -16,7 +16,7 @@ from pipelines.common.anchors import warn_of_anchors
 from pipelines.line_dynamics import command as line_dynamics_command
 from pipelines.line_dynamics.figures import time_below
 from pipelines.line_dynamics.motion import course_of
-from pipelines.line_dynamics.parts import current_of, line_of
+from pipelines.line_dynamics.parts import current_of, line_of, wave_of
 from pipelines.line_dynamics.study import make_line_dynamics, read_line_dynamics
 
 SCENES = sorted((Path(pipelines.__file__).parent / "scenes").glob("line_*.toml"))
@@ -37,6 +37,7 @@ position = [292.0, 0.0, -2.0]
 period = 8.0
 amplitude = [1.0, 0.0, 0.5]
 """
+SEA = "[sea]\nheight = 2.5\nperiod = 6.0\ndirection_deg = 90.0\n"
 
 
 def changed(tmp_path, *changes, name="line.toml"):
@@ -142,6 +143,24 @@ def test_a_current_of_one_exponent_is_sheared_over_the_depth():
     assert pytest.approx(2 * 1852 / 3600 * np.array([[0, 0], [0.5, 0], [1, 0]]), abs=1e-9) == U
 
 
+def test_a_sea_has_the_height_and_direction_that_its_table_says_and_a_seed_that_makes_it_again(tmp_path, capsys):
+    """4√m₀ of the elevation at the origin, Σ a²/2 = m₀, where 0.1 % of the energy is left out."""
+    study = read_line_dynamics(changed(tmp_path, ("[fairlead]", f"{SEA}[fairlead]")))[0]
+    train = wave_of(study, 6.0)
+    assert 4 * np.sqrt(0.5 * np.sum(train.amplitude**2)) == pytest.approx(2.5, rel=2e-3)
+    assert np.all(train.direction == 0.5 * np.pi) and len(train.period) == 100 and train.ramp == 6.0
+    largest = []
+    for seed in (1, 1, 2):
+        words = f"{SEA}components = 12\nseed = {seed}\n[fairlead]"
+        out = tmp_path / f"sea_{seed}.h5"
+        assert main(["line-dynamics", str(changed(tmp_path, ("[fairlead]", words))), "--output", str(out)]) == 0
+        largest.append(attributes(out)["largest_fairlead"])
+        assert attributes(out)["window_cycles"] == 0
+        out.unlink()
+    assert largest[0] == largest[1] != largest[2]
+    assert "not judged" in capsys.readouterr().out
+
+
 def test_an_interrupted_run_leaves_no_file(tmp_path, monkeypatch, capsys):
     def stop(self, reached):
         raise KeyboardInterrupt
@@ -198,6 +217,10 @@ FAULTS = [
     (("position = [292.0, 0.0, -2.0]", 'table = "none.csv"'), [], "motions are given beside a table"),
     (('catalogue = "R3 studless 76 mm"', "weight_N_per_m = 900"), [], "types.chain: no axial stiffness is given"),
     (("[fairlead]", "[[bodies]]\nafter_segment = 1\nmass = 9.0\n[fairlead]"), [], "cut it in two where the body is"),
+    (("[fairlead]", f"{SEA}[wave]\nheight = 1\nperiod = 6\n[fairlead]"), [], "wave and sea are both given"),
+    (("[fairlead]", f"{SEA}components = 5\n[fairlead]"), [], "sea.components is 5; allowed: 10 to 1000"),
+    (("[fairlead]", f"{SEA.replace('2.5', '12')}[fairlead]"), [], "sea.height is 12 m; allowed: up to 7"),
+    (("duration = 24.0", SEA), [], "duration is not given beside a sea"),
     (("[fairlead]", "[wave]\nheight = 12\nperiod = 6\ndirection_deg = 0\n[fairlead]"), [], "wave.height is 12 m"),
     (("duration = 24.0", "duration = 15.0"), [], "one cycle of 8 s before the end; give a longer duration"),
     (("", ""), ["--duration", "-1"], "duration is -1 s; allowed: finite, above 0"),

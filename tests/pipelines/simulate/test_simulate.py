@@ -242,6 +242,12 @@ def test_pictures_lie_beside_the_file(folder):
     assert [Path(name).stat().st_size > 20_000 for name in names] == [True] * 4
 
 
+def test_a_spectrum_of_records_is_no_coarser_than_asked_for():
+    t = 0.5 * np.arange(7200)
+    omega, density = spectrum(np.sin(0.065 * t)[None], 0.5, widest=0.15 * 0.045)
+    assert np.diff(omega).max() <= 0.15 * 0.045 and abs(omega[density.argmax()] - 0.065) < 0.0035
+
+
 def test_a_spectrum_of_records_holds_their_variance():
     records = np.random.default_rng(1).normal(size=(3, 4096))
     omega, density = spectrum(records, 0.5)
