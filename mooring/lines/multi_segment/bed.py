@@ -7,6 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
+STEEPER = 1e-12  # than its friction, a slope on which a line slides: rounding
+
 
 @dataclass(frozen=True)
 class Bed:
@@ -81,6 +83,16 @@ class Bed:
     def slopes(self):
         """(k − 1,) of the facets"""
         return np.diff(self.points[:, 1]) / np.diff(self.points[:, 0])
+
+    @property
+    def slides_beyond(self):
+        """Whether a line without tension slides down the first facet, away from its anchor"""
+        return float(self.slopes[0]) < -(self.friction + STEEPER)
+
+    @property
+    def first_facet(self):
+        """m, up to which the first facet goes"""
+        return np.inf if len(self.points) == 2 else float(self.points[1, 0])
 
 
 def _bilinear(x, y, z, at):

@@ -13,8 +13,8 @@ and down with V.  A slack line hangs plumb, and the rest lies in a heap at its a
 buoy does not rise out of the sea but floats in its surface with a part of its lift, or is lifted out of it by a
 fairlead that stands above.  On a slope steeper than friction holds a line without tension slides down: into a heap
 above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where the first facet
-falls from the anchor, in a bight past the foot of its fairlead (`mirrored`).  Bending, current on the
-line and the weight of the line above water are neglected.
+falls from the anchor, in a bight past the foot of its fairlead.  Bending, current on the line and the weight of the
+line above water are neglected.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ import numpy as np
 from ..catenary.state import BEYOND_REACH, SLACK, BeyondReachError, LineError
 from .bed import Bed
 from .segments import PointLoad, Segment
-from .solution import LineState, StaticSolution, heaped
+from .solution import LineState, StaticSolution, heaped, turned
 
 __all__ = ["Bed", "LineState", "PointLoad", "Segment", "StaticLine", "StaticSolution"]
 
@@ -143,10 +143,13 @@ class StaticLine:
 
     @cached_property
     def _mirrored(self):
-        """The line with x turned round, where it may slide past the foot of its fairlead; else None"""
-        from .mirrored import slides_beyond
+        """The line with x turned round, where it may slide past the foot of its fairlead; else None
 
-        if not slides_beyond(self.bed):
+        On a facet that falls from the anchor more steeply than friction holds, what is more than the line needs slides
+        down and hangs in a bight farther down than the fairlead; both of its legs pull the line's ends there, so that
+        H < 0 at the fairlead.  With x turned round the bed rises and the bight is below the anchor, as in `on_bed`.
+        """
+        if self.bed is None or not self.bed.slides_beyond:
             return None
         bed = Bed.sloping(-float(np.arctan(self.bed.slopes[0])), self.bed.friction)
         return StaticLine(self.segments, self.loads, bed, self.surface)
@@ -156,10 +159,9 @@ class StaticLine:
 
         returns : pieces and states of the point loads at the last position, as given where that is none of them
         """
-        from .mirrored import farthest, turned
         from .search import LOST, QUICK, SOLVED, solve_positions
 
-        far, data = farthest(self.bed), self._mirrored._data
+        far, data = self.bed.first_facet, self._mirrored._data
         for i in np.flatnonzero(((status == SLACK) | (status == LOST)) & (x <= far)):
             given = data, -x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data), QUICK
             once, state, its, words = solve_positions(*given)

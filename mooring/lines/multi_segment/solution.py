@@ -14,6 +14,9 @@ import numpy as np
 if TYPE_CHECKING:
     from .line import StaticLine
 
+FORCES = [0, 2]  # columns of `newton.store` that turn with x: H at both ends
+STIFFNESS = [6, 7]  # and ∂H/∂z, ∂V/∂x
+
 
 class LineState(NamedTuple):
     """Tension that friction keeps on the bed: (k, 4) rows of s₀, s₁ (m from the anchor), T₀, T₁ (N), downwards."""
@@ -188,3 +191,14 @@ def _along(p, down):
     dz = np.where(on_bed, slid * np.sin(angle), factor * dz)
     tension = np.where(on_bed, first - second * down, np.hypot(H, V - weight * down))
     return np.column_stack([x - dx, z - dz, tension])
+
+
+def turned(row, pieces):
+    """A row of `newton.store`, and pieces (n, 11), of the mirrored line as those of the line itself"""
+    row, out = row.copy(), pieces.copy()
+    row[FORCES + STIFFNESS] *= -1.0
+    out[:, 3] *= -1.0
+    free = out[:, 0] == 0
+    out[free, 5] *= -1.0
+    out[~free, 10] = np.pi - out[~free, 10]
+    return row, out
