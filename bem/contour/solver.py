@@ -128,7 +128,7 @@ class ContourBody:
             return solver(self, omega, headings, theta, dofs, density, gravity).result()
 
     def solver(self, omega, gravity):
-        """`ContourFrequency`, or `ShortFrequency` of waves that are not resolved"""
+        """`ContourFrequency`, or `ShortWaveFrequency` of waves that are not resolved"""
         k = float(wavenumber(omega, self.depth, gravity))
         return ShortWaveFrequency if unresolved((*self.plan.sizes, self.draft), k) else ContourFrequency
 

@@ -11,6 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
+from meshing.whole_files import write_whole
+
 from . import wamit
 from .values import FormatError
 
@@ -26,8 +28,8 @@ def write(values, place):
     (place / "Input").mkdir(parents=True, exist_ok=True)
     (place / RESULTS.parent).mkdir(parents=True, exist_ok=True)
     paths = [place / "Input" / "ControlFile.in", place / "Input" / "Hydrostatic.in"]
-    paths[0].write_text(_control(values), encoding="ascii")
-    paths[1].write_text(_hydrostatic(values), encoding="ascii")
+    for path, text in zip(paths, (_control(values), _hydrostatic(values)), strict=True):
+        write_whole(path, text.encode("ascii"))
     if values.mesh is not None:
         paths.append(place / "Input" / "HullMesh.pnl")
         write_mesh(values.mesh, paths[-1])

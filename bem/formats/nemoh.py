@@ -14,6 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
+from meshing.whole_files import write_whole
+
 from .values import FormatError, Values, evenly
 
 FORCES = {
@@ -53,7 +55,7 @@ def write(values, place):
             ]
             made[f"Results/{file}"] = _tec(values.omega, ("abs(F", "angle(F"), zones)
     for name, text in made.items():
-        (place / name).write_text(text, encoding="ascii")
+        write_whole(place / name, text.encode("ascii"))
     return [place / name for name in made]
 
 

@@ -17,6 +17,8 @@ from pathlib import Path
 
 import numpy as np
 
+from meshing.whole_files import write_whole
+
 from ..database.schema import DOFS, DRIFT_DOFS
 from .values import FormatError, Values, gridded, table_of
 
@@ -44,7 +46,7 @@ def write(values, place):
     paths = []
     for suffix, lines in files.items():
         paths.append(place.with_suffix(suffix))
-        paths[-1].write_text("\n".join(lines) + "\n", encoding="ascii")
+        write_whole(paths[-1], ("\n".join(lines) + "\n").encode("ascii"))
     return paths
 
 

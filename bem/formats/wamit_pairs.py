@@ -12,6 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
+from meshing.whole_files import made_beside
+
 from ..second_order.difference_forces import DifferenceForces
 from .values import FormatError, table_of
 
@@ -23,7 +25,7 @@ def write_pairs(forces, place, weight):
     """Write NAME.12d of a `DifferenceForces` and return its path; weight : ρg, N/m³"""
     path, degrees = Path(place).with_suffix(SUFFIX), np.degrees(forces.headings)
     T = forces.total.conj() / weight
-    with path.open("w", encoding="ascii") as file:
+    with made_beside(path) as partial, partial.open("w", encoding="ascii") as file:
         for m, difference in enumerate(forces.difference):
             for n, omega in enumerate(forces.omega[: len(forces.omega) - m]):
                 periods = f"{2 * np.pi / (omega + difference): .6E} {2 * np.pi / omega: .6E}"

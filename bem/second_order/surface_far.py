@@ -19,6 +19,7 @@ RING_POINTS, GROWTH = 6, 1.6  # rings of one interval of radii, and by how much 
 DEPTHS, WAVES, RADII = 2.0, 8.0, 10.0  # from the circle to where no local part is left: depths, 1/k, radii of it
 LOCAL = 2.0  # directions of rings for an order that is sent
 BEYOND = 12  # orders above the last: to twice that |z| Bessel functions are not halves of Hankel functions
+SMALL, LARGE, CHECKED = 1e-250, 1e150, 8  # of a recurrence: its begin, what is made small, and once in so many orders
 MORE = 1  # orders beyond ka + 4 (ka)^(1/3)
 
 
@@ -133,25 +134,34 @@ def bessel_orders(most, z):
 
     Half the sum of both Hankel functions, but where these grow with the order and cancel.
     """
-    one, two = (hankel_orders(kind, most, z) for kind in (1, 2))
-    out = 0.5 * (two * np.exp(-1j * z.real) + one * np.exp(1j * z.real - 2 * z.imag))
+    out = np.empty((most + 2, *z.shape), complex)
     size, edge = np.abs(z), most + BEYOND
     for low, high in ((0, edge), (edge, 2 * edge)):
         few = (low <= size) & (size < high)
         out[:, few] = _downwards(most + 2, high + 3 * BEYOND, z[few])
+    far = z[size >= 2 * edge]
+    one, two = (hankel_orders(kind, most, far) for kind in (1, 2))
+    out[:, size >= 2 * edge] = 0.5 * (two * np.exp(-1j * far.real) + one * np.exp(1j * far.real - 2 * far.imag))
     return out
 
 
 def _downwards(count, start, z):
-    """(count, …) J_m without e^{|Im z|} by recurrence from an order `start` well above |z|, after Miller"""
+    """(count, …) J_m without e^{|Im z|} by recurrence from an order `start` well above |z|, after Miller
+
+    It grows by 2m/|z| an order: what has become too large is made small again, and the orders above it with it, by
+    more than a double can hold at the origin, where they are 0.
+    """
     from scipy.special import jve
 
-    above, here = np.zeros_like(z), np.full_like(z, 1e-250)
+    above, here = np.zeros_like(z), np.full_like(z, SMALL)
     out = np.empty((count, *z.shape), complex)
     for m in range(start, 0, -1):
         above, here = here, (2 * m / z) * here - above
         if m <= count:
             out[m - 1] = here
+        if m % CHECKED == 0 and (large := np.abs(here) > LARGE).any():
+            above, here = (np.where(large, SMALL * value, value) for value in (above, here))
+            out[m - 1 :, large] *= SMALL
     known = jve(np.array([0, 1])[:, None], z)
     larger = np.argmax(np.abs(known), axis=0), np.arange(len(z))
     return out * (known[larger] / out[:2][larger])

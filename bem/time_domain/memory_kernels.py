@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..kernels.jit import kernel
 
 
-@kernel()
+@kernel(inline=True)
 def memory_rate(memory, states, velocity, rate):
     """Write ẋ into rate (n,): `Memory.rate`.
 
@@ -23,7 +23,7 @@ def memory_rate(memory, states, velocity, rate):
         rate[second + i] -= memory.turn[i] * states[first + i]
 
 
-@kernel()
+@kernel(inline=True)
 def memory_force(memory, states, force):
     """Write y into force (6,), N and N m against the motion: `Memory.force`.
 

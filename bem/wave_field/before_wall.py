@@ -53,8 +53,17 @@ def neglected(body, wall):
     0.04, 0.39 in 20 m.
     """
     low, high = _breadth(body)
-    gap = max(wall - high, low - wall)
-    return float(np.exp(-2 * np.pi * gap / min(body.depth, high - low)))
+    return float(np.exp(-max(wall - high, low - wall) / _decay(body.depth, high - low)))
+
+
+def least_gap(share, depth, breadth):
+    """m, from hull to wall, at which that share of a wave is `neglected`"""
+    return -float(np.log(share)) * _decay(depth, breadth)
+
+
+def _decay(depth, breadth):
+    """m, over which a wave that decays falls to 1/e on its way to the wall and back"""
+    return min(depth, breadth) / (2 * np.pi)
 
 
 def before_wall(body, wall):

@@ -14,6 +14,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+LEAST_BLOCK = 0.1  # far below any hull: a displacement in another unit than t
+
 
 class BerthingError(ValueError):
     """A berthing cannot be computed; one line names what is wrong and what is allowed."""
@@ -46,8 +48,9 @@ def ship(length, beam, draft, *, mass=None, block=None, gyration=None, density=1
         state = "neither is given" if mass is None else "both are given"
         raise BerthingError(f"displacement and block coefficient of the ship: {state}; allowed: one of them")
     made = Ship(length, beam, draft, mass or block * density * length * beam * draft, gyration or length / 4, density)
-    if not 0 < made.block <= 1.0:
-        raise BerthingError(f"the ship's block coefficient is {made.block:.3g}; allowed: above 0, at most 1")
+    if not LEAST_BLOCK <= made.block <= 1.0:
+        of = f"{made.block:.3g}, of {made.mass / 1e3:.6g} t"
+        raise BerthingError(f"the ship's block coefficient is {of}; allowed: {LEAST_BLOCK:g} to 1")
     return made
 
 

@@ -47,11 +47,6 @@ def elastic_exact(body, section, axial_stiffness):
     return ElasticMotion(*far_field(section, to_origin @ motion), motion, *(stretch @ motion))
 
 
-def line_directions(body):
-    """u · J of both lines, front first, of sway, heave and roll about the centre of gravity, (2, 3)"""
-    return np.array([u @ moved for u, _, moved in _lines(body)])
-
-
 def _lines(body):
     """Of both lines, front first: u, r, and J of motions about the centre of gravity"""
     s, c, below = np.sin(body.angle), np.cos(body.angle), body.attachment_z - body.z0

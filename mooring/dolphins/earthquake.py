@@ -8,7 +8,7 @@ For springs, R = k (η − y_g), in steady motion of the ground
 
 stiff fenders → (M + a)/M, soft ones → k/(ω²M) → 0; 1 is the method of the seismic coefficient.  SR179 report (1982),
 section 3.7.4.  A record of acceleration is integrated twice with velocity and displacement 0 at both ends: a straight
-line and a parabola of acceleration are taken off it.
+line of acceleration is taken off it.
 
 In the body's motion against the ground, u = η − y_g, the ground drives as −(M + a) ÿ_g where N is small, so that a
 response spectrum S_a gives R = (M + a) S_a(T, ζ), with period and damping of the equivalent spring at its own u.  A
@@ -35,12 +35,16 @@ class EarthquakeError(ValueError):
 
 
 class Ground(NamedTuple):
-    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; 0 at both ends but the first"""
+    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; 0 at both ends but the first
+
+    base_line : m/s², of the first and the last acceleration, added to a record and straight between them
+    """
 
     time: np.ndarray
     acceleration: np.ndarray
     velocity: np.ndarray
     displacement: np.ndarray
+    base_line: tuple[float, float] = (0.0, 0.0)
 
 
 class Floater(NamedTuple):
@@ -123,7 +127,8 @@ def ground_of_record(time, acceleration, after=0.0):
     corrected = a + share[0] * shapes[0] + share[1] * shapes[1]
     still = np.zeros(round(after / steps[0]))
     t = np.concatenate([t, t[-1] + steps[0] * np.arange(1, len(still) + 1)])
-    return Ground(t, *(np.concatenate([x, still]) for x in (corrected, *_integrated(t[: len(a)], corrected))))
+    moved = (np.concatenate([x, still]) for x in (corrected, *_integrated(t[: len(a)], corrected)))
+    return Ground(t, *moved, (float(share[0]), float(share.sum())))
 
 
 def _integrated(time, acceleration):

@@ -65,6 +65,13 @@ def column_of(path, names, wanted):
     return names.index(wanted)
 
 
+def check_even(path, time, off):
+    """Raise TableError where times (n,) of a table do not step evenly, within `off` of a step"""
+    steps = np.diff(time)
+    if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= off * np.median(steps)):
+        raise fault_of_steps(path, time, off)
+
+
 def fault_of_steps(path, time, off):
     """`TableError` on times (n,) of a table that do not step evenly, within `off` of a step: its line and what to do"""
     steps = np.diff(time)

@@ -87,8 +87,6 @@ def followed(fender, deflection):
 
 def reaction_of(table, which, deflection, state):
     """Reaction, N, of fender `which` at one deflection and state: plain numbers, for kernels"""
-    if deflection <= 0.0:
-        return 0.0
     piece, stop = table.first[which], table.first[which + 1]
     while stop - piece > 1:
         middle = (piece + stop) // 2
@@ -99,6 +97,5 @@ def reaction_of(table, which, deflection, state):
     c = table.pieces
     t = deflection - c[piece, 0]
     force = c[piece, 1] + t * (c[piece, 2] + t * (c[piece, 3] + t * c[piece, 4]))
-    if state < 1.0:
-        force += (state - 1.0) * (c[piece, 5] + t * (c[piece, 6] + t * (c[piece, 7] + t * c[piece, 8])))
-    return force
+    force += (state - 1.0) * (c[piece, 5] + t * (c[piece, 6] + t * (c[piece, 7] + t * c[piece, 8])))
+    return force if deflection > 0.0 else 0.0

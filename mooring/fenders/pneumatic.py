@@ -16,7 +16,7 @@ import numpy as np
 from .fender import FenderError, fender_of_points
 
 AIR = 101_325.0  # Pa
-SECONDS, MINUTES = 1.4, 1.0  # γ
+SECONDS = 1.4  # γ; 1.0 where it takes minutes
 RATED, LIMIT = 0.55, 0.65  # SR179 report (1982), chapter 3.3.2: allowable about 55 % of the diameter
 
 

@@ -27,7 +27,7 @@ from .catenary.state import State
 
 
 class Regime(IntEnum):
-    """What the line does in one cycle; SLACK_TAUT and FREE_FALL ask for `dynamic.simulate`."""
+    """What the line does in one cycle; SLACK_TAUT and FREE_FALL ask for `dynamics.simulation.simulate`."""
 
     QUASI_STATIC = 1
     HARMONIC = 2
@@ -118,7 +118,7 @@ def harmonic_tension(
     if np.any(line.status != State.GROUNDED):
         raise ValueError(
             f"line of {length:g} m at x = {x:g} ± {abs(out):g} m, z = {z:g} ± {abs(up):g} m does not keep a part on "
-            "the bed, or is slack; the simplified method needs one: use dynamic.simulate"
+            "the bed, or is slack; the simplified method needs one: follow it in time, by hakobune line-dynamics"
         )
     H, V = line.horizontal_fairlead, line.vertical_fairlead
     span = H / weight * np.arcsinh(V / H)

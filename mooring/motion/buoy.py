@@ -8,10 +8,10 @@ w is the velocity of the buoy; q, a those of the water at the middle of its draf
 and n those of a rope (`mooring.lines.ropes`); up and down there is the added mass, and not the ρ∇ a of the buoyancy.
 The loss of a hawser grows with its elongation up to e_c, that at a tenth of B, so that nothing jumps where it comes
 taut.  A buoy whose hawsers are made fast at a height h over its lines tilts under their pull, at once, its centre of
-gravity at half its height: a small buoy yields by more than its hawsers, by which they snap less.  Lines hang in their
-static form.  Hawsers go from the deck of the body to the buoy at its centre.  Waves that the
-body scatters are left out.  Water at the buoy is tabulated window by window as are the forces of waves (`wave_loads`),
-at the place where the buoy was found at the begin of the window before.
+gravity at half its height: a small buoy yields by more than its hawsers, by which they snap less.  But for that tilt
+hawsers go from the deck of the body to the axis of the buoy.  Lines hang in their static form.  Waves that the body
+scatters are left out.  Water at the buoy is tabulated window by window as are the forces of waves (`wave_loads`), at
+the place where the buoy was found at the begin of the window before.
 """
 
 from __future__ import annotations
@@ -55,8 +55,11 @@ class BuoyBody:
 
     def yields(self, pull, system):
         """m by which its hawsers yield to the tilt that their pull, N together, makes in the water of a System"""
-        righting = self.mass * system.gravity * self.metacentric_height(system.density)
-        return self.lever * float(np.sin(np.arctan(pull * self.lever / righting)))
+        return yielding(self.lever, self.upright(system), pull)[0] if self.lever > 0 else 0.0
+
+    def upright(self, system):
+        """c_θ over the lever, N"""
+        return self.mass * system.gravity * self.metacentric_height(system.density) / self.lever
 
     def metacentric_height(self, density):
         """m, floating free of lines"""
@@ -142,7 +145,7 @@ class BuoyWork(NamedTuple):
     sums: np.ndarray
     place: np.ndarray
     water: np.ndarray
-    quintic: np.ndarray
+    weights: np.ndarray
     pose: np.ndarray
     R: np.ndarray
     force: np.ndarray
@@ -166,7 +169,7 @@ def buoy_arrays(buoy):
             f"a buoy on hawsers {body.lever:.3g} m over its lines, its metacentric height {righting:.3g} m, does not "
             "stand up; allowed: both above 0"
         )
-    upright = gravity * body.mass * righting / body.lever if body.lever > 0 else 1.0
+    upright = body.upright(system) if body.lever > 0 else 1.0
     displaced = density * area * draft
     added = displaced * np.array([body.added[0], body.added[0], body.added[1]])
     drag = 0.5 * density * np.array([*[body.drag[0] * body.diameter * draft] * 2, body.drag[1] * area])
@@ -205,11 +208,11 @@ def pull_of_rope(rope, stretch, rate):
 
 
 @kernel()
-def yielding(buoy, pull):
+def yielding(lever, upright, pull):
     """m by which hawsers yield to the tilt of the buoy that their pull, N together, makes; and its slope, m/N"""
-    steep = pull / buoy.upright
+    steep = pull / upright  # tan θ
     away = 1.0 + steep * steep
-    return buoy.lever * steep / np.sqrt(away), buoy.lever / (buoy.upright * away * np.sqrt(away))
+    return lever * steep / np.sqrt(away), lever / (upright * away * np.sqrt(away))
 
 
 @kernel()
@@ -235,7 +238,7 @@ def yielded(buoy, work):
         pull += work.rope[i]
     pull = min(pull, most)
     for _ in range(BALANCED):
-        shift, soft = yielding(buoy, pull)
+        shift, soft = yielding(buoy.lever, buoy.upright, pull)
         left, steep = pull, 0.0
         for i in range(buoy.ropes.shape[0]):
             left -= pull_of_rope(buoy.ropes[i], work.reach[i, 3] - shift, 0.0)
@@ -318,7 +321,7 @@ def buoy_rates(buoy, work, y, place, R, at, share, waves, rate):
     R (3, 3) : attitude of the body; at : place in the window, in steps of it; returns whether all lines have a force
     """
     if work.window.shape[1] > 1:
-        between_samples(work.window, at, work.quintic, work.water)
+        between_samples(work.window, at, work.weights, work.water)
     work.pose[:3] = place[:3]
     good = line_loads(buoy.lines, work.lines, work.pose, work.R, work.force)
     hawsers(buoy, work, y, place, R)

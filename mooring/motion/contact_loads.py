@@ -81,10 +81,6 @@ def fender_force(contacts, work, i, position, R, v, f):
         f[j] = R[j, 0] * c[i, ARM] + R[j, 1] * c[i, ARM + 1] + R[j, 2] * c[i, ARM + 2]
         s += v[j] * f[j]
     N = pressed(contacts, work, i, c[i, OFFSET] - s)
-    if c[i, FRICTION] == 0.0:
-        for j in range(3):
-            f[j] *= -N
-        return
     for j in range(3):
         now[i, AT + j] = R[0, j] * v[0] + R[1, j] * v[1] + R[2, j] * v[2]
         # the body's point that was at the fender, from it, and what it had moved before
@@ -115,7 +111,7 @@ def rope_force(contacts, work, i, position, R, v, f):
         f[j] *= T / span
 
 
-@kernel()
+@kernel(inline=True)
 def contact_loads(contacts, work, position, R, v, f):
     """Generalized forces (2, 6) of fenders and of ropes, in heading axes, into work.parts; v, f : room (3,)"""
     rotation_of(position[3:6], R)

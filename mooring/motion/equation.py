@@ -83,7 +83,6 @@ class Work(NamedTuple):
     stream: np.ndarray
     waves: np.ndarray
     weights: np.ndarray
-    quintic: np.ndarray
     value: np.ndarray
     drag: np.ndarray
     R: np.ndarray
@@ -102,19 +101,19 @@ class Scene(NamedTuple):
     current: Stream
     contacts: Contacts
     contact_work: ContactWork
-    hull: HullWater
+    hull: HullWater | None
     work: Work
 
 
 def room(columns):
     """`Work` for windows of so many columns"""
     return Work(
-        np.zeros((ROWS, columns)), np.zeros(2), np.zeros(6), np.zeros(6), np.zeros(3), np.zeros(ROWS), np.zeros(4),
-        np.zeros(6), np.zeros(1), np.zeros(6), np.zeros((3, 3)), np.zeros(3), np.zeros(4), np.zeros(15),
+        np.zeros((ROWS, columns)), np.zeros(2), np.zeros(6), np.zeros(6), np.zeros(3), np.zeros(ROWS), np.zeros(6),
+        np.zeros(1), np.zeros(6), np.zeros((3, 3)), np.zeros(3), np.zeros(4), np.zeros(15),
     )  # fmt: skip
 
 
-@kernel()
+@kernel(inline=True)
 def ramp(t, length):
     """Share of the loads at t s of a ramp: from 0 to 1, with a continuous slope and curvature"""
     if length <= 0.0 or t >= length:
@@ -123,7 +122,7 @@ def ramp(t, length):
     return s * s * s * (10.0 - s * (15.0 - 6.0 * s))
 
 
-@kernel()
+@kernel(inline=True)
 def give(force, y, rate, part, count, number):
     """Add the first `count` numbers of a part to the force, and its power to the rate of its work."""
     power = 0.0
@@ -133,7 +132,7 @@ def give(force, y, rate, part, count, number):
     rate[FIRST_WORK + number] += power
 
 
-@kernel()
+@kernel(inline=True)
 def add_horizontal(work, y, rate, x, y_force, moment, number):
     """Add a surge and sway force and a yaw moment"""
     work.force[0] += x
@@ -142,7 +141,7 @@ def add_horizontal(work, y, rate, x, y_force, moment, number):
     rate[FIRST_WORK + number] += x * y[6] + y_force * y[7] + moment * y[11]
 
 
-@kernel()
+@kernel(inline=True)
 def restore(body, y, rate, work):
     """Hydrostatic and spring forces and those of the turning axes, whose work is that of the current, if any"""
     cos, sin = np.cos(y[5]), np.sin(y[5])
@@ -169,7 +168,7 @@ def restore(body, y, rate, work):
     add_horizontal(work, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, BY_CURRENT)
 
 
-@kernel()
+@kernel(inline=True)
 def dissipate(body, y, rate, work):
     """Linear and quadratic damping, and the memory of the water with the rates of its states"""
     for i in range(6):
@@ -185,12 +184,11 @@ def dissipate(body, y, rate, work):
     give(work.force, y, rate, work.part, 6, BY_MEMORY)
 
 
-@kernel()
+@kernel(inline=True)
 def load(body, wind, current, hull, t, y, rate, work):
-    """Waves, drift, wind, current and what is given, each grown by the ramp"""
-    share = ramp(t, body.ramp)
+    """Waves, drift, what is given, wind and current, each grown by the ramp; hull : HullWater, or None"""
     if work.window.shape[1] > 1:
-        between_samples(work.window, (t - work.span[0]) / work.span[1] + EDGE, work.quintic, work.waves)
+        between_samples(work.window, (t - work.span[0]) / work.span[1] + EDGE, work.weights, work.waves)
         grown = ramp(t - body.wave_ramp[0], body.wave_ramp[1])
         for j in range(6):
             work.part[j] = grown * work.waves[j]
@@ -203,20 +201,22 @@ def load(body, wind, current, hull, t, y, rate, work):
             work, y, rate, grown * (w[6] - d[0] * u - d[1] * v), grown * (w[7] - d[2] * u - d[3] * v),
             grown * (w[8] - d[4] * u - d[5] * v), BY_DRIFT,
         )  # fmt: skip
-    stream_force(wind, t, share, y[5:8], work.weights, work.quintic, work.stream, work.value)
-    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_WIND)
-    stream_force(current, t, share, y[5:8], work.weights, work.quintic, work.stream, work.value)
-    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_CURRENT)
-    if hull.length > 0.0:
-        work.moving[:3], work.moving[3] = y[5:8], y[11]
-        hull_water_force(hull, share, work.moving, work.weights, work.powers, work.stream, work.arm)
+    if hull is not None:
+        work.moving[0], work.moving[1], work.moving[2], work.moving[3] = y[5], y[6], y[7], y[11]
+        hull_water_force(hull, ramp(t, body.ramp), work.moving, work.weights, work.powers, work.stream, work.arm)
         add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_CURRENT)
         add_horizontal(work, y, rate, work.arm[0], work.arm[1], work.arm[2], BY_DRIFT)
     if body.given.shape[1] > 1:
-        between_samples(body.given, t / body.given_step, work.quintic, work.part)
+        between_samples(body.given, t / body.given_step, work.weights, work.part)
+        share = ramp(t, body.ramp)
         for j in range(6):
             work.part[j] *= share
         give(work.force, y, rate, work.part, 6, BY_GIVEN)
+    share = ramp(t, body.ramp)
+    stream_force(wind, t, share, y[5:8], work.weights, work.stream, work.value)
+    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_WIND)
+    stream_force(current, t, share, y[5:8], work.weights, work.stream, work.value)
+    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_CURRENT)
 
 
 @kernel()
@@ -225,12 +225,12 @@ def rates(scene, buoy, t, y, rate):
 
     buoy : (Buoy, BuoyWork), None where there is none, and then nothing of it is compiled
     """
-    body, work = scene.body, scene.work
+    work = scene.work
     rate[:] = 0.0
     work.force[:] = 0.0
-    restore(body, y, rate, work)
-    dissipate(body, y, rate, work)
-    load(body, scene.wind, scene.current, scene.hull, t, y, rate, work)
+    restore(scene.body, y, rate, work)
+    dissipate(scene.body, y, rate, work)
+    load(scene.body, scene.wind, scene.current, scene.hull, t, y, rate, work)
     scene.line_work.span[0] = t
     good = line_loads(scene.lines, scene.line_work, y[:6], work.R, work.part)
     give(work.force, y, rate, work.part, 6, BY_LINES)
@@ -239,7 +239,7 @@ def rates(scene, buoy, t, y, rate):
         give(work.force, y, rate, scene.contact_work.parts[0], 6, BY_FENDERS)
         give(work.force, y, rate, scene.contact_work.parts[1], 6, BY_ROPES)
     if buoy is not None:
-        floating, kept = buoy
+        body, (floating, kept) = scene.body, buoy
         grown, share = ramp(t - body.wave_ramp[0], body.wave_ramp[1]), ramp(t, body.ramp)
         at, place = (t - work.span[0]) / work.span[1] + EDGE, y[FLOAT : FLOAT + 6]
         good = buoy_rates(floating, kept, y, place, work.R, at, share, grown, rate[FLOAT : FLOAT + 6]) and good
@@ -251,9 +251,9 @@ def rates(scene, buoy, t, y, rate):
     for i in range(6):
         total = 0.0
         for j in range(6):
-            total += body.mass_inverse[i, j] * work.force[j]
+            total += scene.body.mass_inverse[i, j] * work.force[j]
         rate[6 + i] = total
-    c = body.filter_rate
+    c = scene.body.filter_rate
     for j in range(3):
         at = 5 if j == 2 else j
         rate[SLOW + j] = y[SLOW_RATE + j]

@@ -235,7 +235,7 @@ def packed(tables):
     )
 
 
-@kernel()
+@kernel(inline=True)
 def cell_pull(values, dc, dz, s, t):
     """(H, V) N of the values (2, 4, 4) of a cell at s, t of its sizes, 0 to 1"""
     a, b = (1 + 2 * s) * (1 - s) ** 2, s * s * (3 - 2 * s)
@@ -254,7 +254,7 @@ def cell_pull(values, dc, dz, s, t):
     return H, V
 
 
-@kernel()
+@kernel(inline=True)
 def packed_pull(tables, number, x, z):
     """(H, V) N of a table of a `Packed` at a span x and height z; nan above and below it.
 
@@ -262,8 +262,9 @@ def packed_pull(tables, number, x, z):
     """
     ends, first = tables.ends[number], tables.first[number]
     c = max(np.sqrt(x * x + z * z), ends[0, 0])
-    if not (np.isfinite(c) and ends[1, 0] <= z <= ends[1, 1]):
-        return np.nan, np.nan
+    known = np.isfinite(c) and ends[1, 0] <= z <= ends[1, 1]
+    if not known:
+        c, z = ends[0, 0], ends[1, 0]
     at = min(c, ends[0, 1])
     i = min(int((at - ends[0, 0]) / (ends[0, 1] - ends[0, 0]) * first[0]), first[0] - 1)
     j = min(int((z - ends[1, 0]) / (ends[1, 1] - ends[1, 0]) * first[1]), first[1] - 1)
@@ -272,15 +273,13 @@ def packed_pull(tables, number, x, z):
         here = at if tables.along[node] == 0 else z
         node = tables.below[node] + (1 if here > tables.halved[node] else 0)
     cell = -1 - tables.below[node]
-    c0, z0, dc, dz = tables.cells[cell]
+    c0, z0, dc, dz = tables.cells[cell, 0], tables.cells[cell, 1], tables.cells[cell, 2], tables.cells[cell, 3]
     t = (z - z0) / dz
-    H, V = cell_pull(tables.values[cell], dc, dz, (at - c0) / dc, t)
-    if c > at:
-        values = tables.values[cell]
-        for k in range(2):
-            low, high = values[k, 1], values[k, 3]
-            e, f = (1 + 2 * t) * (1 - t) ** 2, t * t * (3 - 2 * t)
-            g, h = dz * t * (1 - t) ** 2, -dz * t * t * (1 - t)
-            slope = e * low[1] + f * high[1] + g * low[3] + h * high[3]
-            H, V = (H + slope * (c - at), V) if k == 0 else (H, V + slope * (c - at))
-    return max(H, 0.0), V
+    values = tables.values[cell]
+    H, V = cell_pull(values, dc, dz, (at - c0) / dc, t)
+    e, f = (1 + 2 * t) * (1 - t) ** 2, t * t * (3 - 2 * t)
+    g, h = dz * t * (1 - t) ** 2, -dz * t * t * (1 - t)
+    for k in range(2):
+        slope = e * values[k, 1, 1] + f * values[k, 3, 1] + g * values[k, 1, 3] + h * values[k, 3, 3]
+        H, V = (H + slope * (c - at), V) if k == 0 else (H, V + slope * (c - at))
+    return (max(H, 0.0), V) if known else (np.nan, np.nan)

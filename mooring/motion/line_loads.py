@@ -171,7 +171,7 @@ def _arrays(anchors, fairleads, given, times, bed, place, tables, hawser, pulls,
     )
 
 
-@kernel()
+@kernel(inline=True)
 def rotation_of(angles, R):
     """R (3, 3) = Rz(yaw) Ry(pitch) Rx(roll) of (roll, pitch, yaw)"""
     a, b, c = np.cos(angles[0]), np.cos(angles[1]), np.cos(angles[2])
@@ -231,7 +231,15 @@ def fairlead_course(lines, i, states):
     return course
 
 
-@kernel()
+@kernel(inline=True)
+def straight_pull(curves, number, length, span, rise):
+    """(H, V) N of a hawser with the curve `number`, `length` m unstretched; none where it is shorter"""
+    away = np.sqrt(span * span + rise * rise)
+    T = reaction(curves, number, away - length, 1.0)
+    return T * span / max(away, length), T * rise / max(away, length)
+
+
+@kernel(inline=True)
 def line_loads(lines, work, position, R, out):
     """out (6,) generalized forces, in heading axes, of the lines on a body at `position` (6,); work.tension is filled.
 
@@ -243,49 +251,38 @@ def line_loads(lines, work, position, R, out):
     good = True
     legendre(2 * (work.span[0] - work.span[1]) / work.span[2] - 1, work.terms)
     for i in range(lines.lost.size):
-        if not work.whole[i]:
-            work.tension[i, 0] = work.tension[i, 1] = 0.0
-            continue
-        p, a = lines.fairlead[i], lines.anchor[i]
-        ax = R[0, 0] * p[0] + R[0, 1] * p[1] + R[0, 2] * p[2]
-        ay = R[1, 0] * p[0] + R[1, 1] * p[1] + R[1, 2] * p[2]
-        az = R[2, 0] * p[0] + R[2, 1] * p[1] + R[2, 2] * p[2]
-        if lines.moves[i]:
-            x = y = z = 0.0
+        px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
+        ax = R[0, 0] * px + R[0, 1] * py + R[0, 2] * pz
+        ay = R[1, 0] * px + R[1, 1] * py + R[1, 2] * pz
+        az = R[2, 0] * px + R[2, 1] * py + R[2, 2] * pz
+        x = y = z = H = V = 0.0
+        if work.whole[i] and lines.moves[i]:
             for k in range(TERMS):
-                c = work.given[i, k]
-                x, y, z = x + work.terms[k] * c[0], y + work.terms[k] * c[1], z + work.terms[k] * c[2]
-            work.tension[i, 0], work.tension[i, 1] = np.sqrt(x * x + y * y), -z
+                c = work.terms[k]
+                x, y, z = x + c * work.given[i, k, 0], y + c * work.given[i, k, 1], z + c * work.given[i, k, 2]
+            H, V = np.sqrt(x * x + y * y), -z
+        elif work.whole[i]:
+            x = lines.place[0] + position[0] + ax - lines.anchor[i, 0]
+            y = lines.place[1] + position[1] + ay - lines.anchor[i, 1]
+            span = np.sqrt(x * x + y * y)
+            low, high = lines.anchor[i, 2], lines.place[2] + position[2] + az
+            length, weight = lines.lines[i, 0], lines.lines[i, 1]
+            flexibility, friction = lines.lines[i, 2], lines.lines[i, 3]
+            # one after the other: of branches of one condition the compiler joins the ends, and counts references there
+            if lines.table[i] >= 0:
+                H, V = packed_pull(lines.tables, lines.table[i], span, high - low)
+            if lines.hawser[i] >= 0:
+                H, V = straight_pull(lines.curves, lines.hawser[i], length, span, high - low)
+            if lines.table[i] < 0 and lines.hawser[i] < 0:
+                kept, row = work.kept[i], work.rows[i]
+                H, V = pull_of_any(kept, row, span, low, high, lines.bed, length, weight, flexibility, friction)
+            x, y, z = (-H * x / span, -H * y / span, -V) if span > 0.0 else (0.0, 0.0, -V)
+        if np.isfinite(H):
+            work.tension[i, 0], work.tension[i, 1] = H, V
             fx, fy, fz = fx + x, fy + y, fz + z
             mx, my, mz = mx + ay * z - az * y, my + az * x - ax * z, mz + ax * y - ay * x
-            continue
-        x = lines.place[0] + position[0] + ax - a[0]
-        y = lines.place[1] + position[1] + ay - a[1]
-        z = lines.place[2] + position[2] + az
-        span = np.sqrt(x * x + y * y)
-        length, weight, flexibility, friction = lines.lines[i]
-        if lines.table[i] >= 0:
-            H, V = packed_pull(lines.tables, lines.table[i], span, z - a[2])
-        elif lines.hawser[i] >= 0:
-            away = np.sqrt(span * span + (z - a[2]) ** 2)
-            T = reaction(lines.curves, lines.hawser[i], away - length, 1.0)
-            H, V = T * span / max(away, length), T * (z - a[2]) / max(away, length)  # without pull where it is shorter
         else:
-            H, V = pull_of_any(
-                work.kept[i], work.rows[i], span, a[2], z, lines.bed, length, weight, flexibility, friction
-            )
-        if not np.isfinite(H):
             good = False
-            continue
-        work.tension[i, 0], work.tension[i, 1] = H, V
-        if span > 0.0:
-            x, y = -H * x / span, -H * y / span
-        else:
-            x = y = 0.0
-        fx, fy, fz = fx + x, fy + y, fz - V
-        mx += ay * -V - az * y
-        my += az * x + ax * V
-        mz += ax * y - ay * x
     generalized(position, fx, fy, fz, mx, my, mz, out)
     return good
 

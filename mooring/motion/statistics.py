@@ -94,6 +94,13 @@ def parts(record, step, split):
     return tuple(float(np.sqrt(power[part].sum())) / len(record) for part in (slow, ~slow))
 
 
+def slow_part(record, step, split):
+    """What lies below `split` rad/s of a record (n,), its mean with it, without delay"""
+    part = np.fft.rfft(record)
+    part[2 * np.pi * np.fft.rfftfreq(len(record), step) >= split] = 0.0
+    return np.fft.irfft(part, len(record))
+
+
 def periods(record, step):
     """T_zero and T_peak (s) and ε of a record (n,) without mean, by differences exact to fourth order in the step."""
     x = record

@@ -84,25 +84,23 @@ def turning_drag(hull, density, depth, table=None):
     return 0.25 * density * float(table.curve(np.pi / 2)[1]) * hull.draft * (0.5 * hull.length) ** 4
 
 
-@kernel()
-def stream_force(stream, t, share, moving, weights, quintic, out, value):
+@kernel(inline=True)
+def stream_force(stream, t, share, moving, weights, out, value):
     """out (3,) N, N, N m in the body's axes of a stream that has grown to `share` of its speed.
 
     moving : (3,) heading, velocities along and across it, rad and m/s
-    weights (4,), quintic (6,), value (1,) : room for work
+    weights (6,), value (1,) : room for work
     """
     heading, u, v = moving[0], moving[1], moving[2]
     cos, sin = np.cos(heading), np.sin(heading)
-    x, y = share * stream.velocity[0], share * stream.velocity[1]
+    value[0] = 0.0
     if stream.gusts.shape[1] > 1:
-        between_samples(stream.gusts, (t - stream.first) / GUST_STEP, quintic, value)
-        speed = np.hypot(stream.velocity[0], stream.velocity[1])
-        x, y = x * (1.0 + value[0] / speed), y * (1.0 + value[0] / speed)
+        between_samples(stream.gusts, (t - stream.first) / GUST_STEP, weights, value)
+    gust, speed = value[0], np.hypot(stream.velocity[0], stream.velocity[1])
+    grown = 1.0 + gust / speed if speed > 0.0 else 1.0
+    x, y = share * stream.velocity[0] * grown, share * stream.velocity[1] * grown
     along, across = cos * x + sin * y - u, -sin * x + cos * y - v
     square = along * along + across * across
-    if square == 0.0:
-        out[:] = 0.0
-        return
     on_ring(stream.table, np.arctan2(across, along), weights, out)
     for j in range(3):
         out[j] *= square

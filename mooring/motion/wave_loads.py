@@ -116,7 +116,7 @@ def drift_of(forces, components, heading):
     place = (np.asarray(components.direction) - heading) * (HEADINGS / (2 * np.pi))
     whole, weights, out = np.floor(place), np.empty(6), np.empty((len(place), 3))
     for i, near in enumerate(table):
-        lagrange_weights(place[i] - whole[i] + 2.0, weights)
+        lagrange_weights(place[i] - whole[i] + 2.0, 6, weights)
         out[i] = weights @ near[(int(whole[i]) - 2 + np.arange(6)) % HEADINGS]
     return out
 
@@ -173,7 +173,7 @@ def fill_rows(table, rows, pose, start):
             towards = table.direction[i]
             place = (towards - pose[2]) * (HEADINGS / (2 * np.pi))
             whole = np.floor(place)
-            lagrange_weights(place - whole + 2.0, weights)
+            lagrange_weights(place - whole + 2.0, 6, weights)
             first = int(whole) - 2
         parts[:] = 0.0
         for n in range(6):

@@ -13,6 +13,7 @@ from .drift import TURN
 from .linear import over_headings
 from .seas import directions, energy_outside
 
+LINES_NAMED = 12  # in one warning, of more the number
 MISSED = 0.01  # share of the energy beyond the stored frequencies that is named
 WAVES_MISSED = 0.05  # share of the far field that sources in the hull do not send
 UNSURE = 0.05  # estimated error of a result between stored waves that is warned of
@@ -57,7 +58,7 @@ def waves_missed(transfer):
 
 def named_shares(names, share):
     """Words on the responses whose share (c,) is above MISSED, the largest first; empty for none"""
-    return _some([f"{names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED])
+    return some([f"{names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED])
 
 
 class Errors(NamedTuple):
@@ -140,7 +141,8 @@ def drift_outside(body, inside, beyond):
         )
 
 
-def _some(named, most=6):
+def some(named, most=6):
+    """`named` as a list in words, what is beyond `most` of them as its number"""
     rest = f" and {len(named) - most} more" if len(named) > most else ""
     return ", ".join(named[:most]) + rest
 

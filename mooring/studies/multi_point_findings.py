@@ -9,7 +9,7 @@ from bem.database.resonances import resonances as known_resonances
 
 from ..lines.catenary.state import State
 from ..lines.system.findings import LONGEST_STRAIN, beyond_tables, strains, unheld
-from ..response.findings import large_rotations
+from ..response.findings import LINES_NAMED, large_rotations, some
 
 UNSURE = 0.05  # estimated error of a motion or of drift between stored waves that is named
 RESONANCE = (0.7, 1.5)  # natural period over wave period; outside, a light mode is amplified below 2
@@ -175,5 +175,5 @@ def _line_findings(result):
     )
     for chosen, text in groups:
         if np.any(chosen):
-            yield f"{chosen.sum()} of {len(names)} lines {text}: {', '.join(names[chosen])}"
+            yield f"{chosen.sum()} of {len(names)} lines {text}: {some(list(names[chosen]), LINES_NAMED)}"
     yield from beyond_tables(result.system, result.tension)

@@ -7,6 +7,7 @@ import numpy as np
 from ..lines.system.findings import LONGEST_STRAIN
 from ..lines.system.hawser import Hawser
 from ..lines.system.parts import Fairlead
+from ..response.findings import LINES_NAMED, some
 
 BESIDE = 0.1  # of the hull's length: farther out of the hull no bracket or outrigger carries a fairlead
 NEAR = 0.01  # of it: so far out a fairlead is remarked, and so much of a line inside of the hull
@@ -45,10 +46,11 @@ def place_findings(system, hull):
         if inside > NEAR * hull.length:
             through.append(f"{line.name} {inside:.3g} m")
     if beside:
-        yield f"fairleads beside the hull: {', '.join(beside)}; limit {NEAR * hull.length:.3g} m; check where they are"
+        limit = f"limit {NEAR * hull.length:.3g} m"
+        yield f"fairleads beside the hull: {some(beside, LINES_NAMED)}; {limit}; check where they are"
     if through:
         yield (
-            f"lines through the hull, on the straight way from fairlead to anchor: {', '.join(through)}; limit "
+            f"lines through the hull, on the straight way from fairlead to anchor: {some(through, LINES_NAMED)}; limit "
             f"{NEAR * hull.length:.3g} m; check fairleads and headings"
         )
 
@@ -64,7 +66,7 @@ def off_the_mesh(system, body, mesh):
     off = [f"{point.name} {out:.3g} m" for point, out in zip(own, away, strict=True) if out > NEAR * length]
     if off:
         limit = f"limit {NEAR * length:.3g} m"
-        yield f"fairleads off the hull of the database: {', '.join(off)}; {limit}; check where they are"
+        yield f"fairleads off the hull of the database: {some(off, LINES_NAMED)}; {limit}; check where they are"
 
 
 def _ends(system):

@@ -17,6 +17,7 @@ from .report import MARK, draw, measured_lines, show, show_course, write_course
 from .study import approach_of, read_berth
 
 MASS_DIFFERS = 0.02  # share, of the ship's mass from that of the water its database displaces
+DEPTH_DIFFERS = 0.02  # of the depth at the berth, less than a tide
 
 
 def berth(study_path, database, output, plot):
@@ -83,4 +84,6 @@ def _ship(study, approach, database):
             f"the body of {database} displaces {displaced / 1e3:.0f} t, the ship has {ship.mass / 1e3:.0f} t, which is "
             "what moves"
         )
+    if study.depth is not None and abs(db.water_depth / study.depth - 1) > DEPTH_DIFFERS:
+        told.append(f"the memory of {database} is that of {db.water_depth:g} m of water, depth is {study.depth:g} m")
     return made, told

@@ -85,9 +85,9 @@ def _check_map(study, database, map_plot):
 
 def _wide(console):
     """A console that cuts no numbers where there is no terminal"""
-    from rich.console import Console
+    from ..printing.console import new_console
 
-    return console if console.is_terminal else Console(width=WIDTH)
+    return console if console.is_terminal else new_console(width=WIDTH)
 
 
 def _fails(found):

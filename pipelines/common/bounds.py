@@ -14,6 +14,7 @@ from .progress import duration
 
 LONGEST = 30 * 86400.0  # s
 WORTH_TELLING = 10.0  # s
+MUCH = 1e9  # bytes
 LITTLE = 1e8  # bytes, as much as imports take: whether they are free is not asked, which takes 0.01 s
 MOST = 10_000  # numbers of one list or span
 
@@ -37,10 +38,12 @@ def check_seconds(what, seconds, way_out, error=TooMuchError):
         raise error(f"{what} about {duration(seconds)}; allowed: {duration(LONGEST)}; {way_out}")
 
 
-def told(what, seconds, say=None):
-    """Say what work of WORTH_TELLING or more will take, to stderr unless there is another place."""
-    if seconds >= WORTH_TELLING:
-        (say or _to_stderr)(f"{what} about {duration(seconds)}")
+def told(what, seconds, say=None, memory=0.0):
+    """Say what work of WORTH_TELLING or more, or of MUCH memory (bytes), will take, to stderr unless elsewhere."""
+    if seconds >= WORTH_TELLING or memory >= MUCH:
+        (say or _to_stderr)(
+            f"{what} about {duration(seconds)}" + (f", {memory / 1e9:.2g} GB" if memory >= MUCH else "")
+        )
 
 
 def check_count(key, count, least=1, most=MOST, error=TooMuchError):

@@ -69,7 +69,7 @@ def fender_of(table, where="fender"):
     if not 1 <= table.count <= MOST:
         raise StudyError(f"{where}.count is {table.count}; allowed: 1 to {MOST}")
     factor = positive(f"{where}.factor", table.factor) * table.count
-    made = _inclined(table, where, _of_family(table, where) if table.family else _of_file(table, where))
+    made = _inclined(table, where, _of_family(table, where) if table.family is not None else _of_file(table, where))
     return made.times(factor, f"{table.count} × {made.name}" if table.count > 1 else None)
 
 

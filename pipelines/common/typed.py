@@ -44,10 +44,10 @@ def typed(raw, kind, error):
     try:
         return msgspec.convert(raw, kind)
     except msgspec.ValidationError as fault:
-        raise error(_of_another(raw, kind) or _line(str(fault), raw, kind)) from None
+        raise error(of_another(raw, kind) or _line(str(fault), raw, kind)) from None
 
 
-def _of_another(raw, kind):
+def of_another(raw, kind):
     """Which commands read a file that is of another kind, whole and without a fault; "" where it is none"""
     known = {field.encode_name for field in msgspec.structs.fields(kind)}
     strange = [key for key in raw if key not in known]

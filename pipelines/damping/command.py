@@ -44,9 +44,7 @@ def damping(
 
 def read_record(path):
     """{column: (n,) array} of a CSV.  Raises ValueError."""
-    import numpy as np
-
-    from mooring.environment.tables import fault_of_steps, read_table
+    from mooring.environment.tables import check_even, read_table
     from mooring.identification.record import UNEVEN
 
     names, values = read_table(path)
@@ -57,9 +55,7 @@ def read_record(path):
             f"{path} has {shown}; allowed: the columns time_s, motion_m, and force_kN where it is moved: name them so"
         )
     columns = dict(zip(names, values.T, strict=True))
-    steps = np.diff(columns["time_s"])
-    if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= UNEVEN * np.median(steps)):
-        raise fault_of_steps(path, columns["time_s"], UNEVEN)
+    check_even(path, columns["time_s"], UNEVEN)
     return columns
 
 

@@ -105,6 +105,7 @@ def read_project(path):
     _check_fatigue(project, study)
     criteria = _criteria(project, folder)
     _check_limits(project, kind.finds(study))
+    _check_own_rules(project, kind.finds(study), folder)
     _check_needs(kind.needs(study), criteria)
     _check_used(project, criteria)
     _check_values(project, criteria)
@@ -245,6 +246,19 @@ def _check_limits(project, found):
             raise StudyError(
                 f"limits[{i}].quantity is {one.quantity!r}; allowed: {'; '.join(known)}; or give it by [[values]]"
             )
+
+
+def _check_own_rules(project, found, folder):
+    """Raises StudyError where a file of one's own has a quantity that no load case, table or value knows: a misprint"""
+    known = {*OF_TENSIONS, *found, *KNOWN_OF_PROJECT, *(value.quantity for value in project.values)}
+    known |= {criterion.quantity for criterion in read_rules()}
+    for i, table in enumerate(project.rules):
+        for one in () if table.file is None else of_rule(read_rules(folder / table.file), table.rule, table.subject):
+            if one.quantity not in known:
+                raise StudyError(
+                    f"rules[{i}], {table.file}: quantity {one.quantity!r} is found by no load case; allowed: "
+                    f"{'; '.join((*OF_TENSIONS, *found, *KNOWN_OF_PROJECT))}; or give it by [[values]]"
+                )
 
 
 def _check_needs(needs, criteria):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from ..common.quantities import Table
-from ..moor.study import SimulationTable, StreamTable, WavesTable, WindTable
+from ..moor.tables import SimulationTable, StreamTable, WavesTable, WindTable
 
 MEAN = "mean"  # the level of the study's own water
 

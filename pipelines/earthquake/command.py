@@ -41,9 +41,11 @@ def earthquake(study_path, database, output, plot):
     stiffness = _stiffnesses(quake, rows)
     _show(quake, rows, stiffness)
     if run is not None:
+        ground, (first, last) = quake.ground, quake.ground.base_line
+        largest, way, own = (np.abs(x).max() for x in (ground.acceleration, ground.displacement, run.body))
         print(
-            f"record: ground {np.abs(quake.ground.acceleration).max():.3g} m/s², "
-            f"{np.abs(quake.ground.displacement).max():.3g} m at most, the body {np.abs(run.body).max():.3g} m in space"
+            f"record: ground {largest:.3g} m/s², {way:.3g} m at most, the body {own:.3g} m in space; "
+            f"{first:.2g} to {last:.2g} m/s² are added to it, so that it ends at rest"
         )
     if output is not None:
         _write(output, quake, run)

@@ -203,7 +203,7 @@ def _spectrum(table):
 
 
 def _ground(table, folder):
-    from mooring.environment.tables import TableError, fault_of_steps, read_table
+    from mooring.environment.tables import TableError, check_even, read_table
 
     path = folder / table.file
     try:
@@ -221,9 +221,10 @@ def _ground(table, folder):
         raise StudyError(f"record.after is {table.after:g} s; allowed: 0 to {LONGEST:g}")
     scale = positive("record.scale", table.scale) * COLUMNS[known[0]]
     time, shaken = values[:, names.index("time_s")], scale * values[:, names.index(known[0])]
-    steps = np.diff(time)
-    if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= UNEVEN * np.median(steps)):
-        raise StudyError(str(fault_of_steps(path, time, UNEVEN)))
+    try:
+        check_even(path, time, UNEVEN)
+    except TableError as error:
+        raise StudyError(str(error)) from None
     try:
         return ground_of_record(time, shaken, table.after)
     except EarthquakeError as error:

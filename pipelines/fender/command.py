@@ -87,9 +87,7 @@ def _show(pair, bands, factors, causes, straight):
 def _tell_inclined(table, pair, straight):
     """Rated values over those of the upright fender, where the edge that is pressed most has the rated strain"""
     width = table.length if table.width is None else table.width
-    reaction, energy = (
-        getattr(pair, name) / getattr(straight, name) for name in ("rated_reaction", "rated_energy")
-    )  # fmt: skip
+    reaction, energy = pair.rated_reaction / straight.rated_reaction, pair.rated_energy / straight.rated_energy
     print(
         f"inclined by {table.angle_deg:g}° over {width:g} m, by strips: × {reaction:.3f} on the rated reaction, × "
         f"{energy:.3f} on the rated energy; deflections are those of the edge that is pressed most"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mooring.lines.system.findings import LONGEST_STRAIN, strains
+from mooring.response.findings import LINES_NAMED, some
 
 
 def overloads(state, curves=(), losses=None):
@@ -42,4 +43,4 @@ def _of_one(where, system, tension, used):
 def _named(system, shares, limit):
     """Lines above a limit, with their shares; "" where there are none"""
     above = [(name, share) for name, share in zip(system.line_names, shares, strict=True) if share > limit]
-    return ", ".join(f"{name} {100 * share:.4g} %" for name, share in above)
+    return some([f"{name} {100 * share:.4g} %" for name, share in above], LINES_NAMED)

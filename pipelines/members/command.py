@@ -146,8 +146,9 @@ def _draw(courses, phases, path):
 
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     axis = figure.add_subplot()
-    for one in courses:
-        axis.plot(np.degrees(phases), np.linalg.norm(one.force[:, :3], axis=1) / KILO, label=one.name)
+    for i, one in enumerate(courses):
+        style = ("-", (0, (4, 4)))[i % 2]  # piles side by side have the same force: both are to be seen
+        axis.plot(np.degrees(phases), np.linalg.norm(one.force[:, :3], axis=1) / KILO, linestyle=style, label=one.name)
     if len(courses) > 1:
         total = sum(one.force[:, :3] for one in courses)
         axis.plot(np.degrees(phases), np.linalg.norm(total, axis=1) / KILO, "k", linewidth=2, label="all")

@@ -55,9 +55,12 @@ def by_far_field(db, y):
     share = 100 * left_out
     told = f"quay at y = {y:g} m: by the far field; {share:.2g} % of a wave decays between hull and quay, left out"
     if left_out > REFUSED:
-        raise StudyError(f"{told}; allowed: up to {100 * REFUSED:g} %; solve the body with --wall {y:g}")
+        raise StudyError(f"{told}; allowed: up to {100 * REFUSED:g} %; solve the body with hakobune solve --wall {y:g}")
     if left_out > SAID:
-        told += f"; more than {100 * SAID:g} %: forces and added mass are about as much off; solve it with --wall {y:g}"
+        told += (
+            f"; more than {100 * SAID:g} %: forces and added mass are about as much off; hakobune simulate takes the "
+            f"quay as panels, of a database by hakobune solve --wall {y:g}"
+        )
     if energy > GIVEN_BACK:
         told += (
             f"; damping before it is as low as {-energy:.2g} of its largest, and may not be negative: solve with "

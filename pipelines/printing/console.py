@@ -55,7 +55,12 @@ def _kind():
     from rich.console import Console
     from rich.table import Table
 
-    class TableConsole(Console):
+    class PipedConsole(Console):
+        def on_broken_pipe(self):
+            """Whoever reads has gone: told to the command line like any other, where rich would end with status 1"""
+            raise BrokenPipeError
+
+    class TableConsole(PipedConsole):
         def print(self, *objects, **options):
             if not (len(objects) == 1 and isinstance(objects[0], Table)):
                 return super().print(*objects, **options)
@@ -67,7 +72,7 @@ def _kind():
             whole = Console(width=WIDEST).measure(table).maximum
             if whole <= self.width:
                 return super().print(table, **options)
-            return Console(file=self.file, width=whole, force_terminal=self.is_terminal).print(table, **options)
+            return PipedConsole(file=self.file, width=whole, force_terminal=self.is_terminal).print(table, **options)
 
     return TableConsole
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..common.bounds import check_memory, check_seconds, told
 
 RESPONSES = 18, 13  # of a body, and of a point
-BYTES = 500 * 16.0  # of a response at one heading: frequencies, complex
+BYTES = 500 * 16.0 * 5  # of a response at one heading: frequencies, complex, with what is made of them (3.7 to 5.8)
 HEADINGS = 36  # of short-crested waves
 BYTES_OF_STATE = 60.0  # of a response in a sea state
 SECONDS_OF_POINT = 0.04  # with its rows of the table
@@ -32,4 +32,4 @@ def check_effort(read, scatter=None):
         what += f" in {states} sea states"
     check_memory(f"{what} need", memory, WAY_OUT)
     check_seconds(f"{what} take", seconds, WAY_OUT)
-    told(f"{what} take", seconds)
+    told(f"{what} take", seconds, memory=memory)

@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bem.database import open_database
+from bem.wave_field.before_wall import least_gap
 from meshing.whole_files import write_whole
 from mooring.dolphins.design_spectrum import DolphinError, Dolphins, beam_of, limit_height, strains
 from mooring.environment.spectra import issc
@@ -100,8 +101,8 @@ def make_series(folder, fresh, gap=None):
 
 def _check_gap(gap):
     """Raise StudyError for a quay too near for the far field of any of the floaters, or too far."""
-    least = max(min(depth, FLOATERS[floater].beam) for floater, depths in DEPTHS.items() for depth in depths)
-    least *= -math.log(REFUSED) / (2 * math.pi)  # `bem.wave_field.before_wall.neglected`
+    floating = [(depth, FLOATERS[floater].beam) for floater, depths in DEPTHS.items() for depth in depths]
+    least = max(least_gap(REFUSED, *sizes) for sizes in floating)
     if not least <= gap <= FARTHEST:
         raise StudyError(
             f"--quay is {gap:g} m; allowed: {math.ceil(least)} to {FARTHEST:g} m, where waves alone cross the gap "

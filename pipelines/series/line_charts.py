@@ -40,9 +40,9 @@ class Chart(NamedTuple):
 
 def make_series(folder):
     """Exit status 0.  Raises ValueError, one line."""
-    from rich.console import Console
+    from ..printing.console import new_console
 
-    console = Console()
+    console = new_console()
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
     made = charts()

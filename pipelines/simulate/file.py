@@ -31,7 +31,11 @@ SLOW = ("Surge", "Sway", "Yaw")
 LONGEST = 1000  # bytes of the findings of a seed
 SERIES = {  # name: (axes, unit, long name)
     "motion": (("kept_seed", "time", "dof"), "m, m, m, rad, rad, rad", "displacement of the rotation centre from rest"),
-    "slow": (("kept_seed", "time", "slow_dof"), "m, m, rad", "slow part of surge, sway and yaw"),
+    "slow": (
+        ("kept_seed", "time", "slow_dof"),
+        "m, m, rad",
+        "slow pose: surge, sway and yaw by a filter, late",
+    ),
     "wave": (("kept_seed", "time"), "m", "elevation of the undisturbed wave at the origin"),
     "wind_speed": (("kept_seed", "time"), "m/s", "wind speed with its gusts"),
     "tension": (("kept_seed", "time", "line"), "N", "line tension at the body"),

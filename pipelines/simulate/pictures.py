@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mooring.motion.statistics import slow_part
+
 from ..common.picture import save
 from ..common.units import TONF
 from .file import STATISTICS, whole_rows
@@ -14,6 +16,8 @@ SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
            ("pitch", 180 / np.pi, "°"), ("yaw", 180 / np.pi, "°"))  # fmt: skip
 SMOOTH = 20  # neighbouring frequencies in one value of a spectrum
+FINE, BEYOND, LAST = 0.15, 10.0, 2.0  # a value's width and the end of spectra over the split frequency; rad/s, at most
+PLANE = (0, 1, 5)  # motions that no restoring of the water holds
 MOST_POINTS = 20_000
 
 
@@ -73,21 +77,27 @@ def _records(file, kept, path):
     axes = axes[:, 0]
     axes[0].plot(time[part], file["wave"][row][part], color="C0", lw=0.9)
     axes[0].set_ylabel("wave, m")
-    slow = dict(zip((0, 1, 5), file["slow"][row].T, strict=True))
+    step, split = float(np.diff(time[:2])[0]), float(file.attrs["split_frequency"])
     for j, (name, factor, unit) in enumerate(MOTIONS):
-        axes[j + 1].plot(time[part], factor * file["motion"][row, :, j][part], color="0.25", lw=0.9)
-        if j in slow:
-            axes[j + 1].plot(time[part], factor * slow[j][part], color="C3", lw=1.4, label="slow part")
+        motion = factor * file["motion"][row, :, j].astype(float)
+        axes[j + 1].plot(time[part], motion[part], color="0.25", lw=0.9)
+        if j in PLANE:
+            slow = slow_part(motion, step, split)[part]
+            axes[j + 1].plot(time[part], slow, color="C3", lw=1.4, label=f"slow part, below {split:.2g} rad/s")
         axes[j + 1].set_ylabel(f"{name}, {unit}")
     axes[1].legend(frameon=False, fontsize=8, loc="upper right")
     axes[7].plot(time[part], worst.factor * record[part], color="C1", lw=0.9)
     _breaking(axes[7], file, worst, record.max())
     label = f"{worst.kind}, {worst.unit}\n{worst.name}"
-    axes[7].set(ylabel=label, xlabel="s after the ramp", xlim=(begin, begin + SHOWN))
+    axes[7].set(ylabel=label, xlabel="s after the ramp", xlim=(begin, min(begin + SHOWN, time[-1])))
     axes[0].set_title(f"seed {file['seed'][row]}, around the largest {worst.kind}, in {worst.name}", loc="left")
     for one in axes:
         one.grid(alpha=0.3)
     save(figure, path, 110)
+
+
+def _runs(kept):
+    return "1 run" if len(kept) == 1 else f"{len(kept)} runs"
 
 
 def _breaking(axes, file, worst, top):
@@ -97,30 +107,35 @@ def _breaking(axes, file, worst, top):
         axes.annotate("breaking load", (0.01, load / TONF), xycoords=("axes fraction", "data"), va="bottom", fontsize=8)
 
 
-def spectrum(records, step):
-    """ω (rad/s) and density of records (runs, n), the mean over runs and over neighbouring frequencies"""
+def spectrum(records, step, widest=np.inf):
+    """ω (rad/s) and density of records (runs, n), the mean over runs and over neighbouring frequencies
+
+    widest : rad/s, from the first to the last of these, at most
+    """
     y = records - records.mean(axis=1, keepdims=True)
     density = 2 * np.mean(np.abs(np.fft.rfft(y, axis=1)) ** 2, axis=0) * step / (2 * np.pi * y.shape[1])
     omega = 2 * np.pi * np.fft.rfftfreq(y.shape[1], step)
-    count = max(1, SMOOTH // len(records))
+    count = max(1, int(min(SMOOTH // len(records), widest / omega[1])))
     whole = (len(omega) - 1) // count * count
     return (part[1 : whole + 1].reshape(-1, count).mean(axis=1) for part in (omega, density))
 
 
 def _spectra(file, kept, path):
     step, worst = float(np.diff(file["time"][:2])[0]), _worst(file)
+    split = float(file.attrs["split_frequency"])
+    last = min(LAST, BEYOND * split)
     figure, axes = _figure(2, 4, (15, 7))
     columns = [("wave", 1.0, "m", file["wave"][kept])]
     columns += [(name, f, unit, file["motion"][kept, :, j]) for j, (name, f, unit) in enumerate(MOTIONS)]
     columns.append((f"{worst.kind} {worst.name}", worst.factor, worst.unit, file[worst.kind][kept, :, worst.at]))
     for one, (name, factor, unit, records) in zip(axes.flat, columns, strict=True):
-        omega, density = spectrum(factor * records.astype(float), step)
-        shown = omega < 2.0
+        omega, density = spectrum(factor * records.astype(float), step, FINE * split)
+        shown = omega < last
         one.plot(omega[shown], density[shown], lw=1.1)
-        one.axvline(file.attrs["split_frequency"], color="0.6", lw=0.8, ls=":")
-        one.set(title=name, xlabel="rad/s", ylabel=f"{unit}² s/rad", xlim=(0, 2), ylim=(0, None))
+        one.axvline(split, color="0.6", lw=0.8, ls=":")
+        one.set(title=name, xlabel="rad/s", ylabel=f"{unit}² s/rad", xlim=(0, last), ylim=(0, None))
         one.grid(alpha=0.3)
-    figure.suptitle(f"spectra, mean of {len(kept)} runs; dotted: split of slow and wave part", fontsize=10)
+    figure.suptitle(f"spectra, mean of {_runs(kept)}; dotted: split of slow and wave part", fontsize=10)
     save(figure, path, 110)
 
 
@@ -144,7 +159,7 @@ def _offsets(file, kept, path):
         pressed = file[worst.kind][kept, :, worst.at].ravel()
         curve.plot(y[::step], pressed[::step], ".", ms=1.5, color="C1", alpha=0.35)
         curve.set(xlabel="sway, m", ylabel="deflection, m", ylim=(0, None))
-    curve.set_title(f"{worst.name}, {len(kept)} runs")
+    curve.set_title(f"{worst.name}, {_runs(kept)}")
     for one in (plan, curve):
         one.grid(alpha=0.3)
     save(figure, path, 120)

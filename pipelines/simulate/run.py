@@ -42,7 +42,10 @@ AFTER = 10.0  # s between lines of a long run
 
 @dataclass(frozen=True)
 class Outcome:
-    """made : seeds of this run; there : whole rows; total : seeds asked for; failures : (seed, reason)"""
+    """made : seeds of this run; there : whole rows; total : seeds asked for; failures : (seed, reason)
+
+    interrupted : by Ctrl-C, also where it came in the last of them: what was to follow is not wanted either
+    """
 
     made: int
     there: int
@@ -252,11 +255,12 @@ def _fill(file, task, plan, console, executor, findings):
                     put(file, row, result)
                     made += 1
                 progress.step(seed, result)
-                if stop.asked and row != rows[-1]:
+                if stop.asked:
                     raise KeyboardInterrupt
         except KeyboardInterrupt:
             interrupted = True
             executor.shutdown(wait=False, cancel_futures=True)
+    interrupted = interrupted or stop.asked
     there = int((whole_rows(file) & asked).sum())
     told = {line for row in np.flatnonzero(asked) for line in _findings(file, row)}
     return Outcome(made, there, int(asked.sum()), tuple(failures), interrupted, (*findings, *sorted(told)))

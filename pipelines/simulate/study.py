@@ -26,7 +26,7 @@ from mooring.response.seas import energy_outside
 
 from ..common.quantities import StudyError, direction, positive
 from ..moor.gusts import gusts_of
-from ..moor.study import SimulationTable
+from ..moor.tables import SimulationTable
 from ..response.study import damping_of
 from .berth import check_harbour
 

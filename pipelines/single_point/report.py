@@ -6,6 +6,7 @@ import numpy as np
 
 from mooring.lines.system.parts import UniformLine
 from mooring.loads.turning import FITTED
+from mooring.response.findings import LINES_NAMED, some
 from mooring.single_point.body import SinglePointError
 from mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
 from mooring.single_point.limit_cycle import limit_cycle
@@ -114,7 +115,7 @@ def findings(study, made, found):
     over = [f"{n} {100 * u:.0f} %" for n, u in zip(made.point.system.line_names, used, strict=True)
             if u > study.allowable]  # fmt: skip
     if over:
-        yield f"steady tension above {100 * study.allowable:g} % of the breaking load: {', '.join(over)}"
+        yield f"steady tension above {100 * study.allowable:g} % of the breaking load: {some(over, LINES_NAMED)}"
 
 
 def _table(title, *columns):

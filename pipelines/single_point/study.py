@@ -19,6 +19,7 @@ from .loads import loads_of
 
 DENSITY, GRAVITY = 1025.0, 9.80665
 MOST_LINES = 60
+SAME = 1e-6  # of sizes that the study and its database have
 
 
 class Made(NamedTuple):
@@ -39,6 +40,8 @@ def make(study, folder=None, db=None) -> Made:
     """
     depth = water_depth("water.depth", study.water.depth)
     _check_hull(study, depth)
+    if db is not None:
+        _check_database(study.hull, depth, db)
     density = DENSITY if db is None else db.density
     mass, center = _mass(study, db, density)
     loads, findings = loads_of(study, folder, db, density, center, mass)
@@ -60,6 +63,16 @@ def _check_hull(study, depth):
         raise StudyError(f"hull.draft is {h.draft:g} m; allowed: below the depth of {depth:g} m")
     if not abs(h.center) < 0.5 * h.length:
         raise StudyError(f"hull.center is {h.center:g} m from midship; allowed: within {0.5 * h.length:g} m")
+
+
+def _check_database(hull, depth, db):
+    """Masses, drift and memory of another hull, or of other water, are not those of the study"""
+    if not math.isclose(depth, db.water_depth, rel_tol=SAME):
+        raise StudyError(f"water.depth is {depth:g} m, the database is for {db.water_depth:g} m")
+    for key in ("length", "beam", "draft"):
+        own, stored = getattr(hull, key), db.dimensions.get(key)
+        if stored is not None and not math.isclose(own, stored, rel_tol=SAME):
+            raise StudyError(f"hull.{key} is {own:g} m, the database is for {stored:g} m")
 
 
 def _mass(study, db, density):
@@ -84,7 +97,13 @@ def _mass(study, db, density):
 
 def _hawsers(study, center):
     """Ends (k, 2) m from the centre of mass, and lengths (k,) m"""
-    at = np.array([study.attachment.x, study.attachment.y]) - center
+    a, hull = study.attachment, study.hull
+    for name, place, size in (("x", a.x, hull.length), ("y", a.y, hull.beam)):
+        if not abs(place) <= size:
+            raise StudyError(
+                f"attachment.{name} is {place:g} m; allowed: -{size:g} to {size:g}, the hull and around it"
+            )
+    at = np.array([a.x, a.y]) - center
     if study.hawser is None:
         return at[None], np.zeros(1)
     h = study.hawser

@@ -27,7 +27,7 @@ import msgspec
 from ..common.line_tables import LineTable, TypeTable
 from ..common.quantities import StudyError, Table
 from ..common.typed import typed
-from ..moor.study import Coefficients, WaterTable, WindTable
+from ..moor.tables import Coefficients, WaterTable, WindTable
 from ..site.link import SiteLink, read_study_at_site
 
 

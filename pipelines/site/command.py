@@ -15,9 +15,8 @@ def site(
     output: Annotated[Path, Parameter(help=".toml of the values; the page stands beside it as .html")],
 ):
     """Return period, extremes, levels and seismic coefficient of a site, as one page and one file for studies."""
-    from rich.console import Console
-
     from ..common.outputs import check_output
+    from ..printing.console import new_console
     from .report import page, values_text, written_by_site
     from .study import read_site, site_values
 
@@ -28,7 +27,7 @@ def site(
 
     write_whole(output, values_text(study, values))
     write_whole(output.with_suffix(".html"), page(study, values, text))
-    show = Console().print
+    show = new_console().print
     show(f"return period {values.years:.4g} years", highlight=False)
     for name, state in values.states.items():
         parts = [f"{key} {', '.join(f'{n} {v:.4g}' for n, v in table.items())}" for key, table in state.items()]

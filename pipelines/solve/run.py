@@ -34,6 +34,7 @@ class Outcome:
     """What a run did: frequencies stored by it, all in the file, and those that failed with their reason.
 
     jobs : frequencies and limits it had to do
+    interrupted : by Ctrl-C, also where it came at the last of them: what was to follow is not wanted either
     """
 
     path: Path
@@ -48,7 +49,7 @@ class Outcome:
     @property
     def exit_status(self):
         """0 only if everything asked for is there"""
-        if self.interrupted:
+        if self.interrupted and self.stored < self.total:
             return 130
         return 1 if self.failures or self.stored < self.total else 0
 
@@ -129,11 +130,12 @@ def _fill(plan, executor, console, cost, file):
                 if progress:
                     with phase("report"):
                         progress.step(job.where, result, reason)
-                if stop.asked and job is not jobs[-1]:
+                if stop.asked:
                     raise KeyboardInterrupt
         except KeyboardInterrupt:
             interrupted = True
             executor.shutdown(wait=False, cancel_futures=True)
+    interrupted = interrupted or stop.asked  # also between two frequencies, after the last, or with none to solve
     db = open_database(file)
     stored = int(db.rows.sum())
     return Outcome(

@@ -12,7 +12,6 @@ from ..common.bounds import told
 POINTS = 161  # of a side of the map
 SPANS, LENGTHS = 1.5, 1.5  # half the map's width, in lengths of the body or wave lengths, whichever is more
 MISSED = 0.02  # share of the far field that the sources may miss without a word
-SPOTS = 20  # points in a table
 A_POINT = 4e-6  # s, with 60 sources
 
 

@@ -3,7 +3,8 @@
     python tests/bench/three_hours.py [--hours 3] [--folder DIR]
 
 The series box in 20 m of water on the twelve chains of `pipelines/scenes/moor_chain_12.toml`: irregular waves
-(Hs 4.5 m, mean period 10 s), Newman drift, gusts, current, memory, tolerance 1e-3.  Processor time, best of three.
+(Hs 4.5 m, mean period 10 s), Newman drift, gusts, current, memory, tolerance 1e-3.  Then the same body on twelve chains
+of a catalogue that move, each in 20 elements, for one hour.  Processor time, best of three.
 """
 
 import argparse
@@ -67,6 +68,10 @@ def cases(folder, hours):
     ship = moored(db, memory=body.memory, berth=berth, damping=np.diag([1e5, 3e5, 0, 1e8, 0, 1e8]))
     waves = Weather((Sea(issc(0.8, mean_period=8.0), 0.5 * np.pi),))
     yield "at a quay: 12 ropes, 4 fenders", *best_of_three(ship, waves, settings)
+    study, _ = read_study(ROOT / "pipelines" / "scenes" / "moor_catalogue_chain_12.toml")
+    chains = study.system(hull, db.rotation_center, db.density, db.gravity)
+    moving = moored(db, chains, hull, memory=body.memory), weather, Settings(3600.0, dynamic_lines="all")
+    yield "one hour of 12 moving chains", *best_of_three(*moving)
 
 
 if __name__ == "__main__":

@@ -197,8 +197,9 @@ def test_every_scene_that_is_shipped_runs(scene, tmp_path):
     assert open_database(path).complete
 
 
-def test_a_reader_of_the_output_that_goes_away_ends_the_command_without_a_word():
-    words = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())", "keys"]
+@pytest.mark.parametrize("asked", [["keys"], ["fender", "--family", "cell", "--height", "2"]])  # words, a table
+def test_a_reader_of_the_output_that_goes_away_ends_the_command_without_a_word(asked):
+    words = [sys.executable, "-c", "import sys; from pipelines.start import main; sys.exit(main())", *asked]
     run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     run.stdout.close()
     assert (run.stderr.read(), run.wait()) == (b"", 128 + signal.SIGPIPE)

@@ -26,7 +26,7 @@ from .suspended import suspended_shape, suspended_stiffness
 ROW = 18
 
 
-@kernel()
+@kernel(inline=True)
 def asinh_ratio_less_one(u):
     """asinh(u)/u − 1 without cancellation."""
     if u > 0.1:
@@ -36,7 +36,7 @@ def asinh_ratio_less_one(u):
     return v * (-1 / 6 + v * (3 / 40 + v * (-5 / 112 + v * series)))
 
 
-@kernel()
+@kernel(inline=True)
 def put_suspended(row, t, sine, cosine, length, weight, flexibility):
     """Forces and derivatives of a free line; v_a + v_b is its weight, and only the difference of heights counts."""
     half, root = 0.5 * weight * length, np.sqrt(1.0 + t * t)
@@ -51,7 +51,7 @@ def put_suspended(row, t, sine, cosine, length, weight, flexibility):
     row[15], row[16], row[17] = xz, -zz, zz
 
 
-@kernel()
+@kernel(inline=True)
 def free_length(horizontal, height, weight, flexibility):
     """Length that `horizontal` holds up to a height over a flat bed."""
     stretch = 1.0 + flexibility * horizontal
@@ -60,7 +60,7 @@ def free_length(horizontal, height, weight, flexibility):
     return np.sqrt(rise * (rise + 2.0 * horizontal)) / weight
 
 
-@kernel()
+@kernel(inline=True)
 def bed_stretch(horizontal, lying, weight, flexibility, friction):
     """Stretch of the part on the bed, its derivatives to H and to its length, and the tension left at its far end."""
     rate = weight * friction
@@ -69,7 +69,7 @@ def bed_stretch(horizontal, lying, weight, flexibility, friction):
     return flexibility * pulled * (horizontal - 0.5 * rate * pulled), flexibility * pulled, flexibility * held, held
 
 
-@kernel()
+@kernel(inline=True)
 def grounded_tension(x, a, b, length, weight, flexibility, friction):
     """H > 0 of a line of which some length lies on the bed."""
     at_rest = free_length(0.0, a, weight, flexibility) + free_length(0.0, b, weight, flexibility)
@@ -108,7 +108,7 @@ def grounded_tension(x, a, b, length, weight, flexibility, friction):
     return np.exp(q)
 
 
-@kernel()
+@kernel(inline=True)
 def put_grounded(row, H, a, b, length, weight, flexibility, friction):
     """Forces and derivatives of a line partly on the bed, from its horizontal tension."""
     Sa, Sb = free_length(H, a, weight, flexibility), free_length(H, b, weight, flexibility)
@@ -142,7 +142,7 @@ def put_grounded(row, H, a, b, length, weight, flexibility, friction):
     row[6], row[7], row[8] = along * H_x, along * H_a + used * a_h, along * H_b + used * b_h
 
 
-@kernel()
+@kernel(inline=True)
 def put_slack(row, Va, Vb, length, weight, flexibility):
     """A line that hangs plumb from both ends above a heap on the bed."""
     row[:] = 0.0
@@ -151,7 +151,7 @@ def put_slack(row, Va, Vb, length, weight, flexibility):
     row[17] = weight / (1.0 + flexibility * Vb) if Vb > 0.0 else 0.0
 
 
-@kernel()
+@kernel(inline=True)
 def leaves_bed(x, h, length, weight, flexibility):
     """Whether a line from an anchor on the bed has none of itself there: its span is beyond that of a grazing line."""
     load = weight * length
@@ -162,7 +162,7 @@ def leaves_bed(x, h, length, weight, flexibility):
     return H <= 0.0 or x >= H * (flexibility * length + np.arcsinh(load / H) / weight)
 
 
-@kernel()
+@kernel(inline=True)
 def exchange(row):
     """Turn the results for a line from b to a into those from a to b."""
     row[1], row[2] = row[2], row[1]
@@ -173,51 +173,45 @@ def exchange(row):
         row[k + 3], row[k + 4], row[k + 5] = ax, ab, aa
 
 
-@kernel()
+@kernel(inline=True)
 def solve_line(row, x, a, b, length, weight, flexibility, friction, with_bed):
     """Fill one row of results; x is the span, a and b the heights of the ends over the bed (or any level)."""
-    if with_bed and (a < 0.0 or b < 0.0):
-        row[:] = np.nan
-        row[0] = BELOW_BED
-        return
+    hung, grounded, status = not with_bed, False, BEYOND_REACH
     if with_bed:
-        Va = 2.0 * weight * a / (1.0 + np.sqrt(1.0 + 2.0 * flexibility * weight * a))
-        Vb = 2.0 * weight * b / (1.0 + np.sqrt(1.0 + 2.0 * flexibility * weight * b))
-        if length - (Va + Vb) / weight >= x:
-            put_slack(row, Va, Vb, length, weight, flexibility)
-            return
-    if with_bed and min(a, b) == 0.0:
-        grounded = not leaves_bed(x, max(a, b), length, weight, flexibility)
-        if grounded and flexibility == 0.0 and max(a, b) == 0.0:
-            row[:] = np.nan
-            row[0] = BEYOND_REACH
-            return
-    else:
-        grounded = False
-    if not grounded:
+        if a < 0.0 or b < 0.0:
+            status = BELOW_BED
+        else:
+            Va = 2.0 * weight * a / (1.0 + np.sqrt(1.0 + 2.0 * flexibility * weight * a))
+            Vb = 2.0 * weight * b / (1.0 + np.sqrt(1.0 + 2.0 * flexibility * weight * b))
+            if length - (Va + Vb) / weight >= x:
+                status = SLACK
+                put_slack(row, Va, Vb, length, weight, flexibility)
+            else:
+                grounded = min(a, b) == 0.0 and not leaves_bed(x, max(a, b), length, weight, flexibility)
+                hung = not grounded
+    if hung:
         t, sine, cosine = suspended_shape(x, b - a, length, weight, flexibility)
-        if np.isinf(t):
-            row[:] = np.nan
-            row[0] = BEYOND_REACH
-            return
-        put_suspended(row, t, sine, cosine, length, weight, flexibility)
-        if with_bed and min(a, b) > 0.0 and row[3] > 0.0 and row[4] > 0.0:
-            drop = row[3] * row[3] * (1.0 / (np.hypot(row[1], row[3]) + row[1]) + 0.5 * flexibility) / weight
-            grounded = drop > a
-    if not grounded:
-        return
-    flipped = b == 0.0 and a > 0.0
-    if flipped:  # the end on the bed comes first
-        a, b = b, a
-    if a > 0.0:
-        friction = 0.0
-    H = grounded_tension(x, a, b, length, weight, flexibility, friction)
-    put_grounded(row, H, a, b, length, weight, flexibility, friction)
-    if flipped:
-        exchange(row)
+        if not np.isinf(t):
+            status = SUSPENDED
+            put_suspended(row, t, sine, cosine, length, weight, flexibility)
+            if with_bed and min(a, b) > 0.0 and row[3] > 0.0 and row[4] > 0.0:
+                drop = row[3] * row[3] * (1.0 / (np.hypot(row[1], row[3]) + row[1]) + 0.5 * flexibility) / weight
+                grounded = drop > a
+    if grounded and not (flexibility == 0.0 and max(a, b) == 0.0):
+        status = GROUNDED
+        flipped = b == 0.0 and a > 0.0
+        if flipped:  # the end on the bed comes first
+            a, b = b, a
+        H = grounded_tension(x, a, b, length, weight, flexibility, friction if a == 0.0 else 0.0)
+        put_grounded(row, H, a, b, length, weight, flexibility, friction if a == 0.0 else 0.0)
+        if flipped:
+            exchange(row)
+    if status >= BEYOND_REACH:
+        row[:] = np.nan
+    row[0] = status
 
 
-@kernel()
+@kernel(inline=True)
 def mirror(row):
     """Turn the results for heights measured downwards, and a line that pulls upwards, the right way up."""
     row[3], row[4] = -row[3], -row[4]

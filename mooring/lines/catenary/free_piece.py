@@ -16,7 +16,7 @@ from bem.kernels.jit import kernel
 ROUNDING = 8 * 2.220446049250313e-16
 
 
-@kernel()
+@kernel(inline=True)
 def asinh_excess(s):
     """asinh s − s/√(1+s²) without cancellation; s³/3 for small s ≥ 0."""
     if s >= 0.1:
@@ -27,7 +27,7 @@ def asinh_excess(s):
     return s * u * (1 / 3 + u * (-3 / 10 + u * (15 / 56 + u * series)))
 
 
-@kernel()
+@kernel(inline=True)
 def free_piece(H, V_low, S, weight, flexibility):
     """Span and rise of a free piece of length S whose lower end carries (H, V_low)."""
     load = weight * S
@@ -43,7 +43,7 @@ def free_piece(H, V_low, S, weight, flexibility):
     return H * (flexibility * S + math.log1p(load * (1 + mean) / base) / weight), z
 
 
-@kernel()
+@kernel(inline=True)
 def free_pieces(H, V_low, S, weight, flexibility):
     """`free_piece` of (n,) pieces; returns x and z, (n,) each"""
     x, z = np.empty(H.size), np.empty(H.size)

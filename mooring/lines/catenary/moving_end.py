@@ -15,7 +15,7 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .flat_bed import ROW, bed_stretch, free_length, grounded_tension, leaves_bed, mirror, solve_line
+from .flat_bed import ROW, bed_stretch, free_length, grounded_tension, leaves_bed, solve_line
 from .state import BEYOND_REACH, GROUNDED, SLACK, SUSPENDED
 from .suspended import ellipse_parameter
 
@@ -27,7 +27,7 @@ WIDEST = 2.0  # factor by which H is foreseen to change
 KEPT = 6  # numbers kept of each line: its State, H or t, and of a line on the bed span, height, ∂H/∂x, ∂H/∂h there
 
 
-@kernel()
+@kernel(inline=True)
 def tension_near(kept, x, height, length, weight, flexibility, friction):
     """(H, wS) of a line with some length on the bed, from the tangent at what is kept of one near it; kept anew.
 
@@ -65,59 +65,65 @@ def tension_near(kept, x, height, length, weight, flexibility, friction):
     return math.nan, math.nan
 
 
-@kernel()
+@kernel(inline=True)
+def pull_anew(before, near, x, height, length, weight, flexibility, friction):
+    """(State, H, V, H or t) of a line that is not slack: some of it on the bed, or `near` the t of a free one or 0"""
+    if before == GROUNDED or not leaves_bed(x, height, length, weight, flexibility):
+        H = grounded_tension(x, 0.0, height, length, weight, flexibility, friction)
+        hanging = free_length(H, height, weight, flexibility)
+        if hanging < length:
+            return GROUNDED, H, weight * hanging, H
+    X, Z, kappa = x / length, height / length, 0.5 * flexibility * weight * length
+    t = ellipse_parameter(X, Z, kappa, near, CLOSE_FREE)
+    if math.isinf(t):
+        return BEYOND_REACH, math.nan, math.nan, t
+    root, half = math.sqrt(1.0 + t * t), 0.5 * weight * length
+    cosine = min(max(Z / (1.0 + kappa * root), -1.0), 1.0)
+    sine = min(X / (t * (math.asinh(1.0 / t) + kappa)), 1.0) if X > 0.0 else 0.0
+    return SUSPENDED, half * t * sine, half * (1.0 + root * cosine), t
+
+
+@kernel(inline=True)
 def pull(kept, x, height, length, weight, flexibility, friction):
     """(H, V) N, towards the anchor and down, on an end `height` above the anchor on the bed and x away from it.
 
     kept : (KEPT,) of an earlier call for this line, zeros before the first, and left for the next
     nan where a line cannot reach, or the end is below the bed
     """
-    if height < 0.0:
-        kept[0] = BEYOND_REACH
-        return math.nan, math.nan
-    plumb = 2.0 * weight * height / (1.0 + math.sqrt(1.0 + 2.0 * flexibility * weight * height))
-    if length - plumb / weight >= x:
-        kept[0] = SLACK
-        return 0.0, plumb
-    if kept[0] == GROUNDED:
-        H, V = tension_near(kept, x, height, length, weight, flexibility, friction)
-        if not math.isnan(H):
-            return H, V
-    if kept[0] == GROUNDED or not leaves_bed(x, height, length, weight, flexibility):
-        H = grounded_tension(x, 0.0, height, length, weight, flexibility, friction)
-        hanging = free_length(H, height, weight, flexibility)
-        if hanging < length:
-            kept[0], kept[1], kept[2], kept[3], kept[4], kept[5] = GROUNDED, H, x, height, 0.0, 0.0
-            return H, weight * hanging
-    X, Z, kappa = x / length, height / length, 0.5 * flexibility * weight * length
-    t = ellipse_parameter(X, Z, kappa, kept[1] if kept[0] == SUSPENDED else 0.0, CLOSE_FREE)
-    if math.isinf(t):
-        kept[0] = BEYOND_REACH
-        return math.nan, math.nan
-    kept[0], kept[1] = SUSPENDED, t
-    root, half = math.sqrt(1.0 + t * t), 0.5 * weight * length
-    cosine = min(max(Z / (1.0 + kappa * root), -1.0), 1.0)
-    sine = min(X / (t * (math.asinh(1.0 / t) + kappa)), 1.0) if X > 0.0 else 0.0
-    return half * t * sine, half * (1.0 + root * cosine)
+    H = V = math.nan
+    before, state = kept[0], BEYOND_REACH
+    if height >= 0.0:
+        V = 2.0 * weight * height / (1.0 + math.sqrt(1.0 + 2.0 * flexibility * weight * height))
+        if length - V / weight >= x:
+            state, H = SLACK, 0.0
+        else:
+            if before == GROUNDED:
+                H, V = tension_near(kept, x, height, length, weight, flexibility, friction)
+            state = GROUNDED
+            if math.isnan(H):
+                near = kept[1] if before == SUSPENDED else 0.0
+                state, H, V, kept[1] = pull_anew(before, near, x, height, length, weight, flexibility, friction)
+                kept[2], kept[3], kept[4], kept[5] = x, height, 0.0, 0.0
+    kept[0] = state
+    return H, V
 
 
-@kernel()
+@kernel(inline=True)
 def pull_of_any(kept, row, x, low, high, bed, length, weight, flexibility, friction):
     """(H, V) on the end at z = `high` of a line whose other end, at z = `low`, is held anywhere: on the bed or not.
 
     row : (ROW,) room for results; `pull` where the held end is an anchor on the bed of a line that sinks
     """
     if weight > 0.0 and low == bed:
-        return pull(kept, x, high - bed, length, weight, flexibility, friction)
-    if weight > 0.0:
-        solve_line(row, x, low - bed, high - bed, length, weight, flexibility, 0.0, True)
+        H, V = pull(kept, x, high - bed, length, weight, flexibility, friction)
+        row[0] = kept[0]
     else:
-        solve_line(row, x, -low, -high, length, -weight, flexibility, 0.0, False)
-        mirror(row)
+        sinks = weight > 0.0
+        a, b = (low - bed, high - bed) if sinks else (-low, -high)
+        solve_line(row, x, a, b, length, abs(weight), flexibility, 0.0, sinks)
+        H, V = row[2], row[4] if sinks else -row[4]
     kept[0] = row[0]
-    if row[0] >= BEYOND_REACH:
-        return math.nan, math.nan
-    return row[2], row[4]
+    return (H, V) if kept[0] < BEYOND_REACH else (math.nan, math.nan)
 
 
 @kernel()

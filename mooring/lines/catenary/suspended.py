@@ -22,7 +22,7 @@ from bem.kernels.jit import kernel
 from .free_piece import ROUNDING, asinh_excess
 
 
-@kernel()
+@kernel(inline=True)
 def ellipse_parameter(X, Z, kappa, near=0.0, close=ROUNDING):
     """t of a suspended line with span X and height Z over its length; inf where it cannot reach.
 
@@ -68,7 +68,7 @@ def ellipse_parameter(X, Z, kappa, near=0.0, close=ROUNDING):
     return math.exp(q)
 
 
-@kernel()
+@kernel(inline=True)
 def suspended_shape(x, z, length, weight, flexibility):
     """t, sin ν, cos ν of a line that touches nothing."""
     X, Z, kappa = x / length, z / length, 0.5 * flexibility * weight * length
@@ -83,7 +83,7 @@ def suspended_shape(x, z, length, weight, flexibility):
     return t, sine, cosine
 
 
-@kernel()
+@kernel(inline=True)
 def suspended_stiffness(t, s, c, length, weight, flexibility):
     """∂H/∂x, ∂H/∂z = ∂V/∂x, ∂V/∂z; every term of one sign, so the determinant has no difference."""
     kappa = 0.5 * flexibility * weight * length
@@ -97,7 +97,7 @@ def suspended_stiffness(t, s, c, length, weight, flexibility):
     return scale * (kappa + b), scale * d, scale * (kappa + h + a)
 
 
-@kernel()
+@kernel(inline=True)
 def suspended_span(H, z, length, weight, flexibility):
     """Span of a line that carries the horizontal tension H > 0 over the height z; nan where it is too short to hang."""
     Z, kappa, pull = z / length, 0.5 * flexibility * weight * length, 2 * H / (weight * length)

@@ -7,7 +7,7 @@ from bem.kernels.jit import kernel
 TERMS = 4  # of the polynomial by which a line pulls during a step of the body
 
 
-@kernel()
+@kernel(inline=True)
 def legendre(x, out):
     """P₀ … P₃ at x, into out (4,)"""
     out[0], out[1], out[2], out[3] = 1.0, x, 1.5 * x * x - 0.5, x * (2.5 * x * x - 1.5)

@@ -17,7 +17,7 @@ FIRM = {"stiffness": 3e6, "damping": 3e5}
 def moving_of(moored, settings):
     """(`MovingLines`, States at rest) of the lines that `settings.dynamic_lines` names; None for none
 
-    moored : `simulation.Moored`.  raises : ValueError naming a line that cannot move by itself, and why
+    moored : `simulation.moored_body.Moored`.  raises : ValueError naming a line that cannot move by itself, and why
     """
     system, names = moored.system, settings.dynamic_lines
     if system is None or not names:

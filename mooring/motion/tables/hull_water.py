@@ -24,7 +24,7 @@ from .interpolation import on_ring, ring_table
 
 
 class HullWater(NamedTuple):
-    """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces; length : m, 0 without such a hull
+    """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces; length : m
 
     largest : rL/V; velocity : (2,) m/s of the current; linear : (3, 3) D; carried : (3,) kg, kg, kg m
     drift : (m + 3, 3) N, N, N m over headings
@@ -53,12 +53,6 @@ class OnHull(NamedTuple):
     quadratic: float
 
 
-def no_hull_water():
-    """A HullWater that exerts no force"""
-    none = np.zeros((4, 3))
-    return HullWater(np.zeros((4, 15)), 0.0, 1.0, np.zeros(2), np.zeros((3, 3)), np.zeros(3), none)
-
-
 def hull_water(table, length, largest, velocity, linear, mass, turning, drift=None):
     """HullWater of a table (n, 5, 3) N … over the angle the water flows to.
 
@@ -75,11 +69,11 @@ def hull_water(table, length, largest, velocity, linear, mass, turning, drift=No
     )  # fmt: skip
 
 
-@kernel()
+@kernel(inline=True)
 def hull_water_force(hull, share, moving, weights, room, out, drift):
     """out (3,) N, N, N m of the water in the body's axes, drift (3,) of the waves, with loads grown to `share`.
 
-    moving : (4,) heading, velocities along and across it and yaw rate over the ground; weights (4,), room (15,)
+    moving : (4,) heading, velocities along and across it and yaw rate over the ground; weights (6,), room (15,)
     """
     heading, r = moving[0], moving[3]
     cos, sin = np.cos(heading), np.sin(heading)

@@ -14,10 +14,9 @@ SHARES = 1.0 / np.array(  # 1 / (−1)^(n−1−i) i! (n−1−i)! of n = 4 and 
 )
 
 
-@kernel()
-def lagrange_weights(place, weights):
-    """Weights (n,) of the polynomial through n = 4 or 6 samples at 0, 1, …, n−1, at a place among them."""
-    n = weights.size
+@kernel(inline=True)
+def lagrange_weights(place, n, weights):
+    """Weights, n of (6,), of the polynomial through n = 4 or 6 samples at 0, 1, …, n−1, at a place among them."""
     row = 0 if n == 4 else 1
     before = 1.0
     for i in range(n):
@@ -29,12 +28,12 @@ def lagrange_weights(place, weights):
         after *= place - i
 
 
-@kernel()
+@kernel(inline=True)
 def between_samples(samples, place, weights, out):
     """out (k,) of samples (k, m) at equal steps, at a place counted in steps from the first; quintic, six samples."""
     m = samples.shape[1]
     first = min(max(int(np.floor(place)) - 2, 0), m - 6)
-    lagrange_weights(place - first, weights)
+    lagrange_weights(place - first, 6, weights)
     for j in range(out.size):
         total = 0.0
         for i in range(6):
@@ -48,13 +47,13 @@ def ring_table(values):
     return np.concatenate([values[-1:], values, values[:2]])
 
 
-@kernel()
+@kernel(inline=True)
 def on_ring(table, angle, weights, out):
     """out (k,) of a `ring_table` at an angle, rad; cubic through four neighbours"""
     n = table.shape[0] - 3
     place = angle * (n / (2 * np.pi))
     whole = np.floor(place)
-    lagrange_weights(place - whole + 1.0, weights)
+    lagrange_weights(place - whole + 1.0, 4, weights)
     first = int(whole) % n
     for j in range(out.size):
         total = 0.0

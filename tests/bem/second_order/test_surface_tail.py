@@ -72,3 +72,11 @@ def test_bessel_functions_are_exact_beside_the_largest_order_and_by_themselves_n
     near = np.abs(z) < 40
     assert np.all(off < 1e-12 * np.abs(known).max(axis=0) + 1e-300)
     assert angle == 0 or np.all(off[:, near] < 1e-12 * np.abs(known[:, near]) + 1e-290)
+
+
+def test_bessel_functions_of_orders_far_above_their_argument_are_finite():
+    """Long waves beside a large hull and its shortest ones: J_m beyond what a double can hold is 0"""
+    z = np.array([1e-3, 0.1, 0.39, 3.0, 40.0, 90.0, 700.0]) + 0j
+    for most in (40, 120, 250):
+        known = jve(np.arange(most + 2)[:, None], z)
+        assert np.abs(bessel_orders(most, z) - known).max() < 1e-13

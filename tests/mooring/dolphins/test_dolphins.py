@@ -157,7 +157,9 @@ def test_reaction_to_an_earthquake_has_its_limits():
 
 def test_spectrum_of_a_record_gives_the_reaction_of_springs_in_time():
     rng, t = np.random.default_rng(1), np.arange(0, 20, 0.02)
-    ground = ground_of_record(t, rng.standard_normal(len(t)) * np.sin(np.pi * t / 20), after=5.0)
+    record = rng.standard_normal(len(t)) * np.sin(np.pi * t / 20)
+    ground = ground_of_record(t, record, after=5.0)
+    assert np.allclose(ground.acceleration[: len(t)] - record, np.linspace(*ground.base_line, len(t)), atol=1e-12)
     floater, fenders = Floater(1e6, 4e5, 2 * 0.05 * np.sqrt(1.4e6 * 3e7)), Fenders(spring(1.5e7), 2)
     found = by_spectrum(floater, fenders, lambda T: response_spectrum(ground, [T])[0])
     assert found.ratio == pytest.approx(0.05, rel=1e-6)

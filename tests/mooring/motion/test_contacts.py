@@ -16,7 +16,8 @@ from mooring.lines.ropes import RopePart, rope
 from mooring.lines.system.parts import LineSystemError
 from mooring.motion.contact_loads import FORCE, contact_loads, contact_work, settle
 from mooring.motion.contacts import QuayFender, berth_force, berth_of, courses
-from mooring.motion.simulation import FASTEST, SimulationError, moored, simulate
+from mooring.motion.simulation import SimulationError, moored, simulate
+from mooring.motion.simulation.body import FASTEST
 from mooring.motion.weather import Settings, Weather
 
 Y = np.array([0.0, 1.0, 0.0])

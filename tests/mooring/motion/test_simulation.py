@@ -16,7 +16,9 @@ from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.hawser import Hawser, pull_of_points
 from mooring.lines.system.moored_body import Leg, moored_body
 from mooring.motion.given_forces import GivenForce, drift_of_half_waves
-from mooring.motion.simulation import FASTEST, SimulationError, _with_error, simulate, wave_components
+from mooring.motion.simulation import SimulationError, simulate, wave_components
+from mooring.motion.simulation.body import FASTEST
+from mooring.motion.simulation.realisation import with_error
 from mooring.motion.weather import Settings, Weather
 from mooring.response.drift import mean_in_sea
 from mooring.response.slow_drift import force_spectrum
@@ -90,8 +92,8 @@ def test_free_decay_is_the_inverse_fourier_transform_of_the_database(on_springs)
 
 def test_the_integrator_is_of_fifth_order(without_hull):
     moved = replace(without_hull, start=without_hull.start + [1.5, -1.0, 0.3, 0.01, 0.01, 0.02])
-    steps = np.array([0.5, 0.25, 0.125])
-    settings = Settings(duration=24.0, ramp=0.0, memory="states", fixed_step=1 / 64)
+    steps = np.array([0.25, 0.125, 0.0625])
+    settings = Settings(duration=24.0, ramp=0.0, memory="states", fixed_step=1 / 128)
     exact = simulate(moved, Weather(), settings).motion[-1]
     errors = [np.abs(simulate(moved, Weather(), replace(settings, fixed_step=h)).motion[-1] - exact)[0] for h in steps]
     assert np.all(np.log2(np.divide(errors[:-1], errors[1:])) > 4.5), errors
@@ -229,6 +231,15 @@ def test_a_line_lost_at_the_start_never_pulls(on_chains):
     name = on_chains.system.line_names[0]
     run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 0.0),)))
     assert np.all(run.tension[:, 0] == 0) and np.abs(run.motion[-1] - on_chains.start).max() > 0.01
+    told = f"line {name} breaks 0 s after the ramp: its mean and σ are of a record that is zero from then on"
+    assert told in run.findings
+
+
+def test_a_line_that_would_break_after_the_end_is_said_not_to(on_chains):
+    name = on_chains.system.line_names[0]
+    run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 30.0),)))
+    assert run.tension[-1, 0] > 0
+    assert f"line {name} does not break: 30 s after the ramp, a run lasts 20 s" in run.findings
 
 
 def test_constant_coefficients_without_waves_are_refused(on_springs):
@@ -276,7 +287,7 @@ def test_drift_by_half_waves_of_a_regular_wave_is_its_mean_drift(on_springs):
 def test_an_error_beyond_the_tolerance_is_said(on_springs):
     still = simulate(on_springs, Weather(), replace(CALM, duration=5.0))
     motion = np.sin(still.time)[:, None] * np.ones(6)
-    told = [_with_error(still._replace(motion=motion), motion * (1 + off), 1e-3).findings for off in (5e-4, 2e-3, 0.3)]
+    told = [with_error(still._replace(motion=motion), motion * (1 + off), 1e-3).findings for off in (5e-4, 2e-3, 0.3)]
     assert told[0] == () and "give a smaller one" in told[1][0] and "forgets" in told[2][0]
 
 

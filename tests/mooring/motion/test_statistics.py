@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.motion.statistics import CONFIDENCE, expected_extreme, over_runs, record_statistics
+from mooring.motion.statistics import CONFIDENCE, expected_extreme, over_runs, record_statistics, slow_part
 from mooring.response.extremes import EULER, expected_maximum, mean_of_highest
 
 STEP = 0.5
@@ -38,6 +38,14 @@ def test_slow_and_wave_part_are_told_apart_by_frequency_and_their_squares_add_up
     found = record_statistics(3.0 * np.sin(0.05 * t) + np.sin(0.6 * t), STEP, 0.3)
     assert np.isclose(found.slow, 3 / np.sqrt(2), rtol=5e-3) and np.isclose(found.wave, 1 / np.sqrt(2), rtol=5e-3)
     assert np.isclose(found.slow**2 + found.wave**2, found.sigma**2, rtol=1e-12)
+
+
+def test_the_slow_part_has_the_variance_told_of_it_and_no_delay():
+    t = STEP * np.arange(14400)
+    slow = 1.0 + 3.0 * np.sin(2 * np.pi * 57 / (14400 * STEP) * t)  # whole periods of the record
+    record = slow + np.sin(2 * np.pi * 690 / (14400 * STEP) * t)
+    assert np.allclose(slow_part(record, STEP, 0.3), slow, atol=1e-10)
+    assert np.isclose(slow_part(record, STEP, 0.3).std(), record_statistics(record, STEP, 0.3).slow, rtol=1e-12)
 
 
 @pytest.mark.parametrize("low, high", [(0.55, 0.65), (0.2, 1.0)])

@@ -214,8 +214,7 @@ def test_a_buoy_that_tilts_yields_to_its_hawsers_as_far_as_its_moments_say():
     c = kind.mass * system.gravity * kind.metacentric_height(system.density)
     ends = np.zeros((2, 3))
     hung = buoys.BuoyOnLines(kind, system, rope, [1.25, 1.3], ends, np.zeros(3), np.zeros(3), 0.0, np.zeros(2))
-    made = buoys.buoy_arrays(hung)
-    work = buoys.buoy_work(made, no_waves(), 0)
+    made, work = buoys.buoy_of(hung, no_waves(), 0)
     for first, second in ((30.0, 0.0), (30.0, 5.0), (1e-3, 2e-3), (800.0, 900.0)):
         pull = np.array([first, second])
         theta = np.arctan(pull.sum() * kind.lever / c)

@@ -6,6 +6,7 @@ import pytest
 from meshing.shapes import box
 from mooring.lines.system.moored_body import Leg, moored_body
 from mooring.lines.system.parts import LineType, UniformLine
+from mooring.response.findings import some
 from mooring.studies.conditions import ExposedBox
 from mooring.studies.places import check_places, off_the_mesh, place_findings
 
@@ -71,3 +72,8 @@ def test_a_line_through_the_hull_is_told_with_its_length_in_it(fairlead, anchor,
     chord = np.linalg.norm(np.subtract(anchor, fairlead))
     share = min(inside / np.abs(np.subtract(anchor, fairlead)[:2]).sum(), 0.5)  # halfway it leaves by the keel
     assert all(f"one {share * chord:.3g} m" in text for text in said)
+
+
+def test_of_many_lines_some_are_named_and_the_rest_counted():
+    assert some(["a", "b"]) == "a, b"
+    assert some([f"L{i}" for i in range(500)], most=3) == "L0, L1, L2 and 497 more"

@@ -92,6 +92,13 @@ def test_a_pace_tells_once_what_all_will_take_and_then_what_is_left(monkeypatch)
     assert said == ["100 things take about 55 s", "4 of 100, 6 min 12 s left"]
 
 
+def test_much_memory_is_told_of_work_that_is_short():
+    said = []
+    told("2618 responses take", 2.0, said.append, memory=7.6e9)
+    told("26 responses take", 2.0, said.append, memory=7.6e7)
+    assert said == ["2618 responses take about 2 s, 7.6 GB"]
+
+
 def test_a_pace_that_lasts_longer_than_a_month_ends_the_work(monkeypatch):
     clock = iter([0.0, 2.0])
     monkeypatch.setattr(bounds.time, "perf_counter", lambda: next(clock))

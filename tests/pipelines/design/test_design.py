@@ -434,3 +434,15 @@ def test_a_case_that_cannot_be_run_is_named_and_not_dropped(folder, tmp_path, mo
     assert [one.fault for one in verdict.ran if one.numbers is None] == ["the lines do not reach"] * 2
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert page.count("could not be run: the lines do not reach") == 2 and verdict.word != "passes"
+
+
+def test_a_misspelt_quantity_of_ones_own_rules_is_refused_and_one_of_the_tables_is_not(folder):
+    head = ",".join(Criterion._fields)
+    row = "port Y,2026,{},at most,1.0,,m,any,any,any,any,largest,,the owner,read"
+    project = {**PROJECT, "rules": [*PROJECT["rules"], {"rule": "port Y", "file": "misspelt.csv"}]}
+    (folder / "misspelt.toml").write_text(tomli_w.dumps(project))
+    (folder / "misspelt.csv").write_text(f"{head}\n{row.format('surge at the gangway')}\n")
+    with pytest.raises(ValueError, match=r"rules\[\d\], misspelt.csv: quantity 'surge at the gangway' is found by no"):
+        read_project(folder / "misspelt.toml")
+    (folder / "misspelt.csv").write_text(f"{head}\n{row.format('gust factor').replace(',m,', ',-,')}\n")
+    assert read_project(folder / "misspelt.toml").criteria[-1].quantity == "gust factor"

@@ -2,6 +2,7 @@
 
 import csv
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -10,9 +11,8 @@ import numpy as np
 import pytest
 import tomli_w
 
-import mooring.motion.simulation as engine
 import pipelines
-from bem.time_domain.memory import Memory, MemoryArrays
+from bem.time_domain.memory import no_memory
 from pipelines.common.quantities import StudyError
 from pipelines.design.command import made
 from pipelines.design.project import read_project
@@ -23,11 +23,8 @@ COARSE = {"periods": [6.0, 8.0, 11.0, 20.0], "headings_deg": [0.0, 45.0, 90.0, 1
 
 
 def without_memory(reader):
-    """Memory without states, so that none has to be fitted"""
-    none, square = np.zeros((6, 0)), np.zeros((6, 6))
-    arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
-    A = reader.coefficients(reader.omega[:1])[0][0]
-    return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, (0.3, 1.5), ()), ()
+    """Memory without states, so that none has to be fitted, and the added mass of the longest waves; no findings"""
+    return replace(no_memory(reader), added_mass_infinity=reader.coefficients(reader.omega[:1])[0][0]), ()
 
 
 def raw_of(name):
@@ -66,7 +63,7 @@ def rows(path):
 
 @pytest.fixture
 def quick(monkeypatch):
-    monkeypatch.setattr(engine, "_memory", without_memory)
+    monkeypatch.setattr("mooring.motion.simulation.moored_body.fitted_memory", without_memory)
 
 
 @pytest.fixture(autouse=True)

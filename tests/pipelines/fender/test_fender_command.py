@@ -45,6 +45,7 @@ def test_fenders_side_by_side_add():
     [
         ("", "--height requires an argument"),
         ("--height 2", "family and table: neither is given"),
+        ("--height 2 --family=", "family '' is unknown"),
         ("--height -2 --family cell", "fender.height is -2; allowed: above 0, at most 20"),
         ("--height 2 --family cell --strain 0.7", "beyond its table, which ends at 1.1 m (55.0 %)"),
         ("--height 2 --family cell --energy 9000", "take a larger fender or give an overload stiffness"),

@@ -57,10 +57,14 @@ def test_every_file_that_is_read_into_a_table_is_a_kind():
     [
         ("simulate", "single_point_barge.toml", "attachment", "hakobune single-point"),
         ("single-point", "simulate_chain_12.toml", "spreads", "hakobune moor or hakobune simulate"),
+        ("solve", "single_point_A.toml", "hull", "hakobune single-point"),
+        ("solve", "berth_tanker.toml", "depth", "hakobune berth"),
     ],
 )
 def test_a_file_of_another_command_names_that_command(command, file, key, readers, tmp_path, capsys):
-    output = ["--database", str(SCENES / file), "--output", str(tmp_path / "run.h5")]
+    output = ["--output", str(tmp_path / "run.h5")]
+    if command != "solve":
+        output += ["--database", str(SCENES / file)]
     assert cli.main([command, str(SCENES / file), *output]) == 2
     said = f"hakobune {command}: {key} is for another command: this file is read by {readers}\n"
     assert capsys.readouterr().err == said

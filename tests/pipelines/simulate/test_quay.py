@@ -1,16 +1,16 @@
 """A ship at a quay: fenders, dolphins and ropes of a study file, through the file of a simulation."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-import mooring.motion.simulation as engine
 import pipelines
 from bem.database import open_database
-from bem.time_domain.memory import Memory, MemoryArrays
+from bem.time_domain.memory import no_memory
 from mooring.environment.wave_records import Record, write_record
 from mooring.lines.system.parts import LineSystemError
 from mooring.studies.conditions import ExposedBox
@@ -32,11 +32,8 @@ ROPE = {
 
 
 def without_memory(body):
-    """Memory without states, so that none has to be fitted"""
-    none, square = np.zeros((6, 0)), np.zeros((6, 6))
-    arrays = MemoryArrays(np.zeros(0), np.zeros(0), none, none)
-    A = body.coefficients(body.omega[:1])[0][0]
-    return Memory(arrays, np.zeros((0, 0)), np.zeros((0, 0)), A, square, square, (0.3, 1.5), ()), ()
+    """Memory without states, so that none has to be fitted, and the added mass of the longest waves; no findings"""
+    return replace(no_memory(body), added_mass_infinity=body.coefficients(body.omega[:1])[0][0]), ()
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +45,7 @@ def database(tmp_path_factory):
 
 
 def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(engine, "_memory", without_memory)
+    monkeypatch.setattr("mooring.motion.simulation.moored_body.fitted_memory", without_memory)
     monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
     run, words = tmp_path / "quay.h5", ["simulate", str(SCENE), "--database", str(database)]
     assert (
@@ -93,7 +90,7 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
 
 
 def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(database, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(engine, "_memory", without_memory)
+    monkeypatch.setattr("mooring.motion.simulation.moored_body.fitted_memory", without_memory)
     run, scene = tmp_path / "dolphins.h5", SCENE.with_name("simulate_dolphins.toml")
     words = ["simulate", str(scene), "--database", str(database), "--duration", "60", "--output", str(run)]
     assert main(words) == 0
@@ -109,7 +106,7 @@ def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(databa
     "asked, told", [('["nix"]', "there is no line 'nix'"), ('"all"', "has no mass"), ('"none"', '"all"')]
 )
 def test_lines_that_cannot_move_by_themselves_leave_no_file(database, tmp_path, monkeypatch, capsys, asked, told):
-    monkeypatch.setattr(engine, "_memory", without_memory)
+    monkeypatch.setattr("mooring.motion.simulation.moored_body.fitted_memory", without_memory)
     study, run = tmp_path / "study.toml", tmp_path / "run.h5"
     chains = SCENE.with_name("simulate_chain_12.toml").read_text()
     study.write_text(chains.replace("[simulation]", f"[simulation]\ndynamic_lines = {asked}"))
@@ -231,7 +228,7 @@ def test_a_quay_behind_dolphins_changes_waves_water_and_the_design_spectrum(data
         ({"y": 20.0}, "a wall at y = 20 m meets the hull"),
         (
             {"y": 26.0},
-            "of a wave decays between hull and quay, left out; allowed: up to 30 %; solve the body with --wall",
+            "left out; allowed: up to 30 %; solve the body with hakobune solve --wall",
         ),
         ({"y": 75.0, "method": "panels"}, "is of open water; solve it again with --wall 75"),
         ({"y": 75.0, "method": "guess"}, "quay.method is 'guess'; allowed: far-field, panels"),

@@ -3,6 +3,7 @@
 import shutil
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -52,6 +53,7 @@ def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeyp
         ("drift_tonf_per_m2 = 4.988", "", "their drift is not known"),
         ("[mass]\nadded_surge = 0.1\nadded_sway = 0.6\nadded_yaw = 0.4\n", "", "mass is missing"),
         ("[attachment]\nx = 50.0", "[attachment]\nw = 50.0", "attachment.w is unknown"),
+        ("[attachment]\nx = 50.0", "[attachment]\nx = 5e4", "attachment.x is 50000 m; allowed: -100 to 100"),
         ("speed = 25.0", "speed = 9e4", "the lines do not hold"),
     ],
 )  # fmt: skip
@@ -60,6 +62,18 @@ def test_a_fault_is_one_line(old, new, said, tmp_path, monkeypatch, capsys):
     assert run(tmp_path, STUDY.replace(old, new), monkeypatch=monkeypatch) == 2
     shown = capsys.readouterr().err
     assert said in shown and shown.count("\n") == 1, shown
+
+
+@pytest.mark.parametrize(
+    "depth, sizes, said",
+    [
+        (20.0, {}, "water.depth is 14 m, the database is for 20 m"),
+        (14.0, {"length": 90.0, "beam": 50.0, "draft": 10.0}, "hull.length is 100 m, the database is for 90 m"),
+    ],
+)
+def test_a_database_of_another_hull_or_of_other_water_is_refused(depth, sizes, said):
+    with pytest.raises(ValueError, match=said):
+        make(make_study(tomllib.loads(STUDY)), db=SimpleNamespace(water_depth=depth, dimensions=sizes))
 
 
 def test_a_map_keeps_the_waterplane_and_knows_its_keys():
@@ -97,7 +111,8 @@ def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch,
     assert run(tmp_path, stiff, monkeypatch=monkeypatch) == 0
     said = capsys.readouterr().out
     assert "hawser 1" in said and "waves push with their mean drift alone" in said
-    for height, said in ((-4.0, "buoy.hawser_z is -4 m; allowed: at least buoy.z, -3 m"), (2.0, "")):
+    low, high = "buoy.hawser_z is -4 m; allowed: at least buoy.z, -3 m", "at most buoy.height, 5 m"
+    for height, said in ((-4.0, low), (50.0, high), (2.0, "")):
         tilts = stiff.replace("height = 5.0", f"height = 5.0\nhawser_z = {height}")
         assert run(tmp_path, tilts, monkeypatch=monkeypatch) == (2 if said else 0)
         assert said in capsys.readouterr().err

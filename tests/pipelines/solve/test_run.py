@@ -1,7 +1,10 @@
 """The run loop: what is pending is submitted, stored and marked.  The executor makes the numbers up."""
 
+import signal
 from concurrent.futures import Future
+from contextlib import nullcontext
 from pathlib import Path
+from types import SimpleNamespace
 
 import h5py
 import numpy as np
@@ -11,6 +14,7 @@ from bem.database import open_database, pending
 from bem.database.schema import QUANTITIES
 from pipelines.executors.choice import executor_of
 from pipelines.scene.scene import make_scene
+from pipelines.solve import run
 from pipelines.solve.run import solve
 from pipelines.solve.work import solve_one
 
@@ -120,6 +124,31 @@ def test_ctrl_c_before_the_first_result_leaves_everything_pending(tmp_path):
     again = MadeUp()
     assert solve(scene(), path, executor=again).exit_status == 0
     assert set(frequencies(again)) <= {0.4, 0.8, 1.2}
+
+
+def test_ctrl_c_at_the_last_frequency_leaves_all_of_it_and_stops_what_follows(tmp_path):
+    class Pressed(Future):
+        def result(self, timeout=None):
+            signal.raise_signal(signal.SIGINT)
+            return super().result(timeout)
+
+    class Late(MadeUp):
+        def submit(self, function, problem, *arguments):
+            if function is solve_one:
+                return super().submit(function, problem, *arguments)
+            limit = Pressed()  # which comes last
+            limit.set_result(np.eye(6))
+            return limit
+
+    outcome = solve(scene(), tmp_path / "box.h5", executor=Late())
+    assert outcome.interrupted and outcome.stored == outcome.total and outcome.exit_status == 0
+
+
+def test_ctrl_c_while_there_is_nothing_to_solve_stops_what_follows(tmp_path, monkeypatch):
+    solve(scene(), tmp_path / "box.h5", executor=MadeUp())
+    monkeypatch.setattr(run, "ctrl_c", lambda say: nullcontext(SimpleNamespace(asked=True)))
+    outcome = solve(scene(), tmp_path / "box.h5", executor=MadeUp())
+    assert outcome.interrupted and outcome.jobs == 0 and outcome.exit_status == 0
 
 
 def test_another_scene_is_refused_by_name_and_replaced_when_fresh(tmp_path):

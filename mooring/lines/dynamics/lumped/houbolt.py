@@ -4,8 +4,8 @@
 
 The report iterates on tensions, in a tridiagonal matrix at fixed angles; here the nodes themselves are the unknowns
 and the tangent holds tension, geometry and bed.  A run starts from rest: sₙ₋₁ = sₙ₋₂ = sₙ.
-The scheme damps (ratio 0.012 at 20 steps a period) and is not checked by itself: `dynamic.simulate` halves the step
-until the tension stays the same.
+The scheme damps (ratio 0.012 at 20 steps a period) and is not checked by itself: `dynamics.simulation.simulate` halves
+the step until the tension stays the same.
 """
 
 from __future__ import annotations

@@ -1,0 +1,18 @@
+"""A moored body in time, the door: `moored` prepares what no weather changes, then every seed is a `simulate`."""
+
+from .failures import SimulationError
+from .loads import wave_components
+from .moored_body import Moored, moored, with_memory
+from .realisation import Realisation
+from .run import simulate, with_lines_chosen
+
+__all__ = [
+    "Moored",
+    "Realisation",
+    "SimulationError",
+    "moored",
+    "simulate",
+    "wave_components",
+    "with_lines_chosen",
+    "with_memory",
+]

@@ -1,0 +1,80 @@
+"""`equation.Body` of a run: mass, restoring forces, damping and memory of the water, and what is given in time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.time_domain.fast_states import slow_memory
+from bem.time_domain.memory import MemoryArrays
+
+from .. import slow_damping
+from ..equation import Body
+from ..given_forces import sampled
+from .failures import SimulationError
+from .loads import frequency_of_coefficients, half_waves, mean_frequency, pairs
+
+FASTEST, BAND = 8.0, 2.0  # rad/s and times the band of the database, of states of the memory, those beyond both follow
+# at once: explicit steps of 0.4 s are stable; within the band they would give energy, as at the scale of a model
+FILTER = 0.25  # of the waves' peak frequency: slower motion is slow motion
+UNKNOWN = 0.4  # rad/s, mean frequency of waves that there are not
+
+
+def body_of(moored, weather, settings, components, drag, munk):
+    """`equation.Body` of a run.
+
+    components : of its waves, None for none; drag : N₂ of yaw; munk : whether the current has the moment that an ideal
+    fluid has on the drifting hull, which is then not taken a second time
+    raises : SimulationError
+    """
+    reader, quadratic = moored.reader, moored.quadratic.copy()
+    quadratic[5] += drag
+    added, damping, memory = _coefficients(moored, settings, components)
+    try:
+        pushed = *pairs(moored, weather, settings, components), *half_waves(moored, settings, components)
+        given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration)
+    except ValueError as error:
+        raise SimulationError(str(error)) from None
+    ring = np.zeros((4, 6))
+    if components is not None and settings.wave_drift_damping and settings.slow_drift != "none" and reader.knows_drift:
+        ring = slow_damping.drift_damping_ring(moored.waves, weather, reader.depth, reader.gravity)
+    inverse, free = np.zeros((6, 6)), np.ix_(moored.free, moored.free)
+    inverse[free] = np.linalg.inv((reader.inertia + added)[free])
+    turned = weather.on_hull is None or not weather.on_hull.turning  # turning tests hold the inertia of the turn
+    return Body(
+        inverse,
+        turned * reader.inertia,
+        turned * moored.slow_added_mass,
+        reader.stiffness,
+        moored.spring,
+        damping,
+        quadratic,
+        FILTER * (UNKNOWN if components is None else mean_frequency(components)),
+        float(settings.ramp),
+        np.array((0.0, settings.ramp) if settings.wave_ramp is None else settings.wave_ramp, float),
+        0.0 if munk else 1.0,
+        memory,
+        ring,
+        *given,
+    )
+
+
+def _coefficients(moored, settings, components):
+    """Added mass and damping (6, 6), and `MemoryArrays` of what follows slower.  Raises SimulationError."""
+    if settings.memory != "constant":
+        memory = moored.memory
+        slow = slow_memory(memory, max(FASTEST, BAND * memory.band[1]))
+        return memory.added_mass_infinity + slow.inertia, moored.damping + slow.damping, slow.arrays
+    omega = frequency_of_coefficients(settings, components)
+    if omega is None:
+        raise SimulationError(
+            'memory = "constant" takes coefficients at the mean frequency of waves, and there are none; '
+            'give waves, or memory = "states"'
+        )
+    (added,), (radiated,) = moored.reader.coefficients(np.array([omega]))
+    if np.linalg.eigvalsh(moored.reader.inertia + added).min() <= 0:
+        raise SimulationError(
+            f"mass and added mass at {omega:.3g} rad/s are not positive, as water that rings before a wall can make "
+            "them; give another constant_period"
+        )
+    none = np.zeros((6, 0))
+    return added, moored.damping + radiated, MemoryArrays(np.zeros(0), np.zeros(0), none, none)

@@ -1,0 +1,77 @@
+"""Why a run cannot go on, in one line: when, where, what, and the way out."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .. import integrator
+from ..contact_loads import DEPTH
+from ..equation import FLOAT
+from ..line_loads import REACH
+
+
+class SimulationError(ValueError):
+    """A run that cannot be made or carried on: the message names the time, the number and the way out."""
+
+
+def failure(state, clock, settings, scene, moored, hung, stuck):
+    t, place = clock.now[integrator.TIME], clock.y[:6]
+    where = f"at {t - settings.ramp:.4g} s after the ramp, the body {np.hypot(*place[:2]):.3g} m from its place"
+    if state == integrator.BEYOND:
+        i = int(scene.contact_work.beyond[0])
+        depth, limit = scene.contact_work.now[i, DEPTH], scene.contacts.table.marks[i, 1]
+        return (
+            f"{where}: fender {moored.berth.names[i]} is pressed by {depth:.3g} m, beyond its table, which ends at "
+            f"{limit:.3g} m; take a larger one, or give it an overload stiffness"
+        )
+    if state == integrator.STUCK:
+        return (
+            f"{where}: line {moored.system.line_names[stuck]} cannot be followed in its own motion; leave it out of "
+            "dynamic_lines, or raise the tolerance"
+        )
+    if moored.buoy is not None and state in (integrator.NO_LINE, integrator.TOO_SHORT):
+        return f"{where}: {_of_buoy(state, clock, hung[1])}"
+    name, tension = _tightest(scene.line_work, moored)
+    if state == integrator.NO_LINE and tension > (load := moored.system.breaking_load[_number(moored, name)]):
+        return (
+            f"{where}: line {name} pulls {tension:.3g} N, {tension / load:.2g} times its breaking load; it is lost: "
+            "take a stronger one, or weaken the loads"
+        )
+    if state == integrator.NO_LINE:
+        return (
+            f"{where}: a line cannot reach its fairlead, its end is below the bed or, of segments, beyond the table of "
+            f"its forces, {REACH[1]:g} of the depth up or down; lengthen it, or weaken the loads"
+        )
+    if state == integrator.TOO_SHORT:
+        rigid = name and not scene.lines.lines[_number(moored, name), 2] > 0
+        way = "give it an axial stiffness" if rigid else "raise the tolerance or soften it"
+        return (
+            f"{where}: steps below {integrator.SHORTEST:g} s would be needed, line {name} pulls {tension:.3g} N; {way}"
+        )
+    return f"{where}: the motion is not a finite number; look at inertia, damping and stiffness"
+
+
+def _of_buoy(state, clock, work):
+    """Why a body with a buoy cannot be followed"""
+    away, pull = np.hypot(*clock.y[FLOAT : FLOAT + 2]), work.rope.max()
+    if state == integrator.NO_LINE:
+        return (
+            f"the buoy is {away:.3g} m from its place without the body, a line cannot reach it; lengthen the lines or "
+            "give them an axial stiffness"
+        )
+    return (
+        f"steps below {integrator.SHORTEST:g} s would be needed, a hawser pulls {pull:.3g} N; soften it, or take a "
+        "heavier buoy"
+    )
+
+
+def _number(moored, name):
+    return moored.system.line_names.index(name)
+
+
+def _tightest(kept, moored):
+    """Name and pull of the line that pulls most; None without lines"""
+    if not len(kept.whole):
+        return None, 0.0
+    pull = np.nan_to_num(np.hypot(*kept.tension.T))
+    return moored.system.line_names[int(pull.argmax())], float(pull.max())

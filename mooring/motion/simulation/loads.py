@@ -1,0 +1,91 @@
+"""What moves a body in a run: components of its waves, streams of wind and current, forces given beside them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...environment.sea import Components, joined
+from ...response.bound_wave_drift import record as pair_record
+from ..given_forces import GivenForce, drift_of_half_waves
+from ..streams import calm, current_stream, stream_of, turning_drag, wind_stream
+from ..wave_loads import drift_of
+from .failures import SimulationError
+
+NEXT_SEA, GUSTS = 7919, 104729  # what is added to the seed of a run for each further sea, and for gusts: phases of
+# two loads of a run are never drawn alike; those of runs whose seeds are as far apart as this would be
+FEWEST, MOST = 200, 600  # wave components of a sea; at 600 their beats are closer than a slow resonance is wide
+
+
+def wave_components(moored, weather, settings, seed):
+    """Components of the weather's waves, None for none; as many as the record needs not to repeat."""
+    if weather.regular is not None:
+        w = weather.regular
+        return Components(*(np.array([float(v)]) for v in (w.omega, 0.5 * w.height, 0.0, w.direction)))
+    if not weather.seas:
+        return weather.components
+    low, high = moored.reader.omega[0], moored.reader.omega[-1]
+    parts = []
+    for number, sea in enumerate(weather.seas):
+        band = np.clip(sea.spectrum.quantile((1e-5, 1 - 1e-3)), low, high)
+        count = settings.components
+        if count is None:
+            count = int(np.clip(np.ptp(band) * settings.duration / (4 * np.pi), FEWEST, MOST))
+        parts.append(sea.components(count, seed + NEXT_SEA * number, low=float(band[0]), high=float(band[1])))
+    return parts[0] if len(parts) == 1 else joined(*parts)
+
+
+def mean_frequency(components):
+    """rad/s, of the energy of wave components"""
+    energy = components.amplitude**2
+    return float(components.omega @ energy / energy.sum())
+
+
+def frequency_of_coefficients(settings, components):
+    """rad/s, at which memory = "constant" takes them: the period given, or the mean one of the waves; None for none"""
+    if settings.constant_period:
+        return 2 * np.pi / settings.constant_period
+    return None if components is None else mean_frequency(components)
+
+
+def streams(moored, weather, seed, end):
+    """Wind and current `Stream` up to `end` s, None for no water drag, N₂ of yaw, and findings.
+
+    raises : SimulationError where they have no hull to act on, or drag of the water is not known
+    """
+    reader, hull, own, wind = moored.reader, moored.hull, weather.on_hull, calm()
+    if own is not None:
+        if weather.wind is not None and own.wind is not None:
+            speed, to = weather.wind.speed, weather.wind.direction
+            wind = stream_of(own.wind, speed, to, weather.gusts, seed + GUSTS, 0.0, end)
+        return wind, calm(), own.quadratic, ()
+    if hull is None:
+        if weather.wind or weather.current:
+            raise SimulationError("wind and current need the hull they act on; give its length, beam and freeboard")
+        return wind, None, 0.0, ()
+    if weather.wind:
+        wind = wind_stream(weather.wind, hull, reader.rotation_center, weather.gusts, seed + GUSTS, 0.0, end)
+    try:
+        current = current_stream(weather.current, hull, reader.rotation_center, reader.density, reader.depth)
+        table = None if weather.current is None else weather.current.table
+        return wind, current, turning_drag(hull, reader.density, reader.depth, table), ()
+    except ValueError as error:
+        if weather.current:
+            raise SimulationError(str(error)) from None
+        return wind, None, 0.0, (f"slow motion has no drag of the water: {error}",)
+
+
+def pairs(moored, weather, settings, components):
+    """The force of pairs of waves beside Newman's, of a run, as a GivenForce, or nothing"""
+    if weather.beside_newman is None or components is None:
+        return ()
+    known = moored.waves.drift is not None
+    drift = drift_of(moored.waves, components, moored.start[5]) if known else None
+    t, force = pair_record(weather.beside_newman, components, settings.ramp + settings.duration, drift)
+    return (GivenForce(t - settings.ramp, force),)
+
+
+def half_waves(moored, settings, components):
+    """The drift by half waves of a run, as a GivenForce, or nothing"""
+    if settings.slow_drift != "half-waves" or components is None or not moored.reader.knows_drift:
+        return ()
+    return (drift_of_half_waves(moored.reader, components, moored.start[5], settings.ramp, settings.duration),)

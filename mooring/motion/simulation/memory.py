@@ -1,0 +1,35 @@
+"""The memory of the water of a run: to the smallest tolerance that its states allow."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bem.time_domain.memory import memory_of_database
+
+TOLERANCES = (3e-4, 1e-3, 3e-3, 1e-2, 3e-2)
+COUPLED, ONE_PLANE = 1e-6, 12  # share of added mass, and how many entries beside the diagonal a body with one plane of
+# symmetry has; with more the fit takes a minute and a half to 1e-3, and 15 s to 3e-3
+WANTED = 1e-3  # without a finding
+
+
+def fitted_memory(body):
+    """The `Memory` of a Reader to the smallest of TOLERANCES that it allows, and findings, where that is not WANTED.
+
+    raises : ValueError where no tolerance is met
+    """
+    A = body.held_added_mass(0.0)[0]
+    size = np.sqrt(np.diag(A))
+    coupled = np.count_nonzero(np.abs(A) > COUPLED * np.outer(size, size)) - len(A)
+    for tolerance in TOLERANCES[2 * (coupled > ONE_PLANE) :]:
+        try:
+            memory = memory_of_database(body, tolerance)
+        except ValueError as error:
+            refused = error
+            continue
+        if tolerance <= WANTED:
+            return memory, ()
+        return memory, (
+            f"memory of the water is fitted to {memory.error.max():.2g} of the largest, wanted "
+            f"{WANTED:g}; store more frequencies over a wider band",
+        )
+    raise refused

@@ -1,0 +1,124 @@
+"""What a run in time gives: records, work of the loads, and how far off its motions are."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bem import DOFS
+
+from ...environment.sea import Components
+from ...lines.system.findings import beyond_tables
+from .. import integrator
+from ..contacts import courses
+from ..equation import FIRST_WORK, FLOAT, WORKS
+from ..line_loads import line_work, tensions_along
+from ..streams import gust_at
+
+MOTIONLESS = 1e-9  # m, rad: the deviation of a motion that is none
+CHAOTIC = 0.1  # error over σ of a path that is chance
+
+
+class Realisation(NamedTuple):
+    """One run.
+
+    time : (n,) s; motion : (n, 6) m, rad of the rotation centre from its place at rest, yaw unwrapped
+    velocity : (n, 6) m/s, rad/s in axes that turn with the heading; slow : (n, 3) low-passed x, y and yaw
+    wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : of the run
+    estimated_error : (6,) of the motions, nan where not asked for; steps : taken
+    deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
+    work : {name: J} done on the body from the start of the ramp to the end; findings : one line each
+    buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
+    hawser : (n, k), buoy_lines : (n, l) N, the largest since the sample before
+    """
+
+    time: np.ndarray
+    motion: np.ndarray
+    velocity: np.ndarray
+    slow: np.ndarray
+    wave: np.ndarray
+    wind_speed: np.ndarray
+    tension: np.ndarray
+    seed: int
+    estimated_error: np.ndarray
+    steps: int
+    work: dict
+    findings: tuple[str, ...]
+    deflection: np.ndarray
+    reaction: np.ndarray
+    pull: np.ndarray
+    buoy: np.ndarray | None = None
+    hawser: np.ndarray | None = None
+    buoy_lines: np.ndarray | None = None
+
+
+class Course(NamedTuple):
+    """A body followed to the end.
+
+    samples : (n, 18 or 24) of its state, and of the buoy; clock : `integrator.Clock`, the last
+    pulls : {number: (n,) N} of lines with a motion of their own; hung : (n, k + l) N of hawsers and lines of a buoy
+    """
+
+    samples: np.ndarray
+    clock: object
+    pulls: dict
+    hung: np.ndarray | None
+
+
+def realisation_of(moored, settings, seed, begun, course):
+    """`Realisation` of a seed from what it began with (`run.Begun`) and the Course of its body"""
+    samples, clock, lines = course.samples, course.clock, begun.scene.lines
+    clocked = settings.step * np.arange(len(samples))
+    tension = np.zeros((len(samples), len(lines.lost)))
+    tensions_along(lines, line_work(lines), clocked, samples, tension)
+    for number, pull in course.pulls.items():
+        tension[:, number] = pull
+    findings = begun.findings
+    if moored.system is not None:
+        findings = (*findings, *beyond_tables(moored.system, tension.max(axis=0)))
+    wind, count = begun.scene.wind, len(moored.berth.fenders)
+    depth, force = courses(moored.berth, samples)
+    depth = np.maximum(depth, 0.0)
+    return Realisation(
+        clocked - settings.ramp, samples[:, :6], samples[:, 6:12], samples[:, 12:15],
+        _elevation(begun.waves.table, clocked, moored.reader), np.hypot(*wind.velocity) + gust_at(wind, clocked),
+        tension, seed, np.full(6, np.nan), int(clock.counts[integrator.STEPS]),
+        dict(zip(WORKS, clock.y[FIRST_WORK:FLOAT].tolist(), strict=True)), findings,
+        depth[:, :count], force[:, :count], force[:, count:], *_of_buoy(moored.buoy, course),
+    )  # fmt: skip
+
+
+def _elevation(table, clocked, reader):
+    """(n,) m at the origin, of a `WaveTable` at times (n,) s from its begin"""
+    if not len(table.omega):
+        return np.zeros(len(clocked))
+    from ...environment.wave_records import elevation
+
+    parts = Components(table.omega, table.amplitude, table.phase, table.direction)
+    return elevation(parts, clocked, 0.0, 0.0, reader.depth, reader.gravity)
+
+
+def _of_buoy(buoy, course):
+    """The last three of a `Realisation`"""
+    if buoy is None:
+        return None, None, None
+    count = len(buoy.lengths)
+    return course.samples[:, 18:], course.hung[:, :count], course.hung[:, count:]
+
+
+def with_error(found, finer, tolerance):
+    """A Realisation with the root mean square difference from motions (n, 6) of a run to a smaller tolerance"""
+    late = found.time >= 0
+    error, spread = np.sqrt(np.mean((found.motion - finer)[late] ** 2, axis=0)), found.motion[late].std(axis=0)
+    share = np.where(spread > MOTIONLESS, error / np.maximum(spread, MOTIONLESS), 0.0)
+    worst, findings = int(np.argmax(share)), found.findings
+    if share[worst] > tolerance:
+        chaotic = "this motion forgets where it came from; believe statistics over seeds, not a single path"
+        missed = f"the tolerance is {tolerance:g}; give a smaller one for a path as near as that"
+        findings = (
+            *findings,
+            f"{DOFS[worst].lower()} of a run to a tenth of the tolerance differs by {share[worst]:.2g} of its standard "
+            f"deviation: {chaotic if share[worst] > CHAOTIC else missed}",
+        )
+    return found._replace(estimated_error=error, findings=findings)

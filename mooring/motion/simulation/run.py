@@ -1,0 +1,171 @@
+"""One seed of a moored body in time, and the choice of lines with a motion of their own, which takes one such run."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from .. import integrator, slow_damping
+from ..buoy import buoy_of
+from ..contact_loads import contact_work
+from ..equation import FLOAT, MEMORY, SLOW, Scene, room
+from ..expected import expected_motion
+from ..line_loads import body_lines, fairlead_course, line_loads, line_work
+from ..moving_lines.packed import moving_work, state_pull
+from ..moving_lines.prepare import moving_of
+from ..moving_lines.trial import beside_static
+from ..streams import calm
+from ..wave_loads import Waves, no_waves, wave_table, waves_of
+from .body import body_of
+from .failures import SimulationError, failure
+from .loads import frequency_of_coefficients, streams, wave_components
+from .realisation import Course, realisation_of, with_error
+
+STEPS_AT_ONCE = 2000  # between reports of progress
+FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
+SHARE = 0.3  # of the tolerance that the errors of one such time may have
+FINER = 0.1  # of the tolerance, that of the run that estimates the error
+NEGLIGIBLE = 0.1  # of a line's largest tension, that its own motion may change
+TRIAL = 600.0  # s of the run that shows it
+COARSE = 0.01  # of its tension, by which elements may change a line at rest without a word
+
+
+class Begun(NamedTuple):
+    """What a seed begins with.
+
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (12,) scale of its errors (`expected_motion`)
+    moving : as of `moving_of`; findings : one line each
+    """
+
+    scene: Scene
+    waves: Waves
+    expected: np.ndarray
+    moving: tuple | None
+    findings: tuple[str, ...]
+
+
+def simulate(moored, weather, settings, seed=0, progress=None):
+    """One `Realisation` of a `Moored` body in a `Weather`.
+
+    seed : whole number; the same gives the same bits.  progress : called with the share done
+    raises : SimulationError where the motion cannot be followed
+    """
+    settings, words = with_lines_chosen(moored, weather, settings)
+    begun = _begun(moored, weather, settings, seed)
+    begun = begun._replace(findings=(*moored.findings, *words, *begun.findings))
+    found = realisation_of(moored, settings, seed, begun, _followed(moored, settings, begun, progress))
+    if not settings.estimate_error:
+        return found
+    finer = replace(settings, tolerance=FINER * settings.tolerance)
+    again = _followed(moored, finer, begun._replace(moving=moving_of(moored, finer)), progress)
+    return with_error(found, again.samples[:, :6], settings.tolerance)
+
+
+def _begun(moored, weather, settings, seed):
+    """`Begun` of a seed; settings.dynamic_lines are names"""
+    components, reader = wave_components(moored, weather, settings, seed), moored.reader
+    table = no_waves()
+    if components is not None:
+        wanted = settings.slow_drift in ("newman", "mean")
+        table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
+    wind, current, drag, findings = streams(moored, weather, seed, settings.ramp + settings.duration)
+    moving = moving_of(moored, settings)
+    findings += (*_coarse(moored, settings, moving), *_of_lost(settings))
+    lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
+    lines = body_lines(moored.system, lost, moored.tables, () if moving is None else moving[0].number)
+    body = body_of(moored, weather, settings, components, drag, current is not None)
+    if components is not None:
+        mean, constant = frequency_of_coefficients(settings, components), settings.memory == "constant"
+        findings += tuple(slow_damping.findings(moored, body, mean, constant, current is not None))
+    flows = wind, calm() if current is None else current
+    hull = None if weather.on_hull is None else weather.on_hull.water
+    contacts = moored.berth.arrays
+    scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, room(table.steps))
+    waves = waves_of(table, settings.slow_drift == "mean")
+    return Begun(scene, waves, expected_motion(moored, components), moving, findings)
+
+
+def with_lines_chosen(moored, weather, settings):
+    """Settings whose dynamic_lines are names, and findings on the choice, where it is "auto"; others as they are.
+
+    The choice is by a trial, a run with all lines in their static shape, which is the same for every seed.
+    raises : SimulationError as of `simulate`
+    """
+    if settings.dynamic_lines != "auto" or moored.system is None:
+        return settings, ()
+    duration = min(settings.duration, TRIAL)
+    still = replace(settings, dynamic_lines=(), lines_lost=(), estimate_error=False, duration=duration)
+    run, lines = simulate(moored, weather, still), body_lines(moored.system)
+    states = np.hstack([run.motion, run.velocity])
+    courses = [fairlead_course(lines, i, states) for i in range(len(moored.system.lines))]
+    tried = beside_static(moored.system, run, courses, settings.dynamic_elements)
+    names = moored.system.line_names
+    moving = [i for i, off in tried.off.items() if off > NEGLIGIBLE]
+    told = ", ".join(f"{names[i]} {100 * tried.off[i]:.2g} %" for i in moving) or "none"
+    words = (
+        f'dynamic_lines = "auto": {len(moving)} of {len(names)} lines have a motion of their own, those that pull more '
+        f"than {100 * NEGLIGIBLE:g} % of their largest tension otherwise with it, on a course of {duration:g} s: "
+        f"{told}",
+        *tried.refused,
+    )
+    return replace(settings, dynamic_lines=tuple(names[i] for i in moving)), words
+
+
+def _followed(moored, settings, begun, progress):
+    """`Course` of a body to the end.  Raises SimulationError."""
+    end, scene, moving = settings.ramp + settings.duration, begun.scene, begun.moving
+    rows = int(np.floor(end / settings.step + integrator.AT_ONCE)) + 1
+    y = np.zeros(MEMORY + len(scene.body.memory.decay))
+    y[:6] = moored.start
+    y[SLOW : SLOW + 3] = moored.start[[0, 1, 5]]
+    if moored.buoy is not None:
+        y[FLOAT : FLOAT + 3] = moored.buoy.start
+    scale = SHARE * settings.tolerance / FORGOTTEN * begun.expected
+    clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale)
+    samples = np.zeros((rows, 18 if moored.buoy is None else 24))
+    scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
+    hung = None if moored.buoy is None else buoy_of(moored.buoy, begun.waves.table, rows)
+    pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost)))
+    while True:
+        state = integrator.advance(scene, begun.waves, clock, samples, STEPS_AT_ONCE, hung, pair)
+        if progress is not None:
+            progress(min(clock.now[integrator.TIME] / end, 1.0))
+        if state == integrator.DONE:
+            pulls = {} if pair is None else dict(zip(pair[0].number.tolist(), pair[1].tension.T, strict=True))
+            return Course(samples, clock, pulls, None if hung is None else hung[1].kept)
+        if state != integrator.RUNNING:
+            stuck = -1 if pair is None else int(pair[1].stuck[0])
+            raise SimulationError(failure(state, clock, settings, scene, moored, hung, stuck))
+
+
+def _coarse(moored, settings, moving):
+    """Findings on lines with a motion of their own: what they leave out, and where elements make them pull otherwise"""
+    if moving is None:
+        return ()
+    found = ["lines of dynamic_lines move in still water: waves and current push the body, not them"]
+    lines, out = body_lines(moored.system, (), moored.tables), np.zeros(6)
+    static = line_work(lines)
+    line_loads(lines, static, moored.start, np.zeros((3, 3)), out)
+    whole = np.hypot(*static.tension[moving[0].number].T)
+    off = np.array([np.linalg.norm(state_pull(moving[0], i, one)) for i, one in enumerate(moving[1])]) / whole - 1
+    worst = int(np.argmax(np.abs(off)))
+    if abs(off[worst]) > COARSE:
+        name, way = moored.system.line_names[moving[0].number[worst]], "more" if off[worst] > 0 else "less"
+        found.append(
+            f"line {name} in {settings.dynamic_elements} elements pulls {100 * abs(off[worst]):.2g} % {way} at rest "
+            "than in its static shape; give more dynamic_elements"
+        )
+    return tuple(found)
+
+
+def _of_lost(settings):
+    """Findings on what the statistics of lines that break hold"""
+    for name, at in settings.lines_lost:
+        if at < settings.duration:
+            yield (
+                f"line {name} breaks {at:g} s after the ramp: its mean and σ are of a record that is zero from then on"
+            )
+        else:
+            yield f"line {name} does not break: {at:g} s after the ramp, a run lasts {settings.duration:g} s"

@@ -1,0 +1,238 @@
+"""Tables of a mooring study as TOML has them, with their keys, units and defaults (`study.Study` joins them)."""
+
+from __future__ import annotations
+
+import msgspec
+
+from ..common.line_tables import LineTable
+from ..common.quantities import Table
+from ..common.seas import SeaTable
+
+
+class WaterTable(Table):
+    """Water of the place
+
+    depth : m
+    """
+
+    depth: float
+
+
+class HullTable(Table):
+    """The hull as wind and current meet it
+
+    freeboard : m, depth of the hull less draft
+    length : m, by default that of the database
+    beam : m, by default that of the database
+    draft : m, by default that of the database
+    """
+
+    freeboard: float
+    length: float | None = None
+    beam: float | None = None
+    draft: float | None = None
+
+
+class Coefficients(Table):
+    """Drag coefficients of a box
+
+    angles_deg : 0 to 90, between stream and x axis
+    x : of the force along x, on the front
+    y : of the force along y, on the side
+    lever : of the moment, over the length
+    """
+
+    angles_deg: list[float]
+    x: list[float]
+    y: list[float]
+    lever: list[float] | None = None
+
+
+class StreamTable(Table):
+    """A uniform stream
+
+    speed : m/s; or speed_knots
+    """
+
+    speed: float | None = None
+    speed_knots: float | None = None
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    coefficients: Coefficients | None = None
+
+
+class WindTable(StreamTable):
+    """Wind, at 10 m
+
+    gusts : davenport, hino, npd or kaimal, about the mean wind, for simulate
+    surface_drag : K, where the gusts have it
+    gust_height : m, where the gusts have it
+    gust_exponent : of the profile, where the gusts have it
+    gust_intensity : of turbulence, where the gusts have it
+    """
+
+    gusts: str | None = None
+    surface_drag: float | None = None
+    gust_height: float | None = None
+    gust_exponent: float | None = None
+    gust_intensity: float | None = None
+
+
+class WavesTable(Table):
+    """The sea, or a regular wave
+
+    height : m, significant
+    period : s, mean
+    method : "irregular", waves of a spectrum, or "regular_wave" of this height and period as in the SR179 report
+    duration_hours : of the largest motions
+    motion_factor : by which the motions are multiplied before lines are tightened by them, 1.5 in some rules
+    """
+
+    height: float
+    period: float
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    method: str = "irregular"
+    spectrum: str = "issc"
+    gamma: float | None = None
+    spreading: str | None = None
+    duration_hours: float = 3.0
+    motion_factor: float = 1.0
+
+
+class Spread(LineTable, kw_only=True):
+    """Lines from the four corners of the hull
+
+    corner_headings_deg : 0 to 90, off the x axis, of the lines of the corner at +x, +y; the others are mirrored
+    pretension : horizontal, at rest
+    fairlead_z : m, above still water
+    """
+
+    corner_headings_deg: list[float]
+    pretension_tonf: float | None = None
+    pretension_kN: float | None = None
+    fairlead_z: float = 0.0
+
+
+class OneLine(LineTable, kw_only=True):
+    """A line to an anchor, along a heading to where it carries the pretension, or to a bollard
+
+    name : for results and messages
+    fairlead : m, x, y, z on the body at rest
+    anchor : m, x, y on the bed
+    bollard : m, x, y, z, still, in place of an anchor; a hawser to it has a length or a pretension
+    heading_deg : from the fairlead to the anchor, 0 → +x
+    pretension : horizontal, at rest
+    """
+
+    name: str
+    fairlead: tuple[float, float, float]
+    anchor: tuple[float, float] | None = None
+    bollard: tuple[float, float, float] | None = None
+    heading_deg: float | None = None
+    pretension_tonf: float | None = None
+    pretension_kN: float | None = None
+
+
+class LostTable(Table):
+    """A line that breaks
+
+    line : its name in results
+    time : s, from the end of the ramp
+    """
+
+    line: str
+    time: float
+
+
+class GivenForceTable(Table):
+    """A given force on the body
+
+    file : CSV beside the study, of t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m) on the body
+    """
+
+    file: str
+
+
+class RecordTable(Table):
+    """A measured record of the waves at the body's place, in place of [waves]; every seed has the same waves
+
+    file : CSV beside the study, of time_s and elevation_m, equally spaced, as long as ramp and duration
+    shortest : s, period below which waves are left out
+    """
+
+    file: str
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    shortest: float = 5.0
+
+
+class SimulationTable(Table):
+    """A run in time, for simulate
+
+    duration : s, that statistics are taken of
+    duration_hours : the same in hours
+    ramp : s, before the duration, in which every load grows from nothing
+    step : s, between samples
+    tolerance : of the motions, relative to their standard deviations
+    seeds : how many, from 1 on, or a list of them
+    keep_series : of how many seeds the records are stored
+    components : of each sea, by default chosen by duration and bandwidth
+    slow_drift : "newman", "half-waves" of the SR179 report, "mean" or "none"
+    wave_drift_damping : whether slow velocities change the drift
+    qtf : slow force of pairs of waves: "newman", "bound-wave", "body", "full" or "auto", as in a response study
+    memory : "states", or "constant" for added mass and damping at one frequency
+    constant_period : s, of that frequency, by default the mean one of the waves
+    dynamic_lines : names of lines with inertia, drag and a motion of their own, "all", or "auto" for those that pull
+        otherwise with it in a trial; the others hang in their static shape.  They are uniform, of a catalogue type
+    dynamic_elements : of each of these
+    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
+    damping_ratio : {motion = share of critical}, beyond waves, as in a response study
+    linear_damping : kN s/m, {motion = B₁}, kN m s of rotations, as `hakobune damping` finds it
+    quadratic_damping : kN s²/m², {motion = B₂}, kN m s² of rotations, as `hakobune damping` finds it
+    """
+
+    duration: float | None = None
+    duration_hours: float | None = None
+    ramp: float = 200.0
+    step: float = 0.5
+    tolerance: float = 1e-3
+    seeds: int | list[int] = 1
+    keep_series: int = 20
+    components: int | None = None
+    slow_drift: str = "newman"
+    wave_drift_damping: bool = True
+    qtf: str = "newman"
+    memory: str = "states"
+    constant_period: float | None = None
+    dynamic_lines: str | list[str] = msgspec.field(default_factory=list)
+    dynamic_elements: int = 20
+    estimate_error: bool = False
+    damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
+    linear_damping: dict[str, float] = msgspec.field(default_factory=dict)
+    quadratic_damping: dict[str, float] = msgspec.field(default_factory=dict)
+    lines_lost: list[LostTable] = msgspec.field(default_factory=list)
+    force: list[GivenForceTable] = msgspec.field(default_factory=list)
+    sea: list[SeaTable] = msgspec.field(default_factory=list)
+    record: RecordTable | None = None
+
+
+class HarbourTable(Table):
+    """The harbour that a berth lies in
+
+    periods : s, at which its water swings; natural periods of the moored body near them are told
+    """
+
+    periods: list[float]
+
+
+class QuayTable(Table):
+    """A vertical quay along x that reflects all waves, for simulate
+
+    y : m, of its face with the body at rest, as that of fenders
+    method : "far-field" makes it of a database of open water, with all but the waves that decay between hull and quay;
+        "panels" takes a database that was solved with --wall at y.  By default whichever fits the database
+    """
+
+    y: float
+    method: str | None = None

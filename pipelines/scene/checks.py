@@ -1,0 +1,177 @@
+"""What a scene may say: every fault is one line that names key, value and what is allowed."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from .methods import check_method
+from .tables import FREQUENCY_KEYS, MOST, SHAPES, SceneError, listed
+from .viscous_table import viscous_of
+
+CLOSEST = 2e-9  # relative in omega, rad in heading: twice of what is one and the same in a database
+EXTENT = 1e-3, 1e6  # m, sizes and places
+RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6), "band": (1e-6, 1e4)}
+
+
+def check(scene):
+    """Raise SceneError for what a `scene.Scene` must not say"""
+    _check_water(scene.water)
+    _check_body(scene)
+    _check_waves(scene)
+    _check_rest(scene)
+
+
+def check_depth_given(raw):
+    """The one number without a default that every body needs: how it is given, to one who gave nothing."""
+    water = raw.get("water", {})
+    if isinstance(water, dict) and set(water) <= {"density", "gravity"}:
+        raise SceneError(
+            "water.depth is missing; allowed: above 0 m, or inf; give --depth on the command line, "
+            "or depth under [water] in a scene"
+        )
+
+
+def _positive(key, value, infinite=False):
+    if not value > 0 or (math.isinf(value) and not infinite):
+        raise SceneError(f"{key} is {value}; allowed: above 0" + (", or inf" if infinite else ", finite"))
+
+
+def _within(key, value, limits):
+    """Positive, and of a size that leaves room for products and powers of it"""
+    _positive(key, value)
+    if not limits[0] <= value <= limits[1]:
+        raise SceneError(f"{key} is {value}; allowed: {limits[0]:g} to {limits[1]:g}")
+
+
+def _check_water(water):
+    _positive("water.depth", water.depth, infinite=True)
+    if math.isfinite(water.depth):
+        _within("water.depth", water.depth, EXTENT)
+    _within("water.density", water.density, (1e-3, 1e6))
+    _within("water.gravity", water.gravity, (1e-3, 1e3))
+
+
+def _check_body(scene):
+    if len(scene.bodies) != 1:
+        raise SceneError(f"bodies has {len(scene.bodies)} entries; allowed: one")
+    body = scene.body
+    if body.shape not in SHAPES:
+        raise SceneError(f"bodies[0].shape is {body.shape!r}; allowed: {', '.join(SHAPES)}")
+    own = SHAPES[body.shape]
+    for key in dict.fromkeys(key for keys in SHAPES.values() for key in keys):
+        value = getattr(body, key)
+        if key in own and value is None:
+            raise SceneError(f"bodies[0].{key} is missing; a {body.shape} has {', '.join(own)}")
+        if key not in own and value is not None:
+            raise SceneError(f"bodies[0].{key} is {value!r}; a {body.shape} has {', '.join(own)}")
+        if key in own and key not in ("file", "block"):
+            _within(f"bodies[0].{key}", value, EXTENT)
+    if body.shape == "ship":
+        _check_ship(body)
+    elif body.bow is not None or body.stern is not None:
+        raise SceneError(f"bodies[0] has a fullness of bow or stern; a {body.shape} has {', '.join(own)}")
+    if body.shape != "mesh" and body.draft >= scene.water.depth:
+        raise SceneError(
+            f"bodies[0].draft is {body.draft} in water {scene.water.depth} m deep; allowed: below the depth"
+        )
+    if body.shape == "mesh" and not Path(body.file).is_file():
+        raise SceneError(f"bodies[0].file is {body.file!r}; there is no such file")
+    if body.mass is not None:
+        _within("bodies[0].mass", body.mass, (1e-9, 1e18))
+    for value in body.gyration or ():
+        _within("bodies[0].gyration", value, EXTENT)
+    _check_point("bodies[0].center_of_gravity", body.center_of_gravity)
+
+
+def _check_ship(body):
+    from meshing.ship import ship
+
+    try:
+        ship(body.length, body.beam, body.draft, body.block, bow=body.bow, stern=body.stern, counts=(8, 2, 3))
+    except ValueError as error:
+        raise SceneError(f"bodies[0]: {error}") from None
+
+
+def _check_point(key, point):
+    if not all(abs(x) <= EXTENT[1] for x in point):
+        raise SceneError(f"{key} is {list(point)}; allowed: three numbers from {-EXTENT[1]:g} to {EXTENT[1]:g}")
+
+
+def _check_waves(scene):
+    given = [key for key in FREQUENCY_KEYS if getattr(scene.waves, key) is not None]
+    if len(given) != 1:
+        found = " and ".join(given) or "no frequencies"
+        raise SceneError(f"waves has {found}; give one of {', '.join(FREQUENCY_KEYS)}")
+    key = given[0]
+    if key == "xi_B" and scene.body.shape == "mesh":
+        raise SceneError("waves.xi_B needs a beam, a body from a mesh file has none; give omegas or periods")
+    _check_list(f"waves.{key}", getattr(scene.waves, key), partial(_within, limits=RANGES[key]))
+    _check_list("waves.headings_deg", scene.waves.headings_deg, _check_heading)
+    _check_apart("waves.headings_deg", listed("", scene.waves.headings_deg), scene.headings(), turn=2 * np.pi)
+    values = sorted(listed("", getattr(scene.waves, key)), reverse=key == "periods")
+    _check_apart(f"waves.{key}", values, scene.omegas())
+
+
+def _check_heading(key, value):
+    if not -360 <= value <= 360:
+        raise SceneError(f"{key} has {value}; allowed: -360 to 360")
+
+
+def _check_list(key, value, check_one):
+    values = listed(key, value)
+    if not 1 <= len(values) <= MOST:
+        raise SceneError(f"{key} has {len(values)} values; allowed: 1 to {MOST}")
+    for one in values:
+        check_one(key, one)
+
+
+def _check_apart(key, given, values, turn=None):
+    """Raise SceneError for two that a database would take for one.
+
+    given : as the scene has them; values : the same, rising, as a database has them; turn : of angles
+    """
+    given, values = np.sort(given) if turn else np.array(given), np.asarray(values)
+    if turn:
+        order = np.argsort(values % turn, kind="stable")
+        given, values = given[order], values[order] % turn
+        given, values = np.append(given, given[0]), np.append(values, values[0] + turn)
+    near = np.flatnonzero(np.diff(values) <= CLOSEST * (1.0 if turn else values[1:]))
+    if near.size:
+        one, other = sorted(given[[near[0], near[0] + 1]])
+        again = "" if f"{one:.9g}" == f"{other:.9g}" else f", once as {other:.9g}"
+        raise SceneError(f"{key} has {one:.9g} twice{again}; allowed: each value once, {CLOSEST:g} apart")
+
+
+def _check_rest(scene):
+    if scene.tolerance is not None and scene.panels is not None:
+        raise SceneError(f"tolerance is {scene.tolerance} and panels is {scene.panels}; allowed: one of the two")
+    if not 1e-5 <= scene.accuracy <= 0.2:
+        raise SceneError(f"tolerance is {scene.tolerance}; allowed: 1e-5 to 0.2")
+    if scene.panels is not None and not 8 <= scene.panels <= 100_000:
+        raise SceneError(f"panels is {scene.panels}; allowed: 8 to 100000")
+    if scene.panels is not None and scene.body.shape == "mesh":
+        raise SceneError(f"panels is {scene.panels}, but {scene.body.file} has its own; leave panels out")
+    _check_point("rotation_center", scene.rotation_center)
+    _check_wall(scene)
+    try:
+        check_method(scene)
+        viscous_of(scene)
+        scene.names()
+    except ValueError as error:
+        raise SceneError(str(error)) from None
+
+
+def _check_wall(scene):
+    if scene.wall is None:
+        return
+    if not abs(scene.wall) <= EXTENT[1]:
+        raise SceneError(f"wall is {scene.wall:g}; allowed: a number from {-EXTENT[1]:g} to {EXTENT[1]:g}, m")
+    half = 0.0 if scene.body.shape == "mesh" else scene.beam / 2
+    if abs(scene.wall) <= half:
+        raise SceneError(
+            f"wall is {scene.wall:g} m from the middle of the body; allowed: more than half its beam, {half:g}"
+        )

@@ -1,0 +1,120 @@
+"""Tables of a scene with their keys, units and defaults (`scene.Scene` joins them), and the numbers of their lists."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+
+SHAPES = {
+    "box": ("length", "beam", "draft"),
+    "buoy": ("radius", "draft"),
+    "ship": ("length", "beam", "draft", "block"),
+    "mesh": ("file",),
+}
+FREQUENCY_KEYS = ("omegas", "periods", "xi_B", "band")
+MOST = 10_000  # frequencies or headings in one list
+
+
+class SceneError(ValueError):
+    """A scene cannot be used; one line names the key, its value and what is allowed."""
+
+
+class SceneTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """Of keys that are all known, each given by name"""
+
+
+class Span(SceneTable):
+    """Evenly spaced numbers, both ends included"""
+
+    first: float = msgspec.field(name="from")
+    last: float = msgspec.field(name="to")
+    count: int
+
+
+class Band(SceneTable):
+    """A band in which as many frequencies are solved as the tolerance asks for
+
+    from : rad/s
+    to : rad/s
+    """
+
+    first: float = msgspec.field(name="from")
+    last: float = msgspec.field(name="to")
+
+
+class Water(SceneTable):
+    """Water of the place
+
+    depth : m, inf for deep water
+    """
+
+    depth: float
+    density: float = 1025.0
+    gravity: float = 9.80665
+
+
+class BodyTable(SceneTable):
+    """The floating body
+
+    shape : box, buoy (vertical cylinder), ship or mesh
+    length : m, of a box or ship
+    beam : m, of a box or ship
+    draft : m, of a box, buoy or ship
+    radius : m, of a buoy
+    block : coefficient of a ship
+    bow : fullness of a ship's waterplane there
+    stern : fullness of a ship's waterplane there
+    file : of a mesh, beside the scene: .gdf .msh .vtu .pnl …
+    mass : kg, left out: that of the displaced water
+    center_of_gravity : m, x, y, z; z above still water
+    gyration : m, [kxx, kyy, kzz] about the centre of gravity; without them no motions
+    trimmed : whether something holds the body as it is drawn, though its weight would turn it
+    """
+
+    shape: str = "box"
+    length: float | None = None
+    beam: float | None = None
+    draft: float | None = None
+    radius: float | None = None
+    block: float | None = None
+    bow: float | None = None
+    stern: float | None = None
+    file: str | None = None
+    mass: float | None = None
+    center_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    gyration: tuple[float, float, float] | None = None
+    trimmed: bool = False
+
+
+class Waves(SceneTable):
+    """Frequencies, in one of four ways, and headings
+
+    omegas : rad/s, a list or a span
+    periods : s, a list or a span
+    xi_B : ω²B/2g, a list or a span
+    band : in which as many frequencies are solved as the tolerance asks for
+    headings_deg : degrees the waves travel to, 0 → +x, 90 → +y, a list or a span
+    """
+
+    omegas: list[float] | Span | None = None
+    periods: list[float] | Span | None = None
+    xi_B: list[float] | Span | None = None
+    band: Band | None = None
+    headings_deg: list[float] | Span = msgspec.field(default_factory=lambda: [0.0])
+
+
+def listed(key, value):
+    """The numbers of a list, a Span or, of a Band, its ends.  Raises SceneError."""
+    if isinstance(value, Band):
+        if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
+            raise SceneError(f"{key}: from {value.first} to {value.last}; allowed: finite, from below to")
+        return [value.first, value.last]
+    if not isinstance(value, Span):
+        return [float(v) for v in value]
+    if not 2 <= value.count <= MOST:
+        raise SceneError(f"{key}: count is {value.count}; allowed: 2 to {MOST}")
+    if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
+        raise SceneError(f"{key}: from {value.first} to {value.last}; allowed: finite, from below to")
+    return np.linspace(value.first, value.last, value.count).tolist()
