@@ -83,7 +83,9 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
         elif line.split("#")[0].strip() or len(found[key]) < 2:  # the names may begin with #, and units be "(#)"
             found[key] += [(number, line)] if line.strip() and not COUNT.match(line) else []
     if "lines" not in found:
-        raise fault(path, None, None, "there is no section LINES; this is no MoorDyn input file")
+        others = ", ".join(SECTIONS[one].title for one in ("points", "bodies", "rods") if found.get(one))
+        what = f"it has {others} alone; allowed: with lines" if others else "this is no MoorDyn input file"
+        raise fault(path, None, None, f"there is no section LINES; {what}")
     made = {key: _rows(key, rows, path) for key, rows in found.items() if SECTIONS[key].row is not None}
     for key in ("syrope", "control", "external"):
         made[key] = tuple(line.rstrip() for _, line in found.get(key, []))
