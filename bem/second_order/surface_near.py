@@ -206,12 +206,12 @@ def _derivative(x):
 
 
 class SurfaceInfluence:
-    """Potentials at points (p, 2) of the surface from those on the hull of a `Geometry` without lid"""
+    """Potentials at points (p, 3) of the water off the hull from those on the hull of a `Geometry` without lid"""
 
     def __init__(self, geometry, points):
-        self.geometry = geometry
-        self.points = np.column_stack([points, np.zeros(len(points))])
-        self.reach = 1.01 * float(np.hypot(*points.T).max() + geometry.radius)
+        self.geometry, self.points = geometry, points
+        self.reach = 1.01 * float(np.hypot(*points[:, :2].T).max() + geometry.radius)
+        self.deepest = max(geometry.draft, float(-points[:, 2].min()))
         self.S, self.D = geometry.rankine_rows(self.points)[:2]
         self.close = quadrature(geometry.panels, geometry.elements, COARSE, CLOSE)
 
@@ -219,7 +219,7 @@ class SurfaceInfluence:
         """{class: (c, p)} potentials of flows {class: (φ (c, n), V (c, n))} at the frequency of a run, at the first
         `count` points"""
         g, problem, classes = self.geometry, run.problem, list(flows)
-        table = wave_table(run.omega, problem.depth, problem.gravity, self.reach, g.draft)
+        table = wave_table(run.omega, problem.depth, problem.gravity, self.reach, self.deepest)
         Z, count = depth_values(run.k, problem.depth), len(self.points) if count is None else count
         nodes = np.arange(g.hull)
         longest = PER_WAVE * min(1 / run.k, problem.depth)  # beyond it all points would take the finer rule

@@ -75,7 +75,8 @@ class SurfaceWaves:
         self.weights = np.tile(np.concatenate([s.weights.ravel() for s in self.strips]), g.copies)
         self.images = np.array(g.images)
         self._around, self._of_image, at_rings = self._quadrant()
-        self.influence = SurfaceInfluence(g, np.concatenate([beside, at_rings]))
+        at = np.concatenate([beside, at_rings])
+        self.influence = SurfaceInfluence(g, np.column_stack([at, np.zeros(len(at))]))
         self.points = (self.images[:, None] * inside).reshape(-1, 2)
         self.waves, self.near = [], []
 

@@ -1,9 +1,11 @@
 """Forces of pairs of waves: the diagonal beside the far field, shallow water, and what they cost.
 
-    python tests/bench/pairs.py drift|shallow|times [--panels 400] [--surface]
+    python tests/bench/pairs.py drift|momentum|shallow|times [--panels 400] [--surface]
 
 drift    box of 100 × 50 × 10 m in 12, 20 and 100 m, held and afloat at 150°: largest difference of the pressure's mean
          drift from that of the far field, of the largest force
+momentum the same box's pairs by a control surface around it (`control_surface`): largest differences of the pressure
+         alone and with what the far field adds, of the largest force, by the difference of frequencies
 shallow  cylinder on the bed of 10 m radius at kh = 0.2, as its frequencies meet: panels against its own sums
 times    65 × 65 pairs at 150° on the floating box, processor seconds of the first order and of what comes after it
 """
@@ -17,6 +19,7 @@ import numpy as np
 
 sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
 
+from bench.control_surface import by_momentum
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 
 from bem.methods.panel_problem import PanelProblem
@@ -46,6 +49,21 @@ def drift(panels):
             off = np.abs(found.added[:, 0, 0]).max(axis=0) / np.abs(far).max() / [1, 1, 50]
             numbers = ", ".join(f"{100 * value:.2f}" for value in off)
             print(f"{depth:5g} m, {problem.mesh.total} panels, {'afloat' if moving else 'held':6}: {numbers} %")
+
+
+def momentum(panels):
+    omega = np.linspace(0.4, 1.2, 7)
+    for depth in (12.0, 20.0, 100.0):
+        problem = floating(panels, depth)
+        for moving in (False, True):
+            right, *others = by_momentum(problem, omega, HEADING[0], moving)
+            scale = np.abs(right[..., :2]).max() * np.array([1, 1, 50])
+            print(f"{depth:5g} m, {problem.mesh.total} panels, {'afloat' if moving else 'held'}:")
+            for m in range(len(omega)):
+                one, two = np.arange(m, len(omega)), np.arange(len(omega) - m)
+                off = [100 * np.abs(found - right)[one, two].max(axis=0) / scale for found in others]
+                numbers = (", ".join(f"{value:.2f}" for value in part) for part in off)
+                print(f"  Ω {omega[m] - omega[0]:.3f}: {next(numbers)} %, with the far field's {next(numbers)} %")
 
 
 def shallow(panels):
@@ -78,11 +96,11 @@ def times(panels, surface):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
-    parser.add_argument("what", choices=("drift", "shallow", "times"))
+    parser.add_argument("what", choices=("drift", "momentum", "shallow", "times"))
     parser.add_argument("--panels", type=int, default=400)
     parser.add_argument("--surface", action="store_true")
     given = parser.parse_args()
     if given.what == "times":
         times(given.panels, given.surface)
     else:
-        {"drift": drift, "shallow": shallow}[given.what](given.panels)
+        {"drift": drift, "momentum": momentum, "shallow": shallow}[given.what](given.panels)
