@@ -324,7 +324,7 @@ def _told(one):
     parts = (
         f"{row['case']:5} {row['buoy']:12} B/d {row['B_over_d']}: pitch {beside(one.pitch, 'pitch_deg', '°')}",
         f"hawser {beside(one.hawser, 'hawser_kgf', 'kgf')}, on the buoy {beside(one.on_buoy, 'buoy_kgf', 'kgf')}",
-        f"without mass {one.massless:.2f}",
+        f"without mass {'–' if np.isnan(one.massless) else f'{one.massless:.2f}'}",
         f"from {row['heading_deg']}° {rest}",
         f"periods {one.periods} ({row['short_s'] or '–'}, {row['long_s'] or '–'}) s",
     )

@@ -25,7 +25,7 @@ from mooring.single_point.waves import GROWS, mean_frequency
 
 from ..common.quantities import StudyError, direction, force, positive
 from ..common.seas import sea_of
-from ..common.units import TONF
+from ..common.units import KN
 
 SCHEMES = ("slow", "two_scale", "full")
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
@@ -60,14 +60,20 @@ class Run(NamedTuple):
     findings: tuple[str, ...] = ()
 
 
-def run(study, point, steady, db=None) -> Run:
-    """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
+def check(study, db=None):
+    """Raises StudyError where a Study cannot run in time, before anything of it is computed"""
     s = study.slewing
     _check(s)
-    waves = study.waves is not None and db is not None and s.scheme != "slow"
-    if s.scheme == "two_scale" and not waves:
+    if s.scheme == "two_scale" and not _with_waves(study, db):
         raise StudyError('slewing.scheme is "two_scale"; allowed: with [waves] and --database, or "slow"')
-    extra = ()
+    if s.scheme == "full" and study.hawser is not None:
+        _buoy_and_rope(study)
+
+
+def run(study, point, steady, db=None) -> Run:
+    """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
+    check(study, db)
+    s, waves, extra = study.slewing, _with_waves(study, db), ()
     if s.scheme == "full":
         record, extra = _in_one(study, point, steady, db, waves)
     elif waves:
@@ -82,6 +88,10 @@ def run(study, point, steady, db=None) -> Run:
     time, place, heading = record[:3]
     return Run(*record, steady, cycle(time, heading), settled_after(time, heading, steady.heading),
                watch_circle(place, point.origin), *extra)  # fmt: skip
+
+
+def _with_waves(study, db):
+    return study.waves is not None and db is not None and study.slewing.scheme != "slow"
 
 
 def _slow(study, point, steady, step):
@@ -139,7 +149,7 @@ def _of_contact(point, found, center):
 def _buoy_and_rope(study):
     """BuoyBody and RopePart of a study.  Raises StudyError."""
     b, h = study.buoy, study.hawser
-    if h is None or b.mass is None:
+    if b.mass is None:
         raise StudyError('slewing.scheme is "full"; allowed with a hawser: the mass, diameter and height of [buoy]')
     lever = 0.0 if b.hawser_z is None else b.hawser_z - b.z
     if b.hawser_z is not None and not b.z <= b.hawser_z <= b.height:
@@ -197,13 +207,13 @@ def show(console, run: Run):
     """Table of tensions and words"""
     from rich.table import Table
 
-    table = Table(title=f"{run.time[-1]:.0f} s in time, tonf", title_justify="left")
+    table = Table(title=f"{run.time[-1]:.0f} s in time, kN", title_justify="left")
     columns = ["", "steady", "mean", "significant", "largest", *(() if run.drifts else ("significant + 20 %",))]
     for column in columns:
         table.add_column(column, justify="right")
     for name, *values in table_of(run):
         values = values[: len(columns) - 1]
-        table.add_row(name, *(f"{value / TONF:.4g}" for value in values))
+        table.add_row(name, *(f"{value / KN:.4g}" for value in values))
     console.print(table)
     for line in words(run):
         console.print(line, highlight=False, soft_wrap=True, markup=False)
@@ -232,12 +242,13 @@ def draw(study, run: Run, path):
     heading, hawser, lines = (figure.add_subplot(grid[i, 0]) for i in range(3))
     plan = figure.add_subplot(grid[:, 1])
     heading.plot(run.time, np.degrees(run.heading + run.wave[:, 5]), lw=0.8)
-    heading.axhline(np.degrees(run.steady.heading), color="0.6", lw=0.8)
+    heading.axhline(np.degrees(run.steady.heading), color="0.6", lw=0.8, label="of rest")
+    heading.legend(fontsize=8)
     heading.set_ylabel("heading, °")
-    hawser.plot(run.time, run.hawser / 1e3, lw=0.8)
+    hawser.plot(run.time, run.hawser / KN, lw=0.8)
     hawser.set_ylabel("hawser, kN" if run.steady.point.lengths[0] else "pull on buoy, kN")
     worst = int(np.argmax(run.lines.max(axis=0)))
-    lines.plot(run.time, run.lines[:, worst] / 1e3, lw=0.8, color="tab:red")
+    lines.plot(run.time, run.lines[:, worst] / KN, lw=0.8, color="tab:red")
     lines.set(ylabel=f"{run.steady.point.system.line_names[worst]}, kN", xlabel="time, s")
     draw_lines(plan, run.steady.lines)
     point = run.steady.point
@@ -246,9 +257,10 @@ def draw(study, run: Run, path):
     L = study.hull.length
     plan.set_xlim(run.place[:, 0].min() - 0.8 * L, run.place[:, 0].max() + 1.2 * L)
     plan.set_ylim(run.place[:, 1].min() - 1.2 * L, run.place[:, 1].max() + 1.2 * L)
-    plan.plot(*run.place.T, "k", lw=0.8)
+    plan.plot(*run.place.T, "k", lw=0.8, label="centre of mass")
     plan.plot(*run.buoy.T, "tab:red", lw=0.8)
     plan.set(xlabel="x, m", ylabel="y, m", aspect="equal", title="track of the centre of mass and the buoy")
+    plan.legend(fontsize=8)
     save(figure, path, 150)
 
 

@@ -10,8 +10,8 @@ import pytest
 
 from mooring.single_point.equilibria import equilibria
 from pipelines import cli
-from pipelines.single_point.maps import with_value
-from pipelines.single_point.report import preferred
+from pipelines.single_point.maps import _named, with_value
+from pipelines.single_point.report import bow, preferred
 from pipelines.single_point.study import make
 from pipelines.single_point.tables import make_study
 
@@ -82,8 +82,15 @@ def test_a_map_keeps_the_waterplane_and_knows_its_keys():
     hull = changed["hull"]
     assert hull["length"] * hull["beam"] == pytest.approx(5000) and hull["length"] / hull["beam"] == pytest.approx(5)
     assert changed["attachment"]["x"] == pytest.approx(0.5 * hull["length"]) and raw["hull"]["length"] == 100
+    names = "hawser.length", "types.chain.weight_kg_per_m", "current.speed_knots", "hull.length_over_beam"
+    assert [_named(name) for name in names] == [f"{names[0]}, m", names[1], f"{names[2]}, knots", names[3]]
     with pytest.raises(ValueError, match="no number of this study"):
         with_value(raw, "hull.colour", 1.0)
+
+
+def test_a_bow_that_rounding_turns_is_at_zero_and_not_at_360_degrees():
+    turned = [bow(SimpleNamespace(heading=np.radians(angle))) for angle in (-1e-7, 0.0, 359.9999, -90.0, 17.304)]
+    assert turned == [0.0, 0.0, 0.0, 270.0, 17.3]
 
 
 def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
@@ -99,7 +106,8 @@ def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
     assert (tmp_path / "film.gif").stat().st_size > 10_000
     assert cli.main([*words, "--seed", "1"]) == 2 and "--seed belongs to" in capsys.readouterr().err
     assert run(tmp_path, text + 'scheme = "two_scale"\n', monkeypatch=monkeypatch) == 2
-    assert "allowed: with [waves] and --database" in capsys.readouterr().err
+    told = capsys.readouterr()
+    assert "allowed: with [waves] and --database" in told.err and not told.out  # before anything is computed
 
 
 def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch, capsys):
