@@ -418,6 +418,9 @@ def test_findings_that_differ_in_numbers_alone_are_told_once_by_the_largest():
 def test_ways_that_were_tried_in_vain_are_named():
     (line,) = advice_words(Advice(("size", "more pretension"), (), ""), SimpleNamespace(word="fails"))
     assert "larger sizes, more pretension. None lowers" in line
+    size = Tried("size", "80 mm", 0.9, True, SimpleNamespace(rule="JSRA", quantity="tension"))
+    found, vain = advice_words(Advice(("size", "more pretension"), (size,), ""), SimpleNamespace(word="fails"))
+    assert "80 mm" in found and "in vain" in vain and "more pretension" in vain and "sizes" not in vain
 
 
 def test_a_case_that_cannot_be_run_is_named_and_not_dropped(folder, tmp_path, monkeypatch):
