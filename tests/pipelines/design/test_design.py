@@ -18,7 +18,7 @@ from pipelines.design.advice import Advice, Tried, _smallest, advise
 from pipelines.design.command import made
 from pipelines.design.fatigue import QUANTITY as FATIGUE
 from pipelines.design.fatigue import fatigue
-from pipelines.design.kinds import breakwater, mooring, single_point
+from pipelines.design.kinds import breakwater, mooring, single_point, stored
 from pipelines.design.kinds.changes import ways
 from pipelines.design.kinds.in_time import cycles_of
 from pipelines.design.kinds.needs import SCOPE
@@ -246,6 +246,14 @@ def test_a_second_run_solves_nothing_and_gives_the_same_bytes(folder, first, mon
     again = made(read_project(folder / "project.toml"), out, Here(), None, advice=False)
     assert len(solved) == 1 and lost.is_file() and drawn == [picture]
     assert {name: (out / name).read_bytes() for name in again[1]} == before
+
+
+def test_a_picture_by_other_code_is_drawn_anew(tmp_path, monkeypatch):
+    drawn = []
+    for code in ("old", "old", "new"):
+        monkeypatch.setattr(stored, "code", lambda code=code: code)
+        stored.picture(tmp_path / "a.png", stored.key_of("study"), lambda path: drawn.append(path.write_bytes(b"png")))
+    assert len(drawn) == 2
 
 
 def test_the_smallest_size_that_passes_is_found_by_running_it(folder, tmp_path):
