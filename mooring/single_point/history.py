@@ -14,6 +14,23 @@ STAYS, KEPT = 0.02, 0.8  # rad, amplitude of a slewing that stays, and its share
 SETTLED = np.radians(0.2)  # of a heading that has come to rest
 
 
+class Record(NamedTuple):
+    """A body at a single point in time: time : (n,) s; place : (n, 2) m and heading : (n,) rad of the slow motion
+
+    wave : (n, 6) m, rad beside it
+    buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N of both together; wind_speed : (n,) m/s
+    """
+
+    time: np.ndarray
+    place: np.ndarray
+    heading: np.ndarray
+    wave: np.ndarray
+    buoy: np.ndarray
+    hawser: np.ndarray
+    lines: np.ndarray
+    wind_speed: np.ndarray
+
+
 class Cycle(NamedTuple):
     """Slewing at the end of a run: amplitude : rad of the heading; period : s, nan without oscillation
 

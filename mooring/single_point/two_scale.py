@@ -13,14 +13,13 @@ mooring at the place that is foreseen.  The slow drift is not in it: the report 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from bem.waves import wavenumber
 
 from .body import SinglePoint
-from .history import line_tensions
+from .history import Record, line_tensions
 from .slewing import rates
 from .waves import RING, at_heading, headings, mean_frequency, share_of_height
 
@@ -84,25 +83,11 @@ def wave_body(reader, components, lever) -> WaveBody:
                     lever, center, mean)  # fmt: skip
 
 
-class TwoScale(NamedTuple):
-    """time : (n,) s, ends of the fast steps; place : (n, 2) m and heading : (n,) rad of the slow motion
+def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = None, wind_speed=None) -> Record:
+    """Record from a state (6,), at the ends of the fast steps.  Raises SinglePointError.
 
-    wave : (n, 6) m, rad beside it
-    buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N of both together; wind_speed : (n,) m/s
+    body : None without waves; wind_speed : callable of s → m/s
     """
-
-    time: np.ndarray
-    place: np.ndarray
-    heading: np.ndarray
-    wave: np.ndarray
-    buoy: np.ndarray
-    hawser: np.ndarray
-    lines: np.ndarray
-    wind_speed: np.ndarray
-
-
-def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = None, wind_speed=None) -> TwoScale:
-    """Run from a state (6,); body : None without waves; wind_speed : callable of s → m/s.  Raises SinglePointError."""
     count = max(1, round(steps.slow / steps.fast))
     slow_steps = int(np.ceil(steps.duration / steps.slow - 1e-9))
     n = slow_steps * count
@@ -126,7 +111,7 @@ def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = N
         state = _advanced(point, state, steps.slow, steps.parts, speed, held.buoy)
     keep = time <= steps.duration + 1e-9
     lines = line_tensions(point, buoy[keep])
-    return TwoScale(time[keep], slow[keep, :2], slow[keep, 2], wave[keep], buoy[keep], hawser[keep], lines, wind[keep])
+    return Record(time[keep], slow[keep, :2], slow[keep, 2], wave[keep], buoy[keep], hawser[keep], lines, wind[keep])
 
 
 def _advanced(point, state, step, parts, speed, near):

@@ -54,14 +54,16 @@ def advice_words(advice, verdict):
     if advice is None or verdict.word != FAILS:
         return ()
     beyond = (advice.beyond,) if advice.beyond else ()
-    if advice.tried and not advice.found:
-        ways = ", ".join(WAYS.get(way, way) for way in advice.tried)
+    helpful = {one.way for one in advice.found}
+    vain = ", ".join(WAYS.get(way, way) for way in advice.tried if way not in helpful)
+    if vain and not advice.found:
         return (
             *beyond,
-            f"Run in the cases that govern: {ways}. None lowers the largest utilisation. Change the layout or the kind "
+            f"Run in the cases that govern: {vain}. None lowers the largest utilisation. Change the layout or the kind "
             "of line or fender.",
         )
-    return *beyond, *map(_tried_words, sorted(advice.found, key=lambda one: (not one.passes, one.utilisation)))
+    found = map(_tried_words, sorted(advice.found, key=lambda one: (not one.passes, one.utilisation)))
+    return *beyond, *found, *((f"Run in vain, for the largest utilisation does not fall: {vain}.",) if vain else ())
 
 
 def _tried_words(one):

@@ -57,6 +57,14 @@ def reference(kind):
     )
 
 
+def unit_of(kind, path):
+    """Unit of a key of a kind of file by its path, as "hawser.length"; empty where it has none or is not known"""
+    head, _, name = path.rpartition(".")
+    found = (key.unit for table in reference(kind) if f"[{head}]" in table.places for key in table.keys
+             if key.name == name)  # fmt: skip
+    return next(found, "")
+
+
 def tables_of(kind):
     """Every msgspec.Struct that a kind of file is read by"""
     found = {}

@@ -172,11 +172,12 @@ def computed(row, db, seed=1) -> Outcome:
     best = max(equilibria(point), key=lambda one: np.cos(one.heading))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        record = run(study, point, best, db)
+        made = run(study, point, best, db)
+        record = made.record
         waves, contact = study.waves is not None, row["buoy"] == "contact"
         massless = np.nan
         if waves and not contact:
-            massless = _on_buoy(run(make_study(study_of(row, "two_scale", seed)), point, best, db))
+            massless = _on_buoy(run(make_study(study_of(row, "two_scale", seed)), point, best, db).record)
     away = np.degrees(np.abs(record.heading - best.heading))
     outside = np.flatnonzero(away > 1.0)
     last = int(outside[-1]) + 1 if len(outside) else 0
@@ -188,7 +189,7 @@ def computed(row, db, seed=1) -> Outcome:
         late = record.time > record.time[-1] / 3
         own = 2 * float(np.degrees(record.wave[late, 4].std()))
         pitch = pitch_amplitude(db, study.waves.height) if contact else own
-    slews = record.cycle.stays and not best.slewing.stable  # a stable heading that wanders is driven by slow drift
+    slews = made.cycle.stays and not best.slewing.stable  # a stable heading that wanders is driven by slow drift
     return Outcome(row, pitch, hawser, both, massless, settled, slews, periods)
 
 
@@ -324,7 +325,7 @@ def _told(one):
     parts = (
         f"{row['case']:5} {row['buoy']:12} B/d {row['B_over_d']}: pitch {beside(one.pitch, 'pitch_deg', '°')}",
         f"hawser {beside(one.hawser, 'hawser_kgf', 'kgf')}, on the buoy {beside(one.on_buoy, 'buoy_kgf', 'kgf')}",
-        f"without mass {one.massless:.2f}",
+        f"without mass {'–' if np.isnan(one.massless) else f'{one.massless:.2f}'}",
         f"from {row['heading_deg']}° {rest}",
         f"periods {one.periods} ({row['short_s'] or '–'}, {row['long_s'] or '–'}) s",
     )

@@ -115,8 +115,8 @@ def computed(case, db, seeds=1) -> Result:
             note = " ".join(str(error).split())
             break
         settled = one.settled
-        found.append((significant(one.lines, best.lines.tension).max() / TONF / n,
-                      significant(np.linalg.norm(one.hawser, axis=1), best.pull) / TONF))  # fmt: skip
+        found.append((significant(one.record.lines, best.lines.tension).max() / TONF / n,
+                      significant(np.linalg.norm(one.record.hawser, axis=1), best.pull) / TONF))  # fmt: skip
     if note:
         return Result(case, heading, steady, *[np.nan] * 4, settled, note)
     tension, hawser = np.mean(found, axis=0)

@@ -38,6 +38,8 @@ def single_point(study_path, database, output, picture):
         check_picture(picture, PLOTS)
     db = None if database is None else open_database(database)
     folder = Path(study_path).resolve().parent
+    if study.slewing is not None:
+        running.check(study, db)
     tell_first_use()
     made = make(study, folder, db)
     found = equilibria(made.point)

@@ -38,6 +38,7 @@ from ..moor.study import coefficients_of
 
 MIDDLE = (0.0, 0.0)
 ONE_OF = "allowed: one of turning, coefficients, file"
+PROPORTIONS = {"L/B": "length_over_beam = 2", "B/d": "beam_over_draft = 10", "H/d": "depth_over_draft = 8"}  # tested
 
 
 def loads_of(study, folder, db, density, center, mass):
@@ -129,7 +130,8 @@ def _turning(study, given, density, center, findings):
     }
     if center[0] or center[1]:
         raise StudyError("turning tests are about midship, where hull.center is not; give current coefficients or file")
-    taken = {name: getattr(given, name, None) or value for name, value in own.items()}
+    asked = {name: getattr(given, name, None) for name in own}
+    taken = {name: value if asked[name] is None else asked[name] for name, value in own.items()}
     for name, value in taken.items():
         positive(f"current.turning.{name}", value)
         if not math.isclose(value, own[name], rel_tol=1e-6):
@@ -139,7 +141,7 @@ def _turning(study, given, density, center, findings):
     except ValueError as error:
         text = str(error).replace("; give a TurningCoefficients of your own", "")
         raise StudyError(
-            f"current: {text}; give current.turning the proportion to take in its place (beam_over_draft = 10), or "
+            f"current: {text}; give current.turning the proportion to take in its place ({PROPORTIONS[text[:3]]}), or "
             "coefficients, or file"
         ) from None
     findings += found.notes

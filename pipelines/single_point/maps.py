@@ -123,6 +123,14 @@ def draw(found: Map, path: Path):
         figure.colorbar(drawn, ax=axes, label="growth of the slowest motion, 1/h (red: it slews)")
         if np.nanmin(found.growth) < 0 < np.nanmax(found.growth) and not np.isnan(found.growth).any():
             axes.contour(found.x, found.y, found.growth, [0.0], colors="k")
-        axes.set_ylabel(found.keys[1])
-    axes.set(xlabel=found.keys[0], title="slewing")
+        axes.set_ylabel(_named(found.keys[1]))
+    axes.set(xlabel=_named(found.keys[0]), title="slewing")
     save(figure, path, 150)
+
+
+def _named(key):
+    """A key with its unit"""
+    from ..keys.reference import unit_of
+
+    unit = unit_of("single-point", key)
+    return f"{key}, {unit}" if unit else key

@@ -6,7 +6,8 @@ import numpy as np
 
 from ..common.picture import save
 from ..common.quantities import direction
-from .report import preferred
+from ..common.units import KN
+from .report import bow, preferred
 
 
 def draw_plan(study, point, found, path):
@@ -23,15 +24,15 @@ def draw_plan(study, point, found, path):
         stable, chosen = one.slewing.stable, one is best
         colour = "k" if chosen else "tab:green" if stable else "0.6"
         draw_hull(axes, study, point, one.place, one.heading, color=colour, ls="-" if stable else "--",
-                  lw=1.8 if chosen else 1.0, label=f"{np.degrees(one.heading) % 360:.1f}°, "
+                  lw=1.8 if chosen else 1.0, label=f"{bow(one):.1f}°, "
                   f"{'stable' if stable else 'not stable'}")  # fmt: skip
         for end in ends_in_space(point, one.place, one.heading):
             axes.plot(*np.stack([end, one.buoy]).T, color=colour, lw=0.8)
     _draw_streams(axes, study, best)
     s = best.slewing
-    state = "stable" if s.stable else "slews"
-    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal",
-             title=f"{state}, period {s.period:.0f} s, pull {best.pull / 1e3:.0f} kN")  # fmt: skip
+    state = "stable" if s.stable else "slews" if np.isfinite(s.period) else "turns away"
+    period = f", period {s.period:.0f} s" if np.isfinite(s.period) else ""
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=f"{state}{period}, pull {best.pull / KN:.0f} kN")
     figure.legend(loc="outside lower center", ncols=4, fontsize=8)
     save(figure, path, 150)
 
@@ -42,7 +43,7 @@ def draw_lines(axes, lines):
     for a, b in zip(anchors, tops, strict=True):
         axes.plot([a[0], b[0]], [a[1], b[1]], color="0.75", lw=1.2, zorder=0)
         axes.plot(*a[:2], "^", color="0.5", ms=5, zorder=0)
-    axes.plot(*lines.position[0, :2], "o", color="tab:red", ms=6)
+    axes.plot(*lines.position[0, :2], "o", color="tab:red", ms=6, label="buoy")
 
 
 def draw_hull(axes, study, point, place, heading, **style):

@@ -13,7 +13,7 @@ from mooring.single_point.limit_cycle import limit_cycle
 from mooring.single_point.scope import length_without_uplift
 from mooring.single_point.yaw_criteria import yaw_stability
 
-from ..common.units import TONF
+from ..common.units import KN
 
 REACH, LENGTHS = (0.02, 20.0), 200  # of the length of the line that its changes of stability are sought in
 
@@ -32,13 +32,17 @@ def preferred(found):
     return min(found, key=lambda one: one.slewing.growth)
 
 
+def bow(one):
+    """° from +x to the bow of an Equilibrium, 0 up to 360, to a hundredth"""
+    return float(np.round(np.degrees(one.heading), 2) % 360) + 0.0
+
+
 def words(study, made, one):
     """Lines on an Equilibrium"""
-    heading = np.degrees(one.heading) % 360
     x, y = one.place
     yield (
-        f"heading {heading:.2f}° (bow from +x), centre of mass at x {x:.2f} m, y {y:.2f} m, buoy {one.buoy[0]:.2f}, "
-        f"{one.buoy[1]:.2f} m; steady pull {one.pull / TONF:.1f} tonf"
+        f"heading {bow(one):.2f}° (bow from +x), centre of mass at x {x:.2f} m, y {y:.2f} m, buoy {one.buoy[0]:.2f}, "
+        f"{one.buoy[1]:.2f} m; steady pull {one.pull / KN:.1f} kN"
     )
     s = one.slewing
     motion = "grows" if s.growth > 0 else "decays"
@@ -86,11 +90,11 @@ def cycle_of(one):
         found = limit_cycle(one)
     except SinglePointError as error:
         return None, f"limit cycle: {error}"
-    pull = np.linalg.norm(found.hawser, axis=1) / TONF
+    pull = np.linalg.norm(found.hawser, axis=1) / KN
     return found, (
         f"limit cycle: the heading swings {np.degrees(found.amplitude):.1f}° to either side of "
         f"{np.degrees(found.middle) % 360:.1f}° in {found.period:.0f} s; "
-        f"pull {pull.min():.1f} to {pull.max():.1f} tonf, largest line {found.lines.max() / TONF:.1f} tonf"
+        f"pull {pull.min():.1f} to {pull.max():.1f} kN, largest line {found.lines.max() / KN:.1f} kN"
     )
 
 
@@ -109,7 +113,7 @@ def findings(study, made, found):
     if not stable:
         yield "no heading is stable: the body slews; see the growth over hawser and attachment with [[maps]]"
     if len(stable) > 1:
-        headings = ", ".join(f"{np.degrees(one.heading) % 360:.0f}°" for one in stable)
+        headings = ", ".join(f"{bow(one):.0f}°" for one in stable)
         yield f"{len(stable)} headings are stable ({headings}): the body lies at the one it comes to"
     used = best.lines.lines.utilisation
     over = [f"{n} {100 * u:.0f} %" for n, u in zip(made.point.system.line_names, used, strict=True)
@@ -128,27 +132,27 @@ def _table(title, *columns):
 
 
 def _equilibria_table(found):
-    table = _table("headings of rest", "heading °", "stable", "growth 1/s", "period s", "pull tonf", "hawser tonf",
-                   "largest line tonf")  # fmt: skip
+    table = _table("headings of rest", "heading °", "stable", "growth 1/s", "period s", "pull kN", "hawser kN",
+                   "largest line kN")  # fmt: skip
     for one in found:
         s = one.slewing
-        hawsers = " ".join(f"{value / TONF:.1f}" for value in one.hawser)
+        hawsers = " ".join(f"{value / KN:.1f}" for value in one.hawser)
         table.add_row(
-            f"{np.degrees(one.heading) % 360:.2f}",
+            f"{bow(one):.2f}",
             "yes" if s.stable else "no",
             f"{s.growth:.2e}",
             "–" if np.isinf(s.period) else f"{s.period:.0f}",
-            f"{one.pull / TONF:.1f}",
+            f"{one.pull / KN:.1f}",
             hawsers,
-            f"{one.lines.tension.max() / TONF:.1f}",
+            f"{one.lines.tension.max() / KN:.1f}",
         )
     return table
 
 
 def _lines_table(one, allowable):
-    table = _table(f"lines at {np.degrees(one.heading) % 360:.1f}°", "line", "tension tonf", "on the bed m", "used %")
+    table = _table(f"lines at {bow(one):.1f}°", "line", "tension kN", "on the bed m", "used %")
     lines = one.lines.lines
-    rows = zip(one.point.system.line_names, one.lines.tension / TONF, lines.grounded_length, 100 * lines.utilisation,
+    rows = zip(one.point.system.line_names, one.lines.tension / KN, lines.grounded_length, 100 * lines.utilisation,
                strict=True)  # fmt: skip
     for name, tension, lying, used in rows:
         style = "red" if used > 100 * allowable else None

@@ -16,7 +16,7 @@ from mooring.environment.gusts import MissingVariance, gust_record
 from mooring.lines.ropes import RopePart
 from mooring.motion.buoy import BuoyBody
 from mooring.single_point.equilibria import Equilibrium
-from mooring.single_point.history import Cycle, cycle, line_tensions, settled_after, watch_circle
+from mooring.single_point.history import Cycle, Record, cycle, line_tensions, settled_after, watch_circle
 from mooring.single_point.one_equation import body_at, run_in_one
 from mooring.single_point.scope import significant
 from mooring.single_point.slewing import slew, turned_state
@@ -25,7 +25,7 @@ from mooring.single_point.waves import GROWS, mean_frequency
 
 from ..common.quantities import StudyError, direction, force, positive
 from ..common.seas import sea_of
-from ..common.units import TONF
+from ..common.units import KN
 
 SCHEMES = ("slow", "two_scale", "full")
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
@@ -33,25 +33,22 @@ ALOFT = 104729  # added to the seed of the waves for that of the gusts
 MOST_SAMPLES = 1_000_000
 FULL_STEP = 0.5  # s, of the record in one equation
 MISSED = 0.05  # share of the energy of the waves
+STORED = {  # datasets of a file: unit, field of a Record
+    "time": ("s", "time"), "place": ("m", "place"), "heading": ("rad", "heading"),
+    "wave_motion": ("m, m, m, rad, rad, rad", "wave"), "buoy": ("m", "buoy"), "hawser_tension": ("N", "hawser"),
+    "line_tension": ("N", "lines"), "wind_speed": ("m/s", "wind_speed"),
+}  # fmt: skip
 SLOW_DRIFT = 1.2  # by which the report multiplies the tension of lines for the slow drift that it leaves out
 
 
 class Run(NamedTuple):
-    """time : (n,) s; place : (n, 2) m, heading : (n,) rad of the slow motion; wave : (n, 6) m, rad
+    """record : with waves, or the slow motion alone; steady : Equilibrium it began beside
 
-    buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N; wind_speed : (n,) m/s; steady : Equilibrium it began beside
     cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
     drifts : whether slow drift is in the run; findings : one line each
     """
 
-    time: np.ndarray
-    place: np.ndarray
-    heading: np.ndarray
-    wave: np.ndarray
-    buoy: np.ndarray
-    hawser: np.ndarray
-    lines: np.ndarray
-    wind_speed: np.ndarray
+    record: Record
     steady: Equilibrium
     cycle: Cycle
     settled: float
@@ -60,14 +57,20 @@ class Run(NamedTuple):
     findings: tuple[str, ...] = ()
 
 
-def run(study, point, steady, db=None) -> Run:
-    """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
+def check(study, db=None):
+    """Raises StudyError where a Study cannot run in time, before anything of it is computed"""
     s = study.slewing
     _check(s)
-    waves = study.waves is not None and db is not None and s.scheme != "slow"
-    if s.scheme == "two_scale" and not waves:
+    if s.scheme == "two_scale" and not _with_waves(study, db):
         raise StudyError('slewing.scheme is "two_scale"; allowed: with [waves] and --database, or "slow"')
-    extra = ()
+    if s.scheme == "full" and study.hawser is not None:
+        _buoy_and_rope(study)
+
+
+def run(study, point, steady, db=None) -> Run:
+    """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
+    check(study, db)
+    s, waves, extra = study.slewing, _with_waves(study, db), ()
     if s.scheme == "full":
         record, extra = _in_one(study, point, steady, db, waves)
     elif waves:
@@ -77,11 +80,15 @@ def run(study, point, steady, db=None) -> Run:
     else:
         slow = _slow(study, point, steady, 1.0 if s.step is None else s.step)
         lines = line_tensions(point, slow.buoy)
-        record = (slow.time, slow.place, slow.heading, np.zeros((len(slow.time), 6)), slow.buoy, slow.hawser, lines,
-                  slow.wind_speed)  # fmt: skip
-    time, place, heading = record[:3]
-    return Run(*record, steady, cycle(time, heading), settled_after(time, heading, steady.heading),
-               watch_circle(place, point.origin), *extra)  # fmt: skip
+        still = np.zeros((len(slow.time), 6))
+        record = Record(slow.time, slow.place, slow.heading, still, slow.buoy, slow.hawser, lines, slow.wind_speed)
+    settled = settled_after(record.time, record.heading, steady.heading)
+    radius = watch_circle(record.place, point.origin)
+    return Run(record, steady, cycle(record.time, record.heading), settled, radius, *extra)
+
+
+def _with_waves(study, db):
+    return study.waves is not None and db is not None and study.slewing.scheme != "slow"
 
 
 def _slow(study, point, steady, step):
@@ -123,7 +130,7 @@ def _in_one(study, point, steady, db, waves):
     if study.waves is not None and not waves:
         left = ("waves push with their mean drift alone; give --database for the motion that they make",)
     told = dict.fromkeys((*(str(one.message) for one in caught), *moved.findings, *left, *found.findings))
-    record = found.time, slow[:, :2] + center, slow[:, 2], wave, buoy, hawser, lines, found.wind_speed
+    record = Record(found.time, slow[:, :2] + center, slow[:, 2], wave, buoy, hawser, lines, found.wind_speed)
     return record, (bool(mean), tuple(told))
 
 
@@ -139,7 +146,7 @@ def _of_contact(point, found, center):
 def _buoy_and_rope(study):
     """BuoyBody and RopePart of a study.  Raises StudyError."""
     b, h = study.buoy, study.hawser
-    if h is None or b.mass is None:
+    if b.mass is None:
         raise StudyError('slewing.scheme is "full"; allowed with a hawser: the mass, diameter and height of [buoy]')
     lever = 0.0 if b.hawser_z is None else b.hawser_z - b.z
     if b.hawser_z is not None and not b.z <= b.hawser_z <= b.height:
@@ -156,9 +163,9 @@ def _buoy_and_rope(study):
 
 def table_of(run: Run):
     """(name, steady, mean, significant, largest, with the report's fifth) of hawsers and lines, N"""
-    names = [f"hawser {i}" for i in range(1, run.hawser.shape[1] + 1)] + run.steady.point.system.line_names
+    names = [f"hawser {i}" for i in range(1, run.record.hawser.shape[1] + 1)] + run.steady.point.system.line_names
     steady = np.concatenate([run.steady.hawser, run.steady.lines.tension])
-    record = np.concatenate([run.hawser, run.lines], axis=1)
+    record = np.concatenate([run.record.hawser, run.record.lines], axis=1)
     values = significant(record, steady)
     yield from zip(names, steady, record.mean(axis=0), values, record.max(axis=0), SLOW_DRIFT * values, strict=True)
 
@@ -166,8 +173,8 @@ def table_of(run: Run):
 def words(run: Run):
     """Lines on a run"""
     c = run.cycle
-    first = np.degrees(run.heading[0] - run.steady.heading)
-    if c.stays and run.steady.slewing.stable and (run.drifts or np.ptp(run.wind_speed) > 0):
+    first = np.degrees(run.record.heading[0] - run.steady.heading)
+    if c.stays and run.steady.slewing.stable and (run.drifts or np.ptp(run.record.wind_speed) > 0):
         yield (
             f"the heading swings ±{np.degrees(c.amplitude):.1f}° at about {c.period:.0f} s at the end: gusts "
             "and slow drift drive it, at rest it is stable"
@@ -181,7 +188,7 @@ def words(run: Run):
         yield f"the heading decays from {first:.2g}° to within 0.2° of rest in {run.settled:.0f} s"
     else:
         yield f"the heading is still {np.degrees(c.amplitude):.2g}° about its mean at the end of the run"
-    wave = run.wave.std(axis=0)
+    wave = run.record.wave.std(axis=0)
     if wave.any():
         names = "surge", "sway", "heave", "roll", "pitch", "yaw"
         shown = [f"{name} {value:.2g} m" for name, value in zip(names[:3], wave[:3], strict=True)]
@@ -197,13 +204,13 @@ def show(console, run: Run):
     """Table of tensions and words"""
     from rich.table import Table
 
-    table = Table(title=f"{run.time[-1]:.0f} s in time, tonf", title_justify="left")
+    table = Table(title=f"{run.record.time[-1]:.0f} s in time, kN", title_justify="left")
     columns = ["", "steady", "mean", "significant", "largest", *(() if run.drifts else ("significant + 20 %",))]
     for column in columns:
         table.add_column(column, justify="right")
     for name, *values in table_of(run):
         values = values[: len(columns) - 1]
-        table.add_row(name, *(f"{value / TONF:.4g}" for value in values))
+        table.add_row(name, *(f"{value / KN:.4g}" for value in values))
     console.print(table)
     for line in words(run):
         console.print(line, highlight=False, soft_wrap=True, markup=False)
@@ -211,11 +218,7 @@ def show(console, run: Run):
 
 def datasets(run: Run):
     """{name: (unit, values)} of a file"""
-    return {
-        "time": ("s", run.time), "place": ("m", run.place), "heading": ("rad", run.heading),
-        "wave_motion": ("m, m, m, rad, rad, rad", run.wave), "buoy": ("m", run.buoy),
-        "hawser_tension": ("N", run.hawser), "line_tension": ("N", run.lines), "wind_speed": ("m/s", run.wind_speed),
-    }  # fmt: skip
+    return {name: (unit, getattr(run.record, field)) for name, (unit, field) in STORED.items()}
 
 
 def draw(study, run: Run, path):
@@ -231,24 +234,26 @@ def draw(study, run: Run, path):
     grid = figure.add_gridspec(3, 2, width_ratios=[3, 2])
     heading, hawser, lines = (figure.add_subplot(grid[i, 0]) for i in range(3))
     plan = figure.add_subplot(grid[:, 1])
-    heading.plot(run.time, np.degrees(run.heading + run.wave[:, 5]), lw=0.8)
-    heading.axhline(np.degrees(run.steady.heading), color="0.6", lw=0.8)
+    heading.plot(run.record.time, np.degrees(run.record.heading + run.record.wave[:, 5]), lw=0.8)
+    heading.axhline(np.degrees(run.steady.heading), color="0.6", lw=0.8, label="of rest")
+    heading.legend(fontsize=8)
     heading.set_ylabel("heading, °")
-    hawser.plot(run.time, run.hawser / 1e3, lw=0.8)
+    hawser.plot(run.record.time, run.record.hawser / KN, lw=0.8)
     hawser.set_ylabel("hawser, kN" if run.steady.point.lengths[0] else "pull on buoy, kN")
-    worst = int(np.argmax(run.lines.max(axis=0)))
-    lines.plot(run.time, run.lines[:, worst] / 1e3, lw=0.8, color="tab:red")
+    worst = int(np.argmax(run.record.lines.max(axis=0)))
+    lines.plot(run.record.time, run.record.lines[:, worst] / KN, lw=0.8, color="tab:red")
     lines.set(ylabel=f"{run.steady.point.system.line_names[worst]}, kN", xlabel="time, s")
     draw_lines(plan, run.steady.lines)
     point = run.steady.point
-    for at in np.linspace(0, len(run.time) - 1, 7).astype(int):
-        draw_hull(plan, study, point, run.place[at], run.heading[at], color="0.7", lw=0.8)
+    for at in np.linspace(0, len(run.record.time) - 1, 7).astype(int):
+        draw_hull(plan, study, point, run.record.place[at], run.record.heading[at], color="0.7", lw=0.8)
     L = study.hull.length
-    plan.set_xlim(run.place[:, 0].min() - 0.8 * L, run.place[:, 0].max() + 1.2 * L)
-    plan.set_ylim(run.place[:, 1].min() - 1.2 * L, run.place[:, 1].max() + 1.2 * L)
-    plan.plot(*run.place.T, "k", lw=0.8)
-    plan.plot(*run.buoy.T, "tab:red", lw=0.8)
+    plan.set_xlim(run.record.place[:, 0].min() - 0.8 * L, run.record.place[:, 0].max() + 1.2 * L)
+    plan.set_ylim(run.record.place[:, 1].min() - 1.2 * L, run.record.place[:, 1].max() + 1.2 * L)
+    plan.plot(*run.record.place.T, "k", lw=0.8, label="centre of mass")
+    plan.plot(*run.record.buoy.T, "tab:red", lw=0.8)
     plan.set(xlabel="x, m", ylabel="y, m", aspect="equal", title="track of the centre of mass and the buoy")
+    plan.legend(fontsize=8)
     save(figure, path, 150)
 
 

@@ -20,6 +20,7 @@ from ..common.picture import save
 
 PREFIXES = ((1e9, "G", "10⁹ "), (1e6, "M", "10⁶ "), (1e3, "k", "10³ "))
 QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symmetry makes it zero
+FAINT = 1e-3  # of the largest force on a motion: below, the phase is that of the mesh
 FORCES, MOMENTS = slice(0, 3), slice(3, 6)
 PLACES = 300  # frequencies of a curve, beside those stored and those about resonances
 MARKED = 30  # stored frequencies that are marked; more would be a thick line
@@ -29,6 +30,7 @@ NARROW = 1.5  # inches wide: the name of the first row stands above that of its 
 MARGINS = {"left": 0.66, "right": 0.08, "bottom": 0.45, "top": 0.7, "between": 0.78, "rows": 0.42}  # inches
 LABEL = 0.5  # inches from a curve's axis to the name of its unit
 TICKS = 5  # spaces between those of a curve, at most; frequencies have them once a column
+FREQUENCIES = 8, 4  # spaces between ticks of frequencies, at most, of wide and narrow columns
 GRID = {"color": "0.9", "linewidth": 0.6}
 HIGH = 5  # times the motion away from a sharp resonance: above, its peak is written and not drawn
 ROWS = {
@@ -162,7 +164,8 @@ def _excitation(db, axes):
 
 def _phases(db, axes):
     force = db["excitation_force"]
-    shown = _above_rounding(np.abs(force), _length(db))
+    size = np.abs(force)
+    shown = _above_rounding(size, _length(db)) & (size.max(axis=0) > FAINT * size.max(axis=(0, 1)))
     for i, axis in enumerate(axes):
         for j, color in enumerate(heading_colors(len(db.wave_direction))):
             if shown[j, i]:
@@ -175,13 +178,14 @@ def _responses(db, axes):
     response = np.abs(db["rao"])
     response[:, :, MOMENTS] = np.degrees(response[:, :, MOMENTS])
     _amplitudes(db, axes, response, ("m/m", "°/m"), np.degrees(1 / _length(db)), prefixes=False)
-    for one in db.peaks:
-        for i in range(6):
-            _cut(axes[i], one, db.omega, response[:, :, i])
+    for i in range(6) if db.peaks else ():
+        _cut(axes[i], db.peaks, db.omega, response[:, :, i])
 
 
-def _cut(axis, one, omega, size):
-    """Leave a peak that would dwarf all else out of sight, and write it"""
+def _cut(axis, peaks, omega, size):
+    """Leave a peak that would dwarf all else out of sight, and write it with the resonance that it is of"""
+    at = omega[size.max(axis=1).argmax()]
+    one = min(peaks, key=lambda one: abs(np.log(one.omega / at)))
     near = np.abs(omega / one.omega - 1) < max(0.1, 2 * one.damping)
     highest, top = size[near].max(), HIGH * size[~near].max(initial=0.0)
     if axis.lines and 0 < top < highest:
@@ -271,6 +275,7 @@ def _dress(db, figure, grid):
     for axis, dof in zip(grid[0], DOFS, strict=True):
         axis.set_title(dof, fontweight="bold", y=1.0)
     narrow = grid[0, 0].get_position().width * figure.get_figwidth() < NARROW
+    _share_ticks(grid, FREQUENCIES[int(narrow)])
     for i, (axes, row) in enumerate(zip(grid, rows, strict=True)):
         above = 1.08 if narrow and i == 0 else 1.0
         axes[0].set_title(row, loc="left", fontweight="bold", color="0.35", y=above)
@@ -281,7 +286,6 @@ def _dress(db, figure, grid):
         elif axis.axison:
             axis.text(0.5, 0.5, "zero by symmetry", transform=axis.transAxes, ha="center", color="0.5")
             axis.set_yticks([])
-    _share_ticks(grid)
     for axis in grid[-1]:
         axis.set_xlabel("ω  rad/s")
     if any("wave_direction" in QUANTITIES[name][0] for row in rows for name in ROWS[row]):
@@ -292,13 +296,16 @@ def _dress(db, figure, grid):
     )
 
 
-def _share_ticks(grid):
-    """Ticks of frequencies for the lowest row alone, and lines at their places in all: a tick takes a millisecond"""
+def _share_ticks(grid, spaces):
+    """Ticks of frequencies for the lowest row alone, and lines at their places in all: a tick takes a millisecond
+
+    spaces : between them, at most
+    """
     from matplotlib.collections import LineCollection
     from matplotlib.ticker import MaxNLocator
 
     low, high = grid[0, 0].get_xlim()
-    places = [place for place in MaxNLocator(8).tick_values(low, high) if low <= place <= high]
+    places = [place for place in MaxNLocator(spaces).tick_values(low, high) if low <= place <= high]
     grid[0, 0].set(xticks=places, xlim=(low, high))
     for axis in grid.flat:
         if axis.axison and axis.lines:

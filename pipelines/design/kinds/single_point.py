@@ -172,8 +172,8 @@ def _numbers(study, best, stable, ran, hawsers, line_names, warnings):
     anchors, tops = lines.points[system.arrays.ends].swapaxes(0, 1)
     count, own = len(hawsers), ("hawser",) if hawsers else ()
     drift = SLOW_DRIFT if ran is not None and study.waves is not None and not ran.drifts else 1.0
-    largest = lines.tension if ran is None else drift * ran.lines.max(axis=0)
-    pulls = np.array([*(best.hawser if ran is None else drift * ran.hawser.max(axis=0))][:count])
+    largest = lines.tension if ran is None else drift * ran.record.lines.max(axis=0)
+    pulls = np.array([*(best.hawser if ran is None else drift * ran.record.hawser.max(axis=0))][:count])
     share = largest / np.maximum(lines.tension, 1e-300)
     load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
     none = np.zeros(count)

@@ -1,7 +1,7 @@
 """What a load case gives, kept beside its results, so that a second run neither follows nor draws it again.
 
-A kept file names what it was made of (texts, databases, results, versions of the libraries) and has a seal of its own:
-of other inputs, or damaged, it is made anew.
+A kept file names what it was made of (texts, databases, results, versions of the libraries, the code that made it) and
+has a seal of its own: of other inputs, by other code, or damaged, it is made anew.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 from meshing.whole_files import write_whole
 
 from .numbers import Numbers
-from .versions import versions
+from .versions import code, versions
 
 ARRAYS = tuple(name for name, kind in Numbers.__annotations__.items() if "ndarray" in str(kind))
 PNG = "data:image/png;base64,"
@@ -25,7 +25,7 @@ PNG = "data:image/png;base64,"
 
 def key_of(*parts):
     """Digest of texts, and of the bytes of files (Path; None without)"""
-    key = hashlib.sha256(json.dumps(versions()).encode())
+    key = hashlib.sha256(json.dumps([versions(), code()]).encode())
     for part in parts:
         content = b"" if part is None else part.read_bytes() if isinstance(part, Path) else part.encode()
         key.update(hashlib.sha256(content).digest())

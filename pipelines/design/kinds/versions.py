@@ -1,10 +1,13 @@
-"""Versions of the libraries that results and pictures depend on."""
+"""Versions of the libraries that results and pictures depend on, and of the code that reads and draws them."""
 
 from __future__ import annotations
 
+import hashlib
 from functools import cache
+from pathlib import Path
 
 LIBRARIES = ("hakobune", "numpy", "scipy", "numba", "h5py", "matplotlib")
+DRAWING = ("mooring", "pipelines")  # packages that make numbers and pictures of stored results
 
 
 @cache
@@ -13,3 +16,16 @@ def versions():
     from importlib import metadata
 
     return {name: metadata.version(name) for name in LIBRARIES}
+
+
+@cache
+def code():
+    """Digest of the source files of the packages in `DRAWING`: a page is made anew by code that was changed"""
+    from importlib import import_module
+
+    key = hashlib.sha256()
+    for name in DRAWING:
+        base = Path(import_module(name).__path__[0])
+        for path in sorted(base.rglob("*.py")):
+            key.update(f"{name}/{path.relative_to(base).as_posix()}\n".encode() + path.read_bytes())
+    return key.hexdigest()

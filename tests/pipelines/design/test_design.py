@@ -18,7 +18,7 @@ from pipelines.design.advice import Advice, Tried, _smallest, advise
 from pipelines.design.command import made
 from pipelines.design.fatigue import QUANTITY as FATIGUE
 from pipelines.design.fatigue import fatigue
-from pipelines.design.kinds import breakwater, mooring, single_point
+from pipelines.design.kinds import breakwater, mooring, single_point, stored
 from pipelines.design.kinds.changes import ways
 from pipelines.design.kinds.in_time import cycles_of
 from pipelines.design.kinds.needs import SCOPE
@@ -248,6 +248,14 @@ def test_a_second_run_solves_nothing_and_gives_the_same_bytes(folder, first, mon
     assert {name: (out / name).read_bytes() for name in again[1]} == before
 
 
+def test_a_picture_by_other_code_is_drawn_anew(tmp_path, monkeypatch):
+    drawn = []
+    for code in ("old", "old", "new"):
+        monkeypatch.setattr(stored, "code", lambda code=code: code)
+        stored.picture(tmp_path / "a.png", stored.key_of("study"), lambda path: drawn.append(path.write_bytes(b"png")))
+    assert len(drawn) == 2
+
+
 def test_the_smallest_size_that_passes_is_found_by_running_it(folder, tmp_path):
     study = {**STUDY, "types": {"chain": {"catalogue": "grade 2 40 mm", "bed_friction": 0.6}}}
     (folder / "thin.toml").write_text(tomli_w.dumps(study))
@@ -418,6 +426,9 @@ def test_findings_that_differ_in_numbers_alone_are_told_once_by_the_largest():
 def test_ways_that_were_tried_in_vain_are_named():
     (line,) = advice_words(Advice(("size", "more pretension"), (), ""), SimpleNamespace(word="fails"))
     assert "larger sizes, more pretension. None lowers" in line
+    size = Tried("size", "80 mm", 0.9, True, SimpleNamespace(rule="JSRA", quantity="tension"))
+    found, vain = advice_words(Advice(("size", "more pretension"), (size,), ""), SimpleNamespace(word="fails"))
+    assert "80 mm" in found and "in vain" in vain and "more pretension" in vain and "sizes" not in vain
 
 
 def test_a_case_that_cannot_be_run_is_named_and_not_dropped(folder, tmp_path, monkeypatch):

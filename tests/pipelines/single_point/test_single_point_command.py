@@ -10,8 +10,8 @@ import pytest
 
 from mooring.single_point.equilibria import equilibria
 from pipelines import cli
-from pipelines.single_point.maps import with_value
-from pipelines.single_point.report import preferred
+from pipelines.single_point.maps import _named, with_value
+from pipelines.single_point.report import bow, preferred
 from pipelines.single_point.study import make
 from pipelines.single_point.tables import make_study
 
@@ -43,6 +43,9 @@ def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeyp
     ("old", "new", "said"),
     [
         ("turning = { beam_over_draft = 10.0 }", "turning = {}", "B/d = 5 is outside the turning tests (9.75 to 20.5)"),
+        ("beam_over_draft = 10.0", "beam_over_draft = 0.0", "turning.beam_over_draft is 0; allowed: above 0"),
+        ("depth = 14.0", "depth = 11.0", "H/d = 1.1 is outside the turning tests (1.2 to inf); give "
+         "current.turning the proportion to take in its place (depth_over_draft = 8)"),
         ("turning = { beam_over_draft = 10.0 }", 'turning = {}\nfile = "a.csv"', "turning and file are given"),
         ("[wind]", "[hawser]\nlength = 0.0\n[wind]", "hawser.length is 0 m; allowed: above 0; leave [hawser] out"),
         ("[wind]", "[hawser]\nlength = 4.0\ncount = 2\nspacing = 20.0\n[wind]", "do not meet ahead"),
@@ -82,8 +85,15 @@ def test_a_map_keeps_the_waterplane_and_knows_its_keys():
     hull = changed["hull"]
     assert hull["length"] * hull["beam"] == pytest.approx(5000) and hull["length"] / hull["beam"] == pytest.approx(5)
     assert changed["attachment"]["x"] == pytest.approx(0.5 * hull["length"]) and raw["hull"]["length"] == 100
+    names = "hawser.length", "types.chain.weight_kg_per_m", "current.speed_knots", "hull.length_over_beam"
+    assert [_named(name) for name in names] == [f"{names[0]}, m", names[1], f"{names[2]}, knots", names[3]]
     with pytest.raises(ValueError, match="no number of this study"):
         with_value(raw, "hull.colour", 1.0)
+
+
+def test_a_bow_that_rounding_turns_is_at_zero_and_not_at_360_degrees():
+    turned = [bow(SimpleNamespace(heading=np.radians(angle))) for angle in (-1e-7, 0.0, 359.9999, -90.0, 17.304)]
+    assert turned == [0.0, 0.0, 0.0, 270.0, 17.3]
 
 
 def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
@@ -99,7 +109,8 @@ def test_a_run_in_time_is_told_drawn_and_stored(tmp_path, monkeypatch, capsys):
     assert (tmp_path / "film.gif").stat().st_size > 10_000
     assert cli.main([*words, "--seed", "1"]) == 2 and "--seed belongs to" in capsys.readouterr().err
     assert run(tmp_path, text + 'scheme = "two_scale"\n', monkeypatch=monkeypatch) == 2
-    assert "allowed: with [waves] and --database" in capsys.readouterr().err
+    told = capsys.readouterr()
+    assert "allowed: with [waves] and --database" in told.err and not told.out  # before anything is computed
 
 
 def test_a_buoy_of_its_own_mass_runs_on_an_elastic_hawser(tmp_path, monkeypatch, capsys):

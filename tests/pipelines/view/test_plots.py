@@ -5,9 +5,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
+from bem.database.resonances import Resonance
 from meshing.shapes import buoy
-from pipelines.view.plots import plot
+from pipelines.view.plots import _cut, plot
 
 ZERO = "zero by symmetry"
 SURGE, SWAY, HEAVE, ROLL, PITCH, YAW = range(6)
@@ -84,6 +86,27 @@ def test_a_moment_of_drift_is_measured_by_force_times_length(page):
 def test_excitation_and_responses_of_moments_that_are_all_rounding_are_not_drawn(page, name):
     axes, _ = page(**{name: np.array([[[1.0, 0, 1, 0, NOISE, 0]]] * 3) * (1 + 1j)})
     assert [len(axis.lines) for axis in axes[0]] == [1, 0, 1, 0, 0, 0]
+
+
+def test_phases_of_forces_that_are_those_of_the_mesh_are_not_drawn(page):
+    force = np.ones((3, 1, 6), complex) * [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
+    force = np.concatenate([force, force * [1e-4, 1, 1, 1, 1, 1]], axis=1)
+    Results.wave_direction, before = np.zeros(2), Results.wave_direction
+    axes, _ = page(excitation_force=force)
+    Results.wave_direction = before
+    assert [len(axis.lines) for axis in axes[0]] == 6 * [2] and [len(axis.lines) for axis in axes[1]] == [1, *5 * [2]]
+
+
+def test_a_peak_is_written_with_the_resonance_that_it_is_of():
+    """Roll is sharp, and heave so damped that its width reaches over the peak of roll"""
+    roll, heave = (Resonance(mode, omega, damping, 1.0, 0.0, 0.0, False)
+                   for mode, omega, damping in ((ROLL, 0.21, 0.002), (HEAVE, 0.35, 0.24)))  # fmt: skip
+    omega = np.linspace(0.1, 1.0, 91)
+    size = 1 + 279 * np.exp(-(((omega - 0.21) / 0.01) ** 2))[:, None]
+    axis = Figure().add_subplot()
+    axis.plot(omega, size[:, 0])
+    _cut(axis, [roll, heave], omega, size)
+    assert words(axis) == ["280 at 0.21 rad/s\ndamping ratio 0.002"] and 4 < axis.get_ylim()[1] < 10
 
 
 def test_headings_are_named_only_where_something_depends_on_them(page):
