@@ -140,7 +140,7 @@ class StaticLine:
         ways = [data, data._replace(to_place=not data.to_place)]
         tries = [(ways[1], QUICK), (ways[0], EXACT), (ways[1], EXACT)]
         parts = [share * data.friction for share in MOBILISED] if data.friction > 0 else []
-        less = [(way._replace(friction=part), QUICK) for part in parts for way in ways]
+        less = [(way._replace(friction=part), COARSE) for part in parts for way in ways]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
             softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
             ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
