@@ -6,6 +6,8 @@ damping) change nothing at rest and are not named.  MoorDyn 2.7 documentation, "
 
 from __future__ import annotations
 
+from .moordyn_rows import FREE
+
 # of the file's OPTIONS in lower case: what they bring in where their value is not 0
 BROUGHT_IN = {
     "wavekin": "waves",
@@ -27,9 +29,11 @@ def left_out(file):
     """[text] for each kind of thing of a MoorDynFile that its System does not have."""
     said = [*_of_types(file), *_of_options(file)]
     joints = [row.id for row in file.rods if (row.xa, row.ya, row.za) == (row.xb, row.yb, row.zb)]
+    heeled = [row.id for row in file.bodies if row.attachment.lower() in FREE and (row.roll0 or row.pitch0)]
     for names, what in (
         ([row.id for row in file.failures], "failure {} of lines is left out: nothing breaks at rest"),
         ([row.name for row in file.rod_types if file.rods], "bending and end forces of rods of type {} are left out"),
+        (heeled, "free body {} starts heeled (r0, p0): left out, its rest is sought from upright"),
         (joints, "rod {} has no length: the bending it would pass on is left out"),
     ):
         if names:

@@ -7,6 +7,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+# what a point, rod or body may be attached to, in lower case
+FIXED = ("fixed", "fix", "anchor")
+COUPLED = ("coupled", "cpld", "vessel", "ves", "fairlead")
+FREE = ("free", "connect", "con", "point")
+
 
 class LineTypeRow(NamedTuple):
     """diameter : m; mass : kg/m; EA, BA : number, a|b, or the name of a file"""

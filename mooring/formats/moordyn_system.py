@@ -23,11 +23,8 @@ from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineDynamics, Line
 from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
 from .moordyn_left_out import left_out
-from .moordyn_rows import LineTypeRow
+from .moordyn_rows import COUPLED, FIXED, FREE, LineTypeRow
 
-FIXED = ("fixed", "fix", "anchor")
-COUPLED = ("coupled", "cpld", "vessel", "ves", "fairlead")
-FREE = ("free", "connect", "con", "point")
 VESSEL = "vessel"
 DEPTH = ("WtrDpth", "depth", "WaterDepth")
 DENSITY = ("WtrDnsty", "rho", "rhoW", "WtrDens")
@@ -274,8 +271,7 @@ def _body(row, file, water):
         raise FormatError(
             f"{path}, section BODIES: attachment of body {row.id} is {row.attachment!r}; allowed: Fixed, Coupled, Free"
         )
-    if np.any(turns[:2]):
-        raise FormatError(f"{path}, section BODIES: free body {row.id} starts heeled; allowed: r0 = p0 = 0")
+    position = (*position[:3], 0.0, 0.0, position[5])  # heeled it only starts: see `left_out`
     cg = _numbers(row, "CG", path, 3)
     x, y, z = cg if len(cg) == 3 else (0.0, 0.0, cg[0])
     buoyancy = water.density * water.gravity * row.volume

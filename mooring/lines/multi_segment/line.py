@@ -13,8 +13,10 @@ and down with V.  A slack line hangs plumb, and the rest lies in a heap at its a
 buoy does not rise out of the sea but floats in its surface with a part of its lift, or is lifted out of it by a
 fairlead that stands above.  On a slope steeper than friction holds a line without tension slides down: into a heap
 above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where the first facet
-falls from the anchor, in a bight past the foot of its fairlead.  Bending, current on the line and the weight of the
-line above water are neglected.
+falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of the fairlead with
+all that it can give; where a line that does so has no equilibrium, because a span that lands behind a ridge would jump
+to its front, friction holds with a part of that.  Bending, current on the line and the weight of the line above water
+are neglected.
 """
 
 from __future__ import annotations
@@ -36,6 +38,7 @@ LEAST = 1e-11  # of the line's weight: horizontal tension below which a line is 
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
 SOFTER = (1e-5, 1e-3)  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
+MOBILISED = (0.8, 0.6, 0.4, 0.2, 0.05, 0.0)  # of the friction, the largest first, where all of it has no equilibrium
 
 
 @dataclass(frozen=True)
@@ -136,10 +139,12 @@ class StaticLine:
 
         ways = [data, data._replace(to_place=not data.to_place)]
         tries = [(ways[1], QUICK), (ways[0], EXACT), (ways[1], EXACT)]
+        parts = [share * data.friction for share in MOBILISED] if data.friction > 0 else []
+        less = [(way._replace(friction=part), COARSE) for part in parts for way in ways]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
             softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
             ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
-        return tries + [(way, COARSE) for way in ways[2:]] + [(way, FINE) for way in ways]
+        return tries + [(way, COARSE) for way in ways[2:]] + [(way, FINE) for way in ways] + less
 
     @cached_property
     def _mirrored(self):

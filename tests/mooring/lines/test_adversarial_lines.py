@@ -21,6 +21,11 @@ def test_a_line_with_a_gap_or_that_ends_beside_its_anchor_is_no_answer():
     assert all(verdict(3, number)[0] != "wrong" for number in (592, 2428, 3799, 4980, 7751))
 
 
+def test_friction_holds_with_a_part_where_all_of_it_has_no_equilibrium():
+    """Uniform lines over ridges: with all of the friction the span behind a ridge jumps from one facet to another."""
+    assert all(verdict(1101, number)[0] == "answered" for number in (7801, 10727, 13581, 15160, 38880))
+
+
 def test_the_residual_sees_a_wrong_tension_a_broken_line_and_a_buoy_above_the_sea():
     line = StaticLine([Segment(120.0, 10.0, 1e6)], [PointLoad(85.0, -900.0)], surface=30.0)
     found = line.solve(104.0, 29.0)

@@ -228,6 +228,8 @@ LEFT_OUT = [
     ("-- OPTIONS", "-- SYROPE IC ---\nLine(s) Tmax0 Tmean0\n(-) (N) (N)\n2 1e6 5e5\n--- OPTIONS",
      "section SYROPE IC is left out"),
     ("3    Body1 ", "3    Coupled ", "dynamic stiffness (EA a|b) of rope is left out, the static counts"),
+    ("1    Coupled     0      0     0      0     0     30 ", "1    Free        0      0     0      0    -90     0  ",
+     "free body 1 starts heeled (r0, p0): left out, its rest is sought from upright"),
     ("3    Body1 ", "3    Coupled ", "failure 1 of lines is left out"),
     ("7    Fixed       280     -160    -70     0       0       0      0\n",
      "7 Fixed 280 -160 -70 0 0 0 0\n8 Free 0 0 0 0 0 0 0\n", "point 8 is free and no line holds it: left out"),
@@ -241,6 +243,14 @@ def test_everything_that_lines_at_rest_leave_out_is_named(old, new, message):
         system_of_moordyn(parse_moordyn(VERSION_2.replace(old, new, 1)))
     texts = [str(one.message) for one in said]
     assert sum(message in text for text in texts) == 1 and len(texts) == len(set(texts))
+
+
+def test_how_a_free_body_is_heeled_to_begin_with_does_not_change_its_rest():
+    free = "1 Free 0 0 0 {} 0 1e4 0|0|-3 1e5 30 0 0"
+    row = next(line for line in VERSION_2.splitlines() if line.startswith("1    Coupled"))
+    texts = (VERSION_2.replace(row, free.format(turn), 1) for turn in ("0 0", "0 -90"))
+    upright, heeled = (rest(quiet_system(text)) for text in texts)
+    assert np.array_equal(upright.tension, heeled.tension) and upright.tension.max() > 0
 
 
 def test_a_still_and_plain_file_is_read_without_a_warning():
