@@ -3,7 +3,8 @@
 numba stamps a cached function with its own file only: a callee edited in another file would go on returning its old
 values, and so would a constant imported from there, which is frozen into the machine code.  The cache folder of a
 kernel therefore carries a hash of the sources of its module and of all modules of this repository that it
-imports directly or through others, in any folder.
+imports directly or through others, in any folder.  Where that folder cannot be written kernels are compiled for the
+process alone, and this is said: numba would keep them beside the sources, without the hash.
 """
 
 from __future__ import annotations
@@ -11,7 +12,9 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-from functools import cache
+import sys
+import tempfile
+from functools import cache, wraps
 from pathlib import Path
 
 from .uncompiled import Waiting, may_wait
@@ -27,13 +30,15 @@ _NAME = re.compile(r"(\w[\w.]*)(?:\s+as\s+\w+)?\s*(?:#[^\n]*)?(?:,|$)")
 @cache
 def cache_folder(file, root):
     """Where the kernels of a source file are kept compiled; HAKOBUNE_CACHE or XDG_CACHE_HOME move it."""
-    base = os.environ.get("HAKOBUNE_CACHE")
-    if base is None:
-        base = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "hakobune"
     digest = hashlib.sha256()
     for source in sorted(sources(file, root)):
         digest.update(str(source.relative_to(root)).encode() + _bytes(source))
-    return Path(base) / digest.hexdigest()[:16]
+    return _base() / digest.hexdigest()[:16]
+
+
+def _base():
+    base = os.environ.get("HAKOBUNE_CACHE")
+    return Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "hakobune" if base is None else Path(base)
 
 
 def sources(file, root=ROOT):
@@ -99,19 +104,59 @@ def _dispatcher(function, inline):
     import numba
     from numba.core import config
 
-    kept = config.CACHE_DIR
+    kept, before = _writable(_base()), config.CACHE_DIR
     config.CACHE_DIR = str(_folder_of(function))
     try:
         # contract and reassoc only: NaN and infinity must stay visible
-        return numba.njit(
-            cache=True,
+        made = numba.njit(
+            cache=kept,
             forceinline=inline,
             error_model="numpy",
             fastmath={"contract", "reassoc"},
             nogil=True,
         )(function)
     finally:
-        config.CACHE_DIR = kept
+        config.CACHE_DIR = before
+    if kept:
+        _save_if_possible(made)
+    return made
+
+
+@cache
+def _writable(base):
+    """Whether kernels can be kept below a folder; says if not"""
+    try:
+        base.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=base).close()
+    except OSError as error:
+        _tell_not_kept(base, error.strerror)
+        return False
+    return True
+
+
+@cache
+def _tell_not_kept(base, reason):
+    """On stderr, once a process: a warning would become a finding of the study that is at work"""
+    print(
+        f"hakobune: compiled kernels cannot be kept in {base} ({reason}), so every command that needs them compiles "
+        "them anew, for up to a minute or two; set HAKOBUNE_CACHE to a folder that can be written",
+        file=sys.stderr,
+    )
+
+
+def _save_if_possible(dispatcher):
+    """Let a kernel that is compiled be used where saving it fails, as on a full disk"""
+    kept = dispatcher._cache
+    save = kept.save_overload
+
+    @wraps(save)
+    def saved(*overload):
+        try:
+            save(*overload)
+        except OSError as error:
+            _tell_not_kept(_base(), error.strerror)
+
+    kept.save_overload = saved
 
 
 def _is_kept(function):

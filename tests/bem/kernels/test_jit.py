@@ -57,6 +57,27 @@ def test_a_changed_callee_or_constant_in_any_folder_changes_the_result_of_a_cach
     assert result() == 50.0
 
 
+FULL = """import resource, signal
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))  # every write fails, as on a full disk
+"""
+
+
+@pytest.mark.parametrize(("place", "before"), [("file/cache", ""), ("cache", FULL)], ids=["unwritable", "full"])
+def test_kernels_that_cannot_be_kept_are_used_and_left_nowhere_else(tmp_path, place, before):
+    (tmp_path / "file").write_text("")
+    (tmp_path / "constants.py").write_text("STEP = 1.0\n")
+    (tmp_path / "callee.py").write_text(CALLEE.format(constants="constants"))
+    (tmp_path / "caller.py").write_text(before + CALLER.format(callee="callee"))
+    environment = {"PYTHONPATH": f"{tmp_path}:{ROOT}", "HAKOBUNE_CACHE": str(tmp_path / place), "PATH": ""}
+    command = [sys.executable, str(tmp_path / "caller.py"), str(tmp_path)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (0, "20.0\n"), done.stderr
+    (line,) = done.stderr.splitlines()  # one for both kernels
+    assert str(tmp_path / place) in line and "set HAKOBUNE_CACHE" in line
+    assert not [*tmp_path.rglob("*.nbi"), *tmp_path.rglob("*.nbc")]
+
+
 @pytest.mark.parametrize("package", ["bem", "mooring"])
 def test_every_module_that_a_source_imports_is_found(package):
     for file in (ROOT / package).rglob("*.py"):
