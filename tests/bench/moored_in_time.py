@@ -125,7 +125,10 @@ def one_study(rng, name, db, memory, duration):
 
 
 def campaign(numbers, seed, minutes, folder):
-    """Of the studies of a seed whose numbers are given: {verdict: count}, ratios of estimated to true error, seconds and reasons of refusals"""
+    """{verdict: count}, ratios of estimated to true error, seconds and reasons of refusals
+
+    of the studies of a seed whose numbers are given
+    """
     rng, found = np.random.default_rng(seed), databases(folder)
     memories = {name: moored(db).memory for name, db in found.items()}
     verdicts, ratios, seconds, reasons = {}, [], [], {}
