@@ -1,6 +1,6 @@
 """Random moored bodies in random weather: whether a run is what its tolerance says, and what it costs.
 
-    python tests/bench/moored_in_time.py [--studies 200] [--seed 1] [--minutes 10]
+    python tests/bench/moored_in_time.py [--studies 200] [--seed 1] [--minutes 10] [--only 441 567]
 
 Bodies: the series box in 12 and in 20 m of water, the buoy in 30 m, each solved once.  Moorings: 3 to 12 uniform lines,
 anchored all round or to one side, from slack to a pretension of a tenth of the body's weight, weight 50 to 6 000 N/m,
@@ -124,13 +124,17 @@ def one_study(rng, name, db, memory, duration):
     return ("beyond, said" if said else "BEYOND TOLERANCE, NOT SAID"), run, error, seconds
 
 
-def campaign(studies, seed, minutes, folder):
-    """{verdict: count}, ratios of estimated to true error, seconds and reasons of refusals"""
+def campaign(numbers, seed, minutes, folder):
+    """{verdict: count}, ratios of estimated to true error, seconds and reasons of refusals
+
+    of the studies of a seed whose numbers are given
+    """
     rng, found = np.random.default_rng(seed), databases(folder)
     memories = {name: moored(db).memory for name, db in found.items()}
     verdicts, ratios, seconds, reasons = {}, [], [], {}
-    for number in range(studies):
-        name = list(found)[int(rng.integers(len(found)))]
+    names = [list(found)[int(rng.integers(len(found)))] for _ in range(max(numbers) + 1)]
+    for number in numbers:
+        name = names[number]
         own = np.random.default_rng([seed, number])
         try:
             verdict, run, error, took = one_study(own, name, found[name], memories[name], 60.0 * minutes)
@@ -153,12 +157,14 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--studies", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", type=int, nargs="+", default=None, help="numbers of studies, in place of --studies")
     parser.add_argument("--minutes", type=float, default=10.0)
     parser.add_argument("--folder", default=None, help="where the databases are kept; a temporary one if not given")
     given = parser.parse_args()
     warnings.simplefilter("ignore")
     with tempfile.TemporaryDirectory() as temporary:
-        counts, ratios, seconds, reasons = campaign(given.studies, given.seed, given.minutes, given.folder or temporary)
+        numbers, folder = given.only or range(given.studies), given.folder or temporary
+        counts, ratios, seconds, reasons = campaign(numbers, given.seed, given.minutes, folder)
     print(counts)
     within = np.mean((ratios > 1 / 3) & (ratios < 3)) if len(ratios) else np.nan
     print(f"estimated errors within a factor of three: {100 * within:.1f} % of {len(ratios)} motions")
