@@ -4,8 +4,7 @@
 
 squares : of first-order pressures and motions (`mean_drift`, `rotations`), on the diagonal the mean drift.  In surge,
     sway and yaw the far field knows the diagonal better than the pressure does, and what it has more there, at equal
-    frequencies, is added to all pairs: the mean of both waves' (errors off the diagonal halve by it, one half of the
-    200 scenes of `tests/bench/pair_errors.py`)
+    frequencies, is added to other pairs as far as the flows on the hull are alike (`_by_far_field`)
 bound wave : incident at second order, and diffracted (`bound_waves`, `long_wave_forces`)
 body : the potential that the moving hull makes in the first-order flow (`body_forces`); none on a fixed body
 surface : the potential that products of first-order waves make on the surface around the body (`surface_forces`);
@@ -109,7 +108,7 @@ class DifferenceRun:
             waves.solve(w)
             report("frequencies", done + 1, len(self.omega))
         self.waves, (self.flow, self.squares) = waves, waves.joined()
-        self.added = _by_far_field(self.squares, np.array(waves.far))
+        self.added = _by_far_field(self.squares, np.array(waves.far), self.flow)
         self.of_surface = None if waves.around is None else SurfaceForces(waves.around)
 
     def blocks(self, done=0):
@@ -170,12 +169,28 @@ def steps_to(highest, omega):
     return min(int(highest / _step(omega) + EVEN), len(omega) - 1)
 
 
-def _by_far_field(squares, far):
-    """What the far field (n, m, m, 3) has more than `squares` (n, m, n, m, 6) at equal frequencies, added to these"""
-    each = np.arange(len(far))
+def _by_far_field(squares, far, flow):
+    """What the far field (n, m, m, 3) has more than `squares` (n, m, n, m, 6) at equal frequencies, added to these.
+
+    What the pressure lacks is, as the force, of first degree in each of both flows u on the hull.  The one nearest to
+    uⱼ that is a multiple of uᵢ is uᵢ⟨uⱼ, uᵢ⟩/⟨uᵢ, uᵢ⟩, and the pair (i, j) lacks as many times what (i, i) lacks: the
+    mean of that and of the same from (j, j), which fades as the flows become different, at resonance of one of them
+    or far apart in frequency.  flow : `HullFlow` of all waves
+    """
+    (n, m), each = far.shape[:2], np.arange(len(far))
     more = far - squares[each, :, each][..., HORIZONTAL]
-    squares[..., HORIZONTAL] += 0.5 * (more[:, :, None] + more.swapaxes(0, 1))
+    alike = _likeness(flow, n, m)
+    size = alike[each, each].real
+    to_first, to_second = alike / size[:, None], alike / size
+    added = to_first[:, :, None, :, None] * more[:, None] + to_second[..., None, None] * more
+    squares[..., HORIZONTAL] += 0.5 * added.swapaxes(1, 2)
     return more
+
+
+def _likeness(flow, n, m):
+    """(n, n, m) ⟨uᵢ, uⱼ⟩ = ∬ uᵢ·ūⱼ dS over the hull of the waves of each heading, m⁴/s²"""
+    u, area = flow.velocity.reshape(n, m, -1), np.repeat(flow.hull.weights, 3)
+    return np.stack([(one * area) @ one.conj().T for one in u.swapaxes(0, 1)], axis=-1)
 
 
 def _waves_of(problem):

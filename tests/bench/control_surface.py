@@ -143,7 +143,7 @@ def by_momentum(problem, omega, heading, moving):
         control.add(run, motions)
     flow, squares = waves.joined()
     pressure = squares[:, 0, :, 0, MODES].copy()
-    _by_far_field(squares, np.array(waves.far))
+    _by_far_field(squares, np.array(waves.far), flow)
     far = squares[:, 0, :, 0, MODES]
     return np.array([control.pairs(flow), *(np.moveaxis(part, 0, -1) for part in (pressure, far))])
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import lru_cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,9 +19,11 @@ from bem.second_order import surface_near
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
 from bem.second_order.difference_forces import (
+    HORIZONTAL,
     ORDER,
     SIZES,
     DifferenceForces,
+    _by_far_field,
     difference_forces,
     panel_errors,
 )
@@ -107,6 +110,28 @@ def test_off_the_diagonal_of_headings_the_far_field_of_two_waves_is_the_pressure
     assert np.all(np.abs(found.added[:, 0, 1]) < 0.02 * scale)
     swapped = found.added.swapaxes(1, 2).conj()
     assert np.abs(found.added - swapped).max() < 1e-12 * np.abs(found.squares[0]).max()
+
+
+def test_of_flows_that_are_multiples_of_each_other_all_pairs_take_what_the_diagonal_tells_and_of_others_none():
+    """Two frequencies and headings, T of any form of first degree in both flows; flows at right angles share nothing"""
+    rng = np.random.default_rng(3)
+    hull = SimpleNamespace(weights=rng.uniform(1, 2, 5))
+    waves, size = (rng.normal(size=(*shape, 2)) @ [1, 1j] for shape in ((2, 5, 3), (2,)))
+    form = rng.normal(size=(15, 15, 3, 2)) @ [1, 1j]
+    form = form + form.swapaxes(0, 1).conj()
+    flow = SimpleNamespace(velocity=np.concatenate([size[0] * waves, size[1] * waves]), hull=hull)
+    u = flow.velocity.reshape(2, 2, 15)
+    exact = np.einsum("iap,pqc,jbq->iajbc", u, form, u.conj())
+    each, found = np.arange(2), np.zeros((2, 2, 2, 2, 6), complex)
+    more = _by_far_field(found, exact[each, :, each], flow)
+    np.testing.assert_allclose(found[..., HORIZONTAL], exact, rtol=1e-12)
+    np.testing.assert_allclose(more, exact[each, :, each])
+    flow.velocity[2:] = 0.0
+    flow.velocity[:2, :, 2], flow.velocity[2:, :, 2] = 0.0, 1.0
+    found = np.zeros((2, 2, 2, 2, 6), complex)
+    _by_far_field(found, more, flow)
+    assert np.all(found[0, :, 1] == 0) and np.all(found[1, :, 0] == 0)
+    np.testing.assert_allclose(found[each, :, each][..., HORIZONTAL], more)
 
 
 def test_without_differences_the_diagonal_is_the_same():
