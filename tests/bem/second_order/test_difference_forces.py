@@ -23,6 +23,7 @@ from bem.second_order.difference_forces import (
     ORDER,
     SIZES,
     DifferenceForces,
+    DifferenceRun,
     _by_far_field,
     difference_forces,
     panel_errors,
@@ -161,6 +162,24 @@ def test_the_error_of_two_meshes_is_a_mean_of_what_they_differ_by_and_the_square
     assert known[..., [2, 3, 4]] == pytest.approx(SIZES[0] * np.sqrt(off))
     assert known[..., [0, 1, 5]] == pytest.approx(SIZES[1] * 0.2**0.25 * off**0.5)
     assert np.all(panel_errors(fine, fine.total, 2.0) == 0)
+    swayed = panel_errors(fine, fine.total, 2.0, 0.3 + part)
+    assert swayed[..., [2, 3, 4]] == pytest.approx(0.3 / (2**ORDER - 1)) and np.all(swayed[..., [0, 1, 5]] == 0)
+
+
+def test_squares_in_other_motions_are_those_of_a_body_that_moves_so():
+    given = [0.6, 0.7], [0.5], 0.1
+    lines = 0.3 * STIFFNESS
+    held = DifferenceRun(floating(), *given, lines)
+    own, changed = (DifferenceRun(floating(), *given, True, swayed=swayed) for swayed in (None, held.motions))
+    assert own.by_motions is None
+    by_pressure = [run.waves.joined()[1] for run in (held, own)]
+    # the load that turns with the body is here without that of the lines, as there
+    np.testing.assert_allclose(
+        changed.by_motions[0][:, 0, 0],
+        [(by_pressure[0] - by_pressure[1])[i, 0, i, 0] for i in (0, 1)],
+        rtol=1e-9,
+        atol=1e-9 * np.abs(by_pressure[0]).max(),
+    )
 
 
 def test_two_headings_in_the_other_order_give_the_conjugate():
