@@ -79,6 +79,6 @@ def _method(run, moving):
 
 def rotated_loads(run):
     """(m, 3) mean surge, sway and yaw of the first-order loads, which turn with the body, about the rotation centre"""
-    pairs = rotated_pairs(first_order_loads(run, run.problem), run.rao)
+    pairs = rotated_pairs(first_order_loads(run, run.problem, run.rao), run.rao)
     each = np.arange(len(run.headings))
     return pairs[each, each][:, [0, 1, 5]].real

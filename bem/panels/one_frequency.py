@@ -246,10 +246,12 @@ class PanelRun(FrequencyRun):
         self._timed("far field", start)
         return radiation, diffraction
 
-    def disturbance(self, heading, moving):
-        """{class: φ_D + Σ(−iωX)φ at the nodes (n,)}, and the matching normal velocity"""
-        g = self.geometry
-        X = -1j * self.omega * self.problem.transform.T @ self.rao[heading] if moving else np.zeros(6, complex)
+    def disturbance(self, heading, motion):
+        """{class: φ_D + Σ(−iωX)φ at the nodes (n,)}, and the matching normal velocity.
+
+        motion : (6,) X about the origin
+        """
+        g, X = self.geometry, -1j * self.omega * motion
         out = {}
         for cls in g.classes:
             phi, velocity = np.zeros((2, g.hull), complex)
@@ -277,7 +279,8 @@ class PanelRun(FrequencyRun):
         shares = shares / shares.sum(axis=1, keepdims=True)
         out = np.empty((len(self.headings), g.copies, len(shares)), complex)
         for j in range(len(self.headings)):
-            phi = {c: p + self.incident[0][c][0][j] for c, (p, _) in self.disturbance(j, self.free).items()}
+            motion = self.rao[j] @ self.problem.transform if self.free else np.zeros(6)
+            phi = {c: p + self.incident[0][c][0][j] for c, (p, _) in self.disturbance(j, motion).items()}
             for i in range(g.copies):
                 total = sum(g.signs(c)[i] * p for c, p in phi.items())
                 out[j, i] = np.sum(total.reshape(shares.shape) * shares, axis=1)

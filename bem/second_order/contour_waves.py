@@ -29,8 +29,8 @@ class ContourWaves(FirstOrderWaves):
         not resolved
     """
 
-    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None):
-        super().__init__(problem, headings, moving, lines)
+    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None, swayed=None):
+        super().__init__(problem, headings, moving, lines, swayed)
         if problem.method != "contour" or not np.isfinite(problem.depth) or problem.bed is not None:
             raise ValueError(
                 f"pairs by method {problem.method} in {problem.depth:g} m; allowed: panels, or contour in finite depth"

@@ -4,8 +4,7 @@
 
 squares : of first-order pressures and motions (`mean_drift`, `rotations`), on the diagonal the mean drift.  In surge,
     sway and yaw the far field knows the diagonal better than the pressure does, and what it has more there, at equal
-    frequencies, is added to all pairs: the mean of both waves' (errors off the diagonal halve by it, one half of the
-    200 scenes of `tests/bench/pair_errors.py`)
+    frequencies, is added to other pairs as far as the flows on the hull are alike (`_by_far_field`)
 bound wave : incident at second order, and diffracted (`bound_waves`, `long_wave_forces`)
 body : the potential that the moving hull makes in the first-order flow (`body_forces`); none on a fixed body
 surface : the potential that products of first-order waves make on the surface around the body (`surface_forces`);
@@ -26,7 +25,7 @@ from .first_order_waves import EVEN, PanelWaves
 from .surface_forces import Difference, SurfaceForces, line_integral
 
 ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
-SIZES = 0.11, 0.38  # factors of estimated errors: heave, roll and pitch; surge, sway and yaw; fitted there too
+SIZES = 0.11, 0.33  # factors of estimated errors: heave, roll and pitch; surge, sway and yaw; fitted there too
 HORIZONTAL = [0, 1, 5]
 PLACES = np.array([0.2, 0.5, 0.8])  # in the band, of pairs that tell how large the surface's part is
 PARTS = ("squares", "bound_wave", "body", "surface")
@@ -85,17 +84,20 @@ def difference_forces(problem, omega, headings, highest, moving, report=lambda p
     raises : ValueError for uneven frequencies, constant panels, zero draft, a moving body without inertia; with
         `surface` for a waterline that is not one curve around the body
     """
-    run = DifferenceRun(problem, omega, headings, highest, moving, report, surface)
-    return DifferenceForces.joined([run.solve(block) for block in run.blocks()])
+    return DifferenceRun(problem, omega, headings, highest, moving, report, surface).all()
 
 
 class DifferenceRun:
     """Forces of pairs some differences at a time, from the smallest on, after the first order of all waves.
 
-    Arguments, errors and what is made as of `difference_forces`
+    Arguments, errors and what is made as of `difference_forces`; swayed : (n, m, 6) motions about the rotation centre,
+    those of another resolution, or None.  motions : (n, m, 6) its own; by_motions : (d, n, m, m, 6) what the squares of
+    first order are more in the motions `swayed`, N/m², N m/m², or None
     """
 
-    def __init__(self, problem, omega, headings, highest, moving, report=lambda part, done, of: None, surface=False):
+    def __init__(
+        self, problem, omega, headings, highest, moving, report=lambda part, done, of: None, surface=False, swayed=None
+    ):
         self.omega, self.headings = np.asarray(omega, float), np.atleast_1d(np.asarray(headings, float))
         step, lines = _step(self.omega), moving if np.ndim(moving) else None
         self.problem, self.moving, self.surface = problem, lines is not None or bool(moving), surface
@@ -104,17 +106,32 @@ class DifferenceRun:
                 "difference forces on a floating body without inertia; solve it with --gyration kxx,kyy,kzz"
             )
         self.difference, self.report = step * np.arange(steps_to(highest, self.omega) + 1), report
-        waves = _waves_of(problem)(problem, self.omega, self.headings, self.moving, self.difference, surface, lines)
+        waves = _waves_of(problem)(
+            problem, self.omega, self.headings, self.moving, self.difference, surface, lines, swayed
+        )
         for done, w in enumerate(self.omega):
             waves.solve(w)
             report("frequencies", done + 1, len(self.omega))
         self.waves, (self.flow, self.squares) = waves, waves.joined()
-        self.added = _by_far_field(self.squares, np.array(waves.far))
+        self.motions, self.by_motions = np.array(waves.rao), None
+        if swayed is not None:
+            more = waves.squares_in_swayed() - self.squares
+            self.by_motions = np.array([self._apart(more, m) for m in range(len(self.difference))])
+        self.added = _by_far_field(self.squares, np.array(waves.far), self.flow)
         self.of_surface = None if waves.around is None else SurfaceForces(waves.around)
 
     def blocks(self, done=0):
         """Ranges of up to BLOCK differences after the first `done`, a multiple of BLOCK"""
         return [range(m, min(m + BLOCK, len(self.difference))) for m in range(done, len(self.difference), BLOCK)]
+
+    def all(self):
+        """`DifferenceForces` of all differences"""
+        return DifferenceForces.joined([self.solve(block) for block in self.blocks()])
+
+    def _apart(self, values, m):
+        """(n, m, m, 6) of values (n, m, n, m, 6) of all pairs of waves, those of two frequencies m steps apart"""
+        count = len(self.omega) - m
+        return _filled(values[np.arange(m, len(self.omega)), :, np.arange(count)], len(self.omega))
 
     def solve(self, block):
         """`DifferenceForces` of a range of differences"""
@@ -123,7 +140,7 @@ class DifferenceRun:
         for m, pairs in zip(block, several, strict=True):
             run = self.waves.radiation(self.difference[m])
             made = self.waves.radiated(run) if m and (self.moving or self.surface) else None
-            parts["squares"].append(self.squares[np.arange(m, len(self.omega)), :, np.arange(pairs.count)])
+            parts["squares"].append(self._apart(self.squares, m))
             parts["bound_wave"].append(pairs.shaped(_bound(pairs, run, self.waves)))
             parts["body"].append(self._body(pairs, made if self.moving else None))
             if m and self.surface:
@@ -170,12 +187,28 @@ def steps_to(highest, omega):
     return min(int(highest / _step(omega) + EVEN), len(omega) - 1)
 
 
-def _by_far_field(squares, far):
-    """What the far field (n, m, m, 3) has more than `squares` (n, m, n, m, 6) at equal frequencies, added to these"""
-    each = np.arange(len(far))
+def _by_far_field(squares, far, flow):
+    """What the far field (n, m, m, 3) has more than `squares` (n, m, n, m, 6) at equal frequencies, added to these.
+
+    What the pressure lacks is, as the force, of first degree in each of both flows u on the hull.  The one nearest to
+    uⱼ that is a multiple of uᵢ is uᵢ⟨uⱼ, uᵢ⟩/⟨uᵢ, uᵢ⟩, and the pair (i, j) lacks as many times what (i, i) lacks: the
+    mean of that and of the same from (j, j), which fades as the flows become different, at resonance of one of them
+    or far apart in frequency.  flow : `HullFlow` of all waves
+    """
+    (n, m), each = far.shape[:2], np.arange(len(far))
     more = far - squares[each, :, each][..., HORIZONTAL]
-    squares[..., HORIZONTAL] += 0.5 * (more[:, :, None] + more.swapaxes(0, 1))
+    alike = _likeness(flow, n, m)
+    size = alike[each, each].real
+    to_first, to_second = alike / size[:, None], alike / size
+    added = to_first[:, :, None, :, None] * more[:, None] + to_second[..., None, None] * more
+    squares[..., HORIZONTAL] += 0.5 * added.swapaxes(1, 2)
     return more
+
+
+def _likeness(flow, n, m):
+    """(n, n, m) ⟨uᵢ, uⱼ⟩ = ∬ uᵢ·ūⱼ dS over the hull of the waves of each heading, m⁴/s²"""
+    u, area = flow.velocity.reshape(n, m, -1), np.repeat(flow.hull.weights, 3)
+    return np.stack([(one * area) @ one.conj().T for one in u.swapaxes(0, 1)], axis=-1)
 
 
 def _waves_of(problem):
@@ -208,20 +241,24 @@ def share_of(forces):
     return _ratio(_sizes(forces))
 
 
-def panel_errors(forces, coarser, refinement):
+def panel_errors(forces, coarser, refinement, by_motions=None):
     """(d, n, m, m, 6) estimated errors of the whole from that on a coarser mesh, N/m², N m/m²
 
     Two meshes tell little by themselves: where an error passes through zero their difference is chance.  The estimate
     is the geometric mean of that difference, divided as its order says, and of the squares, in surge, sway and yaw also
     of what is `added` to them and of the difference on the diagonal, the far field's; of root mean squares of a pair
-    and its neighbours in mean and difference.  `tests/bench/pair_errors.py` has the shares that are met within a factor
-    of three.  Meshes of different proportions, or alike in a direction, tell less.
+    and its neighbours in mean and difference.  In heave, roll and pitch the squares of that and of what the error of
+    the motions makes, large near resonance, are added.  `tests/bench/pair_errors.py` has the shares that are met within
+    a factor of three.  Meshes of different proportions, or alike in a direction, tell less.
     coarser : (d, n, m, m, 6) the whole on the coarser mesh; refinement : panels for one of it
+    by_motions : (d, n, m, m, 6) what the squares on the coarser mesh are more in the motions of the finer one, or None
     """
     less = 1 / (refinement**ORDER - 1)
     square = np.abs(forces.total - coarser) ** 2
     off, size = np.sqrt(_smoothed(square)) * less, np.sqrt(_smoothed(np.abs(forces.squares) ** 2))
     out = SIZES[0] * np.sqrt(off * size)
+    if by_motions is not None:
+        out = np.hypot(out, np.sqrt(_smoothed(np.abs(by_motions) ** 2)) * less)
     if forces.added is not None:
         more = np.abs(forces.added) ** 2, square[0][..., HORIZONTAL]
         gap, far = (np.sqrt(_smoothed(_of_both(part, off.shape[:4]))) for part in more)

@@ -22,13 +22,15 @@ class FirstOrderWaves:
 
     headings : (m,) rad; lines : (6, 6) stiffness beside the water's, or None
     surfaces : `hull_flow.HullSurfaces`; around : `surface_waves.SurfaceWaves` or alike, None without the surface
+    swayed : (n, m, 6) motions of another resolution about the rotation centre, in which the squares are wanted too
     """
 
-    def __init__(self, problem, headings, moving, lines=None):
+    def __init__(self, problem, headings, moving, lines=None, swayed=None):
         stiffness = problem.hydrostatic_stiffness if lines is None else problem.hydrostatic_stiffness + lines
         self.problem, self.headings, self.moving = problem, headings, moving
         self.held = replace(problem, hydrostatic_stiffness=stiffness)
         self.parts, self.loads, self.rao, self.far = [], [], [], []
+        self.swayed, self.in_swayed = swayed, []
 
     @property
     def least(self):
@@ -49,18 +51,30 @@ class FirstOrderWaves:
         self.parts.append(flow_of(motions))
         self.far.append(run.drift_of_two(self.moving))
         self.rao.append(rao)
-        self.loads.append(first_order_loads(run, self.problem) if self.moving else 0 * rao)
+        self.loads.append(first_order_loads(run, self.problem, rao) if self.moving else 0 * rao)
+        if self.swayed is not None:
+            other = self.swayed[len(self.in_swayed)]
+            loads = first_order_loads(run, self.problem, other)
+            self.in_swayed.append((flow_of(other @ self.problem.transform), loads, other))
         return motions
 
     def joined(self):
         """`HullFlow` of all waves and (n, m, n, m, 6) T of squares of first order"""
-        flow, rao = HullFlow.joined(self.parts), np.concatenate(self.rao)
-        squares = pressure_pairs(self.surfaces, flow, self.problem) @ self.problem.transform.T
+        flow = HullFlow.joined(self.parts)
+        return flow, self._squares(flow, self.loads, self.rao)
+
+    def squares_in_swayed(self):
+        """(n, m, n, m, 6) T of squares of first order in the motions `swayed`"""
+        parts, loads, rao = zip(*self.in_swayed, strict=True)
+        return self._squares(HullFlow.joined(parts), loads, rao)
+
+    def _squares(self, flow, loads, rao):
+        squares, rao = pressure_pairs(self.surfaces, flow, self.problem) @ self.problem.transform.T, np.concatenate(rao)
         if self.moving:
-            squares += rotated_pairs(np.concatenate(self.loads), rao)
+            squares += rotated_pairs(np.concatenate(loads), rao)
             squares += still_water_pairs(rao, self.problem, self.surfaces.hull)
-        n, m = len(self.parts), len(self.headings)
-        return flow, squares.reshape(n, m, n, m, 6)
+        n, m = len(self.rao), len(self.headings)
+        return squares.reshape(n, m, n, m, 6)
 
 
 class PanelWaves(FirstOrderWaves):
@@ -70,8 +84,8 @@ class PanelWaves(FirstOrderWaves):
     frequencies one run has both
     """
 
-    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None):
-        super().__init__(problem, headings, moving, lines)
+    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None, swayed=None):
+        super().__init__(problem, headings, moving, lines, swayed)
         self.differences, self.near = differences, EVEN * differences[-1] / max(len(differences) - 1, 1)
         low = max(self.least, min([omega[0], *differences[1:2]]))
         self.prepared = _sharing(self.held, low, max(omega[-1], differences[-1]), len(omega) + len(differences))

@@ -16,12 +16,13 @@ from __future__ import annotations
 import numpy as np
 
 
-def first_order_loads(run, problem):
-    """(m, 6) first-order load of water and weight in the waves of a run with motions, about the rotation centre
+def first_order_loads(run, problem, X):
+    """(m, 6) first-order load of water and weight in the waves of a run, about the rotation centre
 
     problem : whose stiffness is that of water and weight alone, while lines may hold the body of the run too
+    X : (m, 6) motions
     """
-    T, X, stiffness = problem.transform, run.rao, problem.hydrostatic_stiffness
+    T, stiffness = problem.transform, problem.hydrostatic_stiffness
     return run.excitation @ T.T + X @ (run.omega**2 * T @ run.radiation @ T.T - stiffness).T
 
 

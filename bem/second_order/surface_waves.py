@@ -94,7 +94,7 @@ class SurfaceWaves:
 
     def add(self, run, flow, motions):
         """Take in the waves of a `PanelRun` with their `HullFlow`; motions : (m, 6) about the origin"""
-        flows = [run.disturbance(j, bool(motion.any())) for j, motion in enumerate(motions)]
+        flows = [run.disturbance(j, motion) for j, motion in enumerate(motions)]
         flows = {cls: tuple(np.array([f[cls][i] for f in flows]) for i in range(2)) for cls in run.geometry.classes}
         flows = {cls: both for cls, both in flows.items() if np.any(both[0]) or np.any(both[1])}
         k, b = run.k, run.headings

@@ -15,7 +15,8 @@ TOLERANCES = 1e-5, 1e-4  # of the contour method: of what is stored, and of what
 class Bodies:
     """method : name; fine, rough : problems of `difference_forces`, rough None where there is no second resolution
 
-    errors : function of both forces
+    errors : function of the forces at `fine`, the whole at `rough` and what the squares at `rough` are more in the
+        motions at `fine`, None of a body held
     """
 
     method: str
@@ -42,12 +43,16 @@ def bodies(db, method, highest):
         )
     if method != "panel" and fits:
         fine, rough = (_cylinder(db, panels, tolerance) for tolerance in TOLERANCES)
-        return Bodies("contour", fine, rough, resolution_errors)
+        return Bodies("contour", fine, rough, lambda forces, coarser, _: resolution_errors(forces, coarser))
     coarse, rough, refinement = coarse_hull_of(db.header, FEWEST), None, 1.0
     if coarse is not None:
         mesh, lid = coarse
         rough, refinement = replace(panels, mesh=mesh, lid=panels.lid and lid), panels.mesh.total / mesh.total
-    return Bodies("panel", panels, rough, lambda forces, other: panel_errors(forces, other, refinement))
+
+    def errors(forces, coarser, by_motions):
+        return panel_errors(forces, coarser, refinement, by_motions)
+
+    return Bodies("panel", panels, rough, errors)
 
 
 def _fits_contour(db, highest):

@@ -58,10 +58,10 @@ def _solve(db, question, fresh):
     full = question.adds_surface(share)
     known = _begun(stored, question, full)
     told = _Told(2 if body.rough else 1)
-    fine, rough = (
-        problem and DifferenceRun(problem, *question.waves, question.held.moving, told.of(n), full)
-        for n, problem in enumerate((body.fine, body.rough))
-    )
+    given = *question.waves, question.held.moving
+    fine = DifferenceRun(body.fine, *given, told.of(0), full)
+    swayed = fine.motions if question.held.floats and body.method == "panel" else None
+    rough = body.rough and DifferenceRun(body.rough, *given, told.of(1), full, swayed)
     forces, coarser = ([], []) if known is None else ([known.forces], [known.coarser])
     written = time.monotonic()
     *blocks, last = fine.blocks(sum(len(part.difference) for part in forces)) or [None]
@@ -71,7 +71,10 @@ def _solve(db, question, fresh):
             coarser = [np.concatenate([*coarser, rough.solve(block).total])] if rough else [None]
         if block is last or time.monotonic() - written > EVERY:
             asked = None if block is last else question.highest
-            write_forces(db.path, _stored(question, body, forces[0], share, coarser[0], asked))
+            share = share if forces[0].surface is None else share_of(forces[0])
+            errors = rough and body.errors(forces[0], coarser[0], _first(rough.by_motions, len(forces[0].difference)))
+            stored = StoredForces(forces[0], question.held, body.method, share, errors, coarser[0], asked)
+            write_forces(db.path, stored)
             written = time.monotonic()
 
 
@@ -89,10 +92,8 @@ def _share(problem, question, stored):
         return None
 
 
-def _stored(question, body, forces, share, coarser, asked):
-    share = share if forces.surface is None else share_of(forces)
-    errors = None if coarser is None else body.errors(forces, coarser)
-    return StoredForces(forces, question.held, body.method, share, errors, coarser, asked)
+def _first(values, count):
+    return None if values is None else values[:count]
 
 
 def _of_same_waves(db, question, body):

@@ -61,7 +61,7 @@ class ControlSurface:
 
     def add(self, run, motions):
         """Take in the waves of a `PanelRun` with motions (m, 6) about the origin"""
-        flows = [run.disturbance(j, bool(motion.any())) for j, motion in enumerate(motions)]
+        flows = [run.disturbance(j, motion) for j, motion in enumerate(motions)]
         flows = {cls: tuple(np.array([f[cls][i] for f in flows]) for i in range(2)) for cls in run.geometry.classes}
         flows = {cls: both for cls, both in flows.items() if np.any(both[0]) or np.any(both[1])}
         total = sum(
@@ -143,7 +143,7 @@ def by_momentum(problem, omega, heading, moving):
         control.add(run, motions)
     flow, squares = waves.joined()
     pressure = squares[:, 0, :, 0, MODES].copy()
-    _by_far_field(squares, np.array(waves.far))
+    _by_far_field(squares, np.array(waves.far), flow)
     far = squares[:, 0, :, 0, MODES]
     return np.array([control.pairs(flow), *(np.moveaxis(part, 0, -1) for part in (pressure, far))])
 

@@ -22,7 +22,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from bem.methods.panel_problem import PanelProblem
-from bem.second_order.difference_forces import ORDER, difference_forces, panel_errors
+from bem.second_order.difference_forces import ORDER, DifferenceRun, difference_forces, panel_errors
 from meshing.hydrostatics import hydrostatics, inertia_matrix
 from meshing.lid import lid
 from pipelines.qtf.problem import FEWEST
@@ -73,11 +73,12 @@ def ratios(rng, surface):
     length = size * np.exp(rng.uniform(np.log(6), np.log(30)))  # of the shortest waves
     high = np.sqrt(G * 2 * np.pi / length * np.tanh(2 * np.pi / length * min(depth, 1e4)))
     omega, beta = high * (1 - 0.08 * np.arange(3)[::-1]), [rng.uniform(0, np.pi)]
-    coarse, found, best = (
-        difference_forces(p, omega, beta, high, floats, surface=surface) for p in (rough, fine, finest)
-    )
+    run = DifferenceRun(fine, omega, beta, high, floats, surface=surface)
+    coarser = DifferenceRun(rough, omega, beta, high, floats, surface=surface, swayed=run.motions if floats else None)
+    coarse, found = coarser.all(), run.all()
+    best = difference_forces(finest, omega, beta, high, floats, surface=surface)
     refinement = fine.mesh.total / rough.mesh.total
-    estimate = panel_errors(found, coarse.total, refinement)
+    estimate = panel_errors(found, coarse.total, refinement, coarser.by_motions)
     error = np.abs(found.total - best.total) / (1 - 4.0**-1.16)  # what the finest has left
     scale = np.nanmax(np.abs(best.total), axis=(0, 1, 2, 3))
     scale = np.array([max(scale[:3])] * 3 + [max(scale[3:])] * 3)

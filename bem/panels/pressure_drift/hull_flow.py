@@ -192,7 +192,7 @@ class HullFlow:
 
 def wave_flow(run, surfaces, motions):
     """`HullFlow` in the waves of a `bem.panels.one_frequency.PanelRun`; motions : (m, 6) about the origin, m and rad"""
-    phi = [_on_images(run, run.disturbance(j, bool(motion.any()))) for j, motion in enumerate(motions)]
+    phi = [_on_images(run, run.disturbance(j, motion)) for j, motion in enumerate(motions)]
     return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), motions, run.headings)
 
 

@@ -1,5 +1,7 @@
 """The quadratic part of forces of pairs by momentum through a surface around the body, without its pressure."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from bench.control_surface import by_momentum
@@ -7,6 +9,7 @@ from exact.second_order_cylinder import quadratic_force
 
 from bem.methods.panel_problem import PanelProblem
 from bem.second_order import surface_near
+from meshing.lid import lid
 from meshing.shapes import box, buoy
 
 LENGTH, BEAM, DRAFT, DEPTH = 100.0, 50.0, 10.0, 20.0
@@ -42,6 +45,15 @@ def test_pressure_on_the_hull_approaches_it_with_more_panels(moving):
         control, pressure, _ = by_momentum(floating(panels), OMEGA, np.radians(150), moving)
         errors.append(apart(pressure / ARMS, control / ARMS))
     assert errors[1] < 0.01 and errors[1] < 0.5 * errors[0]
+
+
+def test_at_resonance_what_the_far_field_adds_to_pairs_brings_them_nearer_to_it():
+    """Afloat in deep water, pitch and roll resonant between the frequencies: all pairs, as far apart as there are"""
+    problem = floating(380)
+    problem = replace(problem, lid=lid(problem.mesh), depth=100.0)
+    control, *found = by_momentum(problem, np.linspace(0.4, 1.2, 7), np.radians(150), True)
+    pressure, stored = (apart(values / ARMS, control / ARMS) for values in found)
+    assert stored < 0.01 and stored < 0.5 * pressure
 
 
 def test_it_is_hermitian_the_far_fields_drift_at_equal_frequencies_and_the_same_on_a_wider_surface(monkeypatch):

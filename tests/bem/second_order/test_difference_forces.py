@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import lru_cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,9 +19,12 @@ from bem.second_order import surface_near
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
 from bem.second_order.difference_forces import (
+    HORIZONTAL,
     ORDER,
     SIZES,
     DifferenceForces,
+    DifferenceRun,
+    _by_far_field,
     difference_forces,
     panel_errors,
 )
@@ -109,6 +113,28 @@ def test_off_the_diagonal_of_headings_the_far_field_of_two_waves_is_the_pressure
     assert np.abs(found.added - swapped).max() < 1e-12 * np.abs(found.squares[0]).max()
 
 
+def test_of_flows_that_are_multiples_of_each_other_all_pairs_take_what_the_diagonal_tells_and_of_others_none():
+    """Two frequencies and headings, T of any form of first degree in both flows; flows at right angles share nothing"""
+    rng = np.random.default_rng(3)
+    hull = SimpleNamespace(weights=rng.uniform(1, 2, 5))
+    waves, size = (rng.normal(size=(*shape, 2)) @ [1, 1j] for shape in ((2, 5, 3), (2,)))
+    form = rng.normal(size=(15, 15, 3, 2)) @ [1, 1j]
+    form = form + form.swapaxes(0, 1).conj()
+    flow = SimpleNamespace(velocity=np.concatenate([size[0] * waves, size[1] * waves]), hull=hull)
+    u = flow.velocity.reshape(2, 2, 15)
+    exact = np.einsum("iap,pqc,jbq->iajbc", u, form, u.conj())
+    each, found = np.arange(2), np.zeros((2, 2, 2, 2, 6), complex)
+    more = _by_far_field(found, exact[each, :, each], flow)
+    np.testing.assert_allclose(found[..., HORIZONTAL], exact, rtol=1e-12)
+    np.testing.assert_allclose(more, exact[each, :, each])
+    flow.velocity[2:] = 0.0
+    flow.velocity[:2, :, 2], flow.velocity[2:, :, 2] = 0.0, 1.0
+    found = np.zeros((2, 2, 2, 2, 6), complex)
+    _by_far_field(found, more, flow)
+    assert np.all(found[0, :, 1] == 0) and np.all(found[1, :, 0] == 0)
+    np.testing.assert_allclose(found[each, :, each][..., HORIZONTAL], more)
+
+
 def test_without_differences_the_diagonal_is_the_same():
     alone = difference_forces(floating(), of_box().omega, of_box().headings, 0.01, True)
     assert alone.squares[0] == pytest.approx(of_box().squares[0], rel=1e-6) and len(alone.difference) == 1
@@ -136,6 +162,24 @@ def test_the_error_of_two_meshes_is_a_mean_of_what_they_differ_by_and_the_square
     assert known[..., [2, 3, 4]] == pytest.approx(SIZES[0] * np.sqrt(off))
     assert known[..., [0, 1, 5]] == pytest.approx(SIZES[1] * 0.2**0.25 * off**0.5)
     assert np.all(panel_errors(fine, fine.total, 2.0) == 0)
+    swayed = panel_errors(fine, fine.total, 2.0, 0.3 + part)
+    assert swayed[..., [2, 3, 4]] == pytest.approx(0.3 / (2**ORDER - 1)) and np.all(swayed[..., [0, 1, 5]] == 0)
+
+
+def test_squares_in_other_motions_are_those_of_a_body_that_moves_so():
+    given = [0.6, 0.7], [0.5], 0.1
+    lines = 0.3 * STIFFNESS
+    held = DifferenceRun(floating(), *given, lines)
+    own, changed = (DifferenceRun(floating(), *given, True, swayed=swayed) for swayed in (None, held.motions))
+    assert own.by_motions is None
+    by_pressure = [run.waves.joined()[1] for run in (held, own)]
+    # the load that turns with the body is here without that of the lines, as there
+    np.testing.assert_allclose(
+        changed.by_motions[0][:, 0, 0],
+        [(by_pressure[0] - by_pressure[1])[i, 0, i, 0] for i in (0, 1)],
+        rtol=1e-9,
+        atol=1e-9 * np.abs(by_pressure[0]).max(),
+    )
 
 
 def test_two_headings_in_the_other_order_give_the_conjugate():
