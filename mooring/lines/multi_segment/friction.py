@@ -54,6 +54,8 @@ def pass_weight_on_bed(line, q, g, angle, weight):
     """Pass a weight (N) on the bed, whose derivatives are g[LENGTH]."""
     along, across = math.sin(angle), line.friction * abs(math.cos(angle))
     pull, give = along + across, along - across
+    if pull < 0 and q[X] <= line.bed[0, 0] and math.cos(angle) > 0:  # nothing pulls in a heap at the anchor
+        pull, give = 0.0, 0.0
     mix(g, LOW, 1.0, T, -pull, LENGTH)
     mix(g, HIGH, 1.0, T, -give, LENGTH)
     kept_within(line, q, g, q[T] - pull * weight, q[T] - give * weight)
