@@ -222,7 +222,7 @@ def step_on_bed(line, e, step, index, load, rows):
         if step == TO_SINKER:
             last_load = load
         # beyond the anchor's place, where a buoy has lifted something from the heap
-        if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0] or slides_down(line, e.at, 0)):
+        if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0] or slides_down(line, e.at, 0, q[T])):
             amount = amount if step == OFF_FACET else q[S]
         march_on_facet(line, q, g, e.at, index, amount, unknown, last_load, rows)
         if math.isinf(amount) and step != TO_SINKER:
@@ -265,7 +265,7 @@ def equations(line, e, x, z, steps, left, rows):
             if i == 0 and left == HEAP_AT_TOUCHDOWN:
                 leave_heap(line, e.q, e.g, e.at, e.u[0], line.bed[index, 2] if step == TO_FACET else 0.0, 0, rows)
         else:
-            slides = step == GROUNDED_ANCHOR and slides_down(line, e.at, 0)
+            slides = step == GROUNDED_ANCHOR and slides_down(line, e.at, 0, e.q[T])
             step_on_bed(line, e, step, index, load, rows)
     if steps[last, 0] > TO_ANCHOR:
         if slides:
