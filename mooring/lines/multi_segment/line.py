@@ -10,13 +10,13 @@ propagated; friction acts at bed vertices too, and only as far as equilibrium ne
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
 and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too and
-sinkers do not pull; a buoy does not rise out of the sea but floats in its surface with a part of its lift, or is lifted
-out of it by a fairlead that stands above.  On a slope steeper than friction holds a line without tension slides down: into a heap
-above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where the first facet
-falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of the fairlead with
-all that it can give; where a line that does so has no equilibrium, because a span that lands behind a ridge would jump
-to its front, friction holds with a part of that.  Bending, current on the line and the weight of the line above water
-are neglected.
+sinkers do not pull; a buoy does not rise out of the sea but floats in its surface with a part of its lift, or is
+lifted out of it by a fairlead that stands above.  On a slope steeper than friction holds a line without tension slides
+down: into a heap above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where
+the first facet falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of
+the fairlead with all that it can give; where a line that does so has no equilibrium, because a span that lands behind
+a ridge would jump to its front, friction holds with a part of that.  Bending, current on the line and the weight of
+the line above water are neglected.
 """
 
 from __future__ import annotations
