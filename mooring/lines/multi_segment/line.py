@@ -9,8 +9,8 @@ SR179 report (1982), section 3.1, with these differences: no nodes and no finite
 propagated; friction acts at bed vertices too, and only as far as equilibrium needs it.
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
-and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too and
-sinkers do not pull; a buoy does not rise out of the sea but floats in its surface with a part of its lift, or is
+and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too
+and sinkers do not pull; a buoy does not rise out of the sea but floats in its surface with a part of its lift, or is
 lifted out of it by a fairlead that stands above.  On a slope steeper than friction holds a line without tension slides
 down: into a heap above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where
 the first facet falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of
