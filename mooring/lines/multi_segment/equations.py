@@ -54,6 +54,9 @@ from .touchdown import (
 )
 
 
+CORNER = 1e-12  # of the length: how far from a vertex a sinker is at it
+
+
 class Equations(NamedTuple):
     """n equations: u (n,) unknowns, r (n,) residuals, J (n, n+2) derivatives, states of the point loads.
 
@@ -199,6 +202,10 @@ def step_on_bed(line, e, step, index, load, rows):
         unknown = next_unknown(e)
         if load >= 0:
             write_equation(e, q[S] - line.loads[load, 0], 1.0, S, 0.0, S)
+            # what lies between the sinker and the vertex is nothing but rounding, and has no tension
+            last = min(e.at[2], rows.shape[0]) - 1
+            if last >= 0 and rows[last, 2] <= CORNER * line.length:
+                rows[last, 5], rows[last, 6] = 0.0, 0.0
         else:
             write_equation(e, q[T] / line.weight * line.length, line.length / line.weight, T, 0.0, T)
         q[T] = 0.0
