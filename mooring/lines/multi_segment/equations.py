@@ -53,7 +53,6 @@ from .touchdown import (
     TO_VERTEX,
 )
 
-
 CORNER = 1e-12  # of the length: how far from a vertex a sinker is at it
 
 
