@@ -56,7 +56,7 @@ def pass_weight_on_bed(line, q, g, angle, weight):
     """Pass a weight (N) on the bed, whose derivatives are g[LENGTH]."""
     along, across = math.sin(angle), line.friction * abs(math.cos(angle))
     pull, give = along + across, along - across
-    if pull < 0 and q[X] <= line.bed[0, 0] and math.cos(angle) > 0:  # nothing pulls in a heap at the anchor
+    if line.held > 1 and pull < 0 and q[X] <= line.bed[0, 0] and math.cos(angle) > 0:  # in the heap at the anchor
         pull, give = 0.0, 0.0
     mix(g, LOW, 1.0, T, -pull, LENGTH)
     mix(g, HIGH, 1.0, T, -give, LENGTH)
@@ -88,10 +88,13 @@ def bend_at_vertex(line, q, g, angle, unknown):
 def slides_down(line, at, facet, tension):
     """Whether a line that gets to this facet with a tension needs it to lie there, since it would slide down and pull.
 
-    Not above a buoy, which may lift it, and not where a slack line with buoys is laid out: that is its heap.
+    On the first facet not above a buoy, which may lift it.  What is held does not: see `line_data`.
     """
-    stands = line.lowest_buoy < line.loads.shape[0] and tension <= HEAPED * line.least
-    return slides_on(line, facet) and at[1] < line.lowest_buoy and not stands
+    above = at[1] >= line.lowest_buoy
+    if not slides_on(line, facet) or (above and (facet == 0 or line.held > 0)):
+        return False
+    heaped = line.held > 1 and line.lowest_buoy < line.loads.shape[0] and tension <= HEAPED * line.least
+    return facet > 0 or not heaped
 
 
 @kernel()

@@ -154,12 +154,17 @@ class StaticLine:
         search = _search()
         ways = [data, data._replace(to_place=not data.to_place)]
         tries = [(ways[1], search.QUICK), (ways[0], search.EXACT), (ways[1], search.EXACT)]
+        told = []
+        if self.loads and self._steep:
+            ways, told = ([way._replace(held=held) for way in ways] for held in (1, 2))
+            tries += [(way, how) for how in (search.QUICK, search.EXACT) for way in ways]
         parts = [share * data.friction for share in MOBILISED] if data.friction > 0 else []
         less = [(way._replace(friction=part), search.COARSE) for part in parts for way in ways]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
-            softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
+            softer = [ways[0]._replace(soft=soft * self.length) for soft in SOFTER]
             ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
-        return tries + [(way, search.COARSE) for way in ways[2:]] + [(way, search.FINE) for way in ways] + less
+        tries += [(way, search.COARSE) for way in ways[2:]] + [(way, search.FINE) for way in ways] + less
+        return tries + [(way, how) for how in (search.QUICK, search.EXACT, search.FINE) for way in told]
 
     @cached_property
     def _mirrored(self):
@@ -298,6 +303,7 @@ class StaticLine:
             0.0 if self.bed is None else float(self.bed.friction),
             LEAST * self.weight,
             len(points) > 2,
+            0,
             0.0,
             0,
             self.weight,

@@ -40,6 +40,8 @@ class LineData(NamedTuple):
         a facet and those before it; no_bed : the line touches the anchor alone
     friction : μ; least : lower limit of the tension of a free span, N
     to_place : whether a traversal ends at the anchor's place, with some length left over, else with the line, somewhere
+    held : what lies where it is laid on however steep a slope: 0 nothing; 1 a line without tension above a buoy further
+        down it; 2 also all that a slack line leaves at its anchor, sinkers among it
     heap : m that lie in a heap, where the line first touches the bed or, from 1 on, at the bed vertex `foot`
     weight : N, of the whole line
     close : how closely the starts of spans are sought, of their size
@@ -59,6 +61,7 @@ class LineData(NamedTuple):
     friction: float
     least: float
     to_place: bool
+    held: int
     heap: float
     foot: int
     weight: float
@@ -179,6 +182,7 @@ def varied(line, heap, foot, close):
         line.friction,
         line.least,
         line.to_place,
+        line.held,
         heap,
         foot,
         line.weight,
