@@ -35,7 +35,7 @@ def test_only_of_what_is_stored_is_said_that_it_is(words, place, said, tmp_path,
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs timers")
-def test_a_ctrl_c_that_nobody_heeds_acts_as_a_second_one_and_one_that_is_heeded_does_not(monkeypatch):
+def test_a_ctrl_c_that_nobody_heeds_acts_as_a_second_one_and_one_that_is_heeded_does_not(monkeypatch, heard):
     monkeypatch.setattr(interrupt, "PATIENCE", 0.02)
     before = signal.getsignal(signal.SIGINT)
     with pytest.raises(KeyboardInterrupt), ctrl_c() as stop:

@@ -136,7 +136,7 @@ def test_a_run_cut_short_leaves_what_was_whole(folder, monkeypatch):
     assert outcome.failures == ((2, "a line cannot reach its fairlead"),) and outcome.there == 2
 
 
-def test_ctrl_c_leaves_a_seed_where_it_is_and_keeps_those_before(folder, monkeypatch):
+def test_ctrl_c_leaves_a_seed_where_it_is_and_keeps_those_before(folder, monkeypatch, heard):
     def pressed(body, plan, settings, seed=0, progress=None):
         for share in (0.0, 0.5):
             if seed == 2 and share:
@@ -152,11 +152,11 @@ def test_ctrl_c_leaves_a_seed_where_it_is_and_keeps_those_before(folder, monkeyp
     assert simulate().made == 2
 
 
-def test_ctrl_c_waits_for_no_process_and_keeps_what_each_has_done(folder):
+def test_ctrl_c_waits_for_no_process_and_keeps_what_each_has_done(folder, heard):
     class Two:
         """Two processes: the first is still at seed 1 when the second has done two seeds, and Ctrl-C comes."""
 
-        ended = False
+        ended, looks = False, 0
 
         def submit(self, function, task, seed, *others):
             made = Future() if seed > 1 else Pressed()
@@ -169,6 +169,9 @@ def test_ctrl_c_waits_for_no_process_and_keeps_what_each_has_done(folder):
 
     class Pressed(Future):
         def result(self, timeout=None):
+            if executor.looks:
+                self.set_exception(TimeoutError("it is waited for"))
+            executor.looks += 1
             signal.raise_signal(signal.SIGINT)
             return super().result(timeout)
 
