@@ -25,7 +25,7 @@ from .first_order_waves import EVEN, PanelWaves
 from .surface_forces import Difference, SurfaceForces, line_integral
 
 ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
-SIZES = 0.11, 0.33  # factors of estimated errors: heave, roll and pitch; surge, sway and yaw; fitted there too
+SIZES = 0.08, 0.33, 1.3  # factors of estimated errors: heave, roll, pitch; surge, sway, yaw; of the motions; fitted too
 HORIZONTAL = [0, 1, 5]
 PLACES = np.array([0.2, 0.5, 0.8])  # in the band, of pairs that tell how large the surface's part is
 PARTS = ("squares", "bound_wave", "body", "surface")
@@ -245,20 +245,21 @@ def panel_errors(forces, coarser, refinement, by_motions=None):
     """(d, n, m, m, 6) estimated errors of the whole from that on a coarser mesh, N/m², N m/m²
 
     Two meshes tell little by themselves: where an error passes through zero their difference is chance.  The estimate
-    is the geometric mean of that difference, divided as its order says, and of the squares, in surge, sway and yaw also
-    of what is `added` to them and of the difference on the diagonal, the far field's; of root mean squares of a pair
-    and its neighbours in mean and difference.  In heave, roll and pitch the squares of that and of what the error of
-    the motions makes, large near resonance, are added.  `tests/bench/pair_errors.py` has the shares that are met within
-    a factor of three.  Meshes of different proportions, or alike in a direction, tell less.
+    is a geometric mean: of that difference, divided as its order says, twice, of the squares and of the whole; in
+    surge, sway and yaw of it, of the squares, of what is `added` to them and of the difference on the diagonal, the far
+    field's; of root mean squares of a pair and its neighbours in mean and difference.  In heave, roll and pitch the
+    squares of that and of what the error of the motions makes, large near resonance, are added.
+    `tests/bench/pair_errors.py` has the shares that are met within a factor of three.  Meshes of different proportions,
+    or alike in a direction, tell less.
     coarser : (d, n, m, m, 6) the whole on the coarser mesh; refinement : panels for one of it
     by_motions : (d, n, m, m, 6) what the squares on the coarser mesh are more in the motions of the finer one, or None
     """
     less = 1 / (refinement**ORDER - 1)
     square = np.abs(forces.total - coarser) ** 2
     off, size = np.sqrt(_smoothed(square)) * less, np.sqrt(_smoothed(np.abs(forces.squares) ** 2))
-    out = SIZES[0] * np.sqrt(off * size)
+    out = SIZES[0] * np.sqrt(off) * (size * np.sqrt(_smoothed(np.abs(forces.total) ** 2))) ** 0.25
     if by_motions is not None:
-        out = np.hypot(out, np.sqrt(_smoothed(np.abs(by_motions) ** 2)) * less)
+        out = np.hypot(out, SIZES[2] * np.sqrt(_smoothed(np.abs(by_motions) ** 2)) * less)
     if forces.added is not None:
         more = np.abs(forces.added) ** 2, square[0][..., HORIZONTAL]
         gap, far = (np.sqrt(_smoothed(_of_both(part, off.shape[:4]))) for part in more)

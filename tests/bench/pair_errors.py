@@ -7,8 +7,8 @@ frequencies whose shortest wave is three panels long or more; the coarser mesh a
 share whose error is within a factor of three of the estimate: of single pairs and components, and of root mean squares
 over pairs, as `hakobune qtf` prints them, without those below a thousandth of the largest force, also of meshes with
 three panels or more in every direction.  A median of root mean squares is what to multiply `difference_forces.SIZES`
-by; of the difference of both meshes in heave, roll and pitch its power in a geometric mean with the squares, and the
-factor, by least squares.  A scene depends on its number and the seed alone: many are run in slices.
+by; of the difference of both meshes in heave, roll and pitch its power in a geometric mean with squares and whole, and
+the factor, by least squares.  A scene depends on its number and the seed alone: many are run in slices.
 """
 
 import argparse
@@ -65,7 +65,8 @@ def problems(body, panels, depth, floats):
 def ratios(rng, surface):
     """Errors over their estimates: of pairs and components (…,) that are not both below SMALL of the largest force, and
     root mean squares over pairs (6,), NaN for those; the largest error over the force; root mean squares (2, 6) of
-    errors and differences of both meshes over the squares; whether there are three panels in every direction
+    errors and differences of both meshes over the mean of squares and whole; whether there are three panels or more in
+    every direction
     """
     body, panels, depth, floats = scene(rng)
     rough, fine, finest = problems(body, panels, depth, floats)
@@ -84,12 +85,13 @@ def ratios(rng, surface):
     scale = np.array([max(scale[:3])] * 3 + [max(scale[3:])] * 3)
     known = np.isfinite(error) & (np.maximum(error, estimate) > SMALL * scale)
     off = np.abs(found.total - coarse.total) / (refinement**ORDER - 1)
-    rms = [np.sqrt(np.nanmean(np.abs(part) ** 2, axis=(0, 1, 2, 3))) for part in (error, estimate, off, found.squares)]
+    parts = error, estimate, off, found.squares, found.total
+    rms = [np.sqrt(np.nanmean(np.abs(part) ** 2, axis=(0, 1, 2, 3))) for part in parts]
     small = np.maximum(*rms[:2]) < SMALL * scale
     together = np.where(small, np.nan, rms[0] / np.maximum(rms[1], 1e-300))
-    to_squares = np.where(small, np.nan, np.array(rms[::2]) / np.maximum(rms[3], 1e-300))
+    to_both = np.where(small, np.nan, np.array([rms[0], rms[2]]) / np.maximum(np.sqrt(rms[3] * rms[4]), 1e-300))
     several = min(counts_of(body, fine.mesh)) >= 3
-    return error[known] / estimate[known], together, np.nanmax(error / scale), to_squares, several
+    return error[known] / estimate[known], together, np.nanmax(error / scale), to_both, several
 
 
 def told(name, found):
@@ -114,13 +116,13 @@ if __name__ == "__main__":
         found.append(ratios(np.random.default_rng([given.seed, number]), given.surface))
         single, _, largest, _, _ = found[-1]
         print(f"{number}: median {np.median(single):.2f}, largest error {100 * largest:.2g} % of the force", flush=True)
-    singles, means, _, to_squares, several = zip(*found, strict=True)
-    means, to_squares, several = (np.array(part) for part in (means, to_squares, several))
+    singles, means, _, to_both, several = zip(*found, strict=True)
+    means, to_both, several = (np.array(part) for part in (means, to_both, several))
     told("pairs and components", np.concatenate(singles))
     for name, columns in (("surge, sway and yaw", [0, 1, 5]), ("heave, roll and pitch", [2, 3, 4])):
         told(f"root mean squares of {name}", means[:, columns])
         told("  three panels or more in every direction", means[several][:, columns])
-    error, off = np.log(to_squares[:, :, 2:5]).swapaxes(0, 1).reshape(2, -1)
+    error, off = np.log(to_both[:, :, 2:5]).swapaxes(0, 1).reshape(2, -1)
     known = np.isfinite(error)
     power, factor = np.polyfit(off[known], error[known], 1)
     print(f"heave, roll and pitch by least squares: power {power:.2f}, factor {np.exp(factor):.2f}")
