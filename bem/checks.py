@@ -148,3 +148,16 @@ def excitation_scale(run):
     force = 0.2 * size[:3].max()
     floor = np.repeat([force, max(0.2 * size[3:].max(), 0.5 * force * run.prepared.radius)], 3)
     return np.where(run.prepared.displacing, np.maximum(size, floor), np.inf)[run.dofs]
+
+
+def part_scales(run):
+    """What errors of A (6, 6), B/ω (6, 6) and excitation (6,) count beside; zero where there are none"""
+    A, B, F = np.zeros((6, 6)), np.zeros((6, 6)), np.zeros(6)
+    if run.radiates:
+        block = np.ix_(run.dofs, run.dofs)
+        own = damping_scale(run.radiation[block], run.prepared.displacing[run.dofs])
+        A[block], B[block] = (np.where(np.isfinite(size), size, 0.0) for size in (radiation_scale(run), own))
+    if run.diffracts:
+        size = excitation_scale(run)
+        F[run.dofs] = np.where(np.isfinite(size), size, 0.0)
+    return A, B, F

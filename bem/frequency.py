@@ -32,7 +32,8 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=DOFS):
     """
     start = time.perf_counter()
     run = prepared.run(omega, headings, want, theta, dofs).within_tolerance()
-    estimating = time.perf_counter() - start - sum(run.wall_time.values())
+    # without what was solved at this frequency, possibly before
+    estimating = max(0.0, time.perf_counter() - start - sum(run.wall_time.values()))
     result = run.result()
     if run.solves:
         start = time.perf_counter()
@@ -55,6 +56,7 @@ class FrequencyRun:
     most_sharper = 0  # times in a row that a run is answered by a `sharper` one
     interpolated = False  # whether `differences` are those of other frequencies
     margin = 1.0  # times what follows from `differences`
+    kochin_doubts = None  # as `kochin_errors`, what these may be wrong by; None where they are exact differences
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         if not (np.isfinite(omega) and omega > 0):
@@ -64,7 +66,8 @@ class FrequencyRun:
         self.headings = np.atleast_1d(np.asarray(headings, float))
         want = self.want
         self.k = float(wavenumber(omega, self.problem.depth, self.problem.gravity))
-        self.theta = theta if theta is not None else angles(self.k, prepared.radius)
+        self.own_angles = theta is None
+        self.theta = angles(self.k, prepared.radius) if theta is None else theta
         self.asked = [DOFS.index(d) for d in dofs]
         self.free = bool(want & FREE | want & {"pressure"}) and self.problem.inertia_matrix is not None
         # motions couple; a moment about another point than the origin needs forces too
@@ -225,8 +228,11 @@ class FrequencyRun:
             corrected = [H - error for H, error in zip(self.kochin, self.kochin_errors, strict=True)]
             for name, motion in (("drift_force_fixed", None), ("drift_force", rao)):
                 if name in self.want and (motion is not None or name == "drift_force_fixed"):
-                    change = self.drift(motion is not None) - self._mean_drift(*corrected, motion)
-                    out[name] = self.margin * np.abs(change)
+                    drift = self._mean_drift(*corrected, motion)
+                    out[name] = self.margin * np.abs(self.drift(motion is not None) - drift)
+                    if self.kochin_doubts is not None:
+                        doubtful = [H + by for H, by in zip(corrected, self.kochin_doubts, strict=True)]
+                        out[name] += np.abs(self._mean_drift(*doubtful, motion) - drift)
         return {name: value for name, value in out.items() if name in self.want}
 
     def result(self):

@@ -71,6 +71,12 @@ class Between:
             self._values[name] = known, values
         return values[np.searchsorted(known, omega)]
 
+    def forget(self):
+        """Let go of what is kept for who asks again, some hundred megabytes; who does waits as at first."""
+        for name, one in vars(Between).items():
+            if isinstance(one, cached_property):
+                vars(self).pop(name, None)
+
     def error(self, omega, name):
         """(q, …) estimated error of `value`, about one standard deviation; of a complex quantity that of the modulus.
 

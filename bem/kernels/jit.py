@@ -117,9 +117,23 @@ def _dispatcher(function, inline):
         )(function)
     finally:
         config.CACHE_DIR = before
-    if kept:
+    if kept and not config.DISABLE_JIT:
+        _load_alone(made)
         _save_if_possible(made)
     return made
+
+
+def _load_alone(dispatcher):
+    """Load a kernel that is on disk without what numba needs to compile one: a tenth of a second a process"""
+    from numba.core.runtime import rtsys
+
+    kept = dispatcher._cache
+
+    def loaded(signature, context):
+        rtsys.initialize(context)  # what machine code of arrays calls
+        return kept._load_overload(signature, context)
+
+    kept.load_overload = loaded
 
 
 @cache

@@ -16,9 +16,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..checks import damping_scale, excitation_scale, radiation_scale
+from ..checks import part_scales
 from ..frequency import DRIFT
 from ..waves import wavenumber
+from .questions import question_key
 from .shape_problem import ShapeRun
 
 FEWEST = 4  # frequencies of a range in which some are not solved by both resolutions
@@ -51,7 +52,7 @@ class FewEstimates:
         own_angles = question[2] is None and bool(set(question[1]) & DRIFT)  # Kochin functions of others are at theirs
         if own_angles or abs(self.omegas[i] - omega) > SAME * omega:
             return ShapeRun(self.prepared, omega, *question)
-        key = _key(question)
+        key = question_key(question)
         near = self._around(i, key, question)
         if near is None:
             run = self.ahead.pop((i, key), None)
@@ -101,7 +102,8 @@ class FewEstimates:
             drifts = run.want & DRIFT and run.solves
             found = Differences(*run.differences, run.kochin_differences if drifts else [])
             self.ahead[i, key] = run
-            self.differences[i, key] = found, _small(run)
+            small = SMALL * run.problem.tolerance
+            self.differences[i, key] = found, [small * size for size in part_scales(run)]
         return self.differences[i, key]
 
     def _between(self, i, near, key):
@@ -140,27 +142,6 @@ def _largest(*values):
     return np.max(np.abs(values), axis=0)
 
 
-def _small(run):
-    """Of `_parts`, what is `SMALL` of the tolerance"""
-    share, A, F = SMALL * run.problem.tolerance, np.zeros((6, 6)), np.zeros(6)
-    B = A.copy()
-    if run.radiates:
-        block = np.ix_(run.dofs, run.dofs)
-        own = damping_scale(run.radiation[block], run.prepared.displacing[run.dofs])
-        A[block], B[block] = (share * np.where(np.isfinite(s), s, 0.0) for s in (radiation_scale(run), own))
-    if run.diffracts:
-        size = excitation_scale(run)
-        F[run.dofs] = share * np.where(np.isfinite(size), size, 0.0)
-    return A, B, F
-
-
 def _lagrange(x, nodes):
     """Weights of values at three nodes in the parabola through them at x"""
     return [np.prod([(x - m) / (n - m) for m in nodes if m != n]) for n in nodes]
-
-
-def _key(question):
-    """Equal for equal questions"""
-    headings, want, theta, dofs = question
-    parts = (np.asarray(part, float).tobytes() if part is not None else None for part in (headings, theta))
-    return (*parts, frozenset(want), tuple(dofs))

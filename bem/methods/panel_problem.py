@@ -12,6 +12,7 @@ from .. import DOFS
 from ..kernels.threads import blas_threads
 from ..modes import displacing
 from ..problem import Problem
+from .questions import question_key
 
 # nodes of a symmetric part from which equations by blocks of low rank take less time than full ones, 1 s of 3
 WORTH_COMPRESSING = 2000
@@ -19,6 +20,7 @@ WORTH_COMPRESSING = 2000
 if TYPE_CHECKING:  # the methods load their kernels when they are at work: a contour needs none of them
     from ..panels.influence import Geometry
 
+SOLVED = 16  # frequencies on a finer mesh for all of them, about
 PROBES = 5  # frequencies that tell which ones need a finer mesh
 RADIATION = {"added_mass", "radiation_damping"}
 
@@ -30,8 +32,10 @@ class PanelProblem(Problem):
     mesh : hull panels; lid : interior free-surface panels or None
     coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
     finer : for frequencies whose estimated error exceeds the tolerance; None does without.  finer(mesh) gives (mesh,
-        lid) of the same body with about twice as many panels, or None at the last; finer.omegas (n,) rad/s are those
-        that will be asked for; finer.band(mesh, lid, omegas) gives the `band` of some of them on that mesh, or None
+        lid) of the same body with about twice as many panels, or None at the last; finer.band(mesh, lid, omegas) gives
+        the `band` of some frequencies on that mesh, or None
+    omegas : (n,) rad/s, ascending, that will be asked for: of many some tell what the coarser and the finer mesh show
+        of the others (`bem.methods.between_meshes`)
     nodes_per_panel : 4 (bilinear) or 1 (constant)
     wall : y in m of a vertical wall along x that reflects all waves; None for open water
     zero_draft : the flat bottom of the hull laid into the water surface, `bem.panels.zero_draft`
@@ -43,6 +47,7 @@ class PanelProblem(Problem):
     lid: object = None
     coarse: tuple | None = None
     finer: object = None
+    omegas: object = ()
     nodes_per_panel: int = 4
     wall: float | None = None
     zero_draft: bool = False
@@ -124,16 +129,32 @@ class PreparedPanelProblem:
         problem = self.problem.refined()
         if problem is None:
             return None
-        few = problem.finer.band(problem.mesh, problem.lid, problem.finer.omegas) is None
+        # of more frequencies some are solved on it, and the others are between these
+        few = problem.finer.band(problem.mesh, problem.lid, problem.omegas[:SOLVED]) is None
         band = None if few else problem.finer.band(problem.mesh, problem.lid, self._beyond_tolerance)
         return replace(problem, band=band).prepared_beside(self)
+
+    @cached_property
+    def sharpened(self):
+        """`bem.methods.between_meshes.BetweenMeshes` of the finer mesh, for runs of this one beyond the tolerance"""
+        from .between_meshes import BetweenMeshes
+
+        omegas = self.problem.omegas if self.finer.problem.band is None else ()  # whose frequencies take little each
+        return BetweenMeshes(self.finer, self, omegas, True)
+
+    @cached_property
+    def coarser(self):
+        """`bem.methods.between_meshes.BetweenMeshes` of the coarser mesh, for all runs of this one"""
+        from .between_meshes import BetweenMeshes
+
+        return BetweenMeshes(self.coarse, self, self.problem.omegas, False)
 
     @property
     def _beyond_tolerance(self):
         """(n,) rad/s of the frequencies asked for that lie between those of some `PROBES` whose radiation keeps the
         tolerance, below and above all that do not: the same whichever frequency is solved first
         """
-        omegas = self.problem.finer.omegas
+        omegas = self.problem.omegas
         probes = np.unique(np.linspace(0, len(omegas) - 1, PROBES).astype(int))
         if len(omegas) < 2 * len(probes):
             return omegas[:0]
@@ -156,9 +177,29 @@ class PreparedPanelProblem:
 
     def run(self, omega, *arguments, **more):
         """The quantities of one frequency; arguments as in `bem.panels.one_frequency.PanelRun`"""
-        return self._kind(omega)(self, omega, *arguments, **more)
+        kept = self.ahead and not more and self.ahead.get((float(omega), question_key(arguments)))
+        return kept or self.alone(omega, *arguments, **more)
 
-    def _kind(self, omega):
+    def run_ahead(self, omega, *question):
+        """The run of this mesh, kept for who else asks; a finer mesh is beside its coarser one"""
+        if self.coarse is not None and vars(self.coarse).get("finer") is self:
+            return self.coarse.sharpened.run(self.coarse.run_ahead(omega, *question))
+        key = float(omega), question_key(question)
+        if key not in self.ahead:
+            self.ahead[key] = self.alone(omega, *question)
+        return self.ahead[key]
+
+    @cached_property
+    def ahead(self):
+        """{(ω, question): run} of those that others needed before"""
+        return {}
+
+    def alone(self, omega, *arguments, **more):
+        """As `run`, by equations of its own"""
+        return self.kind(omega)(self, omega, *arguments, **more)
+
+    def kind(self, omega):
+        """The class of the runs of a frequency"""
         if self.problem.zero_draft:
             from ..panels.zero_draft import ZeroDraftRun
 

@@ -7,7 +7,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from ..checks import estimate, share_left
+from ..checks import enlarged, estimate, part_scales, share_left
 from ..frequency import FrequencyRun
 from ..green.tables import wave_table
 from ..kernels.progress import FINER, report_progress
@@ -18,6 +18,11 @@ from ..waves import depth_values
 from .incident_waves import class_waves
 from .influence import assembled
 
+# times interpolated errors of coefficients and forces, times what interpolation missed at its last node, and of the
+# tolerance what it misses anywhere
+BETWEEN, MISSED, LEAST = 1.05, 3.0, 1e-3
+MARGIN = 1.3  # of motions and drift, whose errors are differences of interpolated ones
+
 
 class PanelRun(FrequencyRun):
     """Potentials and forces of one frequency, by direct boundary elements (`bem.panels.influence`).
@@ -27,6 +32,7 @@ class PanelRun(FrequencyRun):
     """
 
     most_sharper = 3
+    missed = None  # of `bem.methods.between_meshes.BetweenRun`
 
     def __init__(self, prepared, omega, headings, want, theta, dofs, refined=None):
         super().__init__(prepared, omega, headings, want, theta, dofs)
@@ -59,7 +65,7 @@ class PanelRun(FrequencyRun):
     @cached_property
     def coarse(self):
         """The same frequency on the coarser mesh, or None"""
-        return self.refined or (self.prepared.coarse and self.prepared.coarse.run(*self.question))
+        return self.refined or (self.prepared.coarse and self.prepared.coarser.run(self))
 
     @property
     def sharper(self):
@@ -69,7 +75,45 @@ class PanelRun(FrequencyRun):
 
     def _on(self, finer):
         report_progress(FINER, (finer, self.omega))
-        return finer.run(*self.question, refined=self)
+        return self.prepared.sharpened.run(self)
+
+    def enlarged(self, radiation, excitation):
+        """Errors with what this and the coarser mesh may be wrong by where they are interpolated"""
+        if not self.interpolated:
+            return radiation, excitation
+        by = [
+            MISSED * sum(factor * np.abs(part(off)) for off, factor in self._missed)
+            for part in (lambda v: v.radiation.real, lambda v: v.radiation.imag, lambda v: v.excitation)
+        ]
+        least, parts = LEAST * self.problem.tolerance, (radiation.real, radiation.imag, excitation)
+        A, B, F = (
+            enlarged(BETWEEN * error, more + least * size)
+            for error, more, size in zip(parts, by, part_scales(self), strict=True)
+        )
+        return A + 1j * B, F
+
+    @property
+    def _missed(self):
+        """[(`missed` of this and of the coarser mesh, times what it changes errors)], of those that are interpolated"""
+        share = share_left(self.prepared.refinement)
+        return [(run.missed, factor) for run, factor in ((self, 1 + share), (self.coarse, share)) if run.missed]
+
+    @property
+    def kochin_doubts(self):
+        """What `kochin_errors` may be wrong by where they are interpolated, else None"""
+        if not (self.interpolated and self.far_field):
+            return None
+        return [MISSED * sum(factor * off.kochin[i] for off, factor in self._missed) for i in range(2)]
+
+    @property
+    def interpolated(self):
+        """Whether this or the coarser mesh is between other frequencies, and with it what they show"""
+        return self.missed is not None or (self.coarse is not None and self.coarse.missed is not None)
+
+    @property
+    def margin(self):
+        """Times what follows from interpolated differences"""
+        return MARGIN if self.interpolated else 1.0
 
     @property
     def kochin_errors(self):

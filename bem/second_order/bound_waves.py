@@ -9,7 +9,8 @@ A sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries Re Σᵢ Σⱼ aᵢ āⱼ s_
     q = (Ωg²/2ωᵢωⱼ) (kᵢ·kⱼ + KᵢKⱼ) + (g²/4) {(kᵢ² − Kᵢ²)/ωᵢ − (kⱼ² − Kⱼ²)/ωⱼ},        K = ω²/g.
 
 −ρ ∂φ/∂t at z = 0 is ρg s, negative: water is pressed away from under groups of high waves.  Both orders of a pair are
-counted, s_ij = s_ji: of two waves the bound wave has the amplitude 2 s aᵢaⱼ.
+counted, s_ij = s_ji: of two waves the bound wave has the amplitude 2 s aᵢaⱼ.  In deep water s of two waves that travel
+one way is −Ωωᵢ/2g, of the larger frequency: nothing under long groups, but not nothing (Longuet-Higgins 1963).
 """
 
 from __future__ import annotations
@@ -34,11 +35,8 @@ class BoundWaves(NamedTuple):
 def bound_waves(first, second, depth, gravity=9.80665):
     """`BoundWaves` of pairs of waves.
 
-    first, second : (frequency rad/s, direction rad), each scalars or arrays that broadcast; depth : m
-    raises : ValueError for infinite depth, whose bound waves push on nothing but at the surface
+    first, second : (frequency rad/s, direction rad), each scalars or arrays that broadcast; depth : m, may be inf
     """
-    if not np.isfinite(depth):
-        raise ValueError("bound waves in water of infinite depth; allowed: a finite depth")
     (one, beta), (two, gamma) = ([np.asarray(part, float) for part in wave] for wave in (first, second))
     k, l = wavenumber(one, depth, gravity), wavenumber(two, depth, gravity)
     number = np.stack([k * np.cos(beta) - l * np.cos(gamma), k * np.sin(beta) - l * np.sin(gamma)], axis=-1)
@@ -64,6 +62,8 @@ def _wavenumbers(one, two, middle, half, depth, gravity):
     """k, l and k − l with all its digits: of x ± e,  x (tanh a − tanh b) + e (tanh a + tanh b) = (ω₁² − ω₂²)/g"""
     k, l = wavenumber(one, depth, gravity), wavenumber(two, depth, gravity)
     x, e, jump = (k + l) / 2, (k - l) / 2, 4 * middle * half / gravity
+    if np.isinf(depth):
+        return k, l, jump
     for _ in range(2):  # Newton, from all but the last digits
         a, b = (x + e) * depth, (x - e) * depth
         ta, tb = np.tanh(a), np.tanh(b)

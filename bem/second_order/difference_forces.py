@@ -335,10 +335,8 @@ class _Pairs:
 
 
 def _bound(pairs, run, waves):
-    """(q, 6) of bound waves, zero in deep water where none reaches the body"""
+    """(q, 6) of bound waves"""
     problem = waves.problem
-    if not np.isfinite(problem.depth):
-        return np.zeros((len(pairs.one), 6), complex)
     bound = bound_waves(*pairs.waves, problem.depth, problem.gravity)
     return bound.amplitude[:, None] * (waves.long_waves(run, bound.number) @ problem.transform.T)
 

@@ -9,7 +9,7 @@ import numpy as np
 from .. import DOFS
 from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
 from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
-from .long_wave_forces import LOWEST, long_wave_forces
+from .long_wave_forces import long_wave_forces, lowest
 from .rotations import first_order_loads, rotated_pairs, still_water_pairs
 from .surface_waves import SurfaceWaves
 
@@ -34,10 +34,8 @@ class FirstOrderWaves:
 
     @property
     def least(self):
-        """rad/s, the lowest frequency at which the body is solved: below it nothing changes"""
-        problem = self.problem
-        scale = problem.depth if np.isfinite(problem.depth) else problem.mesh.draft
-        return LOWEST * np.sqrt(problem.gravity / scale)
+        """rad/s, the lowest frequency at which the body is solved"""
+        return lowest(self.problem)
 
     @property
     def wanted(self):

@@ -20,12 +20,12 @@ from .. import DOFS
 from ..panels.one_frequency import PanelRun
 from ..waves import depth_factor, depth_factor_slope
 
-LOWEST = 1e-3  # of √(g/h): frequencies below it are taken there, where D no longer changes
+LOWEST = 1e-3  # of √(g/h), in deep water of √(g/draft): frequencies below it are taken there, D no longer changes
 
 
 @dataclass(frozen=True, eq=False)
 class LongWaveBody:
-    """A body on panels, for `long_wave_forces`; problem : `bem.methods.panel_problem.PanelProblem` of finite depth"""
+    """A body on panels, for `long_wave_forces`; problem : `bem.methods.panel_problem.PanelProblem`"""
 
     problem: object
 
@@ -40,10 +40,15 @@ class LongWaveBody:
         omega : rad/s, positive or zero; number : (w, 2) rad/m, along x and y
         """
         problem = self.problem
-        least = LOWEST * np.sqrt(problem.gravity / problem.depth)
-        run = PanelRun(self.prepared, max(omega, least), [0.0], {"added_mass"}, None, DOFS)
+        run = PanelRun(self.prepared, max(omega, lowest(problem)), [0.0], {"added_mass"}, None, DOFS)
         number = np.atleast_2d(np.asarray(number, float))
         return long_wave_forces(run, number) @ problem.transform.T
+
+
+def lowest(problem):
+    """rad/s, the lowest frequency at which a body is solved: below it nothing changes"""
+    scale = problem.depth if np.isfinite(problem.depth) else problem.mesh.draft
+    return LOWEST * np.sqrt(problem.gravity / scale)
 
 
 def long_wave_forces(run, number):

@@ -18,6 +18,7 @@ import numpy as np
 
 from bem import DOFS
 
+from ..lines.system.bodies import rotation
 from ..lines.system.graph import System
 from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineDynamics, LineType, MooredBody, UniformLine
 from .fault import FormatError
@@ -31,6 +32,7 @@ DENSITY = ("WtrDnsty", "rho", "rhoW", "WtrDens")
 GRAVITY = ("g", "gravity", "grav")
 FRICTION = ("FrictionCoefficient", "mu_kT", "FricCoeff")
 STILL = 1e-6  # N/m: weight of a line that weighs nothing in water; the solver wants one
+OUT = 1e-6  # m: how far an end above the water is out of it
 
 
 class _Water(NamedTuple):
@@ -56,9 +58,10 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None) -> Sys
     ]
     points, bodies, idle = _points_and_bodies(file, water, lines)
     lines = _joined(lines, points)
-    for text in (*said, *left_out(file), *idle, *_weightless(types.values())):
+    system = System(depth, lines, points, bodies, water.density, water.gravity)
+    for text in (*said, *left_out(file), *idle, *_weightless(types.values()), *_out_of_water(system)):
         warnings.warn(f"{path}: {text}", stacklevel=2)
-    return System(depth, lines, points, bodies, water.density, water.gravity)
+    return system
 
 
 def read_moordyn_system(path, depth=None) -> System:
@@ -124,6 +127,20 @@ def _number(text, default):
 def _weightless(types):
     names = [kind.name for kind in types if kind.weight == STILL]
     return [f"line type {', '.join(names)} weighs nothing in water; {STILL:g} N/m is counted"] if names else []
+
+
+def _out_of_water(system):
+    """Of lines with an end above the water where it is given: their submerged weight is counted there too."""
+    if system.density == 0:
+        return []
+    turned = {body.name: (body.position[2], rotation(*body.position[3:])) for body in system.bodies}
+    high = set()
+    for point in system.points:
+        z, turn = turned[point.body] if isinstance(point, Fairlead) else (0.0, np.eye(3))
+        if z + turn[2] @ point.position > OUT:
+            high.add(point.name)
+    names = [line.name for line in system.lines if line.a in high or line.b in high]
+    return [f"line {', '.join(names)} comes out of the water and weighs there what it does in it"] if names else []
 
 
 def _end(name):

@@ -121,6 +121,15 @@ def drift_of(forces, components, heading):
     return out
 
 
+def forces_towards(forces, direction):
+    """(q, 6) complex first-order forces per metre on a body at rest, of waves towards `direction` rad"""
+    place, weights = direction * (HEADINGS / (2 * np.pi)), np.empty(6)
+    whole = np.floor(place)
+    lagrange_weights(place - whole + 2.0, 6, weights)
+    parts = np.tensordot(forces.force[:, (int(whole) - 2 + np.arange(6)) % HEADINGS], weights, axes=(1, 0))
+    return parts[:, :6] + 1j * parts[:, 6:]
+
+
 def wave_table(forces, components, depth, center, gravity, drift=True):
     """`WaveTable` of `WaveForces` in wave components (`mooring.environment.sea.Components`).
 

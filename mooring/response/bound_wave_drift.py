@@ -103,13 +103,10 @@ def bound_wave_forces(problem, band, mean, direction) -> BoundWaveForces:
     """`BoundWaveForces` of a `PanelProblem` in waves between two frequencies.
 
     band : (low, high) rad/s; mean : rad/s, mean frequency; direction : rad, relative to the body
-    raises : ValueError for infinite depth
     """
     from bem.second_order.long_wave_forces import LongWaveBody
 
     depth, g = problem.depth, problem.gravity
-    if not np.isfinite(depth):
-        raise ValueError("bound waves in water of infinite depth; allowed: a finite depth")
     highest = SLOW[1] * mean
     fast, slow = (float(group_speed(w, depth, g)) for w in band)
     x, y = (np.cos(np.pi * (np.arange(n) + 0.5) / n) for n in (FREQUENCIES, SPEEDS))
@@ -169,15 +166,15 @@ def record(forces, components, duration, drift=None):
 
 
 def left_out(body, sea):
-    """What leaving out bound waves costs, as lines of text: none in deep water or where it is little.
+    """What leaving out bound waves costs, as lines of text: none from kh = SHALLOW on or where it is little.
 
     body : `bem.database.reader.Reader` that knows drift and inertia; sea : its mean direction is taken for all waves
     """
-    ratio = bound_to_newman(body, sea)
-    if ratio is None or ratio <= WORTH_NAMING or _kh(body, sea) >= SHALLOW:
+    ratio, kh = bound_to_newman(body, sea), depth_in_waves(body, sea)
+    if ratio is None or ratio <= WORTH_NAMING or kh >= SHALLOW:
         return
     yield (
-        f"kh is {_kh(body, sea):.2f} at the mean wave period: bound long waves, left out, push slowly with about "
+        f"kh is {kh:.2f} at the mean wave period: bound long waves, left out, push slowly with about "
         f"{ratio:.1f} times the slow force by Newman's approximation; "
         'qtf = "bound-wave" or "body" of a response study or a simulation adds them'
     )
@@ -185,13 +182,13 @@ def left_out(body, sea):
 
 def bound_to_newman(body, sea):
     """Estimated slow force of bound waves over that by Newman's approximation, root mean squares of surge and sway over
-    the `differences` of the body; None in deep water, and where drift or inertia are not known.
+    the `differences` of the body; None where drift or inertia are not known.
 
     On boxes of 60 and 100 m in 12 to 20 m of water, head and beam seas, kh of the peak from 0.3 to 2, it is 0.95 to 1.3
     times what is solved for (`tests/bench/bound_to_newman.py`).  Arguments as of `left_out`
     """
     spectrum = sea.spectrum
-    if not np.isfinite(body.depth) or not body.knows_drift or body.inertia is None:
+    if not body.knows_drift or body.inertia is None:
         return None
     highest = SLOW[1] * float(spectrum.moment(1) / spectrum.moment(0))
     omega = np.linspace(*np.clip(spectrum.quantile((0.001, 0.999)), body.omega[0], body.omega[-1]), PLACES)
@@ -207,10 +204,10 @@ def bound_to_newman(body, sea):
     return float(np.sqrt(power / max(newman, 1e-300)))
 
 
-def _kh(body, sea):
-    """At the mean frequency of a sea"""
+def depth_in_waves(body, sea):
+    """kh at the mean frequency of a sea; body : `bem.database.reader.Reader`"""
     mean = float(sea.spectrum.moment(1) / sea.spectrum.moment(0))
-    return float(wavenumber(mean, body.depth, body.gravity)) * body.depth if np.isfinite(body.depth) else np.inf
+    return float(wavenumber(mean, body.depth, body.gravity)) * body.depth
 
 
 def estimated_forces(body, one, two, direction, highest):

@@ -6,7 +6,8 @@ body        squares at their difference frequency, bound wave and the moving hul
             `hakobune qtf` stores them, of the freely floating body
 full        and the forcing of the surface around it, as `hakobune qtf --level full` stores it
 auto        newman where bound long waves are estimated to push with less than ENOUGH of it, else full or body,
-            whichever is stored, else bound-wave
+            whichever is stored, else bound-wave below kh = SHALLOW and newman from it on, where squares at their
+            difference frequency take away most of what the bound wave adds to newman
 
 What a study adds to Newman's force is T less Newman's, of pairs at their difference.
 """
@@ -19,7 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..environment.sea import Sea, linear_weights
-from .bound_wave_drift import bound_to_newman, of_sea, slow_share
+from .bound_wave_drift import SHALLOW, bound_to_newman, depth_in_waves, of_sea, slow_share
 from .slow_drift import HORIZONTAL
 
 if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should not wait
@@ -151,8 +152,7 @@ def beside_newman(db, sea, level, spread=False):
     """What a level has beside Newman's rule: a function of two frequencies, or None; and remarks, lines of text.
 
     spread : whether `SpreadPairForces` will do, in a sea of several directions
-    raises : ValueError for other seas of several directions, pairs that are not stored, infinite depth with
-        "bound-wave"
+    raises : ValueError for other seas of several directions and pairs that are not stored
     """
     if level == "newman":
         return None, ()
@@ -162,7 +162,9 @@ def beside_newman(db, sea, level, spread=False):
         return of_sea(db, sea), ()
     ratio = bound_to_newman(db.reader.floating(), sea)
     if ratio is None or ratio < ENOUGH:
-        size = "there are none" if ratio is None else f"they push with {100 * ratio:.2g} % of its slow force"
+        size = "nothing is known without drift and inertia"
+        if ratio is not None:
+            size = f"the push is {100 * ratio:.2g} % of its slow force"
         return None, (f'qtf = "auto" takes newman: of bound long waves {size}',)
     why = (
         f'qtf = "auto" takes {{}}: bound long waves push with about {ratio:.2g} times the slow force of Newman\'s rule'
@@ -171,7 +173,12 @@ def beside_newman(db, sea, level, spread=False):
         found = stored_pairs(db, sea, "auto", spread)
         return found, (why.format(found.level), *_surface_left_out(db, found.level))
     except ValueError as missing:
-        return of_sea(db, sea), (f"{why.format('bound-wave')}; not full: {missing}",)
+        if (kh := depth_in_waves(db.reader, sea)) < SHALLOW:
+            return of_sea(db, sea), (f"{why.format('bound-wave')}; not full: {missing}",)
+        return None, (
+            f"{why.format('newman')}, and at kh = {kh:.2g} other parts of the force of pairs take away what these add; "
+            f"not full: {missing}",
+        )
 
 
 def _surface_left_out(db, level):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 AGAIN, PATIENCE = 0.01, 1.0  # s, between looks at what is at work, and altogether
-STORING = ("box", "buoy", "ship", "solve", "compare", "simulate")  # into files that the same command completes
+STORING = ("box", "buoy", "ship", "solve", "compare", "simulate", "design")  # whose files the same command completes
 
 
 def interrupted(command, arguments):
@@ -62,21 +62,30 @@ class Stop:
 
 
 @contextmanager
-def ctrl_c(say):
+def ctrl_c(say=None):
     """A `Stop` that the first Ctrl-C sets; the second one acts as ever.
 
-    say : called with one line at the first
+    say : called with one line at the first; None where that is heeded at once, and acts as the second if it is not,
+    as while kernels are compiled
 
     An exception raised while a compiled kernel runs comes out of it as an error of the kernel, and would be
-    taken for a frequency that fails.  Outside the main thread signals are left as they are.
+    taken for a frequency that fails.  Outside the main thread, and where Ctrl-C is left to another process, signals are
+    left as they are.
     """
     stop = Stop()
 
     def note(number, frame):
         stop.asked = True
         signal.signal(signal.SIGINT, before)
-        say("stopping after this frequency; Ctrl-C again stops at once")
+        if say:
+            say("stopping after this frequency; Ctrl-C again stops at once")
+        elif callable(before) and hasattr(signal, "setitimer"):
+            signal.signal(signal.SIGALRM, before)
+            signal.setitimer(signal.ITIMER_REAL, PATIENCE)
 
+    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+        yield stop
+        return
     try:
         before = signal.signal(signal.SIGINT, note)
     except ValueError:
@@ -85,4 +94,6 @@ def ctrl_c(say):
     try:
         yield stop
     finally:
+        if not say and hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGINT, before)

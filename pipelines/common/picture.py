@@ -66,13 +66,26 @@ def _give_letters(figure):
 
 
 def _texts(artist):
-    """Every matplotlib Text that is seen of a Figure or a part of it; axes make ticks for who asks, seen or not"""
+    """Every matplotlib Text that is seen of a Figure or a part of it"""
     from matplotlib.text import Text
 
     if isinstance(artist, Text):
         yield artist
-    for child in artist.get_children() if artist.get_visible() else ():
+    for child in _parts(artist) if artist.get_visible() else ():
         yield from _texts(child)
+
+
+def _parts(artist):
+    """Parts of an artist that may hold letters: axes make their ticks for who asks, which those of numbers need not"""
+    from matplotlib.axis import Axis
+    from matplotlib.ticker import LogFormatter, NullFormatter, ScalarFormatter
+
+    numbers = ScalarFormatter, LogFormatter, NullFormatter
+    if isinstance(artist, Axis) and all(
+        isinstance(form, numbers) for form in (artist.get_major_formatter(), artist.get_minor_formatter())
+    ):
+        return artist.label, artist.offsetText
+    return artist.get_children()
 
 
 def font_with(letters):

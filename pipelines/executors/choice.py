@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
+from contextlib import suppress
 
 EXECUTORS = "local, processes:N, dask:N, dask://host:port or slurm:N"
+LOOK = 0.2  # s between looks at whether to go on waiting
 MOST = {"processes": 256, "dask": 256, "slurm": 10_000}
 
 
@@ -28,14 +30,36 @@ class Here:
 
 def in_order(executor, calls):
     """Yield the result of each (function, *arguments), or its exception; an executor with processes works ahead."""
+    for future in _futures(executor, calls):
+        yield _outcome(future)
+
+
+def in_order_until(stop, executor, calls):
+    """Yield (place, result) as of `in_order`, once stop.asked only those that are done, and begin nothing more.
+
+    stop : `common.interrupt.Stop`
+    """
+    for place, future in enumerate(_futures(executor, calls)):
+        while not (future.done() or stop.asked):
+            with suppress(Exception):  # that of the call comes again
+                future.result(LOOK)
+        if future.done():
+            yield place, _outcome(future)
+        if stop.asked and isinstance(executor, Here):
+            return
+
+
+def _futures(executor, calls):
+    """Futures of (function, *arguments); where the caller's process does the work, each as it is asked for"""
     futures = (executor.submit(*call) for call in calls)
-    if not isinstance(executor, Here):
-        futures = list(futures)
-    for future in futures:
-        try:
-            yield future.result()
-        except Exception as error:
-            yield error
+    return futures if isinstance(executor, Here) else list(futures)
+
+
+def _outcome(future):
+    try:
+        return future.result()
+    except Exception as error:
+        return error
 
 
 def executor_of(text):

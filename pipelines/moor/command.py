@@ -15,7 +15,7 @@ from mooring.studies.multi_point import PLANE, line_ends, multi_point
 from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.resonances import resonance_lines
-from ..common.units import TONF
+from ..common.units import KN
 from .study import read_study
 
 SCHEMA = "hakobune mooring study 1"
@@ -128,7 +128,7 @@ def _show(result, resonant, output):
         console.print(line, highlight=False, soft_wrap=True)
     worst = int(np.argmax(result.tension))
     console.print(
-        f"largest tension: {result.tension[worst] / TONF:.0f} tonf in {result.system.line_names[worst]}, "
+        f"largest tension: {result.tension[worst] / KN:.0f} kN in {result.system.line_names[worst]}, "
         f"{_used(result, worst)}",
         highlight=False,
         soft_wrap=True,
@@ -157,10 +157,10 @@ def _waves(result):
         yield f"lines are tightened by {w.motion_factor:g} times these motions"
     for method, other in result.waves.items():
         if method != w.method and not _alike(chosen, other):
-            x, y, turn = other.drift / TONF
+            x, y, turn = other.drift / KN
             yield (
-                f'not used (method = "{method}"), {words[method]}: drift Fx {x:.1f}, Fy {y:.1f} tonf, '
-                f"Mz {turn:.1f} tonf m; {_motions(other.amplitudes)}"
+                f'not used (method = "{method}"), {words[method]}: drift Fx {x:.1f}, Fy {y:.1f} kN, '
+                f"Mz {turn:.1f} kN m; {_motions(other.amplitudes)}"
             )
 
 
@@ -187,10 +187,10 @@ def _table(title, *columns):
 
 
 def _loads_table(result):
-    table = _table("steady forces", "load", "Fx tonf", "Fy tonf", "Mz tonf m")
+    table = _table("steady forces", "load", "Fx kN", "Fy kN", "Mz kN m")
     total = result.steady_force
     for name, load in [*result.loads.items(), ("sum", total)]:
-        table.add_row(name, *(f"{value / TONF:.1f}" for value in load))
+        table.add_row(name, *(f"{value / KN:.1f}" for value in load))
     return table
 
 
@@ -204,12 +204,12 @@ def _periods_table(result):
 
 
 def _lines_table(result):
-    table = _table("lines, tension at the fairlead", "line", "at rest tonf", "steady tonf", "largest tonf", "used %")
+    table = _table("lines, tension at the fairlead", "line", "at rest kN", "steady kN", "largest kN", "used %")
     for row in zip(
         result.system.line_names,
-        result.rest.lines.tension_b / TONF,
-        result.equilibrium.lines.tension_b / TONF,
-        result.tension / TONF,
+        result.rest.lines.tension_b / KN,
+        result.equilibrium.lines.tension_b / KN,
+        result.tension / KN,
         100 * result.utilisation,
         strict=True,
     ):

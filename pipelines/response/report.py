@@ -1,4 +1,4 @@
-"""Tables of a response: rotations in degrees, forces in tonf; one row per response that is not zero."""
+"""Tables of a response: rotations in degrees, forces in kN; one row per response that is not zero."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from mooring.response.points import KeelPoint, Point, keel_name, relative_name
 from mooring.response.return_period import probability_not_exceeded
 from mooring.response.sea_state import TINY
 
-from ..common.units import TONF
+from ..common.units import KN
 
 RAD = {"rad": ("°", 180 / np.pi)}
 FRACTILE = 0.9
@@ -169,8 +169,8 @@ def _drift_lines(slow, radius):
         lines.append(f'by qtf = "{slow.level}": {_forces(slow.sigma_of_pairs[[0, 1, 5]], radius)}')
     if slow.damping is None:
         return [*lines, "no wave drift damping: the direction has no stored neighbours to differentiate drift over"]
-    along, across = slow.damping[0, 0] / TONF, slow.damping[1, 1] / TONF
-    return [*lines, f"wave drift damping: surge {along:.4g}, sway {across:.4g} tonf s/m"]
+    along, across = slow.damping[0, 0] / KN, slow.damping[1, 1] / KN
+    return [*lines, f"wave drift damping: surge {along:.4g}, sway {across:.4g} kN s/m"]
 
 
 def _forces(force, radius, among=None):
@@ -180,8 +180,8 @@ def _forces(force, radius, among=None):
     """
     largest = np.abs(force if among is None else among)[..., :2].max()
     force = np.where(np.abs(force) > TINY * largest * np.array([1.0, 1.0, radius]), force, 0.0)
-    (x, y, m), (xk, yk, mk) = force / TONF, force / 1e3
-    return f"Fx {x:.4g}, Fy {y:.4g} tonf, Mz {m:.4g} tonf m ({xk:.4g}, {yk:.4g} kN, {mk:.4g} kN m)"
+    x, y, m = force / KN
+    return f"Fx {x:.4g}, Fy {y:.4g} kN, Mz {m:.4g} kN m"
 
 
 def _gaps_in_years(result, years):

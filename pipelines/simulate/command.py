@@ -37,7 +37,7 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
         outcome = fill(study, database, output, console, workers, seeds, duration, fresh, windows)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
-    if outcome.interrupted and outcome.there + len(outcome.failures) < outcome.total:
+    if outcome.interrupted:
         raise KeyboardInterrupt
     if not outcome.made and not outcome.failures:
         console.print("nothing was left to do", highlight=False)

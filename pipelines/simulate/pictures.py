@@ -9,7 +9,7 @@ import numpy as np
 from mooring.motion.statistics import slow_part
 
 from ..common.picture import save
-from ..common.units import TONF
+from ..common.units import KN
 from .file import STATISTICS, whole_rows
 
 SHOWN = 600.0  # s of a record
@@ -57,7 +57,7 @@ class Worst(NamedTuple):
 
 
 def _worst(file):
-    kind, factor, unit = ("tension", 1 / TONF, "tonf") if len(file["line"]) else ("deflection", 1.0, "m")
+    kind, factor, unit = ("tension", 1 / KN, "kN") if len(file["line"]) else ("deflection", 1.0, "m")
     names = file["quantity"].asstr()[()]
     chosen = [i for i, name in enumerate(names) if name.startswith(f"{kind} ")]
     largest = file["statistics"][()][whole_rows(file)][:, chosen, STATISTICS.index("largest")]
@@ -103,8 +103,8 @@ def _runs(kept):
 def _breaking(axes, file, worst, top):
     load = file.attrs["breaking_load"][worst.at] if worst.kind == "tension" else np.inf
     if load < 2 * top:
-        axes.axhline(load / TONF, color="C3", lw=1, ls="--")
-        axes.annotate("breaking load", (0.01, load / TONF), xycoords=("axes fraction", "data"), va="bottom", fontsize=8)
+        axes.axhline(load / KN, color="C3", lw=1, ls="--")
+        axes.annotate("breaking load", (0.01, load / KN), xycoords=("axes fraction", "data"), va="top", fontsize=8)
 
 
 def spectrum(records, step, widest=np.inf):
@@ -174,9 +174,9 @@ def _against_offset(curve, file, worst, motion, pull, step):
     yaw = motion[..., 5].ravel()
     turned = np.stack([np.cos(yaw) * arm[0] - np.sin(yaw) * arm[1], np.sin(yaw) * arm[0] + np.cos(yaw) * arm[1]])
     offset = (np.stack([x, y]) + turned - arm[:, None]).T @ away
-    curve.plot(offset[::step], pull[::step] / TONF, ".", ms=1.5, color="C1", alpha=0.35)
+    curve.plot(offset[::step], pull[::step] / KN, ".", ms=1.5, color="C1", alpha=0.35)
     _breaking(curve, file, worst, pull.max())
-    curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, tonf", ylim=(0, None))
+    curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, kN", ylim=(0, None))
 
 
 def _extremes(file, kept, path):

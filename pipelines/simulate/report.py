@@ -10,16 +10,17 @@ import numpy as np
 from bem import DOFS
 from mooring.motion.statistics import CONFIDENCE
 
-from ..common.units import TONF
+from ..common.units import KN
 from .file import SUMMARY, whole_rows
 
-UNITS = {"m": (1.0, "m"), "rad": (180 / np.pi, "°"), "m/s": (1.0, "m/s"), "N": (1 / TONF, "tonf")}
+UNITS = {"m": (1.0, "m"), "rad": (180 / np.pi, "°"), "m/s": (1.0, "m/s"), "N": (1 / KN, "kN")}
 COLUMNS = {
     "mean": "mean", "sigma": "σ", "slow": "σ slow", "wave": "σ wave", "T_zero": "T_zero s", "T_peak": "T_pp s",
     "epsilon": "ε", "mean_third": "X 1/3", "mean_tenth": "X 1/10", "smallest": "smallest", "largest": "largest",
 }  # fmt: skip
 SCALED = {"mean", "sigma", "slow", "wave", "mean_third", "mean_tenth", "smallest", "largest"}
 UNLIKELY = 1.3  # largest simulated over the expected; the largest of a Gaussian record scatters by a tenth
+WHOLE = 1e4  # from which numbers are told to the unit, where four digits would take a power of ten
 SMALL = 50.0  # m, length of a hull that is none of the report's floaters
 FAR, NOTABLE = 2.0, 0.5  # times the spectral σ of slow motion; of the σ of motion with the waves
 LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 report (1982), section 5.5.3
@@ -79,7 +80,7 @@ def lines_table(file, beside):
     """Largest tension of each line by both methods, and what both use of the breaking load"""
     from rich.table import Table
 
-    table = Table(title="largest tension, tonf: simulation beside the simplified method", title_justify="left")
+    table = Table(title="largest tension, kN: simulation beside the simplified method", title_justify="left")
     for i, name in enumerate(("line", "mean", "σ", "simulated", "simplified", "ratio", "used %", "simplified %")):
         table.add_column(name, justify="right" if i else "left", no_wrap=True)
     for i, line in enumerate(file["line"].asstr()[()]):
@@ -87,7 +88,7 @@ def lines_table(file, beside):
         load, simple, largest = file.attrs["breaking_load"][i], beside.tension[i], largest_tension(value)
         share = 100 * largest / load if np.isfinite(load) else np.nan
         numbers = [value["mean"], value["sigma"], largest, simple]
-        cells = [*(_number(n / TONF) for n in numbers), f"{largest / simple:.2f}"]
+        cells = [*(_number(n / KN) for n in numbers), f"{largest / simple:.2f}"]
         style = "red" if share > 100 * file.attrs["allowable"] else None
         table.add_row(line, *cells, _share(share), _share(100 * beside.utilisation[i]), style=style)
     return table
@@ -111,7 +112,7 @@ def used(file):
         largest = largest_tension(line_values(file, line))
         if largest > allowable * load:
             yield (
-                f"{line} pulls up to {largest / TONF:.4g} tonf, {100 * largest / load:.3g} % of its breaking load; "
+                f"{line} pulls up to {largest / KN:.4g} kN, {100 * largest / load:.3g} % of its breaking load; "
                 f"allowed: {100 * allowable:g} %"
             )
 
@@ -180,7 +181,7 @@ def findings(file, moored_periods, wave_period):
 
 
 def _number(value):
-    return "–" if not np.isfinite(value) else f"{value:.4g}"
+    return "–" if not np.isfinite(value) else f"{value:.0f}" if abs(value) >= WHOLE else f"{value:.4g}"
 
 
 def _share(value):

@@ -17,7 +17,7 @@ from mooring.motion.statistics import expected_extreme, over_runs
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
 from ..common.progress import duration as words_of
-from ..executors.choice import Here, in_order
+from ..executors.choice import Here, in_order_until
 from ..moor.study import read_study
 from .berth import check_windows, natural_periods
 from .file import (
@@ -29,7 +29,6 @@ from .file import (
     opened,
     put,
     put_summary,
-    row_values,
     summary_is_whole,
     whole_rows,
 )
@@ -242,32 +241,25 @@ def _fill(file, task, plan, console, executor, findings):
     whole = whole_rows(file)
     asked = np.isin(file["seed"][()], plan.seeds)
     rows = [int(row) for row in np.flatnonzero(asked & ~whole)]
-    failures, made, interrupted = [], 0, False
-    progress = _Progress(console, len(rows), plan)
-    with ctrl_c(lambda text: console and console.print(text.replace("frequency", "seed"), highlight=False)) as stop:
+    failures, made = [], 0
+    with ctrl_c() as stop:
+        progress = _Progress(console, len(rows), plan, stop)
         try:
-            results = in_order(executor, _calls(executor, task, file, rows, progress))
-            for row, result in zip(rows, results, strict=True):
-                seed = int(file["seed"][row])
+            for place, result in in_order_until(stop, executor, _calls(executor, task, file, rows, progress)):
+                seed = int(file["seed"][rows[place]])
                 if isinstance(result, Exception):
                     failures.append((seed, " ".join(str(result).split())[:300]))
                 else:
-                    put(file, row, result)
+                    put(file, rows[place], result)
                     made += 1
                 progress.step(seed, result)
-                if stop.asked:
-                    raise KeyboardInterrupt
-        except KeyboardInterrupt:
-            interrupted = True
-            executor.shutdown(wait=False, cancel_futures=True)
-    interrupted = interrupted or stop.asked
+        except KeyboardInterrupt:  # out of a seed that is left
+            stop.asked = True
+    if stop.asked:
+        executor.shutdown(wait=False, cancel_futures=True)
     there = int((whole_rows(file) & asked).sum())
-    told = {line for row in np.flatnonzero(asked) for line in _findings(file, row)}
-    return Outcome(made, there, int(asked.sum()), tuple(failures), interrupted, (*findings, *sorted(told)))
-
-
-def _findings(file, row):
-    return [line for line in bytes(row_values(file, int(row))["findings"]).decode().split("\n") if line]
+    told = {line for one in file["findings"][asked] for line in bytes(one).decode().split("\n") if line}
+    return Outcome(made, there, int(asked.sum()), tuple(failures), stop.asked, (*findings, *sorted(told)))
 
 
 def _calls(executor, task, file, rows, progress):
@@ -279,13 +271,15 @@ def _calls(executor, task, file, rows, progress):
 class _Progress:
     """One line per seed, and now and then within one: simulated seconds a second, time left"""
 
-    def __init__(self, console, total, plan):
-        self.console, self.total, self.done = console, total, 0
+    def __init__(self, console, total, plan, stop):
+        self.console, self.total, self.stop, self.done = console, total, stop, 0
         self.length = plan.settings.duration + plan.settings.ramp
         self.started = self.told = time.perf_counter()
 
     def inside(self, share):
-        """Called within a run with the share of it that is done"""
+        """Called within a run with the share of it that is done; KeyboardInterrupt leaves it where that is asked for"""
+        if self.stop.asked:
+            raise KeyboardInterrupt
         if time.perf_counter() - self.told > AFTER and 0 < share < 1:
             self._say(f"{100 * share:3.0f} % of a seed", self.done + share)
 

@@ -14,6 +14,7 @@ from bem import DOFS
 from mooring.motion.statistics import record_statistics
 
 from ..common.quantities import StudyError, level_of
+from ..executors.memory import give_back
 from ..moor.quay import body_of
 from ..moor.study import make_study
 from .file import LONGEST, SERIES
@@ -72,6 +73,9 @@ def prepared(task):
             moving_of(body, settings)  # refused here, before there is a file
         plan, left = replace(plan, settings=settings), (*left, *chosen)
         _prepared.clear()
+        _ = body.impedance  # is made for all seeds while what it takes is there
+        reader.between.forget()
+        give_back()
         _prepared[key] = body, plan, study, (*of_quay, *(str(w.message) for w in caught), *left)
     return _prepared[key]
 

@@ -137,11 +137,6 @@ class FinerHull:
 
     scene: Scene
 
-    @property
-    def omegas(self):
-        """(n,) rad/s of the scene, ascending"""
-        return self.scene.omegas()
-
     def band(self, mesh, lid, omegas):
         """`large.shared_band` of some of these frequencies"""
         return shared_band(self.scene, mesh, lid, omegas)

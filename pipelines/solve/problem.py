@@ -51,5 +51,5 @@ def _panel_problem(header, scene, body):
     if scene.omegas()[-1] ** 2 / scene.water.gravity <= lid_needed_from(header.mesh):
         lid, coarse = None, coarse and (coarse[0], None)
     band = None if draftless else shared_band(scene, header.mesh, lid)
-    finer = finer_hull(scene)
-    return PanelProblem(header.mesh, lid, coarse, finer, wall=scene.wall, zero_draft=draftless, band=band, **body)
+    more = {"finer": finer_hull(scene), "omegas": scene.omegas() if scene.waves.band is None else ()}
+    return PanelProblem(header.mesh, lid, coarse, wall=scene.wall, zero_draft=draftless, band=band, **more, **body)

@@ -1,10 +1,12 @@
 """How often errors between the frequencies that are solved by two resolutions are bounds of what these would show.
 
-    python tests/bench/few_estimates.py [--bodies 40] [--seed 1] [--quick]
+    python tests/bench/few_estimates.py [--bodies 40] [--seed 1] [--quick] [--panels]
 
 Random boxes and buoys by the contour method, up to 80 frequencies each.  Of every frequency whose error is interpolated
 (`bem.methods.few_estimates`) the same is solved with an error of its own; of each coefficient and force the bound is
-set beside that, and so are the estimates of motions and drift that follow.
+set beside that, and so are the estimates of motions and drift that follow.  With --panels the same by the panel method
+(`bem.methods.between_meshes`), 40 frequencies each, at one or two per cent, on the mesh that keeps the tolerance; and
+what coefficients and forces differ by, in tolerances.
 """
 
 import sys
@@ -18,6 +20,7 @@ import numpy as np
 from bench.random_bodies import asked, between
 
 from bem import DOFS
+from bem.checks import damping_error, largest_error
 from bem.database.schema import ESTIMATES
 from bem.methods.few_estimates import MARGIN
 from bem.methods.panel_problem import prepare
@@ -30,7 +33,7 @@ NEGLIGIBLE = 1e-3  # of the tolerance, relative to the largest of a quantity ove
 
 class Outcome(NamedTuple):
     """What one body showed: bound over own error of each coefficient and force that is not `NEGLIGIBLE` (n,), of all
-    others (m,), and estimate over own estimate of motions and drift (k,)
+    others (m,), estimate over own estimate of motions and drift (k,), and differences of values over the tolerance
     """
 
     body: dict
@@ -39,19 +42,20 @@ class Outcome(NamedTuple):
     bounds: np.ndarray
     small: np.ndarray
     further: np.ndarray
+    off: np.ndarray
 
 
-def scene(rng, count):
+def scene(rng, count, method="contour"):
     """A random box or buoy, afloat with a gyration, 5 to 100 times its draft long waves and down to half its length"""
     length, draft = 100.0, 100.0 / between(rng, 4, 40)
     body = {"shape": "box", "length": length, "beam": length / between(rng, 1, 6), "draft": draft}
     if rng.random() < 0.3:
         body = {"shape": "buoy", "radius": length / 2, "draft": draft}
     body["gyration"] = [0.3 * length / 2, 0.5 * length / 2, 0.5 * length / 2]
-    raw = {"water": {"depth": draft * (1 + between(rng, 0.1, 10))}, "bodies": [body], "method": "contour"}
+    raw = {"water": {"depth": draft * (1 + between(rng, 0.1, 10))}, "bodies": [body], "method": method}
     low, high = between(rng, 0.15, 0.4), between(rng, 0.8, 1.6)
     raw["waves"] = {"omegas": {"from": low, "to": high, "count": count}, "headings_deg": [0, 35]}
-    return raw | {"tolerance": float(rng.choice([1e-2, 3e-3, 1e-3]))}
+    return raw | {"tolerance": float(rng.choice([1e-2, 3e-3, 1e-3] if method == "contour" else [1e-2, 2e-2]))}
 
 
 def outcome(raw):
@@ -59,9 +63,16 @@ def outcome(raw):
     problem = planned(make_scene(raw)).problem
     few, own = prepare(problem), prepare(replace(problem, omegas=()))
     question = HEADINGS, frozenset(ESTIMATES), np.linspace(0, 2 * np.pi, 72, endpoint=False), DOFS
-    runs = [few.run(omega, *question) for omega in problem.omegas]
+    panels = raw["method"] == "panel"
+
+    def solved(prepared, omega):
+        run = prepared.run(omega, *question)
+        return run.within_tolerance() if panels else run
+
+    runs = [solved(few, omega) for omega in problem.omegas]
     at = [i for i, run in enumerate(runs) if run.interpolated]
-    pairs = [(runs[i].estimated_errors(), own.run(problem.omegas[i], *question)) for i in at]
+    pairs = [(runs[i].estimated_errors(), solved(own, problem.omegas[i])) for i in at]
+    off = [_off(runs[i], own) for i, (_, own) in zip(at, pairs, strict=True) if panels and _alike(runs[i], own)]
     values = {name: np.array([run.result()[name] for _, run in pairs]) for name in ESTIMATES} if pairs else {}
     bounds, small, further = [], [], []
     for name in ESTIMATES if pairs else ():
@@ -76,7 +87,19 @@ def outcome(raw):
         else:
             further.append(ratio[matters & seen])
     joined = [np.concatenate(part) if part else np.zeros(0) for part in (bounds, small, further)]
-    return Outcome(raw["bodies"][0], len(at), len(runs), *joined)
+    return Outcome(raw["bodies"][0], len(at), len(runs), *joined, np.array(off))
+
+
+def _alike(run, own):
+    """Whether both are of the same mesh, where estimates near the tolerance may ask for different ones"""
+    return run.problem.mesh.total == own.problem.mesh.total
+
+
+def _off(run, own):
+    """The largest difference of coefficients, of damping by its own size, and of forces, over the tolerance"""
+    radiation = run.radiation - own.radiation
+    coefficients = largest_error(own, radiation, run.excitation - own.excitation)
+    return max(coefficients, damping_error(own, radiation)) / own.problem.tolerance
 
 
 def _columns(pairs, name):
@@ -84,15 +107,18 @@ def _columns(pairs, name):
     return [errors[name] for errors, _ in pairs], [run.estimated_errors()[name] for _, run in pairs]
 
 
-def campaign(bodies, seed, count):
+def campaign(bodies, seed, count, method="contour"):
     """[`Outcome`] of random scenes of `count` frequencies"""
     rng = np.random.default_rng(seed)
-    return [outcome(scene(rng, count)) for _ in range(bodies)]
+    return [outcome(scene(rng, count, method)) for _ in range(bodies)]
 
 
 def main(words=None):
-    given = asked(words, __doc__, "five bodies", 40, 1)
-    found = campaign(5 if given.quick else given.bodies, given.seed, 80)
+    words = list(sys.argv[1:] if words is None else words)
+    panels = "--panels" in words
+    given = asked([word for word in words if word != "--panels"], __doc__, "five bodies", 40, 1)
+    kind = (40, "panel") if panels else (80, "contour")
+    found = campaign(5 if given.quick else given.bodies, given.seed, *kind)
     share = sum(o.interpolated for o in found) / sum(o.frequencies for o in found)
     print(f"{len(found)} bodies, {share:.0%} of the frequencies interpolated, margin {MARGIN}")
     for name in ("bounds", "small", "further"):
@@ -101,6 +127,10 @@ def main(words=None):
             whole, half = (np.mean(ratio >= share) for share in (1, 0.5))
             quantiles = "  ".join(f"{q:g} %: {np.percentile(ratio, q):.2f}" for q in (1, 5, 50, 95))
             print(f"{name:8} {len(ratio):7}  at least the error {whole:.1%}, half of it {half:.1%}  {quantiles}")
+    off = np.concatenate([o.off for o in found])
+    if len(off):
+        half, most = np.percentile(off, [50, 99])
+        print(f"on the same mesh values differ by {half:.3f}, 99 %: {most:.3f}, {off.max():.3f} tolerances")
 
 
 if __name__ == "__main__":

@@ -55,7 +55,8 @@ class CompressedRun(PanelRun):
 
     def enlarged(self, radiation, excitation):
         """Errors with what the compression may have changed"""
-        return tuple(enlarged(*both) for both in zip((radiation, excitation), self.compression_errors, strict=True))
+        found = super().enlarged(radiation, excitation)
+        return tuple(enlarged(*both) for both in zip(found, self.compression_errors, strict=True))
 
 
 def added_mass_limit(prepared, which):

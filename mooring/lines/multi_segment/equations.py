@@ -53,6 +53,8 @@ from .touchdown import (
     TO_VERTEX,
 )
 
+CORNER = 1e-12  # of the length: how far from a vertex a sinker is at it
+
 
 class Equations(NamedTuple):
     """n equations: u (n,) unknowns, r (n,) residuals, J (n, n+2) derivatives, states of the point loads.
@@ -199,6 +201,10 @@ def step_on_bed(line, e, step, index, load, rows):
         unknown = next_unknown(e)
         if load >= 0:
             write_equation(e, q[S] - line.loads[load, 0], 1.0, S, 0.0, S)
+            # what lies between the sinker and the vertex is nothing but rounding, and has no tension
+            last = min(e.at[2], rows.shape[0]) - 1
+            if last >= 0 and rows[last, 2] <= CORNER * line.length:
+                rows[last, 5], rows[last, 6] = 0.0, 0.0
         else:
             write_equation(e, q[T] / line.weight * line.length, line.length / line.weight, T, 0.0, T)
         q[T] = 0.0
@@ -222,7 +228,7 @@ def step_on_bed(line, e, step, index, load, rows):
         if step == TO_SINKER:
             last_load = load
         # beyond the anchor's place, where a buoy has lifted something from the heap
-        if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0] or slides_down(line, e.at, 0)):
+        if index == 0 and (step == TO_SINKER or q[X] <= line.bed[0, 0] or slides_down(line, e.at, 0, q[T])):
             amount = amount if step == OFF_FACET else q[S]
         march_on_facet(line, q, g, e.at, index, amount, unknown, last_load, rows)
         if math.isinf(amount) and step != TO_SINKER:
@@ -265,7 +271,7 @@ def equations(line, e, x, z, steps, left, rows):
             if i == 0 and left == HEAP_AT_TOUCHDOWN:
                 leave_heap(line, e.q, e.g, e.at, e.u[0], line.bed[index, 2] if step == TO_FACET else 0.0, 0, rows)
         else:
-            slides = step == GROUNDED_ANCHOR and slides_down(line, e.at, 0)
+            slides = step == GROUNDED_ANCHOR and slides_down(line, e.at, 0, e.q[T])
             step_on_bed(line, e, step, index, load, rows)
     if steps[last, 0] > TO_ANCHOR:
         if slides:

@@ -16,6 +16,8 @@ from bem.kernels.jit import kernel
 
 from .line_data import HIGH, LENGTH, LOW, PHI, H, S, T, V, X, Z, mix, slides_on
 
+HEAPED = 100.0  # of the least tension: what is laid out in a heap
+
 
 @kernel()
 def kept_tension(line, s):
@@ -54,6 +56,8 @@ def pass_weight_on_bed(line, q, g, angle, weight):
     """Pass a weight (N) on the bed, whose derivatives are g[LENGTH]."""
     along, across = math.sin(angle), line.friction * abs(math.cos(angle))
     pull, give = along + across, along - across
+    if line.held > 1 and pull < 0 and q[X] <= line.bed[0, 0] and math.cos(angle) > 0:  # in the heap at the anchor
+        pull, give = 0.0, 0.0
     mix(g, LOW, 1.0, T, -pull, LENGTH)
     mix(g, HIGH, 1.0, T, -give, LENGTH)
     kept_within(line, q, g, q[T] - pull * weight, q[T] - give * weight)
@@ -81,9 +85,16 @@ def bend_at_vertex(line, q, g, angle, unknown):
 
 
 @kernel()
-def slides_down(line, at, facet):
-    """Whether a line without tension slides down this facet, and pulls; not above a buoy, which may lift it."""
-    return slides_on(line, facet) and at[1] < line.lowest_buoy
+def slides_down(line, at, facet, tension):
+    """Whether a line that gets to this facet with a tension needs it to lie there, since it would slide down and pull.
+
+    On the first facet not above a buoy, which may lift it.  What is held does not: see `line_data`.
+    """
+    above = at[1] >= line.lowest_buoy
+    if not slides_on(line, facet) or (above and (facet == 0 or line.held > 0)):
+        return False
+    heaped = line.held > 1 and line.lowest_buoy < line.loads.shape[0] and tension <= HEAPED * line.least
+    return facet > 0 or not heaped
 
 
 @kernel()

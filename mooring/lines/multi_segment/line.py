@@ -9,20 +9,20 @@ SR179 report (1982), section 3.1, with these differences: no nodes and no finite
 propagated; friction acts at bed vertices too, and only as far as equilibrium needs it.
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
-and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too; a
-buoy does not rise out of the sea but floats in its surface with a part of its lift, or is lifted out of it by a
-fairlead that stands above.  On a slope steeper than friction holds a line without tension slides down: into a heap
-above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where the first facet
-falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of the fairlead with
-all that it can give; where a line that does so has no equilibrium, because a span that lands behind a ridge would jump
-to its front, friction holds with a part of that.  Bending, current on the line and the weight of the line above water
-are neglected.
+and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too
+and sinkers do not pull; a buoy does not rise out of the sea but floats in its surface with a part of its lift, or is
+lifted out of it by a fairlead that stands above.  On a slope steeper than friction holds a line without tension slides
+down: into a heap above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where
+the first facet falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of
+the fairlead with all that it can give; where a line that does so has no equilibrium, because a span that lands behind
+a ridge would jump to its front, friction holds with a part of that.  Bending, current on the line and the weight of
+the line above water are neglected.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
@@ -39,6 +39,22 @@ RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
 SOFTER = (1e-5, 1e-3)  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
 MOBILISED = (0.8, 0.6, 0.4, 0.2, 0.05, 0.0)  # of the friction, the largest first, where all of it has no equilibrium
+
+
+@cache
+def _search():
+    """The module of the kernels, which takes long to load"""
+    from . import search
+
+    return search
+
+
+@cache
+def _uniform():
+    """The module of the kernels of a uniform line"""
+    from ..catenary import uniform
+
+    return uniform
 
 
 @dataclass(frozen=True)
@@ -107,44 +123,48 @@ class StaticLine:
             x, z = np.broadcast_arrays(x, z)
         self._check(x, z)
         data = self._data if state is None else self._data._replace(kept=np.ascontiguousarray(state.pieces, float))
-        close = np.maximum(x.ravel(), 1e-9 * self.length)
-        found, status, pieces, loads = self._solve(data, close, np.ascontiguousarray(z.ravel()))
+        least = 1e-9 * self.length
+        xs, zs = (np.array([max(x, least)]), z.reshape(1)) if x.ndim == 0 else (np.maximum(x, least), z)
+        found, status, pieces, loads = self._solve(data, xs.ravel(), np.ascontiguousarray(zs.ravel()))
         self._judge(x, z, found, status)
         return self._solution(x, z, found, status, loads, pieces)
 
     def _solve(self, data, x, z):
         """What `search.solve_positions` finds; what one way of traversal does not find is sought in another."""
-        from .search import COARSE, LOST, QUICK, solve_positions
-
-        guess = self._like_a_uniform_line(x[0], z[0])
+        search = _search()
+        guess = self._like_a_uniform_line(float(x[0]), float(z[0]))
         if guess == 0 and data.lowest_buoy < len(data.loads):  # slack: see `traverse`
             data = data._replace(to_place=False)
-        begin = QUICK if len(x) == 1 else COARSE
-        found, status, pieces, loads = solve_positions(data, x, z, guess, self._capacity(data), begin)
+        begin = search.QUICK if len(x) == 1 else search.COARSE
+        found, status, pieces, loads = search.solve_positions(data, x, z, guess, self._capacity(data), begin)
         if self._mirrored is not None and len(data.kept) == 0:
             pieces, loads = self._slide_beyond(x, z, found, status, pieces, loads)
-        for way, tolerances in self._further_tries(data) if (status == LOST).any() else ():
-            for i in np.flatnonzero(status == LOST):
-                guess = self._like_a_uniform_line(x[i], z[i])
+        for way, tolerances in self._further_tries(data) if search.LOST in status.tolist() else ():
+            for i in np.flatnonzero(status == search.LOST):
+                guess = self._like_a_uniform_line(float(x[i]), float(z[i]))
                 given = way, x[i : i + 1], z[i : i + 1], guess, self._capacity(data), tolerances
-                once, state, its, words = solve_positions(*given)
-                if state[0] != LOST:
+                once, state, its, words = search.solve_positions(*given)
+                if state[0] != search.LOST:
                     found[i], status[i] = once[0], state[0]
                     pieces, loads = (its, words) if i + 1 == len(x) else (pieces, loads)
         return found, status, pieces, loads
 
     def _further_tries(self, data):
         """Pairs of LineData and tolerances by which a line is sought that is not found at once, the quickest first"""
-        from .search import COARSE, EXACT, FINE, QUICK
-
+        search = _search()
         ways = [data, data._replace(to_place=not data.to_place)]
-        tries = [(ways[1], QUICK), (ways[0], EXACT), (ways[1], EXACT)]
+        tries = [(ways[1], search.QUICK), (ways[0], search.EXACT), (ways[1], search.EXACT)]
+        told = []
+        if self.loads and self._steep:
+            ways, told = ([way._replace(held=held) for way in ways] for held in (1, 2))
+            tries += [(way, how) for how in (search.QUICK, search.EXACT) for way in ways]
         parts = [share * data.friction for share in MOBILISED] if data.friction > 0 else []
-        less = [(way._replace(friction=part), COARSE) for part in parts for way in ways]
+        less = [(way._replace(friction=part), search.COARSE) for part in parts for way in ways]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
-            softer = [data._replace(soft=soft * self.length) for soft in SOFTER]
+            softer = [ways[0]._replace(soft=soft * self.length) for soft in SOFTER]
             ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
-        return tries + [(way, COARSE) for way in ways[2:]] + [(way, FINE) for way in ways] + less
+        tries += [(way, search.COARSE) for way in ways[2:]] + [(way, search.FINE) for way in ways] + less
+        return tries + [(way, how) for how in (search.QUICK, search.EXACT, search.FINE) for way in told]
 
     @cached_property
     def _mirrored(self):
@@ -164,24 +184,22 @@ class StaticLine:
 
         returns : pieces and states of the point loads at the last position, as given where that is none of them
         """
-        from .search import LOST, QUICK, SOLVED, solve_positions
-
-        far, data = self.bed.first_facet, self._mirrored._data
-        for i in np.flatnonzero(((status == SLACK) | (status == LOST)) & (x <= far)):
-            given = data, -x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data), QUICK
-            once, state, its, words = solve_positions(*given)
-            if state[0] == SOLVED and its[:, 3].min() >= -far:
-                status[i], (found[i], its) = SOLVED, turned(once[0], its)
+        search, far, data = _search(), self.bed.first_facet, self._mirrored._data
+        for i in np.flatnonzero(((status == SLACK) | (status == search.LOST)) & (x <= far)):
+            given = data, -x[i : i + 1], z[i : i + 1], self.weight, self._capacity(data), search.QUICK
+            once, state, its, words = search.solve_positions(*given)
+            if state[0] == search.SOLVED and its[:, 3].min() >= -far:
+                status[i], (found[i], its) = search.SOLVED, turned(once[0], its)
                 pieces, loads = (its, words) if i + 1 == len(x) else (pieces, loads)
         return pieces, loads
 
     def _like_a_uniform_line(self, x, z):
         """H, N, of a uniform line of the same length, weight and stretch on a flat bed; 0 where it is slack"""
-        from ..catenary.uniform import COLUMNS, solve_uniform
-
-        row = np.empty(COLUMNS)
-        solve_uniform(row, (abs(x), z, self.length, *self._mean, 0.0, 0.0), bool(z > 0 and self.bed is not None))
-        return float(row[0]) if 0 <= row[0] < np.inf else self.weight
+        uniform = _uniform()
+        row = np.empty(uniform.COLUMNS)
+        uniform.solve_uniform(row, (abs(x), z, self.length, *self._mean, 0.0, 0.0), z > 0 and self.bed is not None)
+        H = float(row[0])
+        return H if 0 <= H < np.inf else self.weight
 
     @cached_property
     def _mean(self):
@@ -200,7 +218,7 @@ class StaticLine:
 
     def _solution(self, x, z, found, status, loads, pieces):
         slack = status == SLACK
-        if slack.any():
+        if SLACK in status.tolist():
             found[slack, 0] = 0.0
             found[slack, 5:7] = 0.0
         H, V, H_anchor, V_anchor = found[:, :4].T.reshape(4, *x.shape)
@@ -225,6 +243,11 @@ class StaticLine:
         )
 
     def _check(self, x, z):
+        if x.ndim == 0:  # at once, without arrays
+            one, height = float(x), float(z)
+            good = 0 <= one < np.inf and -np.inf < height < np.inf
+            if good and (self.bed is None or self.bed.depth_below(one, height) > 0):
+                return
         if not (np.isfinite(x) & (x >= 0)).all():
             raise ValueError(f"line x is {x[~(np.isfinite(x) & (x >= 0))].flat[0]:g} m; allowed: finite, at least 0 m")
         if not np.isfinite(z).all():
@@ -235,6 +258,8 @@ class StaticLine:
                 raise ValueError(f"the fairlead is {-under.min():g} m below the bed; allowed: above it")
 
     def _judge(self, x, z, found, status):
+        if x.size == 1 and found[0, 9] <= RESIDUAL and status[0] != BEYOND_REACH:  # at once, without arrays
+            return
         good = (found[:, 9] <= RESIDUAL) & (status != BEYOND_REACH)
         if not good.all():
             wrong = ~good
@@ -278,6 +303,7 @@ class StaticLine:
             0.0 if self.bed is None else float(self.bed.friction),
             LEAST * self.weight,
             len(points) > 2,
+            0,
             0.0,
             0,
             self.weight,

@@ -23,7 +23,7 @@ NOTHING = np.int64(-1)
 STATE_ROWS, DERIVATIVE_ROWS, PIECE_COLUMNS = 7, 11, 11
 SUBMERGED, FLOATING, EMERGED = 0, 1, 2
 # what is left over of a line: nothing; it lies in a heap at the anchor; where the line first touches the bed
-TAUT, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN = 0, 1, 2
+TAUT, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN = np.arange(3)
 STEEP = 1e-12  # of a slope, by which it is steeper than friction holds
 HEAP = 1e-300  # λ of a piece in a heap, which has no extent
 
@@ -40,6 +40,8 @@ class LineData(NamedTuple):
         a facet and those before it; no_bed : the line touches the anchor alone
     friction : μ; least : lower limit of the tension of a free span, N
     to_place : whether a traversal ends at the anchor's place, with some length left over, else with the line, somewhere
+    held : what lies where it is laid on however steep a slope: 0 nothing; 1 a line without tension above a buoy further
+        down it; 2 also all that a slack line leaves at its anchor, sinkers among it
     heap : m that lie in a heap, where the line first touches the bed or, from 1 on, at the bed vertex `foot`
     weight : N, of the whole line
     close : how closely the starts of spans are sought, of their size
@@ -59,6 +61,7 @@ class LineData(NamedTuple):
     friction: float
     least: float
     to_place: bool
+    held: int
     heap: float
     foot: int
     weight: float
@@ -143,15 +146,16 @@ class Workspace(NamedTuple):
     rows: np.ndarray
 
 
+@kernel()
 def workspace_for(line):
     """A Workspace large enough for every contact that a line can have."""
-    capacity = 8 * len(line.bed) + 5 * len(line.loads) + 16
+    capacity = 8 * line.bed.shape[0] + 5 * line.loads.shape[0] + 16
     return Workspace(
         np.zeros((capacity, 3), np.int64),
         np.zeros(capacity),
         np.zeros(3, np.int64),
-        np.zeros(len(line.loads), np.int64),
-        np.zeros(len(line.loads)),
+        np.zeros(line.loads.shape[0], np.int64),
+        np.zeros(line.loads.shape[0]),
         np.zeros(STATE_ROWS),
         np.zeros(3, np.int64),
         np.zeros(STATE_ROWS),
@@ -162,8 +166,8 @@ def workspace_for(line):
 
 
 @kernel()
-def with_heap(line, heap, foot):
-    """LineData of the line with a heap."""
+def varied(line, heap, foot, close):
+    """LineData of the line with another heap, at another vertex, and another accuracy of its starts."""
     return LineData(
         line.segments,
         line.length,
@@ -178,10 +182,11 @@ def with_heap(line, heap, foot):
         line.friction,
         line.least,
         line.to_place,
+        line.held,
         heap,
         foot,
         line.weight,
-        line.close,
+        close,
         line.kept,
     )
 

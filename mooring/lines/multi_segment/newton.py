@@ -96,7 +96,7 @@ def newton(line, e, A, x, z, steps, left, rows):
         new = damped_step(line, e, old, A, size, x, z, steps, left, rows)
         if new < 0:
             break
-        settled = new == 0 or (size <= 1e-13 * line.length and new >= 0.5 * size)
+        settled = new <= 1e-14 * line.length or (size <= 1e-13 * line.length and new >= 0.5 * size)
         size = new
     return size / line.length
 

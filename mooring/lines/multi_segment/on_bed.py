@@ -31,7 +31,7 @@ def length_for(distance, t, rate, factor, flexibility):
 @kernel()
 def length_on(line, q, at, facet):
     """Length to march on a facet: to its lower end, for which inf stands, and on the first one all that is left."""
-    return q[S] if facet == 0 and (not line.to_place or slides_down(line, at, facet)) else math.inf
+    return q[S] if facet == 0 and (not line.to_place or slides_down(line, at, facet, q[T])) else math.inf
 
 
 @kernel()
@@ -70,7 +70,7 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
     mix(g, END, 1.0, S, 0.0, S)
     if unknown >= 0:
         g[END, unknown] -= 1.0
-    slides = slides_down(line, at, facet)
+    slides = slides_down(line, at, facet, q[T])
     folds, folded = slides and facet == 0 and amount == q[S], False
     if folds:
         mix(g, END, 0.0, S, 0.0, S)

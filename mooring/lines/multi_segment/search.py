@@ -14,7 +14,7 @@ import numpy as np
 from bem.kernels.jit import kernel
 
 from ..catenary.state import BEYOND_REACH, SLACK
-from .line_data import HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, PIECE_COLUMNS, TAUT, with_heap, workspace_for
+from .line_data import HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN, PIECE_COLUMNS, TAUT, varied, workspace_for
 from .newton import continuation
 from .touchdown import GROUNDED_ANCHOR, between
 from .traverse import traverse
@@ -24,9 +24,8 @@ from .traverse import traverse
 SOLVED, LOST, SLIDES = -1, -2, -3
 # of the length, left over at the anchor by a search: that of a single position to begin with, that where it finds
 # nothing, and those where these find nothing, which take ten times as long
-QUICK, EXACT = (1e-2,), (1e-6,)
-COARSE = (1e-3, *EXACT)
-FINE = (*COARSE, 1e-9, 1e-12, 1e-15)
+QUICK, EXACT, COARSE = np.array([1e-2]), np.array([1e-6]), np.array([1e-3, 1e-6])
+FINE = np.array([1e-3, 1e-6, 1e-9, 1e-12, 1e-15])
 CLOSE = 1e-7  # of the starts of spans in the coarsest searches
 
 
@@ -56,7 +55,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
             foot = w.count[2]
         if foot > 0 and foot != passed and ((slid and near) or narrowed):
             h = math.exp(q if slid else low)
-            if traverse(with_heap(line, 0.0, foot), w, h, x, z) > 0:
+            if traverse(varied(line, 0.0, foot, line.close), w, h, x, z) > 0:
                 w.count[2] = foot
                 return h, SLIDES
             passed = foot
@@ -87,53 +86,57 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
     return math.exp(q), LOST
 
 
+@kernel()
 def solve_positions(line, x, z, guess, capacity, tolerances):
     """Positions (n,) one after another.
 
     guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `QUICK` to `FINE`
     returns : results (n, 11), see `newton.store`; states (n,); pieces, states of the point loads at the last position
     """
-    found, status = np.zeros((len(x), 11)), np.full(len(x), LOST)
+    found, status = np.zeros((x.size, 11)), np.full(x.size, LOST)
     found[:, 9] = math.inf
     pieces, w = np.empty((capacity, PIECE_COLUMNS)), workspace_for(line)
-    done = 0
-    while done < len(x):
-        after, state = _solve_some(line, w, x, z, done, guess, pieces, found, tolerances)
-        status[done:after] = SOLVED
-        if state != SOLVED:
-            status[done] = state
-            after = done + 1
-        elif found[after - 1, 0] > 0:
+    done = np.int64(0)
+    while done < x.size:
+        after, state = solve_some(line, w, x, z, done, guess, pieces, found, tolerances)
+        if state == SOLVED and found[after - 1, 0] > 0:
             guess = found[after - 1, 0]
+        after = max(after, done + 1)
+        for i in range(done, after):
+            status[i] = state
         done = after
     return found, status, pieces[: int(found[-1, 10])], w.states
 
 
-def _solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
+@kernel()
+def solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
     """Solve one position and those after it with the same contacts.  returns : the position after them, state"""
     for tolerance in tolerances:
-        line = line._replace(close=CLOSE if tolerance >= COARSE[0] else 0.0)
+        close = CLOSE if tolerance >= COARSE[0] else 0.0
+        line = varied(line, line.heap, line.foot, close)
         guess, state = horizontal_tension(line, w, x[first], z[first], guess, tolerance)
         if state == SLIDES:
-            _heap(line, w, w.count[2], guess, x[first], z[first], tolerance)
-        elif state in (BEYOND_REACH, LOST) or w.count[0] == 0:
+            fill_heap(line, w, w.count[2], guess, x[first], z[first], tolerance)
+        elif state == BEYOND_REACH or state == LOST or w.count[0] == 0:  # noqa: SIM109
             return first, BEYOND_REACH if state == BEYOND_REACH else LOST
         # a span that gets to the anchor's place with some length left over is not slack in that measure
         slack = state == SLACK and (not line.to_place or w.steps[w.count[0] - 1, 0] == GROUNDED_ANCHOR)
-        left = HEAP_AT_ANCHOR if slack else TAUT
-        after = continuation(line, w, x, z, first, left, 0.0, pieces, found) if w.count[0] > 0 else first
-        if after == first and slack and line.close == 0.0:
-            heap = _heap(line, w, np.int64(0), line.least, x[first], z[first], 1e-15)
+        left, after = HEAP_AT_ANCHOR if slack else TAUT, first
+        if w.count[0] > 0:
+            after = continuation(line, w, x, z, first, left, 0.0, pieces, found)
+        if after == first and slack and close == 0.0:
+            left, heap = HEAP_AT_TOUCHDOWN, fill_heap(line, w, np.int64(0), line.least, x[first], z[first], 1e-15)
             if w.count[0] > 0:
-                after = continuation(line, w, x, z, first, HEAP_AT_TOUCHDOWN, heap, pieces, found)
+                after = continuation(line, w, x, z, first, left, heap, pieces, found)
         if after > first:
             return after, SLACK if slack else SOLVED
-        if state == SLACK and line.close == 0.0:  # whatever the tolerance
+        if state == SLACK and close == 0.0:  # whatever the tolerance
             break
     return first, LOST
 
 
-def _heap(line, w, foot, horizontal, x, z, tolerance):
+@kernel()
+def fill_heap(line, w, foot, horizontal, x, z, tolerance):
     """Length, m, that lies in a heap where a line that slides first touches the bed, or above the bed vertex `foot`.
 
     tolerance : of the line's length; w : left with the traversal; no steps where there is none
@@ -143,10 +146,10 @@ def _heap(line, w, foot, horizontal, x, z, tolerance):
     while high - low > tolerance * line.length:
         heap = between(low, high, f_low, f_high, line.length, room, 2e-16 * line.length)
         room *= 0.5
-        value = traverse(with_heap(line, heap, foot), w, horizontal, x, z)
+        value = traverse(varied(line, heap, foot, line.close), w, horizontal, x, z)
         if value > 0:
             low, f_low = heap, value
         else:  # nan: too much, all the line is in the heap
             high, f_high = heap, value
-    traverse(with_heap(line, low, foot), w, horizontal, x, z)
+    traverse(varied(line, low, foot, line.close), w, horizontal, x, z)
     return low

@@ -179,7 +179,7 @@ def along_facet(line, w, facet):
             add_unknown(w, line.heap)
             return NONE, facet
         if q[T] < 0:
-            w.count[2] = 0 if slides_down(line, at, facet - 1) else facet
+            w.count[2] = 0 if slides_down(line, at, facet - 1, math.inf) else facet
             return SLID, facet
         copy_state(w.trial_q, w.trial_at, q, at)
         leave_bed(line, w.trial_q, w.g)

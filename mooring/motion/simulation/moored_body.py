@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -47,6 +48,14 @@ class Moored:
     berth: object = field(default_factory=no_berth)
     buoy: object = None
     free: tuple[int, ...] = tuple(range(6))
+
+    @cached_property
+    def impedance(self):
+        """(q, 6, 6) complex force per motion of the linear body on its lines, at the frequencies of `waves`"""
+        reader, w = self.reader, self.waves.omega[:, None, None]
+        A, B = reader.coefficients(self.waves.omega)
+        stiffness = 0.5 * (self.stiffness + self.stiffness.T)
+        return -(w**2) * (reader.inertia + A) - 1j * w * (B + reader.damping + self.damping) + stiffness
 
     def __repr__(self):
         lines = 0 if self.system is None else len(self.system.lines)

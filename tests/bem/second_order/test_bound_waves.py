@@ -103,6 +103,16 @@ def test_it_keeps_its_digits_in_shallow_water_and_as_frequencies_meet(kh):
             assert found == pytest.approx(amplitude(omega * (1 + apart), omega, angle, depth), rel=1e-12)
 
 
-def test_infinite_depth_is_refused():
-    with pytest.raises(ValueError, match="infinite depth"):
-        bound_waves((0.6, 0.0), (0.5, 0.0), np.inf)
+def test_in_deep_water_one_way_it_is_the_waves_of_longuet_higgins():
+    """φ₂ = a₁a₂ ω₁ exp{(k₁ − k₂)z} sin{(k₁ − k₂)x − (ω₁ − ω₂)t}, ω₁ > ω₂ (1963), from −(ig/Ω) s of both orders"""
+    for one, two in ((0.9, 0.3), (0.6, 0.55)):
+        bound = bound_waves((one, 0.0), (two, 0.0), np.inf)
+        assert -2 * G / bound.omega * bound.amplitude == pytest.approx(one, rel=1e-12)
+        assert bound.number[0] == pytest.approx((one**2 - two**2) / G)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.4, 2.0, np.pi])
+def test_very_deep_water_is_as_deep_water(angle):
+    for one, two in ((0.9, 0.3), (0.6, 0.55), (0.6, 0.6)):
+        found, known = (bound_waves((one, angle), (two, 0.0), depth).amplitude for depth in (1e7, np.inf))
+        assert found == pytest.approx(known, rel=1e-6, abs=1e-6)

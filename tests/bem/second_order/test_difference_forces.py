@@ -78,6 +78,13 @@ def test_the_forcing_of_the_surface_is_the_same_wherever_the_sums_of_hankel_func
     assert abs(found[1] - found[0])[5] < 0.02 * LENGTH / 2 * np.abs(found[0])[:2].max()
 
 
+def test_deep_water_has_the_forces_of_very_deep_water():
+    very, deep = (difference_forces(floating(depth), [0.6, 0.75], [0.6], 1.0, True) for depth in (3000.0, np.inf))
+    for part in ("squares", "bound_wave", "body"):
+        found, known = (getattr(forces, part)[1, 0, 0, 0, [0, 1, 5]] for forces in (very, deep))
+        assert np.abs(found - known).max() < 1e-3 * np.abs(known).max()
+
+
 def test_differences_of_irregular_frequencies_are_solved_with_a_lid():
     problem = replace(floating(), lid=lid(floating().mesh))
     waves = PanelWaves(problem, np.array([1.2, 1.4]), [0.0], False, np.array([0.0, 0.5, 1.0]))

@@ -26,6 +26,16 @@ def test_friction_holds_with_a_part_where_all_of_it_has_no_equilibrium():
     assert all(verdict(1101, number)[0] == "answered" for number in (7801, 10727, 13581, 15160, 38880))
 
 
+def test_what_a_slack_line_with_buoys_leaves_on_a_steep_slope_is_a_heap_at_its_anchor_and_told():
+    """Sinkers on a slope that falls from the anchor, and a leg below a buoy on one that rises from it, do not pull."""
+    assert all(verdict(1101, number)[0] == "slides" for number in (193, 647, 14847, 20761, 22742, 29330))
+
+
+def test_a_sinker_in_a_hollow_and_a_heap_above_a_buoy_are_in_equilibrium():
+    """The line slides into a hollow and has no tension there: to its sinker, or above a buoy further on."""
+    assert all(verdict(1101, number)[0] == "answered" for number in (27293, 30437, 59958))
+
+
 def test_the_residual_sees_a_wrong_tension_a_broken_line_and_a_buoy_above_the_sea():
     line = StaticLine([Segment(120.0, 10.0, 1e6)], [PointLoad(85.0, -900.0)], surface=30.0)
     found = line.solve(104.0, 29.0)

@@ -15,6 +15,7 @@ from mooring.lines.system.bodies import rotation
 from mooring.lines.system.equilibrium import rest
 from mooring.lines.system.hawser import Hawser, pull_of_points
 from mooring.lines.system.moored_body import Leg, moored_body
+from mooring.motion.expected import expected_motion
 from mooring.motion.given_forces import GivenForce, drift_of_half_waves
 from mooring.motion.simulation import SimulationError, simulate, wave_components
 from mooring.motion.simulation.body import FASTEST
@@ -165,6 +166,21 @@ def test_the_spread_of_linear_motions_is_that_of_the_spectrum(on_springs):
     wanted = np.trapezoid(X * weather.seas[0].spectrum.density(omega)[:, None], omega, axis=0)
     off = (power.mean(axis=0) - wanted) / (power.std(axis=0, ddof=1) / np.sqrt(len(power)))
     assert np.sum(np.abs(off) <= 2.2) >= 5 and np.all(np.abs(off) <= 4.0)  # Student's t with 11 degrees of freedom
+
+
+def test_the_scale_of_errors_is_the_spread_by_the_database_and_seeds_add_nothing_to_what_that_keeps(on_springs):
+    sea, between = Sea(issc(2.0, mean_period=8.0), direction=0.6), on_springs.reader.between
+    parts = [wave_components(on_springs, Weather(seas=(sea,)), CALM, seed) for seed in (1, 2, 3)]
+    reader = on_springs.reader.restrained(stiffness=on_springs.stiffness - on_springs.reader.stiffness)
+    X = np.abs(reader.motions(parts[0].omega, [0.6])[:, 0])
+    wanted = np.sqrt(0.5 * parts[0].amplitude ** 2 @ X**2)
+    found = expected_motion(on_springs, parts[0])
+    moving = wanted > 0.05 * wanted.max()
+    assert np.allclose(found[:6][moving], wanted[moving], rtol=0.01)
+    kept = {name: known.size for name, (known, _) in between._values.items()}
+    for one in parts[1:]:
+        expected_motion(on_springs, one)
+    assert {name: known.size for name, (known, _) in between._values.items()} == kept
 
 
 def test_components_are_as_many_as_the_record_needs(on_springs):

@@ -82,6 +82,11 @@ def test_without_bound_waves_the_spectrum_is_that_of_newman():
     np.testing.assert_allclose(none[:, [0, 1, 5]], expected, rtol=1e-2, atol=2e-3 * expected.max())
 
 
-def test_deep_water_has_no_bound_waves():
-    with pytest.raises(ValueError, match="infinite depth"):
-        bound_wave_forces(PanelProblem(box(10, 5, 2, panels=20)), BAND, MEAN, 0.0)
+def test_deep_water_has_the_bound_waves_of_very_deep_water():
+    one, two = np.linspace(0.5, 1.1, 7), np.linspace(0.45, 1.0, 7)
+    very, deep = (
+        bound_wave_forces(PanelProblem(box(50, 25, 10, panels=20), depth=depth), BAND, MEAN, HEADING)(one, two)
+        for depth in (3000.0, np.inf)
+    )
+    for part in (slice(0, 3), slice(3, 6)):
+        assert np.abs(very - deep)[:, part].max() < 1e-2 * np.abs(deep[:, part]).max()

@@ -1,8 +1,13 @@
-"""What is said of a command that Ctrl-C ends at once."""
+"""What is said of a command that Ctrl-C ends at once, and when it is left to others or acts by itself."""
+
+import signal
+import time
 
 import pytest
 
 from pipelines.cli import main
+from pipelines.common import interrupt
+from pipelines.common.interrupt import ctrl_c
 
 BOX = ["box", "--length", "10", "--beam", "5", "--draft", "1", "--depth", "5", "--omega", "1"]
 KEPT = "; what was solved is stored, the same command goes on"
@@ -27,3 +32,27 @@ def test_only_of_what_is_stored_is_said_that_it_is(words, place, said, tmp_path,
     monkeypatch.setattr(place, interrupted)
     assert main(words) == 130
     assert capsys.readouterr().err == f"hakobune {words[0]}: interrupted{said}\n"
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs timers")
+def test_a_ctrl_c_that_nobody_heeds_acts_as_a_second_one_and_one_that_is_heeded_does_not(monkeypatch):
+    monkeypatch.setattr(interrupt, "PATIENCE", 0.02)
+    before = signal.getsignal(signal.SIGINT)
+    with pytest.raises(KeyboardInterrupt), ctrl_c() as stop:
+        signal.raise_signal(signal.SIGINT)
+        assert stop.asked
+        time.sleep(5.0)
+    with ctrl_c() as stop:
+        signal.raise_signal(signal.SIGINT)
+    time.sleep(0.05)
+    assert stop.asked and signal.getsignal(signal.SIGINT) is before
+
+
+def test_a_process_that_leaves_ctrl_c_to_its_parent_goes_on_to_do_so():
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        with ctrl_c() as stop:
+            signal.raise_signal(signal.SIGINT)
+        assert not stop.asked
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -144,7 +144,10 @@ def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
         beside_newman(db, Sea(SWELL.spectrum, 0.0), "body")
     with pytest.raises(ValueError, match=r"pairs are stored from 0.3 to 1.2"):
         beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "body")
-    assert "not full" in beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")[1][0]
+    found, (said,) = beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")
+    assert found.level == "bound-wave" and "not full" in said
+    found, (said,) = beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "auto")
+    assert found is None and "takes newman" in said and "kh = 4." in said and "not full" in said
 
 
 @pytest.mark.parametrize("low, high", [(0.3, 1.5), (0.31, 1.8), (1.9, 2.0), (0.05, 3.0)])

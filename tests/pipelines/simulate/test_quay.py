@@ -73,7 +73,7 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
     assert "by four methods" in told and [row[2] for row in rows] == list("1234")
     assert rows[0].split("│")[2:] == rows[1].split("│")[2:]  # the box divided is the box
     assert "fenders: F" in told and "% of its height; allowed: 50 %" in told
-    assert "deflection F1, m" in told and "tension head 1, tonf" in told and "knows no fenders" in told
+    assert "deflection F1, m" in told and "tension head 1, kN" in told and "knows no fenders" in told
     with opened(run) as file:
         names = list(file["quantity"].asstr()[()])
         assert file["deflection"].shape == (1, 121, 4) and file["tension"].shape == (1, 121, 12)

@@ -2,6 +2,8 @@
 
 import io
 import shutil
+import signal
+from concurrent.futures import Future
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -132,6 +134,49 @@ def test_a_run_cut_short_leaves_what_was_whole(folder, monkeypatch):
     monkeypatch.setattr(engine, "simulate", broken)
     outcome = simulate()
     assert outcome.failures == ((2, "a line cannot reach its fairlead"),) and outcome.there == 2
+
+
+def test_ctrl_c_leaves_a_seed_where_it_is_and_keeps_those_before(folder, monkeypatch):
+    def pressed(body, plan, settings, seed=0, progress=None):
+        for share in (0.0, 0.5):
+            if seed == 2 and share:
+                signal.raise_signal(signal.SIGINT)
+            progress(share)
+        return oscillator(body, plan, settings, seed)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(engine, "simulate", pressed)
+        outcome = simulate()
+        assert main(["simulate", "study.toml", "--database", "box.h5", "--output", "other.h5"]) == 130
+    assert outcome.interrupted and (outcome.made, outcome.there, outcome.failures) == (1, 1, ())
+    assert simulate().made == 2
+
+
+def test_ctrl_c_waits_for_no_process_and_keeps_what_each_has_done(folder):
+    class Two:
+        """Two processes: the first is still at seed 1 when the second has done two seeds, and Ctrl-C comes."""
+
+        ended = False
+
+        def submit(self, function, task, seed, *others):
+            made = Future() if seed > 1 else Pressed()
+            if seed in (2, 3):
+                made.set_result(function(task, seed, *others))
+            return made
+
+        def shutdown(self, wait=True, cancel_futures=False):
+            self.ended = not wait and cancel_futures
+
+    class Pressed(Future):
+        def result(self, timeout=None):
+            signal.raise_signal(signal.SIGINT)
+            return super().result(timeout)
+
+    executor = Two()
+    outcome = runs.simulate("study.toml", "box.h5", "run.h5", None, executor, 4)
+    assert outcome.interrupted and executor.ended and outcome.made == 2
+    with opened("run.h5") as file:
+        assert whole_rows(file).tolist() == [False, True, True, False]
 
 
 def test_another_study_is_refused_with_the_way_out(folder):
