@@ -15,7 +15,12 @@ def address(array):
 
 def load_vector(pointer, n):
     """Elements n … n + 7"""
-    return pointer[n : n + 8]
+    return pointer[n : n + 8].copy()
+
+
+def repeated(number):
+    """The vector of eight times a number"""
+    return np.full(8, number)
 
 
 def scaled(a, x):
@@ -37,6 +42,21 @@ def split_halves(a):
 def to_scalars(a):
     """The elements of a vector as a tuple of numbers"""
     return tuple(a)
+
+
+def store_vector(pointer, n, a):
+    """Put a vector of eight into the elements n … n + 7."""
+    pointer[n : n + 8] = a
+
+
+def choose_less(a, b, x, y):
+    """x where a < b, y elsewhere"""
+    return np.where(a < b, x, y)
+
+
+def root(a):
+    """Square root"""
+    return np.sqrt(a)
 
 
 def float_to_bits(number):

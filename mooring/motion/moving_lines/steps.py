@@ -19,8 +19,8 @@ from bem.kernels.jit import kernel
 
 from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, run, tableau
 from ...lines.dynamics.lumped.forces import node_forces
-from ...lines.dynamics.lumped.stage import copy, workspace
 from ...lines.dynamics.lumped.system import Control, Motion, State
+from ...lines.dynamics.lumped.workspace import read, workspace
 from ...lines.dynamics.run import SHORTEST
 from .packed import ROWS, line_system
 from .polynomial import TERMS, legendre
@@ -33,11 +33,16 @@ SCHEME = tableau()
 @kernel()
 def pull_at_rest(moving, i, q, v, a, slip, out):
     """out (3,) N, pull of line i at its nodes q (n, 3) m at rest"""
-    work = workspace(q.shape[0])
-    copy(work.q, q)
-    copy(work.v, v)
-    node_forces(line_system(moving, i), work, a, slip, q, 0.0, 0.0)
-    out[:] = work.r[q.shape[0] - 1]
+    system = line_system(moving, i)
+    work, last = workspace(system), q.shape[0] - 1
+    here, held = np.zeros_like(work.q), np.zeros_like(work.q)
+    read(work.q, q)
+    read(work.v, v)
+    read(here, a)
+    read(held, slip)
+    node_forces(system, work, here, held, work.q, 0.0, 0.0)
+    for k in range(3):
+        out[k] = work.r[k, last]
 
 
 @kernel()
@@ -68,10 +73,10 @@ def advance_lines(moving, work, whole, t, h):
         first, last = moving.nodes[i], moving.nodes[i + 1]
         q, v = work.position[1, first:last], work.velocity[1, first:last]
         a, slip = work.acceleration[1, first:last], work.slip[1, first:last]
-        copy(q, work.position[0, first:last])
-        copy(v, work.velocity[0, first:last])
-        copy(a, work.acceleration[0, first:last])
-        copy(slip, work.slip[0, first:last])
+        q[:] = work.position[0, first:last]
+        v[:] = work.velocity[0, first:last]
+        a[:] = work.acceleration[0, first:last]
+        slip[:] = work.slip[0, first:last]
         c, end = work.course[i], last - first - 1
         piece(q[end], v[end], c[1, 0], c[1, 1], 0.5 * h, cubics[0])
         piece(c[1, 0], c[1, 1], c[2, 0], c[2, 1], 0.5 * h, cubics[1])

@@ -288,17 +288,18 @@ def test_waves_move_the_water_as_the_potential_says():
 
     waves = WaveTrain([1.5, 0.7], [8.0, 11.0], [0.4, 2.0], [0.3, 1.0], depth=25.0, ramp=0.0)
     points, t = np.array([[3.0, -2.0, -4.0], [40.0, 7.0, -20.0]]), 3.7
-    u, du, expected = np.zeros((2, 3)), np.zeros((2, 3)), np.zeros((2, 3))
+    u, du, expected = np.zeros((3, 2)), np.zeros((3, 2)), np.zeros((2, 3))
     water = water_arrays(None, waves, 9.80665)
-    water_at(water, points, t, u, du)
+    there = points.T.copy()
+    water_at(water, there, 2, t, u, du)
     for a, T, beta, lag in zip([1.5, 0.7], [8.0, 11.0], [0.4, 2.0], [0.3, 1.0], strict=True):
         omega = 2 * np.pi / T
         _, gradient = incident_wave(points, beta, omega, wavenumber(omega, 25.0), 25.0)
         expected += np.real(a * np.exp(1j * lag) * gradient * np.exp(-1j * omega * t))
-    assert np.allclose(u, expected, rtol=1e-9)
-    ahead, back, none = np.zeros((2, 3)), np.zeros((2, 3)), np.zeros((2, 3))
-    water_at(water, points, t + 1e-4, ahead, none)
-    water_at(water, points, t - 1e-4, back, none)
+    assert np.allclose(u.T, expected, rtol=1e-9)
+    ahead, back, none = np.zeros((3, 3, 2))
+    water_at(water, there, 2, t + 1e-4, ahead, none)
+    water_at(water, there, 2, t - 1e-4, back, none)
     assert np.allclose(du, (ahead - back) / 2e-4, atol=1e-6)
 
 
@@ -310,7 +311,7 @@ def test_waves_alone_shake_a_line():
 
 def test_tangent_is_the_derivative_of_the_forces():
     from mooring.lines.dynamics.lumped.forces import node_forces
-    from mooring.lines.dynamics.lumped.stage import workspace
+    from mooring.lines.dynamics.lumped.workspace import to_rows, workspace
 
     # drag and added mass turn with the line, which the tangent leaves out; the rest is exact
     plain = dict(drag_normal=0.0, drag_tangential=0.0, added_tangential=1.0)
@@ -327,16 +328,17 @@ def test_tangent_is_the_derivative_of_the_forces():
     a, direction = rng.standard_normal((2, n, 3))
 
     def forces(step):
-        work = workspace(n)
-        work.q[:], work.v[:] = moved + cq * step * direction, speed + cv * step * direction
-        node_forces(line.system, work, a + step * direction, slip, since, cq, cv)
-        return work
+        work = workspace(line.system)
+        work.q[:], work.v[:] = to_rows(moved + cq * step * direction), to_rows(speed + cv * step * direction)
+        node_forces(line.system, work, to_rows(a + step * direction), to_rows(slip), to_rows(since), cq, cv)
+        return work.r[:, :n].T, (work.D[:, :n], work.B[:, 1:n])
 
-    here, ahead, back = forces(0.0), forces(1e-4), forces(-1e-4)
-    product = np.einsum("nij,nj->ni", here.D, direction)
-    product[1:] -= np.einsum("nij,nj->ni", here.B[:-1], direction[:-1])
-    product[:-1] -= np.einsum("nij,nj->ni", here.B[:-1], direction[1:])
-    difference = -(ahead.r - back.r) / 2e-4
+    (_, blocks), (ahead, _), (back, _) = forces(0.0), forces(1e-4), forces(-1e-4)
+    D, B = (b.reshape(3, 3, -1) for b in blocks)
+    product = np.einsum("ijn,nj->ni", D, direction)
+    product[1:] -= np.einsum("ijn,nj->ni", B, direction[:-1])
+    product[:-1] -= np.einsum("ijn,nj->ni", B, direction[1:])
+    difference = -(ahead - back) / 2e-4
     assert np.abs(product - difference).max() < 1e-5 * np.abs(difference).max()
 
 
@@ -344,17 +346,18 @@ def test_block_elimination_solves_the_equations():
     from mooring.lines.dynamics.lumped.block_tridiagonal import factor, substitute
 
     rng, n = np.random.default_rng(2), 7
-    D, B, r, x = rng.standard_normal((n, 3, 3)) + 8 * np.eye(3), rng.standard_normal((n, 3, 3)), np.ones((n, 3)), None
+    D, B, r = rng.standard_normal((n, 3, 3)) + 8 * np.eye(3), rng.standard_normal((n, 3, 3)), np.ones((n, 3))
     dense = np.zeros((n, 3, n, 3))
     for j in range(n):
         dense[j, :, j] = D[j]
         if j + 1 < n:
             dense[j, :, j + 1] = dense[j + 1, :, j] = -B[j]
     expected = np.linalg.solve(dense.reshape(3 * n, 3 * n), r.ravel())
-    x = np.zeros((n, 3))
-    factor(D, B, 0, n - 1)
-    substitute(D, B, r, x, 0, n - 1)
-    assert np.allclose(x.ravel(), expected)
+    nodes, elements, pivots, x = D.reshape(n, 9).T.copy(), np.zeros((9, n)), np.zeros((n, 27)), np.zeros((3, n))
+    elements[:, 1:] = B[:-1].reshape(n - 1, 9).T  # element e is column e + 1
+    factor(nodes, elements, pivots, 0, n - 1)
+    substitute(pivots, r.T.copy(), x, 0, n - 1)
+    assert np.allclose(x.T.ravel(), expected)
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,8 @@ import pytest
 from mooring.lines.dynamics.bed import ROUND
 from mooring.lines.dynamics.lumped.bed import plane_at
 from mooring.lines.dynamics.lumped.forces import node_forces
-from mooring.lines.dynamics.lumped.stage import workspace
 from mooring.lines.dynamics.lumped.system import above_bed
+from mooring.lines.dynamics.lumped.workspace import to_rows, workspace
 from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
 from mooring.lines.dynamics.start import start
 from mooring.lines.dynamics.surroundings import water_arrays
@@ -93,17 +93,18 @@ def test_tangent_is_the_derivative_of_the_reaction_where_the_bed_bends():
     a, direction = rng.standard_normal((2, n, 3))
 
     def forces(step):
-        work = workspace(n)
-        work.q[:] = moved + cq * step * direction
-        work.v[:] = cv * step * direction
-        node_forces(system, work, a + step * direction, np.zeros((n, 3)), rest.position, cq, cv)
-        return work
+        work, since = workspace(system), to_rows(rest.position)
+        work.q[:] = to_rows(moved + cq * step * direction)
+        work.v[:] = to_rows(cv * step * direction)
+        node_forces(system, work, to_rows(a + step * direction), np.zeros_like(since), since, cq, cv)
+        return work.r[:, :n].T, (work.D[:, :n], work.B[:, 1:n])
 
-    here, ahead, back = forces(0.0), forces(1e-4), forces(-1e-4)
-    product = np.einsum("nij,nj->ni", here.D, direction)
-    product[1:] -= np.einsum("nij,nj->ni", here.B[:-1], direction[:-1])
-    product[:-1] -= np.einsum("nij,nj->ni", here.B[:-1], direction[1:])
-    difference = -(ahead.r - back.r) / 2e-4
+    (_, blocks), (ahead, _), (back, _) = forces(0.0), forces(1e-4), forces(-1e-4)
+    D, B = (b.reshape(3, 3, -1) for b in blocks)
+    product = np.einsum("ijn,nj->ni", D, direction)
+    product[1:] -= np.einsum("ijn,nj->ni", B, direction[:-1])
+    product[:-1] -= np.einsum("ijn,nj->ni", B, direction[1:])
+    difference = -(ahead - back) / 2e-4
     assert np.abs(product - difference).max() < 1e-3 * np.abs(difference).max()
 
 

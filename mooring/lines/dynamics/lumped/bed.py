@@ -15,8 +15,11 @@ from __future__ import annotations
 import math
 
 from bem.kernels.jit import kernel
+from bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
 
 from .books import BED, FRICTION
+from .vectors import TINY, combine, dot, largest, less, load_three, minus, more, store_three, total
+from .workspace import BED_DAMPING, BED_STIFFNESS, BED_THIN, LEVEL, NORMAL, TURN
 
 
 @kernel(inline=True)
@@ -60,87 +63,121 @@ def slipped(n, x, y, z, limit):
 
 
 @kernel()
-def bed_forces(s, q, v, slip, since, cq, cv, r, D, power):
-    """Reaction and friction of the bed; slip: elastic displacement of friction when the nodes were at `since`."""
-    for j in range(q.shape[0]):
-        h = s.bed_thickness[j]
-        n, level, turn = plane_at(s, q[j, 0], q[j, 1])
-        p = level + h - (n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2])
-        if p <= 0.0:
+def find_planes(s, work):
+    """The plane that touches an uneven bed under each node"""
+    for j in range(s.mass.size):
+        n, level, turn = plane_at(s, work.q[0, j], work.q[1, j])
+        work.node[NORMAL, j], work.node[NORMAL + 1, j], work.node[NORMAL + 2, j] = n
+        work.node[LEVEL, j], work.node[TURN, j] = level, turn
+
+
+@kernel(inline=True)
+def add_outer(D, w, j, f, a, b):
+    """Add f a bᵀ to eight blocks of D."""
+    for i in range(3):
+        row = 3 * i * w + j
+        x, y, z = load_three(D, w, row)
+        c = f * a[i]
+        store_three(D, w, row, (x + c * b[0], y + c * b[1], z + c * b[2]))
+
+
+@kernel()
+def bed_forces(s, work, slip, since, cq, cv):
+    """Reaction and friction of the bed.
+
+    slip : (3, w) m, elastic displacement of friction when the nodes were at `since` (3, w) m
+    """
+    uneven, w = s.bed_profile.shape[0] > 0, work.q.shape[1]
+    if uneven:
+        find_planes(s, work)
+    q, v, node, r, D = address(work.q), address(work.v), address(work.node), address(work.r), address(work.D)
+    held, began, lost, rubbed = address(slip), address(since), repeated(0.0), repeated(0.0)
+    G, most = s.bed_friction / s.bed_slip, s.bed_slip
+    for j in range(0, w - WIDTH, WIDTH):
+        stiffness, thin = load_vector(node, BED_STIFFNESS * w + j), load_vector(node, BED_THIN * w + j)
+        n, place = load_three(node, w, NORMAL * w + j), load_three(q, w, j)
+        # penetration over that of a node at rest, and the part of stiffness and damping that acts
+        deep = (load_vector(node, LEVEL * w + j) - dot(n, place)) * thin + 1.0
+        share = less(more(deep, repeated(0.0)), repeated(1.0))
+        if largest(share) == 0.0:
             continue
-        spring, k, _ = bearing(s.bed_stiffness[j], h, p)
-        rise = n[0] * v[j, 0] + n[1] * v[j, 1] + n[2] * v[j, 2]
-        c = s.bed_damping[j] * min(1.0, p / h)
-        N = max(0.0, spring - c * rise)
-        power[BED] += (spring - N) * rise
-        if N == 0.0:
-            continue
-        normal = cq * (k - (s.bed_damping[j] / h * rise if p < h else 0.0)) + cv * c
-        x, cut = slipped(
-            n,
-            slip[j, 0] + q[j, 0] - since[j, 0],
-            slip[j, 1] + q[j, 1] - since[j, 1],
-            slip[j, 2] + q[j, 2] - since[j, 2],
-            s.bed_slip,
-        )
-        G = s.bed_friction / s.bed_slip
-        F = G * N
-        # along the bed, and where it slides not along the displacement, friction resists like a spring
-        hold, sliding = cq * F * cut, cq * F * cut / s.bed_slip**2 if cut < 1.0 else 0.0
-        for i in range(3):
-            r[j, i] += N * n[i] - F * x[i]
-            power[FRICTION] += F * x[i] * v[j, i]
-            D[j, i, i] += hold
-            for m in range(3):
-                D[j, i, m] += ((normal - hold) * n[i] - G * normal * x[i]) * n[m] - sliding * x[i] * x[m]
-        if turn != 0.0:
-            cx, cy = s.bed_course[2], s.bed_course[3]
-            turned = (-cx, -cy, (n[0] * cx + n[1] * cy) / n[2])
+        speed, damping = load_three(v, w, j), load_vector(node, BED_DAMPING * w + j)
+        rise, c = dot(n, speed), damping * share
+        spring = stiffness / thin * share * (deep - 0.5 * share)
+        N = more(spring - c * rise, repeated(0.0))
+        lost = lost + (spring - N) * rise
+        normal = cq * (stiffness * share - choose_less(deep, 1.0, damping * thin * rise, 0.0)) + cv * c
+        normal = choose_less(0.0, N, normal, 0.0)
+        out = load_three(r, w, j)
+        out = combine(1.0, out, N, n)
+        add_outer(D, w, j, normal, n, n)
+        if G > 0.0:
+            x = minus(place, load_three(began, w, j))
+            x = combine(1.0, x, 1.0, load_three(held, w, j))
+            x = combine(1.0, x, -dot(n, x), n)
+            size = root(dot(x, x) + TINY)
+            cut = less(most / size, repeated(1.0))
+            x = combine(cut, x, 0.0, x)
+            F = G * N
+            out = combine(1.0, out, -F, x)
+            rubbed = rubbed + F * dot(x, speed)
+            # along the bed, and where it slides not along the displacement, friction resists like a spring
+            hold = cq * F * cut
+            sliding = choose_less(most, size, hold / (most * most), 0.0)
+            add_outer(D, w, j, -hold, n, n)
+            add_outer(D, w, j, -G * normal, x, n)
+            add_outer(D, w, j, -sliding, x, x)
             for i in range(3):
-                D[j, i, 0] -= cq * N * turn * turned[i] * cx
-                D[j, i, 1] -= cq * N * turn * turned[i] * cy
+                store_vector(D, 4 * i * w + j, load_vector(D, 4 * i * w + j) + hold)
+        store_three(r, w, j, out)
+        if uneven:
+            turn = load_vector(node, TURN * w + j)
+            cx, cy = s.bed_course[2], s.bed_course[3]
+            turned = (repeated(-cx), repeated(-cy), (n[0] * cx + n[1] * cy) / n[2])
+            add_outer(D, w, j, -cq * N * turn, turned, (repeated(cx), repeated(cy), repeated(0.0)))
+    work.power[BED], work.power[FRICTION] = total(lost), total(rubbed)
 
 
 @kernel(inline=True)
 def pressing(s, j, q, v):
     """N, reaction of the bed on node j, its damping included; 0 above the bed"""
     h = s.bed_thickness[j]
-    n, level, _ = plane_at(s, q[j, 0], q[j, 1])
-    p = level + h - (n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2])
+    n, level, _ = plane_at(s, q[0, j], q[1, j])
+    p = level + h - (n[0] * q[0, j] + n[1] * q[1, j] + n[2] * q[2, j])
     if p <= 0.0:
         return 0.0
-    rise = n[0] * v[j, 0] + n[1] * v[j, 1] + n[2] * v[j, 2]
+    rise = n[0] * v[0, j] + n[1] * v[1, j] + n[2] * v[2, j]
     return max(0.0, bearing(s.bed_stiffness[j], h, p)[0] - s.bed_damping[j] * min(1.0, p / h) * rise)
 
 
 @kernel()
 def keep_slip(s, q, v, slip, since, before):
-    """Friction displacement of all nodes after a step from `since` (n, 3) m at `before` (n, 3) m/s to q at v.
+    """Friction displacement of all nodes after a step from `since` (3, w) m at `before` (3, w) m/s to q at v.
 
     It is lost where a node has left the bed.  Returns the work against friction, J: that of the path from end to end
     of the step, elastic to δ and sliding beyond, because the power at the stages misses what turns within a millimetre.
     """
     work = 0.0
-    for j in range(q.shape[0]):
-        n, level, _ = plane_at(s, q[j, 0], q[j, 1])
-        above = n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2] - level - s.bed_thickness[j]
+    for j in range(s.mass.size):
+        n, level, _ = plane_at(s, q[0, j], q[1, j])
+        above = n[0] * q[0, j] + n[1] * q[1, j] + n[2] * q[2, j] - level - s.bed_thickness[j]
         if above < 0.0:
-            held = slip[j, 0] ** 2 + slip[j, 1] ** 2 + slip[j, 2] ** 2
+            held = slip[0, j] ** 2 + slip[1, j] ** 2 + slip[2, j] ** 2
             moved, cut = slipped(
                 n,
-                slip[j, 0] + q[j, 0] - since[j, 0],
-                slip[j, 1] + q[j, 1] - since[j, 1],
-                slip[j, 2] + q[j, 2] - since[j, 2],
+                slip[0, j] + q[0, j] - since[0, j],
+                slip[1, j] + q[1, j] - since[1, j],
+                slip[2, j] + q[2, j] - since[2, j],
                 s.bed_slip,
             )
-            slip[j, 0], slip[j, 1], slip[j, 2] = moved
+            slip[0, j], slip[1, j], slip[2, j] = moved
             stretched = 0.5 * (moved[0] ** 2 + moved[1] ** 2 + moved[2] ** 2 - held)
             path = stretched + s.bed_slip**2 * (1.0 / cut - 1.0)
             if s.bed_friction > 0.0:
                 mean = 0.5 * (pressing(s, j, since, before) + pressing(s, j, q, v))
                 work += s.bed_friction / s.bed_slip * mean * path
         else:
-            slip[j] = 0.0
+            slip[0, j] = slip[1, j] = slip[2, j] = 0.0
     return work
 
 
@@ -149,6 +186,6 @@ def bed_energy(s, j, q):
     """J, stored in the bed under node j"""
     if s.bed_stiffness[j] == 0.0:
         return 0.0
-    n, level, _ = plane_at(s, q[j, 0], q[j, 1])
-    p = level + s.bed_thickness[j] - (n[0] * q[j, 0] + n[1] * q[j, 1] + n[2] * q[j, 2])
+    n, level, _ = plane_at(s, q[0, j], q[1, j])
+    p = level + s.bed_thickness[j] - (n[0] * q[0, j] + n[1] * q[1, j] + n[2] * q[2, j])
     return bearing(s.bed_stiffness[j], s.bed_thickness[j], p)[2]

@@ -22,8 +22,9 @@ from .bed import keep_slip
 from .block_tridiagonal import substitute
 from .books import FRICTION
 from .forces import node_forces, stored_energy
-from .stage import CONVERGED, add, copy, move, solve_stage, spread, workspace
+from .stage import CONVERGED, begin_stage, solve_stage, spread, worst_element
 from .surroundings import fairlead_at, water_at
+from .workspace import INERTIA, copy, read, workspace, write
 
 DONE, FULL, TOO_SHORT = range(3)
 NEWTON = 0.02  # of the step's tolerance, left by Newton's method
@@ -40,25 +41,28 @@ def tableau():
 
 
 @kernel()
-def record(row, t, step, s, work, energy, a):
+def record(row, t, step, s, work, energy):
     """One line of the history: see COLUMNS."""
-    last = a.shape[0] - 1
+    last = s.length.size
     row[0] = t
     for i in range(3):
-        row[1 + i], row[4 + i] = work.r[last, i], work.r[0, i]
+        row[1 + i], row[4 + i] = work.r[i, last], work.r[i, 0]
     for i in range(6):
         row[7 + i] = energy[i]
     row[13], row[14], row[15], row[16] = stored_energy(s, work.q, work.v)
-    row[17], row[18], row[19] = work.T.min(), work.T.max(), step
+    least, most = work.T[1], work.T[1]
+    for e in range(2, last + 1):
+        least, most = min(least, work.T[e]), max(most, work.T[e])
+    row[17], row[18], row[19] = least, most, step
 
 
 @kernel()
 def frame(row, x, h, q0, v0, q1, v1):
     """Positions at the share x of a step, by the cubic through both ends and their velocities, into row (n, 3)."""
     y = 1.0 - x
-    for j in range(q0.shape[0]):
+    for j in range(row.shape[0]):
         for i in range(3):
-            start, end = (1 + 2 * x) * q0[j, i] + x * h * v0[j, i], (1 + 2 * y) * q1[j, i] - y * h * v1[j, i]
+            start, end = (1 + 2 * x) * q0[i, j] + x * h * v0[i, j], (1 + 2 * y) * q1[i, j] - y * h * v1[i, j]
             row[j, i] = y * y * start + x * x * end
 
 
@@ -72,84 +76,113 @@ def keep(i, K, V, power, a, v, p):
 
 
 @kernel()
-def mark(row, stations, T):
+def mark(row, stations, T, elements):
     """Tensions at the nodes `stations`: the mean of the elements on both sides."""
     for k in range(stations.size):
         j = stations[k]
-        row[k] = 0.5 * (T[max(j - 1, 0)] + T[min(j, T.size - 1)])
+        row[k] = 0.5 * (T[max(j, 1)] + T[min(j + 1, elements)])
 
 
 @kernel()
-def error(s, work, eq, ev, hd):
-    """Filtered error of tensions (N) and positions (m), see `spread`, and its element, with the last stage's matrix."""
-    last = eq.shape[0] - 1
-    for j in range(1, last):
-        for i in range(3):
-            work.x[j, i] = s.inertia[j] * (eq[j, i] + hd * ev[j, i])
-    substitute(work.pivots, work.couplings, work.x, work.x, 1, last - 1)
-    return spread(s, work.q, work.x)
+def lead(motion, t, room, q, v, a, last):
+    """Put the last node where the fairlead is at time t; room : (3, 3)"""
+    fairlead_at(motion, t, room[0], room[1], room[2])
+    for i in range(3):
+        q[i, last], v[i, last], a[i, last] = room[0, i], room[1, i], room[2, i]
+
+
+@kernel()
+def load_state(state, q, v, a, slip):
+    """The arrays (n, 3) of a State into rows (3, w)"""
+    read(q, state.position)
+    read(v, state.velocity)
+    read(a, state.acceleration)
+    read(slip, state.slip)
+
+
+@kernel()
+def store_state(state, q, v, a, slip):
+    """The other way round"""
+    write(state.position, q)
+    write(state.velocity, v)
+    write(state.acceleration, a)
+    write(state.slip, slip)
+
+
+@kernel()
+def error(s, work, K, V, db, step, hd):
+    """Filtered error of tensions (N) and positions (m), see `spread`, with the last stage's matrix."""
+    last = s.length.size
+    for i in range(3):
+        for j in range(1, last):
+            total = 0.0
+            for k in range(db.size):
+                total += db[k] * (V[k, i, j] + hd * K[k, i, j])
+            work.x[i, j] = work.node[INERTIA, j] * step * total
+    substitute(work.pivots, work.x, work.x, 1, last - 1)
+    return spread(s, work)
+
+
+@kernel()
+def predict(q, v, qh, vh, K, V, A, i, step, cv):
+    """q̂ and v̂ of stage i from the stages before it"""
+    for m in range(3):
+        for j in range(q.shape[1]):
+            along, speed = q[m, j], v[m, j]
+            for k in range(i):
+                along += step * A[i, k] * V[k, m, j]
+                speed += step * A[i, k] * K[k, m, j]
+            qh[m, j], vh[m, j] = along + cv * speed, speed
 
 
 @kernel()
 def run(s, water, motion, control, scheme, state, until, rows, frame_times, frames, stations, station_rows):
-    """Step from `state` to `until`; fills rows and frames.
+    """Step from `state` to `until`; fills rows and frames, and `state` with the arrays of its end.
 
     returns : why it stopped, rows used, frames used, time, step, rejected steps, Newton steps, element at fault
     """
     A, db, c = scheme
-    stages, n = c.size, state.position.shape[0]
-    d, last = A[1, 1], n - 1
-    q, v, a, slip = state.position, state.velocity, state.acceleration, state.slip
-    work = workspace(n)
-    K, V, power = np.zeros((stages, n, 3)), np.zeros((stages, n, 3)), np.zeros((stages, 6))
-    qh, vh, eq, ev, none = np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n, 3))
+    stages, last, work = c.size, s.length.size, workspace(s)
+    w, d = work.q.shape[1], A[1, 1]
+    memory, power, room = np.zeros((6 + 2 * stages, 3, w)), np.zeros((stages, 6)), np.zeros((3, 3))
+    q, v, a, slip, qh, vh = memory[0], memory[1], memory[2], memory[3], memory[4], memory[5]
+    K, V = memory[6 : 6 + stages], memory[6 + stages :]
     energy, used, drawn = rows[0, 7:13].copy(), 1, 0
-    t, h, rejected, iterations, worst = state.time, min(state.step, control.longest), 0, 0, 0
+    t, h, rejected, iterations, why = state.time, min(state.step, control.longest), 0, 0, DONE
+    load_state(state, q, v, a, slip)
     copy(work.q, q)
     copy(work.v, v)
-    water_at(water, q, t, work.u, work.du)
+    water_at(water, q, last + 1, t, work.u, work.du)
     node_forces(s, work, a, slip, q, 0.0, 0.0)
-    record(rows[0], t, h, s, work, energy, a)
-    mark(station_rows[0], stations, work.T)
+    record(rows[0], t, h, s, work, energy)
+    mark(station_rows[0], stations, work.T, last)
     keep(0, K, V, power, a, v, work.power)
-    scale, again = max(control.tension, work.T.max()), False
+    scale, again = max(control.tension, rows[0, 18]), False
     while t < until * (1 - 1e-14) - 1e-14:
         if used == rows.shape[0]:
-            return FULL, used, drawn, t, h, rejected, iterations, worst
+            why = FULL
+            break
         remaining = until - t
         step = remaining if h >= remaining else (0.5 * remaining if 2 * h > remaining else h)
         cq, cv, good, moved, stretched = (step * d) ** 2, step * d, True, np.inf, np.inf
+        limit = NEWTON * control.tolerance
         for i in range(1, stages):
             now = t + c[i] * step
-            copy(qh, q)
-            copy(vh, v)
-            for j in range(i):
-                add(vh, step * A[i, j], K[j])
-                add(qh, step * A[i, j], V[j])
-            add(qh, cv, vh)
+            predict(q, v, qh, vh, K, V, A, i, step, cv)
             copy(K[i], K[i - 1])
-            fairlead_at(motion, now, qh[last], vh[last], K[i, last])
+            lead(motion, now, room, qh, vh, K[i], last)
+            begin_stage(work, qh, vh, K[i], last, cq, cv)
             # the water is taken where the nodes are expected: an error of order h³
-            copy(work.q, qh)
-            move(work.q, work.v, K[i], cq, cv)
-            water_at(water, work.q, now, work.u, work.du)
-            limit = NEWTON * control.tolerance
-            status, worst, count = solve_stage(
-                s, work, qh, vh, K[i], slip, q, cq, cv, limit * scale, limit * control.distance
-            )
+            water_at(water, work.q, last + 1, now, work.u, work.du)
+            status, count = solve_stage(s, work, K[i], slip, q, cq, cv, limit * scale, limit * control.distance)
             iterations += count
             if status != CONVERGED:
                 good = False
                 break
             keep(i, K, V, power, K[i], work.v, work.power)
         if good:
-            copy(eq, none)
-            copy(ev, none)
-            for j in range(stages):
-                add(ev, step * db[j], K[j])
-                add(eq, step * db[j], V[j])
             largest = max(scale, work.T.max())
-            stretched, moved, worst = error(s, work, eq, ev, cv)
+            stretched, moved = error(s, work, K, V, db, step, cv)
             size = max(stretched / (control.tolerance * largest), moved / (control.tolerance * control.distance))
             factor_h = min(MOST, max(LEAST, SAFETY * size ** (-1.0 / 3.0))) if size > 0 else MOST
         else:
@@ -158,7 +191,8 @@ def run(s, water, motion, control, scheme, state, until, rows, frame_times, fram
             rejected, again = rejected + 1, True
             h = step * factor_h
             if h < control.shortest:
-                return TOO_SHORT, used, drawn, t, h, rejected, iterations, worst
+                why = TOO_SHORT
+                break
             continue
         scale = largest
         for j in range(stages):
@@ -172,12 +206,14 @@ def run(s, water, motion, control, scheme, state, until, rows, frame_times, fram
         copy(q, work.q)
         copy(v, work.v)
         copy(a, K[stages - 1])
-        record(rows[used], t, step, s, work, energy, a)
-        mark(station_rows[used], stations, work.T)
+        record(rows[used], t, step, s, work, energy)
+        mark(station_rows[used], stations, work.T, last)
         used += 1
         keep(0, K, V, power, a, v, work.power)
         if again:  # what has just been refused would be again
             factor_h, again = min(factor_h, 1.0), False
         h = max(h, step * factor_h) if step < h else step * factor_h
         h = min(h, control.longest)
-    return DONE, used, drawn, t, h, rejected, iterations, worst
+    store_state(state, q, v, a, slip)
+    worst = worst_element(work, last) if why == TOO_SHORT else 0
+    return why, used, drawn, t, h, rejected, iterations, worst

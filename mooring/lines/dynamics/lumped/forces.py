@@ -10,7 +10,7 @@ dimensions):
     normal      ½ρ C_dn D |u_n| u_n,     ρA [(1 + C_an) u̇_n − C_an a_n]
     tangential  ½ρ C_dt πD |u_t| u_t,    ρA C_at (u̇_t − a_t)
 
-Bed: `bed`.
+Bed: `bed`.  Eight elements, then eight nodes, are taken at once (`vectors`, `workspace`).
 
 The tangent is exact for tension, bed and friction and for drag against velocity; it leaves out how drag and added
 mass turn with the line, which is h²|F|/mℓ times smaller.
@@ -21,9 +21,27 @@ from __future__ import annotations
 import math
 
 from bem.kernels.jit import kernel
+from bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
 
 from .bed import bed_energy, bed_forces
 from .books import DRAG, INERTIA, STRUCTURE, WORK
+from .vectors import TINY, combine, dot, less, load_three, minus, more, store_three, total
+from .workspace import (
+    ADDED_NORMAL,
+    ADDED_TANGENTIAL,
+    BEGIN,
+    DAMPING,
+    DISPLACED,
+    DRAG_NORMAL,
+    DRAG_TANGENTIAL,
+    HARD,
+    MASS,
+    OVER,
+    SHORT,
+    SLOPE,
+    STIFFNESS,
+    WEIGHT,
+)
 
 
 @kernel(inline=True)
@@ -35,19 +53,29 @@ def elongation_row(s, e, strain):
     return row
 
 
+@kernel()
+def find_rows(s, work):
+    """The row of its table that holds for each element where its nodes are now"""
+    q, known = work.q, work.element
+    for e in range(s.length.size):
+        x, y, z = q[0, e + 1] - q[0, e], q[1, e + 1] - q[1, e], q[2, e + 1] - q[2, e]
+        row = elongation_row(s, e, math.sqrt(x * x + y * y + z * z) / s.length[e] - 1.0)
+        known[BEGIN, e + 1], known[OVER, e + 1] = s.elongation[row, 0], s.elongation[row, 1]
+        known[SLOPE, e + 1] = s.elongation[row, 2]
+
+
 @kernel(inline=True)
-def tension(s, e, strain, rate):
-    """Tension of element e, its elastic part, ∂T/∂ε and ∂T/∂ε̇."""
-    if strain <= 0.0:
-        return 0.0, 0.0, 0.0, 0.0
-    EA, BA, soft, row = s.stiffness[e], s.damping[e], s.soft_strain[e], elongation_row(s, e, strain)
-    k = EA * s.elongation[row, 2]
-    elastic = EA * s.elongation[row, 1] + k * (strain - s.elongation[row, 0])
-    fade = min(1.0, strain / soft)
-    T = elastic + BA * fade * rate
-    if T <= 0.0:
-        return 0.0, elastic, 0.0, 0.0
-    return T, elastic, k + (BA * rate / soft if strain < soft else 0.0), BA * fade
+def tension(known, w, slot, strain, rate):
+    """Tension of eight elements, its elastic part, ∂T/∂ε and ∂T/∂ε̇."""
+    EA, hard = load_vector(known, STIFFNESS * w + slot), load_vector(known, HARD * w + slot)
+    k = EA * load_vector(known, SLOPE * w + slot)
+    elastic = EA * load_vector(known, OVER * w + slot) + k * (strain - load_vector(known, BEGIN * w + slot))
+    damping = load_vector(known, DAMPING * w + slot)
+    fade = strain * hard
+    b = damping * less(fade, repeated(1.0))
+    T = choose_less(0.0, strain, more(elastic + b * rate, repeated(0.0)), 0.0)
+    k = k + choose_less(fade, 1.0, damping * rate * hard, 0.0)
+    return T, choose_less(0.0, strain, elastic, 0.0), choose_less(0.0, T, k, 0.0), choose_less(0.0, T, b, 0.0)
 
 
 @kernel()
@@ -63,144 +91,156 @@ def immersion(z, radius):
 
 
 @kernel()
-def axial_forces(s, q, v, cq, cv, r, D, B, T, tangent, power):
-    """Tension of every element on its two nodes; unit vectors towards the fairlead into `tangent` (N, 3)."""
-    lost = 0.0
-    for e in range(s.length.size):
-        x, y, z = q[e + 1, 0] - q[e, 0], q[e + 1, 1] - q[e, 1], q[e + 1, 2] - q[e, 2]
-        squared, free = x * x + y * y + z * z, s.length[e]
-        short = 1.0 / math.sqrt(squared)
-        x, y, z = x * short, y * short, z * short
-        wx, wy, wz = v[e + 1, 0] - v[e, 0], v[e + 1, 1] - v[e, 1], v[e + 1, 2] - v[e, 2]
+def pull_elements(work, elements, cq, cv):
+    """Tensions, unit vectors towards the fairlead and tangent blocks of all elements; returns the power lost."""
+    w, q, v, known = work.q.shape[1], address(work.q), address(work.v), address(work.element)
+    T, tangent, B, lost = address(work.T), address(work.tangent), address(work.B), repeated(0.0)
+    for e in range(0, elements, WIDTH):
+        slot = e + 1
+        d = minus(load_three(q, w, slot), load_three(q, w, e))
+        squared, short = dot(d, d) + TINY, load_vector(known, SHORT * w + slot)
+        inverse = 1.0 / root(squared)
+        x, y, z = d[0] * inverse, d[1] * inverse, d[2] * inverse
+        wx, wy, wz = minus(load_three(v, w, slot), load_three(v, w, e))
         stretching = x * wx + y * wy + z * wz
-        strain, rate = squared * short / free - 1.0, stretching / free
-        pull, elastic, k, b = tension(s, e, strain, rate)
-        lost += (pull - elastic) * stretching
-        across, turning = cq * pull * short, cq * b * short / free
-        axial = (cq * k + cv * b) / free - across - turning * stretching
+        pull, elastic, k, b = tension(known, w, slot, squared * inverse * short - 1.0, stretching * short)
+        lost = lost + (pull - elastic) * stretching
+        across, turning = cq * pull * inverse, cq * b * inverse * short
+        axial = (cq * k + cv * b) * short - across - turning * stretching
         ax, ay, az = axial * x + turning * wx, axial * y + turning * wy, axial * z + turning * wz
-        c, here, there = B[e], D[e], D[e + 1]
         # tension along the element, and that it turns with it
-        c[0, 0], c[0, 1], c[0, 2] = x * ax + across, x * ay, x * az
-        c[1, 0], c[1, 1], c[1, 2] = y * ax, y * ay + across, y * az
-        c[2, 0], c[2, 1], c[2, 2] = z * ax, z * ay, z * az + across
-        for i in range(3):
-            for m in range(3):
-                here[i, m] += c[i, m]
-                there[i, m] += c[i, m]
-        r[e, 0] += pull * x
-        r[e, 1] += pull * y
-        r[e, 2] += pull * z
-        r[e + 1, 0] -= pull * x
-        r[e + 1, 1] -= pull * y
-        r[e + 1, 2] -= pull * z
-        tangent[e, 0], tangent[e, 1], tangent[e, 2], T[e] = x, y, z, pull
-    power[STRUCTURE] = lost
+        store_three(B, w, slot, (x * ax + across, x * ay, x * az))
+        store_three(B, w, 3 * w + slot, (y * ax, y * ay + across, y * az))
+        store_three(B, w, 6 * w + slot, (z * ax, z * ay, z * az + across))
+        store_three(tangent, w, slot, (x, y, z))
+        store_vector(T, slot, pull)
+    return total(lost)
+
+
+@kernel(inline=True)
+def half_water(known, w, slot, t, x, a, du, cv):
+    """Drag and inertia (3) of the halves of eight elements at their nodes, and the tangent: xx, yy, zz, xy, xz, yz.
+
+    t : along the elements; x, du : velocity of the water past the nodes, its acceleration; a : of the nodes
+    """
+    along = dot(x, t)
+    x = combine(1.0, x, -along, t)
+    speed, normal = root(dot(x, x) + TINY), load_vector(known, DRAG_NORMAL * w + slot)
+    dn, dt = normal * speed, load_vector(known, DRAG_TANGENTIAL * w + slot) * more(along, -along)
+    an, at = load_vector(known, ADDED_NORMAL * w + slot), load_vector(known, ADDED_TANGENTIAL * w + slot)
+    moved = an + load_vector(known, DISPLACED * w + slot)
+    # what the tangential part of the accelerations of line and water has less, or more, than the normal part
+    c = (an - at) * dot(a, t) - (moved - at) * dot(du, t)
+    drag = combine(dn, x, dt * along, t)
+    ix, iy, iz = combine(moved, du, c, t)
+    inertia = (ix - an * a[0], iy - an * a[1], iz - an * a[2])
+    plain, f, g = an + cv * dn, (at - an) + cv * (2.0 * dt - dn), cv * normal / speed
+    tx, ty, tz = t
+    gx, gy, gz = g * x[0], g * x[1], g * x[2]
+    fx, fy, fz = f * tx, f * ty, f * tz
+    return (
+        drag,
+        inertia,
+        (plain + fx * tx + gx * x[0], plain + fy * ty + gy * x[1], plain + fz * tz + gz * x[2]),
+        (fx * ty + gx * x[1], fx * tz + gx * x[2], fy * tz + gy * x[2]),
+    )
 
 
 @kernel()
-def water_forces(s, v, a, u, du, cv, r, D, tangent, power):
-    """Drag and inertia of both halves of every element."""
-    lost_drag, lost_inertia = 0.0, 0.0
-    for half in range(2 * s.length.size):
-        e, j = half // 2, (half + 1) // 2
-        tx, ty, tz = tangent[e, 0], tangent[e, 1], tangent[e, 2]
-        x, y, z = u[j, 0] - v[j, 0], u[j, 1] - v[j, 1], u[j, 2] - v[j, 2]
-        along = x * tx + y * ty + z * tz
-        x, y, z = x - along * tx, y - along * ty, z - along * tz
-        speed = math.sqrt(x * x + y * y + z * z)
-        dn, dt = s.half_drag_normal[e] * speed, s.half_drag_tangential[e] * abs(along)
-        an, at, water = s.half_added_normal[e], s.half_added_tangential[e], s.half_displaced[e]
-        # what the tangential part of the accelerations of line and water has less, or more, than the normal part
-        c = (an - at) * (a[j, 0] * tx + a[j, 1] * ty + a[j, 2] * tz)
-        c -= (an + water - at) * (du[j, 0] * tx + du[j, 1] * ty + du[j, 2] * tz)
-        drag_x, drag_y, drag_z = dn * x + dt * along * tx, dn * y + dt * along * ty, dn * z + dt * along * tz
-        inertia_x = (an + water) * du[j, 0] - an * a[j, 0] + c * tx
-        inertia_y = (an + water) * du[j, 1] - an * a[j, 1] + c * ty
-        inertia_z = (an + water) * du[j, 2] - an * a[j, 2] + c * tz
-        lost_drag -= drag_x * v[j, 0] + drag_y * v[j, 1] + drag_z * v[j, 2]
-        lost_inertia -= inertia_x * v[j, 0] + inertia_y * v[j, 1] + inertia_z * v[j, 2]
-        r[j, 0] += drag_x + inertia_x
-        r[j, 1] += drag_y + inertia_y
-        r[j, 2] += drag_z + inertia_z
-        plain, f = an + cv * dn, (at - an) + cv * (2.0 * dt - dn)
-        g = cv * s.half_drag_normal[e] / speed if speed > 0.0 else 0.0
-        A = D[j]
-        xy, xz, yz = f * tx * ty + g * x * y, f * tx * tz + g * x * z, f * ty * tz + g * y * z
-        A[0, 0] += plain + f * tx * tx + g * x * x
-        A[1, 1] += plain + f * ty * ty + g * y * y
-        A[2, 2] += plain + f * tz * tz + g * z * z
-        A[0, 1] += xy
-        A[1, 0] += xy
-        A[0, 2] += xz
-        A[2, 0] += xz
-        A[1, 2] += yz
-        A[2, 1] += yz
-    power[DRAG], power[INERTIA] = lost_drag, lost_inertia
+def load_nodes(work, a, cv):
+    """Residual and tangent of all nodes but for bed and bodies; returns the power lost to drag and to inertia."""
+    w, v, known, node = work.q.shape[1], address(work.v), address(work.element), address(work.node)
+    T, tangent, B, D, r = address(work.T), address(work.tangent), address(work.B), address(work.D), address(work.r)
+    u, du, acceleration, lost_drag, lost_inertia = (
+        address(work.u),
+        address(work.du),
+        address(a),
+        repeated(0.0),
+        repeated(0.0),
+    )
+    for j in range(0, a.shape[1] - WIDTH, WIDTH):
+        before, after, speed = load_three(tangent, w, j), load_three(tangent, w, j + 1), load_three(v, w, j)
+        now, water = load_three(acceleration, w, j), load_three(du, w, j)
+        past, mass = minus(load_three(u, w, j), speed), load_vector(node, MASS * w + j)
+        drag, inertia, square, mixed = half_water(known, w, j, before, past, now, water, cv)
+        drag1, inertia1, square1, mixed1 = half_water(known, w, j + 1, after, past, now, water, cv)
+        drag, inertia = combine(1.0, drag, 1.0, drag1), combine(1.0, inertia, 1.0, inertia1)
+        lost_drag, lost_inertia = lost_drag - dot(drag, speed), lost_inertia - dot(inertia, speed)
+        rx, ry, rz = combine(load_vector(T, j + 1), after, -load_vector(T, j), before)
+        rx, ry = rx - mass * now[0] + drag[0] + inertia[0], ry - mass * now[1] + drag[1] + inertia[1]
+        rz = rz - mass * now[2] - load_vector(node, WEIGHT * w + j) + drag[2] + inertia[2]
+        store_three(r, w, j, (rx, ry, rz))
+        xx, yy, zz = combine(1.0, square, 1.0, square1)
+        xy, xz, yz = combine(1.0, mixed, 1.0, mixed1)
+        bx, by, bz = combine(1.0, load_three(B, w, j), 1.0, load_three(B, w, j + 1))
+        store_three(D, w, j, (bx + xx + mass, by + xy, bz + xz))
+        bx, by, bz = combine(1.0, load_three(B, w, 3 * w + j), 1.0, load_three(B, w, 3 * w + j + 1))
+        store_three(D, w, 3 * w + j, (bx + xy, by + yy + mass, bz + yz))
+        bx, by, bz = combine(1.0, load_three(B, w, 6 * w + j), 1.0, load_three(B, w, 6 * w + j + 1))
+        store_three(D, w, 6 * w + j, (bx + xz, by + yz, bz + zz + mass))
+    return total(lost_drag), total(lost_inertia)
 
 
 @kernel()
-def body_forces(s, q, v, a, u, du, cq, cv, r, D, power):
+def body_forces(s, work, a, cq, cv):
     """Buoyancy, drag and inertia of the bodies, spheres for buoyancy; out of the water they feel no drag."""
+    q, v, u, du, r, D, power = work.q, work.v, work.u, work.du, work.r, work.D, work.power
     for j in s.body_nodes:
-        share, slope, _ = immersion(q[j, 2], s.body_radius[j])
-        r[j, 2] += s.body_buoyancy[j] * share
-        D[j, 2, 2] -= cq * s.body_buoyancy[j] * slope
-        x = (u[j, 0] - v[j, 0], u[j, 1] - v[j, 1], u[j, 2] - v[j, 2])
+        share, slope, _ = immersion(q[2, j], s.body_radius[j])
+        r[2, j] += s.body_buoyancy[j] * share
+        D[8, j] -= cq * s.body_buoyancy[j] * slope
+        x = (u[0, j] - v[0, j], u[1, j] - v[1, j], u[2, j] - v[2, j])
         speed = math.sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
         c = s.body_drag[j] * share
         for i in range(3):
             drag = c * speed * x[i]
-            inertia = (s.body_added[j] + s.body_displaced[j] * share) * du[j, i] - s.body_added[j] * a[j, i]
-            r[j, i] += drag + inertia
-            power[DRAG] -= drag * v[j, i]
-            power[INERTIA] -= inertia * v[j, i]
-            D[j, i, i] += s.body_added[j] + cv * c * speed
+            inertia = (s.body_added[j] + s.body_displaced[j] * share) * du[i, j] - s.body_added[j] * a[i, j]
+            r[i, j] += drag + inertia
+            power[DRAG] -= drag * v[i, j]
+            power[INERTIA] -= inertia * v[i, j]
+            D[4 * i, j] += s.body_added[j] + cv * c * speed
             for m in range(3):
-                D[j, i, m] += cv * c * x[i] * x[m] / speed if speed > 0.0 else 0.0
+                D[3 * i + m, j] += cv * c * x[i] * x[m] / speed if speed > 0.0 else 0.0
 
 
 @kernel()
 def node_forces(s, work, a, slip, since, cq, cv):
     """Residual work.r = forces − mass · a of all nodes, tangent blocks D and B, tensions T and powers.
 
-    The nodes are at work.q with velocity work.v, in water that moves with work.u and accelerates with work.du.
+    The nodes are at work.q with velocity work.v, in water that moves with work.u and accelerates with work.du;
+    a, slip, since : (3, w)
     """
-    q, v, r, D, power, last = work.q, work.v, work.r, work.D, work.power, work.q.shape[0] - 1
+    v, r, power, last = work.v, work.r, work.power, s.length.size
     for k in range(power.size):
         power[k] = 0.0
-    for j in range(last + 1):
-        for i in range(3):
-            r[j, i] = -s.mass[j] * a[j, i]
-            for m in range(3):
-                D[j, i, m] = s.mass[j] if i == m else 0.0
-        r[j, 2] -= s.weight[j]
-    axial_forces(s, q, v, cq, cv, r, D, work.B, work.T, work.tangent, power)
-    water_forces(s, v, a, work.u, work.du, cv, r, D, work.tangent, power)
+    if work.tabled:
+        find_rows(s, work)
+    power[STRUCTURE] = pull_elements(work, last, cq, cv)
+    power[DRAG], power[INERTIA] = load_nodes(work, a, cv)
     if s.body_nodes.size > 0:
-        body_forces(s, q, v, a, work.u, work.du, cq, cv, r, D, power)
+        body_forces(s, work, a, cq, cv)
     if s.bed_stiffness[last] > 0.0:
-        bed_forces(s, q, v, slip, since, cq, cv, r, D, power)
+        bed_forces(s, work, slip, since, cq, cv)
     for i in range(3):
-        power[WORK] -= r[last, i] * v[last, i] + r[0, i] * v[0, i]
+        power[WORK] -= r[i, last] * v[i, last] + r[i, 0] * v[i, 0]
 
 
 @kernel()
 def stored_energy(s, q, v):
     """Kinetic energy of the dry line, elastic energy, potential of weight and buoyancy, and energy in the bed, J."""
     kinetic, elastic, potential, bed = 0.0, 0.0, 0.0, 0.0
-    for j in range(q.shape[0]):
-        kinetic += 0.5 * s.mass[j] * (v[j, 0] ** 2 + v[j, 1] ** 2 + v[j, 2] ** 2)
-        potential += s.weight[j] * q[j, 2]
+    for j in range(s.mass.size):
+        kinetic += 0.5 * s.mass[j] * (v[0, j] ** 2 + v[1, j] ** 2 + v[2, j] ** 2)
+        potential += s.weight[j] * q[2, j]
         if s.body_buoyancy[j] > 0.0:
-            potential += s.body_buoyancy[j] * immersion(q[j, 2], s.body_radius[j])[2]
+            potential += s.body_buoyancy[j] * immersion(q[2, j], s.body_radius[j])[2]
         bed += bed_energy(s, j, q)
-    for e in range(q.shape[0] - 1):
-        x, y, z = q[e + 1, 0] - q[e, 0], q[e + 1, 1] - q[e, 1], q[e + 1, 2] - q[e, 2]
+    for e in range(s.length.size):
+        x, y, z = q[0, e + 1] - q[0, e], q[1, e + 1] - q[1, e], q[2, e + 1] - q[2, e]
         strain = math.sqrt(x * x + y * y + z * z) / s.length[e] - 1.0
         if strain > 0.0:
             row = elongation_row(s, e, strain)
-            more = strain - s.elongation[row, 0]
-            stored = s.elongation[row, 3] + more * (s.elongation[row, 1] + 0.5 * s.elongation[row, 2] * more)
+            above = strain - s.elongation[row, 0]
+            stored = s.elongation[row, 3] + above * (s.elongation[row, 1] + 0.5 * s.elongation[row, 2] * above)
             elastic += s.stiffness[e] * s.length[e] * stored
     return kinetic, elastic, potential, bed

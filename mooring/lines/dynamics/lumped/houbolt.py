@@ -16,10 +16,11 @@ from bem.kernels.jit import kernel
 
 from .bed import keep_slip
 from .books import FRICTION
-from .esdirk import frame, mark, record
+from .esdirk import frame, lead, load_state, mark, record, store_state
 from .forces import node_forces
-from .stage import CONVERGED, copy, move, solve_stage, workspace
-from .surroundings import fairlead_at, water_at
+from .stage import CONVERGED, begin_stage, solve_stage, worst_element
+from .surroundings import water_at
+from .workspace import copy, workspace
 
 
 @kernel()
@@ -28,34 +29,37 @@ def run_fixed(s, water, motion, control, state, step, rows, frame_times, frames,
 
     returns : steps made, Newton steps, element at fault
     """
-    last = state.position.shape[0] - 1
-    q, v, a, slip = state.position, state.velocity, state.acceleration, state.slip
-    work = workspace(last + 1)
-    p1, p2 = q.copy(), q.copy()  # one and two steps before q
-    qh, vh, energy, before = np.zeros_like(q), np.zeros_like(q), np.zeros(6), np.zeros(6)
+    last, work = state.position.shape[0] - 1, workspace(s)
+    memory, still = np.zeros((8, 3, work.q.shape[1])), np.zeros((3, 3))
+    q, v, a, slip = memory[0], memory[1], memory[2], memory[3]
+    p1, p2, qh, vh = memory[4], memory[5], memory[6], memory[7]  # p1 and p2: one and two steps before q
+    energy, before = np.zeros(6), np.zeros(6)
+    load_state(state, q, v, a, slip)
+    copy(p1, q)
+    copy(p2, q)
     copy(work.q, q)
-    water_at(water, q, state.time, work.u, work.du)
+    water_at(water, q, last + 1, state.time, work.u, work.du)
     node_forces(s, work, a, slip, q, 0.0, 0.0)
     before[:] = work.power
-    record(rows[0], state.time, step, s, work, energy, a)
-    mark(station_rows[0], stations, work.T)
+    record(rows[0], state.time, step, s, work, energy)
+    mark(station_rows[0], stations, work.T, last)
     drawn, iterations, cq, cv, limit = 0, 0, 0.5 * step * step, 11.0 / 12.0 * step, 1e-2 * control.tolerance
     for k in range(1, rows.shape[0]):
         t = state.time + k * step
-        for j in range(last + 1):
-            for i in range(3):
-                qh[j, i] = 2.5 * q[j, i] - 2.0 * p1[j, i] + 0.5 * p2[j, i]
-                vh[j, i] = (11.0 * qh[j, i] - 18.0 * q[j, i] + 9.0 * p1[j, i] - 2.0 * p2[j, i]) / (6.0 * step)
-        fairlead_at(motion, t, qh[last], vh[last], a[last])
-        copy(work.q, qh)
-        move(work.q, work.v, a, cq, cv)
-        water_at(water, work.q, t, work.u, work.du)
-        status, worst, count = solve_stage(
-            s, work, qh, vh, a, slip, q, cq, cv, limit * max(control.tension, work.T.max()), limit * control.distance
+        for i in range(3):
+            for j in range(last + 1):
+                qh[i, j] = 2.5 * q[i, j] - 2.0 * p1[i, j] + 0.5 * p2[i, j]
+                vh[i, j] = (11.0 * qh[i, j] - 18.0 * q[i, j] + 9.0 * p1[i, j] - 2.0 * p2[i, j]) / (6.0 * step)
+        lead(motion, t, still, qh, vh, a, last)
+        begin_stage(work, qh, vh, a, last, cq, cv)
+        water_at(water, work.q, last + 1, t, work.u, work.du)
+        status, count = solve_stage(
+            s, work, a, slip, q, cq, cv, limit * max(control.tension, work.T.max()), limit * control.distance
         )
         iterations += count
         if status != CONVERGED:
-            return k - 1, iterations, worst
+            store_state(state, q, v, a, slip)
+            return k - 1, iterations, worst_element(work, last)
         for i in range(FRICTION):
             energy[i] += 0.5 * step * (before[i] + work.power[i])
             before[i] = work.power[i]
@@ -67,6 +71,7 @@ def run_fixed(s, water, motion, control, state, step, rows, frame_times, frames,
         copy(p1, q)
         copy(q, work.q)
         copy(v, work.v)
-        record(rows[k], t, step, s, work, energy, a)
-        mark(station_rows[k], stations, work.T)
+        record(rows[k], t, step, s, work, energy)
+        mark(station_rows[k], stations, work.T, last)
+    store_state(state, q, v, a, slip)
     return rows.shape[0] - 1, iterations, 0

@@ -13,10 +13,11 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .block_tridiagonal import factor, substitute
+from .block_tridiagonal import factor
 from .forces import node_forces
-from .stage import change, copy, move, workspace
+from .stage import correction
 from .surroundings import water_at
+from .workspace import add, copy, read, workspace, write
 
 PASSES = 400
 LIMIT = 1e-10  # of the largest tension and of the line's length, last correction
@@ -26,23 +27,26 @@ ROUNDING = 1e-14  # of the line's length, in the distance of two nodes
 @kernel()
 def settle(s, water, q, slip):
     """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 when it was not reached."""
-    n = q.shape[0]
-    work, still, tau = workspace(n), np.zeros((n, 3)), 0.3 * math.sqrt(s.length.max())
+    last, work, tau = q.shape[0] - 1, workspace(s), 0.3 * math.sqrt(s.length.max())
+    still, held, at = np.zeros_like(work.q), np.zeros_like(work.q), np.zeros_like(work.q)
+    read(held, slip)
+    read(at, q)
     before, length = np.inf, s.length.sum()
     shortest, noise = s.length.min(), ROUNDING * length * (s.stiffness / s.length).max()
     for count in range(PASSES):
-        copy(work.q, q)
-        water_at(water, q, 0.0, work.u, work.du)
-        node_forces(s, work, still, slip, q, tau * tau, tau)
-        factor(work.D, work.B, 1, n - 2)
-        substitute(work.D, work.B, work.r, work.x, 1, n - 2)
-        tension, distance, _ = change(s, q, work.x, tau * tau)
+        copy(work.q, at)
+        water_at(water, at, last + 1, 0.0, work.u, work.du)
+        node_forces(s, work, still, held, at, tau * tau, tau)
+        factor(work.D, work.B, work.pivots, 1, last - 1)
+        tension, distance = correction(s, work, tau * tau)
         if not (math.isfinite(tension) and math.isfinite(distance)):
             return -1
         share = min(1.0, 0.5 * shortest / distance) if distance > 0.0 else 1.0
-        move(q, q, work.x, share * tau * tau, 0.0)
-        size = max(tension / max(work.T.max(), s.weight.max()), distance / length)
-        if size <= LIMIT + noise / max(work.T.max(), s.weight.max()) and tau >= 1.0:
+        add(at, share * tau * tau, work.x)
+        write(q, at)
+        most = max(work.T.max(), s.weight.max())
+        size = max(tension / most, distance / length)
+        if size <= LIMIT + noise / most and tau >= 1.0:
             return count + 1
         tau = min(tau * (3.0 if size < before and share == 1.0 else 0.5), 1e4)
         tau = max(tau, 1e-3)

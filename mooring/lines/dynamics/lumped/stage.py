@@ -6,178 +6,130 @@ Every implicit scheme of second-order equations has this form; it differs by q̂
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
 from bem.kernels.jit import kernel
+from bem.kernels.simd import WIDTH, address, load_vector, repeated, root, store_vector
 
 from .block_tridiagonal import factor, substitute
 from .forces import node_forces
+from .vectors import TINY, dot, largest, load_three, minus, more, total
+from .workspace import SHORT, STIFFNESS, copy
 
 ITERATIONS = 12
 CONVERGED, NOT_FINITE, STALLED = range(3)
 
 
-class Work(NamedTuple):
-    """Arrays used over and over; n nodes."""
-
-    q: np.ndarray  # (n, 3)
-    v: np.ndarray
-    r: np.ndarray
-    x: np.ndarray
-    u: np.ndarray
-    du: np.ndarray
-    D: np.ndarray  # (n, 3, 3)
-    B: np.ndarray  # (n, 3, 3)
-    T: np.ndarray  # (n − 1,)
-    tangent: np.ndarray  # (n − 1, 3)
-    power: np.ndarray  # (6,)
-    pivots: np.ndarray  # (n, 3, 3) of the last tangent that was factored
-    couplings: np.ndarray  # (n, 3, 3)
-
-
 @kernel()
-def workspace(n):
-    """Work for n nodes."""
-    return Work(
-        np.zeros((n, 3)),
-        np.zeros((n, 3)),
-        np.zeros((n, 3)),
-        np.zeros((n, 3)),
-        np.zeros((n, 3)),
-        np.zeros((n, 3)),
-        np.zeros((n, 3, 3)),
-        np.zeros((n, 3, 3)),
-        np.zeros(n - 1),
-        np.zeros((n - 1, 3)),
-        np.zeros(6),
-        np.zeros((n, 3, 3)),
-        np.zeros((n, 3, 3)),
-    )
-
-
-@kernel()
-def copy(y, x):
-    """y = x for (n, 3) arrays: a loop compiles in a fraction of the time of the array expression, as does `add`."""
-    for j in range(y.shape[0]):
-        for i in range(3):
-            y[j, i] = x[j, i]
-
-
-@kernel()
-def add(y, f, x):
-    """y += f x for (n, 3) arrays."""
-    for j in range(y.shape[0]):
-        for i in range(3):
-            y[j, i] += f * x[j, i]
-
-
-@kernel(inline=True)
-def element_change(s, q, x, scale, e):
-    """Change of the tension of element e (N) and of the position of its upper node (m) by displacements ± scale · x.
+def changes(s, work, scale):
+    """Changes of tension (N) and place (m) by displacements ± scale · work.x, of which `change` and `spread` tell.
 
     A slack element has no tension to change until it is taut.
+    returns : the largest of the tensions, their root mean square and the larger one at an end, N; the largest of places, m
     """
-    axial, length, moved = 0.0, 0.0, 0.0
-    for i in range(3):
-        d = q[e + 1, i] - q[e, i]
-        axial += d * (x[e + 1, i] - x[e, i])
-        length += d * d
-        moved += x[e + 1, i] ** 2
-    length = math.sqrt(length)
-    slack = max(0.0, s.length[e] - length)
-    tension = s.stiffness[e] / s.length[e] * max(0.0, abs(axial) * scale / length - slack)
-    return tension, scale * math.sqrt(moved)
+    w, q, x, known = work.q.shape[1], address(work.q), address(work.x), address(work.element)
+    elements, far, most, squares, changed = (
+        s.length.size,
+        repeated(0.0),
+        repeated(0.0),
+        repeated(0.0),
+        address(work.change),
+    )
+    for e in range(0, elements, WIDTH):
+        slot = e + 1
+        d, away = minus(load_three(q, w, slot), load_three(q, w, e)), load_three(x, w, slot)
+        length, short = root(dot(d, d) + TINY), load_vector(known, SHORT * w + slot)
+        axial = dot(d, minus(away, load_three(x, w, e))) * scale / length
+        slack = more(1.0 / short - length, repeated(0.0))
+        tension = load_vector(known, STIFFNESS * w + slot) * short * more(more(axial, -axial) - slack, repeated(0.0))
+        store_vector(changed, slot, tension)
+        moved = dot(away, away)
+        far, most, squares = more(far, moved), more(most, tension), squares + tension * tension + 0.0 * moved
+    ends = max(work.change[1], work.change[elements])
+    squared = total(squares)  # nan stays in a sum
+    if not math.isfinite(squared):
+        return np.nan, np.nan, np.nan, np.nan
+    return largest(most), math.sqrt(squared / elements), ends, scale * math.sqrt(largest(far))
 
 
 @kernel()
-def change(s, q, x, scale):
-    """Largest change of any element's tension (N) and of any node's position (m), and the element of the one."""
-    tension, distance, worst = 0.0, 0.0, 0
-    for e in range(s.length.size):
-        here, moved = element_change(s, q, x, scale, e)
-        if not here <= tension:
-            tension, worst = here, e
-        distance = max(distance, moved)
-    return tension, distance, worst
+def worst_element(work, elements):
+    """Number of the element whose tension changes most"""
+    worst = 0
+    for e in range(elements):
+        if not work.change[e + 1] <= work.change[worst + 1]:
+            worst = e
+    return worst
 
 
 @kernel()
-def spread(s, q, x):
+def change(s, work, scale):
+    """Largest change of any element's tension (N) and of any node's position (m) by ± scale · work.x"""
+    most, _, _, distance = changes(s, work, scale)
+    return most, distance
+
+
+@kernel()
+def spread(s, work):
     """The same with the change of tension at either end, or the root mean square of all where that is larger."""
-    total, ends, distance, largest, worst, last = 0.0, 0.0, 0.0, 0.0, 0, s.length.size - 1
-    for e in range(last + 1):
-        here, moved = element_change(s, q, x, 1.0, e)
-        total += here * here
-        if not here <= largest:
-            largest, worst = here, e
-        if e == 0 or e == last:
-            ends = max(ends, here)
-        distance = max(distance, moved)
-    mean = math.sqrt(total / (last + 1))
-    return ends if mean <= ends else mean, distance, worst  # nan stays
+    _, mean, ends, distance = changes(s, work, 1.0)
+    return ends if mean <= ends else mean, distance  # nan stays
 
 
 @kernel()
-def solve_stage(s, work, guess_q, guess_v, a, slip, since, cq, cv, tension_limit, distance_limit):
+def begin_stage(work, q, v, a, last, cq, cv):
+    """Places and velocities of the nodes by q̂ and v̂ (3, w), with the end nodes where they are, and a guess of a"""
+    copy(work.q, q)
+    copy(work.v, v)
+    for i in range(3):
+        for j in range(1, last):
+            work.q[i, j] += cq * a[i, j]
+            work.v[i, j] += cv * a[i, j]
+
+
+@kernel()
+def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
     """Accelerations of the inner nodes, into a; leaves positions, velocities, forces and powers in `work`.
 
-    guess_q, guess_v : q̂ and v̂ (n, 3), with the end nodes where they are; a : guess, with those of the end nodes
-    returns : status, the node at fault, Newton steps
+    a : (3, w) that the stage began with
+    returns : status, Newton steps
     """
-    before = np.inf
-    q, v = work.q, work.v
-    copy(q, guess_q)
-    copy(v, guess_v)
-    move(q, v, a, cq, cv)
+    before, last = np.inf, s.length.size
     node_forces(s, work, a, slip, since, cq, cv)
     for iteration in range(ITERATIONS):
-        refactor(work)
-        tension, distance, worst = correction(s, work, cq)
+        factor(work.D, work.B, work.pivots, 1, last - 1)
+        tension, distance = correction(s, work, cq)
         if not (math.isfinite(tension) and math.isfinite(distance)):
-            return NOT_FINITE, worst, iteration + 1
-        move(a, a, work.x, 1.0, 0.0)
-        move(q, v, work.x, cq, cv)
+            return NOT_FINITE, iteration + 1
+        correct(work, a, last, cq, cv)
         node_forces(s, work, a, slip, since, cq, cv)
         if tension <= tension_limit and distance <= distance_limit:
-            return CONVERGED, worst, iteration + 1
+            return CONVERGED, iteration + 1
         # what is left of the equations, by the matrix at hand, shows whether another one is needed
-        left, astray, _ = correction(s, work, cq)
+        left, astray = correction(s, work, cq)
         if left <= tension_limit and astray <= distance_limit:
-            return CONVERGED, worst, iteration + 1
+            return CONVERGED, iteration + 1
         size = max(tension / tension_limit, distance / distance_limit)
         if iteration > 3 and size > 2.0 * before:
-            return STALLED, worst, iteration + 1
+            return STALLED, iteration + 1
         before = size
-    return STALLED, worst, ITERATIONS
-
-
-@kernel()
-def refactor(work):
-    """Pivots and couplings of the tangent at hand, which `node_forces` overwrites"""
-    for j in range(work.D.shape[0]):
-        for i in range(3):
-            for m in range(3):
-                work.pivots[j, i, m] = work.D[j, i, m]
-                work.couplings[j, i, m] = work.B[j, i, m]
-    factor(work.pivots, work.couplings, 1, work.D.shape[0] - 2)
+    return STALLED, ITERATIONS
 
 
 @kernel()
 def correction(s, work, cq):
     """Accelerations that take away the residual, into work.x, and the largest change of tension and place by them."""
-    copy(work.x, work.r)
-    substitute(work.pivots, work.couplings, work.x, work.x, 1, work.x.shape[0] - 2)
-    for i in range(3):
-        work.x[0, i], work.x[-1, i] = 0.0, 0.0
-    return change(s, work.q, work.x, cq)
+    substitute(work.pivots, work.r, work.x, 1, s.length.size - 1)
+    return change(s, work, cq)
 
 
 @kernel()
-def move(q, v, a, cq, cv):
-    """Add c_q a and c_v a to the inner nodes."""
-    for j in range(1, q.shape[0] - 1):
-        for i in range(3):
-            q[j, i] += cq * a[j, i]
-            v[j, i] += cv * a[j, i]
+def correct(work, a, last, cq, cv):
+    """Add work.x to the accelerations of the inner nodes, and what follows to their velocities and places."""
+    for i in range(3):
+        for j in range(1, last):
+            x = work.x[i, j]
+            a[i, j] += x
+            work.v[i, j] += cv * x
+            work.q[i, j] += cq * x

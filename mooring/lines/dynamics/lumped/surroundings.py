@@ -52,29 +52,30 @@ def fairlead_at(motion, t, p, v, a):
 
 
 @kernel()
-def water_at(water, q, t, u, du):
-    """Velocity u and acceleration du of the water at points q, all (n, 3)."""
+def water_at(water, q, nodes, t, u, du):
+    """Velocity u and acceleration du of the water at the first `nodes` points q, all (3, w), 0 where it is still."""
     levels, waves = water.level.size, water.omega.size
-    for j in range(q.shape[0]):
-        for i in range(3):
-            u[j, i], du[j, i] = 0.0, 0.0
+    if levels + waves == 0:
+        return
     R, R1, _ = ramp_at(t, water.ramp)
-    for j in range(q.shape[0] if levels + waves > 0 else 0):
-        z = min(q[j, 2], 0.0)
+    for j in range(nodes):
+        for i in range(3):
+            u[i, j], du[i, j] = 0.0, 0.0
+        z = min(q[2, j], 0.0)
         if levels > 0:
             for i in range(2):
-                u[j, i] = np.interp(z, water.level, water.current[:, i])
+                u[i, j] = np.interp(z, water.level, water.current[:, i])
         for m in range(waves):
             w, k, c, s = water.omega[m], water.wavenumber[m], water.heading[m, 0], water.heading[m, 1]
-            theta = w * t - k * (c * q[j, 0] + s * q[j, 1]) - water.phase[m]
+            theta = w * t - k * (c * q[0, j] + s * q[1, j]) - water.phase[m]
             rise, image = math.exp(k * z), math.exp(-k * (z + 2 * water.depth))
             scale = water.amplitude[m] * w / (1.0 - math.exp(-2 * k * water.depth))
             along, up = scale * (rise + image), scale * (rise - image)
             cosine, sine = math.cos(theta), math.sin(theta)
             h, h1 = R * along * cosine, along * (R1 * cosine - R * w * sine)
-            u[j, 0] += c * h
-            u[j, 1] += s * h
-            u[j, 2] -= R * up * sine
-            du[j, 0] += c * h1
-            du[j, 1] += s * h1
-            du[j, 2] -= up * (R1 * sine + R * w * cosine)
+            u[0, j] += c * h
+            u[1, j] += s * h
+            u[2, j] -= R * up * sine
+            du[0, j] += c * h1
+            du[1, j] += s * h1
+            du[2, j] -= up * (R1 * sine + R * w * cosine)

@@ -1,0 +1,73 @@
+"""Eight places at once: three coordinates from rows (3, w) as three SIMD vectors, and what is done with them."""
+
+from __future__ import annotations
+
+from bem.kernels.jit import kernel
+from bem.kernels.simd import choose_less, load_vector, store_vector, to_scalars
+
+TINY = 1e-300  # under a root that is divided by
+
+
+@kernel(inline=True)
+def load_three(rows, w, j):
+    """Columns j … j + 7 of rows (3, w) that a pointer points to"""
+    return load_vector(rows, j), load_vector(rows, w + j), load_vector(rows, 2 * w + j)
+
+
+@kernel(inline=True)
+def store_three(rows, w, j, a):
+    """Put three vectors there."""
+    x, y, z = a
+    store_vector(rows, j, x)
+    store_vector(rows, w + j, y)
+    store_vector(rows, 2 * w + j, z)
+
+
+@kernel(inline=True)
+def minus(a, b):
+    """a − b"""
+    x, y, z = a
+    p, q, r = b
+    return x - p, y - q, z - r
+
+
+@kernel(inline=True)
+def dot(a, b):
+    """a · b"""
+    x, y, z = a
+    p, q, r = b
+    return x * p + y * q + z * r
+
+
+@kernel(inline=True)
+def combine(f, a, g, b):
+    """f a + g b"""
+    x, y, z = a
+    p, q, r = b
+    return f * x + g * p, f * y + g * q, f * z + g * r
+
+
+@kernel(inline=True)
+def less(a, b):
+    """The smaller one of each"""
+    return choose_less(a, b, a, b)
+
+
+@kernel(inline=True)
+def more(a, b):
+    """The larger one of each"""
+    return choose_less(a, b, b, a)
+
+
+@kernel(inline=True)
+def total(a):
+    """Sum of a vector"""
+    c = to_scalars(a)
+    return ((c[0] + c[1]) + (c[2] + c[3])) + ((c[4] + c[5]) + (c[6] + c[7]))
+
+
+@kernel(inline=True)
+def largest(a):
+    """Largest number of a vector"""
+    c = to_scalars(a)
+    return max(max(max(c[0], c[1]), max(c[2], c[3])), max(max(c[4], c[5]), max(c[6], c[7])))

@@ -1,0 +1,141 @@
+"""Memory of a line's steps, coordinate by coordinate, so that eight nodes or elements fill a SIMD vector.
+
+Node j is column j.  Element e, between nodes e and e + 1, is column e + 1: then node j has the elements of columns j
+and j + 1, and the column before the first and all after the last hold elements that carry and weigh nothing.  Rows
+are longer than there are nodes, by at least eight: vectors may begin at any node.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bem.kernels.jit import kernel
+from bem.kernels.simd import WIDTH
+
+# rows of Work.element: 1/m, N, N s, 1/soft strain; strain, tension/EA and slope/EA of the material's row; halves, see
+# `System`
+SHORT, STIFFNESS, DAMPING, HARD, BEGIN, OVER, SLOPE = range(7)
+DRAG_NORMAL, DRAG_TANGENTIAL, ADDED_NORMAL, ADDED_TANGENTIAL, DISPLACED = range(7, 12)
+OF_ELEMENT = 12
+# rows of Work.node: kg, N, kg; N/m, N s/m and 1/m of the bed; normal (3), level and turn of the plane under the node
+MASS, WEIGHT, INERTIA, BED_STIFFNESS, BED_DAMPING, BED_THIN, NORMAL, LEVEL, TURN = (0, 1, 2, 3, 4, 5, 6, 9, 10)
+OF_NODE = 11
+OF_PIVOT = 27  # see `block_tridiagonal.factor`
+
+
+class Work(NamedTuple):
+    """Arrays used over and over; n nodes in rows of w columns."""
+
+    q: np.ndarray  # (3, w) place, velocity, residual and correction; velocity and acceleration of the water
+    v: np.ndarray
+    r: np.ndarray
+    x: np.ndarray
+    u: np.ndarray
+    du: np.ndarray
+    D: np.ndarray  # (9, w) tangent: blocks of the nodes, row by row, and of the elements
+    B: np.ndarray  # (9, w)
+    T: np.ndarray  # (w,) tensions of the elements
+    tangent: np.ndarray  # (3, w)
+    change: np.ndarray  # (w,) N, of the tensions by a correction
+    element: np.ndarray  # (OF_ELEMENT, w)
+    node: np.ndarray  # (OF_NODE, w)
+    power: np.ndarray  # (6,)
+    pivots: np.ndarray  # (n, OF_PIVOT) of the last tangent that was factored
+    tabled: bool  # whether an element has more than one row of `System.elongation`
+
+
+def width(n):
+    """Columns for n nodes"""
+    return -(-n // WIDTH) * WIDTH + WIDTH
+
+
+def to_rows(points):
+    """(3, w) of points (n, 3)"""
+    rows = np.zeros((3, width(len(points))))
+    rows[:, : len(points)] = points.T
+    return rows
+
+
+@kernel()
+def columns(n):
+    """`width`, for kernels"""
+    return (n + WIDTH - 1) // WIDTH * WIDTH + WIDTH
+
+
+@kernel()
+def read(rows, points):
+    """rows (3, w) = points (n, 3)"""
+    for j in range(points.shape[0]):
+        for i in range(3):
+            rows[i, j] = points[j, i]
+
+
+@kernel()
+def write(points, rows):
+    """points (n, 3) = rows (3, w)"""
+    for j in range(points.shape[0]):
+        for i in range(3):
+            points[j, i] = rows[i, j]
+
+
+@kernel()
+def workspace(s):
+    """Work for the line of a System."""
+    n = s.mass.size
+    w = columns(n)
+    points, blocks, along = np.zeros((6, 3, w)), np.zeros((2, 9, w)), np.zeros((5, w))
+    element, node, tabled = np.zeros((OF_ELEMENT, w)), np.zeros((OF_NODE, w)), False
+    for e in range(w):
+        element[SHORT, e] = element[HARD, e] = node[BED_THIN, e] = 1.0
+        node[LEVEL, e] = -1.0  # the bed lies below columns without a node
+    for e in range(n - 1):
+        known, row = element[:, e + 1], s.elongation_rows[e, 0]
+        known[SHORT], known[STIFFNESS], known[DAMPING] = 1.0 / s.length[e], s.stiffness[e], s.damping[e]
+        known[HARD], known[BEGIN], known[OVER] = 1.0 / s.soft_strain[e], s.elongation[row, 0], s.elongation[row, 1]
+        known[SLOPE], tabled = s.elongation[row, 2], tabled or s.elongation_rows[e, 1] > row + 1
+        known[DRAG_NORMAL], known[DRAG_TANGENTIAL] = s.half_drag_normal[e], s.half_drag_tangential[e]
+        known[ADDED_NORMAL], known[ADDED_TANGENTIAL] = s.half_added_normal[e], s.half_added_tangential[e]
+        known[DISPLACED] = s.half_displaced[e]
+    for j in range(n):
+        known = node[:, j]
+        known[MASS], known[WEIGHT], known[INERTIA] = s.mass[j], s.weight[j], s.inertia[j]
+        known[BED_STIFFNESS], known[BED_DAMPING] = s.bed_stiffness[j], s.bed_damping[j]
+        known[BED_THIN] = 1.0 / s.bed_thickness[j] if s.bed_thickness[j] > 0.0 else 1.0
+        known[NORMAL], known[NORMAL + 1], known[NORMAL + 2] = s.bed_normal[0], s.bed_normal[1], s.bed_normal[2]
+        known[LEVEL] = s.bed_level
+    return Work(
+        points[0],
+        points[1],
+        points[2],
+        points[3],
+        points[4],
+        points[5],
+        blocks[0],
+        blocks[1],
+        along[0],
+        along[1:4],
+        along[4],
+        element,
+        node,
+        np.zeros(6),
+        np.zeros((n, OF_PIVOT)),
+        tabled,
+    )
+
+
+@kernel()
+def copy(y, x):
+    """y = x for (3, w) arrays: a loop compiles in a fraction of the time of the array expression, as does `add`."""
+    for i in range(3):
+        for j in range(y.shape[1]):
+            y[i, j] = x[i, j]
+
+
+@kernel()
+def add(y, f, x):
+    """y += f x for (3, w) arrays."""
+    for i in range(3):
+        for j in range(y.shape[1]):
+            y[i, j] += f * x[i, j]
