@@ -26,7 +26,8 @@ def changes(s, work, scale):
     """Changes of tension (N) and place (m) by displacements ± scale · work.x, of which `change` and `spread` tell.
 
     A slack element has no tension to change until it is taut.
-    returns : the largest of the tensions, their root mean square and the larger one at an end, N; the largest of places, m
+    returns : the largest of the tensions, their root mean square and the larger one at an end, N; the largest of
+        places, m
     """
     w, q, x, known = work.q.shape[1], address(work.q), address(work.x), address(work.element)
     elements, far, most, squares, changed = (
