@@ -266,9 +266,12 @@ class Reader:
         if self.viscous:
             rows = zip(omega, A, B + self.damping, F, strict=True)
             return np.array([linearised_response(*row, self.inertia, self.stiffness, self.viscous)[0] for row in rows])
+        return np.linalg.solve(self.dynamic_stiffness(omega, A, B), F.swapaxes(1, 2)).swapaxes(1, 2)
+
+    def dynamic_stiffness(self, omega, A, B):
+        """(q, 6, 6) complex force per motion, N/m … N m/rad, of the linear body; arguments as of `solved`"""
         w = omega[:, None, None]
-        dynamic = -(w**2) * (self.inertia + A) - 1j * w * (B + self.damping) + self.stiffness
-        return np.linalg.solve(dynamic, F.swapaxes(1, 2)).swapaxes(1, 2)
+        return -(w**2) * (self.inertia + A) - 1j * w * (B + self.damping) + self.stiffness
 
     def where_stored(self, omega, headings, name):
         """`Stored` numbers of motions or drift in these waves, None where there are none"""

@@ -41,6 +41,14 @@ SAME = 0.025  # of L/B or B/d: nearer to a tested proportion it counts as that p
 DEEP = 8.0  # H/d from which the tests with other L/B are used
 
 
+class OutsideTests(ValueError):
+    """A proportion that the tests do not cover; proportion : "L/B", "B/d" or "H/d", limits : in words"""
+
+    def __init__(self, proportion, limits):
+        super().__init__(f"{limits}; give a TurningCoefficients of your own")
+        self.proportion, self.limits = proportion, limits
+
+
 class Term(NamedTuple):
     """βⁿ r'ᵏ, and whether its coefficient is even (1) or odd (−1) about β = 90°"""
 
@@ -161,10 +169,8 @@ def _first_quadrant(beta, n, parity):
 
 def _require(name, value, low, high, where=""):
     if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
-        raise ValueError(
-            f"{name} = {value:.4g} is outside the turning tests{where} ({low:.4g} to {high:.4g}); "
-            "give a TurningCoefficients of your own"
-        )
+        limits = f"{name} = {value:.4g} is outside the turning tests{where} ({low:.4g} to {high:.4g})"
+        raise OutsideTests(name, limits)
 
 
 @cache

@@ -24,7 +24,7 @@ def expected_motion(moored, components):
         return np.concatenate([motion, 0.5 * motion])
     energy = 0.5 * components.amplitude**2
     beta = np.arctan2(*(energy @ f(components.direction) for f in (np.sin, np.cos)))
-    X = np.linalg.solve(moored.impedance, forces_towards(waves, beta)[:, :, None])[:, :, 0]
+    X = np.linalg.solve(moored.dynamic_stiffness, forces_towards(waves, beta)[:, :, None])[:, :, 0]
     squared = np.minimum(np.abs(X), 20.0 * unit) ** 2
     omega = np.clip(components.omega, waves.omega[0], waves.omega[-1])
     power = energy * np.array([np.interp(omega, waves.omega, one) for one in squared.T])

@@ -73,7 +73,7 @@ def prepared(task):
             moving_of(body, settings)  # refused here, before there is a file
         plan, left = replace(plan, settings=settings), (*left, *chosen)
         _prepared.clear()
-        _ = body.impedance  # is made for all seeds while what it takes is there
+        _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         reader.between.forget()
         give_back()
         _prepared[key] = body, plan, study, (*of_quay, *(str(w.message) for w in caught), *left)

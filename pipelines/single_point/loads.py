@@ -12,7 +12,7 @@ from mooring.loads.box_drag import about
 from mooring.loads.box_wind import AIR_DENSITY, BOX, wind_force
 from mooring.loads.coefficients import hull_force, read_hull_coefficients
 from mooring.loads.ship_derivatives import by_yaw_rate, clarke
-from mooring.loads.turning import turning_coefficients
+from mooring.loads.turning import OutsideTests, turning_coefficients
 from mooring.motion.streams import turning_drag
 from mooring.motion.wave_loads import wave_forces
 from mooring.response.findings import UNSURE
@@ -138,10 +138,10 @@ def _turning(study, given, density, center, findings):
             findings.append(f"turning tests are those of {name} = {value:g}, the hull has {own[name]:.3g}")
     try:
         found = turning_coefficients(*taken.values())
-    except ValueError as error:
-        text = str(error).replace("; give a TurningCoefficients of your own", "")
+    except OutsideTests as error:
+        tested = PROPORTIONS[error.proportion]
         raise StudyError(
-            f"current: {text}; give current.turning the proportion to take in its place ({PROPORTIONS[text[:3]]}), or "
+            f"current: {error.limits}; give current.turning the proportion to take in its place ({tested}), or "
             "coefficients, or file"
         ) from None
     findings += found.notes

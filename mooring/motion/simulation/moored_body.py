@@ -50,12 +50,11 @@ class Moored:
     free: tuple[int, ...] = tuple(range(6))
 
     @cached_property
-    def impedance(self):
+    def dynamic_stiffness(self):
         """(q, 6, 6) complex force per motion of the linear body on its lines, at the frequencies of `waves`"""
-        reader, w = self.reader, self.waves.omega[:, None, None]
-        A, B = reader.coefficients(self.waves.omega)
-        stiffness = 0.5 * (self.stiffness + self.stiffness.T)
-        return -(w**2) * (reader.inertia + A) - 1j * w * (B + reader.damping + self.damping) + stiffness
+        K, omega = self.stiffness - self.reader.stiffness, self.waves.omega
+        body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping)
+        return body.dynamic_stiffness(omega, *body.coefficients(omega))
 
     def __repr__(self):
         lines = 0 if self.system is None else len(self.system.lines)

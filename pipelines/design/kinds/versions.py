@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 LIBRARIES = ("hakobune", "numpy", "scipy", "numba", "h5py", "matplotlib")
-DRAWING = ("mooring", "pipelines")  # packages that make numbers and pictures of stored results
+CODE = ("bem", "meshing", "mooring", "pipelines")  # packages that make numbers and pictures of stored results
 
 
 @cache
@@ -20,11 +20,11 @@ def versions():
 
 @cache
 def code():
-    """Digest of the source files of the packages in `DRAWING`: a page is made anew by code that was changed"""
+    """Digest of the source files of the packages in `CODE`: a page is made anew by code that was changed"""
     from importlib import import_module
 
     key = hashlib.sha256()
-    for name in DRAWING:
+    for name in CODE:
         base = Path(import_module(name).__path__[0])
         for path in sorted(base.rglob("*.py")):
             key.update(f"{name}/{path.relative_to(base).as_posix()}\n".encode() + path.read_bytes())

@@ -309,10 +309,7 @@ def test_waves_alone_shake_a_line():
     assert np.ptp(shaken.tension_fairlead) > 100.0
 
 
-def test_tangent_is_the_derivative_of_the_forces():
-    from mooring.lines.dynamics.lumped.forces import node_forces
-    from mooring.lines.dynamics.lumped.workspace import to_rows, workspace
-
+def test_tangent_is_the_derivative_of_the_forces(tangent_fault):
     # drag and added mass turn with the line, which the tangent leaves out; the rest is exact
     plain = dict(drag_normal=0.0, drag_tangential=0.0, added_tangential=1.0)
     parts = (segment(200.0, 6, **plain), segment(100.0, 4, **plain))
@@ -321,25 +318,12 @@ def test_tangent_is_the_derivative_of_the_forces():
     )
     rest, rng = start(line, (0, 0, 0), STILL), np.random.default_rng(1)
     n, cq, cv = line.elements + 1, 1e-3, 0.03
-    since = rest.position.copy()
-    slip = np.zeros((n, 3))
+    since = rest.position
     moved = since + 1e-3 * rng.standard_normal((n, 3))
     speed = 0.05 * rng.standard_normal((n, 3))
     a, direction = rng.standard_normal((2, n, 3))
 
-    def forces(step):
-        work = workspace(line.system)
-        work.q[:], work.v[:] = to_rows(moved + cq * step * direction), to_rows(speed + cv * step * direction)
-        node_forces(line.system, work, to_rows(a + step * direction), to_rows(slip), to_rows(since), cq, cv)
-        return work.r[:, :n].T, (work.D[:, :n], work.B[:, 1:n])
-
-    (_, blocks), (ahead, _), (back, _) = forces(0.0), forces(1e-4), forces(-1e-4)
-    D, B = (b.reshape(3, 3, -1) for b in blocks)
-    product = np.einsum("ijn,nj->ni", D, direction)
-    product[1:] -= np.einsum("ijn,nj->ni", B, direction[:-1])
-    product[:-1] -= np.einsum("ijn,nj->ni", B, direction[1:])
-    difference = -(ahead - back) / 2e-4
-    assert np.abs(product - difference).max() < 1e-5 * np.abs(difference).max()
+    assert tangent_fault(line.system, moved, speed, a, direction, since, cq, cv) < 1e-5
 
 
 def test_block_elimination_solves_the_equations():

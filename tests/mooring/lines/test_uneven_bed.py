@@ -5,9 +5,7 @@ import pytest
 
 from mooring.lines.dynamics.bed import ROUND
 from mooring.lines.dynamics.lumped.bed import plane_at
-from mooring.lines.dynamics.lumped.forces import node_forces
 from mooring.lines.dynamics.lumped.system import above_bed
-from mooring.lines.dynamics.lumped.workspace import to_rows, workspace
 from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, ElasticBed, FairleadMotion, simulate
 from mooring.lines.dynamics.start import start
 from mooring.lines.dynamics.surroundings import water_arrays
@@ -82,7 +80,7 @@ def test_the_bed_is_smooth_and_leaves_its_facets_only_beside_their_edges():
     assert np.abs(np.diff(normals, axis=0)).max() < 1.01 * 0.24 * 0.25 / 10
 
 
-def test_tangent_is_the_derivative_of_the_reaction_where_the_bed_bends():
+def test_tangent_is_the_derivative_of_the_reaction_where_the_bed_bends(tangent_fault):
     plain = dict(drag_normal=0.0, drag_tangential=0.0, added_tangential=1.0)
     segment = DynamicSegment(300.0, MASS, WEIGHT, 0.1368, EA, 60, **plain)
     line = DynamicLine(segment, (-289.0, 0.0, -50.0), bed=ElasticBed(points=BEDS["ridges"], friction=0.4))
@@ -92,20 +90,7 @@ def test_tangent_is_the_derivative_of_the_reaction_where_the_bed_bends():
     moved = rest.position + 1e-3 * rng.standard_normal((n, 3))
     a, direction = rng.standard_normal((2, n, 3))
 
-    def forces(step):
-        work, since = workspace(system), to_rows(rest.position)
-        work.q[:] = to_rows(moved + cq * step * direction)
-        work.v[:] = to_rows(cv * step * direction)
-        node_forces(system, work, to_rows(a + step * direction), np.zeros_like(since), since, cq, cv)
-        return work.r[:, :n].T, (work.D[:, :n], work.B[:, 1:n])
-
-    (_, blocks), (ahead, _), (back, _) = forces(0.0), forces(1e-4), forces(-1e-4)
-    D, B = (b.reshape(3, 3, -1) for b in blocks)
-    product = np.einsum("ijn,nj->ni", D, direction)
-    product[1:] -= np.einsum("ijn,nj->ni", B, direction[:-1])
-    product[:-1] -= np.einsum("ijn,nj->ni", B, direction[1:])
-    difference = -(ahead - back) / 2e-4
-    assert np.abs(product - difference).max() < 1e-3 * np.abs(difference).max()
+    assert tangent_fault(system, moved, np.zeros((n, 3)), a, direction, rest.position, cq, cv) < 1e-3
 
 
 def test_points_that_are_no_bed_are_named():
