@@ -89,7 +89,7 @@ def workspace(s):
     element, node, tabled = np.zeros((OF_ELEMENT, w)), np.zeros((OF_NODE, w)), False
     for e in range(w):
         element[SHORT, e] = element[HARD, e] = node[BED_THIN, e] = 1.0
-        node[LEVEL, e] = -1.0  # the bed lies below columns without a node
+        node[NORMAL + 2, e], node[LEVEL, e] = 1.0, -1.0  # the bed lies level and below columns without a node
     for e in range(n - 1):
         known, row = element[:, e + 1], s.elongation_rows[e, 0]
         known[SHORT], known[STIFFNESS], known[DAMPING] = 1.0 / s.length[e], s.stiffness[e], s.damping[e]
