@@ -14,7 +14,7 @@ from __future__ import annotations
 from contextlib import nullcontext
 from functools import cache
 from itertools import pairwise
-from threading import Thread
+from threading import Thread, local
 
 import numpy as np
 from numba import config
@@ -22,6 +22,7 @@ from numba import config
 UNKNOWNS_WORTH_THREADS = 700
 PAIRS_WORTH_THREADS = 20_000  # these take a millisecond: a second thread saves 0.4 of it, starting it costs 0.17
 CHUNKS_PER_THREAD = 4  # of rows: the others take over the last ones of a thread that is held up
+_own = local()  # .shares: whether this thread is one of several that share rows out
 
 
 def blas_threads(unknowns):
@@ -40,17 +41,22 @@ def parallel_rows(work, rows, pairs):
     work : a kernel call that writes to its own rows alone, so that results do not depend on the number of threads
     pairs : of points and sources, in all rows together
     raises : the exception of the first range that fails; ranges not yet begun are then left out
+    Within `work` further calls take one thread: that of their range.
     """
-    threads = 1 if pairs < PAIRS_WORTH_THREADS else min(thread_count(), rows)
-    if threads == 1:
+    threads = min(thread_count(), rows)
+    if threads == 1 or pairs < PAIRS_WORTH_THREADS or getattr(_own, "shares", False):
         work(0, rows)
         return
     ends = np.linspace(0, rows, min(CHUNKS_PER_THREAD * threads, rows) + 1).astype(int)
     chunks, faults = iter(list(pairwise(ends.tolist()))), []
 
     def process():
-        for low, high in chunks:
-            work(low, high)
+        _own.shares = True
+        try:
+            for low, high in chunks:
+                work(low, high)
+        finally:
+            _own.shares = False
 
     def process_in_thread():
         try:

@@ -151,25 +151,36 @@ class CompressedEquations:
             self.near = self._near_blocks(images, sides)
             each = tolerance * 2 * np.pi / (len(g.images) * len(tree.nodes))
             self.far = LowRankPart.of(self._far_blocks(DOUBLE, each), tree)
+            self.of_cells, self.of_more = self._by_cells()
             self._add_single_layer(images, sides, tolerance)
         self.sides = self.side * sides
 
     def _near_blocks(self, images, sides):
         """[(slice of targets, nodes among all images, matrix)]; adds the single layers of the hull to `sides`"""
-        tree, K, out = self.tree, self.arguments[0].K, []
+        leaves = self.tree.neighbours
+        found = [None] * len(leaves)
+
+        def work(low, high):
+            for i in range(low, high):
+                found[i] = self._near_block(*leaves[i], images, sides)
+
+        parallel_rows(work, len(leaves), len(self.tree.nodes) ** 2)
+        return found
+
+    def _near_block(self, leaf, neighbours, images, sides):
+        """That of one leaf of targets and its [(image, (panels,))]"""
+        tree, K = self.tree, self.arguments[0].K
         n, count = len(tree.nodes), np.arange(tree.per_panel)
-        for leaf, neighbours in tree.neighbours:
-            span, matrices, places = tree.span(leaf), [], []
-            at = tree.elements.nodes[span]
-            for m, panels in neighbours:
-                nodes = (panels[:, None] * tree.per_panel + count).ravel()
-                S, D = self._exact(at, m, panels, nodes)
-                hull = tree.hull[nodes]
-                sides[span] += S[:, hull] @ images[m][nodes[hull]]
-                matrices.append(np.where(hull, D, K * S).astype(self.KEPT))
-                places.append(m * n + nodes)
-            out.append((span, np.concatenate(places), np.concatenate(matrices, axis=1)))
-        return out
+        span, matrices, places = tree.span(leaf), [], []
+        at = tree.elements.nodes[span]
+        for m, panels in neighbours:
+            nodes = (panels[:, None] * tree.per_panel + count).ravel()
+            S, D = self._exact(at, m, panels, nodes)
+            hull = tree.hull[nodes]
+            sides[span] += S[:, hull] @ images[m][nodes[hull]]
+            matrices.append(np.where(hull, D, K * S).astype(self.KEPT))
+            places.append(m * n + nodes)
+        return span, np.concatenate(places), np.concatenate(matrices, axis=1)
 
     def _exact(self, at, m, panels, nodes):
         """S and D (points, nodes) of one image of some panels"""
@@ -183,6 +194,16 @@ class CompressedEquations:
         s, d, s1, d1 = (a[0] for a in rankine_of_panels(at, e, image, one, g.depth))
         S, D = (a[0] for a in pairs.blocks(table, depth_values))
         return S + s + (mirror - 1) * s1, D + d + (mirror - 1) * d1
+
+    def _by_cells(self):
+        """([(near blocks, far targets)] of cells that have no node in common, far targets of more than a cell)"""
+        cells, more = self.tree.cells(PARTS), []
+        first, parts = np.array([cell.start for cell in cells]), [([], []) for _ in cells]
+        for kind, blocks in enumerate((self.near, self.far.targets)):
+            for block in blocks:
+                cell = np.searchsorted(first, block[0].start, "right") - 1
+                (parts[cell][kind] if block[0].stop <= cells[cell].stop else more).append(block)
+        return parts, more
 
     def _far_blocks(self, layer, tolerance):
         """[(target, source, image, U, V)] of all far blocks"""
@@ -265,15 +286,25 @@ class CompressedEquations:
         images = columns.images.astype(kind)
         flat = images.reshape(-1, images.shape[-1])
         out = np.zeros(columns.values.shape, kind)
+        T, sources = np.empty((self.far.rank, images.shape[-1]), kind), self.far.sources
+        ends = np.cumsum([len(V) for *_, V in sources])
+
+        def to_ranks(low, high):
+            for (m, span, V), end in zip(sources[low:high], ends[low:high], strict=True):
+                np.matmul(V, images[m, span], out=T[end - len(V) : end])
+
+        def to_nodes(low, high):
+            for near, targets in self.of_cells[low:high]:
+                for span, places, matrix in near:
+                    out[span] += matrix @ flat[places]
+                for span, U, places in targets:
+                    out[span] += U @ T[places]
+
         with blas_threads(1):
-            for span, places, matrix in self.near:
-                out[span] += matrix @ flat[places]
-            T, at = np.empty((self.far.rank, images.shape[-1]), kind), 0
-            for m, span, V in self.far.sources:
-                np.matmul(V, images[m, span], out=T[at : at + len(V)])
-                at += len(V)
-            for span, U, places in self.far.targets:
+            parallel_rows(to_ranks, len(sources), out.size)
+            for span, U, places in self.of_more:
                 out[span] += U @ T[places]
+            parallel_rows(to_nodes, len(self.of_cells), out.size)
         return self.side * out + self.diagonal * columns.values
 
     @property
