@@ -7,7 +7,7 @@ import pytest
 
 from bem.database import open_database
 from pipelines import cli
-from pipelines.series.appendix_2 import ceilings, chains, pitch_amplitude, read_rows, study_of
+from pipelines.series.appendix_2 import DURATION, ceilings, chains, pitch_amplitude, read_rows, study_of
 from pipelines.single_point.study import make
 from pipelines.single_point.tables import make_study
 
@@ -55,13 +55,14 @@ def rows_of(folder):
 
 def test_hawsers_of_a_buoy_with_mass_are_those_measured_and_without_it_a_fraction(folder):
     """Mean of the highest third of the crests: 3.3 kgf of 3.70 measured, and 2.8 of 2.95; seeds scatter by 11 and 4 %,
-    and the loads of one hawser by as much, so that one record is held to the 40 %"""
+    and the loads of one hawser by as much, so that one record is held to the 40 %; the heading comes to rest within
+    the run, after 190 to 299 s by eight seeds: which of them a processor's last digit makes of this one is chance"""
     for row in rows_of(folder):
         for column, measured in (("hawser", "hawser_kgf"), ("on_buoy", "buoy_kgf")):
             assert abs(float(row[column]) / float(row[measured]) - 1) < 0.4, (row["case"], column)
         assert float(row["massless"]) < 0.5 * float(row["on_buoy"])
         assert row["slews"] == "no"
-        assert float(row["settled"]) < 250
+        assert float(row["settled"]) < DURATION
 
 
 def test_every_test_is_a_study():
