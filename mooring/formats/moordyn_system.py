@@ -41,10 +41,11 @@ class _Water(NamedTuple):
     path: object
 
 
-def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None) -> System:
+def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=False) -> System:
     """The System of what was read.
 
     depth : m, for a file that does not say it or has a bathymetry; else that of its lowest point, with a warning
+    moves : whether its lines are to move by themselves, which then weigh as in air above the water
     warns : of each kind of thing that is left out
     raises : FormatError for what is not represented, ValueError for what cannot be
     """
@@ -59,7 +60,13 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None) -> Sys
     points, bodies, idle = _points_and_bodies(file, water, lines)
     lines = _joined(lines, points)
     system = System(depth, lines, points, bodies, water.density, water.gravity)
-    for text in (*said, *left_out(file), *idle, *_weightless(types.values()), *_out_of_water(system)):
+    for text in (
+        *said,
+        *left_out(file),
+        *idle,
+        *_weightless(types.values()),
+        *(() if moves else _out_of_water(system)),
+    ):
         warnings.warn(f"{path}: {text}", stacklevel=2)
     return system
 

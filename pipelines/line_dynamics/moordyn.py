@@ -2,7 +2,8 @@
 
 The line goes on through free points that join two lines, which become the bodies between its segments, and ends at an
 anchor and at the point that moves, whatever that is attached to in the file.  Damping BA is kept as it stands, or,
-where negative, as the fraction of critical damping that MoorDyn takes it for.
+where negative, as the fraction of critical damping that MoorDyn takes it for.  Parts out of the water weigh as in air
+and feel none, as in MoorDyn.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ def with_moordyn(study, folder):
 
     path = Path(folder) / study.moordyn.file
     file = read_moordyn(path)
-    system = system_of_moordyn(file, path, study.moordyn.depth)
+    system = system_of_moordyn(file, path, study.moordyn.depth, moves=True)
     lines, joints, anchor, end = _way(system, study.moordyn.line)
     places = dict(zip((point.name for point in system.points), system.load().points, strict=True))
     types = {f"line {line.name}": _type(line, path) for line in lines}
@@ -55,6 +56,7 @@ def with_moordyn(study, folder):
         bodies=bodies,
         anchor=tuple(map(float, places[anchor])),
         bed=study.bed or bed,
+        surface=study.surface is not False,
         fairlead=fairlead,
     )
 

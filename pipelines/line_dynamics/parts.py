@@ -32,6 +32,7 @@ def line_of(study):
         _bed(study),
         study.water.density,
         study.water.gravity,
+        bool(study.surface),
     ), min(breaking for _, breaking in parts)
 
 

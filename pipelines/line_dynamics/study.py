@@ -162,6 +162,7 @@ class LineDynamicsStudy(Table):
     name : for results and pictures
     duration : s, by default to the end of a table or twelve of the longest period; to be given with a sea
     tolerance : error of a step in any tension, of the largest
+    surface : whether parts above still water weigh as in air and feel no water; by default only of a MoorDyn file
     measure_from : s, where the figures begin, by default at the end of the ramp
     frames : pictures of the line that are stored, by default about 20 for each cycle
     """
@@ -180,6 +181,7 @@ class LineDynamicsStudy(Table):
     sea: LineSeaTable | None = None
     duration: float | None = None
     tolerance: float = 1e-3
+    surface: bool | None = None
     measure_from: float | None = None
     frames: int | None = None
 

@@ -125,7 +125,8 @@ class DynamicLine:
     """Segments from the anchor to the fairlead; `bodies[i]`, or None, sits between segments i and i + 1.
 
     anchor : (3,) m; bed : ElasticBed, or None for a line over deep water; density : kg/m³; gravity : m/s²
-    The line counts as under water all along; bodies feel the surface.
+    surface : whether parts above still water weigh as in air, mass times gravity, and feel no water; else the line
+    counts as under water all along.  Bodies feel the surface
     """
 
     segments: tuple[DynamicSegment, ...]
@@ -134,6 +135,7 @@ class DynamicLine:
     bed: ElasticBed | None = field(default_factory=ElasticBed)
     density: float = 1025.0
     gravity: float = 9.80665
+    surface: bool = False
 
     def __post_init__(self):
         segments = (self.segments,) if isinstance(self.segments, DynamicSegment) else tuple(self.segments)
@@ -149,6 +151,12 @@ class DynamicLine:
         _check("gravity", self.gravity, 0.0, strict=True)
         if sum(s.elements for s in segments) < 2:
             raise ValueError("a line has 1 element; allowed: 2 or more")
+        heavy = [s for s in segments if s.weight > self.gravity * s.mass]
+        if self.surface and heavy:
+            raise ValueError(
+                f"surface: a segment weighs {heavy[0].weight:g} N/m in water and, of {heavy[0].mass:g} kg/m, "
+                f"{self.gravity * heavy[0].mass:g} N/m in air; allowed: not more in water than in air"
+            )
         object.__setattr__(self, "segments", segments)
         object.__setattr__(self, "bodies", bodies)
         object.__setattr__(self, "anchor", tuple(map(float, anchor)))
@@ -204,6 +212,8 @@ class DynamicLine:
             half_added_normal=added,
             half_added_tangential=displaced * self._each(lambda s: s.added_tangential),
             half_displaced=displaced,
+            buoyancy=self.surface * 2 * half * self._each(lambda s: self.gravity * s.mass - s.weight),
+            waterline=np.pi / 4 * D,
             weight=weight,
             mass=mass,
             inertia=mass + _to_nodes(added) + body["added"],

@@ -179,6 +179,8 @@ def line_system(moving, i):
         s.half_added_normal[e:f],
         s.half_added_tangential[e:f],
         s.half_displaced[e:f],
+        s.buoyancy[e:f],
+        s.waterline[e:f],
         s.weight[n:m],
         s.mass[n:m],
         s.inertia[n:m],

@@ -14,10 +14,11 @@ from .packed import moving_lines
 FIRM = {"stiffness": 3e6, "damping": 3e5}
 
 
-def moving_of(moored, settings):
+def moving_of(moored, settings, surface=True):
     """(`MovingLines`, States at rest) of the lines that `settings.dynamic_lines` names; None for none
 
-    moored : `simulation.moored_body.Moored`.  raises : ValueError naming a line that cannot move by itself, and why
+    moored : `simulation.moored_body.Moored`; surface : False for lines that count as under water all along, as their
+    static shapes do.  raises : ValueError naming a line that cannot move by itself, and why
     """
     system, names = moored.system, settings.dynamic_lines
     if system is None or not names:
@@ -43,7 +44,7 @@ def moving_of(moored, settings):
         if i not in whole:
             raise ValueError(f"dynamic_lines: line {line.name} has segments or is a hawser; allowed: uniform lines")
         anchor, fairlead = ends_of(line, system)
-        made[i] = dynamic_line(line, anchor.position, system, settings.dynamic_elements)
+        made[i] = dynamic_line(line, anchor.position, system, settings.dynamic_elements, surface)
         places.append(body + moored.start[:3] + R @ np.asarray(fairlead.position, float))
     swing = sum(line.type.axial_stiffness / line.length for line in (system.lines[i] for i in numbers))
     swing /= float(moored.reader.inertia[0, 0])
@@ -56,8 +57,11 @@ def ends_of(line, system):
     return tuple(ends if isinstance(ends[0], Anchor) else ends[::-1])
 
 
-def dynamic_line(line, anchor, system, elements):
-    """DynamicLine of a UniformLine.  Raises ValueError for what its type does not know."""
+def dynamic_line(line, anchor, system, elements, surface=True):
+    """DynamicLine of a UniformLine, which weighs as in air above the water.
+
+    raises : ValueError for what its type does not know
+    """
     kind = line.type
     for name, value in (("mass", kind.mass), ("diameter", kind.diameter)):
         if value is None:
@@ -72,7 +76,7 @@ def dynamic_line(line, anchor, system, elements):
     )
     below = max(float(anchor[2]) + system.depth, 0.0)
     bed = ElasticBed(below=below, friction=line.bed_friction, **FIRM)
-    return DynamicLine(segment, anchor, (), bed, system.density, system.gravity)
+    return DynamicLine(segment, anchor, (), bed, system.density, system.gravity, surface)
 
 
 def _felt(dynamics):

@@ -149,6 +149,8 @@ def _coarse(moored, settings, moving):
     static = line_work(lines)
     line_loads(lines, static, moored.start, np.zeros((3, 3)), out)
     whole = np.hypot(*static.tension[moving[0].number].T)
+    if any(state.position[:, 2].max() > 0 for state in moving[1]):  # out of the water they are heavier, by right
+        moving = moving_of(moored, settings, surface=False)
     off = np.array([np.linalg.norm(state_pull(moving[0], i, one)) for i, one in enumerate(moving[1])]) / whole - 1
     worst = int(np.argmax(np.abs(off)))
     if abs(off[worst]) > COARSE:

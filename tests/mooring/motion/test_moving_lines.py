@@ -12,7 +12,7 @@ from mooring.lines.catalogue import line_type
 from mooring.lines.dynamics.simulation import FairleadMotion
 from mooring.lines.dynamics.simulation import simulate as drive
 from mooring.lines.system.moored_body import corner_legs, moored_body
-from mooring.lines.system.parts import UniformLine
+from mooring.lines.system.parts import Fairlead, UniformLine
 from mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
 from mooring.motion.moving_lines.packed import state_pull
 from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
@@ -63,6 +63,27 @@ def test_slow_lines_pull_as_in_their_static_shape_and_few_elements_are_named(on_
     assert np.allclose(pulls, np.hypot(*static.tension.T), rtol=1e-3)
     told = simulate(on_lines, ROUGH, replace(WANTED, duration=10.0, ramp=5.0, dynamic_elements=10)).findings
     assert any("in 10 elements pulls" in line for line in told) and any("still water" in line for line in told)
+
+
+def test_lines_of_a_high_deck_weigh_as_in_air_above_the_water_and_are_not_called_coarse_for_it(on_lines):
+    up = tuple(
+        replace(point, position=(*point.position[:2], point.position[2] + 15.0))
+        if isinstance(point, Fairlead)
+        else point
+        for point in on_lines.system.points
+    )
+    high = replace(on_lines, system=replace(on_lines.system, points=up))
+    fine = replace(WANTED, dynamic_lines="all", dynamic_elements=80)
+    pulls = [np.linalg.norm(state_pull(*one)) for one in (_first(high, fine, True), _first(high, fine, False))]
+    assert pulls[0] > 1.002 * pulls[1]
+    told = simulate(high, ROUGH, replace(fine, duration=2.0, ramp=2.0)).findings
+    assert not any("elements pulls" in line for line in told)
+
+
+def _first(body, settings, surface):
+    """Arguments of `state_pull` of the first line"""
+    moving, states = moving_of(body, settings, surface)
+    return moving, 0, states[0]
 
 
 def test_a_trial_finds_the_lines_that_need_a_motion_of_their_own(on_lines):

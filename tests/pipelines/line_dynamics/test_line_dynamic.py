@@ -106,6 +106,18 @@ def test_a_table_of_a_harmonic_motion_pulls_as_the_motion_does(tmp_path):
     assert runs[1]["window_cycles"] == 0 and runs[0]["window_cycles"] == 2
 
 
+def test_a_fairlead_out_of_the_water_is_named_and_its_line_is_heavier_there_where_it_may_be(tmp_path, capsys):
+    high = ("position = [292.0, 0.0, -2.0]", "position = [292.0, 0.0, 12.0]")
+    pulls = []
+    for surface in ("", "surface = true\n"):
+        study = changed(tmp_path, high, ("anchor", f"{surface}anchor"))
+        assert main(["line-dynamics", str(study), "--output", str(tmp_path / "run.h5")]) == 0
+        assert ("weighs as in air" in capsys.readouterr().out) == (surface == "")
+        pulls.append(attributes(tmp_path / "run.h5")["rest_fairlead"])
+    # the weight of the twelve metres that the buoyancy of their steel no longer carries, and what that pulls taut
+    assert 1.0 < pulls[1] / pulls[0] < 1.05
+
+
 def test_time_below_a_level_is_that_of_a_cosine():
     t = np.linspace(0.0, 2.0, 4001)
     exact = 2.0 * (1 - np.arccos(-0.3) / np.pi)

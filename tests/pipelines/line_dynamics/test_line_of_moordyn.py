@@ -74,6 +74,16 @@ def test_the_command_runs_a_line_of_a_file_and_names_what_is_left_out(study, cap
     assert "largest, quasi-static" in shown and "EI" in shown
 
 
+def test_a_line_of_a_file_that_comes_out_of_the_water_weighs_as_in_air_there(study):
+    (study.parent / "lines.txt").write_text(MOORDYN.replace("-20     0       -4 ", "-20     0        9 "))
+    with pytest.warns(UserWarning) as said:
+        made = with_moordyn(read_line_dynamics(study)[0], study.parent)
+    assert made.surface and line_of(made)[0].surface and not any("out of the water" in str(w.message) for w in said)
+    study.write_text("surface = false\n" + STUDY)
+    with pytest.warns(UserWarning, match="EI"):
+        assert not with_moordyn(read_line_dynamics(study)[0], study.parent).surface
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [

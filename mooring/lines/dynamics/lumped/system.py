@@ -27,6 +27,8 @@ class System(NamedTuple):
     half_added_normal: np.ndarray  # kg
     half_added_tangential: np.ndarray
     half_displaced: np.ndarray  # kg of water
+    buoyancy: np.ndarray  # N, by which a whole element weighs more in air; all 0 where a line counts as under water
+    waterline: np.ndarray  # m, πD/4, over which a level element leaves the water
     weight: np.ndarray  # N, submerged weight of the line plus dry weight of the body at the node
     mass: np.ndarray  # kg, line and body, without water
     inertia: np.ndarray  # kg, with all added mass: scale of the error estimate

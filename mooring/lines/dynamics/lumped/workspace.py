@@ -18,7 +18,9 @@ from bem.kernels.simd import WIDTH
 # `System`
 SHORT, STIFFNESS, DAMPING, HARD, BEGIN, OVER, SLOPE = range(7)
 DRAG_NORMAL, DRAG_TANGENTIAL, ADDED_NORMAL, ADDED_TANGENTIAL, DISPLACED = range(7, 12)
-OF_ELEMENT = 12
+OF_WATER, WHOLE = 5, 12  # these five, and where they stand as of an element that is wholly wet, where it may not be
+BUOYANCY, ROUND = 17, 18  # N; m, least height over which an element leaves the water
+OF_ELEMENT = 19
 # rows of Work.node: kg, N, kg; N/m, N s/m and 1/m of the bed; normal (3), level and turn of the plane under the node
 MASS, WEIGHT, INERTIA, BED_STIFFNESS, BED_DAMPING, BED_THIN, NORMAL, LEVEL, TURN = (0, 1, 2, 3, 4, 5, 6, 9, 10)
 OF_NODE = 11
@@ -44,6 +46,7 @@ class Work(NamedTuple):
     power: np.ndarray  # (6,)
     pivots: np.ndarray  # (n, OF_PIVOT) of the last tangent that was factored
     tabled: bool  # whether an element has more than one row of `System.elongation`
+    rises: bool  # whether the line may leave the water
 
 
 def width(n):
@@ -86,9 +89,9 @@ def workspace(s):
     n = s.mass.size
     w = columns(n)
     points, blocks, along = np.zeros((6, 3, w)), np.zeros((2, 9, w)), np.zeros((5, w))
-    element, node, tabled = np.zeros((OF_ELEMENT, w)), np.zeros((OF_NODE, w)), False
+    element, node, tabled, rises = np.zeros((OF_ELEMENT, w)), np.zeros((OF_NODE, w)), False, False
     for e in range(w):
-        element[SHORT, e] = element[HARD, e] = node[BED_THIN, e] = 1.0
+        element[SHORT, e] = element[HARD, e] = element[ROUND, e] = node[BED_THIN, e] = 1.0
         node[NORMAL + 2, e], node[LEVEL, e] = 1.0, -1.0  # the bed lies level and below columns without a node
     for e in range(n - 1):
         known, row = element[:, e + 1], s.elongation_rows[e, 0]
@@ -98,6 +101,9 @@ def workspace(s):
         known[DRAG_NORMAL], known[DRAG_TANGENTIAL] = s.half_drag_normal[e], s.half_drag_tangential[e]
         known[ADDED_NORMAL], known[ADDED_TANGENTIAL] = s.half_added_normal[e], s.half_added_tangential[e]
         known[DISPLACED] = s.half_displaced[e]
+        for i in range(OF_WATER):
+            known[WHOLE + i] = known[DRAG_NORMAL + i]
+        known[BUOYANCY], known[ROUND], rises = s.buoyancy[e], s.waterline[e], rises or s.buoyancy[e] > 0.0
     for j in range(n):
         known = node[:, j]
         known[MASS], known[WEIGHT], known[INERTIA] = s.mass[j], s.weight[j], s.inertia[j]
@@ -122,6 +128,7 @@ def workspace(s):
         np.zeros(6),
         np.zeros((n, OF_PIVOT)),
         tabled,
+        rises,
     )
 
 
