@@ -29,7 +29,7 @@ CHAPTERS = {
         "bem/wave_field/sources.py",
     ),
     "Second order": (
-        "bem/second_order/difference_forces.py",
+        "bem/second_order/quadratic_forces.py",
         "bem/second_order/bound_waves.py",
         "bem/second_order/long_wave_forces.py",
         "bem/second_order/body_forces.py",

@@ -14,7 +14,7 @@ import numpy as np
 
 from meshing.whole_files import made_beside
 
-from ..second_order.difference_forces import DifferenceForces
+from ..second_order.quadratic_forces import QuadraticForces
 from .values import FormatError, table_of
 
 SUFFIX = ".12d"
@@ -22,11 +22,11 @@ EVEN = 1e-3  # of the step between frequencies: periods are printed with seven d
 
 
 def write_pairs(forces, place, weight):
-    """Write NAME.12d of a `DifferenceForces` and return its path; weight : ρg, N/m³"""
+    """Write NAME.12d of a `QuadraticForces` and return its path; weight : ρg, N/m³"""
     path, degrees = Path(place).with_suffix(SUFFIX), np.degrees(forces.headings)
     T = forces.total.conj() / weight
     with made_beside(path) as partial, partial.open("w", encoding="ascii") as file:
-        for m, difference in enumerate(forces.difference):
+        for m, difference in enumerate(forces.frequency):
             for n, omega in enumerate(forces.omega[: len(forces.omega) - m]):
                 periods = f"{2 * np.pi / (omega + difference): .6E} {2 * np.pi / omega: .6E}"
                 for a, b in np.ndindex(len(degrees), len(degrees)):
@@ -38,7 +38,7 @@ def write_pairs(forces, place, weight):
 
 
 def read_pairs(place, weight):
-    """`DifferenceForces` of NAME.12d, all of it as squares, since the file does not tell its parts; None without one
+    """`QuadraticForces` of NAME.12d, all of it as squares, since the file does not tell its parts; None without one
 
     raises : FormatError for uneven frequencies, pairs of a difference that are missing
     """
@@ -67,7 +67,7 @@ def read_pairs(place, weight):
                 f"{path} lacks pairs {apart * step:.4g} rad/s apart; allowed: all pairs up to the largest difference"
             )
     zero = np.where(np.isnan(out), np.nan, 0.0 * out)
-    return DifferenceForces(omega, step * np.arange(shape[0]), np.radians(degrees), out, zero, zero)
+    return QuadraticForces(omega, step * np.arange(shape[0]), np.radians(degrees), out, zero, zero)
 
 
 def _even(path, frequencies):

@@ -4,7 +4,7 @@ On the mean position of the hull, with u = ∇φ, displacement X, velocity V = �
 
     ∂φ₂/∂n = −n·(X·∇)u + (α × n)·(V − u) + ∂(Hx)/∂t·n = n·∇×(X × u) + (α × n)·V + ∂(Hx)/∂t·n
 
-(H: `rotations`).  With ψ the radiation potential of unit velocity at the difference frequency Ω the force is
+(H: `rotations`).  With ψ the radiation potential of unit velocity at the frequency Ω of the force it is
 −iρΩ ∬ ψ ∂φ₂/∂n dS (Haskind; Molin 1979), in which Stokes's theorem leaves no second derivatives:
 
     ∬ ψ n·∇×(X × u) dS = ∮ ψ {(X·n) u_z − X_z (u·n)} dl − ∬ {(X·n) ∇ψ·u − (u·n) ∇ψ·X} dS,        u·n = V·n.
@@ -19,29 +19,32 @@ import numpy as np
 
 from ..panels.pressure_drift.hull_flow import unit_displacements
 from ..panels.pressure_drift.mean_drift import carried_flow
+from .kinds import DIFFERENCE
 from .rotations import turned_twice
 
 
-def body_forces(surfaces, flow, one, two, radiated, problem):
+def body_forces(surfaces, flow, one, two, radiated, problem, kind=DIFFERENCE):
     """(q, 6) T about the origin, N/m², N m/m², of the pairs (one, two) of the waves of a `HullFlow`.
 
-    one, two : (q,) numbers of waves, all of one difference of their frequencies, that of `radiated`, the six motions
-    of unit velocity (`hull_flow.radiated_flow`)
+    one, two : (q,) numbers of waves, all of one difference of their frequencies or, as `kinds.Kind` says, one sum, that
+    of `radiated`, the six motions of unit velocity (`hull_flow.radiated_flow`)
     """
-    difference = radiated.omega[0]
+    omega, second = radiated.omega[0], kind.second
+    of_second = 0 if kind.sign > 0 else 1  # of the flow itself, and of its conjugate
     X, V = flow.motion, -1j * flow.omega[:, None] * flow.motion
     linear, used = np.zeros((len(X), 2, 6, 6), complex), np.unique(np.concatenate([one, two]))
     linear[used] = _of_flow(surfaces, flow, used, radiated, problem.gravity)
     square = _of_motions(surfaces, radiated)
-    out = np.einsum("qm,qkm->qk", X[one], linear[two, 1]) + np.einsum("qm,qkm->qk", X[two].conj(), linear[one, 0])
-    out += np.einsum("qm,kmv,qv->qk", X[one], square, V[two].conj())
-    out += np.einsum("qm,kmv,qv->qk", X[two].conj(), square, V[one])
+    out = np.einsum("qm,qkm->qk", X[one], linear[two, of_second])
+    out += np.einsum("qm,qkm->qk", second(X[two]), linear[one, 0])
+    out += np.einsum("qm,kmv,qv->qk", X[one], square, second(V[two]))
+    out += np.einsum("qm,kmv,qv->qk", second(X[two]), square, V[one])
     strain = (radiated.on_hull @ surfaces.strained).reshape(6, 3, 3)
     level = radiated.on_hull @ (surfaces.hull.normals * surfaces.hull.weights[:, None])
     strain -= level[..., None] * np.asarray(problem.rotation_center)
-    H = np.array([turned_twice(X[[i, j]])[0, 1] for i, j in zip(one, two, strict=True)])
-    out = 0.25 * out - 1j * difference * np.einsum("qab,kab->qk", H, strain)
-    return -1j * problem.density * difference * out
+    H = np.array([turned_twice(X[[i, j]], second)[0, 1] for i, j in zip(one, two, strict=True)])
+    out = 0.25 * out - 1j * omega * np.einsum("qab,kab->qk", H, strain)
+    return -1j * problem.density * omega * out
 
 
 def _of_flow(surfaces, flow, used, radiated, gravity):

@@ -1,4 +1,4 @@
-"""The long wave that is bound to a pair of waves, at their difference frequency.
+"""The wave that is bound to a pair of waves, at the difference of their frequencies or at their sum.
 
 A sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries Re Σᵢ Σⱼ aᵢ āⱼ s_ij exp{i(κ·x − Ωt)} at second order, Ω = ωᵢ − ωⱼ and
 κ = kᵢ − kⱼ, with the potential of a wave of amplitude s that moves as no free wave can (Longuet-Higgins and Stewart
@@ -11,6 +11,9 @@ A sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries Re Σᵢ Σⱼ aᵢ āⱼ s_
 −ρ ∂φ/∂t at z = 0 is ρg s, negative: water is pressed away from under groups of high waves.  Both orders of a pair are
 counted, s_ij = s_ji: of two waves the bound wave has the amplitude 2 s aᵢaⱼ.  In deep water s of two waves that travel
 one way is −Ωωᵢ/2g, of the larger frequency: nothing under long groups, but not nothing (Longuet-Higgins 1963).
+
+At the sum frequency the second wave has −ωⱼ and −kⱼ (`kinds`): Ω = ωᵢ + ωⱼ, κ = kᵢ + kⱼ.  Of one wave by itself
+s = ¾K cosh 2kh / sinh⁴kh, that of Stokes (1847); in deep water it is nothing of waves that travel one way.
 """
 
 from __future__ import annotations
@@ -25,7 +28,7 @@ NEAREST = 1e-9  # of the frequency: differences below it are taken there; s is e
 
 
 class BoundWaves(NamedTuple):
-    """omega : rad/s, difference frequency; number : (…, 2) rad/m; amplitude : s, m per m²"""
+    """omega : rad/s, of the bound wave; number : (…, 2) rad/m; amplitude : s, m per m²"""
 
     omega: np.ndarray
     number: np.ndarray
@@ -35,12 +38,14 @@ class BoundWaves(NamedTuple):
 def bound_waves(first, second, depth, gravity=9.80665):
     """`BoundWaves` of pairs of waves.
 
-    first, second : (frequency rad/s, direction rad), each scalars or arrays that broadcast; depth : m, may be inf
+    first, second : (frequency rad/s, direction rad), each scalars or arrays that broadcast, the second frequencies
+        negative for the sum of frequencies; depth : m, may be inf
     """
     (one, beta), (two, gamma) = ([np.asarray(part, float) for part in wave] for wave in (first, second))
-    k, l = wavenumber(one, depth, gravity), wavenumber(two, depth, gravity)
+    k, l = wavenumber(one, depth, gravity), np.copysign(wavenumber(two, depth, gravity), two)
     number = np.stack([k * np.cos(beta) - l * np.cos(gamma), k * np.sin(beta) - l * np.sin(gamma)], axis=-1)
-    return BoundWaves(one - two, number, _amplitude(one, two, beta - gamma, depth, gravity))
+    angle = beta - gamma - np.where(two < 0, np.pi, 0.0)
+    return BoundWaves(one - two, number, _amplitude(one, two, angle, depth, gravity))
 
 
 def _amplitude(one, two, angle, depth, gravity):

@@ -18,6 +18,7 @@ from ..contour.pressure_drift import refined
 from ..waves import wavenumber
 from .contour_surface import CylinderSurface
 from .first_order_waves import FirstOrderWaves
+from .kinds import DIFFERENCE
 
 VERTICAL = [2, 3, 4]
 
@@ -29,19 +30,21 @@ class ContourWaves(FirstOrderWaves):
         not resolved
     """
 
-    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None, swayed=None):
-        super().__init__(problem, headings, moving, lines, swayed)
+    def __init__(
+        self, problem, omega, headings, moving, of_force, surface=False, lines=None, swayed=None, kind=DIFFERENCE
+    ):
+        super().__init__(problem, headings, moving, lines, swayed, kind)
         if problem.method != "contour" or not np.isfinite(problem.depth) or problem.bed is not None:
             raise ValueError(
                 f"pairs by method {problem.method} in {problem.depth:g} m; allowed: panels, or contour in finite depth"
             )
         self.prepared = self.held.prepared()
         self.body = refined(self.prepared.solver)
-        highest = max(omega[-1], differences[-1])
+        highest, rising = max(omega[-1], of_force[-1]), of_force[of_force > 0]
         if self.body.solver(highest, problem.gravity) is not ContourFrequency:
             raise ValueError(f"pairs by the contour method up to {highest:.4g} rad/s; allowed: waves it resolves")
         self.points = HullPoints(self.body, float(wavenumber(highest, problem.depth, problem.gravity)))
-        surface = surface and len(differences) > 1
+        surface = surface and len(rising) > 0
         if (moving or surface) and not self.points.whole:
             raise ValueError(
                 "pairs by the contour method on a floating box or with the surface around a box; allowed: held, "
@@ -49,7 +52,7 @@ class ContourWaves(FirstOrderWaves):
             )
         first = self._frequency(omega[-1], [])
         self.surfaces = self.points.surfaces(first)
-        self.around = CylinderSurface(problem, self.points, self.surfaces, omega, differences[1:]) if surface else None
+        self.around = CylinderSurface(problem, self.points, self.surfaces, omega, rising) if surface else None
 
     def _frequency(self, omega, headings):
         return SharedFrequency(self.points, omega, headings, self.problem.density, self.problem.gravity)
@@ -62,7 +65,7 @@ class ContourWaves(FirstOrderWaves):
             self.around.add(freq, motions)
 
     def radiation(self, omega):
-        """`SharedFrequency` of a difference frequency"""
+        """`SharedFrequency` of a frequency of the force"""
         return self._frequency(max(omega, self.least), [])
 
     def radiated(self, freq):

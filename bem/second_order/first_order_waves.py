@@ -9,12 +9,12 @@ import numpy as np
 from .. import DOFS
 from ..panels.pressure_drift.hull_flow import HullFlow, hull_surfaces, radiated_flow, wave_flow
 from ..panels.pressure_drift.mean_drift import check_panels, pressure_pairs
+from .kinds import DIFFERENCE, EVEN
 from .long_wave_forces import long_wave_forces, lowest
 from .rotations import first_order_loads, rotated_pairs, still_water_pairs
 from .surface_waves import SurfaceWaves
 
-EVEN = 1e-6  # of the step between frequencies
-MANY = 12  # differences, from which they share their work: what they share takes as long as some of them
+MANY = 12  # frequencies of the force, from which they share their work: what they share takes as long as some of them
 
 
 class FirstOrderWaves:
@@ -23,11 +23,12 @@ class FirstOrderWaves:
     headings : (m,) rad; lines : (6, 6) stiffness beside the water's, or None
     surfaces : `hull_flow.HullSurfaces`; around : `surface_waves.SurfaceWaves` or alike, None without the surface
     swayed : (n, m, 6) motions of another resolution about the rotation centre, in which the squares are wanted too
+    kind : `kinds.Kind` of the forces
     """
 
-    def __init__(self, problem, headings, moving, lines=None, swayed=None):
+    def __init__(self, problem, headings, moving, lines=None, swayed=None, kind=DIFFERENCE):
         stiffness = problem.hydrostatic_stiffness if lines is None else problem.hydrostatic_stiffness + lines
-        self.problem, self.headings, self.moving = problem, headings, moving
+        self.problem, self.headings, self.moving, self.kind = problem, headings, moving, kind
         self.held = replace(problem, hydrostatic_stiffness=stiffness)
         self.parts, self.loads, self.rao, self.far = [], [], [], []
         self.swayed, self.in_swayed = swayed, []
@@ -40,14 +41,18 @@ class FirstOrderWaves:
     @property
     def wanted(self):
         """Quantities of a frequency"""
-        return {"excitation_force"} | ({"rao", "added_mass", "drift_force"} if self.moving else {"drift_force_fixed"})
+        wanted = {"excitation_force"} | ({"rao", "added_mass"} if self.moving else set())
+        if self.kind is DIFFERENCE:
+            wanted.add("drift_force" if self.moving else "drift_force_fixed")
+        return wanted
 
     def take(self, run, flow_of):
         """Take in the waves of a run; flow_of : function of their motions (m, 6) about the origin that gives a flow"""
         rao = run.rao if self.moving else np.zeros((len(self.headings), 6), complex)
         motions = rao @ self.problem.transform
         self.parts.append(flow_of(motions))
-        self.far.append(run.drift_of_two(self.moving))
+        if self.kind is DIFFERENCE:
+            self.far.append(run.drift_of_two(self.moving))
         self.rao.append(rao)
         self.loads.append(first_order_loads(run, self.problem, rao) if self.moving else 0 * rao)
         if self.swayed is not None:
@@ -67,10 +72,11 @@ class FirstOrderWaves:
         return self._squares(HullFlow.joined(parts), loads, rao)
 
     def _squares(self, flow, loads, rao):
-        squares, rao = pressure_pairs(self.surfaces, flow, self.problem) @ self.problem.transform.T, np.concatenate(rao)
+        rao, second = np.concatenate(rao), self.kind.second
+        squares = pressure_pairs(self.surfaces, flow, self.problem, second) @ self.problem.transform.T
         if self.moving:
-            squares += rotated_pairs(np.concatenate(loads), rao)
-            squares += still_water_pairs(rao, self.problem, self.surfaces.hull)
+            squares += rotated_pairs(np.concatenate(loads), rao, second)
+            squares += still_water_pairs(rao, self.problem, self.surfaces.hull, second)
         n, m = len(self.rao), len(self.headings)
         return squares.reshape(n, m, n, m, 6)
 
@@ -78,23 +84,26 @@ class FirstOrderWaves:
 class PanelWaves(FirstOrderWaves):
     """Waves of a `bem.methods.panel_problem.PanelProblem`, on the hull and with `surface` on the water around it
 
-    omega : (n,) rad/s of the waves; differences : (d,) rad/s, from 0, at which the body radiates; of those among the
-    frequencies one run has both
+    omega : (n,) rad/s of the waves; of_force : (d,) rad/s, rising, of the force, at which the body radiates; of those
+    among the frequencies of the waves one run has both
     """
 
-    def __init__(self, problem, omega, headings, moving, differences, surface=False, lines=None, swayed=None):
-        super().__init__(problem, headings, moving, lines, swayed)
-        self.differences, self.near = differences, EVEN * differences[-1] / max(len(differences) - 1, 1)
-        low = max(self.least, min([omega[0], *differences[1:2]]))
-        self.prepared = _sharing(self.held, low, max(omega[-1], differences[-1]), len(omega) + len(differences))
+    def __init__(
+        self, problem, omega, headings, moving, of_force, surface=False, lines=None, swayed=None, kind=DIFFERENCE
+    ):
+        super().__init__(problem, headings, moving, lines, swayed, kind)
+        self.of_force, self.near = of_force, EVEN * np.ptp(of_force) / max(len(of_force) - 1, 1)
+        rising = of_force[of_force > 0]
+        low = max(self.least, min([omega[0], *rising[:1]]))
+        self.prepared = _sharing(self.held, low, max(omega[-1], of_force[-1]), len(omega) + len(of_force))
         check_panels(problem, self.prepared.geometry.mesh)
         self.surfaces = hull_surfaces(self.prepared.geometry)
-        around = surface and len(differences) > 1
-        self.around = SurfaceWaves(self.prepared, self.surfaces, omega, differences[1:]) if around else None
+        around = surface and len(rising) > 0
+        self.around = SurfaceWaves(self.prepared, self.surfaces, omega, rising) if around else None
         self.radiating = []
 
     def solve(self, omega):
-        again = np.abs(self.differences - omega).min() <= self.near
+        again = np.abs(self.of_force - omega).min() <= self.near
         want = self.wanted | ({"added_mass"} if again else set())
         run = self.prepared.run(omega, self.headings, want, None, DOFS)
         if again:
@@ -104,7 +113,7 @@ class PanelWaves(FirstOrderWaves):
             self.around.add(run, self.parts[-1], motions)
 
     def radiation(self, omega):
-        """Run of a difference frequency"""
+        """Run of a frequency of the force"""
         known = [run for run in self.radiating if abs(run.omega - omega) <= self.near]
         return known[0] if known else self.prepared.run(max(omega, self.least), [0.0], {"added_mass"}, None, DOFS)
 

@@ -26,15 +26,18 @@ def first_order_loads(run, problem, X):
     return run.excitation @ T.T + X @ (run.omega**2 * T @ run.radiation @ T.T - stiffness).T
 
 
-def products(one, two):
-    """(f, f, …) T of the product of two quantities (f, a) and (f, b): ¼(aᵢ b̄ⱼ + āⱼ bᵢ), (f, f, a, b)"""
-    first = np.einsum("ia,jb->ijab", one, two.conj())
-    return 0.25 * (first + np.einsum("ja,ib->ijab", one.conj(), two))
+def products(one, two, second=np.conj):
+    """(f, f, …) T of the product of two quantities (f, a) and (f, b): ¼(aᵢ b̄ⱼ + āⱼ bᵢ), (f, f, a, b)
+
+    second : as of `bem.panels.pressure_drift.mean_drift.pressure_pairs`, here and below
+    """
+    first = np.einsum("ia,jb->ijab", one, second(two))
+    return 0.25 * (first + np.einsum("ja,ib->ijab", second(one), two))
 
 
-def rotated_pairs(load, motion):
+def rotated_pairs(load, motion, second=np.conj):
     """(f, f, 6) T of loads (f, 6) that turn with the motions (f, 6), both about the rotation centre"""
-    turned = products(motion, load)
+    turned = products(motion, load, second)
     force = _cross(turned[..., 3:, :3])
     moment = _cross(turned[..., 3:, 3:]) + _cross(turned[..., :3, :3])
     return np.concatenate([force, moment], axis=-1)
@@ -46,13 +49,13 @@ def _cross(ab):
     return np.stack([ab[..., a, b] - ab[..., b, a] for a, b in pairs], axis=-1)
 
 
-def turned_twice(motion):
+def turned_twice(motion, second=np.conj):
     """(f, f, 3, 3) T of H = ½(αα' − α²I), of motions (f, 6)"""
-    turns = products(motion[:, 3:], motion[:, 3:])
+    turns = products(motion[:, 3:], motion[:, 3:], second)
     return 0.5 * (turns - np.trace(turns, axis1=2, axis2=3)[..., None, None] * np.eye(3))
 
 
-def still_water_pairs(motion, problem, surface):
+def still_water_pairs(motion, problem, surface, second=np.conj):
     """(f, f, 6) T of the still water on a body of finite rotations, about the rotation centre.
 
     motion : (f, 6); problem : with its stiffness; surface : `hull_flow.Surface` of the hull
@@ -60,7 +63,7 @@ def still_water_pairs(motion, problem, surface):
     x = surface.points - np.asarray(problem.rotation_center)
     area = -surface.normals[:, 2] * surface.weights  # of the waterplane above each point
     x[:, 2] = -problem.rotation_center[2]
-    H, weight = turned_twice(motion), problem.density * problem.gravity
+    H, weight = turned_twice(motion, second), problem.density * problem.gravity
     lever = np.stack([np.ones(len(x)), x[:, 1], -x[:, 0]])
     out = np.zeros((*H.shape[:2], 6), complex)
     out[..., 2:5] = -weight * H[..., 2, :] @ ((lever * area) @ x).T

@@ -13,7 +13,7 @@ import numpy as np
 from .. import DOFS
 from ..database.file import DatabaseError
 from ..database.widening import read_group, write_group
-from .difference_forces import HORIZONTAL, PARTS, DifferenceForces
+from .quadratic_forces import HORIZONTAL, PARTS, QuadraticForces
 
 GROUP = "qtf"
 ERRORS, ADDED, COARSER = "estimated_error", "added_by_far_field", "total_of_coarser"
@@ -38,7 +38,7 @@ class Held:
 
     @property
     def moving(self):
-        """As `difference_forces` takes it"""
+        """As `quadratic_forces` takes it"""
         return self.floats if self.lines is None else self.lines
 
     def same_as(self, other):
@@ -56,7 +56,7 @@ class StoredForces:
     asked : rad/s, the largest difference that will be stored, where the run that stores them has not ended, or None
     """
 
-    forces: DifferenceForces
+    forces: QuadraticForces
     held: Held
     method: str = "panel"
     share: float | None = None
@@ -70,7 +70,7 @@ def write_forces(path, stored):
     forces, unit, names = stored.forces, "N/m2, N m/m2", np.array(DOFS, dtype="S8")
     datasets = {
         "omega": (("omega",), "rad/s", forces.omega),
-        "difference": (("difference",), "rad/s", forces.difference),
+        "difference": (("difference",), "rad/s", forces.frequency),
         "wave_direction_1": (("wave_direction_1",), "rad", forces.headings),
         "wave_direction_2": (("wave_direction_2",), "rad", forces.headings),
         "influenced_dof": (("influenced_dof",), "", names),
@@ -104,7 +104,7 @@ def read_forces(db):
     axes = values["omega"], values["difference"], values["wave_direction_1"]
     lines = attributes.get("line_stiffness")
     return StoredForces(
-        DifferenceForces(*axes, *(values.get(part) for part in PARTS), added=values.get(ADDED)),
+        QuadraticForces(*axes, *(values.get(part) for part in PARTS), added=values.get(ADDED)),
         Held(
             attributes["body"] == "floating",
             str(attributes.get("moored", "")),
@@ -123,7 +123,7 @@ class BetweenPairs:
     """T of waves of one direction each between stored pairs.
 
     omega : (n,) rad/s, even; difference : (d,) rad/s, even, from 0; values : (d, n, 6), as a part of
-    `DifferenceForces` at two headings
+    `QuadraticForces` at two headings
     """
 
     omega: np.ndarray

@@ -209,7 +209,7 @@ def stored_pairs(db, sea, level="body", spread=False):
         )
     if stored.asked is not None:
         raise ValueError(
-            f"the pairs in {db.path} are those of a run that was ended, differences to {forces.difference[-1]:.3g} of "
+            f"the pairs in {db.path} are those of a run that was ended, differences to {forces.frequency[-1]:.3g} of "
             f"{stored.asked:.3g} rad/s; 'hakobune qtf {db.path}' goes on"
         )
     if level == "full" and forces.surface is None:
@@ -241,7 +241,7 @@ def _of_heading(db, sea, forces, values, level):
             f"'hakobune qtf {db.path} --heading {degrees:.4g}' solves them"
         )
     omega, drift = _drift(db, forces, [sea.direction])
-    return PairForces(BetweenPairs(forces.omega, forces.difference, values[:, :, h, h]), omega, drift[:, 0], level)
+    return PairForces(BetweenPairs(forces.omega, forces.frequency, values[:, :, h, h]), omega, drift[:, 0], level)
 
 
 def _of_headings(db, sea, forces, values, level):
@@ -255,7 +255,7 @@ def _of_headings(db, sea, forces, values, level):
     omega, drift = _drift(db, forces, forces.headings)
     used, pairs = np.flatnonzero(share > LEAST_SHARE * share.max()), {}
     for a, b in ((a, b) for a in used for b in used):
-        between = BetweenPairs(forces.omega, forces.difference, values[:, :, a, b])
+        between = BetweenPairs(forces.omega, forces.frequency, values[:, :, a, b])
         pairs[a, b] = PairForces(between, omega, drift[:, a], level, drift[:, b])
     return SpreadPairForces(pairs, forces.headings, sea, level)
 

@@ -21,7 +21,7 @@ def draw(forces, db, floats, path):
     with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
         figure = Figure(figsize=(13, 4.2), layout="constrained")
         axes = figure.subplots(1, 3)
-        low, Ω = np.meshgrid(forces.omega, forces.difference)
+        low, Ω = np.meshgrid(forces.omega, forces.frequency)
         _levels(figure, axes[0], low, low + Ω, np.abs(total) / 1e3, f"|T| of {NAMES[mode]}, kN/m²")
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = np.log10(np.abs(newman(forces, mode, h)) / np.abs(total))
@@ -46,7 +46,7 @@ def _levels(figure, axis, one, two, value, title):
 
 def _over_difference(axis, forces, h, mode):
     for name, value in levels(forces, mode, h).items():
-        axis.plot(forces.difference, np.sqrt(np.nanmean(np.abs(value) ** 2, axis=1)) / 1e3, label=name)
+        axis.plot(forces.frequency, np.sqrt(np.nanmean(np.abs(value) ** 2, axis=1)) / 1e3, label=name)
     axis.set(title="root mean square over frequencies, kN/m²", xlabel="difference of frequencies  rad/s")
     axis.set_ylim(bottom=0)
     axis.grid(True, color="0.9", linewidth=0.6)

@@ -13,7 +13,7 @@ TOLERANCES = 1e-5, 1e-4  # of the contour method: of what is stored, and of what
 
 @dataclass(frozen=True, eq=False)
 class Bodies:
-    """method : name; fine, rough : problems of `difference_forces`, rough None where there is no second resolution
+    """method : name; fine, rough : problems of `quadratic_forces`, rough None where there is no second resolution
 
     errors : function of the forces at `fine`, the whole at `rough` and what the squares at `rough` are more in the
         motions at `fine`, None of a body held
@@ -30,7 +30,7 @@ def bodies(db, method, highest):
 
     raises : ValueError for the contour method on another body
     """
-    from bem.second_order.difference_forces import panel_errors, resolution_errors
+    from bem.second_order.quadratic_forces import panel_errors, resolution_errors
     from mooring.response.bound_wave_drift import problem_of
 
     from ..solve.hull import coarse_hull_of

@@ -37,7 +37,7 @@ class Question:
 
     @property
     def waves(self):
-        """As `difference_forces` takes them"""
+        """As `quadratic_forces` takes them"""
         return self.omega, self.headings, self.highest
 
     def continued(self, stored):
@@ -72,7 +72,7 @@ class Question:
             and low <= self.omega[0] + SAME
             and high >= self.omega[-1] - SAME
             and step <= (self.omega[1] - self.omega[0]) * (1 + SAME)
-            and forces.difference[-1] > self.highest - step
+            and forces.frequency[-1] > self.highest - step
             and all(np.abs(np.exp(1j * forces.headings) - np.exp(1j * h)).min() < SAME for h in self.headings)
         )
 

@@ -11,8 +11,8 @@ MODES = [0, 1, 5]
 def newman(forces, mode, heading):
     """(d, n) signed √(DᵢDⱼ) of the diagonal of the squares, NaN where there is no pair"""
     D = forces.squares[0, :, heading, heading, mode].real
-    out = np.full((len(forces.difference), len(D)), np.nan)
-    for m in range(len(forces.difference)):
+    out = np.full((len(forces.frequency), len(D)), np.nan)
+    for m in range(len(forces.frequency)):
         one, two = D[m:], D[: len(D) - m]
         out[m, : len(two)] = np.where(one * two > 0, np.sign(one) * np.sqrt(np.abs(one * two)), 0.0)
     return out
@@ -33,7 +33,7 @@ def told(stored, db):
     forces, share = stored.forces, stored.share
     yield (
         f"{_held(stored.held)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
-        f"{forces.omega[-1]:.4g} rad/s, differences to {forces.difference[-1]:.3g} rad/s, {len(forces.headings)} "
+        f"{forces.omega[-1]:.4g} rad/s, differences to {forces.frequency[-1]:.3g} rad/s, {len(forces.headings)} "
         "headings and all their pairs"
     )
     gap = diagonal_gap(forces)
@@ -102,9 +102,9 @@ def _rows(forces, h, beta, mode, name):
     if np.nanmax(np.abs(found["+ body"])) * arm < 1e-6 * whole:
         return
     unit = 1e3 if mode < 5 else 1e6
-    for m in sorted({*np.linspace(0, len(forces.difference) - 1, 5).astype(int)}):
+    for m in sorted({*np.linspace(0, len(forces.frequency) - 1, 5).astype(int)}):
         rms = [np.sqrt(np.nanmean(np.abs(level[m]) ** 2)) / unit for level in found.values()]
         yield (
-            f"  {np.degrees(beta):6.4g}° {name:5} Ω {forces.difference[m]:.3f} {rms[0]:12.4g} {rms[1]:13.4g} "
+            f"  {np.degrees(beta):6.4g}° {name:5} Ω {forces.frequency[m]:.3f} {rms[0]:12.4g} {rms[1]:13.4g} "
             f"{rms[2]:23.4g} {rms[3]:7.4g}" + "".join(f" {value:10.4g}" for value in rms[4:])
         )

@@ -11,12 +11,12 @@ import numpy as np
 
 from bem.database import DatabaseError, writing
 from bem.database.file import check_place
-from bem.second_order.difference_forces import (
+from bem.second_order.quadratic_forces import (
     BLOCK,
-    DifferenceForces,
-    DifferenceRun,
+    QuadraticForces,
+    QuadraticRun,
+    frequencies_of,
     share_of,
-    steps_to,
     surface_share,
 )
 from bem.second_order.stored import StoredForces, read_forces, write_forces
@@ -31,7 +31,7 @@ def solve(db, question, fresh):
     """Put the forces that a `Question` asks for into the file of an opened database; unless `fresh`, what is stored of
     the same waves is kept.
 
-    raises : ValueError for what `difference_forces` and `bodies` refuse and for a floating body without inertia;
+    raises : ValueError for what `quadratic_forces` and `bodies` refuse and for a floating body without inertia;
         DatabaseError and OSError, before anything is solved, where the file cannot be written
     """
     if question.held.floats and db.inertia_matrix is None:
@@ -59,20 +59,20 @@ def _solve(db, question, fresh):
     known = _begun(stored, question, full)
     told = _Told(2 if body.rough else 1)
     given = *question.waves, question.held.moving
-    fine = DifferenceRun(body.fine, *given, told.of(0), full)
+    fine = QuadraticRun(body.fine, *given, told.of(0), full)
     swayed = fine.motions if question.held.floats and body.method == "panel" else None
-    rough = body.rough and DifferenceRun(body.rough, *given, told.of(1), full, swayed)
+    rough = body.rough and QuadraticRun(body.rough, *given, told.of(1), full, swayed)
     forces, coarser = ([], []) if known is None else ([known.forces], [known.coarser])
     written = time.monotonic()
-    *blocks, last = fine.blocks(sum(len(part.difference) for part in forces)) or [None]
+    *blocks, last = fine.blocks(sum(len(part.frequency) for part in forces)) or [None]
     for block in (*blocks, last):
         if block is not None:
-            forces = [DifferenceForces.joined([*forces, fine.solve(block)])]
+            forces = [QuadraticForces.joined([*forces, fine.solve(block)])]
             coarser = [np.concatenate([*coarser, rough.solve(block).total])] if rough else [None]
         if block is last or time.monotonic() - written > EVERY:
             asked = None if block is last else question.highest
             share = share if forces[0].surface is None else share_of(forces[0])
-            errors = rough and body.errors(forces[0], coarser[0], _first(rough.by_motions, len(forces[0].difference)))
+            errors = rough and body.errors(forces[0], coarser[0], _first(rough.by_motions, len(forces[0].frequency)))
             stored = StoredForces(forces[0], question.held, body.method, share, errors, coarser[0], asked)
             write_forces(db.path, stored)
             written = time.monotonic()
@@ -117,7 +117,8 @@ def _begun(stored, question, full):
     if stored is None or (stored.forces.surface is not None) != full:
         return None
     forces, coarser = stored.forces, stored.coarser
-    count = min(len(forces.difference), steps_to(question.highest, question.omega) + 1) // BLOCK * BLOCK
+    asked = frequencies_of(question.omega, question.highest, forces.kind)
+    count = min(len(forces.frequency), len(asked)) // BLOCK * BLOCK
     if not count:
         return None
     return replace(stored, forces=forces.first(count), coarser=None if coarser is None else coarser[:count])

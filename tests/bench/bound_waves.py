@@ -24,7 +24,7 @@ from exact.second_order_cylinder import free_surface_force, long_wave_force, qua
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 from bem.second_order.bound_waves import bound_waves
-from bem.second_order.difference_forces import difference_forces
+from bem.second_order.quadratic_forces import quadratic_forces
 from bem.second_order.stored import BetweenPairs
 from meshing.shapes import box, buoy
 from mooring.environment.spectra import jonswap
@@ -55,7 +55,7 @@ def cylinder(panels):
         newman = np.sqrt(drift(RADIUS, DEPTH, one)[0] * drift(RADIUS, DEPTH, two)[0])
         levels = (newman, newman + long, squares + long, squares + long + surface)
         sizes = [abs(value) / (RHO * G * RADIUS) for value in levels]
-        found = difference_forces(problem, [two, one], [0.0], 9.0, False, surface=True)
+        found = quadratic_forces(problem, [two, one], [0.0], 9.0, False, surface=True)
         known = (
             (found.squares, squares),
             (found.to_body, squares + long),
@@ -82,7 +82,7 @@ def by_contour():
             body = ShapeProblem(
                 method="contour", shape="buoy", sizes=(RADIUS, DEPTH - gap), depth=DEPTH, tolerance=1e-5
             )
-            forces = difference_forces(body, [two, one], [0.0], 9.0, False, surface=True)
+            forces = quadratic_forces(body, [two, one], [0.0], 9.0, False, surface=True)
             found.append(forces.total[1, 0, 0, 0, 0])
         last, order = found[-1], 1
         while len(found) > 1:
@@ -98,11 +98,11 @@ def seas(panels):
         problem = PanelProblem(mesh, depth=depth, inertia_matrix=INERTIA, hydrostatic_stiffness=STIFFNESS)
         for moving in (False, True):
             start = time.process_time()
-            found = difference_forces(problem, omega, [np.pi], 0.36, moving, surface=True)
+            found = quadratic_forces(problem, omega, [np.pi], 0.36, moving, surface=True)
             seconds = time.process_time() - start
             D = found.squares[0, :, 0, 0][:, [0, 1, 5]].real
             pairs = [
-                PairForces(BetweenPairs(omega, found.difference, values[:, :, 0, 0]), omega, D)
+                PairForces(BetweenPairs(omega, found.frequency, values[:, :, 0, 0]), omega, D)
                 for values in (found.to_body, found.total)
             ]
             print(f"series box {'afloat' if moving else 'held'} in {depth:g} m, {mesh.total} panels, σ of surge, kN")

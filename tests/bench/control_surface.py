@@ -126,12 +126,12 @@ class ControlSurface:
 
 def by_momentum(problem, omega, heading, moving):
     """(3, n, n, 3) T of surge, sway and yaw about the origin of pairs of waves of one heading: by the control surface;
-    by the pressure on the hull; as `difference_forces` has it, with what the far field adds
+    by the pressure on the hull; as `quadratic_forces` has it, with what the far field adds
 
     problem : `PanelProblem` of a body whose middle is the origin, about which moments are; heading : rad
     omega : (n,) rad/s, rising
     """
-    from bem.second_order.difference_forces import _by_far_field
+    from bem.second_order.quadratic_forces import _by_far_field
 
     omega = np.asarray(omega, float)
     waves = PanelWaves(problem, omega, [heading], moving, np.array([0.0, omega[1] - omega[0]]), True)

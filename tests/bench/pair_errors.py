@@ -6,7 +6,7 @@ Boxes and buoys, floating or held, in water from a tenth of their draft under th
 frequencies whose shortest wave is three panels long or more; the coarser mesh as `hakobune qtf` takes it.  Prints the
 share whose error is within a factor of three of the estimate: of single pairs and components, and of root mean squares
 over pairs, as `hakobune qtf` prints them, without those below a thousandth of the largest force, also of meshes with
-three panels or more in every direction.  A median of root mean squares is what to multiply `difference_forces.SIZES`
+three panels or more in every direction.  A median of root mean squares is what to multiply `quadratic_forces.SIZES`
 by; of the difference of both meshes in heave, roll and pitch its power in a geometric mean with squares and whole, and
 the factor, by least squares.  A scene depends on its number and the seed alone: many are run in slices.
 """
@@ -22,7 +22,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from bem.methods.panel_problem import PanelProblem
-from bem.second_order.difference_forces import ORDER, DifferenceRun, difference_forces, panel_errors
+from bem.second_order.quadratic_forces import ORDER, QuadraticRun, panel_errors, quadratic_forces
 from meshing.hydrostatics import hydrostatics, inertia_matrix
 from meshing.lid import lid
 from pipelines.qtf.problem import FEWEST
@@ -74,10 +74,10 @@ def ratios(rng, surface):
     length = size * np.exp(rng.uniform(np.log(6), np.log(30)))  # of the shortest waves
     high = np.sqrt(G * 2 * np.pi / length * np.tanh(2 * np.pi / length * min(depth, 1e4)))
     omega, beta = high * (1 - 0.08 * np.arange(3)[::-1]), [rng.uniform(0, np.pi)]
-    run = DifferenceRun(fine, omega, beta, high, floats, surface=surface)
-    coarser = DifferenceRun(rough, omega, beta, high, floats, surface=surface, swayed=run.motions if floats else None)
+    run = QuadraticRun(fine, omega, beta, high, floats, surface=surface)
+    coarser = QuadraticRun(rough, omega, beta, high, floats, surface=surface, swayed=run.motions if floats else None)
     coarse, found = coarser.all(), run.all()
-    best = difference_forces(finest, omega, beta, high, floats, surface=surface)
+    best = quadratic_forces(finest, omega, beta, high, floats, surface=surface)
     refinement = fine.mesh.total / rough.mesh.total
     estimate = panel_errors(found, coarse.total, refinement, coarser.by_motions)
     error = np.abs(found.total - best.total) / (1 - 4.0**-1.16)  # what the finest has left

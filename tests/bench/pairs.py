@@ -24,7 +24,7 @@ from exact.second_order_cylinder import free_surface_force, long_wave_force, qua
 
 from bem.methods.panel_problem import PanelProblem
 from bem.second_order.bound_waves import bound_waves
-from bem.second_order.difference_forces import difference_forces
+from bem.second_order.quadratic_forces import quadratic_forces
 from meshing.lid import lid
 from meshing.shapes import box, buoy
 
@@ -44,7 +44,7 @@ def drift(panels):
     for depth in (12.0, 20.0, 100.0):
         problem = floating(panels, depth)
         for moving in (False, True):
-            found = difference_forces(problem, omega, HEADING, 0.01, moving)
+            found = quadratic_forces(problem, omega, HEADING, 0.01, moving)
             far = found.squares[0, :, 0, 0][:, :2].real
             off = np.abs(found.added[:, 0, 0]).max(axis=0) / np.abs(far).max() / [1, 1, 50]
             numbers = ", ".join(f"{100 * value:.2f}" for value in off)
@@ -73,7 +73,7 @@ def shallow(panels):
         omega = np.sqrt(G * 0.2 / depth * np.tanh(0.2))
         for apart in (1e-3, 1e-2, 0.1):
             two, one = omega * (1 - apart / 2), omega * (1 + apart / 2)
-            found = difference_forces(problem, [two, one], [0.0], 9.0, False, surface=True).total[1, 0, 0, 0, 0]
+            found = quadratic_forces(problem, [two, one], [0.0], 9.0, False, surface=True).total[1, 0, 0, 0, 0]
             bound = bound_waves((one, 0.0), (two, 0.0), depth)
             exact = bound.amplitude * long_wave_force(RADIUS, depth, bound.omega, bound.number[0])
             exact += sum(force(RADIUS, depth, one, two) for force in (quadratic_force, free_surface_force))
@@ -88,7 +88,7 @@ def times(panels, surface):
     def report(part, done, of):
         marks[part] = time.process_time() - start
 
-    difference_forces(problem, omega, HEADING, 9.0, True, report, surface)
+    quadratic_forces(problem, omega, HEADING, 9.0, True, report, surface)
     whole, first = time.process_time() - start, marks["frequencies"]
     what = "with its forcing on the surface" if surface else "without"
     print(f"{problem.mesh.total} panels, {what}: first order {first:.1f} s, after it {whole - first:.1f} s")

@@ -1,8 +1,9 @@
-"""Second-order surge force of two waves on a cylinder that stands on the sea bed, at their difference frequency.
+"""Second-order load of two waves on a cylinder that stands on the sea bed, at the difference or sum of frequencies.
 
 On the cylinder the first-order potential is that of MacCamy and Fuchs (1954).  Coefficients T are those of
-Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp(−i(ωᵢ − ωⱼ)t), so that T_ii is the mean drift and of a pair of waves 2T the amplitude.  Both
-waves travel along x; time factor exp(−iωt); nothing of the product is used.
+Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp(−i(ωᵢ − ωⱼ)t), so that T_ii is the mean drift and of a pair of waves 2T the amplitude; with
+`sums` those of Re Σᵢ Σⱼ aᵢ aⱼ T_ij exp(−i(ωᵢ + ωⱼ)t).  Both waves travel along x; time factor exp(−iωt).  Loads are the
+surge force, with `moment` the pitch moment about the middle of the waterline.  Nothing of the product is used.
 """
 
 from __future__ import annotations
@@ -15,8 +16,8 @@ from .water_waves import cosh_ratio, evanescent_wavenumbers, sinh_ratio, wave_no
 POINTS = 60  # Gauss points over the depth
 
 
-def long_wave_force(radius, depth, omega, kappa, density=1025.0, gravity=9.80665, modes=4000):
-    """Surge force N/m of a wave of unit amplitude with any wavenumber κ, and of the free waves it diffracts
+def long_wave_force(radius, depth, omega, kappa, density=1025.0, gravity=9.80665, modes=4000, moment=False):
+    """N/m, N m/m: load of a wave of unit amplitude with any wavenumber κ, and of the free waves it diffracts
 
     Z_κ is a sum of the eigenfunctions of the frequency, each of which diffracts by itself; the error falls like
     modes⁻³.
@@ -28,28 +29,39 @@ def long_wave_force(radius, depth, omega, kappa, density=1025.0, gravity=9.80665
     jump = kappa * np.tanh(kappa * h) - K
     over_wave, over_local = jump / (kappa**2 - k**2), jump / (kappa**2 + kn**2)
     norms = h / 2 * (1 + np.sin(2 * kn * h) / (2 * kn * h)) / np.cos(kn * h) ** 2
-    heights = np.tanh(k * h) / k, np.tan(kn * h) / kn  # ∫ f dζ, f = 1 at the surface
+    heights = _over_depth(k, h, moment), _over_depth(kn, h, moment, local=True)
     x = kn * a
     ratios = hankel1(1, k * a) / (k * h1vp(1, k * a)), -1 / (kn * (kve(0, x) / kve(1, x) + 1 / x))
     diffracted = over_wave / wave_norm(k, h) * heights[0] * ratios[0]
     diffracted = diffracted + np.sum(over_local / norms * heights[1] * ratios[1])
-    incident = jv(1, kappa * a) * np.tanh(kappa * h) / kappa
+    incident = jv(1, kappa * a) * _over_depth(kappa, h, moment)
     return -2j * np.pi * a * density * gravity * (incident - kappa * jvp(1, kappa * a) * diffracted)
 
 
-def quadratic_force(radius, depth, one, two, density=1025.0, gravity=9.80665):
-    """Surge T, N/m², of the first-order pressures: waterline and velocities squared"""
+def _over_depth(k, h, moment, local=False):
+    """∫ f dζ, or ∫ f (ζ − h) dζ, of f = cosh kζ / cosh kh, of a local mode cos kζ / cos kh"""
+    if local:
+        return (1 - 1 / np.cos(k * h)) / k**2 if moment else np.tan(k * h) / k
+    return (1 / np.cosh(k * h) - 1) / k**2 if moment else np.tanh(k * h) / k
+
+
+def quadratic_force(radius, depth, one, two, density=1025.0, gravity=9.80665, sums=False, moment=False):
+    """T, N/m², N m/m², of the first-order pressures: waterline and velocities squared"""
     (Z, slope, side), (Y, steep, other) = (_wave(radius, depth, w, gravity) for w in (one, two))
-    _, w = np.polynomial.legendre.leggauss(POINTS)
-    w = w * depth / 2
+    x, w = np.polynomial.legendre.leggauss(POINTS)
+    w = w * depth / 2 * (depth * (x - 1) / 2 if moment else 1.0)
     m = np.arange(max(len(side), len(other)) + 1)
     p, q = (np.concatenate([s, np.zeros(len(m) - len(s))]) for s in (side, other))
+    q = q if sums else q.conj()
     # φ = Σ p_m cos mθ: ∫ cosθ cos mθ cos nθ dθ and ∫ cosθ m n sin mθ sin nθ dθ, |m − n| = 1
     share = np.where(m[:-1] == 0, np.pi, np.pi / 2)
-    cosines = np.sum(share * (p[:-1] * q[1:].conj() + p[1:] * q[:-1].conj()))
+    cosines = np.sum(share * (p[:-1] * q[1:] + p[1:] * q[:-1]))
     along = m[:-1] * m[1:] * np.pi / 2
-    sines = np.sum(along * (p[:-1] * q[1:].conj() + p[1:] * q[:-1].conj()))
-    crest = -density * gravity / 4 * (one * two / gravity**2) * cosines * radius
+    sines = np.sum(along * (p[:-1] * q[1:] + p[1:] * q[:-1]))
+    # elevations are iωφ/g: their product has −ωᵢωⱼ without the conjugate
+    crest = (
+        0.0 if moment else -density * gravity / 4 * ((-1 if sums else 1) * one * two / gravity**2) * cosines * radius
+    )
     speed = sines / radius * (w @ (Z * Y)) + cosines * radius * (w @ (slope * steep))
     return crest + density / 4 * speed
 
@@ -64,20 +76,24 @@ def _wave(radius, depth, omega, gravity):
     return cosh_ratio(zeta, k, depth), k * sinh_ratio(zeta, k, depth), side
 
 
-def free_surface_force(radius, depth, one, two, density=1025.0, gravity=9.80665, modes=200):
-    """Surge T, N/m², of the forcing of the surface by products of the waves, less that of the incident waves alone.
+def free_surface_force(
+    radius, depth, one, two, density=1025.0, gravity=9.80665, modes=200, sums=False, moment=False, further=0.0
+):
+    """T, N/m², N m/m², of the forcing of the surface by products of the waves, less that of the incident waves alone.
 
-    iΩρ/g ∬ ψ Q dS with the radiation potential ψ of unit surge velocity at Ω = one − two > 0 (Molin 1979; Eatock
-    Taylor and Hung 1987), on the real axis to where Hankel functions of all orders oscillate, then along r ± it, where
-    the product of three of them decays
+    iΩρ/g ∬ ψ Q dS with the radiation potential ψ of unit surge or pitch velocity at Ω = one − two > 0 or at the sum
+    (Molin 1979; Eatock Taylor and Hung 1987), on the real axis to where Hankel functions of all orders oscillate, and
+    `further` m, then along r ± it, where the product of three of them decays: at the sum of frequencies all three
+    products of sent and incident waves along r + it, since κ > k + q
     """
-    a, h, omega = radius, depth, one - two
+    a, h, omega = radius, depth, one + two if sums else one - two
     k, q = (wavenumber(w, h, gravity) for w in (one, two))
     K, L, far = one**2 / gravity, two**2 / gravity, wavenumber(omega, h, gravity)
     count = int(k * a + 5 * np.cbrt(k * a) + 8)
-    end = (count + 10) / min(k, q)
-    size = -0.5j * omega, 0.5j * omega * K * L + 0.25j * (two * (k**2 - K**2) - one * (q**2 - L**2))
-    ψ = _surge_radiation(a, h, omega, gravity, modes)
+    end = (count + 10) / min(k, q) + further
+    back = -two if sums else two
+    size = -0.5j * omega, 0.5j * omega * K * L + 0.25j * (back * (k**2 - K**2) - one * (q**2 - L**2))
+    ψ = _surge_radiation(a, h, omega, gravity, modes, moment)
 
     def kernel(r, pieces, wave):
         """Integrand at r (p,); pieces : of (kind of i, kind of j, coefficient (m, n))"""
@@ -88,11 +104,12 @@ def free_surface_force(radius, depth, one, two, density=1025.0, gravity=9.80665,
         return total * wave(r) * r
 
     b, c = (_diffracted(count, x * a) for x in (k, q))
-    scale = np.multiply.outer(_turns(count) / one, _turns(count).conj() / two) * gravity**2
+    turns, c, sent = (_turns(count), c, "H") if sums else (_turns(count).conj(), c.conj(), "h")
+    scale = np.multiply.outer(_turns(count) / one, turns / two) * gravity**2
     cut = np.ones((count, count))
     inside = [
-        ("H", "h", scale * np.multiply.outer(b, c.conj())),
-        ("J", "h", -scale * cut * c.conj()),
+        ("H", sent, scale * np.multiply.outer(b, c)),
+        ("J", sent, -scale * cut * c),
         ("H", "J", -scale * cut * b[:, None]),
     ]
     x, w = np.polynomial.legendre.leggauss(16)
@@ -100,11 +117,20 @@ def free_surface_force(radius, depth, one, two, density=1025.0, gravity=9.80665,
     r = (edges[:-1, None] + np.diff(edges)[:, None] * (1 + x) / 2).ravel()
     total = np.sum((np.diff(edges)[:, None] * w / 2).ravel() * kernel(r, inside, lambda r: ψ[0](r) + ψ[1](r)))
     t, v = np.polynomial.laguerre.laggauss(50)
-    tails = [
-        (k - q + far, [("H e", "h e", scale * (np.multiply.outer(0.5 - b, 0.5 - c.conj()) - 0.25))]),
-        (k + q + far, [("H e", "H e", scale * -0.5 * cut * b[:, None])]),
-        (far - k - q, [("h e", "h e", scale * -0.5 * cut * c.conj())]),
-    ]
+    both = scale * (np.multiply.outer(0.5 - b, 0.5 - c) - 0.25)
+    one_only, other_only = scale * -0.5 * cut * b[:, None], scale * -0.5 * cut * c
+    if sums:
+        tails = [
+            (k + q + far, [("H e", "H e", both)]),
+            (k - q + far, [("H e", "h e", one_only)]),
+            (q - k + far, [("h e", "H e", other_only)]),
+        ]
+    else:
+        tails = [
+            (k - q + far, [("H e", "h e", both)]),
+            (k + q + far, [("H e", "H e", one_only)]),
+            (far - k - q, [("h e", "h e", other_only)]),
+        ]
     for slope, pieces in tails:
         turn = 1j / slope  # exponents of the three Hankel functions make exp(i slope r) = exp(i slope end − t)
         total += np.exp(1j * slope * end) * turn * (v @ kernel(end + turn * t, pieces, ψ[2]))
@@ -123,13 +149,13 @@ def _diffracted(count, x):
     return jvp(m, x) / h1vp(m, x)
 
 
-def _surge_radiation(a, h, omega, gravity, modes):
+def _surge_radiation(a, h, omega, gravity, modes, moment=False):
     """The wave and the local part of ψ at the surface over r, and the wave without exp(ikr)"""
     k, kn = wavenumber(omega, h, gravity), evanescent_wavenumbers(omega, h, modes, gravity)
     norms = h / 2 * (1 + np.sin(2 * kn * h) / (2 * kn * h)) / np.cos(kn * h) ** 2
-    wave = np.tanh(k * h) / k / wave_norm(k, h) / (k * h1vp(1, k * a))
+    wave = _over_depth(k, h, moment) / wave_norm(k, h) / (k * h1vp(1, k * a))
     x = kn * a
-    local = np.tan(kn * h) / kn / norms / (-kn * (kve(0, x) + kve(1, x) / x))
+    local = _over_depth(kn, h, moment, local=True) / norms / (-kn * (kve(0, x) + kve(1, x) / x))
     return (
         lambda r: wave * hankel1(1, k * r),
         lambda r: sum(c * kve(1, n * r) * np.exp(-n * (r - a)) for c, n in zip(local, kn, strict=True)),

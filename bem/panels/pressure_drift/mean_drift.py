@@ -3,7 +3,8 @@
     T_ij = −¼ρg ∮ ζᵢζ̄ⱼ n dl + ¼ρ ∬ {∇φᵢ·∇φ̄ⱼ + Xᵢ·∇∂φ̄ⱼ/∂t + X̄ⱼ·∇∂φᵢ/∂t} n dS,        moments alike with x × n
 
 of two waves of unit amplitude: Re Σ Σ aᵢāⱼ T_ij exp{−i(ωᵢ − ωⱼ)t} is the load at difference frequencies, T_ii the mean
-drift (`bem.methods.near_field`).  T_ji is the conjugate of T_ij.
+drift (`bem.methods.near_field`).  T_ji is the conjugate of T_ij.  Without the conjugates it is T⁺ of the load at sum
+frequencies, Re Σ Σ aᵢaⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}.
 
 The singularity at edges is integrated by `hull_interpolation`; what remains is the discretisation error of the
 potentials, mainly of the motions.
@@ -37,19 +38,22 @@ def pressure_drift(run, motions):
     return about(loads[each, each][:, [0, 1, 5]].real, run.problem.rotation_center)
 
 
-def pressure_pairs(surfaces, flow, problem):
-    """(f, f, 6) complex T of all pairs of the f waves of a `hull_flow.HullFlow`, about the origin; N/m², N m/m²"""
+def pressure_pairs(surfaces, flow, problem, second=np.conj):
+    """(f, f, 6) complex T of all pairs of the f waves of a `hull_flow.HullFlow`, about the origin; N/m², N m/m²
+
+    second : of amplitudes of the second wave, their conjugates, or for sum frequencies themselves
+    """
     hull, line, rho = surfaces.hull, surfaces.waterline, problem.density
     u, n = flow.velocity.reshape(len(flow.omega), -1), surfaces.hull_modes * hull.weights[:, None]
-    squares = np.stack([(u * np.repeat(weight, 3)) @ u.conj().T for weight in n.T], axis=-1)
+    squares = np.stack([(u * np.repeat(weight, 3)) @ second(u).T for weight in n.T], axis=-1)
     carried = -1j * flow.omega[:, None, None] * carried_flow(surfaces, flow)
-    across = np.einsum("im,jmc->ijc", flow.motion, carried.conj())
+    across = np.einsum("im,jmc->ijc", flow.motion, second(carried))
     rise = 1j * flow.omega[:, None] / problem.gravity * flow.potential
     rise = rise - flow.motion @ unit_displacements(line.points)[..., 2]
     crest = np.stack(
-        [(rise * weight) @ rise.conj().T for weight in (surfaces.waterline_modes * line.weights[:, None]).T], axis=-1
+        [(rise * weight) @ second(rise).T for weight in (surfaces.waterline_modes * line.weights[:, None]).T], axis=-1
     )
-    return 0.25 * rho * (squares + across + across.conj().swapaxes(0, 1) - problem.gravity * crest)
+    return 0.25 * rho * (squares + across + second(across).swapaxes(0, 1) - problem.gravity * crest)
 
 
 def carried_flow(surfaces, flow):

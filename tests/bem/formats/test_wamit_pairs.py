@@ -5,7 +5,7 @@ import pytest
 
 from bem.formats.values import FormatError
 from bem.formats.wamit_pairs import read_pairs, write_pairs
-from bem.second_order.difference_forces import DifferenceForces
+from bem.second_order.quadratic_forces import QuadraticForces
 
 WEIGHT = 1025 * 9.80665
 
@@ -16,7 +16,7 @@ def forces():
     T = 1e5 * (rng.normal(size=(3, 5, 2, 2, 6)) + 1j * rng.normal(size=(3, 5, 2, 2, 6)))
     T[0] = T[0] + T[0].swapaxes(1, 2).conj()
     T[np.arange(3)[:, None] + np.arange(5) > 4] = np.nan
-    return DifferenceForces(omega, 0.1 * np.arange(3), headings, T, 0.5 * T, 0 * T)
+    return QuadraticForces(omega, 0.1 * np.arange(3), headings, T, 0.5 * T, 0 * T)
 
 
 def test_a_line_has_both_periods_both_headings_and_the_conjugate_force_over_the_weight(forces, tmp_path):

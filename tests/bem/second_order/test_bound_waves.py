@@ -1,4 +1,4 @@
-"""Bound long waves: the surface condition of second order by differences, set-down of long groups, shallow water."""
+"""Bound waves: the surface condition of second order by differences, set-down of long groups, Stokes, shallow water."""
 
 import numpy as np
 import pytest
@@ -46,24 +46,47 @@ def forcing(waves, depth, x, y, t):
 
 @pytest.mark.parametrize("one, two, depth", [((0.9, 0.3), (0.6, 0.3), 15.0), ((1.3, -0.4), (0.8, 0.7), 8.0)])
 def test_the_bound_wave_solves_the_surface_condition_of_second_order(one, two, depth):
-    """Of the products of the two waves the part at their difference frequency, separated from that at their sum"""
-    bound = bound_waves(one, two, depth)
-    kappa = np.hypot(*bound.number)
-    operator = G * kappa * np.tanh(kappa * depth) - bound.omega**2  # on φ₂ = 2s (g/Ω) sin(κ·x − Ωt)
+    """Of the products of the two waves the parts at their difference frequency and at their sum"""
+    both = bound_waves(one, two, depth), bound_waves(one, (-two[0], two[1]), depth)
     alone = [first_order(*wave, depth) for wave in (one, two)]
     x, y = 3.0, -2.0
-    found, expected = [], []
-    times = np.linspace(0.0, 2 * np.pi / bound.omega, 240, endpoint=False)
-    for t in times:
-        pair = forcing(alone, depth, x, y, t) - sum(forcing([wave], depth, x, y, t) for wave in alone)
-        found.append(pair)
-        turn = bound.number @ [x, y] - bound.omega * t
+    times = np.linspace(0.0, 2 * np.pi / both[0].omega, 240, endpoint=False)
+    found = [forcing(alone, depth, x, y, t) - sum(forcing([w], depth, x, y, t) for w in alone) for t in times]
+    expected, basis = [], []
+    for bound in both:
+        kappa, turn = np.hypot(*bound.number), bound.number @ [x, y] - bound.omega * times
+        operator = G * kappa * np.tanh(kappa * depth) - bound.omega**2  # on φ₂ = 2s (g/Ω) sin(κ·x − Ωt)
         expected.append(operator * 2 * bound.amplitude * G / bound.omega * np.sin(turn))
-    wave = np.exp(1j * bound.omega * times)
-    sums = np.exp(1j * (one[0] + two[0]) * times)
-    basis = np.stack([wave.real, wave.imag, sums.real, sums.imag], axis=1)
-    part = np.linalg.lstsq(basis, np.array(found), rcond=None)[0]
-    assert basis[:, :2] @ part[:2] == pytest.approx(np.array(expected), abs=2e-4 * np.abs(expected).max())
+        basis.append(np.stack([np.cos(turn), np.sin(turn)], axis=1))
+    part = np.linalg.lstsq(np.concatenate(basis, axis=1), np.array(found), rcond=None)[0].reshape(2, 2)
+    for shape, size, known in zip(basis, part, expected, strict=True):
+        assert shape @ size == pytest.approx(known, abs=2e-4 * np.abs(known).max())
+
+
+@pytest.mark.parametrize("kh", [0.3, 1.0, 3.0, 5.0])
+def test_at_twice_its_frequency_a_wave_by_itself_carries_that_of_stokes(kh):
+    """φ₂ = ⅜ ωa² cosh 2k(z+h)/sinh⁴kh sin 2(kx − ωt): s = ¾K cosh 2kh / sinh⁴kh, which in deep water is nothing"""
+    depth = 20.0
+    omega = np.sqrt(G * kh / depth * np.tanh(kh))
+    bound = bound_waves((omega, 0.4), (-omega, 0.4), depth)
+    stokes = 0.75 * omega**2 / G * np.cosh(2 * kh) / np.sinh(kh) ** 4
+    assert bound.amplitude == pytest.approx(stokes, rel=1e-10, abs=1e-15)
+    assert np.hypot(*bound.number) == pytest.approx(2 * kh / depth, rel=1e-14) and bound.omega == 2 * omega
+    assert abs(bound_waves((omega, 0.4), (-omega, 0.4), np.inf).amplitude) < 1e-15
+
+
+@pytest.mark.parametrize("kh", [0.2, 1.0, 10.0])
+def test_at_the_sum_it_keeps_its_digits_and_does_not_know_the_order_of_the_pair(kh):
+    depth = 20.0
+    omega = np.sqrt(G * kh / depth * np.tanh(kh))
+    for other in (omega * (1 + 1e-8), 1.5 * omega):
+        for angle in (0.0, 1e-3, 2.0, np.pi):
+            found = bound_waves((other, angle), (-omega, 0.0), depth)
+            turned = bound_waves((omega, 0.0), (-other, angle), depth)
+            known = amplitude(other, -omega, angle - np.pi, depth)
+            assert found.amplitude == pytest.approx(known, rel=1e-10, abs=1e-14 * omega**2 / G)
+            assert turned.amplitude == pytest.approx(found.amplitude, rel=1e-10, abs=1e-14 * omega**2 / G)
+            np.testing.assert_allclose(turned.number, found.number, atol=1e-15)
 
 
 @pytest.mark.parametrize("kh", [0.2, 0.5, 1.0, 2.0, 5.0])

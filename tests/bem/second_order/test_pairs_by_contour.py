@@ -13,7 +13,7 @@ from bem.contour.pressure_drift import refined
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 from bem.second_order.bound_waves import bound_waves
-from bem.second_order.difference_forces import difference_forces
+from bem.second_order.quadratic_forces import quadratic_forces
 from bem.waves import wavenumber
 from meshing.shapes import box, buoy
 
@@ -33,7 +33,7 @@ def problem(shape="buoy", tolerance=1e-4, **others):
 
 @lru_cache
 def pairs(moving):
-    return difference_forces(problem(), [0.6, 0.8], [0.4], 0.3, moving, surface=True)
+    return quadratic_forces(problem(), [0.6, 0.8], [0.4], 0.3, moving, surface=True)
 
 
 @lru_cache
@@ -88,7 +88,7 @@ def test_without_a_gap_it_is_the_cylinder_on_the_bed():
     found = []
     for gap in (0.4, 0.2, 0.1):
         cylinder = ShapeProblem(method="contour", shape="buoy", sizes=(radius, depth - gap), depth=depth)
-        forces = difference_forces(cylinder, [two, one], [0.0], 1.0, False, surface=True)
+        forces = quadratic_forces(cylinder, [two, one], [0.0], 1.0, False, surface=True)
         found.append(forces.total[1, 0, 0, 0, 0])
     first = 2 * found[1] - found[0], 2 * found[2] - found[1]
     assert abs(found[2] - exact) > 5e-3 * abs(exact)
@@ -100,7 +100,7 @@ def test_panels_approach_it_in_every_part(moving):
     off = []
     for panels in (200, 800):
         mesh = PanelProblem(buoy(RADIUS, DRAFT, panels=panels), **BODY)
-        found, known = difference_forces(mesh, [0.6, 0.8], [0.4], 0.3, moving, surface=True), pairs(moving)
+        found, known = quadratic_forces(mesh, [0.6, 0.8], [0.4], 0.3, moving, surface=True), pairs(moving)
         scale = np.abs(known.total[1, 0, 0, 0, :5])
         parts = ("squares", "bound_wave", "body", "surface")
         gaps = [np.abs(getattr(found, p)[1, 0, 0, 0, :5] - getattr(known, p)[1, 0, 0, 0, :5]) / scale for p in parts]
@@ -110,15 +110,15 @@ def test_panels_approach_it_in_every_part(moving):
 
 def test_on_the_diagonal_the_far_field_adds_little():
     for shape, moving in (("buoy", True), ("box", False)):
-        found = difference_forces(problem(shape), [0.6, 0.8], [0.4], 0.1, moving)
+        found = quadratic_forces(problem(shape), [0.6, 0.8], [0.4], 0.1, moving)
         drift = np.abs(found.squares[0, :, 0, 0, :2]).max()
         assert np.abs(found.added[..., :2]).max() < 2e-4 * drift
 
 
 def test_held_boxes_have_surge_sway_and_yaw():
-    found = difference_forces(problem("box"), [0.6, 0.8], [0.4], 0.3, False).total[1, 0, 0, 0]
+    found = quadratic_forces(problem("box"), [0.6, 0.8], [0.4], 0.3, False).total[1, 0, 0, 0]
     panels = PanelProblem(box(*SHAPES["box"], panels=400), **BODY)
-    known = difference_forces(panels, [0.6, 0.8], [0.4], 0.3, False).total[1, 0, 0, 0]
+    known = quadratic_forces(panels, [0.6, 0.8], [0.4], 0.3, False).total[1, 0, 0, 0]
     scale = np.array([1, 1, 30.0]) * np.abs(known[:2]).max()
     assert np.all(np.abs(found - known)[[0, 1, 5]] < 0.01 * scale) and np.isnan(found[2:5]).all()
 
@@ -126,9 +126,9 @@ def test_held_boxes_have_surge_sway_and_yaw():
 @pytest.mark.parametrize("moving, surface", [(True, False), (False, True)])
 def test_what_needs_the_flow_under_a_box_is_refused(moving, surface):
     with pytest.raises(ValueError, match="on a floating box or with the surface around a box"):
-        difference_forces(problem("box"), [0.6, 0.8], [0.4], 0.3, moving, surface=surface)
+        quadratic_forces(problem("box"), [0.6, 0.8], [0.4], 0.3, moving, surface=surface)
 
 
 def test_deep_water_is_refused():
     with pytest.raises(ValueError, match="contour in finite depth"):
-        difference_forces(problem(depth=np.inf, bed=200.0), [0.6, 0.8], [0.4], 0.3, False)
+        quadratic_forces(problem(depth=np.inf, bed=200.0), [0.6, 0.8], [0.4], 0.3, False)

@@ -8,7 +8,7 @@ import pytest
 
 from bem.database import DatabaseError, extend, open_database
 from bem.database.integrity import DamagedError
-from bem.second_order.difference_forces import PARTS, DifferenceForces
+from bem.second_order.quadratic_forces import PARTS, QuadraticForces
 from bem.second_order.stored import BetweenPairs, Held, StoredForces, read_forces, write_forces
 from pipelines.cli import main
 
@@ -27,7 +27,7 @@ def made_up():
     values = smooth(OMEGA[np.minimum(place, 12)], low)
     values[place > 12] = np.nan
     forces = np.repeat(np.repeat(values[:, :, None, None], 2, axis=2), 2, axis=3)
-    return DifferenceForces(OMEGA, 0.05 * np.arange(5), HEADINGS, forces, 0.5 * forces, 0.0 * forces, 0.1 * forces)
+    return QuadraticForces(OMEGA, 0.05 * np.arange(5), HEADINGS, forces, 0.5 * forces, 0.0 * forces, 0.1 * forces)
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +80,7 @@ def test_damage_in_them_is_found(path):
 
 def test_between_stored_pairs_a_smooth_force_is_met_and_the_other_order_is_the_conjugate():
     forces = made_up()
-    between = BetweenPairs(OMEGA, forces.difference, forces.squares[:, :, 0, 0])
+    between = BetweenPairs(OMEGA, forces.frequency, forces.squares[:, :, 0, 0])
     np.testing.assert_allclose(between(OMEGA[4:9], OMEGA[2:7]), smooth(OMEGA[4:9], OMEGA[2:7]), rtol=1e-12)
     one, two = np.array([0.81, 0.93]), np.array([0.74, 0.86])
     assert np.abs(between(one, two) - smooth(one, two)).max() < 1e-4

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from bem.database import open_database
-from bem.second_order.difference_forces import DifferenceForces
+from bem.second_order.quadratic_forces import QuadraticForces
 from bem.second_order.stored import Held, StoredForces, read_forces, write_forces
 from pipelines import cli
 
@@ -18,7 +18,7 @@ def folder(tmp_path_factory):
     T = np.random.default_rng(1).normal(size=(2, 3, 1, 1, 6)) + 0j
     T[1, 2] = np.nan
     omega = np.linspace(0.3, 0.9, 3)
-    forces = DifferenceForces(omega, np.array([0.0, 0.3]), np.zeros(1), T, T, T)
+    forces = QuadraticForces(omega, np.array([0.0, 0.3]), np.zeros(1), T, T, T)
     write_forces(place / "box.h5", StoredForces(forces, Held(True)))
     return place
 

@@ -9,8 +9,8 @@ import pytest
 from chain_study import chain_study
 
 from bem.database import open_database
-from bem.second_order import difference_forces, first_order_waves
-from bem.second_order.difference_forces import PARTS, DifferenceRun
+from bem.second_order import first_order_waves, quadratic_forces
+from bem.second_order.quadratic_forces import PARTS, QuadraticRun
 from bem.second_order.stored import read_forces
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
@@ -163,7 +163,7 @@ QUESTION = ["--omega", "0.3:1.2:7", "--heading", "180", "--level", "full", "--di
 
 def by_twos(patch):
     """Blocks of two differences each, and no work that differences share, which few of them do without"""
-    for module in (running, difference_forces):
+    for module in (running, quadratic_forces):
         patch.setattr(module, "BLOCK", 2)
     patch.setattr(first_order_waves, "MANY", 100)
 
@@ -171,10 +171,10 @@ def by_twos(patch):
 @pytest.fixture
 def recorded(monkeypatch):
     """Blocks of both resolutions as they are solved, each stored at once"""
-    solved, solve = [], DifferenceRun.solve
+    solved, solve = [], QuadraticRun.solve
     by_twos(monkeypatch)
     monkeypatch.setattr(running, "EVERY", 0.0)
-    monkeypatch.setattr(DifferenceRun, "solve", lambda run, block: (solved.append(block), solve(run, block))[1])
+    monkeypatch.setattr(QuadraticRun, "solve", lambda run, block: (solved.append(block), solve(run, block))[1])
     return solved
 
 
@@ -203,7 +203,7 @@ def equal(one, two):
 
 
 def test_a_run_that_was_ended_goes_on_from_the_differences_it_stored(coarse, tmp_path, capsys, monkeypatch, recorded):
-    ended, solve = shutil.copy(coarse[0], tmp_path / "ended.h5"), DifferenceRun.solve
+    ended, solve = shutil.copy(coarse[0], tmp_path / "ended.h5"), QuadraticRun.solve
 
     def once(run, block):
         if len(recorded) == 2:  # both resolutions of the first differences
@@ -211,11 +211,11 @@ def test_a_run_that_was_ended_goes_on_from_the_differences_it_stored(coarse, tmp
         return solve(run, block)
 
     with monkeypatch.context() as patch:
-        patch.setattr(DifferenceRun, "solve", once)
+        patch.setattr(QuadraticRun, "solve", once)
         assert main(["qtf", str(ended), *QUESTION, "0.6"]) == 130
     assert capsys.readouterr().err.strip().endswith("kept, the same command goes on from them")
     db = open_database(ended)
-    assert len(read_forces(db).forces.difference) == 2 and read_forces(db).asked == pytest.approx(0.6)
+    assert len(read_forces(db).forces.frequency) == 2 and read_forces(db).asked == pytest.approx(0.6)
     with pytest.raises(ValueError, match=r"differences to 0.15 of 0.6 rad/s; 'hakobune qtf .*' goes on"):
         stored_pairs(db, SWELL, "full")
     less = shutil.copy(ended, tmp_path / "less.h5")
@@ -231,7 +231,7 @@ def test_the_share_of_the_surface_is_estimated_once(coarse, tmp_path, monkeypatc
     monkeypatch.setattr(running, "surface_share", lambda *question: (asked.append(question), share(*question))[1])
     words = ["qtf", str(path), *QUESTION[:4], "--difference", "0.45"]
     with monkeypatch.context() as patch:
-        patch.setattr(running.DifferenceForces, "joined", _ended_at_the_second(running.DifferenceForces.joined))
+        patch.setattr(running.QuadraticForces, "joined", _ended_at_the_second(running.QuadraticForces.joined))
         assert main(words) == 130
     assert main(words) == 0 and len(asked) == 1 and read_forces(open_database(path)).share > 0
 

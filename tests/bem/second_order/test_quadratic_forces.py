@@ -18,17 +18,18 @@ from bem.panels.pressure_drift.mean_drift import pressure_pairs
 from bem.second_order import surface_near
 from bem.second_order.body_forces import body_forces
 from bem.second_order.bound_waves import bound_waves
-from bem.second_order.difference_forces import (
+from bem.second_order.first_order_waves import PanelWaves
+from bem.second_order.kinds import DIFFERENCE, SUM
+from bem.second_order.quadratic_forces import (
     HORIZONTAL,
     ORDER,
     SIZES,
-    DifferenceForces,
-    DifferenceRun,
+    QuadraticForces,
+    QuadraticRun,
     _by_far_field,
-    difference_forces,
     panel_errors,
+    quadratic_forces,
 )
-from bem.second_order.first_order_waves import PanelWaves
 from bem.second_order.rotations import products, rotated_pairs, still_water_pairs, turned_twice
 from meshing.lid import lid
 from meshing.panels import joined
@@ -50,14 +51,14 @@ def floating(depth=20.0, panels=200):
 
 @lru_cache
 def of_box():
-    return difference_forces(floating(), np.linspace(0.5, 0.65, 4), np.radians([0, 40]), 0.1, True)
+    return quadratic_forces(floating(), np.linspace(0.5, 0.65, 4), np.radians([0, 40]), 0.1, True)
 
 
 def test_the_cylinder_on_the_bed_has_the_force_of_its_eigenfunctions():
     radius, depth = 10.0, 20.0
     omega = [np.sqrt(G * ka / radius * np.tanh(ka / radius * depth)) for ka in (0.6, 0.8)]
     problem = PanelProblem(buoy(radius, depth, counts=(8, 1, 8), bottom=False), depth=depth)
-    found = difference_forces(problem, omega, [0.0], 1.0, False, surface=True)
+    found = quadratic_forces(problem, omega, [0.0], 1.0, False, surface=True)
     bound = bound_waves((omega[1], 0.0), (omega[0], 0.0), depth)
     squares = quadratic_force(radius, depth, omega[1], omega[0])
     exact = squares + bound.amplitude * long_wave_force(radius, depth, bound.omega, bound.number[0])
@@ -72,14 +73,14 @@ def test_the_forcing_of_the_surface_is_the_same_wherever_the_sums_of_hankel_func
     found = []
     for beyond in (1.0, 2.0):
         monkeypatch.setattr(surface_near, "SIDES_BEYOND", beyond)
-        forces = difference_forces(floating(depth), [0.6, 0.75], [0.6], 1.0, True, surface=True)
+        forces = quadratic_forces(floating(depth), [0.6, 0.75], [0.6], 1.0, True, surface=True)
         found.append(forces.surface[1, 0, 0, 0])
     assert np.abs(found[1] - found[0])[:5].max() < 5e-3 * np.abs(found[0])[:5].max()
     assert abs(found[1] - found[0])[5] < 0.02 * LENGTH / 2 * np.abs(found[0])[:2].max()
 
 
 def test_deep_water_has_the_forces_of_very_deep_water():
-    very, deep = (difference_forces(floating(depth), [0.6, 0.75], [0.6], 1.0, True) for depth in (3000.0, np.inf))
+    very, deep = (quadratic_forces(floating(depth), [0.6, 0.75], [0.6], 1.0, True) for depth in (3000.0, np.inf))
     for part in ("squares", "bound_wave", "body"):
         found, known = (getattr(forces, part)[1, 0, 0, 0, [0, 1, 5]] for forces in (very, deep))
         assert np.abs(found - known).max() < 1e-3 * np.abs(known).max()
@@ -96,7 +97,7 @@ def test_around_two_waterlines_or_none_the_forcing_of_the_surface_is_refused():
     two = joined([box(20, 6, 3, panels=60).moved(dy=20), box(20, 6, 3, panels=60).moved(dy=-20)])
     for mesh in (two, floating().mesh.moved(dz=-5.0)):
         with pytest.raises(ValueError, match="forcing of the surface"):
-            difference_forces(PanelProblem(mesh, depth=40.0), [0.5, 0.6], [0.0], 0.1, False, surface=True)
+            quadratic_forces(PanelProblem(mesh, depth=40.0), [0.5, 0.6], [0.0], 0.1, False, surface=True)
 
 
 def test_on_the_diagonal_it_is_the_mean_drift_of_the_far_field_and_by_pressure_nearly():
@@ -143,14 +144,14 @@ def test_of_flows_that_are_multiples_of_each_other_all_pairs_take_what_the_diago
 
 
 def test_without_differences_the_diagonal_is_the_same():
-    alone = difference_forces(floating(), of_box().omega, of_box().headings, 0.01, True)
-    assert alone.squares[0] == pytest.approx(of_box().squares[0], rel=1e-6) and len(alone.difference) == 1
+    alone = quadratic_forces(floating(), of_box().omega, of_box().headings, 0.01, True)
+    assert alone.squares[0] == pytest.approx(of_box().squares[0], rel=1e-6) and len(alone.frequency) == 1
 
 
 def test_lines_as_stiff_as_rock_hold_the_body_and_lines_without_stiffness_leave_it_free():
     omega, rock = [0.6, 0.7], 1e14 * np.diag([1, 1, 1, 1e3, 1e3, 1e3])
     fixed, free, held, loose = (
-        difference_forces(floating(), omega, [0.5], 1.0, moving).total[1, 0, 0, 0]
+        quadratic_forces(floating(), omega, [0.5], 1.0, moving).total[1, 0, 0, 0]
         for moving in (False, True, rock, np.zeros((6, 6)))
     )
     assert np.abs(held - fixed).max() < 1e-4 * np.abs(fixed).max() < 1e-4 * np.abs(free - fixed).max() * 1e4
@@ -161,7 +162,7 @@ def test_the_error_of_two_meshes_is_a_mean_of_what_they_differ_by_the_squares_an
     part = np.zeros((1, 3, 1, 1, 6), complex)
     more = np.full((3, 1, 1, 3), 0.2)
     fine, rough = (
-        DifferenceForces(np.arange(1.0, 4), np.zeros(1), np.zeros(1), part + x, part + 15, part, added=more)
+        QuadraticForces(np.arange(1.0, 4), np.zeros(1), np.zeros(1), part + x, part + 15, part, added=more)
         for x in (1.0, 1.5)
     )
     off = 0.5 / (2**ORDER - 1)
@@ -177,8 +178,8 @@ def test_the_error_of_two_meshes_is_a_mean_of_what_they_differ_by_the_squares_an
 def test_squares_in_other_motions_are_those_of_a_body_that_moves_so():
     given = [0.6, 0.7], [0.5], 0.1
     lines = 0.3 * STIFFNESS
-    held = DifferenceRun(floating(), *given, lines)
-    own, changed = (DifferenceRun(floating(), *given, True, swayed=swayed) for swayed in (None, held.motions))
+    held = QuadraticRun(floating(), *given, lines)
+    own, changed = (QuadraticRun(floating(), *given, True, swayed=swayed) for swayed in (None, held.motions))
     assert own.by_motions is None
     by_pressure = [run.waves.joined()[1] for run in (held, own)]
     # the load that turns with the body is here without that of the lines, as there
@@ -199,7 +200,7 @@ def test_two_headings_in_the_other_order_give_the_conjugate():
 
 def test_pairs_approach_the_diagonal_at_the_rate_of_their_difference():
     """T(ω + Ω/2, ω − Ω/2) − T(ω, ω) is odd in Ω but for what is of second order"""
-    found = difference_forces(floating(), 0.6 + np.linspace(-0.04, 0.04, 9), [0.0], 0.08, True).squares[..., 0, 0, 0]
+    found = quadratic_forces(floating(), 0.6 + np.linspace(-0.04, 0.04, 9), [0.0], 0.08, True).squares[..., 0, 0, 0]
     real = [found[m, 4 - m // 2].real - found[0, 4].real for m in (4, 8)]
     assert abs(real[1] / real[0]) == pytest.approx(4, rel=0.4)
 
@@ -209,8 +210,8 @@ def surfaces():
     return hull_surfaces(Geometry(box(LENGTH, BEAM, DRAFT, panels=200), None, 20.0))
 
 
-@pytest.mark.parametrize("points, error", [(4, 2e-6), (6, 1e-10)])
-def test_water_that_moves_with_the_body_needs_no_second_derivatives(monkeypatch, points, error):
+@pytest.mark.parametrize("points, error, kind", [(4, 2e-6, DIFFERENCE), (6, 1e-10, DIFFERENCE), (6, 1e-10, SUM)])
+def test_water_that_moves_with_the_body_needs_no_second_derivatives(monkeypatch, points, error, kind):
     """u = V of rigid motions: ∂φ₂/∂n = −n·(∂α/∂t × X) + ∂(Hx)/∂t·n, for polynomials in the place of ψ
 
     What four points of the rule at edges, made for powers of r^(2/3), leave in ψ of third degree is gone with six.
@@ -234,18 +235,18 @@ def test_water_that_moves_with_the_body_needs_no_second_derivatives(monkeypatch,
         lower = np.maximum(powers - np.eye(3, dtype=int)[:, None], 0)
         return np.moveaxis(powers.T[..., None] * np.prod(x[None, None] ** lower[:, :, None], axis=-1), 0, -1)
 
-    difference = np.array([0.3] * 6)
+    of_force = np.full(6, kind.of(*omega))
     ends = psi(line.points) + 0j, psi(hull.points) + 0j
-    made = HullFlow(difference, np.eye(6), slope(hull.points) + 0j, *ends, hull)
-    found = body_forces(surfaces, flow, np.array([0]), np.array([1]), made, floating())[0]
+    made = HullFlow(of_force, np.eye(6), slope(hull.points) + 0j, *ends, hull)
+    found = body_forces(surfaces, flow, np.array([0]), np.array([1]), made, floating(), kind)[0]
     field = np.einsum("fm,mpd->fpd", X, unit_displacements(hull.points))
-    turning = -1j * omega[:, None] * X[:, 3:]
+    turning, second = -1j * omega[:, None] * X[:, 3:], kind.second
     normal = (
-        0.25 * -(np.cross(turning[1].conj(), field[0]) + np.cross(turning[0], field[1].conj()))
-        - 0.3j * hull.points @ turned_twice(X)[0, 1].T
+        0.25 * -(np.cross(second(turning[1]), field[0]) + np.cross(turning[0], second(field[1])))
+        - 1j * of_force[0] * hull.points @ turned_twice(X, second)[0, 1].T
     )
     normal = np.sum(normal * hull.normals, axis=1)
-    expected = -1j * RHO * 0.3 * psi(hull.points) @ (hull.weights * normal)
+    expected = -1j * RHO * of_force[0] * psi(hull.points) @ (hull.weights * normal)
     off = np.abs(found / expected - 1)
     assert off[:3].max() < 1e-12 and off[3:].max() < error
 
@@ -285,15 +286,16 @@ def test_a_body_turned_and_moved_in_still_water_has_its_hydrostatic_load(surface
     assert found.real == pytest.approx(second / 4, abs=1e-5 * np.abs(second).max())
 
 
-def test_products_of_real_records_are_their_mean():
+def test_products_of_real_records_have_a_mean_and_a_part_at_twice_their_frequency():
     a, b = np.array([[1 + 2j]]), np.array([[0.5 - 1j]])
     t = np.linspace(0, 2 * np.pi, 65)[:-1]
-    mean = np.mean((a[0, 0] * np.exp(-1j * t)).real * (b[0, 0] * np.exp(-1j * t)).real)
-    assert products(a, b)[0, 0, 0, 0] == pytest.approx(mean)
+    record = (a[0, 0] * np.exp(-1j * t)).real * (b[0, 0] * np.exp(-1j * t)).real
+    assert products(a, b)[0, 0, 0, 0] == pytest.approx(np.mean(record))
+    assert products(a, b, SUM.second)[0, 0, 0, 0] == pytest.approx(2 * np.mean(record * np.exp(2j * t)))
 
 
 def test_uneven_frequencies_and_a_body_without_inertia_are_refused():
     with pytest.raises(ValueError, match="equal steps"):
-        difference_forces(floating(), [0.5, 0.6, 0.8], [0.0], 0.1, False)
+        quadratic_forces(floating(), [0.5, 0.6, 0.8], [0.0], 0.1, False)
     with pytest.raises(ValueError, match="without inertia"):
-        difference_forces(PanelProblem(floating().mesh, depth=20.0), [0.5, 0.6], [0.0], 0.1, True)
+        quadratic_forces(PanelProblem(floating().mesh, depth=20.0), [0.5, 0.6], [0.0], 0.1, True)

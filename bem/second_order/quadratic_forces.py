@@ -1,4 +1,4 @@
-"""Difference-frequency force of pairs of waves on a body, part by part.
+"""Force of pairs of waves on a body at the difference of their frequencies, or at their sum (`kinds`), part by part.
 
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        T = squares + bound wave + body + surface
 
@@ -10,7 +10,7 @@ body : the potential that the moving hull makes in the first-order flow (`body_f
 surface : the potential that products of first-order waves make on the surface around the body (`surface_forces`);
     the dearest part, left out unless asked for: on a cylinder on the bed 0.4 to 6 % (`tests/bench/bound_waves.py`)
 
-Frequencies are at even steps, so that every difference is one of few.
+Frequencies are at even steps, so that every difference and every sum is one of few.
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ import numpy as np
 
 from .body_forces import body_forces
 from .bound_waves import bound_waves
-from .first_order_waves import EVEN, PanelWaves
+from .first_order_waves import PanelWaves
+from .kinds import DIFFERENCE, EVEN, SUM, Kind
 from .surface_forces import Difference, SurfaceForces, line_integral
 
 ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
@@ -29,28 +30,32 @@ SIZES = 0.08, 0.33, 1.3  # factors of estimated errors: heave, roll, pitch; surg
 HORIZONTAL = [0, 1, 5]
 PLACES = np.array([0.2, 0.5, 0.8])  # in the band, of pairs that tell how large the surface's part is
 PARTS = ("squares", "bound_wave", "body", "surface")
-BLOCK = 8  # differences solved together: what waves are on the surface is summed once for them
+BLOCK = 8  # frequencies of the force solved together: what waves are on the surface is summed once for them
 
 
 @dataclass(frozen=True, eq=False)
-class DifferenceForces:
-    """T of pairs (ω + Ω, βᵢ; ω, βⱼ), N/m², N m/m² about the rotation centre; the other order has the conjugate.
+class QuadraticForces:
+    """T of pairs (ω', βᵢ; ω, βⱼ) of a frequency Ω, ω' = ω + Ω, or in sums ω' = Ω − ω ≥ ω; N/m², N m/m² about the
+    rotation centre.  The other order has the conjugate, in sums the same.
 
-    omega : (n,) rad/s, even; difference : (d,) rad/s, from 0 at the same step; headings : (m,) rad
-    squares, bound_wave, body, surface : (d, n, m, m, 6) complex; NaN where ω + Ω is beyond the last frequency;
-        surface None where it is left out
+    omega : (n,) rad/s, even; frequency : (d,) rad/s, of the force, at the same step: differences from 0, or sums from
+        that of the lowest frequency with itself; headings : (m,) rad
+    squares, bound_wave, body, surface : (d, n, m, m, 6) complex at Ω and ω; NaN where there is no ω', or in sums
+        ω' < ω; surface None where it is left out
     added : (n, m, m, 3) in surge, sway and yaw what the far field has more than the pressure at equal frequencies,
         in `squares`, N/m², N m/m²; None where it is not known
+    kind : `kinds.DIFFERENCE` or `SUM`
     """
 
     omega: np.ndarray
-    difference: np.ndarray
+    frequency: np.ndarray
     headings: np.ndarray
     squares: np.ndarray
     bound_wave: np.ndarray
     body: np.ndarray
     surface: np.ndarray | None = None
     added: np.ndarray | None = None
+    kind: Kind = DIFFERENCE
 
     @property
     def total(self):
@@ -59,14 +64,14 @@ class DifferenceForces:
 
     @classmethod
     def joined(cls, several):
-        """Those of several ranges of differences of the same waves, in their order"""
-        parts = {part: [getattr(forces, part) for forces in several] for part in ("difference", *PARTS)}
+        """Those of several ranges of frequencies of the same waves, in their order"""
+        parts = {part: [getattr(forces, part) for forces in several] for part in ("frequency", *PARTS)}
         return replace(several[0], **{part: None if v[0] is None else np.concatenate(v) for part, v in parts.items()})
 
     def first(self, count):
-        """Those of the first `count` differences"""
+        """Those of the first `count` frequencies"""
         parts = {part: None if (v := getattr(self, part)) is None else v[:count] for part in PARTS}
-        return replace(self, difference=self.difference[:count], **parts)
+        return replace(self, frequency=self.frequency[:count], **parts)
 
     @property
     def to_body(self):
@@ -74,40 +79,51 @@ class DifferenceForces:
         return self.squares + self.bound_wave + self.body
 
 
-def difference_forces(problem, omega, headings, highest, moving, report=lambda part, done, of: None, surface=False):
-    """`DifferenceForces` of a `bem.methods.panel_problem.PanelProblem`, or of a `ShapeProblem` by the contour method.
+def quadratic_forces(
+    problem, omega, headings, highest, moving, report=lambda part, done, of: None, surface=False, kind=DIFFERENCE
+):
+    """`QuadraticForces` of a `bem.methods.panel_problem.PanelProblem`, or of a `ShapeProblem` by the contour method.
 
-    omega : (n,) rad/s at even steps; headings : (m,) rad; highest : rad/s, largest difference
+    omega : (n,) rad/s at even steps; headings : (m,) rad; highest : rad/s, largest frequency of the force
     moving : freely floating instead of fixed, or the (6, 6) stiffness of lines that hold it beside the water
     report : called with how many "frequencies" of the first order are done, then with how many "pairs", and of how many
-    surface : with its forcing
+    surface : with its forcing; kind : `kinds.DIFFERENCE` or `SUM`
     raises : ValueError for uneven frequencies, constant panels, zero draft, a moving body without inertia; with
         `surface` for a waterline that is not one curve around the body
     """
-    return DifferenceRun(problem, omega, headings, highest, moving, report, surface).all()
+    return QuadraticRun(problem, omega, headings, highest, moving, report, surface, kind=kind).all()
 
 
-class DifferenceRun:
-    """Forces of pairs some differences at a time, from the smallest on, after the first order of all waves.
+class QuadraticRun:
+    """Forces of pairs some frequencies of the force at a time, from the lowest on, after the first order of all waves.
 
-    Arguments, errors and what is made as of `difference_forces`; swayed : (n, m, 6) motions about the rotation centre,
+    Arguments, errors and what is made as of `quadratic_forces`; swayed : (n, m, 6) motions about the rotation centre,
     those of another resolution, or None.  motions : (n, m, 6) its own; by_motions : (d, n, m, m, 6) what the squares of
     first order are more in the motions `swayed`, N/m², N m/m², or None
     """
 
     def __init__(
-        self, problem, omega, headings, highest, moving, report=lambda part, done, of: None, surface=False, swayed=None
+        self,
+        problem,
+        omega,
+        headings,
+        highest,
+        moving,
+        report=lambda part, done, of: None,
+        surface=False,
+        swayed=None,
+        kind=DIFFERENCE,
     ):
         self.omega, self.headings = np.asarray(omega, float), np.atleast_1d(np.asarray(headings, float))
-        step, lines = _step(self.omega), moving if np.ndim(moving) else None
+        lines, self.kind = moving if np.ndim(moving) else None, kind
         self.problem, self.moving, self.surface = problem, lines is not None or bool(moving), surface
         if self.moving and problem.inertia_matrix is None:
-            raise ValueError(
-                "difference forces on a floating body without inertia; solve it with --gyration kxx,kyy,kzz"
-            )
-        self.difference, self.report = step * np.arange(steps_to(highest, self.omega) + 1), report
+            raise ValueError("forces of pairs on a floating body without inertia; solve it with --gyration kxx,kyy,kzz")
+        if surface and kind is SUM:
+            raise ValueError("sums of frequencies with the forcing of the surface; allowed: differences, or without it")
+        self.frequency, self.report = frequencies_of(self.omega, highest, kind), report
         waves = _waves_of(problem)(
-            problem, self.omega, self.headings, self.moving, self.difference, surface, lines, swayed
+            problem, self.omega, self.headings, self.moving, self.frequency, surface, lines, swayed, kind
         )
         for done, w in enumerate(self.omega):
             waves.solve(w)
@@ -116,75 +132,87 @@ class DifferenceRun:
         self.motions, self.by_motions = np.array(waves.rao), None
         if swayed is not None:
             more = waves.squares_in_swayed() - self.squares
-            self.by_motions = np.array([self._apart(more, m) for m in range(len(self.difference))])
-        self.added = _by_far_field(self.squares, np.array(waves.far), self.flow)
+            self.by_motions = np.array([self._placed(self._of(more, m), m) for m in range(len(self.frequency))])
+        self.added = None if kind is SUM else _by_far_field(self.squares, np.array(waves.far), self.flow)
         self.of_surface = None if waves.around is None else SurfaceForces(waves.around)
 
     def blocks(self, done=0):
-        """Ranges of up to BLOCK differences after the first `done`, a multiple of BLOCK"""
-        return [range(m, min(m + BLOCK, len(self.difference))) for m in range(done, len(self.difference), BLOCK)]
+        """Ranges of up to BLOCK frequencies of the force after the first `done`, a multiple of BLOCK"""
+        return [range(m, min(m + BLOCK, len(self.frequency))) for m in range(done, len(self.frequency), BLOCK)]
 
     def all(self):
-        """`DifferenceForces` of all differences"""
-        return DifferenceForces.joined([self.solve(block) for block in self.blocks()])
+        """`QuadraticForces` of all frequencies of the force"""
+        return QuadraticForces.joined([self.solve(block) for block in self.blocks()])
 
-    def _apart(self, values, m):
-        """(n, m, m, 6) of values (n, m, n, m, 6) of all pairs of waves, those of two frequencies m steps apart"""
-        count = len(self.omega) - m
-        return _filled(values[np.arange(m, len(self.omega)), :, np.arange(count)], len(self.omega))
+    def _of(self, values, m):
+        """(q, m, m, 6) of values (n, m, n, m, 6) of all pairs of waves, those of the frequency m of the force"""
+        one, two = self.kind.pairs(m, len(self.omega))
+        return values[one, :, two]
+
+    def _placed(self, values, m):
+        """(n, m, m, 6) of values (q, m, m, 6) of the pairs of the frequency m of the force, NaN elsewhere"""
+        out = np.full((len(self.omega), *values.shape[1:]), np.nan, complex)
+        out[self.kind.pairs(m, len(self.omega))[1]] = values
+        return out
 
     def solve(self, block):
-        """`DifferenceForces` of a range of differences"""
-        several = [_Pairs(self.omega, self.headings, m) for m in block]
+        """`QuadraticForces` of a range of frequencies of the force"""
+        several = [_Pairs(self.omega, self.headings, m, self.kind) for m in block]
         parts, on_surface = {part: [] for part in PARTS}, []
         for m, pairs in zip(block, several, strict=True):
-            run = self.waves.radiation(self.difference[m])
-            made = self.waves.radiated(run) if m and (self.moving or self.surface) else None
-            parts["squares"].append(self._apart(self.squares, m))
+            run, rises = self.waves.radiation(self.frequency[m]), self.frequency[m] > 0
+            made = self.waves.radiated(run) if rises and (self.moving or self.surface) else None
+            parts["squares"].append(self._of(self.squares, m))
             parts["bound_wave"].append(pairs.shaped(_bound(pairs, run, self.waves)))
             parts["body"].append(self._body(pairs, made if self.moving else None))
-            if m and self.surface:
-                on_surface.append(_on_surface(self.waves, self.flow, pairs, run, made, self.difference[m]))
+            if rises and self.surface:
+                on_surface.append(_on_surface(self.waves, self.flow, pairs, run, made, self.frequency[m]))
             if not self.surface:
                 self._tell(m)
         if self.surface:
             found = iter(self.of_surface(on_surface) if on_surface else ())
             turned = self.problem.transform.T
             parts["surface"] = [
-                pairs.shaped(next(found) @ turned) if m else np.zeros_like(parts["body"][0])
+                pairs.shaped(next(found) @ turned) if self.frequency[m] > 0 else np.zeros_like(parts["body"][0])
                 for m, pairs in zip(block, several, strict=True)
             ]
             self._tell(block[-1])
         parts = {
-            part: np.array([_filled(v, len(self.omega)) for v in values]) for part, values in parts.items() if values
+            part: np.array([self._placed(v, m) for v, m in zip(values, block, strict=True)])
+            for part, values in parts.items()
+            if values
         }
-        return DifferenceForces(self.omega, self.difference[list(block)], self.headings, **parts, added=self.added)
+        frequency = self.frequency[list(block)]
+        return QuadraticForces(self.omega, frequency, self.headings, **parts, added=self.added, kind=self.kind)
 
     def _body(self, pairs, made):
-        """(n − m, m, m, 6) of the moving hull, made : `HullFlow` of its radiated waves, None for none"""
+        """(q, m, m, 6) of the moving hull, made : `HullFlow` of its radiated waves, None for none"""
         if made is None:
             return pairs.shaped(np.zeros((len(pairs.one), 6), complex))
-        body = body_forces(self.waves.surfaces, self.flow, pairs.one, pairs.two, made, self.problem)
+        body = body_forces(self.waves.surfaces, self.flow, pairs.one, pairs.two, made, self.problem, self.kind)
         return pairs.shaped(body @ self.problem.transform.T)
 
     def _tell(self, last):
-        """That the pairs of the differences up to the number `last` are solved"""
-        done, of = (sum(len(self.omega) - m for m in range(count)) for count in (last + 1, len(self.difference)))
+        """That the pairs of the frequencies up to the number `last` are solved"""
+        sizes = [len(self.kind.pairs(m, len(self.omega))[0]) for m in range(len(self.frequency))]
+        done, of = sum(sizes[: last + 1]), sum(sizes)
         each = len(self.headings) ** 2
         self.report("pairs", each * done, each * of)
 
 
-def _filled(values, count):
-    """(count, …) of values, NaN where there are none"""
-    return np.concatenate([values, np.full((count - len(values), *values.shape[1:]), np.nan)])
+def frequencies_of(omega, highest, kind):
+    """(d,) rad/s, frequencies of the force of pairs of even frequencies (n,) that are not above `highest`
 
-
-def steps_to(highest, omega):
-    """How many steps of even frequencies (n,) the largest difference is that is not above `highest`, rad/s.
-
-    raises : ValueError where the frequencies are not at even steps
+    raises : ValueError where the frequencies are not at even steps, or none is so low
     """
-    return min(int(highest / _step(omega) + EVEN), len(omega) - 1)
+    steps = np.diff(omega)
+    if len(omega) < 2 or np.ptp(steps) > EVEN * steps.mean() or steps.mean() <= 0:
+        raise ValueError("forces of pairs at uneven frequencies; allowed: two or more at equal steps, rising")
+    found = kind.rows(omega, highest)
+    if not len(found):
+        lowest = kind.of(omega[0], omega[0])
+        raise ValueError(f"{kind.name}s of frequencies up to {highest:.4g} rad/s; allowed: {lowest:.4g} or above")
+    return found
 
 
 def _by_far_field(squares, far, flow):
@@ -223,15 +251,14 @@ def _waves_of(problem):
 def surface_share(problem, omega, headings, highest, moving):
     """What the forcing of the surface is of the force in surge and sway, root mean square of few pairs.
 
-    Arguments as of `difference_forces`; of pairs half the largest difference apart at PLACES in the band, in waves of
+    Arguments as of `quadratic_forces`; of pairs half the largest difference apart at PLACES in the band, in waves of
     the first heading
     """
     omega, parts = np.asarray(omega, float), []
-    _step(omega)
     apart = min(highest, np.ptp(omega)) / 2
     for middle in omega[0] + apart / 2 + PLACES * (np.ptp(omega) - apart):
         pair = middle + apart * np.array([-0.5, 0.5])
-        found = difference_forces(problem, pair, np.atleast_1d(headings)[:1], 1.5 * apart, moving, surface=True)
+        found = quadratic_forces(problem, pair, np.atleast_1d(headings)[:1], 1.5 * apart, moving, surface=True)
         parts.append(_sizes(found))
     return _ratio(np.array(parts))
 
@@ -323,13 +350,17 @@ def _on_surface(waves, flow, pairs, run, radiated, omega):
 
 
 class _Pairs:
-    """All pairs of waves `apart` steps apart, by the numbers of their waves, and of two headings each"""
+    """All pairs of waves of one frequency of the force, by the numbers of their waves, and of two headings each
 
-    def __init__(self, omega, headings, apart):
-        self.count, self.headings = len(omega) - apart, len(headings)
+    waves : of both the frequencies and directions, as `bound_waves` takes them
+    """
+
+    def __init__(self, omega, headings, row, kind):
+        higher, lower = kind.pairs(row, len(omega))
+        self.count, self.headings = len(lower), len(headings)
         place, a, b = (part.ravel() for part in np.indices((self.count, self.headings, self.headings)))
-        self.one, self.two = (place + apart) * self.headings + a, place * self.headings + b
-        self.waves = (omega[place + apart], headings[a]), (omega[place], headings[b])
+        self.one, self.two = higher[place] * self.headings + a, lower[place] * self.headings + b
+        self.waves = (omega[higher[place]], headings[a]), (kind.negative(omega[lower[place]]), headings[b])
 
     def shaped(self, values):
         return values.reshape(self.count, self.headings, self.headings, 6)
@@ -340,10 +371,3 @@ def _bound(pairs, run, waves):
     problem = waves.problem
     bound = bound_waves(*pairs.waves, problem.depth, problem.gravity)
     return bound.amplitude[:, None] * (waves.long_waves(run, bound.number) @ problem.transform.T)
-
-
-def _step(omega):
-    steps = np.diff(omega)
-    if len(omega) < 2 or np.ptp(steps) > EVEN * steps.mean() or steps.mean() <= 0:
-        raise ValueError("difference forces at uneven frequencies; allowed: two or more at equal steps, rising")
-    return float(steps.mean())

@@ -1,0 +1,53 @@
+"""Difference and sum of two frequencies: at which of both a pair of waves makes a force.
+
+    F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        F(t) = Re Σᵢ Σⱼ aᵢ aⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}
+
+A real wave Re φ exp(−iωt) is Re φ̄ exp(−i(−ω)t) too: what two waves make at the sum of their frequencies is what the
+first and the second, so written, make at the difference.  A formula for differences is one for sums with −ωⱼ for ωⱼ
+and without the conjugates of the second wave; T⁺_ij = T⁺_ji.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Kind(NamedTuple):
+    """name : of the axis of frequencies of the force; sign : of the second frequency in them
+
+    second : function of first-order amplitudes that gives those of the second wave as they are in products
+    """
+
+    name: str
+    sign: int
+    second: Callable
+
+    def of(self, one, two):
+        """rad/s, frequencies of the force of pairs"""
+        return one + self.sign * two
+
+    def negative(self, two):
+        """Second frequencies as formulas for differences take them"""
+        return -self.sign * two
+
+    def rows(self, omega, highest):
+        """(d,) rad/s, frequencies of the force up to `highest` of pairs of frequencies (n,) at even steps"""
+        step, lowest = (omega[-1] - omega[0]) / (len(omega) - 1), self.of(omega[0], omega[0])
+        most = (len(omega) - 1) * (2 if self.sign > 0 else 1)
+        return lowest + step * np.arange(min(int(np.floor((highest - lowest) / step + EVEN)), most) + 1)
+
+    def pairs(self, row, count):
+        """(q,), (q,) numbers of the higher and the lower frequency of the pairs of a row, of `count` frequencies"""
+        if self.sign < 0:
+            lower = np.arange(count - row)
+            return lower + row, lower
+        lower = np.arange(max(0, row - count + 1), row // 2 + 1)
+        return row - lower, lower
+
+
+EVEN = 1e-6  # of the step between frequencies
+DIFFERENCE = Kind("difference", -1, np.conj)
+SUM = Kind("sum", 1, np.positive)

@@ -1,0 +1,92 @@
+"""Forces of pairs at the sum of their frequencies: exact sums on a cylinder, long waves on a slender one, symmetry."""
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
+from exact.water_waves import wavenumber
+
+from bem.methods.panel_problem import PanelProblem
+from bem.second_order.bound_waves import bound_waves
+from bem.second_order.kinds import SUM
+from bem.second_order.quadratic_forces import quadratic_forces
+from meshing.shapes import box, buoy
+
+RHO, G = 1025.0, 9.80665
+RADIUS, DEPTH = 10.0, 20.0
+OMEGA = [np.sqrt(G * ka / RADIUS * np.tanh(ka / RADIUS * DEPTH)) for ka in (0.4, 0.6)]
+
+
+def exact(one, two, part, moment, radius=RADIUS, depth=DEPTH):
+    """T of a part, N/m², N m/m²"""
+    if part == "bound_wave":
+        bound = bound_waves((one, 0.0), (-two, 0.0), depth)
+        return bound.amplitude * long_wave_force(radius, depth, bound.omega, bound.number[0], moment=moment)
+    return {"squares": quadratic_force, "surface": free_surface_force}[part](
+        radius, depth, one, two, sums=True, moment=moment
+    )
+
+
+def on_the_bed(side):
+    problem = PanelProblem(buoy(RADIUS, DEPTH, counts=(side, 1, side), bottom=False), depth=DEPTH)
+    return quadratic_forces(problem, OMEGA, [0.0], 9.0, False, kind=SUM)
+
+
+def test_the_cylinder_on_the_bed_has_the_force_and_moment_of_its_eigenfunctions():
+    """Squares of panels converge with their length, as those of difference frequencies do before the far field helps"""
+    errors = []
+    for forces in (on_the_bed(4), on_the_bed(8)):
+        for row, (i, j) in enumerate(((0, 0), (1, 0), (1, 1))):
+            assert forces.frequency[row] == pytest.approx(OMEGA[i] + OMEGA[j])
+            for part in ("squares", "bound_wave"):
+                for mode in (0, 4):
+                    known = exact(OMEGA[i], OMEGA[j], part, mode == 4)
+                    errors.append(abs(getattr(forces, part)[row, j, 0, 0, mode] - known) / abs(known))
+    coarse, fine = np.array(errors).reshape(2, 3, 2, 2)
+    assert np.all(fine[:, 0] < 0.04) and np.all(fine[:, 0] < 0.65 * coarse[:, 0])
+    assert np.all(fine[:, 1] < 3e-4) and np.all(fine[:, 1] < 0.35 * coarse[:, 1])
+
+
+@pytest.mark.parametrize("moment", [False, True])
+def test_where_the_exact_integral_leaves_the_real_axis_does_not_matter(moment):
+    one, two = OMEGA[1], OMEGA[0]
+    near, far = (free_surface_force(RADIUS, DEPTH, one, two, sums=True, moment=moment, further=x) for x in (0.0, 37.0))
+    assert abs(near - far) < 1e-10 * abs(near)
+
+
+def test_long_waves_push_a_slender_cylinder_in_deep_water_at_second_order_as_published():
+    """5/4 π ρ g k a² A² sin 2ωt (Faltinsen, Newman and Vinje 1995), what is left of the order of ka: all three parts"""
+    off = []
+    for ka, depth in ((0.05, 120.0), (0.025, 240.0)):
+        omega = np.sqrt(G * ka * np.tanh(ka * depth))
+        whole = sum(exact(omega, omega, part, False, 1.0, depth) for part in ("squares", "bound_wave", "surface"))
+        off.append(abs(whole / (np.pi * RHO * G * float(wavenumber(omega, depth))) + 1.25j))
+    assert off[1] < 0.03 and off[1] < 0.5 * off[0]
+
+
+@lru_cache
+def floating():
+    length, beam, draft = 100.0, 50.0, 10.0
+    volume = length * beam * draft
+    inertia = RHO * volume * np.diag([1, 1, 1, 15.55**2, 29.44**2, 32.28**2])
+    stiffness = RHO * G * np.diag([0, 0, length * beam, 15.83 * volume, 78.33 * volume, 0])
+    mesh = box(length, beam, draft, panels=120)
+    return PanelProblem(mesh, depth=DEPTH, inertia_matrix=inertia, hydrostatic_stiffness=stiffness)
+
+
+def test_two_headings_in_the_other_order_give_the_same():
+    found = quadratic_forces(floating(), np.linspace(0.4, 0.6, 3), np.radians([0, 40]), 2.0, True, kind=SUM)
+    assert found.frequency == pytest.approx(np.linspace(0.8, 1.2, 5))
+    for part in (found.squares, found.bound_wave, found.body):
+        for n in range(3):
+            own = part[2 * n, n]
+            assert np.abs(own - own.swapaxes(0, 1)).max() < 1e-12 * np.abs(own).max()
+    there = [[0], [0], [0, 1], [1], [2]]
+    for row, lower in enumerate(there):
+        assert np.flatnonzero(np.isfinite(found.total[row, :, 0, 0, 0])).tolist() == lower
+
+
+def test_sums_below_the_lowest_are_refused():
+    with pytest.raises(ValueError, match=r"sums of frequencies up to 0.7 rad/s; allowed: 0.8 or above"):
+        quadratic_forces(floating(), [0.4, 0.5], [0.0], 0.7, False, kind=SUM)
