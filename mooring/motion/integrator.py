@@ -23,7 +23,8 @@ from .buoy import keep_pulls, open_water
 from .contact_loads import settle
 from .equation import FLOAT, SLOW, SLOW_RATE, rates
 from .line_loads import fairlead_of, hold
-from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions
+from .moving_lines.sea import sea_ahead
+from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions, sea_for_step
 from .wave_loads import fill_rows, fill_window
 
 SAFETY, LARGEST, SMALLEST = 0.85, 4.0, 0.2  # of the change of step
@@ -248,6 +249,10 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
         if moving is None:
             error, good = take_step(scene, buoy, clock, t, h)
         else:
+            ahead = sea_ahead(moving[0].sea)
+            if h > ahead:
+                h, cut = ahead, False
+            sea_for_step(moving[0], moving[1], t, h)
             error, good = take_step_with_lines(scene, buoy, clock, moving, t, h)
         if again:
             error *= min(1.0, h / (CORNER * now[USUAL]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+DYNAMIC_WATER = ("still", "sea")
 SLOW_DRIFT = ("newman", "half-waves", "mean", "none")
 MOST_ELEMENTS = 1000
 MEMORY = ("states", "constant")
@@ -62,6 +63,7 @@ class Settings:
     dynamic_lines : names of lines with a motion of their own, "all", or "auto" for those that need it by a trial; the
         others hang in their static shape
     dynamic_elements : of each of these
+    dynamic_water : the water around these, "still", or "sea" for that of the waves and the current
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
@@ -78,6 +80,7 @@ class Settings:
     constant_period: float | None = None
     dynamic_lines: tuple[str, ...] | str = ()
     dynamic_elements: int = 20
+    dynamic_water: str = "still"
     lines_lost: tuple[tuple[str, float], ...] = ()
     fixed_step: float | None = None
     estimate_error: bool = False
@@ -92,7 +95,7 @@ class Settings:
             raise ValueError(f"ramp is {self.ramp:g} s; allowed: at least 0")
         if self.tolerance > 0.1:
             raise ValueError(f"tolerance is {self.tolerance:g}; allowed: above 0, at most 0.1")
-        for name, words in (("slow_drift", SLOW_DRIFT), ("memory", MEMORY)):
+        for name, words in (("slow_drift", SLOW_DRIFT), ("memory", MEMORY), ("dynamic_water", DYNAMIC_WATER)):
             if getattr(self, name) not in words:
                 raise ValueError(f"{name} is {getattr(self, name)!r}; allowed: {', '.join(words)}")
         if self.constant_period is not None and not (self.memory == "constant" and 0 < self.constant_period < 1e6):

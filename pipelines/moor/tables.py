@@ -186,6 +186,7 @@ class SimulationTable(Table):
     dynamic_lines : names of lines with inertia, drag and a motion of their own, "all", or "auto" for those that pull
         otherwise with it in a trial; the others hang in their static shape.  They are uniform, of a catalogue type
     dynamic_elements : of each of these
+    dynamic_water : what moves the water around these: "still" for nothing, or "sea" for waves and current
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
     damping_ratio : {motion = share of critical}, beyond waves, as in a response study
     linear_damping : kN s/m, {motion = B₁}, kN m s of rotations, as `hakobune damping` finds it
@@ -207,6 +208,7 @@ class SimulationTable(Table):
     constant_period: float | None = None
     dynamic_lines: str | list[str] = msgspec.field(default_factory=list)
     dynamic_elements: int = 20
+    dynamic_water: str = "still"
     estimate_error: bool = False
     damping_ratio: dict[str, float] = msgspec.field(default_factory=dict)
     linear_damping: dict[str, float] = msgspec.field(default_factory=dict)

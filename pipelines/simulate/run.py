@@ -136,6 +136,8 @@ def _identity(study, files, duration):
             (words.get("simulation") or {}).pop(name, None)
     if "dynamic_lines" not in (words.get("simulation") or {}):
         (words.get("simulation") or {}).pop("dynamic_elements", None)
+    if (words.get("simulation") or {}).get("dynamic_water") == "still":
+        words["simulation"].pop("dynamic_water")
     digest = hashlib.sha256(json.dumps([words, duration], sort_keys=True).encode())
     for path in files:
         digest.update(hashlib.sha256(Path(path).read_bytes()).digest())

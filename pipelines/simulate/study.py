@@ -198,10 +198,15 @@ def _duration(table, duration):
 
 def _settings(table, duration):
     names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory",
-             "constant_period", "dynamic_elements", "estimate_error")  # fmt: skip
+             "constant_period", "dynamic_elements", "dynamic_water", "estimate_error")  # fmt: skip
     dynamic = table.dynamic_lines if isinstance(table.dynamic_lines, str) else tuple(table.dynamic_lines)
     if table.components is not None and table.components > MOST_COMPONENTS:
         raise StudyError(f"simulation.components is {table.components}; allowed: 1 to {MOST_COMPONENTS}")
+    if table.dynamic_water != "still" and not table.dynamic_lines:
+        raise StudyError(
+            f"simulation.dynamic_water is {table.dynamic_water!r} and no line moves by itself; allowed: with "
+            "dynamic_lines"
+        )
     lost = tuple((one.line, one.time) for one in table.lines_lost)
     wrong = [one for one in table.lines_lost if not 0 <= one.time < math.inf]
     if wrong:

@@ -153,12 +153,14 @@ def water_arrays(current, waves, gravity):
     """Current and waves, either of which may be None, for the kernels."""
     none, pairs = np.zeros(0), np.zeros((0, 2))
     z, U = (none, pairs) if current is None else (current.z, current.velocity)
+    untabled = 0.0, 0.0, np.zeros(0), np.zeros(0), np.zeros(2), np.zeros((2, 0))
     if waves is None:
-        return Water(z, U, none, none, none, pairs, none, np.inf, 0.0)
+        return Water(z, U, none, none, none, pairs, none, np.inf, 0.0, *untabled)
     omega = 2 * np.pi / waves.period
     heading = np.stack([np.cos(waves.direction), np.sin(waves.direction)], axis=-1)
     k = np.asarray(wavenumber(omega, waves.depth, gravity), float)
-    return Water(z, U, waves.amplitude, omega, k, heading, waves.phase, float(waves.depth), float(waves.ramp))
+    depth, ramp = float(waves.depth), float(waves.ramp)
+    return Water(z, U, waves.amplitude, omega, k, heading, waves.phase, depth, ramp, *untabled)
 
 
 def _point(value):

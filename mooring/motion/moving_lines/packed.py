@@ -17,6 +17,7 @@ from ...lines.dynamics.run import FIRST, control_of
 from ...lines.dynamics.start import start
 from ...lines.dynamics.surroundings import water_arrays
 from .polynomial import TERMS
+from .sea import LineSea, line_sea, water_of
 
 ROWS = 256  # of a line's own steps in one step of the body; more say that the body's step is too long
 OF_BED = ("bed_level", "bed_friction", "bed_slip", "bed_normal", "bed_course")
@@ -28,7 +29,8 @@ class MovingLines(NamedTuple):
     number : (m,) of each among the lines of its system; system : `System` of them all, bed_normal (m, 3), level,
     friction, slip (m,) and course (m, 4) of the bed, a plane; elements, nodes, bodies, rows : (m + 1,) where the
     parts of each begin
-    tension, distance : (m,) N, m, scales of their errors; tolerance : of a step; water : `Water`
+    tension, distance : (m,) N, m, scales of their errors; tolerance : of a step
+    water : `Water` at all nodes, with a table of `sea` that is filled again and again; room_of_sea : of its sums
     swing : (rad/s)², of the body on these lines if they could only stretch
     """
 
@@ -42,6 +44,8 @@ class MovingLines(NamedTuple):
     distance: np.ndarray
     tolerance: float
     water: Water
+    sea: LineSea
+    room_of_sea: tuple
     swing: float
 
 
@@ -88,14 +92,15 @@ class MovingWork(NamedTuple):
     stuck: np.ndarray
 
 
-def moving_lines(lines, fairleads, tolerance, swing):
+def moving_lines(lines, fairleads, tolerance, swing, sea=None):
     """`MovingLines` and their States at rest.
 
     lines : {number: DynamicLine}; fairleads : (m, 3) m in space, of these with the body at rest
+    sea : LineSea that grows from still water, None for still water
     raises : LineError where a line has no shape at rest
     """
-    water = water_arrays(None, None, 9.80665)
-    states = [start(line, place, water) for line, place in zip(lines.values(), fairleads, strict=True)]
+    still = water_arrays(None, None, 9.80665)
+    states = [start(line, place, still) for line, place in zip(lines.values(), fairleads, strict=True)]
     systems = [line.system for line in lines.values()]
     controls = [control_of(line, state, 1.0, 1.0) for line, state in zip(lines.values(), states, strict=True)]
     together = {name: [getattr(one, name) for one in systems] for name in System._fields}
@@ -103,6 +108,8 @@ def moving_lines(lines, fairleads, tolerance, swing):
         np.concatenate([[0], np.cumsum([len(value) for value in together[name]])]).astype(np.int64)
         for name in ("length", "mass", "body_nodes", "elongation")
     )
+    sea = line_sea(None, None, np.inf, None, (0.0, 0.0), 0.0) if sea is None else sea
+    water, *room = water_of(sea, int(nodes[-1]), int(np.diff(nodes).max()))
     made = {name: np.array(values, float) for name, values in together.items() if name in OF_BED}
     made |= {name: np.concatenate(values) for name, values in together.items() if name not in made}
     return MovingLines(
@@ -116,6 +123,8 @@ def moving_lines(lines, fairleads, tolerance, swing):
         np.array([one.distance for one in controls]),
         float(tolerance),
         water,
+        sea,
+        tuple(room),
         float(swing),
     ), tuple(states)
 

@@ -14,11 +14,12 @@ from .packed import moving_lines
 FIRM = {"stiffness": 3e6, "damping": 3e5}
 
 
-def moving_of(moored, settings, surface=True):
+def moving_of(moored, settings, sea=None, surface=True):
     """(`MovingLines`, States at rest) of the lines that `settings.dynamic_lines` names; None for none
 
-    moored : `simulation.moored_body.Moored`; surface : False for lines that count as under water all along, as their
-    static shapes do.  raises : ValueError naming a line that cannot move by itself, and why
+    moored : `simulation.moored_body.Moored`; sea : `sea.LineSea`, None for still water
+    surface : False for lines that count as under water all along, as their static shapes do
+    raises : ValueError naming a line that cannot move by itself, and why
     """
     system, names = moored.system, settings.dynamic_lines
     if system is None or not names:
@@ -48,7 +49,7 @@ def moving_of(moored, settings, surface=True):
         places.append(body + moored.start[:3] + R @ np.asarray(fairlead.position, float))
     swing = sum(line.type.axial_stiffness / line.length for line in (system.lines[i] for i in numbers))
     swing /= float(moored.reader.inertia[0, 0])
-    return moving_lines(made, np.array(places), settings.tolerance, swing)
+    return moving_lines(made, np.array(places), settings.tolerance, swing, sea)
 
 
 def ends_of(line, system):

@@ -24,10 +24,12 @@ from ...lines.dynamics.lumped.workspace import read, workspace
 from ...lines.dynamics.run import SHORTEST
 from .packed import ROWS, line_system
 from .polynomial import TERMS, legendre
+from .sea import line_water, open_sea, sea_ahead
 
 GAUSS = np.polynomial.legendre.leggauss(4)  # exact for a cubic times P₃
 NODES, WEIGHTS = 0.5 * (GAUSS[0] + 1), 0.5 * GAUSS[1]
 SCHEME = tableau()
+ROUNDING = 1e-9  # of the time that a table of the sea reaches
 
 
 @kernel()
@@ -43,6 +45,14 @@ def pull_at_rest(moving, i, q, v, a, slip, out):
     node_forces(system, work, here, held, work.q, 0.0, 0.0)
     for k in range(3):
         out[k] = work.r[k, last]
+
+
+@kernel()
+def sea_for_step(moving, work, t, h):
+    """A table of the sea around all lines that holds for a step of the body of h s from t s"""
+    water, room = moving.water, moving.room_of_sea
+    if t + h > water.clock[0] + sea_ahead(moving.sea) * (1 + ROUNDING):
+        open_sea(moving.sea, water, moving.nodes, work.position[0], work.velocity[0], room, t)
 
 
 @kernel()
@@ -83,7 +93,7 @@ def advance_lines(moving, work, whole, t, h):
         rows[0, 7:13] = 0.0
         found = run(
             line_system(moving, i),
-            moving.water,
+            line_water(moving.water, first, last),
             Motion(knots, cubics, none, triples, triples, 0.0),
             Control(moving.tolerance, moving.tension[i], moving.distance[i], h, SHORTEST * h),
             SCHEME,

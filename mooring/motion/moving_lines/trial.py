@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...lines.catenary.state import LineError
-from ...lines.dynamics.simulation import FairleadMotion
+from ...lines.dynamics.simulation import CurrentProfile, FairleadMotion, WaveTrain
 from ...lines.dynamics.simulation import simulate as drive
 from ...lines.system.parts import UniformLine
 from .prepare import dynamic_line, ends_of
@@ -30,10 +30,12 @@ class Trial(NamedTuple):
     refused: tuple[str, ...]
 
 
-def beside_static(system, run, courses, elements):
+def beside_static(system, run, courses, elements, components=None, current=None):
     """`Trial` of the uniform lines of a System along a `Realisation` with all lines in their static shape
 
     courses : for each line the places and velocities (2, n, 3) m, m/s of its fairlead
+    components : of the waves (`mooring.environment.sea.Components`) and current : (2,) m/s, that move the water around
+    the lines, None for still water
     """
     off, refused = {}, {}
     for number, line in enumerate(system.lines):
@@ -43,20 +45,33 @@ def beside_static(system, run, courses, elements):
             continue
         try:
             moving = dynamic_line(line, ends_of(line, system)[0].position, system, elements)
-            off[number] = _difference(moving, run, courses[number], number)
+            off[number] = _difference(moving, run, courses[number], number, (components, current, system.depth))
         except (LineError, ValueError) as error:
             refused.setdefault(line.type.name, str(error))
     return Trial(off, tuple(refused.values()))
 
 
-def _difference(line, run, course, number):
+def _difference(line, run, course, number, water):
     """Of a DynamicLine along the course of its fairlead in a run; largest, over the largest static tension"""
     middle = run.time[np.argmax(run.tension[:, number])]
     part = (run.time >= middle - BEFORE) & (run.time <= middle + AFTER)
     t, still = run.time[part] - run.time[part][0], run.tension[part, number]
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="the fairlead starts at")  # that blow is left out, see SETTLE
-        alone = drive(line, FairleadMotion.table(t, *course[:, part]), float(t[-1]), check_mesh=False)
+        motion, begin = FairleadMotion.table(t, *course[:, part]), run.time[part][0] - run.time[0]
+        alone = drive(line, motion, float(t[-1]), check_mesh=False, **_water(*water, begin))
     late = t >= min(SETTLE, 0.5 * t[-1])
     pull = np.interp(t, alone.time, alone.tension_fairlead)
     return float(np.abs(pull - still)[late].max() / still.max())
+
+
+def _water(components, current, depth, begin):
+    """Keywords of a run of a line for waves and current, from `begin` s of the waves on"""
+    made = {}
+    if components is not None:
+        omega, amplitude, phase, direction = components
+        period = 2 * np.pi / omega
+        made["waves"] = WaveTrain(amplitude, period, direction, phase - omega * begin, depth, SETTLE)
+    if current is not None:
+        made["current"] = CurrentProfile([0.0], [current])
+    return made

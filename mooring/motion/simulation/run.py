@@ -15,6 +15,7 @@ from ..expected import expected_motion
 from ..line_loads import body_lines, fairlead_course, line_loads, line_work
 from ..moving_lines.packed import moving_work, state_pull
 from ..moving_lines.prepare import moving_of
+from ..moving_lines.sea import line_sea
 from ..moving_lines.trial import beside_static
 from ..streams import calm
 from ..wave_loads import Waves, no_waves, wave_table, waves_of
@@ -59,8 +60,29 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     if not settings.estimate_error:
         return found
     finer = replace(settings, tolerance=FINER * settings.tolerance)
-    again = _followed(moored, finer, begun._replace(moving=moving_of(moored, finer)), progress)
+    again = _followed(moored, finer, begun._replace(moving=_again(moored, finer, begun.moving)), progress)
     return with_error(found, again.samples[:, :6], settings.tolerance)
+
+
+def _again(moored, settings, moving):
+    """The same moving lines, to other settings"""
+    return None if moving is None else moving_of(moored, settings, moving[0].sea)
+
+
+def _sea_of_lines(components, table, weather, settings, reader):
+    """`LineSea` of a run with the wave components of its waves, None for none, and their `WaveTable`"""
+    grown = (0.0, settings.ramp) if settings.wave_ramp is None else settings.wave_ramp
+    return line_sea(components, table.number, reader.depth, _current_at_lines(weather), grown, settings.ramp)
+
+
+def _current_at_lines(weather):
+    """(2,) m/s, None for none"""
+    if weather.on_hull is not None:
+        return weather.on_hull.water.velocity
+    if weather.current is None:
+        return None
+    towards = weather.current.direction
+    return weather.current.speed * np.array([np.cos(towards), np.sin(towards)])
 
 
 def _begun(moored, weather, settings, seed):
@@ -71,8 +93,9 @@ def _begun(moored, weather, settings, seed):
         wanted = settings.slow_drift in ("newman", "mean")
         table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
     wind, current, drag, findings = streams(moored, weather, seed, settings.ramp + settings.duration)
-    moving = moving_of(moored, settings)
-    findings += (*_coarse(moored, settings, moving), *_of_lost(settings))
+    sea = _sea_of_lines(components, table, weather, settings, reader) if settings.dynamic_water == "sea" else None
+    moving = moving_of(moored, settings, sea)
+    findings += (*_coarse(moored, weather, settings, moving), *_of_lost(settings))
     lost = [(name, settings.ramp + t) for name, t in settings.lines_lost]
     lines = body_lines(moored.system, lost, moored.tables, () if moving is None else moving[0].number)
     body = body_of(moored, weather, settings, components, drag, current is not None)
@@ -100,7 +123,10 @@ def with_lines_chosen(moored, weather, settings):
     run, lines = simulate(moored, weather, still), body_lines(moored.system)
     states = np.hstack([run.motion, run.velocity])
     courses = [fairlead_course(lines, i, states) for i in range(len(moored.system.lines))]
-    tried = beside_static(moored.system, run, courses, settings.dynamic_elements)
+    around = ()
+    if settings.dynamic_water == "sea":
+        around = wave_components(moored, weather, still, 0), _current_at_lines(weather)
+    tried = beside_static(moored.system, run, courses, settings.dynamic_elements, *around)
     names = moored.system.line_names
     moving = [i for i, off in tried.off.items() if off > NEGLIGIBLE]
     told = ", ".join(f"{names[i]} {100 * tried.off[i]:.2g} %" for i in moving) or "none"
@@ -140,11 +166,11 @@ def _followed(moored, settings, begun, progress):
             raise SimulationError(failure(state, clock, settings, scene, moored, hung, stuck))
 
 
-def _coarse(moored, settings, moving):
+def _coarse(moored, weather, settings, moving):
     """Findings on lines with a motion of their own: what they leave out, and where elements make them pull otherwise"""
     if moving is None:
         return ()
-    found = ["lines of dynamic_lines move in still water: waves and current push the body, not them"]
+    found = [_around(weather, settings)]
     lines, out = body_lines(moored.system, (), moored.tables), np.zeros(6)
     static = line_work(lines)
     line_loads(lines, static, moored.start, np.zeros((3, 3)), out)
@@ -160,6 +186,17 @@ def _coarse(moored, settings, moving):
             "than in its static shape; give more dynamic_elements"
         )
     return tuple(found)
+
+
+def _around(weather, settings):
+    """A finding on the water around lines with a motion of their own"""
+    if settings.dynamic_water == "sea":
+        how = " and the current, alike from surface to bed," if weather.current or weather.on_hull else ""
+        return f"lines of dynamic_lines move in the waves that come in{how} as if the body did not disturb them"
+    return (
+        "lines of dynamic_lines move in still water: waves and current push the body, not them; "
+        'dynamic_water = "sea" lets them'
+    )
 
 
 def _of_lost(settings):

@@ -8,6 +8,9 @@ import pytest
 
 import pipelines
 from bem.database import open_database
+from mooring.lines.catalogue import line_type
+from mooring.lines.system.moored_body import corner_legs, moored_body
+from mooring.lines.system.parts import UniformLine
 from mooring.motion.simulation import moored
 from pipelines.cli import main
 from pipelines.moor.study import read_study
@@ -44,3 +47,12 @@ def on_chains(database, study, on_springs):
 @pytest.fixture(scope="session")
 def without_hull(on_chains):
     return replace(on_chains, hull=None)
+
+
+@pytest.fixture(scope="session")
+def on_lines(database, on_springs):
+    """The box on four chains of a catalogue"""
+    line = UniformLine("chain", line_type("R3 studless 111 mm"), 260.0, "", "")
+    legs = corner_legs(line, 100.0, 50.0, np.radians([45]), database.water_depth, 4e5)
+    system = moored_body(legs, database.water_depth, database.rotation_center, database.density, database.gravity)
+    return moored(database, system, memory=on_springs.memory)

@@ -8,27 +8,17 @@ import pytest
 
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
-from mooring.lines.catalogue import line_type
 from mooring.lines.dynamics.simulation import FairleadMotion
 from mooring.lines.dynamics.simulation import simulate as drive
-from mooring.lines.system.moored_body import corner_legs, moored_body
-from mooring.lines.system.parts import Fairlead, UniformLine
+from mooring.lines.system.parts import Fairlead
 from mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
 from mooring.motion.moving_lines.packed import state_pull
 from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
-from mooring.motion.simulation import moored, simulate, with_lines_chosen
+from mooring.motion.simulation import simulate, with_lines_chosen
 from mooring.motion.weather import Settings, Weather
 
 ROUGH = Weather((Sea(jonswap(2.0, peak_period=9.0), np.pi),))
 WANTED = Settings(40.0, ramp=40.0, step=0.1, dynamic_lines=("fore port 1", "aft port 1"))
-
-
-@pytest.fixture(scope="module")
-def on_lines(database, on_springs):
-    line = UniformLine("chain", line_type("R3 studless 111 mm"), 260.0, "", "")
-    legs = corner_legs(line, 100.0, 50.0, np.radians([45]), database.water_depth, 4e5)
-    system = moored_body(legs, database.water_depth, database.rotation_center, database.density, database.gravity)
-    return moored(database, system, memory=on_springs.memory)
 
 
 def test_a_line_pulls_as_the_same_line_driven_alone(on_lines):
@@ -82,7 +72,7 @@ def test_lines_of_a_high_deck_weigh_as_in_air_above_the_water_and_are_not_called
 
 def _first(body, settings, surface):
     """Arguments of `state_pull` of the first line"""
-    moving, states = moving_of(body, settings, surface)
+    moving, states = moving_of(body, settings, surface=surface)
     return moving, 0, states[0]
 
 

@@ -220,7 +220,7 @@ def test_lines_that_move_are_part_of_what_results_depend_on_and_files_without_th
     """Elements of lines that there are not change nothing: a run made before there were any takes more seeds"""
     text = Path("study.toml").read_text()
     assert simulate().made == 3
-    Path("study.toml").write_text(text + "dynamic_elements = 33\n")
+    Path("study.toml").write_text(text + 'dynamic_elements = 33\ndynamic_water = "still"\n')
     assert simulate(4).made == 1
     Path("study.toml").write_text(text + 'dynamic_lines = "all"\n')
     with pytest.raises(DatabaseError, match="another study"):
@@ -253,6 +253,11 @@ def plan(text, omega=WIDE, **more):
         ("[simulation]\nduration = 10.0\nseeds = 1000000000000", "there are 1000000000000 seeds; allowed: 1 to 10000"),
         ("[simulation]\nduration = 10.0\ncomponents = 1000000000", "components is 1000000000; allowed: 1 to 100000"),
         ("[simulation]\nduration = 10.0\nseeds = [1, 1]", "each once"),
+        (
+            "[simulation]\nduration = 10.0\ndynamic_lines = 'all'\ndynamic_water = 'wet'",
+            "^simulation: dynamic_water is 'wet'; allowed: still, sea$",
+        ),
+        ("[simulation]\nduration = 10.0\ndynamic_water = 'sea'", "no line moves by itself; allowed: with dynamic_l"),
         ("[simulation]\nduration = 10.0\nlines_lost = [{ line = 'a', time = -1.0 }]", "from 0 s on"),
     ],
 )

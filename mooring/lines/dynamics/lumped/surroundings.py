@@ -5,6 +5,7 @@ Waves are linear (`bem.waves`): with θ = ωt − k·x − ε the elevation is a
     u_h = aω cosh k(z+h)/sinh kh · cos θ,    w = −aω sinh k(z+h)/sinh kh · sin θ.
 
 Above still water the values of z = 0 are used; the current is constant beyond its highest and lowest level.
+In place of the waves there may be a table of their sums over time at places near the nodes (`tabled_water`).
 The ramp R = x³(10 − 15x + 6x²), x = t/ramp, has continuous velocity and acceleration.
 """
 
@@ -15,6 +16,13 @@ import math
 import numpy as np
 
 from bem.kernels.jit import kernel
+from bem.kernels.simd import WIDTH, address, load_vector, repeated
+
+from .vectors import combine, less, load_three, minus, store_three
+
+SAMPLES = 6  # times of a table, through which a polynomial goes
+OF_PLACE = 8  # u, v, w; ∂u/∂x, ∂u/∂y, ∂v/∂y, ∂u/∂z, ∂v/∂z, the others of a potential follow
+SHARES = 1.0 / np.array([-120.0, 24.0, -12.0, 12.0, -24.0, 120.0])  # 1 / Π (i − m) over m ≠ i
 
 
 @kernel()
@@ -52,19 +60,71 @@ def fairlead_at(motion, t, p, v, a):
 
 
 @kernel()
+def time_weights(x, weights):
+    """weights (2, SAMPLES): of the values at 0, 1, …, for the polynomial through them at x, and for its slope"""
+    for i in range(SAMPLES):
+        value, slope = SHARES[i], 0.0
+        for m in range(SAMPLES):
+            if m != i:
+                slope = slope * (x - m) + value
+                value *= x - m
+        weights[0, i], weights[1, i] = value, slope
+
+
+@kernel(inline=True)
+def in_time(table, weights, part, nodes, at):
+    """Eight numbers of the table at one time, or their slopes, from `at` on; table, weights : pointers"""
+    total, w = weights[SAMPLES * part] * load_vector(table, at), SAMPLES * part
+    for i in range(1, SAMPLES):
+        total = total + weights[w + i] * load_vector(table, i * OF_PLACE * nodes + at)
+    return total
+
+
+@kernel(inline=True)
+def moved_water(table, weights, part, n, j, d):
+    """Velocity, or acceleration, of the water at eight nodes from j of n on, which are d (3) m from their places"""
+    x, y, z = d
+    xx, xy = in_time(table, weights, part, n, 3 * n + j), in_time(table, weights, part, n, 4 * n + j)
+    yy, xz = in_time(table, weights, part, n, 5 * n + j), in_time(table, weights, part, n, 6 * n + j)
+    yz = in_time(table, weights, part, n, 7 * n + j)
+    return (
+        in_time(table, weights, part, n, j) + xx * x + xy * y + xz * z,
+        in_time(table, weights, part, n, n + j) + xy * x + yy * y + yz * z,
+        in_time(table, weights, part, n, 2 * n + j) + xz * x + yz * y - (xx + yy) * z,
+    )
+
+
+@kernel()
+def tabled_water(water, q, nodes, t, R, R1, u, du):
+    """Add the water of the table at time t, with its ramp R and dR/dt, to u and du (3, w)."""
+    time_weights((t - water.clock[0]) / water.clock[1], water.weights)
+    w, table, weights, slower = q.shape[1], address(water.table), address(water.weights), 1.0 / water.clock[1]
+    at, place, velocity, change = address(q), address(water.place), address(u), address(du)
+    for j in range(0, nodes, WIDTH):
+        x, y, z = load_three(at, w, j)
+        d = minus((x, y, less(z, repeated(0.0))), load_three(place, nodes, j))
+        flow, rate = moved_water(table, weights, 0, nodes, j, d), moved_water(table, weights, 1, nodes, j, d)
+        store_three(velocity, w, j, combine(1.0, load_three(velocity, w, j), R, flow))
+        gained = combine(R * slower, rate, R1, flow)
+        store_three(change, w, j, combine(1.0, load_three(change, w, j), 1.0, gained))
+
+
+@kernel()
 def water_at(water, q, nodes, t, u, du):
     """Velocity u and acceleration du of the water at the first `nodes` points q, all (3, w), 0 where it is still."""
     levels, waves = water.level.size, water.omega.size
-    if levels + waves == 0:
+    if levels + waves + water.table.size == 0:
         return
-    R, R1, _ = ramp_at(t, water.ramp)
+    R, R1, _ = ramp_at(t - water.begin, water.ramp)
+    U, U1, _ = ramp_at(t, water.current_ramp)
     for j in range(nodes):
         for i in range(3):
             u[i, j], du[i, j] = 0.0, 0.0
         z = min(q[2, j], 0.0)
         if levels > 0:
             for i in range(2):
-                u[i, j] = np.interp(z, water.level, water.current[:, i])
+                speed = np.interp(z, water.level, water.current[:, i])
+                u[i, j], du[i, j] = U * speed, U1 * speed
         for m in range(waves):
             w, k, c, s = water.omega[m], water.wavenumber[m], water.heading[m, 0], water.heading[m, 1]
             theta = w * t - k * (c * q[0, j] + s * q[1, j]) - water.phase[m]
@@ -79,3 +139,5 @@ def water_at(water, q, nodes, t, u, du):
             du[0, j] += c * h1
             du[1, j] += s * h1
             du[2, j] -= up * (R1 * sine + R * w * cosine)
+    if water.table.size > 0:
+        tabled_water(water, q, nodes, t, R, R1, u, du)

@@ -50,7 +50,10 @@ class System(NamedTuple):
 
 
 class Water(NamedTuple):
-    """Current at levels (k,), (k, 2) m/s, and waves: (w,) or (w, 2); depth may be inf."""
+    """Current at levels (k,), (k, 2) m/s, and waves: (w,) or (w, 2); depth may be inf.
+
+    In place of waves there may be a table of their sums at places of n nodes (`motion.moving_lines.sea`).
+    """
 
     level: np.ndarray
     current: np.ndarray
@@ -61,6 +64,12 @@ class Water(NamedTuple):
     phase: np.ndarray  # rad, lag
     depth: float
     ramp: float  # s
+    begin: float  # s, of the ramp
+    current_ramp: float  # s, 0 of a current that is there from the start
+    table: np.ndarray  # (6 · 8 n,) velocity and gradient of all nodes at each of six times, and eight numbers more
+    place: np.ndarray  # (3 n,) m, all x, y and z, and eight numbers more
+    clock: np.ndarray  # (2,) s, first time and step
+    weights: np.ndarray  # (2, 6) room for work
 
 
 class Motion(NamedTuple):
