@@ -4,7 +4,8 @@
 
 The series box in 20 m of water on the twelve chains of `pipelines/scenes/moor_chain_12.toml`: irregular waves
 (Hs 4.5 m, mean period 10 s), Newman drift, gusts, current, memory, tolerance 1e-3.  Then the same body on twelve chains
-of a catalogue that move, each in 20 elements, for one hour.  Processor time, best of three.
+of a catalogue that move, each in 20 elements, for one hour, in still water and in the sea.  Processor time, best of
+three.
 """
 
 import argparse
@@ -70,8 +71,9 @@ def cases(folder, hours):
     yield "at a quay: 12 ropes, 4 fenders", *best_of_three(ship, waves, settings)
     study, _ = read_study(ROOT / "pipelines" / "scenes" / "moor_catalogue_chain_12.toml")
     chains = study.system(hull, db.rotation_center, db.density, db.gravity)
-    moving = moored(db, chains, hull, memory=body.memory), weather, Settings(3600.0, dynamic_lines="all")
-    yield "one hour of 12 moving chains", *best_of_three(*moving)
+    moving = moored(db, chains, hull, memory=body.memory), weather
+    for name, water in (("one hour of 12 moving chains", "still"), ("in the waves and the current", "sea")):
+        yield name, *best_of_three(*moving, Settings(3600.0, dynamic_lines="all", dynamic_water=water))
 
 
 if __name__ == "__main__":

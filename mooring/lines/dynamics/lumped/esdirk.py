@@ -23,7 +23,7 @@ from .block_tridiagonal import substitute
 from .books import FRICTION
 from .forces import node_forces, stored_energy
 from .stage import CONVERGED, begin_stage, solve_stage, spread, worst_element
-from .surroundings import fairlead_at, water_at
+from .surroundings import fairlead_at, moves, water_at
 from .workspace import INERTIA, copy, read, workspace, write
 
 DONE, FULL, TOO_SHORT = range(3)
@@ -152,7 +152,9 @@ def run(s, water, motion, control, scheme, state, until, rows, frame_times, fram
     load_state(state, q, v, a, slip)
     copy(work.q, q)
     copy(work.v, v)
-    water_at(water, q, last + 1, t, work.u, work.du)
+    moving = moves(water)
+    if moving:
+        water_at(water, q, last + 1, t, work.u, work.du)
     node_forces(s, work, a, slip, q, 0.0, 0.0)
     record(rows[0], t, h, s, work, energy)
     mark(station_rows[0], stations, work.T, last)
@@ -173,7 +175,8 @@ def run(s, water, motion, control, scheme, state, until, rows, frame_times, fram
             lead(motion, now, room, qh, vh, K[i], last)
             begin_stage(work, qh, vh, K[i], last, cq, cv)
             # the water is taken where the nodes are expected: an error of order h³
-            water_at(water, work.q, last + 1, now, work.u, work.du)
+            if moving:
+                water_at(water, work.q, last + 1, now, work.u, work.du)
             status, count = solve_stage(s, work, K[i], slip, q, cq, cv, limit * scale, limit * control.distance)
             iterations += count
             if status != CONVERGED:
