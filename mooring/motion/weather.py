@@ -66,7 +66,8 @@ class Settings:
     dynamic_water : the water around these, "still", or "sea" for that of the waves and the current
     lines_lost : (name, s) of lines that break, counted from the end of the ramp
     fixed_step : s, integrate with steps of that size and without control of the error; None to control it
-    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
+    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off, and a third to a
+        hundredth where the second differs by more than a third of the tolerance
     """
 
     duration: float

@@ -187,7 +187,8 @@ class SimulationTable(Table):
         otherwise with it in a trial; the others hang in their static shape.  They are uniform, of a catalogue type
     dynamic_elements : of each of these
     dynamic_water : what moves the water around these: "still" for nothing, or "sea" for waves and current
-    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off
+    estimate_error : whether a second run to a tenth of the tolerance says how far the first is off, and a third to a
+        hundredth where the second differs by more than a third of the tolerance
     damping_ratio : {motion = share of critical}, beyond waves, as in a response study
     linear_damping : kN s/m, {motion = B₁}, kN m s of rotations, as `hakobune damping` finds it
     quadratic_damping : kN s²/m², {motion = B₂}, kN m s² of rotations, as `hakobune damping` finds it

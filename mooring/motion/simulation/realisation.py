@@ -18,6 +18,7 @@ from ..streams import gust_at
 
 MOTIONLESS = 1e-9  # m, rad: the deviation of a motion that is none
 CHAOTIC = 0.1  # error over σ of a path that is chance
+SLOWEST = 0.9  # ratio of errors from one tolerance to the next at which they are taken to fall
 
 
 class Realisation(NamedTuple):
@@ -26,7 +27,7 @@ class Realisation(NamedTuple):
     time : (n,) s; motion : (n, 6) m, rad of the rotation centre from its place at rest, yaw unwrapped
     velocity : (n, 6) m/s, rad/s in axes that turn with the heading; slow : (n, 3) low-passed x, y and yaw
     wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : of the run
-    estimated_error : (6,) of the motions, nan where not asked for; steps : taken
+    estimated_error : (6,) m, rad of the motions, by the finest run, nan where not asked for; steps : taken
     deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
     work : {name: J} done on the body from the start of the ramp to the end; findings : one line each
     buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
@@ -107,18 +108,60 @@ def _of_buoy(buoy, course):
     return course.samples[:, 18:], course.hung[:, :count], course.hung[:, count:]
 
 
-def with_error(found, finer, tolerance):
-    """A Realisation with the root mean square difference from motions (n, 6) of a run to a smaller tolerance"""
+class Doubt(NamedTuple):
+    """What runs to smaller tolerances say of the motions of a `Realisation`.
+
+    error : (6,) m, rad, root mean square difference from the run to the smallest tolerance
+    bound : (6,) m, rad, what the true error may be; spread : (6,) standard deviations of the motions
+    """
+
+    error: np.ndarray
+    bound: np.ndarray
+    spread: np.ndarray
+
+    def share(self, error):
+        """(6,) of the standard deviations that an error (6,) is, 0 of what does not move"""
+        return np.where(self.spread > MOTIONLESS, error / np.maximum(self.spread, MOTIONLESS), 0.0)
+
+    @property
+    def worst(self):
+        """Largest share of a standard deviation that a motion may be off"""
+        return self.share(self.bound).max()
+
+
+def doubt_of(found, finer, finest=None):
+    """`Doubt` of a Realisation by motions (n, 6) of runs to smaller tolerances, each by the same factor.
+
+    finest : None where one such run is enough.  Lines that jerk and lines that break leave errors that fall slowly, so
+    that the difference d₀₁ from the next run is but part of them.  With a third run the differences are carried on as a
+    geometric series,
+
+        error ≤ max(d₀₁, d₀₂) + d₁₂ q/(1 − q),    q = min(d₁₂/d₀₁, SLOWEST).
+    """
     late = found.time >= 0
-    error, spread = np.sqrt(np.mean((found.motion - finer)[late] ** 2, axis=0)), found.motion[late].std(axis=0)
-    share = np.where(spread > MOTIONLESS, error / np.maximum(spread, MOTIONLESS), 0.0)
-    worst, findings = int(np.argmax(share)), found.findings
+
+    def difference(one, other):
+        return np.sqrt(np.mean((one - other)[late] ** 2, axis=0))
+
+    spread, first = found.motion[late].std(axis=0), difference(found.motion, finer)
+    if finest is None:
+        return Doubt(first, first, spread)
+    whole, second = difference(found.motion, finest), difference(finer, finest)
+    ratio = np.minimum(np.divide(second, first, out=np.zeros(6), where=first > 0), SLOWEST)
+    return Doubt(whole, np.maximum(first, whole) + second * ratio / (1 - ratio), spread)
+
+
+def with_error(found, doubt, tolerance, runs="a run to a tenth of the tolerance"):
+    """A Realisation with the errors of a `Doubt`, told where they may be beyond the tolerance; runs : that told them"""
+    share, findings = doubt.share(doubt.bound), found.findings
+    worst = int(np.argmax(share))
     if share[worst] > tolerance:
         chaotic = "this motion forgets where it came from; believe statistics over seeds, not a single path"
         missed = f"the tolerance is {tolerance:g}; give a smaller one for a path as near as that"
+        chance = doubt.share(doubt.error)[worst] > CHAOTIC
         findings = (
             *findings,
-            f"{DOFS[worst].lower()} of a run to a tenth of the tolerance differs by {share[worst]:.2g} of its standard "
-            f"deviation: {chaotic if share[worst] > CHAOTIC else missed}",
+            f"{DOFS[worst].lower()} may be {share[worst]:.2g} of its standard deviation off by {runs}: "
+            f"{chaotic if chance else missed}",
         )
-    return found._replace(estimated_error=error, findings=findings)
+    return found._replace(estimated_error=doubt.error, findings=findings)

@@ -18,8 +18,9 @@ from mooring.lines.system.moored_body import Leg, moored_body
 from mooring.motion.expected import expected_motion
 from mooring.motion.given_forces import GivenForce, drift_of_half_waves
 from mooring.motion.simulation import SimulationError, simulate, wave_components
+from mooring.motion.simulation import run as simulation_run
 from mooring.motion.simulation.body import FASTEST
-from mooring.motion.simulation.realisation import with_error
+from mooring.motion.simulation.realisation import doubt_of, with_error
 from mooring.motion.weather import Settings, Weather
 from mooring.response.drift import mean_in_sea
 from mooring.response.slow_drift import force_spectrum
@@ -303,8 +304,44 @@ def test_drift_by_half_waves_of_a_regular_wave_is_its_mean_drift(on_springs):
 def test_an_error_beyond_the_tolerance_is_said(on_springs):
     still = simulate(on_springs, Weather(), replace(CALM, duration=5.0))
     motion = np.sin(still.time)[:, None] * np.ones(6)
-    told = [with_error(still._replace(motion=motion), motion * (1 + off), 1e-3).findings for off in (5e-4, 2e-3, 0.3)]
+    run, told = still._replace(motion=motion), []
+    for off in (5e-4, 2e-3, 0.3):
+        told.append(with_error(run, doubt_of(run, motion * (1 + off)), 1e-3).findings)
     assert told[0] == () and "give a smaller one" in told[1][0] and "forgets" in told[2][0]
+
+
+@pytest.mark.parametrize("ratio", [0.1, 0.5, 0.8])
+def test_errors_that_fall_slowly_with_the_tolerance_are_carried_on(on_springs, ratio):
+    """Of errors e, qe, q²e, … the difference of the first two runs is (1 − q) e: the three of them tell e."""
+    still = simulate(on_springs, Weather(), replace(CALM, duration=5.0))
+    motion, error = np.sin(still.time)[:, None] * np.ones(6), 2e-3
+    runs = [motion * (1 + error * ratio**k) for k in range(3)]
+    found = still._replace(motion=runs[0])
+    assert doubt_of(found, runs[1]).worst == pytest.approx((1 - ratio) * error, rel=1e-2)
+    doubt = doubt_of(found, *runs[1:])
+    assert doubt.worst == pytest.approx(error, rel=1e-2)
+    assert "give a smaller one" in with_error(found, doubt, 0.99 * error / 1.01).findings[-1]
+    assert with_error(found, doubt, 1.02 * error).findings == found.findings
+
+
+def test_a_third_run_is_made_only_where_the_second_is_near_the_tolerance(on_springs, monkeypatch):
+    made, followed = [], simulation_run._followed
+
+    def counted(moored, settings, begun, progress):
+        made.append(settings.tolerance)
+        return followed(moored, settings, begun, progress)
+
+    monkeypatch.setattr(simulation_run, "_followed", counted)
+    weather = Weather(seas=(Sea(issc(2.0, mean_period=9.0), 0.3),))
+    settings = Settings(duration=60.0, ramp=20.0, components=40, tolerance=1e-2, estimate_error=True)
+    runs = []
+    for doubted, tolerances in ((1.0, [1e-2, 1e-3]), (0.0, [1e-2, 1e-3, 1e-4])):
+        made.clear()
+        monkeypatch.setattr(simulation_run, "DOUBTED", doubted)
+        runs.append(simulate(on_springs, weather, settings, seed=1))
+        assert made == pytest.approx(tolerances)
+    np.testing.assert_array_equal(runs[0].motion, runs[1].motion)
+    assert np.all(np.abs(runs[0].estimated_error / runs[1].estimated_error - 1) < 0.5)
 
 
 def test_hawsers_that_snap_taut_keep_energy_and_pull_as_the_system_says(on_springs):
