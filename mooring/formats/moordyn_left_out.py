@@ -1,10 +1,13 @@
 """What a MoorDyn file asks for that lines at rest on a flat bed in still water do not have: one text for each kind.
 
 Settings of a run in time (step, scheme, relaxation, outputs, stiffness and damping of the bed, drag, added mass, axial
-damping) change nothing at rest and are not named.  MoorDyn 2.7 documentation, "Inputs" and "Features".
+damping) change nothing at rest and are not named; of lines that move bending stiffness counts.  MoorDyn 2.7
+documentation, "Inputs" and "Features".
 """
 
 from __future__ import annotations
+
+from math import isfinite
 
 from .moordyn_rows import FREE
 
@@ -25,9 +28,9 @@ IN_TIME = (
 UNDERSTOOD = " wtrdpth depth waterdepth wtrdnsty rho rhow wtrdens g gravity grav frictioncoefficient mu_kt friccoeff "
 
 
-def left_out(file):
-    """[text] for each kind of thing of a MoorDynFile that its System does not have."""
-    said = [*_of_types(file), *_of_options(file)]
+def left_out(file, moves=False):
+    """[text] for each kind of thing of a MoorDynFile that its System does not have; moves : of lines in motion"""
+    said = [*_of_types(file, moves), *_of_options(file)]
     joints = [row.id for row in file.rods if (row.xa, row.ya, row.za) == (row.xb, row.yb, row.zb)]
     heeled = [row.id for row in file.bodies if row.attachment.lower() in FREE and (row.roll0 or row.pitch0)]
     for names, what in (
@@ -44,10 +47,11 @@ def left_out(file):
     return said
 
 
-def _of_types(file):
+def _of_types(file, moves):
     rows = file.line_types
+    bent = [row.name for row in rows if not (_number(row.EI) if moves else _nought(row.EI))]
     for names, what in (
-        ([row.name for row in rows if not _nought(row.EI)], "bending stiffness EI of {} is left out"),
+        (bent, "bending stiffness EI of {} is left out" + (", a table" if moves else "")),
         (
             [row.name for row in rows if "|" in row.EA],
             "dynamic stiffness (EA a|b) of {} is left out, the static counts",
@@ -69,6 +73,14 @@ def _of_options(file):
             unknown.append(name)
     if unknown:
         yield f"option {', '.join(unknown)} is unknown and left out"
+
+
+def _number(text):
+    """Whether a line that moves can bend with it; not with a table"""
+    try:
+        return isfinite(float(text))
+    except ValueError:
+        return _nought(text)
 
 
 def _nought(text):

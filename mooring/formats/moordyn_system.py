@@ -62,7 +62,7 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     system = System(depth, lines, points, bodies, water.density, water.gravity)
     for text in (
         *said,
-        *left_out(file),
+        *left_out(file, moves),
         *idle,
         *_weightless(types.values()),
         *(() if moves else _out_of_water(system)),

@@ -114,6 +114,7 @@ def _type(line, path):
         added_normal=own.added_mass_normal,
         added_tangential=own.added_mass_tangential,
         damping_ratio=ratio,
+        bending_stiffness_kN_m2=1e-3 * own.bending_stiffness,
     )
 
 

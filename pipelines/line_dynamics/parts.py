@@ -63,7 +63,8 @@ def _properties(where, kind, water):
         given[key] = getattr(static, key) if given[key] is None else positive(f"{where}.{name}", given[key])
     rest = ("drag_normal", "drag_tangential", "added_normal", "added_tangential", "damping_ratio")
     made = {"weight": static.weight, "axial_stiffness": stiffness, **given}
-    return made | {key: getattr(kind, key) for key in rest}, static.breaking_load
+    bending = {"bending_stiffness": 1e3 * kind.bending_stiffness_kN_m2}
+    return made | bending | {key: getattr(kind, key) for key in rest}, static.breaking_load
 
 
 def _elongation(where, kind):

@@ -27,7 +27,7 @@ class DynamicSegment:
     structural_damping : BA in N s, or None for `damping_ratio`, the part of the critical damping ℓ√(EA m) of an element
     of length ℓ, or of a fortieth of the segment where the elements are shorter
     drag_normal on D, drag_tangential on πD (the report's coefficient, on D, is π times larger)
-    added_normal, added_tangential : times the displaced mass
+    added_normal, added_tangential : times the displaced mass; bending_stiffness : EI, N m², 0 of a chain
     """
 
     length: float
@@ -42,12 +42,20 @@ class DynamicSegment:
     drag_tangential: float = 0.1
     added_normal: float = 1.0
     added_tangential: float = 0.0
+    bending_stiffness: float = 0.0
 
     def __post_init__(self):
         for name in ("length", "mass", "diameter"):
             _check(f"segment {name}", getattr(self, name), 0.0, strict=True)
         _check("segment axial_stiffness", self.stiffness, 0.0, strict=True)
-        for name in ("damping_ratio", "drag_normal", "drag_tangential", "added_normal", "added_tangential"):
+        for name in (
+            "damping_ratio",
+            "drag_normal",
+            "drag_tangential",
+            "added_normal",
+            "added_tangential",
+            "bending_stiffness",
+        ):
             _check(f"segment {name}", getattr(self, name), 0.0)
         if self.structural_damping is not None:
             _check("segment structural_damping", self.structural_damping, 0.0)
@@ -186,6 +194,10 @@ class DynamicLine:
             counts[0] = 2
         return replace(self, segments=tuple(replace(s, elements=n) for s, n in zip(self.segments, counts, strict=True)))
 
+    def without_bending(self):
+        """The same line with EI = 0"""
+        return replace(self, segments=tuple(replace(s, bending_stiffness=0.0) for s in self.segments))
+
     @cached_property
     def system(self):
         """Arrays for the kernels."""
@@ -215,6 +227,7 @@ class DynamicLine:
             buoyancy=self.surface * 2 * half * self._each(lambda s: self.gravity * s.mass - s.weight),
             waterline=np.pi / 4 * D,
             weight=weight,
+            flexure=self._flexure(),
             mass=mass,
             inertia=mass + _to_nodes(added) + body["added"],
             body_nodes=np.flatnonzero(body["mass"] + body["displaced"]),
@@ -261,6 +274,19 @@ class DynamicLine:
         """m, STUCK of the least stretch of an element that friction lets go over its own length"""
         stretch = [self.bed.friction * s.weight * s.size**2 / s.stiffness for s in self.segments if s.weight > 0]
         return max(STUCK * min(stretch, default=0.0), LEAST_SLIP)
+
+    @property
+    def bends(self):
+        """Whether a part of it has bending stiffness"""
+        return any(s.bending_stiffness > 0 for s in self.segments)
+
+    def _flexure(self):
+        """(N + 1,) N m, of the nodes between two elements with bending stiffness; None where there is none"""
+        if not self.bends:
+            return None
+        EI = self._each(lambda s: s.bending_stiffness)
+        soft = 0.5 * np.divide(self._each(lambda s: s.size), EI, out=np.full(len(EI), np.inf), where=EI > 0)
+        return np.concatenate([[0.0], 1 / (soft[:-1] + soft[1:]), [0.0]])
 
     def _elongation(self):
         """Where each element's material begins and ends in the rows of all, and these"""

@@ -18,10 +18,15 @@ def start(line, fairlead, water):
     """State of a line at rest with its fairlead at (3,) m, in still water or a current.
 
     Friction is that of a line pulled out from slack: fully mobilised from the touchdown point on.
+    One with bending stiffness starts from its shape without, and has to be a line: see `_check_bending`.
     raises : LineError where no equilibrium was found
     """
-    fairlead = np.asarray(fairlead, float)
-    q, slip = _guess(line, fairlead), np.zeros((line.elements + 1, 3))
+    fairlead, slip = np.asarray(fairlead, float), np.zeros((line.elements + 1, 3))
+    if line.bends:
+        q = start(line.without_bending(), fairlead, water).position
+        _check_bending(line, q)
+    else:
+        q = _guess(line, fairlead)
     q[0], q[-1] = line.anchor, fairlead
     # with its true stiffness friction would keep the nodes where the guess has them
     loose = line.system._replace(bed_slip=LOOSE)
@@ -36,6 +41,21 @@ def start(line, fairlead, water):
         )
     zero = np.zeros_like(q)
     return lumped.State(0.0, q, zero, zero.copy(), slip, np.inf)
+
+
+def _check_bending(line, q):
+    """Refuse, by a LineError, what at rest at q would hang as a beam: its elements carry no compression.
+
+    √(EI/T), over which a line bends at its ends, reaches its middle where 4 EI = T L².
+    """
+    stiffest = max(line.segments, key=lambda one: one.bending_stiffness)
+    tension = float(lumped.elastic_tension(line.system, q).max())
+    if 4 * stiffest.bending_stiffness > tension * line.length**2:
+        raise LineError(
+            f"{line!r}: bending stiffness EI = {1e-3 * stiffest.bending_stiffness:.4g} kN m² holds it up more than its "
+            f"tension, at most {1e-3 * tension:.4g} kN at rest without it; allowed: up to "
+            f"{0.25e-3 * tension * line.length**2:.4g} kN m², T L²/4"
+        )
 
 
 def _settled(system, water, q, slip):

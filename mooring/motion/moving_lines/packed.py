@@ -12,6 +12,7 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
+from ...lines.dynamics.lumped.bending import part
 from ...lines.dynamics.lumped.system import State, System, Water
 from ...lines.dynamics.run import FIRST, control_of
 from ...lines.dynamics.start import start
@@ -110,11 +111,12 @@ def moving_lines(lines, fairleads, tolerance, swing, sea=None):
     )
     sea = line_sea(None, None, np.inf, None, (0.0, 0.0), 0.0) if sea is None else sea
     water, *room = water_of(sea, int(nodes[-1]), int(np.diff(nodes).max()))
+    flexure = together.pop("flexure")
     made = {name: np.array(values, float) for name, values in together.items() if name in OF_BED}
     made |= {name: np.concatenate(values) for name, values in together.items() if name not in made}
     return MovingLines(
         np.array(list(lines), np.int64),
-        System(**made),
+        System(**made, flexure=_flexure(flexure, systems)),
         elements,
         nodes,
         bodies,
@@ -127,6 +129,14 @@ def moving_lines(lines, fairleads, tolerance, swing, sea=None):
         tuple(room),
         float(swing),
     ), tuple(states)
+
+
+def _flexure(parts, systems):
+    """(n,) of all nodes, 0 in lines without bending stiffness; None where no line has any"""
+    if all(one is None for one in parts):
+        return None
+    pairs = zip(parts, systems, strict=True)
+    return np.concatenate([np.zeros(len(system.mass)) if one is None else one for one, system in pairs])
 
 
 def moving_work(moving, states, samples, lines):
@@ -191,6 +201,7 @@ def line_system(moving, i):
         s.buoyancy[e:f],
         s.waterline[e:f],
         s.weight[n:m],
+        part(s.flexure, n, m),
         s.mass[n:m],
         s.inertia[n:m],
         s.body_nodes[moving.bodies[i] : moving.bodies[i + 1]],

@@ -90,5 +90,6 @@ def _felt(dynamics):
         "drag_tangential": dynamics.drag_tangential,
         "added_normal": dynamics.added_mass_normal,
         "added_tangential": dynamics.added_mass_tangential,
+        "bending_stiffness": dynamics.bending_stiffness,
         damping: abs(dynamics.damping),
     }

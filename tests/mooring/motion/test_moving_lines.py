@@ -10,7 +10,7 @@ from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
 from mooring.lines.dynamics.simulation import FairleadMotion
 from mooring.lines.dynamics.simulation import simulate as drive
-from mooring.lines.system.parts import Fairlead
+from mooring.lines.system.parts import Fairlead, LineDynamics
 from mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
 from mooring.motion.moving_lines.packed import state_pull
 from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
@@ -21,12 +21,22 @@ ROUGH = Weather((Sea(jonswap(2.0, peak_period=9.0), np.pi),))
 WANTED = Settings(40.0, ramp=40.0, step=0.1, dynamic_lines=("fore port 1", "aft port 1"))
 
 
-def test_a_line_pulls_as_the_same_line_driven_alone(on_lines):
+def bent(body):
+    """With EI of 1e8 N m² in the first of its lines, which bends over 16 m at its ends"""
+    lines = body.system.lines
+    stiff = replace(lines[0].type, dynamics=LineDynamics(bending_stiffness=1e8))
+    return replace(body, system=replace(body.system, lines=(replace(lines[0], type=stiff), *lines[1:])))
+
+
+@pytest.mark.parametrize("bends", [False, True])
+def test_a_line_pulls_as_the_same_line_driven_alone(on_lines, bends):
+    on_lines = bent(on_lines) if bends else on_lines
     number = on_lines.system.line_names.index("fore port 1")
     run = simulate(on_lines, ROUGH, WANTED, seed=1)
     place, velocity = fairlead_course(body_lines(on_lines.system), number, np.hstack([run.motion, run.velocity]))
     anchor = body_lines(on_lines.system).anchor[number]
     line = dynamic_line(on_lines.system.lines[number], anchor, on_lines.system, WANTED.dynamic_elements)
+    assert line.bends == bends
     t = run.time - run.time[0]
     alone = drive(line, FairleadMotion.table(t, place, velocity), t[-1], tolerance=1e-4, check_mesh=False)
     pull = np.interp(t, alone.time, alone.tension_fairlead)

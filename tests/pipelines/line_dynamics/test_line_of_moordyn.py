@@ -53,13 +53,13 @@ def study(tmp_path):
 @pytest.mark.parametrize("number", ["1", "2"])
 def test_a_line_of_a_file_goes_through_its_free_points_to_the_anchor_and_rests_as_the_file_does(study, number):
     study.write_text(STUDY.replace('"1"', f'"{number}"'))
-    with pytest.warns(UserWarning, match="EI"):
-        made = with_moordyn(read_line_dynamics(study)[0], study.parent)
+    made = with_moordyn(read_line_dynamics(study)[0], study.parent)
     line, _ = line_of(made)
     rope = line.segments[1]
     assert (line.anchor, made.fairlead.position) == ((-290.0, 0.0, -70.0), (-20.0, 0.0, -4.0))
     assert [(s.length, s.elements, s.drag_normal) for s in line.segments] == [(235.0, 40, 1.3), (52.0, 20, 1.2)]
     assert line.segments[0].damping_ratio == 0.8 and np.isclose(rope.damping, 2e5)
+    assert (line.segments[0].bending_stiffness, rope.bending_stiffness) == (0.0, 10.0)
     assert line.bodies[0].mass == 2500 and line.bodies[0].drag_area == 1.5 and line.bed.stiffness == 3e6
     with pytest.warns(UserWarning, match="EI"):
         found = rest(read_moordyn_system(study.parent / "lines.txt"))
@@ -69,19 +69,18 @@ def test_a_line_of_a_file_goes_through_its_free_points_to_the_anchor_and_rests_a
 
 
 def test_the_command_runs_a_line_of_a_file_and_names_what_is_left_out(study, capsys):
+    (study.parent / "lines.txt").write_text(MOORDYN.replace("2.0e5      10 ", "2.0e5      EI.txt "))
     assert main(["line-dynamics", str(study)]) == 0
     shown = capsys.readouterr().out
-    assert "largest, quasi-static" in shown and "EI" in shown
+    assert "largest, quasi-static" in shown and "bending stiffness EI of rope is left out, a table" in shown
 
 
 def test_a_line_of_a_file_that_comes_out_of_the_water_weighs_as_in_air_there(study):
     (study.parent / "lines.txt").write_text(MOORDYN.replace("-20     0       -4 ", "-20     0        9 "))
-    with pytest.warns(UserWarning) as said:
-        made = with_moordyn(read_line_dynamics(study)[0], study.parent)
-    assert made.surface and line_of(made)[0].surface and not any("out of the water" in str(w.message) for w in said)
+    made = with_moordyn(read_line_dynamics(study)[0], study.parent)
+    assert made.surface and line_of(made)[0].surface
     study.write_text("surface = false\n" + STUDY)
-    with pytest.warns(UserWarning, match="EI"):
-        assert not with_moordyn(read_line_dynamics(study)[0], study.parent).surface
+    assert not with_moordyn(read_line_dynamics(study)[0], study.parent).surface
 
 
 @pytest.mark.parametrize(

@@ -18,8 +18,8 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
+from .band import substitute_line
 from .bed import keep_slip
-from .block_tridiagonal import substitute
 from .books import FRICTION
 from .forces import node_forces, stored_energy
 from .stage import CONVERGED, begin_stage, solve_stage, spread, worst_element
@@ -119,7 +119,7 @@ def error(s, work, K, V, db, step, hd):
             for k in range(db.size):
                 total += db[k] * (V[k, i, j] + hd * K[k, i, j])
             work.x[i, j] = work.node[INERTIA, j] * step * total
-    substitute(work.pivots, work.x, work.x, 1, last - 1)
+    substitute_line(work.pivots, work.bending, work.x, work.x, last)
     return spread(s, work)
 
 

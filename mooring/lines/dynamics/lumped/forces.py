@@ -10,8 +10,8 @@ dimensions):
     normal      ½ρ C_dn D |u_n| u_n,     ρA [(1 + C_an) u̇_n − C_an a_n]
     tangential  ½ρ C_dt πD |u_t| u_t,    ρA C_at (u̇_t − a_t)
 
-Bed: `bed`; parts out of the water: `surface`.  Eight elements, then eight nodes, are taken at once (`vectors`,
-`workspace`).
+Bed: `bed`; parts out of the water: `surface`; bending: `bending`.  Eight elements, then eight nodes, are taken at once
+(`vectors`, `workspace`).
 
 The tangent is exact for tension, bed and friction and for drag against velocity; it leaves out how drag and added
 mass turn with the line, which is h²|F|/mℓ times smaller.
@@ -25,6 +25,7 @@ from bem.kernels.jit import kernel
 from bem.kernels.simd import WIDTH, address, choose_less, load_vector, repeated, root, store_vector
 
 from .bed import bed_energy, bed_forces
+from .bending import bend, bending_energy
 from .books import DRAG, INERTIA, STRUCTURE, WORK
 from .surface import energy_dry, weigh_dry, wet
 from .vectors import TINY, combine, dot, less, load_three, minus, more, store_three, total
@@ -223,6 +224,7 @@ def node_forces(s, work, a, slip, since, cq, cv):
     power[DRAG], power[INERTIA] = load_nodes(work, a, cv)
     if work.rises:
         weigh_dry(work, last, cq)
+    bend(work.bending, work.q, r, work.D, last, cq)
     if s.body_nodes.size > 0:
         body_forces(s, work, a, cq, cv)
     if s.bed_stiffness[last] > 0.0:
@@ -251,4 +253,5 @@ def stored_energy(s, q, v):
             elastic += s.stiffness[e] * s.length[e] * stored
         if s.buoyancy[e] > 0.0:
             potential += energy_dry(s, e, q)
+    elastic += bending_energy(s.flexure, s.length, q)
     return kinetic, elastic, potential, bed

@@ -13,7 +13,7 @@ import numpy as np
 
 from bem.kernels.jit import kernel
 
-from .block_tridiagonal import factor
+from .band import factor_line
 from .forces import node_forces
 from .stage import correction
 from .surroundings import water_at
@@ -37,7 +37,7 @@ def settle(s, water, q, slip):
         copy(work.q, at)
         water_at(water, at, last + 1, 0.0, work.u, work.du)
         node_forces(s, work, still, held, at, tau * tau, tau)
-        factor(work.D, work.B, work.pivots, 1, last - 1)
+        factor_line(work.D, work.B, work.bending, work.pivots, last)
         tension, distance = correction(s, work, tau * tau)
         if not (math.isfinite(tension) and math.isfinite(distance)):
             return -1

@@ -12,7 +12,7 @@ import numpy as np
 from bem.kernels.jit import kernel
 from bem.kernels.simd import WIDTH, address, load_vector, repeated, root, store_vector
 
-from .block_tridiagonal import factor, substitute
+from .band import factor_line, substitute_line
 from .forces import node_forces
 from .vectors import TINY, dot, largest, load_three, minus, more, total
 from .workspace import SHORT, STIFFNESS, copy
@@ -99,7 +99,7 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
     before, last = np.inf, s.length.size
     node_forces(s, work, a, slip, since, cq, cv)
     for iteration in range(ITERATIONS):
-        factor(work.D, work.B, work.pivots, 1, last - 1)
+        factor_line(work.D, work.B, work.bending, work.pivots, last)
         tension, distance = correction(s, work, cq)
         if not (math.isfinite(tension) and math.isfinite(distance)):
             return NOT_FINITE, iteration + 1
@@ -121,7 +121,7 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
 @kernel()
 def correction(s, work, cq):
     """Accelerations that take away the residual, into work.x, and the largest change of tension and place by them."""
-    substitute(work.pivots, work.r, work.x, 1, s.length.size - 1)
+    substitute_line(work.pivots, work.bending, work.r, work.x, s.length.size)
     return change(s, work, cq)
 
 

@@ -14,6 +14,9 @@ import numpy as np
 from bem.kernels.jit import kernel
 from bem.kernels.simd import WIDTH
 
+from .band import OF_BAND
+from .bending import joints
+
 # rows of Work.element: 1/m, N, N s, 1/soft strain; strain, tension/EA and slope/EA of the material's row; halves, see
 # `System`
 SHORT, STIFFNESS, DAMPING, HARD, BEGIN, OVER, SLOPE = range(7)
@@ -44,7 +47,8 @@ class Work(NamedTuple):
     element: np.ndarray  # (OF_ELEMENT, w)
     node: np.ndarray  # (OF_NODE, w)
     power: np.ndarray  # (6,)
-    pivots: np.ndarray  # (n, OF_PIVOT) of the last tangent that was factored
+    pivots: np.ndarray  # (n, OF_PIVOT) of the last tangent that was factored, or (n, OF_BAND) of a line that bends
+    bending: np.ndarray | None  # (OF_BENDING, w)
     tabled: bool  # whether an element has more than one row of `System.elongation`
     rises: bool  # whether the line may leave the water
 
@@ -111,6 +115,7 @@ def workspace(s):
         known[BED_THIN] = 1.0 / s.bed_thickness[j] if s.bed_thickness[j] > 0.0 else 1.0
         known[NORMAL], known[NORMAL + 1], known[NORMAL + 2] = s.bed_normal[0], s.bed_normal[1], s.bed_normal[2]
         known[LEVEL] = s.bed_level
+    bending = joints(s.flexure, s.length, w)
     return Work(
         points[0],
         points[1],
@@ -126,7 +131,8 @@ def workspace(s):
         element,
         node,
         np.zeros(6),
-        np.zeros((n, OF_PIVOT)),
+        np.zeros((n, OF_PIVOT if bending is None else OF_BAND)),
+        bending,
         tabled,
         rises,
     )
