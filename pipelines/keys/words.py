@@ -25,6 +25,7 @@ COMMON = {
 # in the order they are looked for: the longest endings first
 ENDINGS = {
     "_kg_per_m": "kg/m",
+    "_kN_m2": "kN m²",
     "_N_per_m": "N/m",
     "_t_per_m": "t/m",
     "_kN_per_m3": "kN/m³",

@@ -55,7 +55,7 @@ class DynamicTypeTable(MaterialTable):
     added_normal : coefficient of added mass across the line
     added_tangential : coefficient of added mass along the line
     damping_ratio : structural damping over that which is critical for one element, or a fortieth of its segment
-    bending_stiffness : kN m², EI between its hinged ends
+    bending_stiffness : EI, between hinged ends
     elongation_percent : % of its length, from 0 on, of a rope whose stiffness is no number
     tension : of such a rope, at each elongation, from 0 on
     """
