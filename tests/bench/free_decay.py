@@ -6,6 +6,10 @@ x(t) = (2/π) ∫ Re X(ω) cos ωt dω with X from added mass and damping at eve
 by quadrature and without our fit of the memory.  Each motion starts alone; printed is the largest difference of 60 s,
 over the start.  A little damping makes the resonances wide enough for the quadrature: twice the points change the table
 by a tenth.  --tolerance : of the memory, in place of the one that a simulation takes.
+
+The differences are of the fit: quadrature with the fitted memory in X is as far off.  An error E of the impedance at
+the natural frequency moves a lightly damped decay by up to E/(e B) of its start, with B all damping there: 7 times E
+over the largest impedance in surge of the buoy at 0.22 rad/s, where the fit is free to miss by 3e-4 of it.
 """
 
 import argparse
