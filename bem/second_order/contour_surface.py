@@ -28,20 +28,20 @@ BEYOND = 6  # orders more than `orders_sent`
 class CylinderSurface:
     """As `surface_waves.SurfaceWaves`, with no points but those on rings
 
-    points : `bem.contour.hull.flow.HullPoints`; surfaces : `HullSurfaces`; omega, differences : rad/s
+    points : `bem.contour.hull.flow.HullPoints`; surfaces : `HullSurfaces`; omega, of_force : rad/s, rising
     """
 
-    def __init__(self, problem, points, surfaces, omega, differences):
+    def __init__(self, problem, points, surfaces, omega, of_force):
         self.problem, self.points, self.line = problem, points, surfaces.waterline
         self.radius = points.body.plan.radius
         self.circle = Circle(np.zeros(2), self.radius, np.full(2, self.radius))
-        h, width = problem.depth, FIRST * min(problem.depth, self.radius)
-        slowest = evanescent_wavenumbers(max(omega[-1], differences[-1]), h, 1, problem.gravity)[0]
+        h, width, highest = problem.depth, FIRST * min(problem.depth, self.radius), max(omega[-1], of_force[-1])
+        slowest = evanescent_wavenumbers(highest, h, 1, problem.gravity)[0]
         edges = [self.radius]
         while edges[-1] < self.radius + DIES / slowest:
             edges.append(edges[-1] + width)
             width *= WIDER
-        shortest = float(wavenumber(omega[-1], h, problem.gravity))
+        shortest = float(wavenumber(highest, h, problem.gravity))
         self.most = orders_sent(shortest * self.radius) + BEYOND
         self.rings = Rings(np.array(edges), 4 * (self.most // 2 + 1), np.zeros(2))
         self.weights, self.waves = np.zeros(0), []

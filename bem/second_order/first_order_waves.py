@@ -99,7 +99,7 @@ class PanelWaves(FirstOrderWaves):
         check_panels(problem, self.prepared.geometry.mesh)
         self.surfaces = hull_surfaces(self.prepared.geometry)
         around = surface and len(rising) > 0
-        self.around = SurfaceWaves(self.prepared, self.surfaces, omega, rising) if around else None
+        self.around = SurfaceWaves(self.prepared, self.surfaces, omega, rising, kind) if around else None
         self.radiating = []
 
     def solve(self, omega):

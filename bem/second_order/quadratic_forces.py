@@ -23,7 +23,7 @@ from .body_forces import body_forces
 from .bound_waves import bound_waves
 from .first_order_waves import PanelWaves
 from .kinds import DIFFERENCE, EVEN, SUM, Kind
-from .surface_forces import Difference, SurfaceForces, line_integral
+from .surface_forces import PairsOfOne, SurfaceForces, line_integral
 
 ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
 SIZES = 0.08, 0.33, 1.3  # factors of estimated errors: heave, roll, pitch; surge, sway, yaw; of the motions; fitted too
@@ -119,8 +119,6 @@ class QuadraticRun:
         self.problem, self.moving, self.surface = problem, lines is not None or bool(moving), surface
         if self.moving and problem.inertia_matrix is None:
             raise ValueError("forces of pairs on a floating body without inertia; solve it with --gyration kxx,kyy,kzz")
-        if surface and kind is SUM:
-            raise ValueError("sums of frequencies with the forcing of the surface; allowed: differences, or without it")
         self.frequency, self.report = frequencies_of(self.omega, highest, kind), report
         waves = _waves_of(problem)(
             problem, self.omega, self.headings, self.moving, self.frequency, surface, lines, swayed, kind
@@ -134,7 +132,7 @@ class QuadraticRun:
             more = waves.squares_in_swayed() - self.squares
             self.by_motions = np.array([self._placed(self._of(more, m), m) for m in range(len(self.frequency))])
         self.added = None if kind is SUM else _by_far_field(self.squares, np.array(waves.far), self.flow)
-        self.of_surface = None if waves.around is None else SurfaceForces(waves.around)
+        self.of_surface = None if waves.around is None else SurfaceForces(waves.around, kind)
 
     def blocks(self, done=0):
         """Ranges of up to BLOCK frequencies of the force after the first `done`, a multiple of BLOCK"""
@@ -344,9 +342,9 @@ def _ratio(squares):
 
 
 def _on_surface(waves, flow, pairs, run, radiated, omega):
-    """`surface_forces.Difference` of pairs"""
-    line = line_integral(waves.surfaces, flow, radiated, waves.around, pairs.one, pairs.two)
-    return Difference(omega, pairs.one, pairs.two, *waves.around.radiated(run, radiated), line)
+    """`surface_forces.PairsOfOne` of pairs"""
+    line = line_integral(waves.surfaces, flow, radiated, waves.around, pairs.one, pairs.two, waves.kind)
+    return PairsOfOne(omega, pairs.one, pairs.two, *waves.around.radiated(run, radiated), line)
 
 
 class _Pairs:

@@ -1,4 +1,4 @@
-"""Difference-frequency force of what products of first-order waves do on the free surface around a body.
+"""Force of what products of first-order waves do on the free surface around a body.
 
 On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ₂/∂z = −Q, in products as of `quadratic_forces`
 
@@ -10,9 +10,9 @@ less the same of the incident waves alone, which the bound wave meets (ψ as in 
     ∬ ψQ dS = ∬ ψ {¼iΩ ∇φᵢ·∇φ̄ⱼ + ¼i (2Ω KᵢKⱼ + ωᵢKⱼ² − ωⱼKᵢ²) φᵢφ̄ⱼ} − ¼i ∇ψ·(ωᵢ φᵢ∇φ̄ⱼ − ωⱼ φ̄ⱼ∇φᵢ) dS
               − ¼i ∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl
 
-∇ along the surface, n out of the body.  Up to a circle about the body the waves are those of its panels
-(`surface_near`), beyond it sums of Hankel functions with a local part on rings (`surface_far`), then without
-(`surface_tail`).
+∇ along the surface, n out of the body; at sum frequencies as `kinds` says.  Up to a circle about the body the waves
+are those of its panels (`surface_near`), beyond it sums of Hankel functions with a local part on rings (`surface_far`),
+then without (`surface_tail`).
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ import numpy as np
 
 from ..kernels.threads import blas_threads
 from ..waves import incident_wave, wavenumber
+from .kinds import DIFFERENCE
 from .surface_far import bessel_orders, both_signs, directions, hankel_orders, orders_sent, slopes
 from .surface_tail import FEW, PER_RADIAN, Tails
 from .surface_waves import Field
@@ -33,7 +34,10 @@ AT_ONCE = 1_000_000  # products of pairs at points
 
 
 class Products(NamedTuple):
-    """Factors of a pair's products, each (q,): of ψ∇φᵢ·∇φ̄ⱼ, of ψφᵢφ̄ⱼ, of −∇ψ·φᵢ∇φ̄ⱼ, of ∇ψ·φ̄ⱼ∇φᵢ, all over ¼i"""
+    """Factors of a pair's products, each (q,): of ψ∇φᵢ·∇φ̄ⱼ, of ψφᵢφ̄ⱼ, of −∇ψ·φᵢ∇φ̄ⱼ, of ∇ψ·φ̄ⱼ∇φᵢ, all over ¼i
+
+    The second frequency is negative at sums.
+    """
 
     steep: np.ndarray
     level: np.ndarray
@@ -64,8 +68,8 @@ def integrated(products, terms, psi, weights):
 
 
 @dataclass(frozen=True, eq=False)
-class Difference:
-    """All pairs of one difference of frequencies: omega rad/s; one, two : (q,) numbers of waves
+class PairsOfOne:
+    """All pairs that make a force of one frequency: omega rad/s, of it; one, two : (q,) numbers of waves
 
     near : `Field` (6, p) of ψ near the body; far : its six `Wave`; line : (q, 6) integral along the waterline
     """
@@ -79,41 +83,44 @@ class Difference:
 
 
 class SurfaceForces:
-    """T of a `SurfaceWaves` whose waves are all known"""
+    """T of a `SurfaceWaves` whose waves are all known, at the frequencies of a `kinds.Kind`"""
 
-    def __init__(self, waves):
-        self.waves, problem = waves, waves.problem
+    def __init__(self, waves, kind=DIFFERENCE):
+        self.waves, self.kind, problem = waves, kind, waves.problem
         self.omega = np.array([wave.omega for wave in waves.waves])
         self.whole, self.incident = waves.joined()
         edges, end = _intervals(waves)
         self.begin = np.minimum(end, len(waves.rings.edges) - 1)
-        slowest = float(wavenumber(np.diff(np.unique(self.omega)).min(), problem.depth, problem.gravity))
-        self.tails = Tails(waves.waves, edges, self.begin, end, slowest, problem.gravity)
+        different, highest = np.unique(self.omega), self.omega.max()
+        of_force = kind.of(different[0], different[0]) or np.diff(different).min(), kind.of(highest, highest)
+        third = tuple(float(wavenumber(w, problem.depth, problem.gravity)) for w in of_force)
+        self.tails = Tails(waves.waves, edges, self.begin, end, third, waves.circle.radius, problem.gravity, kind)
 
-    def __call__(self, differences):
-        """[(q, 6)] about the origin, N/m², N m/m², of several `Difference`"""
+    def __call__(self, several):
+        """[(q, 6)] about the origin, N/m², N m/m², of several `PairsOfOne`"""
         with blas_threads(1):  # many small products
-            return self._forces(differences)
+            return self._forces(several)
 
-    def _forces(self, differences):
-        waves, problem = self.waves, self.waves.problem
-        products = [Products.of(self.omega[d.one], self.omega[d.two], problem.gravity) for d in differences]
-        total = [d.line.astype(complex) for d in differences]
-        for d, factors, out in zip(differences, products, total, strict=True):
+    def _forces(self, several):
+        waves, problem, kind = self.waves, self.waves.problem, self.kind
+        products = [Products.of(self.omega[d.one], kind.negative(self.omega[d.two]), problem.gravity) for d in several]
+        total = [d.line.astype(complex) for d in several]
+        for d, factors, out in zip(several, products, total, strict=True):
             for chunk in _chunks(len(d.one), len(waves.weights)):
                 i, j = d.one[chunk], d.two[chunk]
                 own, psi = Products(*(f[chunk] for f in factors)), d.near[None]
-                out[chunk] += integrated(own, [(self.whole[i], self.whole[j].conj())], psi, waves.weights)
-                out[chunk] -= integrated(own, [(self.incident[i], self.incident[j].conj())], psi, waves.weights)
+                out[chunk] += integrated(own, [(self.whole[i], self.whole[j].second(kind))], psi, waves.weights)
+                alone = self.incident[i], self.incident[j].second(kind)
+                out[chunk] -= integrated(own, [alone], psi, waves.weights)
         for w in range(len(waves.rings.edges) - 1):
-            _add_interval(waves, differences, products, w, self.begin, total)
-        for d, out in zip(differences, total, strict=True):
+            _add_interval(waves, several, products, w, self.begin, total, kind)
+        for d, out in zip(several, total, strict=True):
             self.tails.add(d, out)
         scale = 0.25j * 1j * problem.density / problem.gravity
-        return [scale * d.omega * out for d, out in zip(differences, total, strict=True)]
+        return [scale * d.omega * out for d, out in zip(several, total, strict=True)]
 
 
-def line_integral(surfaces, flow, radiated, waves, one, two):
+def line_integral(surfaces, flow, radiated, waves, one, two, kind=DIFFERENCE):
     """(q, 6) −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of the waves of a `HullFlow`, those of `waves`, less that of
     the incident ones, n out of the body
 
@@ -131,8 +138,8 @@ def line_integral(surfaces, flow, radiated, waves, one, two):
     )
     weighted, out = radiated.potential * line.weights, 0.0
     for phi, normal, sign in ((flow.potential, across, -1.0), (alone, alone_across, 1.0)):
-        first = (flow.omega[one, None] * phi[one]) * normal[two].conj()
-        second = (flow.omega[two, None] * phi[two].conj()) * normal[one]
+        first = (flow.omega[one, None] * phi[one]) * kind.second(normal[two])
+        second = (kind.negative(flow.omega[two, None]) * kind.second(phi[two])) * normal[one]
         out = out + sign * (first - second) @ weighted.T
     return out
 
@@ -155,32 +162,33 @@ def _intervals(waves):
     return edges, np.maximum(np.searchsorted(edges, needed), np.maximum(local, 1))
 
 
-def _add_interval(waves, differences, products, w, ends, total):
+def _add_interval(waves, several, products, w, ends, total, kind):
     """∬ over the interval w of the rings of all pairs that no tail has there"""
-    active = [np.flatnonzero(ends[d.one] > w) for d in differences]
-    both = zip(differences, active, strict=True)
+    active = [np.flatnonzero(ends[d.one] > w) for d in several]
+    both = zip(several, active, strict=True)
     used = np.unique(np.concatenate([np.concatenate([d.one[a], d.two[a]]) for d, a in both]))
     if not len(used):
         return
     fastest = max(waves.waves[i].k for i in used)
-    slow = max(d.far[0].k for d, a in zip(differences, active, strict=True) if len(a))
+    third = max(d.far[0].k for d, a in zip(several, active, strict=True) if len(a))
     low, high = waves.rings.edges[w : w + 2]
-    x, v = np.polynomial.legendre.leggauss(int(FEW + PER_RADIAN * (2 * fastest + slow) * (high - low) / 2))
+    x, v = np.polynomial.legendre.leggauss(int(FEW + PER_RADIAN * (2 * fastest + third) * (high - low) / 2))
     r = low + (high - low) * (1 + x) / 2
-    count = directions(orders_sent(fastest * waves.circle.radius))
+    most = max(wave.most for wave in (*(waves.waves[i] for i in used), *(d.far[0] for d in several)))
+    count = max(directions(orders_sent(max(fastest, third) * waves.circle.radius)), directions(most // 2))
     grid = _Grid(r, count, waves.rings, w, x)
     weights = np.repeat((high - low) / 2 * v * r * 2 * np.pi / count, count)
     place = {wave: n for n, wave in enumerate(used)}
     sent, incident = grid.fields([waves.waves[i] for i in used])
     whole = sent + incident
-    for d, factors, a, out in zip(differences, products, active, total, strict=True):
+    for d, factors, a, out in zip(several, products, active, total, strict=True):
         if not len(a):
             continue
         psi = grid.fields(d.far)[0][None]
         for chunk in _chunks(len(a), len(weights)):
             own = a[chunk]
             i, j = (np.array([place[n] for n in side[own]]) for side in (d.one, d.two))
-            terms = [(whole[i], sent[j].conj()), (sent[i], incident[j].conj())]
+            terms = [(whole[i], sent[j].second(kind)), (sent[i], incident[j].second(kind))]
             out[own] += integrated(Products(*(f[own] for f in factors)), terms, psi, weights)
 
 

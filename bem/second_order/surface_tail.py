@@ -12,6 +12,9 @@ of φ̄ⱼ and p = n − m of ψ meet, with a factor of frequencies alone that i
 
 Radii are real to where all orders oscillate, then r + ix, where sent waves decay with sent and with incident ones, and
 r − ix for what comes in with the first incident wave.  All pairs share the radii of a path, and the functions there.
+
+At the sum of two frequencies (`kinds`) κ > k + q, and all decays along r + ix.  φⱼ is Σ (−1)ⁿ c₋ₙ H_n e^{−inθ}, which
+has the place of Σ c̄ₙ H̄_n e^{−inθ}.
 """
 
 from __future__ import annotations
@@ -23,7 +26,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.lib.stride_tricks import as_strided
 
-from .surface_far import bessel_orders, both_signs, hankel_orders, slopes
+from .kinds import DIFFERENCE
+from .surface_far import bessel_orders, both_signs, hankel_orders, orders_sent, slopes
 
 PER_RADIAN, FEW = 0.6, 6  # radii of a real interval for a radian of the fastest product, and beside
 DECAY, POINTS, FIRST = 30.0, 6, 0.25  # at the end of a tail; of its intervals; of the shortest length, the first
@@ -34,14 +38,14 @@ NEGLIGIBLE = 1e-11  # of the largest order where a path begins: orders that are 
 class Path:
     """Radii in columns: along r − ix, the first one three times, real ones, along r + ix.
 
-    edges : (w,) m, of real intervals; highest : rad/m, of the waves
-    lowest, slowest : rad/m, of the waves that they meet and of ψ
+    edges : (w,) m, of real intervals; highest : rad/m, a third of that of the fastest product
+    least_down, least_up : rad/m, the least with which products decay along r − ix (infinite where none does), r + ix
     """
 
     edges: np.ndarray
     highest: float
-    lowest: float
-    slowest: float
+    least_down: float
+    least_up: float
 
     @cached_property
     def real(self):
@@ -54,15 +58,17 @@ class Path:
 
     @cached_property
     def down(self):
-        """(2, c) x and weights, m, of products that decay with k + q − κ, 2q or more"""
-        return self._away(2 * self.lowest)
+        """(2, c) x and weights, m, of products that decay with k + q − κ, 2q or more; none at sums"""
+        return self._away(self.least_down)
 
     @cached_property
     def up(self):
-        """(2, c) x and weights, m, of products that decay with k − q + κ, 2κ or more"""
-        return self._away(2 * self.slowest)
+        """(2, c) x and weights, m, of products that decay with k − q + κ, 2κ or more, at sums 2q or more"""
+        return self._away(self.least_up)
 
     def _away(self, least):
+        if np.isinf(least):
+            return np.zeros((2, 0))
         ends = [0.0, FIRST / (self.highest + 1 / self.edges[-1])]
         while ends[-1] < DECAY / least:
             ends.append(2 * ends[-1])
@@ -106,7 +112,8 @@ class Path:
         return np.concatenate([values[:-1, : self.first], three, values[:-1, self.first + 1 :]], axis=1)
 
     def weights(self, up, down, C, sides):
-        """(c,) of columns; up, down : rad/m, k − q + κ, k + q − κ; sides : of the three at the first radius, over it"""
+        """(c,) of columns; up, down : rad/m, as products decay along r + ix, r − ix; sides : of the three at the first
+        radius, over it"""
         (y, v), (r, u), (x, w) = self.down, self.real, self.up
         below, above = self.edges[-1] - 1j * y, self.edges[-1] + 1j * x
         parts = (
@@ -122,19 +129,24 @@ class Tails:
     """Integrals of waves [`surface_waves.Wave`] beyond the rings.
 
     edges : (w,) m of radii; begin, end : (f,) of each wave, the edges between which the radii of its pairs, as the
-    faster one, are real; slowest : rad/m, the least of ψ
+    faster one, are real; third : rad/m, the least and the largest of ψ; radius : m, of the circle; kind : `kinds.Kind`
     """
 
-    def __init__(self, waves, edges, begin, end, slowest, gravity):
-        self.waves, self.gravity, self.tables = waves, gravity, {}
+    def __init__(self, waves, edges, begin, end, third, radius, gravity, kind=DIFFERENCE):
+        self.waves, self.gravity, self.kind, self.tables = waves, gravity, kind, {}
         self.omega, first, self.number = np.unique([w.omega for w in waves], return_index=True, return_inverse=True)
         self.k, self.most = (np.array([getattr(waves[n], name) for n in first]) for name in ("k", "most"))
         self.ends = [(int(begin[n]), int(end[n])) for n in first]
         highest = dict(zip(self.ends, self.k, strict=True))  # the last of each, k rises
-        self.paths = {ends: Path(edges[ends[0] : ends[1] + 1], k, self.k[0], slowest) for ends, k in highest.items()}
+        self.of_third, lowest = orders_sent(third[1] * radius), 2 * float(self.k[0])
+        least = (np.inf, lowest) if kind.sign > 0 else (lowest, 2 * third[0])
+        self.paths = {
+            ends: Path(edges[ends[0] : ends[1] + 1], (2 * k + third[1]) / 3 if kind.sign > 0 else k, *least)
+            for ends, k in highest.items()
+        }
 
     def add(self, d, out):
-        """Add ∬ ψQ dS over ¼i, (q, 6), of the pairs of a `surface_forces.Difference` to `out`"""
+        """Add ∬ ψQ dS over ¼i, (q, 6), of the pairs of a `surface_forces.PairsOfOne` to `out`"""
         one, two = self.number[d.one], self.number[d.two]
         psi = {}
         for i, j in sorted(set(zip(one.tolist(), two.tolist(), strict=True))):
@@ -148,23 +160,45 @@ class Tails:
         path, kappa = self.paths[self.ends[i]], psi.k
         first, second = self._first(i), self._second(j, self.ends[i])
         M, N, P = first.most, second.most, psi.most
-        up, down = self.k[i] - self.k[j] + kappa, self.k[i] + self.k[j] - kappa
-        reach = path.reach(up)
-        H = psi.of_sent[:, :reach] * path.weights(up, down, *self._factors(i, j, kappa))[:reach]
-        beyond = slice(path.first, reach)
+        factors = self._factors(i, j, kappa)
+
+        def weighted(up, all_of_it=False):
+            columns = slice(0 if all_of_it else path.first, path.reach(up))
+            weights = path.weights(up, self.k[i] + self.k[j] - kappa, *factors)
+            return columns, psi.of_sent[:, columns] * weights[columns]
+
         sent, other = (np.array([self.waves[n].sent for n in side]) for side in (one, two))
-        sent, other = _orders(sent, M), _orders(other, N).conj()
+        sent, other = _orders(sent, M), self._second_orders(_orders(other, N))
         coming = np.array([self.waves[n].incident_orders(N + P) for n in one])
-        met = np.array([self.waves[n].incident_orders(M + P) for n in two]).conj()
-        both = _products(first.of_sent[:, beyond], second.of_sent[:, beyond], H[:, beyond], N, 1)
-        with_first = _products(first.of_incident[:, :reach], second.of_sent[:, :reach], H, N, 1)
-        with_second = _products(second.of_incident[:, beyond], first.of_sent[:, beyond], H[:, beyond], M, -1)
+        met = self._second_orders(np.array([self.waves[n].incident_orders(M + P) for n in two]))
+        for_both, for_first, for_second = self._decay(i, j, kappa)
+        columns, H = weighted(for_both)
+        both = _products(first.of_sent[:, columns], second.of_sent[:, columns], H, N, 1)
+        columns, H = weighted(for_first, True)
+        with_first = _products(first.of_incident[:, columns], second.of_sent[:, columns], H, N, 1)
+        columns, H = weighted(for_second)
+        with_second = _products(second.of_incident[:, columns], first.of_sent[:, columns], H, M, -1)
         sums = _met(both, _orders(sent, N + P), other, 1)
         sums = sums + _met(with_first, coming, other, 1) + _met(with_second, met, sent, -1)
         return 2 * np.pi * sums @ psi.coefficients.T
 
+    def _second_orders(self, coefficients):
+        """Those of e^{−inθ} of the second waves from theirs of e^{inθ} (…, 2M + 1), as products have them"""
+        if self.kind.sign < 0:
+            return coefficients.conj()
+        most = coefficients.shape[-1] // 2
+        return coefficients[..., ::-1] * np.where(np.arange(-most, most + 1) % 2, -1, 1)
+
+    def _decay(self, i, j, kappa):
+        """rad/m along r + ix: of both sent waves, the first incident one with the second, the second with the first
+
+        The incident ones decay as half of them does that goes out, at sums grow as the half that comes in.
+        """
+        k, q = self.k[i], self.k[j]
+        return (k + q + kappa, q - k + kappa, k - q + kappa) if self.kind.sign > 0 else (k - q + kappa,) * 3
+
     def _factors(self, i, j, kappa):
-        one, two, k, q = self.omega[i], self.omega[j], self.k[i], self.k[j]
+        one, two, k, q = self.omega[i], self.kind.negative(self.omega[j]), self.k[i], self.k[j]
         K, L = one**2 / self.gravity, two**2 / self.gravity
         C = (one - two) * (k**2 + q**2 - kappa**2 + 2 * K * L) + one * (L**2 - q**2) - two * (K**2 - k**2)
         return C, (two, -one, one - two)
@@ -173,10 +207,11 @@ class Tails:
         """`_Functions` of φᵢ along its own path"""
         if (i, None) not in self.tables:
             path, k, most = self.paths[self.ends[i]], self.k[i], self._kept(i, self.ends[i])
-            up = path.first + 3 + path.real.shape[1]
-            H, J = path.hankel(1, k, 2 * self.most[i], 1), path.bessel(k, 2 * self.most[i], 1)
-            J[:, : path.first] = 0.5 * path.hankel(2, k, 2 * self.most[i], 1)[:, : path.first]
-            J[:, up:] = 0.5 * H[:, up:]
+            up, top = path.first + 3 + path.real.shape[1], self.most[i] + max(self.most[i], self.of_third)
+            H, J = path.hankel(1, k, top, 1), path.bessel(k, top, 1)
+            if self.kind.sign < 0:
+                J[:, : path.first] = 0.5 * path.hankel(2, k, top, 1)[:, : path.first]
+                J[:, up:] = 0.5 * H[:, up:]
             self.tables[i, None] = _Functions(k, most, both_signs(H), both_signs(J))
         return self.tables[i, None]
 
@@ -184,8 +219,9 @@ class Tails:
         """`_Functions` of φ̄ⱼ along the path of another"""
         if (j, ends) not in self.tables:
             path, k, most = self.paths[ends], self.k[j], self._kept(j, ends)
-            top = 2 * max(m for m, own in zip(self.most, self.ends, strict=True) if own == ends)
-            H, J = path.hankel(2, k, most, 0), path.bessel(k, top, 0)
+            top = max(m for m, own in zip(self.most, self.ends, strict=True) if own == ends)
+            top += max(top, self.of_third)
+            H, J = path.hankel(2 if self.kind.sign < 0 else 1, k, most, 0), path.bessel(k, top, 0)
             self.tables[j, ends] = _Functions(k, most, both_signs(H), both_signs(J))
         return self.tables[j, ends]
 

@@ -20,8 +20,9 @@ class Field(NamedTuple):
     def __getitem__(self, which):
         return Field(self.value[which], self.slope[:, which])
 
-    def conj(self):
-        return Field(self.value.conj(), self.slope.conj())
+    def second(self, kind):
+        """As the second of a pair has it in products of a `kinds.Kind`"""
+        return Field(kind.second(self.value), kind.second(self.slope))
 
     def __add__(self, other):
         return Field(self.value + other.value, self.slope + other.slope)
@@ -54,21 +55,22 @@ class SurfaceWaves:
     """First-order waves of one problem on the surface, collected frequency by frequency.
 
     prepared : `PreparedPanelProblem`; surfaces : `hull_flow.HullSurfaces`; omega : (n,) rad/s, rising
-    differences : (d,) rad/s, above 0
+    of_force : (d,) rad/s, rising, above 0; kind : `kinds.Kind`
     raises : ValueError for a waterline that `surface_near` cannot go around
     """
 
-    def __init__(self, prepared, surfaces, omega, differences):
-        problem = prepared.problem
+    def __init__(self, prepared, surfaces, omega, of_force, kind):
+        problem, self.kind = prepared.problem, kind
         self.problem, self.geometry = problem, prepared.geometry.without_lid
         g = self.geometry
         self.circle, self.line = circle_about(g.mesh), surfaces.waterline
         longest, shortest = (
-            float(wavenumber(w, problem.depth, problem.gravity)) for w in (min(differences.min(), omega[0]), omega[-1])
+            float(wavenumber(w, problem.depth, problem.gravity))
+            for w in (min(of_force[0], omega[0]), max(of_force[-1], omega[-1]))
         )
         self.strips = strips_about(g.mesh, surfaces.waterline.flow, self.circle, shortest)
         most = orders_sent(shortest * self.circle.radius)
-        self.rings = rings_about(self.circle, problem.depth, [longest, shortest], most)
+        self.rings = rings_about(self.circle, problem.depth, [longest, shortest], most, kind)
         inside = np.concatenate([s.points.reshape(-1, 2) for s in self.strips])
         beside = np.concatenate([s.points[:, :, 1:].reshape(-1, 2) for s in self.strips])
         self.inside, self.beside = len(inside), len(beside)
@@ -141,7 +143,7 @@ class SurfaceWaves:
         on_line : (c, l) potential along the waterline
         """
         rings, k, count = self.rings, run.k, len(on_line)
-        reach = rings.within(reach_of_local(self.circle, self.problem.depth, k))
+        reach = rings.within(reach_of_local(self.circle, self.problem.depth, k, self.kind))
         per_interval = (len(self.influence.points) - self.beside) // (len(rings.edges) - 1)
         beside = np.zeros((count, len(self.images), self.beside), complex)
         around = np.zeros((count, reach, rings.radii.shape[1], rings.count), complex)

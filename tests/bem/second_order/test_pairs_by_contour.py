@@ -5,6 +5,7 @@ from functools import lru_cache
 import numpy as np
 import pytest
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
+from scipy.special import hankel1
 
 from bem import DOFS
 from bem.contour.hull.flow import HullPoints, SharedFrequency, radiated_flow, wave_flow
@@ -13,6 +14,8 @@ from bem.contour.pressure_drift import refined
 from bem.methods.panel_problem import PanelProblem
 from bem.methods.shape_problem import ShapeProblem
 from bem.second_order.bound_waves import bound_waves
+from bem.second_order.contour_waves import ContourWaves
+from bem.second_order.kinds import SUM
 from bem.second_order.quadratic_forces import quadratic_forces
 from bem.waves import wavenumber
 from meshing.shapes import box, buoy
@@ -76,6 +79,19 @@ def test_the_flow_under_the_keel_continues_that_on_the_side():
     edge = side[np.argsort(z[side])[:m]], below[np.argsort(-r[below])[:m]]
     one, two = (flow.on_hull[0, np.sort(part)] for part in edge)
     assert np.abs(one - two).max() < 2e-3 * np.abs(one).max()
+
+
+def test_the_waterline_has_the_potential_of_the_surface_beside_it_where_the_wall_moves_in_short_waves():
+    """At Kh = 9 in surge of unit velocity, which is that of the water along a first ring 7 mm off the side"""
+    body = ShapeProblem(method="contour", shape="buoy", sizes=(RADIUS, 18.0), depth=20.0)
+    waves = ContourWaves(body, np.array([1.0, 1.1]), [0.0], False, np.array([2.1]), True, kind=SUM)
+    freq = waves.radiation(2.1)
+    line, (surge, *_) = waves.radiated(freq), waves.around.radiated(freq, None)[1]
+    r, m = waves.around.rings.radii[0, 0], surge.most
+    beside = 2 * (surge.sent[m + 1] * hankel1(1, surge.k * r) + surge.local[0, 0, 1])
+    points = waves.surfaces.waterline.points
+    on_line = line.potential[0] * RADIUS / points[:, 0]
+    assert r - RADIUS < 0.01 and np.abs(on_line - beside + (r - RADIUS)).max() < 1e-4 * abs(beside)
 
 
 def test_without_a_gap_it_is_the_cylinder_on_the_bed():

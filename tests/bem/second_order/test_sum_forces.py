@@ -8,6 +8,7 @@ from exact.second_order_cylinder import free_surface_force, long_wave_force, qua
 from exact.water_waves import wavenumber
 
 from bem.methods.panel_problem import PanelProblem
+from bem.methods.shape_problem import ShapeProblem
 from bem.second_order.bound_waves import bound_waves
 from bem.second_order.kinds import SUM
 from bem.second_order.quadratic_forces import quadratic_forces
@@ -16,6 +17,7 @@ from meshing.shapes import box, buoy
 RHO, G = 1025.0, 9.80665
 RADIUS, DEPTH = 10.0, 20.0
 OMEGA = [np.sqrt(G * ka / RADIUS * np.tanh(ka / RADIUS * DEPTH)) for ka in (0.4, 0.6)]
+ROWS = (0, 0), (1, 0), (1, 1)  # pairs, in the order of their sums
 
 
 def exact(one, two, part, moment, radius=RADIUS, depth=DEPTH):
@@ -30,22 +32,37 @@ def exact(one, two, part, moment, radius=RADIUS, depth=DEPTH):
 
 def on_the_bed(side):
     problem = PanelProblem(buoy(RADIUS, DEPTH, counts=(side, 1, side), bottom=False), depth=DEPTH)
-    return quadratic_forces(problem, OMEGA, [0.0], 9.0, False, kind=SUM)
+    return quadratic_forces(problem, OMEGA, [0.0], 9.0, False, kind=SUM, surface=True)
 
 
 def test_the_cylinder_on_the_bed_has_the_force_and_moment_of_its_eigenfunctions():
     """Squares of panels converge with their length, as those of difference frequencies do before the far field helps"""
-    errors = []
+    errors, parts = [], ("squares", "bound_wave", "surface")
     for forces in (on_the_bed(4), on_the_bed(8)):
-        for row, (i, j) in enumerate(((0, 0), (1, 0), (1, 1))):
+        for row, (i, j) in enumerate(ROWS):
             assert forces.frequency[row] == pytest.approx(OMEGA[i] + OMEGA[j])
-            for part in ("squares", "bound_wave"):
-                for mode in (0, 4):
-                    known = exact(OMEGA[i], OMEGA[j], part, mode == 4)
-                    errors.append(abs(getattr(forces, part)[row, j, 0, 0, mode] - known) / abs(known))
-    coarse, fine = np.array(errors).reshape(2, 3, 2, 2)
+            for mode in (0, 4):
+                known = np.array([exact(OMEGA[i], OMEGA[j], part, mode == 4) for part in parts])
+                found = np.array([getattr(forces, part)[row, j, 0, 0, mode] for part in parts])
+                whole = abs(found.sum() - known.sum()) / abs(known.sum())
+                errors.append([*np.abs(found - known) / np.abs(known), whole])
+    coarse, fine = np.array(errors).reshape(2, 6, 4)
     assert np.all(fine[:, 0] < 0.04) and np.all(fine[:, 0] < 0.65 * coarse[:, 0])
     assert np.all(fine[:, 1] < 3e-4) and np.all(fine[:, 1] < 0.35 * coarse[:, 1])
+    assert np.all(fine[:, 2] < 3e-3)
+    assert np.all(fine[:, 3] < 0.02) and np.all(fine[:, 3] < 0.55 * coarse[:, 3])
+
+
+def test_the_contour_method_has_that_force_without_the_gap_under_the_keel():
+    """What a gap of s changes is of first order in it: of two the rest is of order s² ln s"""
+    known = [sum(exact(OMEGA[i], OMEGA[j], p, False) for p in ("squares", "bound_wave", "surface")) for i, j in ROWS]
+    found = []
+    for gap in (0.2, 0.1):
+        cylinder = ShapeProblem(method="contour", shape="buoy", sizes=(RADIUS, DEPTH - gap), depth=DEPTH)
+        forces = quadratic_forces(cylinder, OMEGA, [0.0], 9.0, False, kind=SUM, surface=True)
+        found.append(np.array([forces.total[row, j, 0, 0, 0] for row, (_, j) in enumerate(ROWS)]))
+    off = [np.abs(T - known) / np.abs(known) for T in (found[1], 2 * found[1] - found[0])]
+    assert np.all(off[0] > 5e-4) and np.all(off[1] < 3e-4)
 
 
 @pytest.mark.parametrize("moment", [False, True])
@@ -76,9 +93,10 @@ def floating():
 
 
 def test_two_headings_in_the_other_order_give_the_same():
-    found = quadratic_forces(floating(), np.linspace(0.4, 0.6, 3), np.radians([0, 40]), 2.0, True, kind=SUM)
+    omega, headings = np.linspace(0.4, 0.6, 3), np.radians([0, 40])
+    found = quadratic_forces(floating(), omega, headings, 2.0, True, surface=True, kind=SUM)
     assert found.frequency == pytest.approx(np.linspace(0.8, 1.2, 5))
-    for part in (found.squares, found.bound_wave, found.body):
+    for part in (found.squares, found.bound_wave, found.body, found.surface):
         for n in range(3):
             own = part[2 * n, n]
             assert np.abs(own - own.swapaxes(0, 1)).max() < 1e-12 * np.abs(own).max()

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from scipy.special import h1vp, hankel1, jv, jve, jvp
 
+from bem.second_order.kinds import DIFFERENCE, SUM
 from bem.second_order.surface_far import bessel_orders
-from bem.second_order.surface_forces import Difference, Products, integrated
+from bem.second_order.surface_forces import PairsOfOne, Products, integrated
 from bem.second_order.surface_tail import Tails
 from bem.second_order.surface_waves import Field, Wave
 from bem.waves import wavenumber
@@ -43,24 +44,29 @@ def on_grid(wave, r, theta):
     return out
 
 
-@pytest.mark.parametrize("one, two", [(2, 1), (1, 0), (2, 0)])
-def test_what_two_circles_differ_by_is_between_them(one, two):
+@pytest.mark.parametrize(
+    "one, two, kind", [(2, 1, DIFFERENCE), (1, 0, DIFFERENCE), (2, 0, DIFFERENCE), (2, 0, SUM), (1, 1, SUM)]
+)
+def test_what_two_circles_differ_by_is_between_them(one, two, kind):
     edges = np.array([50.0, 70.0, 90.0, 250.0])
-    psi = [made_up(OMEGA[one] - OMEGA[two], 0.0)] * 6
-    slowest = float(wavenumber(0.2, DEPTH, G))
+    of_force = kind.of(OMEGA[one], OMEGA[two])
+    psi, third = [made_up(of_force, 0.0)] * 6, [float(wavenumber(w, DEPTH, G)) for w in (0.2, 1.8)]
     found = []
     for begin in (0, 2):
-        tails, out = Tails(WAVES, edges, [begin] * 3, [3] * 3, slowest, G), np.zeros((1, 6), complex)
-        one_pair = Difference(OMEGA[one] - OMEGA[two], np.array([one]), np.array([two]), None, psi, None)
+        tails = Tails(WAVES, edges, [begin] * 3, [3] * 3, third, 8.0, G, kind)
+        one_pair, out = (
+            PairsOfOne(of_force, np.array([one]), np.array([two]), None, psi, None),
+            np.zeros((1, 6), complex),
+        )
         tails.add(one_pair, out)
         found.append(out[0, 0])
     x, w = np.polynomial.legendre.leggauss(24)
     r, theta = 70.0 + 20.0 * x, 2 * np.pi * np.arange(180) / 180
     weights = np.repeat(20.0 * w * r * 2 * np.pi / 180, 180)
     (sent, coming), (other, met) = (on_grid(WAVES[n], r, theta) for n in (one, two))
-    factors = Products.of(OMEGA[[one]], OMEGA[[two]], G)
+    factors = Products.of(OMEGA[[one]], kind.negative(OMEGA[[two]]), G)
     third = on_grid(psi[0], r, theta)[0][None]
-    between = integrated(factors, [(sent + coming, other.conj()), (sent, met.conj())], third, weights)[0, 0]
+    between = integrated(factors, [(sent + coming, other.second(kind)), (sent, met.second(kind))], third, weights)[0, 0]
     assert abs(found[0] - found[1] - between) < 1e-8 * abs(between)
 
 
