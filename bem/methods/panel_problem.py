@@ -29,9 +29,10 @@ class PanelProblem(Problem):
 
     mesh : hull panels; lid : interior free-surface panels or None
     coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None does without
-    finer : for frequencies whose estimated error exceeds the tolerance; None does without.  finer(mesh) gives (mesh,
-        lid) of the same body with about twice as many panels, or None at the last; finer.omegas (n,) rad/s are those
-        that will be asked for; finer.band(mesh, lid, omegas) gives the `band` of some of them on that mesh, or None
+    finer : for frequencies whose estimated error exceeds the tolerance, extrapolated from both meshes too; None does
+        without.  finer(mesh, lid) gives both of the same body with about twice as many panels, or None at the last;
+        finer.omegas (n,) rad/s are those that will be asked for; finer.band(mesh, lid, omegas) gives the `band` of some
+        of them on that mesh, or None
     nodes_per_panel : 4 (bilinear) or 1 (constant)
     wall : y in m of a vertical wall along x that reflects all waves; None for open water
     zero_draft : the flat bottom of the hull laid into the water surface, `bem.panels.zero_draft`
@@ -66,8 +67,8 @@ class PanelProblem(Problem):
 
     def refined(self):
         """The same on more panels, each frequency alone, or None; without a lid if it has none"""
-        found = None if self.finer is None else self.finer(self.mesh)
-        return None if found is None else self._on(found[0], None if self.lid is None else found[1], band=None)
+        found = None if self.finer is None else self.finer(self.mesh, self.lid)
+        return None if found is None else self._on(*found, band=None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,14 +132,14 @@ class PreparedPanelProblem:
     @property
     def _beyond_tolerance(self):
         """(n,) rad/s of the frequencies asked for that lie between those of some `PROBES` whose radiation keeps the
-        tolerance, below and above all that do not: the same whichever frequency is solved first
+        tolerance, if need be extrapolated, below and above all that do not: the same whichever is solved first
         """
         omegas = self.problem.finer.omegas
         probes = np.unique(np.linspace(0, len(omegas) - 1, PROBES).astype(int))
         if len(omegas) < 2 * len(probes):
             return omegas[:0]
         runs = (self.run(omegas[i], (), RADIATION, None, DOFS) for i in probes)
-        beyond = np.flatnonzero([run.tolerances > 1 for run in runs])
+        beyond = np.flatnonzero([run.tolerances > 1 and run.extrapolated.tolerances > 1 for run in runs])
         if not len(beyond):
             return omegas[:0]
         around = np.concatenate([[-1], probes, [len(omegas)]])

@@ -23,7 +23,7 @@ class PanelRun(FrequencyRun):
     """Potentials and forces of one frequency, by direct boundary elements (`bem.panels.influence`).
 
     Only symmetry classes with a wanted degree of freedom or an incident wave are assembled and solved.
-    refined : the same on fewer panels, of which this is the `sharper` run; None without one
+    refined : the same on fewer panels, than which this one is sharper; None without one
     """
 
     most_sharper = 3
@@ -61,10 +61,27 @@ class PanelRun(FrequencyRun):
         """The same frequency on the coarser mesh, or None"""
         return self.refined or (self.prepared.coarse and self.prepared.coarse.run(*self.question))
 
+    @cached_property
+    def extrapolated(self):
+        """The same frequency without most of the error that the coarser mesh shows"""
+        from .extrapolated import ExtrapolatedRun
+
+        return ExtrapolatedRun(self)
+
     @property
     def sharper(self):
-        """On the next finer mesh of the problem; None where it has none, or no estimate asks for it"""
-        finer = None if self.coarse is None else self.prepared.finer
+        """Extrapolated from both meshes or, where that is not trusted to keep the tolerance, on the next finer one
+
+        None where no estimate asks for it, and on a number of panels that was asked for
+        """
+        if self.coarse is None or self.problem.finer is None:
+            return None
+        return (lambda: self.extrapolated) if self.extrapolated.tolerances <= 1 else self.on_finer_mesh
+
+    @property
+    def on_finer_mesh(self):
+        """What makes a run on the next finer mesh of the problem, or None at the last"""
+        finer = self.prepared.finer
         return None if finer is None else partial(self._on, finer)
 
     def _on(self, finer):

@@ -23,6 +23,7 @@ from .panel_counts import FEWEST, coarse_counts, fine_counts, finer_counts, mesh
 MOST_PANELS = 20_000
 MOST_GIVEN = 100_000  # of a mesh file, or by --panels
 FOR_SHOW = 500  # panels of a mesh that is only drawn
+PER_WAVE = 4.7  # panels along the shortest wave; with fewer, extrapolation leaves too much to do without finer meshes
 MOST_REFINED = 5000  # panels of a mesh for single frequencies, whose full equations take up to 2 GB
 
 
@@ -108,31 +109,40 @@ def make_lid(scene, mesh):
     return lid(mesh, max(wide, math.sqrt(3 * waterplane / mesh.total)))
 
 
-def coarse_hull(scene, mesh, fewest=FEWEST):
+def lid_in_proportion(cover, mesh, other):
+    """The lid of another mesh of a hull, with as many panels for each of its own as `cover` has; None of None
+
+    Where it was not, the error of a lid was left in what two meshes have alike: of the damping of the series box in
+    its shortest waves, 1.2 % off, 0.9 % were not seen.
+    """
+    return None if cover is None else lid(other, math.sqrt(cover.areas.mean() * mesh.total / other.total))
+
+
+def coarse_hull(scene, mesh, cover, fewest=FEWEST):
     """(mesh, lid) with about half as many panels, against which the error is estimated.
 
     None for mesh files, and where the mesh itself is so coarse that half of it would tell nothing.
-    fewest : in a direction
+    cover : the lid of the mesh, or None; fewest : in a direction
     """
     counts = None if scene.body.shape == "mesh" else coarse_counts(scene.body, mesh, fewest)
     if counts is None:
         return None
     coarse = meshed(scene.body, counts)
-    return coarse, make_lid(scene, coarse)
+    return coarse, lid_in_proportion(cover, mesh, coarse)
 
 
 def coarse_hull_of(header, fewest):
     """`coarse_hull` of the scene in the header of a database; None without a scene"""
     if not header.scene:
         return None
-    return coarse_hull(typed(tomllib.loads(header.scene), Scene, SceneError), header.mesh, fewest)
+    return coarse_hull(typed(tomllib.loads(header.scene), Scene, SceneError), header.mesh, header.lid, fewest)
 
 
 @dataclass(frozen=True)
 class FinerHull:
     """Meshes for the frequencies of a scene whose estimated error exceeds the tolerance.
 
-    Called with a mesh it gives (mesh, lid) of about twice as many panels, or None above `MOST_REFINED`.
+    Called with a mesh and its lid it gives both of about twice as many panels, or None above `MOST_REFINED`.
     """
 
     scene: Scene
@@ -146,9 +156,9 @@ class FinerHull:
         """`large.shared_band` of some of these frequencies"""
         return shared_band(self.scene, mesh, lid, omegas)
 
-    def __call__(self, mesh):
+    def __call__(self, mesh, cover):
         finer = meshed(self.scene.body, finer_counts(self.scene.body, mesh))
-        return None if finer.total > MOST_REFINED else (finer, make_lid(self.scene, finer))
+        return None if finer.total > MOST_REFINED else (finer, lid_in_proportion(cover, mesh, finer))
 
 
 def finer_hull(scene):
@@ -161,10 +171,10 @@ def _meshed(body, panels):
 
 
 def _fine_enough(scene):
-    """A mesh of the panels the tolerance asks for, or more so that no edge is longer than two sevenths of the wave."""
+    """A mesh of the panels the tolerance asks for, or more so that there are `PER_WAVE` along every wave."""
     wave = scene.shortest_wave
-    least = _wetted_area(scene.body) / (wave / 3.5) ** 2  # no panel is larger than the square of its edge
-    mesh = None if least > MOST_PANELS else meshed(scene.body, fine_counts(scene.body, scene.accuracy, wave / 3.5))
+    least = _wetted_area(scene.body) / (wave / PER_WAVE) ** 2  # no panel is larger than the square of its edge
+    mesh = None if least > MOST_PANELS else meshed(scene.body, fine_counts(scene.body, scene.accuracy, wave / PER_WAVE))
     if mesh is None or mesh.total > MOST_PANELS:
         raise SceneError(
             f"tolerance {scene.accuracy:g} and the shortest wave {wave:.3g} m ask for "

@@ -46,10 +46,10 @@ def _panels_of_limits(scene, body):
 
 
 def _panel_problem(header, scene, body):
-    coarse, draftless = coarse_hull(scene, header.mesh), scene.approach.method == "pressure"
-    lid = header.lid or make_lid(scene, header.mesh)
+    lid, draftless = header.lid or make_lid(scene, header.mesh), scene.approach.method == "pressure"
     if scene.omegas()[-1] ** 2 / scene.water.gravity <= lid_needed_from(header.mesh):
-        lid, coarse = None, coarse and (coarse[0], None)
+        lid = None
+    coarse = coarse_hull(scene, header.mesh, lid)
     band = None if draftless else shared_band(scene, header.mesh, lid)
     finer = finer_hull(scene)
     return PanelProblem(header.mesh, lid, coarse, finer, wall=scene.wall, zero_draft=draftless, band=band, **body)

@@ -10,6 +10,7 @@ SCRIPTS = {
     "fit_contour_accuracy": "boxes in short waves, held out: 1 bodies",
     "fit_panel_counts": "| cylinders, held out | 1 |",
     "fit_lid_share": "SHARE in the code",
+    "extrapolated": "LEFT, OF_WAVES in the code",
     "contour": "| box 100 × 50 × 10 × 20 | 1e-03 |",
     "raised_bed": "| 10 × 50 |",
     "short_waves": "X₃₄₅ over estimate: 0.5:",

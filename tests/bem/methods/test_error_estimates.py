@@ -88,7 +88,7 @@ def test_panels_are_doubled_until_the_estimate_of_damping_keeps_the_tolerance():
     np.testing.assert_array_equal(run.pressure(), first.pressure())  # of the stored mesh
     while run is not None:
         meshes, run = [run.problem.mesh.total, *meshes], run.refined
-    assert meshes[0] == first.problem.mesh.total and len(meshes) > 2
+    assert meshes[0] == first.problem.mesh.total and len(meshes) > 1
     assert all(1.7 < more / few < 2.4 for few, more in itertools.pairwise(meshes))
 
 

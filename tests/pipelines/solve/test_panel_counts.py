@@ -91,8 +91,9 @@ def test_the_finer_mesh_has_about_twice_the_panels_in_the_same_proportion(body):
 
 def test_finer_meshes_end_where_full_equations_get_large():
     scene = scene_of(BODIES["series box"])
-    finer, mesh, totals = finer_hull(scene), make_hull(scene).mesh, []
-    while (found := finer(mesh)) is not None:
+    hull = make_hull(scene)
+    finer, mesh, lid, totals = finer_hull(scene), hull.mesh, hull.lid, []
+    while (found := finer(mesh, lid)) is not None:
         mesh, lid = found
         assert lid is not None
         totals.append(mesh.total)
@@ -101,10 +102,20 @@ def test_finer_meshes_end_where_full_equations_get_large():
 
 def test_a_mesh_too_coarse_to_be_halved_has_no_estimate():
     few = scene_of(BODIES["series box"], panels=48)
-    assert coarse_hull(few, make_hull(few).mesh) is None
+    assert coarse_hull(few, make_hull(few).mesh, None) is None
     more = scene_of(BODIES["series box"], panels=104)
-    mesh, lid = coarse_hull(more, make_hull(more).mesh)
+    hull = make_hull(more)
+    mesh, lid = coarse_hull(more, hull.mesh, hull.lid)
     assert mesh.total < 104 and lid is not None
+
+
+def test_lids_have_panels_in_proportion_to_those_of_their_hulls():
+    """Whatever the waves ask of the lid of the mesh itself: what both lids have alike would show no error"""
+    scene = scene_of(BODIES["series box"], tolerance=0.002, waves={"omegas": [1.5]})
+    hull, finer = make_hull(scene), finer_hull(scene)
+    for mesh, lid in (coarse_hull(scene, hull.mesh, hull.lid), finer(hull.mesh, hull.lid)):
+        assert len(lid) / len(hull.lid) == pytest.approx(mesh.total / hull.mesh.total, rel=0.25)
+    assert coarse_hull(scene, hull.mesh, None)[1] is None and finer(hull.mesh, None)[1] is None
 
 
 def test_the_counts_of_an_asked_number_of_panels_are_those_of_its_mesh():
