@@ -1,11 +1,11 @@
 """Slow forces of pairs of waves by level: a cylinder on the bed against its own sums, the series box in seas.
 
-    python tests/bench/bound_waves.py [--panels 400]
+    python tests/bench/bound_waves.py [--panels 400] [--plot docs/slow_forces.png]
 
 First T of two waves on a cylinder of radius a = 10 m in 20 m, over ρga: by Newman's approximation, with the bound
 wave, with the exact squares beside it, with the forcing of the surface; and how far off are panels in what they solve
 and the contour method as its gap closes.  Then standard deviations of the slow surge force of the box of 100 × 50 ×
-10 m in JONSWAP seas of 1 m from ahead, held and afloat, and what each level costs in processor time.
+10 m in JONSWAP seas of 1 m from ahead, held and afloat, and what each level costs in processor time; drawn afloat.
 """
 
 import argparse
@@ -34,6 +34,7 @@ from mooring.response.slow_drift import force_spectrum, force_spectrum_with
 
 RADIUS, DEPTH, RHO, G = 10.0, 20.0, 1025.0, 9.80665
 GAPS = 0.4, 0.2, 0.1, 0.05
+PEAKS, LEVELS = (8.0, 10.0, 12.0, 14.0), ("newman", "bound-wave", "body", "full")
 PAIRS = ((0.2, 0.4), (0.4, 0.6), (0.6, 0.8), (1.0, 1.2), (1.8, 2.0))
 
 
@@ -92,6 +93,8 @@ def by_contour():
 
 
 def seas(panels):
+    """{(depth, afloat): (peak periods, 4) kN by level}"""
+    out = {}
     omega, difference = np.linspace(0.3, 1.8, 51), np.linspace(0.0, 0.2, 41)
     for depth in (12.0, 20.0):
         mesh = box(100, 50, 10, panels=panels)
@@ -108,7 +111,8 @@ def seas(panels):
             print(f"series box {'afloat' if moving else 'held'} in {depth:g} m, {mesh.total} panels, σ of surge, kN")
             heads = f"  {'Newman':>15} {'+ bound wave':>13} {'body':>8} {'full':>8}"
             print(f"{heads}   s of processor: bound wave; full {seconds:.1f}")
-            for peak in (8.0, 10.0, 12.0, 14.0):
+            out[depth, moving] = np.empty((len(PEAKS), len(LEVELS)))
+            for i, peak in enumerate(PEAKS):
                 spectrum = jonswap(1.0, peak_period=peak)
                 mean = float(spectrum.moment(1) / spectrum.moment(0))
                 start = time.process_time()
@@ -119,12 +123,33 @@ def seas(panels):
                 sigma = [np.sqrt(np.trapezoid(S[:, 0], difference)) / 1e3 for S in spectra]
                 values = " ".join(f"{value:{width}.1f}" for value, width in zip(sigma, (8, 13, 8, 8), strict=True))
                 print(f"  Tp {peak:2g} s {values} {seconds_bound:12.1f}")
+                out[depth, moving][i] = sigma
+    return out
+
+
+def draw(sigma, path):
+    """The slow force of the floating box over the peak period, by level, a picture for each depth"""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9, 3.4), layout="constrained")
+    axes = figure.subplots(1, 2, sharey=True)
+    for axis, depth in zip(axes, (12.0, 20.0), strict=True):
+        for name, values in zip(LEVELS, sigma[depth, True].T, strict=True):
+            axis.plot(PEAKS, values, "o-" if name == "full" else "o--", lw=2.2 if name == "full" else 1.2, label=name)
+        axis.set(title=f"{depth:g} m of water", xlabel="peak period  s", xticks=PEAKS, ylim=(0, None))
+        axis.grid(True, color="0.9", linewidth=0.6)
+    axes[0].set_ylabel("σ of slow surge force  kN")
+    axes[0].legend(frameon=False)
+    figure.savefig(path, dpi=110)
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--panels", type=int, default=400)
-    panels = parser.parse_args().panels
-    cylinder(panels)
+    parser.add_argument("--plot", help="picture of the floating box")
+    asked = parser.parse_args()
+    cylinder(asked.panels)
     by_contour()
-    seas(panels)
+    found = seas(asked.panels)
+    if asked.plot:
+        draw(found, asked.plot)
