@@ -14,7 +14,7 @@ from .integrity import ROWS, has_checksums, remark, row_crcs
 from .rows import estimate_of, mark_whole_rows, places_on, same_heading, same_omega, writing
 from .schema import CHECKS, QUANTITIES, cell_axes
 
-GROUPS = ("qtf",)
+GROUPS = ("qtf", "qtf_sum")
 
 
 def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
@@ -56,6 +56,8 @@ def write_group(path, name, datasets, attributes):
         quantities = [quantity for quantity in QUANTITIES if quantity in old]
         lay_out(file, read_header(old), old["omega"][()], old["wave_direction"][()], quantities)
         take_over(old, file)
+        for other in (other for other in GROUPS if other in old and other != name):
+            fill(file, other, *content(old, other))
         fill(file, name, datasets, attributes)
 
 

@@ -1,9 +1,10 @@
-"""Difference-frequency forces of pairs in WAMIT's file NAME.12d (user manual, version 7.4, chapter 12).
+"""Forces of pairs in WAMIT's files NAME.12d and NAME.12s (user manual, version 7.4, chapter 12).
 
-    PER₁ PER₂ BETA₁ BETA₂ I Mod Pha Re Im        F(t) = Re Σᵢ Σⱼ Aᵢ Āⱼ ρg F̄_ij exp{+i(ωᵢ − ωⱼ)t}
+    PER₁ PER₂ BETA₁ BETA₂ I Mod Pha Re Im        F(t) = Re Σᵢ Σⱼ Aᵢ Āⱼ ρg F̄_ij exp{+i(ωᵢ − ωⱼ)t}    of .12d
+                                                 F(t) = Re Σᵢ Σⱼ Aᵢ Aⱼ ρg F̄_ij exp{+i(ωᵢ + ωⱼ)t}    of .12s
 
 with ULEN = 1 m, periods in s, headings in degrees that the waves travel to, phases in degrees: the conjugates of ours.
-Pairs of the other order have the conjugate; the file has those with PER₁ ≤ PER₂.
+Pairs of the other order have the conjugate, in .12s the same; the files have those with PER₁ ≤ PER₂.
 """
 
 from __future__ import annotations
@@ -14,35 +15,38 @@ import numpy as np
 
 from meshing.whole_files import made_beside
 
+from ..second_order.kinds import DIFFERENCE, SUM
 from ..second_order.quadratic_forces import QuadraticForces
 from .values import FormatError, table_of
 
-SUFFIX = ".12d"
+SUFFIXES = {DIFFERENCE: ".12d", SUM: ".12s"}
 EVEN = 1e-3  # of the step between frequencies: periods are printed with seven digits
 
 
 def write_pairs(forces, place, weight):
-    """Write NAME.12d of a `QuadraticForces` and return its path; weight : ρg, N/m³"""
-    path, degrees = Path(place).with_suffix(SUFFIX), np.degrees(forces.headings)
+    """Write NAME.12d or .12s of a `QuadraticForces` and return its path; weight : ρg, N/m³"""
+    path, degrees = Path(place).with_suffix(SUFFIXES[forces.kind]), np.degrees(forces.headings)
     T = forces.total.conj() / weight
     with made_beside(path) as partial, partial.open("w", encoding="ascii") as file:
-        for m, difference in enumerate(forces.frequency):
-            for n, omega in enumerate(forces.omega[: len(forces.omega) - m]):
-                periods = f"{2 * np.pi / (omega + difference): .6E} {2 * np.pi / omega: .6E}"
+        for m in range(len(forces.frequency)):
+            for higher, lower in zip(*forces.kind.pairs(m, len(forces.omega)), strict=True):
+                one, two = forces.omega[[higher, lower]]
+                periods = f"{2 * np.pi / one: .6E} {2 * np.pi / two: .6E}"
                 for a, b in np.ndindex(len(degrees), len(degrees)):
                     head = f"{periods} {degrees[a]: .6E} {degrees[b]: .6E}"
-                    for i, x in enumerate(T[m, n, a, b], 1):
+                    for i, x in enumerate(T[m, lower, a, b], 1):
                         polar = f"{abs(x): .6E} {np.degrees(np.angle(x)): .6E}"
                         file.write(f"{head}{i:6d} {polar} {x.real: .6E} {x.imag: .6E}\n")
     return path
 
 
-def read_pairs(place, weight):
-    """`QuadraticForces` of NAME.12d, all of it as squares, since the file does not tell its parts; None without one
+def read_pairs(place, weight, kind=DIFFERENCE):
+    """`QuadraticForces` of NAME.12d or .12s, all of it as squares, since the file does not tell its parts; None without
+    one
 
-    raises : FormatError for uneven frequencies, pairs of a difference that are missing
+    raises : FormatError for uneven frequencies, pairs of a difference or sum that are missing
     """
-    path = Path(place).with_suffix(SUFFIX)
+    path, second = Path(place).with_suffix(SUFFIXES[kind]), kind.second
     if not path.exists():
         return None
     table = table_of(path, (9,))
@@ -53,21 +57,23 @@ def read_pairs(place, weight):
     degrees = np.unique(np.round(table[:, 2:4], 6))
     a, b = (np.searchsorted(degrees, np.round(table[:, column], 6)) for column in (2, 3))
     swapped = n < l
-    value = np.where(swapped, value.conj(), value)
+    value = np.where(swapped, second(value), value)
     n, l, a, b = (np.where(swapped, y, x) for x, y in ((n, l), (l, n), (a, b), (b, a)))
-    m = n - l
+    m = n + kind.sign * l
     shape = m.max() + 1, len(omega), len(degrees), len(degrees), 6
     out = np.full(shape, np.nan, complex)
     out[m, l, a, b, table[:, 4].astype(int) - 1] = value
-    other = out[0].swapaxes(1, 2).conj()
-    out[0] = np.where(np.isnan(out[0]), other, out[0])
-    for apart in range(shape[0]):
-        if np.isnan(out[apart, : len(omega) - apart]).any():
-            raise FormatError(
-                f"{path} lacks pairs {apart * step:.4g} rad/s apart; allowed: all pairs up to the largest difference"
-            )
+    alike = (np.arange(len(omega)) * (1 + kind.sign), np.arange(len(omega)))  # pairs of a frequency with itself
+    alike = tuple(places[alike[0] < shape[0]] for places in alike)
+    own = out[alike]
+    out[alike] = np.where(np.isnan(own), second(own.swapaxes(1, 2)), own)
+    frequency = kind.of(omega[0], omega[0]) + step * np.arange(shape[0])
+    for row, there in enumerate(frequency):
+        if np.isnan(out[row, kind.pairs(row, len(omega))[1]]).any():
+            apart = f"{there:.4g} rad/s apart" if kind is DIFFERENCE else f"whose sum is {there:.4g} rad/s"
+            raise FormatError(f"{path} lacks pairs {apart}; allowed: all pairs up to the largest {kind.name}")
     zero = np.where(np.isnan(out), np.nan, 0.0 * out)
-    return QuadraticForces(omega, step * np.arange(shape[0]), np.radians(degrees), out, zero, zero)
+    return QuadraticForces(omega, frequency, np.radians(degrees), out, zero, zero, kind=kind)
 
 
 def _even(path, frequencies):

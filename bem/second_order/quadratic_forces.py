@@ -27,6 +27,7 @@ from .surface_forces import PairsOfOne, SurfaceForces, line_integral
 
 ORDER = 1.4  # of the error in the number of panels, fitted to the scenes of `tests/bench/pair_errors.py`
 SIZES = 0.08, 0.33, 1.3  # factors of estimated errors: heave, roll, pitch; surge, sway, yaw; of the motions; fitted too
+OF_SUMS = 1.9  # times those of sums of frequencies; `tests/bench/sum_errors.py`
 HORIZONTAL = [0, 1, 5]
 PLACES = np.array([0.2, 0.5, 0.8])  # in the band, of pairs that tell how large the surface's part is
 PARTS = ("squares", "bound_wave", "body", "surface")
@@ -282,7 +283,8 @@ def panel_errors(forces, coarser, refinement, by_motions=None):
     less = 1 / (refinement**ORDER - 1)
     square = np.abs(forces.total - coarser) ** 2
     off, size = np.sqrt(_smoothed(square)) * less, np.sqrt(_smoothed(np.abs(forces.squares) ** 2))
-    out = SIZES[0] * np.sqrt(off) * (size * np.sqrt(_smoothed(np.abs(forces.total) ** 2))) ** 0.25
+    factor = SIZES[0] * (OF_SUMS if forces.kind is SUM else 1.0)
+    out = factor * np.sqrt(off) * (size * np.sqrt(_smoothed(np.abs(forces.total) ** 2))) ** 0.25
     if by_motions is not None:
         out = np.hypot(out, SIZES[2] * np.sqrt(_smoothed(np.abs(by_motions) ** 2)) * less)
     if forces.added is not None:
@@ -332,7 +334,8 @@ def _with_neighbours(values, axis):
 def _sizes(forces):
     """Squares of the surface's part and of the whole in surge and sway, summed over pairs of equal headings"""
     each = np.arange(len(forces.headings))
-    parts = (part[1:, :, each, each, :2] for part in (forces.surface, forces.total))
+    first = 1 if forces.kind is DIFFERENCE else 0  # the mean drift has no part of the surface
+    parts = (part[first:, :, each, each, :2] for part in (forces.surface, forces.total))
     return np.array([np.nansum(np.abs(part) ** 2) for part in parts])
 
 

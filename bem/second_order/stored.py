@@ -1,4 +1,4 @@
-"""Difference forces of pairs in a database: its group `qtf`, and T between the frequencies of it.
+"""Forces of pairs in a database: its groups `qtf`, of differences, and `qtf_sum`, and T between frequencies of `qtf`.
 
 Between stored pairs T is interpolated over the mean (ω₁ + ω₂)/2, cubically at each stored difference, then over the
 difference, in which its real part is even and its imaginary part odd.
@@ -13,15 +13,19 @@ import numpy as np
 from .. import DOFS
 from ..database.file import DatabaseError
 from ..database.widening import read_group, write_group
+from .kinds import DIFFERENCE, SUM
 from .quadratic_forces import HORIZONTAL, PARTS, QuadraticForces
 
-GROUP = "qtf"
+GROUPS = {DIFFERENCE: "qtf", SUM: "qtf_sum"}
 ERRORS, ADDED, COARSER = "estimated_error", "added_by_far_field", "total_of_coarser"
-AXES = ("difference", "omega", "wave_direction_1", "wave_direction_2", "influenced_dof")
-MEANING = (
-    "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference towards "
-    "wave_direction_1 and omega towards wave_direction_2; the other order has the conjugate; T_ii is the mean drift"
-)
+AXES = ("omega", "wave_direction_1", "wave_direction_2", "influenced_dof")  # after that of the force's frequency
+MEANING = {
+    DIFFERENCE: "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference "
+    "towards wave_direction_1 and omega towards wave_direction_2; the other order has the conjugate; T_ii is the mean "
+    "drift",
+    SUM: "T of Re sum_i sum_j a_i a_j T_ij exp(-i(omega_i + omega_j)t), of waves sum - omega, not below omega, towards "
+    "wave_direction_1 and omega towards wave_direction_2; the other order has the same",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +57,7 @@ class StoredForces:
     method : "panel" or "contour"; share : of the surface's forcing in them, estimated where it is left out, or None
     errors : (d, n, m, m, 6) estimated, of the whole, or None; coarser : (d, n, m, m, 6) the whole at a coarser
         resolution, of which the errors are, or None
-    asked : rad/s, the largest difference that will be stored, where the run that stores them has not ended, or None
+    asked : rad/s, the largest difference or sum that will be stored, of a run that has not ended, or None
     """
 
     forces: QuadraticForces
@@ -66,45 +70,48 @@ class StoredForces:
 
 
 def write_forces(path, stored):
-    """Put `StoredForces` into a database, in place of what it has"""
+    """Put `StoredForces` into a database, in place of what it has of their kind"""
     forces, unit, names = stored.forces, "N/m2, N m/m2", np.array(DOFS, dtype="S8")
+    name_of_axis = forces.kind.name
     datasets = {
         "omega": (("omega",), "rad/s", forces.omega),
-        "difference": (("difference",), "rad/s", forces.frequency),
+        name_of_axis: ((name_of_axis,), "rad/s", forces.frequency),
         "wave_direction_1": (("wave_direction_1",), "rad", forces.headings),
         "wave_direction_2": (("wave_direction_2",), "rad", forces.headings),
         "influenced_dof": (("influenced_dof",), "", names),
     }
     values = {part: getattr(forces, part) for part in PARTS} | {ERRORS: stored.errors, COARSER: stored.coarser}
-    datasets |= {name: (AXES, unit, value) for name, value in values.items() if value is not None}
+    datasets |= {name: ((name_of_axis, *AXES), unit, value) for name, value in values.items() if value is not None}
     if forces.added is not None:
         datasets["horizontal_dof"] = (("horizontal_dof",), "", names[HORIZONTAL])
-        datasets[ADDED] = ((*AXES[1:4], "horizontal_dof"), unit, forces.added)
+        datasets[ADDED] = ((*AXES[:3], "horizontal_dof"), unit, forces.added)
     held = stored.held
     attributes = {
-        "meaning": MEANING,
+        "meaning": MEANING[forces.kind],
         "method": stored.method,
         "body": "floating" if held.floats else "fixed",
         "free_surface_integral": "left out" if forces.surface is None else "included",
         "moored": held.name or None,
         "line_stiffness": held.lines,
         "free_surface_share": stored.share,
-        "difference_asked": stored.asked,
+        f"{name_of_axis}_asked": stored.asked,
     }
-    write_group(path, GROUP, datasets, {name: value for name, value in attributes.items() if value is not None})
+    known = {name: value for name, value in attributes.items() if value is not None}
+    write_group(path, GROUPS[forces.kind], datasets, known)
 
 
-def read_forces(db):
-    """`StoredForces` of an opened database.  Raises DatabaseError where it has none."""
-    found = read_group(db, GROUP)
+def read_forces(db, kind=DIFFERENCE):
+    """`StoredForces` of an opened database of a kind.  Raises DatabaseError where it has none."""
+    found = read_group(db, GROUPS[kind])
     if found is None:
-        raise DatabaseError(f"{db.path} holds no difference forces of pairs; 'hakobune qtf {db.path}' adds them")
+        adds = f"hakobune qtf {db.path}{' --sum' if kind is SUM else ''}"
+        raise DatabaseError(f"{db.path} holds no {kind.name} forces of pairs; '{adds}' adds them")
     datasets, attributes = found
     values = {name: part[2] for name, part in datasets.items()}
-    axes = values["omega"], values["difference"], values["wave_direction_1"]
+    axes = values["omega"], values[kind.name], values["wave_direction_1"]
     lines = attributes.get("line_stiffness")
     return StoredForces(
-        QuadraticForces(*axes, *(values.get(part) for part in PARTS), added=values.get(ADDED)),
+        QuadraticForces(*axes, *(values.get(part) for part in PARTS), added=values.get(ADDED), kind=kind),
         Held(
             attributes["body"] == "floating",
             str(attributes.get("moored", "")),
@@ -114,7 +121,7 @@ def read_forces(db):
         attributes.get("free_surface_share"),
         values.get(ERRORS),
         values.get(COARSER),
-        attributes.get("difference_asked"),
+        attributes.get(f"{kind.name}_asked"),
     )
 
 

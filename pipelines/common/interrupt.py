@@ -17,7 +17,7 @@ def interrupted(command, arguments):
     if command in STORING and "--mesh-only" not in arguments:
         return "interrupted; what was solved is stored, the same command goes on"
     if command == "qtf":
-        return "interrupted; the differences that were written are kept, the same command goes on from them"
+        return "interrupted; the pairs that were written are kept, the same command goes on from them"
     return "interrupted"
 
 

@@ -69,13 +69,13 @@ def export(database, to, output, fresh):
 
 
 def _pairs_written(db, values, output):
-    """[NAME.12d] where the database has difference forces of pairs, else none"""
+    """[NAME.12d, NAME.12s] of what forces of pairs the database has"""
     from bem.formats.wamit_pairs import write_pairs
-    from bem.second_order.stored import GROUP, read_forces
+    from bem.second_order.stored import GROUPS, read_forces
 
-    if read_group(db, GROUP) is None:
-        return []
-    return [write_pairs(read_forces(db).forces, output, values.density * values.gravity)]
+    weight = values.density * values.gravity
+    there = [kind for kind, name in GROUPS.items() if read_group(db, name) is not None]
+    return [write_pairs(read_forces(db, kind).forces, output, weight) for kind in there]
 
 
 def _format(flag, name):
@@ -146,21 +146,25 @@ def import_(place, kind_name, mesh, known, output):
     values, left_out = _finite(values)
     for name, omega in left_out.items():
         print(f"warning: {name} is not finite at {omega} rad/s, left out with all else there", file=sys.stderr)
-    pairs = None
+    pairs = []
     if kind_name == "wamit":
-        from bem.formats.wamit_pairs import read_pairs
+        from bem.formats.wamit_pairs import SUFFIXES, read_pairs
 
-        pairs = read_pairs(place, values.density * values.gravity)
+        found = (read_pairs(place, values.density * values.gravity, kind) for kind in SUFFIXES)
+        pairs = [forces for forces in found if forces is not None]
     panels = read_mesh(hull.resolve())
     for finding in findings(panels):
         print(f"{hull}: {finding}", file=sys.stderr)
     _store(values, panels, output, f"{kind_name}: {place}")
-    if pairs is not None:
-        from bem.second_order.stored import Held, StoredForces, write_forces
+    groups = []
+    if pairs:
+        from bem.second_order.stored import GROUPS, Held, StoredForces, write_forces
 
-        write_forces(output, StoredForces(pairs, Held("rao" in values.quantities)))
+        groups = [GROUPS[forces.kind] for forces in pairs]
+        for forces in pairs:
+            write_forces(output, StoredForces(forces, Held("rao" in values.quantities)))
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
-    print(", ".join([*values.quantities, *([] if pairs is None else ["qtf"])]))
+    print(", ".join([*values.quantities, *groups]))
     lacking = [name for name in ("inertia_matrix", "mass") if values.get(name) is None]
     if lacking:
         print(f"warning: no {' and '.join(lacking)} in it: no motions follow from this database", file=sys.stderr)

@@ -1,11 +1,13 @@
-"""Picture of difference forces: level lines over both frequencies, Newman's rule over them, sizes by each level."""
+"""Picture of forces of pairs: level lines over both frequencies, Newman's rule over them, sizes by level or part."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from bem.second_order.kinds import SUM
+
 from ..common.picture import save
-from .report import MODES, NAMES, levels, newman
+from .report import ALL, MODES, NAMES, levels, newman, parts_of_sums
 
 
 def draw(forces, db, floats, path):
@@ -13,6 +15,8 @@ def draw(forces, db, floats, path):
     import matplotlib
     from matplotlib.figure import Figure
 
+    if forces.kind is SUM:
+        return _draw_sums(forces, db, floats, path)
     diagonal = np.arange(len(forces.headings))
     size = np.nanmax(np.abs(forces.total[:, :, diagonal, diagonal][..., MODES]), axis=(0, 1))  # (m, 3)
     h = int(np.argmax(size[:, :2].max(axis=1)))
@@ -27,13 +31,44 @@ def draw(forces, db, floats, path):
             ratio = np.log10(np.abs(newman(forces, mode, h)) / np.abs(total))
         _levels(figure, axes[1], low, low + Ω, np.clip(ratio, -2, 0.5), "log10 of Newman's rule over it")
         _over_difference(axes[2], forces, h, mode)
-        depth = f"water {db.water_depth:g} m" if np.isfinite(db.water_depth) else "deep water"
-        figure.suptitle(
-            f"slow force of pairs of waves, {NAMES[mode]}, {np.degrees(forces.headings[h]):.4g}°, "
-            f"{'floating' if floats else 'fixed'}, {depth}", x=0.01, ha="left", fontsize=11,
-        )  # fmt: skip
+        of = f"{NAMES[mode]}, {np.degrees(forces.headings[h]):.4g}°, {_where(db, floats)}"
+        figure.suptitle(f"slow force of pairs of waves, {of}", x=0.01, ha="left", fontsize=11)
         save(figure, path, 130)
     return figure
+
+
+def _draw_sums(forces, db, floats, path):
+    """The largest force and the largest moment at sums of frequencies"""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    diagonal = np.arange(len(forces.headings))
+    size = np.nanmax(np.abs(forces.total[:, :, diagonal, diagonal]), axis=(0, 1))  # (m, 6)
+    with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
+        figure = Figure(figsize=(10, 7.6), layout="constrained")
+        axes = figure.subplots(2, 2)
+        for row, (first, unit, words) in zip(axes, ((0, 1e3, "kN/m²"), (3, 1e6, "MN m/m²")), strict=True):
+            h, mode = np.unravel_index(np.argmax(size[:, first : first + 3]), (len(size), 3))
+            mode += first
+            low, Ω = np.meshgrid(forces.omega, forces.frequency)
+            total = np.abs(forces.total[:, :, h, h, mode]) / unit
+            name = f"{ALL[mode]}, {np.degrees(forces.headings[h]):.4g}°"
+            _levels(figure, row[0], low, Ω - low, total, f"|T| of {name}, {words}")
+            for part, value in parts_of_sums(forces, mode, h).items():
+                row[1].plot(forces.frequency, np.sqrt(np.nanmean(np.abs(value) ** 2, axis=1)) / unit, label=part)
+            row[1].set(title=f"{name}: root mean square over pairs, {words}", xlabel="sum of frequencies  rad/s")
+            row[1].set_ylim(bottom=0)
+            row[1].grid(True, color="0.9", linewidth=0.6)
+            row[1].legend(frameon=False)
+        title = f"force of pairs of waves at the sum of their frequencies, {_where(db, floats)}"
+        figure.suptitle(title, x=0.01, ha="left", fontsize=11)
+        save(figure, path, 130)
+    return figure
+
+
+def _where(db, floats):
+    depth = f"water {db.water_depth:g} m" if np.isfinite(db.water_depth) else "deep water"
+    return f"{'floating' if floats else 'fixed'}, {depth}"
 
 
 def _levels(figure, axis, one, two, value, title):

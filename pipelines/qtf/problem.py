@@ -25,8 +25,10 @@ class Bodies:
     errors: Callable
 
 
-def bodies(db, method, highest):
+def bodies(db, method, highest, of_force):
     """`Bodies` of an opened database for waves up to `highest` rad/s; `auto` takes contour for vertical cylinders
+
+    of_force : rad/s, highest frequency of the force, at which the body radiates
 
     raises : ValueError for the contour method on another body
     """
@@ -35,7 +37,7 @@ def bodies(db, method, highest):
 
     from ..solve.hull import coarse_hull_of
 
-    panels = problem_of(db)
+    panels = _with_lid(problem_of(db), max(highest, of_force))
     fits = _fits_contour(db, highest)
     if method == "contour" and not fits:
         raise ValueError(
@@ -44,15 +46,24 @@ def bodies(db, method, highest):
     if method != "panel" and fits:
         fine, rough = (_cylinder(db, panels, tolerance) for tolerance in TOLERANCES)
         return Bodies("contour", fine, rough, lambda forces, coarser, _: resolution_errors(forces, coarser))
-    coarse, rough, refinement = coarse_hull_of(db.header, FEWEST), None, 1.0
+    coarse, rough, refinement = coarse_hull_of(db.header, FEWEST, panels.lid), None, 1.0
     if coarse is not None:
         mesh, lid = coarse
-        rough, refinement = replace(panels, mesh=mesh, lid=panels.lid and lid), panels.mesh.total / mesh.total
+        rough, refinement = replace(panels, mesh=mesh, lid=lid), panels.mesh.total / mesh.total
 
     def errors(forces, coarser, by_motions):
         return panel_errors(forces, coarser, refinement, by_motions)
 
     return Bodies("panel", panels, rough, errors)
+
+
+def _with_lid(problem, highest):
+    """The problem with a lid, where waves up to `highest` rad/s need one that the database has not"""
+    from bem.panels.irregular_frequencies import lid_needed_from
+    from meshing.lid import lid
+
+    needs = problem.lid is None and highest**2 / problem.gravity > lid_needed_from(problem.mesh)
+    return replace(problem, lid=lid(problem.mesh)) if needs else problem
 
 
 def _fits_contour(db, highest):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bem.second_order.kinds import DIFFERENCE, Kind
 from bem.second_order.stored import Held
 
 from ..scene.scene import numbers
@@ -16,12 +17,13 @@ SHARE = 0.4  # of the mean of the band: largest difference, where none is asked 
 EVEN = 1e-6  # of the step between frequencies
 SAME = 1e-9  # rad/s, rad: between frequencies and headings that are one
 ENOUGH = 0.05  # of the force: what the level "auto" leaves out
+A_WAVE = 3.0  # panels along the wave of a sum, which is up to four times as short as those of the pair
 MOST_WAVES = 1500  # frequencies times headings: their flow on the hull of a thousand panels takes 2 GB
 
 
 @dataclass(frozen=True, eq=False)
 class Question:
-    """omega : (n,) rad/s at even steps; headings : (m,) rad; highest : rad/s, largest difference; held : `Held`
+    """omega : (n,) rad/s at even steps; headings : (m,) rad; highest : rad/s, largest difference or sum; held : `Held`
 
     level : body, full or auto; method : panel, contour or auto
     waves_given : whether a person chose the waves, instead of leaving them to the database
@@ -34,6 +36,7 @@ class Question:
     level: str
     method: str
     waves_given: bool
+    kind: Kind = DIFFERENCE
 
     @property
     def waves(self):
@@ -79,6 +82,23 @@ class Question:
     def adds_surface(self, share):
         """Whether it takes the forcing of the surface, which is that share of the force or unknown"""
         return self.level == "full" or (self.level == "auto" and share is not None and share > ENOUGH)
+
+
+def waves_and_sums_of(db, omega, heading, highest):
+    """As `waves_of` with the largest sum, by default the highest that panels and depth carry.  Raises ValueError."""
+    frequencies, headings, _ = waves_of(db, omega, heading, None)
+    lowest, all_of_them = 2 * frequencies[0], 2 * frequencies[-1]
+    if highest is None:
+        highest = max(min(all_of_them, carried_by(db.mesh, db.water_depth, db.gravity)), lowest)
+    elif not lowest <= highest < math.inf:
+        raise ValueError(f"--highest is {highest:g}; allowed: {lowest:.4g} rad/s, twice the lowest frequency, or above")
+    return frequencies, headings, float(min(highest, all_of_them))
+
+
+def carried_by(mesh, depth, gravity):
+    """rad/s, highest frequency whose wave is as long as `A_WAVE` of the largest panels"""
+    k = 2 * math.pi / (A_WAVE * float(mesh.sizes.max()))
+    return math.sqrt(gravity * k * math.tanh(min(k * depth, 50.0)))
 
 
 def waves_of(db, omega, heading, difference):

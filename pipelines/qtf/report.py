@@ -1,11 +1,14 @@
-"""What a person wants to know of difference forces: how large each part is, how far Newman's rule is off, errors."""
+"""What a person wants to know of forces of pairs: how large each part is, how far Newman's rule is off, errors."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from bem.second_order.kinds import SUM
+
 NAMES = ("surge", "sway", "yaw")
 MODES = [0, 1, 5]
+ALL = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 
 def newman(forces, mode, heading):
@@ -33,9 +36,12 @@ def told(stored, db):
     forces, share = stored.forces, stored.share
     yield (
         f"{_held(stored.held)} body, {len(forces.omega)} frequencies {forces.omega[0]:.4g} to "
-        f"{forces.omega[-1]:.4g} rad/s, differences to {forces.frequency[-1]:.3g} rad/s, {len(forces.headings)} "
-        "headings and all their pairs"
+        f"{forces.omega[-1]:.4g} rad/s, {forces.kind.name}s to {forces.frequency[-1]:.3g} rad/s, "
+        f"{len(forces.headings)} headings and all their pairs"
     )
+    if forces.kind is SUM:
+        yield from _of_sums(stored)
+        return
     gap = diagonal_gap(forces)
     if gap is not None:
         yield (
@@ -51,13 +57,55 @@ def told(stored, db):
     if stored.errors is None:
         yield "no estimated error: there is no mesh of half as many panels"
     else:
-        name = "contour method" if stored.method == "contour" else "panels"
-        yield f"estimated error of the {name}, root mean square of the force's: {_relative(forces, stored.errors)}"
+        shares = _relative(forces, stored.errors)
+        yield f"estimated error of the {_way(stored)}, root mean square of the force's: {shares}"
     size = "unknown" if share is None else f"{100 * share:.2g} % of the force in surge and sway"
     if forces.surface is None:
         yield f"left out: the forcing of the surface around the body, estimated from few pairs: {size}; --level full"
     else:
         yield f"the forcing of the surface around the body is {size}, root mean square"
+
+
+def _of_sums(stored):
+    """Lines about forces at sums of frequencies"""
+    forces = stored.forces
+    last = "" if forces.surface is None else "  + surface"
+    yield "root mean square over pairs of a sum, kN/m² (moments MN m/m²), of the squares and with each next part:"
+    yield f"{'':28}squares  + bound wave  + body{last}"
+    for h, beta in enumerate(forces.headings):
+        for mode, name in enumerate(ALL):
+            found, unit = parts_of_sums(forces, mode, h), 1e3 if mode < 3 else 1e6
+            if np.nanmax(np.abs(forces.total[:, :, h, h, mode])) < 1e-6 * np.nanmax(np.abs(forces.total[:, :, h, h])):
+                continue
+            for m in sorted({*np.linspace(0, len(forces.frequency) - 1, 4).astype(int)}):
+                rms = [np.sqrt(np.nanmean(np.abs(value[m]) ** 2)) / unit for value in found.values()]
+                yield (
+                    f"  {np.degrees(beta):6.4g}° {name:5} Ω {forces.frequency[m]:.3f} {rms[0]:12.4g} {rms[1]:13.4g} "
+                    f"{rms[2]:7.4g}" + "".join(f" {value:10.4g}" for value in rms[3:])
+                )
+    if stored.errors is None:
+        yield "no estimated error: there is no mesh of half as many panels"
+    else:
+        each = np.arange(len(forces.headings))
+        parts = (np.abs(part[:, :, each, each]) ** 2 for part in (stored.errors, forces.total))
+        error, force = (np.sqrt(np.nanmean(part, axis=(0, 1, 2))) for part in parts)
+        size = np.repeat([force[:3].max(), force[3:].max()], 3)
+        shares = (f"{name} {100 * e / s:.2g} %" for name, e, s in zip(ALL, error, size, strict=True) if e > 1e-6 * s)
+        yield f"estimated error of the {_way(stored)}, of the largest force and moment: {', '.join(shares)}"
+    if forces.surface is None:
+        yield "left out: the forcing of the surface around the body, a large part of the force at sums; --level full"
+
+
+def parts_of_sums(forces, mode, heading):
+    """{name: (d, n)} T at sums of frequencies with each next part, of one heading"""
+    names = [("squares", "squares"), ("+ bound wave", "bound_wave"), ("+ body", "body"), ("+ surface", "surface")]
+    found = {name: getattr(forces, part) for name, part in names if getattr(forces, part) is not None}
+    sums = np.cumsum([value[:, :, heading, heading, mode] for value in found.values()], axis=0)
+    return dict(zip(found, sums, strict=True))
+
+
+def _way(stored):
+    return "contour method" if stored.method == "contour" else "panels"
 
 
 def _relative(forces, errors):

@@ -1,4 +1,4 @@
-"""Pairs of waves solved and stored some differences at a time: what a run has written, the next one goes on from."""
+"""Pairs of waves solved and stored some frequencies of the force at a time: the next run goes on from them."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from bem.database import DatabaseError, writing
 from bem.database.file import check_place
+from bem.second_order.kinds import DIFFERENCE
 from bem.second_order.quadratic_forces import (
     BLOCK,
     QuadraticForces,
@@ -52,16 +53,17 @@ def solve(db, question, fresh):
 
 
 def _solve(db, question, fresh):
-    body = bodies(db, question.method, float(question.omega[-1]))
+    body = bodies(db, question.method, float(question.omega[-1]), question.highest)
     stored = None if fresh else _of_same_waves(db, question, body)
-    share = None if question.level == "full" else _share(body.fine, question, stored)
+    estimated = question.kind is DIFFERENCE and question.level != "full"
+    share = _share(body.fine, question, stored) if estimated else None
     full = question.adds_surface(share)
     known = _begun(stored, question, full)
     told = _Told(2 if body.rough else 1)
     given = *question.waves, question.held.moving
-    fine = QuadraticRun(body.fine, *given, told.of(0), full)
+    fine = QuadraticRun(body.fine, *given, told.of(0), full, kind=question.kind)
     swayed = fine.motions if question.held.floats and body.method == "panel" else None
-    rough = body.rough and QuadraticRun(body.rough, *given, told.of(1), full, swayed)
+    rough = body.rough and QuadraticRun(body.rough, *given, told.of(1), full, swayed, question.kind)
     forces, coarser = ([], []) if known is None else ([known.forces], [known.coarser])
     written = time.monotonic()
     *blocks, last = fine.blocks(sum(len(part.frequency) for part in forces)) or [None]
@@ -99,7 +101,7 @@ def _first(values, count):
 def _of_same_waves(db, question, body):
     """`StoredForces` of the same waves and body by the same method, or None"""
     try:
-        stored = read_forces(db)
+        stored = read_forces(db, question.kind)
     except DatabaseError:
         return None
     same = (
@@ -113,7 +115,7 @@ def _of_same_waves(db, question, body):
 
 
 def _begun(stored, question, full):
-    """`StoredForces` with the first differences of a question, a multiple of BLOCK, as a run goes on from; or None"""
+    """`StoredForces` with the first frequencies of a question, a multiple of BLOCK, as a run goes on from; or None"""
     if stored is None or (stored.forces.surface is not None) != full:
         return None
     forces, coarser = stored.forces, stored.coarser

@@ -131,11 +131,11 @@ def coarse_hull(scene, mesh, cover, fewest=FEWEST):
     return coarse, lid_in_proportion(cover, mesh, coarse)
 
 
-def coarse_hull_of(header, fewest):
-    """`coarse_hull` of the scene in the header of a database; None without a scene"""
+def coarse_hull_of(header, fewest, cover):
+    """`coarse_hull` of the scene in the header of a database beside its mesh with a lid; None without a scene"""
     if not header.scene:
         return None
-    return coarse_hull(typed(tomllib.loads(header.scene), Scene, SceneError), header.mesh, header.lid, fewest)
+    return coarse_hull(typed(tomllib.loads(header.scene), Scene, SceneError), header.mesh, cover, fewest)
 
 
 @dataclass(frozen=True)

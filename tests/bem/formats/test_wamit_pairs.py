@@ -1,10 +1,11 @@
-"""Forces of pairs in WAMIT's .12d: what a file says by its manual, and back to the printed digits."""
+"""Forces of pairs in WAMIT's .12d and .12s: what a file says by its manual, and back to the printed digits."""
 
 import numpy as np
 import pytest
 
 from bem.formats.values import FormatError
 from bem.formats.wamit_pairs import read_pairs, write_pairs
+from bem.second_order.kinds import SUM
 from bem.second_order.quadratic_forces import QuadraticForces
 
 WEIGHT = 1025 * 9.80665
@@ -45,3 +46,38 @@ def test_pairs_of_the_other_order_say_the_same_and_missing_ones_are_named(forces
     with pytest.raises(FormatError, match=r"lacks pairs 0.2 rad/s apart"):
         read_pairs(path, WEIGHT)
     assert read_pairs(tmp_path / "other.1", WEIGHT) is None
+
+
+@pytest.fixture
+def sums():
+    """Of five frequencies up to the sum of the second and the last"""
+    rng, omega, headings = np.random.default_rng(3), np.linspace(0.5, 0.9, 5), np.radians([0.0, 30.0])
+    T = np.full((6, 5, 2, 2, 6), np.nan, complex)
+    for row in range(6):
+        higher, lower = SUM.pairs(row, 5)
+        T[row, lower] = 1e5 * (rng.normal(size=(len(lower), 2, 2, 6)) + 1j * rng.normal(size=(len(lower), 2, 2, 6)))
+        alike = lower[higher == lower]
+        T[row, alike] += T[row, alike].swapaxes(1, 2)
+    return QuadraticForces(omega, 1.0 + 0.1 * np.arange(6), headings, T, 0.5 * T, 0 * T, kind=SUM)
+
+
+def test_sums_have_a_file_of_their_own_that_reads_back(sums, tmp_path):
+    path = write_pairs(sums, tmp_path / "box.1", WEIGHT)
+    rows = np.loadtxt(path)
+    assert path.name == "box.12s" and np.all(rows[:, 0] <= rows[:, 1] * (1 + 1e-9))
+    row = rows[np.all(np.isclose(rows[:, :5], [2 * np.pi / 0.8, 2 * np.pi / 0.6, 30.0, 0.0, 3], rtol=1e-6), axis=1)][0]
+    assert row[7] - 1j * row[8] == pytest.approx(sums.total[4, 1, 1, 0, 2] / WEIGHT, rel=1e-6)
+    found = read_pairs(path, WEIGHT, SUM)
+    np.testing.assert_allclose(found.total, sums.total, rtol=1e-5, atol=1)
+    np.testing.assert_allclose(found.frequency, sums.frequency, rtol=1e-6)
+    assert found.kind is SUM and read_pairs(path, WEIGHT) is None
+
+
+def test_sums_of_the_other_order_say_the_same_and_missing_ones_are_named(sums, tmp_path):
+    path = write_pairs(sums, tmp_path / "box.1", WEIGHT)
+    rows = np.loadtxt(path)
+    np.savetxt(path, rows[:, [1, 0, 3, 2, 4, 5, 6, 7, 8]], fmt="%.9e")
+    np.testing.assert_allclose(read_pairs(path, WEIGHT, SUM).total, sums.total, rtol=1e-5, atol=1)
+    np.savetxt(path, rows[:-6], fmt="%.9e")
+    with pytest.raises(FormatError, match=r"lacks pairs whose sum is 1.5 rad/s"):
+        read_pairs(path, WEIGHT, SUM)
