@@ -70,16 +70,16 @@ def low_rank_waves(geometry, band, gravity, accuracy):
     tolerance = 2 * np.pi * accuracy * min(1.0, np.sqrt(FEW_NODES / g.hull))
     root, column_scale = snapshots.root, snapshots.column_scale
     # the smaller tolerance costs few columns, and forces are small differences of the flux
-    flux_nodes, Z = _decomposed(snapshots.add_incident_flux, g.hull, 0.2 * tolerance)
+    flux_nodes, Z = _decomposed(snapshots.add_incident_flux, root[: g.hull], 0.2 * tolerance)
     Z *= root[flux_nodes] / root[: g.hull, None]
     velocities = _velocities(g, Z)
-    points, X = _decomposed(snapshots.add_sample_columns, len(root), tolerance)
+    points, X = _decomposed(snapshots.add_sample_columns, root, tolerance)
     weights = root[points] * np.linalg.norm(X, axis=0)  # an error at a point is one at all nodes interpolated from it
     samples = snapshots.samples(SEED + 2, TEST_SAMPLES, TEST_SAMPLES)
     single_layers = [[] for _ in velocities]
     sources, Y = _decomposed(
         lambda sketch: snapshots.add_point_rows(sketch, points, weights, velocities, samples.on_hull, single_layers),
-        len(root),
+        1 / column_scale,
         tolerance,
     )
     strengths = snapshots.monopole_strengths(points, weights, sources[sources < g.hull], single_layers, accuracy)
@@ -99,11 +99,11 @@ def _velocities(geometry, Z):
     return np.concatenate([motions.swapaxes(1, 2), np.broadcast_to(Z, (len(motions), *Z.shape))], axis=2)
 
 
-def _decomposed(fill, rows, tolerance):
+def _decomposed(fill, row_scale, tolerance):
     """`interpolative_decomposition` of the matrix that fill(sketch) adds, with a sketch wide enough for its rank"""
-    width = FIRST_COLUMNS
+    width, rows = FIRST_COLUMNS, len(row_scale)
     while True:
-        sketch = Sketch(rows, min(width, COLUMNS_PER_RANK * rows))
+        sketch = Sketch(row_scale, min(width, COLUMNS_PER_RANK * rows))
         fill(sketch)
         selected, X = interpolative_decomposition(sketch.matrix, tolerance)
         if COLUMNS_PER_RANK * len(selected) <= sketch.matrix.shape[1] or width >= COLUMNS_PER_RANK * rows:
@@ -168,11 +168,12 @@ class Snapshots:
             some = np.arange(start, len(samples), STRIDE)
             for block in np.array_split(some, int(np.ceil(len(some) * len(self.root) / LARGEST_BLOCK))):
                 part, count = samples[block], np.count_nonzero(samples[block] < hull)
-                scale = self.root[:, None] / self.column_scale[part] * np.sqrt(STRIDE * sample_weights[block])
+                scale = np.sqrt(STRIDE * sample_weights[block]) / self.column_scale[part]
                 for K, S, D in self.blocks(np.arange(len(self.root)), part, start, STRIDE):
-                    for s, d in zip(S, D, strict=True):
-                        sketch.add(wave_operator(s, d, count, K) * scale)
-                        sketch.add(s[:, :count] * scale[:, :count] / length)
+                    sketch.add(D[..., :count], scale=scale[:count])
+                    sketch.add(S[..., :count], scale=scale[:count] / length)
+                    if count < len(part):
+                        sketch.add(S[..., count:], scale=K * scale[count:])
 
     def add_point_rows(self, sketch, points, weights, velocities, samples, single_layers):
         """Add the rows of W at `points` (r,) times `weights` (r,), as columns
@@ -184,8 +185,9 @@ class Snapshots:
         for layers in single_layers:
             layers.clear()
         for K, S, D in self.blocks(points, np.arange(len(self.root))):
-            for s, d, v, layers in zip(S, D, velocities, single_layers, strict=True):
-                sketch.add((wave_operator(s, d, hull, K) * scale / self.column_scale).T)
+            of_sources = D[..., :hull].swapaxes(1, 2), K * S[..., hull:].swapaxes(1, 2)
+            sketch.add(*of_sources, scale=weights)
+            for s, v, layers in zip(S, velocities, single_layers, strict=True):
                 layers.append(np.concatenate([s[:, :hull] @ v, s[:, samples]], axis=1) * scale)
 
     def monopole_strengths(self, points, weights, sources, single_layers, accuracy):
@@ -210,10 +212,11 @@ class Snapshots:
         # in between was missing
         last = len(self.wavenumbers) - 1
         for k in np.interp(np.linspace(0, last, FLUX_FREQUENCIES * last + 1), np.arange(last + 1), self.wavenumbers):
-            for beta in np.arange(0, half, np.pi / (8 + 4 * k * g.radius)):
-                flux = class_waves(g, beta, 1.0, k)[1] * self.root[: g.hull]
-                size = np.linalg.norm(flux, axis=1, keepdims=True)
-                sketch.add((flux * (2 * np.pi / np.maximum(size, NEGLIGIBLE_FLUX * size.max()))).T)
+            headings = np.arange(0, half, np.pi / (8 + 4 * k * g.radius))
+            flux = np.concatenate([class_waves(g, beta, 1.0, k)[1] for beta in headings])
+            size = np.linalg.norm(flux * self.root[: g.hull], axis=1).reshape(len(headings), -1)
+            least = NEGLIGIBLE_FLUX * size.max(axis=1, keepdims=True)
+            sketch.add(flux.T, scale=(2 * np.pi / np.maximum(size, least)).ravel())
 
 
 def _real_rows(blocks):

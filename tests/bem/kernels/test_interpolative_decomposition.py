@@ -15,7 +15,7 @@ def smooth_matrix(n=300, m=500):
 
 
 def sketched(A, width=256):
-    sketch = Sketch(len(A), width)
+    sketch = Sketch(np.ones(len(A)), width)
     for block in np.array_split(A, 3, axis=1):
         sketch.add(block)
     return sketch.matrix
@@ -33,7 +33,7 @@ def test_complex_columns_count_as_two_real_ones():
     A = smooth_matrix(40, 60)
     whole = np.concatenate([A, 2 * A], axis=1)
     x = np.random.default_rng(2).standard_normal(40)
-    sketch = Sketch(40, 2048)
+    sketch = Sketch(np.ones(40), 2048)
     sketch.add(A + 2j * A)
     assert np.linalg.norm(x @ sketch.matrix) == pytest.approx(np.linalg.norm(x @ whole), rel=0.15)
 
@@ -66,7 +66,21 @@ def test_cholesky_and_qr_select_as_many_rows_and_leave_as_little(tolerance):
     assert interpolation._by_cholesky(A, 1e-8) is None  # whose square is lost in rounding
 
 
-def test_least_squares_leave_out_vanishing_singular_values():
+@pytest.mark.parametrize("cutoff", [1e-10, 1e-5])
+def test_least_squares_leave_out_vanishing_singular_values(cutoff):
     A = np.outer(np.arange(1.0, 5.0), [1.0, 1.0])
-    x = truncated_least_squares(A, 2 * A[:, :1], 1e-10)
+    x = truncated_least_squares(A, 2 * A[:, :1], cutoff)
     np.testing.assert_allclose(x, [[1.0], [1.0]], rtol=1e-12)
+
+
+def test_least_squares_by_eigenvalues_are_those_by_singular_values():
+    A, cutoff = smooth_matrix(300, 60), 1e-5
+    b = np.random.default_rng(4).standard_normal((len(A), 3))
+    U, size, Vh = np.linalg.svd(A, full_matrices=False)
+    kept = size > cutoff * size[0]
+    assert 5 < np.count_nonzero(kept) < 60
+    expected = Vh[kept].T @ ((U[:, kept].T @ b) / size[kept][:, None])
+    # rounding of Aᵀ A, over the square of the cutoff
+    np.testing.assert_allclose(
+        truncated_least_squares(A, b, cutoff), expected, atol=10 * 2.2e-16 / cutoff**2 * np.abs(expected).max()
+    )
