@@ -132,7 +132,9 @@ def contact_loads(contacts, work, position, R, v, f):
 @kernel()
 def settle(work):
     """The end of a step becomes the start of the next."""
-    work.start[:] = work.now
+    for i in range(work.now.shape[0]):  # array to array takes two seconds to compile, for its error message
+        for j in range(work.now.shape[1]):
+            work.start[i, j] = work.now[i, j]
 
 
 @kernel()

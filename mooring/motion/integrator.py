@@ -284,7 +284,8 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
             for row in range(first, counts[SAMPLES]):
                 put_tensions(moving[0], moving[1], row, row * clock.sample_step)
             keep_lines(moving[0], moving[1], h, scene.line_work.given)
-        clock.y[:] = clock.trial
+        for i in range(clock.y.size):
+            clock.y[i] = clock.trial[i]
         now[TIME] = later
         now[USUAL] += min(1.0, h / (MEMORY * now[USUAL])) * (h - now[USUAL])
         counts[STEPS] += 1
@@ -296,7 +297,8 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
             hold(lines, scene.line_work, later)
             rates(scene, buoy, later, clock.y, k[0])
         else:
-            k[0] = k[6]
+            for i in range(clock.y.size):
+                k[0, i] = k[6, i]
         if not cut or error > 0.0:
             grown = h * min(LARGEST, max(SMALLEST, SAFETY * max(error, 1e-8) ** -0.25))
             now[STEP] = max(now[STEP], grown) if cut else grown

@@ -94,3 +94,38 @@ def by_parsing(file):
             yield from (
                 place.with_suffix(".py") for place in places if place.name and place.with_suffix(".py").is_file()
             )
+
+
+TWO_CALLERS = """import sys
+from bem.kernels import jit
+jit.ROOT = jit.Path(sys.argv[1])
+from bem.kernels.jit import kernel
+
+
+@kernel()
+def inner(a):
+    return 2 * a[0]
+
+
+@kernel()
+def outer(a):
+    return inner(a) + 1
+
+
+import numpy as np
+a = np.ones(3)
+print(*((outer(a), inner(a)) if sys.argv[2] == "outer" else (inner(a), outer(a))))
+"""
+
+
+def test_a_kernel_called_by_python_and_by_another_has_a_version_for_each_in_any_order(tmp_path):
+    (tmp_path / "two.py").write_text(TWO_CALLERS)
+    environment = {"PYTHONPATH": str(ROOT), "HAKOBUNE_CACHE": str(tmp_path / "cache"), "PATH": ""}
+
+    def printed(order):
+        command = [sys.executable, str(tmp_path / "two.py"), str(tmp_path), order]
+        return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
+
+    assert [printed(order) for order in ("outer", "inner", "outer")] == ["3.0 2.0\n", "2.0 3.0\n", "3.0 2.0\n"]
+    kept = [file for file in tmp_path.rglob("*.nbc") if "two.inner" in file.name]
+    assert sorted(file.parent.parent.name == "called" for file in kept) == [False, True], kept

@@ -24,7 +24,7 @@ from .books import FRICTION
 from .forces import node_forces, stored_energy
 from .stage import CONVERGED, begin_stage, solve_stage, spread, worst_element
 from .surroundings import fairlead_at, moves, water_at
-from .workspace import INERTIA, copy, read, workspace, write
+from .workspace import INERTIA, copy, largest_of, read, workspace, write
 
 DONE, FULL, TOO_SHORT = range(3)
 NEWTON = 0.02  # of the step's tolerance, left by Newton's method
@@ -184,7 +184,7 @@ def run(s, water, motion, control, scheme, state, until, rows, frame_times, fram
                 break
             keep(i, K, V, power, K[i], work.v, work.power)
         if good:
-            largest = max(scale, work.T.max())
+            largest = max(scale, largest_of(work.T))
             stretched, moved = error(s, work, K, V, db, step, cv)
             size = max(stretched / (control.tolerance * largest), moved / (control.tolerance * control.distance))
             factor_h = min(MOST, max(LEAST, SAFETY * size ** (-1.0 / 3.0))) if size > 0 else MOST

@@ -17,7 +17,7 @@ from .band import factor_line
 from .forces import node_forces
 from .stage import correction
 from .surroundings import water_at
-from .workspace import add, copy, read, workspace, write
+from .workspace import add, copy, largest_of, read, workspace, write
 
 PASSES = 400
 LIMIT = 1e-10  # of the largest tension and of the line's length, last correction
@@ -27,12 +27,18 @@ ROUNDING = 1e-14  # of the line's length, in the distance of two nodes
 @kernel()
 def settle(s, water, q, slip):
     """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 when it was not reached."""
-    last, work, tau = q.shape[0] - 1, workspace(s), 0.3 * math.sqrt(s.length.max())
-    still, held, at = np.zeros_like(work.q), np.zeros_like(work.q), np.zeros_like(work.q)
+    last, work, before = q.shape[0] - 1, workspace(s), np.inf
+    rooms = np.zeros((3, 3, work.q.shape[1]))
+    still, held, at = rooms[0], rooms[1], rooms[2]
     read(held, slip)
     read(at, q)
-    before, length = np.inf, s.length.sum()
-    shortest, noise = s.length.min(), ROUNDING * length * (s.stiffness / s.length).max()
+    length, shortest, longest, stiffest = 0.0, np.inf, 0.0, 0.0
+    for e in range(last):
+        one = s.length[e]
+        length, shortest, longest = length + one, min(shortest, one), max(longest, one)
+        stiffest = max(stiffest, s.stiffness[e] / one)
+    heaviest = largest_of(s.weight)
+    tau, noise = 0.3 * math.sqrt(longest), ROUNDING * length * stiffest
     for count in range(PASSES):
         copy(work.q, at)
         water_at(water, at, last + 1, 0.0, work.u, work.du)
@@ -44,7 +50,7 @@ def settle(s, water, q, slip):
         share = min(1.0, 0.5 * shortest / distance) if distance > 0.0 else 1.0
         add(at, share * tau * tau, work.x)
         write(q, at)
-        most = max(work.T.max(), s.weight.max())
+        most = max(largest_of(work.T), heaviest)
         size = max(tension / most, distance / length)
         if size <= LIMIT + noise / most and tau >= 1.0:
             return count + 1

@@ -41,12 +41,18 @@ def ramp_at(t, ramp):
 @kernel()
 def fairlead_at(motion, t, p, v, a):
     """Position, velocity and acceleration of the fairlead, into p, v, a (3,)."""
-    k = min(max(np.searchsorted(motion.knots, t, side="right") - 1, 0), motion.cubics.shape[0] - 1)
-    c, x = motion.cubics[k], t - motion.knots[k]
+    k, beyond = 0, motion.cubics.shape[0]
+    while k + 1 < beyond:  # by halves, to the last knot at or before t
+        half = (k + beyond) // 2
+        if motion.knots[half] <= t:
+            k = half
+        else:
+            beyond = half
+    c, x = motion.cubics, t - motion.knots[k]
     for i in range(3):
-        p[i] = c[0, i] + x * (c[1, i] + x * (c[2, i] + x * c[3, i]))
-        v[i] = c[1, i] + x * (2 * c[2, i] + 3 * x * c[3, i])
-        a[i] = 2 * c[2, i] + 6 * x * c[3, i]
+        p[i] = c[k, 0, i] + x * (c[k, 1, i] + x * (c[k, 2, i] + x * c[k, 3, i]))
+        v[i] = c[k, 1, i] + x * (2 * c[k, 2, i] + 3 * x * c[k, 3, i])
+        a[i] = 2 * c[k, 2, i] + 6 * x * c[k, 3, i]
     R, R1, R2 = ramp_at(t, motion.ramp)
     for m in range(motion.omega.size):
         w = motion.omega[m]
