@@ -39,7 +39,7 @@ class Sketch:
         """Append columns to A: those of each of several blocks, times `scale`.
 
         parts : (…, nᵢ, m) rows of the blocks, on top of each other Σ nᵢ = n; of a complex one real and imaginary part
-            count as a column each
+            count as a column each; m may be 0
         scale : (…, m) or what is broadcast to it
 
         Weights of rows and columns cost nothing here, where a product of a block does: all blocks of a frequency and
@@ -59,7 +59,7 @@ class Sketch:
             block = part[..., first:end, :].swapaxes(-1, -2)
             columns = np.empty((2, *block.shape))
             columns[0], columns[1] = block.real, block.imag
-            _add_columns(columns.reshape(len(places), -1), places, signs, self.transposed, row + first)
+            _add_columns(columns.reshape(len(places), end - first), places, signs, self.transposed, row + first)
 
         parallel_rows(work, part.shape[-2], places.size * part.shape[-2] // PRODUCTS_PER_PAIR)
 

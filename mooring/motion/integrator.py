@@ -284,7 +284,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
             for row in range(first, counts[SAMPLES]):
                 put_tensions(moving[0], moving[1], row, row * clock.sample_step)
             keep_lines(moving[0], moving[1], h, scene.line_work.given)
-        for i in range(clock.y.size):
+        for i in range(clock.y.size):  # array to array takes long to compile, see `contact_loads.settle`
             clock.y[i] = clock.trial[i]
         now[TIME] = later
         now[USUAL] += min(1.0, h / (MEMORY * now[USUAL])) * (h - now[USUAL])

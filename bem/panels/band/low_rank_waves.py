@@ -172,8 +172,7 @@ class Snapshots:
                 for K, S, D in self.blocks(np.arange(len(self.root)), part, start, STRIDE):
                     sketch.add(D[..., :count], scale=scale[:count])
                     sketch.add(S[..., :count], scale=scale[:count] / length)
-                    if count < len(part):
-                        sketch.add(S[..., count:], scale=K * scale[count:])
+                    sketch.add(S[..., count:], scale=K * scale[count:])
 
     def add_point_rows(self, sketch, points, weights, velocities, samples, single_layers):
         """Add the rows of W at `points` (r,) times `weights` (r,), as columns

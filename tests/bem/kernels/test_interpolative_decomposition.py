@@ -38,6 +38,19 @@ def test_complex_columns_count_as_two_real_ones():
     assert np.linalg.norm(x @ sketch.matrix) == pytest.approx(np.linalg.norm(x @ whole), rel=0.15)
 
 
+def test_weights_parts_and_blocks_of_a_sketch_are_those_of_the_matrix_itself():
+    A = smooth_matrix(40, 60)
+    rows, columns = np.random.default_rng(3).random((2, 40)) + 0.5
+    plain, weighted, parted = Sketch(np.ones(40), 256), Sketch(rows, 256), Sketch(np.ones(40), 256)
+    B = np.stack([A[:, :40], 2j * A[:, 20:]])  # two blocks, one of them with imaginary parts alone
+    plain.add(rows[:, None] * B * columns)
+    weighted.add(B, scale=columns)
+    parted.add(*np.split(rows[:, None] * B, [13], axis=1), scale=columns)
+    for other in (weighted, parted):
+        other.add(B[..., :0])  # as of a block that has nodes of the lid alone
+        np.testing.assert_allclose(other.matrix, plain.matrix, rtol=1e-12, atol=1e-14)
+
+
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-7])
 def test_selected_rows_reproduce_the_others_to_the_tolerance(tolerance):
     A = smooth_matrix()
