@@ -1,6 +1,6 @@
 """Static lines that nobody would hang, judged by a residual of their own: none may be wrong or run for ever.
 
-    python tests/bench/adversarial_lines.py [--lines 10000] [--seed 1] [--first 0] [--boundscheck]
+    python tests/bench/adversarial_lines.py [--lines 10000] [--seed 1] [--first 0] [--processes 1] [--boundscheck]
 
 Segments, sinkers, buoys, flat, sloping and broken beds or none, slack and taut, plumb, below a sea surface or not.
 The process that solves is watched: no answer within `--patience` seconds is a line that runs for ever.  Answers are
@@ -11,9 +11,12 @@ With `--boundscheck` numba checks every index; the kernels are then compiled ane
 
 import argparse
 import collections
+import itertools
 import multiprocessing
 import os
+import queue
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -138,20 +141,40 @@ def watched(seed, first, last, patience):
         first += 1
 
 
+def watched_in_parts(seed, first, last, patience, processes):
+    """What `watched` yields, of as many processes at once, in any order."""
+    found, ends = queue.SimpleQueue(), np.linspace(first, last, processes + 1).astype(int)
+
+    def follow(part):
+        for answer in watched(seed, *part, patience):
+            found.put(answer)
+        found.put(None)
+
+    for part in itertools.pairwise(ends.tolist()):
+        threading.Thread(target=follow, args=(part,), daemon=True).start()
+    while processes:
+        if (answer := found.get()) is None:
+            processes -= 1
+        else:
+            yield answer
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--lines", type=int, default=10_000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--patience", type=float, default=20.0, help="s")
+    parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--boundscheck", action="store_true")
     options = parser.parse_args()
     if options.boundscheck:
         os.environ["NUMBA_BOUNDSCHECK"] = "1"
         os.environ["HAKOBUNE_CACHE"] = str(ROOT / "build" / "bounds")
     counts, spent = collections.Counter(), []
-    for number, (word, what, seconds) in watched(
-        options.seed, options.first, options.first + options.lines, options.patience
+    last = options.first + options.lines
+    for number, (word, what, seconds) in watched_in_parts(
+        options.seed, options.first, last, options.patience, options.processes
     ):
         counts[word] += 1
         spent.append(seconds)

@@ -40,15 +40,17 @@ def intervals(H, V, down, weight):
     return np.unique(np.clip(ends, 0.0, down))
 
 
-def hung(H, V, down, weight, segment):
-    """How far a free part reaches, (x, z) m, from its upper end to `down` m of unstretched length below it."""
-    ends = intervals(H, V, down, weight)
+def hung(H, V, places, weight, segment):
+    """How far a free part reaches, (x, z) m of each, from its upper end to `places` m of unstretched length below."""
+    ends = np.union1d(intervals(H, V, np.max(places), weight), places)
     half = 0.5 * np.diff(ends)[:, None]
     s = 0.5 * (ends[1:] + ends[:-1])[:, None] + half * NODES
     v = V - weight * s
     T = np.maximum(np.hypot(H, v), 1e-300)
     factor = half * WEIGHTS * (1 + strain(segment, T)) / T
-    return np.sum(factor * H), np.sum(factor * v)
+    at = np.searchsorted(ends, places)
+    x, z = np.cumsum(factor.sum(axis=1)) * H, np.cumsum((factor * v).sum(axis=1))
+    return np.append(0.0, x)[at], np.append(0.0, z)[at]
 
 
 def segment_at(line, s):
@@ -146,17 +148,16 @@ def on_bed(line, p, segment, heap, sliding, far, force, out):
 def in_water(line, p, segment, far, out):
     """Checks a free part; returns where it ends"""
     _, _, down, x, z, H, V, weight, *_ = p
-    dx, dz = hung(H, V, down, weight, segment)
+    lowest = np.empty(0)
     if line.bed is not None:
-        facets = [
-            (V - H * np.tan(beta)) / weight
-            for beta in np.arctan(np.diff(line.bed.points[:, 1]) / np.diff(line.bed.points[:, 0]))
-        ]
-        places = np.unique(np.clip([*facets, *np.linspace(0.0, down, 12)], 0.0, down))
-        for s in places:
-            sx, sz = hung(H, V, s, weight, segment)
-            out.note("below the bed", (bed_height(line, x - sx) - (z - sz)) / far if x - sx > -far else 0.0)
-    return x - dx, z - dz
+        slopes = np.diff(line.bed.points[:, 1]) / np.diff(line.bed.points[:, 0])
+        lowest = (V - H * slopes) / weight
+    places = np.clip(np.concatenate([[down], lowest, np.linspace(0.0, down, 12)]), 0.0, down)
+    dx, dz = hung(H, V, places, weight, segment)
+    if line.bed is not None:
+        under = np.where(x - dx > -far, bed_height(line, x - dx) - (z - dz), 0.0)
+        out.note("below the bed", under.max() / far)
+    return x - dx[0], z - dz[0]
 
 
 def meet(line, found, above, below, far, force, out):
