@@ -52,6 +52,7 @@ def main():
         timing.begin()
     if len(sys.argv) > 1 and sys.argv[1][0:1] != "-" and sys.argv[1] not in TOLD and "--help" not in sys.argv:
         _spare_numpy()
+        _tell_compiling()
         if sys.argv[1] not in SAME:
             _put_off_compiling()
     from . import cli
@@ -90,6 +91,16 @@ def _put_off_compiling():
     from bem.kernels.uncompiled import allow
 
     allow(SHORT, SECONDS, CALLS if sys.argv[1] in FEW else 0)
+
+
+def _tell_compiling():
+    """Say at a terminal that kernels are compiled, when the first is"""
+    if sys.stderr.isatty():
+        from bem.kernels.jit import before_first_kernel
+
+        from .common.first_use import tell_first_use
+
+        before_first_kernel(tell_first_use)
 
 
 def _leave(number, frame):

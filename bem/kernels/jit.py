@@ -27,6 +27,13 @@ _IMPORT = re.compile(
 )
 _NAME = re.compile(r"(\w[\w.]*)(?:\s+as\s+\w+)?\s*(?:#[^\n]*)?(?:,|$)")
 
+_before_first = []
+
+
+def before_first_kernel(call):
+    """Have something called once numba is loaded, before it compiles or loads the first kernel of this process"""
+    _before_first.append(call)
+
 
 @cache
 def cache_folder(file, root):
@@ -118,6 +125,8 @@ def _compiling(function, inline, version="", **wrappers):
     import numba
     from numba.core import config
 
+    while _before_first:
+        _before_first.pop()()
     kept, before = _writable(_base()), config.CACHE_DIR
     config.CACHE_DIR = str(_folder_of(function) / version)
     try:

@@ -6,9 +6,7 @@ import sys
 
 
 def tell_first_use():
-    """Say it on stderr, if that is a terminal, before the next kernel is compiled; returns the listener of numba."""
-    if not sys.stderr.isatty():
-        return None
+    """Say it on stderr before the next kernel is compiled; returns the listener of numba."""
     from numba.core import event
 
     class Teller(event.Listener):

@@ -20,7 +20,6 @@ def design(
 
     Status 1 where a criterion is not met, is not judged, or a case could not be run.
     """
-    from ..common.first_use import tell_first_use
     from ..common.outputs import check_folder
     from ..executors.choice import executor_of
     from ..printing.console import new_console
@@ -29,7 +28,6 @@ def design(
     console, read = new_console(), read_project(project)
     check_folder(output)
     workers = executor_of(executor)
-    tell_first_use()
     try:
         verdict, names, change = made(read, output, workers, console, advice)
     finally:

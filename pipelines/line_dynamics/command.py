@@ -14,7 +14,6 @@ from mooring.lines.system.findings import LONGEST_STRAIN
 
 from ..common.anchors import warn_of_anchors
 from ..common.bounds import check_memory, check_seconds, told
-from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
@@ -67,7 +66,6 @@ def _run(study, text, folder, output, picture):
             warnings.simplefilter("always")
             study = with_moordyn(study, folder)
     _check_finest(study)
-    tell_first_use()
     line, breaking = line_of(study)
     course = course_of(study, folder)
     if not 0 < course.duration < np.inf:

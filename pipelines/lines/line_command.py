@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..common.first_use import tell_first_use
 from ..common.picture import PLOTS, check_picture, save
 from ..common.quantities import DEEPEST, HEAVIEST, ROUGHEST, StudyError
 from ..common.units import KN, TONF
@@ -89,7 +88,6 @@ def line(
         check_picture(output, PLOTS)
     _check_flags(weight=weight, stiffness=stiffness, length=length, depth=depth, fairlead_z=fairlead_z)
     _check_flags(span=span, tension=tension, friction=friction, slope_deg=slope_deg)
-    tell_first_use()
     one = OneLine(_kind(type, weight, stiffness), length, fairlead_z + depth, depth, friction, np.radians(slope_deg))
     _check_floating(one, fairlead_z, friction, slope_deg)
     if (span is None) == (tension is None):

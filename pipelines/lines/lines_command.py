@@ -13,7 +13,6 @@ from bem import DOFS
 from bem.database.file import check_place
 
 from ..common.bounds import MOST, Pace, check_seconds, told
-from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
@@ -46,7 +45,6 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
     if offset is not None and not 0 < offset <= FARTHEST:
         raise StudyError(f"--offset is {offset:g} m; allowed: above 0, at most {FARTHEST:g}")
     db = None if database is None else open_database(database)
-    tell_first_use()
     console = _console()
     with _warnings_shown(console):
         system = read_system(file, depth)

@@ -12,7 +12,6 @@ from bem.database.resonances import resonances
 from bem.database.results import has_schema
 from mooring.studies.multi_point import PLANE, line_ends, multi_point
 
-from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.resonances import resonance_lines
 from ..common.units import KN
@@ -50,8 +49,6 @@ def moor(study_path, database_path, output_path=None, quiet=False):
     study, text = read_study(study_path)
     db = open_database(database_path)
     output = None if output_path is None else _checked_output(Path(output_path), study_path, database_path)
-    if not quiet:
-        tell_first_use()
     result, hull = studied(study, db)
     if output is not None:
         write_result(output, result, text, Path(database_path))

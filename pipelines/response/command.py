@@ -109,14 +109,12 @@ def _in_sea(read, body, db, points, study):
 
 
 def _moored(read, db, points, study, path):
-    from ..common.first_use import tell_first_use
     from ..common.quantities import StudyError, positive
     from .moored import moored
     from .study import sea_of
 
     if read.sea.qtf != "newman":
         raise StudyError(f"sea.qtf is {read.sea.qtf!r}; allowed with --moored: newman")
-    tell_first_use()
     sea = sea_of(read.sea, study, db.water_depth)
     return moored(path, read, db, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
 

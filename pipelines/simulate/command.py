@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ..common.first_use import tell_first_use
 from ..common.quantities import StudyError
 from ..executors.choice import executor_of
 from ..moor.gusts import gusts_of
@@ -34,7 +33,6 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
         raise StudyError("--division is given without --methods; allowed: with it")
     if seeds is not None and seeds < 1:
         raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
-    tell_first_use()
     try:
         outcome = fill(study, database, output, console, workers, seeds, duration, fresh, windows)
     finally:

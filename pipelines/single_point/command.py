@@ -9,7 +9,6 @@ import numpy as np
 from bem.database.results import has_schema
 from mooring.single_point.equilibria import equilibria
 
-from ..common.first_use import tell_first_use
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from . import running
@@ -40,7 +39,6 @@ def single_point(study_path, database, output, picture):
     folder = Path(study_path).resolve().parent
     if study.slewing is not None:
         running.check(study, db)
-    tell_first_use()
     made = make(study, folder, db)
     found = equilibria(made.point)
     for one in found:
