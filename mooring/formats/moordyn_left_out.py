@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from math import isfinite
 
+from .moordyn_ropes import is_syrope
 from .moordyn_rows import FREE
 
 # of the file's OPTIONS in lower case: what they bring in where their value is not 0
@@ -41,7 +42,9 @@ def left_out(file, moves=False):
     ):
         if names:
             said.append(what.format(", ".join(names)))
-    for key, title in (("syrope", "SYROPE IC"), ("control", "CONTROL"), ("external", "EXTERNAL LOADS")):
+    if file.syrope and not any(is_syrope(row) for row in file.line_types):
+        said.append("section SYROPE IC is left out: no line type is a Syrope rope")
+    for key, title in (("control", "CONTROL"), ("external", "EXTERNAL LOADS")):
         if getattr(file, key):
             said.append(f"section {title} is left out")
     return said
@@ -53,8 +56,13 @@ def _of_types(file, moves):
     for names, what in (
         (bent, "bending stiffness EI of {} is left out" + (", a table" if moves else "")),
         (
-            [row.name for row in rows if "|" in row.EA],
+            [row.name for row in rows if "|" in row.EA and not is_syrope(row)],
             "dynamic stiffness (EA a|b) of {} is left out, the static counts",
+        ),
+        (
+            [row.name for row in rows if is_syrope(row)],
+            "fast stiffness of the Syrope rope {} is left out, at rest its slow working curve counts; Tmean0 is left "
+            "out, rest gives the tension",
         ),
         ([row.name for row in rows if row.Cl], "vortex-induced vibration (Cl) of {} is left out"),
     ):

@@ -20,10 +20,20 @@ from bem import DOFS
 
 from ..lines.system.bodies import rotation
 from ..lines.system.graph import System
-from ..lines.system.parts import Anchor, Fairlead, FreePoint, LineDynamics, LineType, MooredBody, UniformLine
+from ..lines.system.parts import (
+    Anchor,
+    CompositeLine,
+    Fairlead,
+    FreePoint,
+    LineDynamics,
+    LineType,
+    MooredBody,
+    UniformLine,
+)
 from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
 from .moordyn_left_out import left_out
+from .moordyn_ropes import curve_of_line, is_tabulated, largest_tensions, segment_of_curve
 from .moordyn_rows import COUPLED, FIXED, FREE, LineTypeRow
 
 VESSEL = "vessel"
@@ -53,10 +63,7 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     water = _Water(_option(file, path, 1025.0, DENSITY), _option(file, path, 9.80665, GRAVITY), path)
     friction = _option(file, path, 0.0, FRICTION)
     types = {row.name: _type(row, water) for row in file.line_types}
-    lines = [
-        UniformLine(row.id, types[row.type], row.length, _end(row.a), _end(row.b), friction, row.segments or None)
-        for row in file.lines
-    ]
+    lines = _lines(file, types, friction, path)
     points, bodies, idle = _points_and_bodies(file, water, lines)
     lines = _joined(lines, points)
     system = System(depth, lines, points, bodies, water.density, water.gravity)
@@ -69,6 +76,21 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     ):
         warnings.warn(f"{path}: {text}", stacklevel=2)
     return system
+
+
+def _lines(file, types, friction, path):
+    """A UniformLine each, or where its type is a table over strain a CompositeLine"""
+    tabulated = {row.name: row for row in file.line_types if is_tabulated(row)}
+    syrope, made = largest_tensions(file, path) if tabulated else {}, []
+    for row in file.lines:
+        kind, ends = types[row.type], (_end(row.a), _end(row.b))
+        if row.type in tabulated:
+            curve = curve_of_line(row, tabulated[row.type], syrope, path)
+            segment = segment_of_curve(kind, row.length, curve)
+            made.append(CompositeLine(row.id, (segment,), *ends, bed_friction=friction))
+        else:
+            made.append(UniformLine(row.id, kind, row.length, *ends, friction, row.segments or None))
+    return made
 
 
 def read_moordyn_system(path, depth=None) -> System:
@@ -109,11 +131,7 @@ def _depth(file, path, given):
 
 
 def _type(row: LineTypeRow, water):
-    try:
-        stiffness = float(row.EA.split("|")[0])
-    except ValueError:
-        what = f"EA of {row.name} is {row.EA!r}; allowed: a number or a|b"
-        raise FormatError(f"{water.path}, section LINE TYPES: {what}") from None
+    stiffness = np.inf if is_tabulated(row) else float(row.EA.split("|")[0].lower().replace("d", "e"))
     dynamics = LineDynamics(
         row.Cd, row.CdAx, row.Ca, row.CaAx, _number(row.BA.split("|")[0], -1.0), _number(row.EI, 0.0)
     )

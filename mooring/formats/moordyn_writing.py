@@ -54,7 +54,8 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     cut = [line.name for line in system.lines if not isinstance(line, UniformLine)]
     if cut:
         raise FormatError(
-            f"line {cut[0]} has several segments; allowed for MoorDyn: uniform lines, joined at free points"
+            f"line {cut[0]} has several segments or stretches by a table; allowed for MoorDyn: uniform lines, joined "
+            "at free points, with a number as EA"
         )
     types = {line.type.name: line.type for line in system.lines}
     for line in system.lines:

@@ -63,7 +63,7 @@ def with_moordyn(study, folder):
 
 def _way(system, name):
     """Lines from the anchor to the end that moves, the free points between them, and the names of both ends"""
-    from mooring.lines.system.parts import Anchor, FreePoint
+    from mooring.lines.system.parts import Anchor, CompositeLine, FreePoint
 
     lines = {line.name: line for line in system.lines}
     if name not in lines:
@@ -87,6 +87,12 @@ def _way(system, name):
         if not good:
             what = f"point {end}, a {type(points[end]).__name__}, which {len(at[end])} lines share"
             raise StudyError(f"moordyn: line {name} ends at {what}; allowed: at an anchor and a point that is moved")
+    table = [line.name for line in way if isinstance(line, CompositeLine)]
+    if table:
+        raise StudyError(
+            f"moordyn: EA of line {table[0]} is a table or a Syrope rope; allowed in motion: a number or a|b, or a "
+            "study with elongation_percent and tensions of its own"
+        )
     joints = [points[({one.a, one.b} & {two.a, two.b}).pop()] for one, two in pairwise(way)]
     return way, joints, *ends
 

@@ -95,3 +95,10 @@ def test_a_line_that_is_not_there_or_is_given_twice_is_refused_by_name(study, ca
     study.write_text(STUDY.replace(old, new))
     assert main(["line-dynamics", str(study)]) == 2
     assert message in capsys.readouterr().err
+
+
+def test_a_rope_with_a_table_is_not_moved_as_if_it_had_none(study, capsys):
+    (study.parent / "lines.txt").write_text(MOORDYN.replace("6.0e7 ", "rope.txt "))
+    (study.parent / "rope.txt").write_text("rope\nstrain tension\n(-) (N)\n0 0\n0.01 4e5\n0.02 1e6\n")
+    assert main(["line-dynamics", str(study)]) == 2
+    assert "EA of line 2 is a table or a Syrope rope; allowed in motion: a number" in capsys.readouterr().err
