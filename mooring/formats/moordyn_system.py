@@ -4,7 +4,7 @@ Coupled points and bodies are held where they are given: by the vessel, whose pl
 The points belong to one body named "vessel" at the origin, those of bodies 1, 2 … to "body 1" …; other names are the
 ids of the file.  Ends of a rod that is held are points "R1A", "R1B"; a free rod without length is one free point "R1",
 one with a length a body "rod 1" that floats or sinks whole.  A free body has its weight at its CG and its buoyancy,
-whole, at its origin.  Submerged weight is (mass − ρ π/4 d²) g.
+whole, at its origin.  Submerged weight is (mass − ρ π/4 d²) g, that of lines above the water mass g: `moordyn_dry`.
 What statics cannot represent is refused by name, or left out with a warning for each kind.
 """
 
@@ -18,7 +18,6 @@ import numpy as np
 
 from bem import DOFS
 
-from ..lines.system.bodies import rotation
 from ..lines.system.graph import System
 from ..lines.system.parts import (
     Anchor,
@@ -32,6 +31,7 @@ from ..lines.system.parts import (
 )
 from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
+from .moordyn_dry import STILL, in_air, out_of_water
 from .moordyn_left_out import left_out
 from .moordyn_ropes import curve_of_line, is_tabulated, largest_tensions, segment_of_curve
 from .moordyn_rows import COUPLED, FIXED, FREE, LineTypeRow
@@ -41,8 +41,6 @@ DEPTH = ("WtrDpth", "depth", "WaterDepth")
 DENSITY = ("WtrDnsty", "rho", "rhoW", "WtrDens")
 GRAVITY = ("g", "gravity", "grav")
 FRICTION = ("FrictionCoefficient", "mu_kT", "FricCoeff")
-STILL = 1e-6  # N/m: weight of a line that weighs nothing in water; the solver wants one
-OUT = 1e-6  # m: how far an end above the water is out of it
 
 
 class _Water(NamedTuple):
@@ -65,14 +63,17 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     types = {row.name: _type(row, water) for row in file.line_types}
     lines = _lines(file, types, friction, path)
     points, bodies, idle = _points_and_bodies(file, water, lines)
-    lines = _joined(lines, points)
+    lines, out = _joined(lines, points), []
+    if not moves:
+        lines, dry = in_air(lines, points, bodies, water)
+        lines, out = out_of_water(lines, points, bodies, dry, water)
     system = System(depth, lines, points, bodies, water.density, water.gravity)
     for text in (
         *said,
         *left_out(file, moves),
         *idle,
         *_weightless(types.values()),
-        *(() if moves else _out_of_water(system)),
+        *out,
     ):
         warnings.warn(f"{path}: {text}", stacklevel=2)
     return system
@@ -152,20 +153,6 @@ def _number(text, default):
 def _weightless(types):
     names = [kind.name for kind in types if kind.weight == STILL]
     return [f"line type {', '.join(names)} weighs nothing in water; {STILL:g} N/m is counted"] if names else []
-
-
-def _out_of_water(system):
-    """Of lines with an end above the water where it is given: their submerged weight is counted there too."""
-    if system.density == 0:
-        return []
-    turned = {body.name: (body.position[2], rotation(*body.position[3:])) for body in system.bodies}
-    high = set()
-    for point in system.points:
-        z, turn = turned[point.body] if isinstance(point, Fairlead) else (0.0, np.eye(3))
-        if z + turn[2] @ point.position > OUT:
-            high.add(point.name)
-    names = [line.name for line in system.lines if line.a in high or line.b in high]
-    return [f"line {', '.join(names)} comes out of the water and weighs there what it does in it"] if names else []
 
 
 def _end(name):

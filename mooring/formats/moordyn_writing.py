@@ -21,6 +21,7 @@ from ..lines.system.graph import System
 from ..lines.system.parts import Fairlead, FreePoint, LineDynamics, UniformLine
 from .fault import FormatError
 from .moordyn import MoorDynFile
+from .moordyn_dry import weighed_differently
 from .moordyn_rows import BodyRow, LineRow, LineTypeRow, PointRow
 
 SEGMENTS = 20  # of a line that does not say how many
@@ -71,6 +72,13 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     kept = {name: value for name, value in kept.items() if value is not None}
     longest = _positive("dtM", given.option("dtM", "dt", default=repr(LONGEST_STEP)))
     bed = [_positive(name, kept[name]) for name in BED]
+    lighter = weighed_differently(system)
+    if lighter:
+        warnings.warn(
+            f"line {', '.join(lighter)} comes out of the water; there it weighs here what it does in water, and in "
+            "MoorDyn what it does in air",
+            stacklevel=2,
+        )
     moved = [body.name for body in system.bodies if body.freedom]
     if moved:
         warnings.warn(

@@ -5,11 +5,14 @@ python tests/bench/moordyn_files.py FOLDER [--peer PYTHON] [--only TEXT]
 A row a file: read or refused (why), what is left out, the largest tension at rest, the largest change of a force
 after writing and reading again, and the difference of MoorDyn's tensions at both ends of every line at rest, over the
 largest tension of the system.  MoorDyn gives the tension of its first and last segment; ours is taken at their middle.
-With --peer the bodies are held where they are given, as a written file has them, and there is no friction, which a
-line that MoorDyn relaxes does not bring to bear; files are written with the longest stable step and without bending
-stiffness.  MoorDyn's static solve comes first; where that leaves more than 0.5 %, its dynamic relaxation, of lines with
-drag and damping of our own choice, which statics do not feel ("relaxed"); where that does too, both again with twice
-as many segments a line, and so on for as long as the difference falls: the error of MoorDyn's own mesh goes with them.
+With --peer the bodies are held where they are given, as a written file has them, free points are written where they
+rest, and there is no friction, which a line that MoorDyn relaxes does not bring to bear; files are written with the
+longest stable step and without bending stiffness.  MoorDyn's static solve comes first; where that leaves more than
+0.5 %, its dynamic relaxation, of lines with drag and damping of our own choice, which statics do not feel ("relaxed").
+Where that does too, the lines are cut as MoorDyn cuts them and their rest is found by Newton (`lumped_rest`, "cut"):
+if MoorDyn is within 0.5 % of that, and with 16 to 256 times as many segments that is within 0.5 % of ours, the
+difference is the error of MoorDyn's own mesh, and both numbers are told; if not, both runs again with twice as many
+segments.
 PYTHON is one that has moordyn (2.7.2).
 """
 
@@ -24,17 +27,19 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from lumped_rest import end_tensions
 
 from mooring.formats.moordyn import read_moordyn, write_moordyn
 from mooring.formats.moordyn_system import system_of_moordyn
-from mooring.formats.moordyn_writing import moordyn_of_system
+from mooring.formats.moordyn_writing import BED, moordyn_of_system
 from mooring.lines.system.equilibrium import held_at, rest
-from mooring.lines.system.parts import LineDynamics
+from mooring.lines.system.parts import FreePoint, LineDynamics
 
 HEADING = re.compile(r"^\s*-{3}.*(LINE TYPES|LINE DICTIONARY|LINES|RODS)\b", re.IGNORECASE | re.MULTILINE)
 STATIC = {"dtIC": "2.0", "TmaxIC": "120", "threshIC": "1e-4", "ICgenDynamic": "0"}
 DYNAMIC = {"dtIC": "5.0", "TmaxIC": "400", "threshIC": "1e-5", "CdScaleIC": "4", "ICgenDynamic": "1"}
 CLOSE, PATIENCE = 5e-3, 120.0  # of the tension; s a run
+FINER = (16, 64, 256)  # times MoorDyn's segments, of the cut lines that are to meet ours
 PEER = """
 import json, sys, moordyn
 system = moordyn.Create(sys.argv[1])
@@ -89,10 +94,22 @@ def plain(line, finer, damped):
     return replace(line, type=kind, elements=finer * (line.elements or 20), bed_friction=0.0)
 
 
-def against_peer(python, file, system, folder, finer, damped):
-    """The largest difference of MoorDyn's tension at an end of a line, over the largest tension."""
+def settled(point, places):
+    """A free point where it rests: MoorDyn has not to swing it there for hundreds of seconds"""
+    return replace(point, position=tuple(map(float, places[point.name]))) if point.name in places else point
+
+
+def cut(system, finer, damped):
+    """The system with its bodies held, its lines as `plain` and its free points where they rest; its state at rest"""
     held = held_at(system, {body.name: body.position for body in system.bodies})
     held = replace(held, lines=tuple(plain(line, finer, damped) for line in held.lines))
+    state = at_rest(held)
+    places = {point.name: state.points[i] for i, point in enumerate(held.points) if isinstance(point, FreePoint)}
+    return replace(held, points=tuple(settled(point, places) for point in held.points)), state
+
+
+def tensions_of_peer(python, file, held, folder, damped):
+    """(n, 2) N of MoorDyn, in the first and the last segment.  raises : ValueError where it crashes"""
     kept = {name: value for name, value in file.options.items() if name.lower() not in ("dt", "dtm")}
     source = replace(file, options={**kept, **(DYNAMIC if damped else STATIC)})
     path = Path(folder) / "peer.txt"
@@ -106,42 +123,77 @@ def against_peer(python, file, system, folder, finer, damped):
         timeout=PATIENCE,
     )
     if done.returncode:
-        return (done.stderr.strip().splitlines() or ["crashed"])[-1][:60]
-    theirs = np.array(json.loads(done.stdout.strip().splitlines()[-1]))
-    state = at_rest(held)
-    ours = np.array(
-        [
-            middles(line, *ends)
-            for line, *ends in zip(held.lines, *state.lines[:4], state.lines.grounded_length, strict=True)
-        ]
+        raise ValueError((done.stderr.strip().splitlines() or ["crashed"])[-1][:60])
+    return np.array(json.loads(done.stdout.strip().splitlines()[-1]))
+
+
+def tensions_of_ours(state):
+    """(n, 2) N in the middle of the first and the last segment"""
+    lines, grounded = state.system.lines, state.lines.grounded_length
+    heights = state.points[state.system.arrays.ends, 2]
+    return np.array(
+        [middles(line, *ends) for line, *ends in zip(lines, heights, *state.lines[:4], grounded, strict=True)]
     )
-    return float(np.abs(theirs - ours).max() / max(state.tension))
 
 
-def middles(line, horizontal_a, horizontal_b, vertical_a, vertical_b, grounded):
+def apart(one, other, state):
+    return float(np.abs(one - other).max() / max(state.tension))
+
+
+def mesh_error(file, system, theirs, finer):
+    """Difference of MoorDyn from cut lines with as many segments; how many times more bring these nearest to ours, and
+    how near.
+
+    theirs : [(n, 2) N] of which the nearest counts
+    """
+    bed = float(file.option("kBot", "kb", default=BED["kBot"]))
+    state = cut(system, finer, False)[1]
+    near = end_tensions(state, bed)
+    for times in FINER:
+        finest = cut(system, times * finer, False)[1]
+        fine = apart(end_tensions(finest, bed), tensions_of_ours(finest), finest)
+        if fine <= CLOSE:
+            break
+    return min(apart(one, near, state) for one in theirs), times, fine
+
+
+def middles(line, heights, horizontal_a, horizontal_b, vertical_a, vertical_b, grounded):
     """N, in the middle of the first and the last segment, from the pulls on the ends; a is on the bed or hangs."""
-    half = 0.5 * line.type.weight * line.length / line.elements
+    dry = line.type.weight if line.weight_in_air is None else line.weight_in_air
+    half = [0.5 * (dry if z > 0 else line.type.weight) * line.length / line.elements for z in heights]
     lying = [end == 0 and grounded > 0 for end in (vertical_a, vertical_b)]
-    ends = zip((horizontal_a, horizontal_b), (vertical_a, vertical_b), lying, strict=True)
-    return [np.hypot(H, V - (0 if still else half)) for H, V, still in ends]
+    ends = zip((horizontal_a, horizontal_b), (vertical_a, vertical_b), lying, half, strict=True)
+    return [np.hypot(H, V - (0 if still else own)) for H, V, still, own in ends]
 
 
 def with_peer(python, file, system, folder):
-    """Differences found, [(times as many segments, relaxed, difference or why there is none)], the last the best"""
-    found, before = [], np.inf
-    for finer in 2 ** np.arange(9):
+    """Differences found, [(times as many segments, how, difference or why there is none)], the last the best"""
+    found = []
+    for finer in (1, 2, 4):
+        theirs = []
         for damped in (False, True):
+            held, state = cut(system, finer, damped)
             try:
-                found.append((finer, damped, against_peer(python, file, system, folder, finer, damped)))
+                theirs.append(tensions_of_peer(python, file, held, folder, damped))
+                by = apart(theirs[-1], tensions_of_ours(state), state)
             except subprocess.TimeoutExpired:
-                found.append((finer, damped, f"not done in {PATIENCE} s"))
-            if isinstance(found[-1][2], float) and found[-1][2] <= CLOSE:
+                by = f"not done in {PATIENCE} s"
+            except ValueError as error:
+                by = str(error)
+            found.append((finer, "relaxed" if damped else "static", by))
+            if isinstance(by, float) and by <= CLOSE:
                 return found
-        now = min([one[2] for one in found[-2:] if isinstance(one[2], float)], default=np.inf)
-        if not now < 0.8 * before:
-            break
-        before = now
-    return sorted(found, key=lambda one: -one[2] if isinstance(one[2], float) else -np.inf)
+        if theirs:
+            try:
+                near, times, fine = mesh_error(file, system, theirs, finer)
+            except ValueError as error:
+                found.append((finer, "cut", str(error)))
+                continue
+            found += [(finer, "of MoorDyn from lines cut as it cuts them", near), (times * finer, "cut", fine)]
+            if max(near, fine) <= CLOSE:
+                return [*found, (finer, "less the error of its mesh", max(near, fine))]
+    runs = [one for one in found if one[1] in ("static", "relaxed") and isinstance(one[2], float)]
+    return [*found, min(runs, key=lambda one: one[2])] if runs else found
 
 
 def row(path, peer, folder):
@@ -166,11 +218,8 @@ def row(path, peer, folder):
 
 
 def told(tries):
-    """The tries, from the worst to the last: segments times, statics or relaxed, difference"""
-    words = [
-        f"{finer}× {'relaxed' if damped else 'static'} {f'{by:.2e}' if isinstance(by, float) else by}"
-        for finer, damped, by in tries
-    ]
+    """The tries: segments times, how, difference"""
+    words = [f"{finer}× {how} {f'{by:.2e}' if isinstance(by, float) else by}" for finer, how, by in tries]
     return " of " + ", ".join(words)
 
 
@@ -200,6 +249,9 @@ def main():
         "read": sum(one["read"] for one in found),
         "at rest": sum("tension" in one for one in found),
         "written and read again within 1e-9": sum(one.get("again", 1) <= 1e-9 for one in found),
+        "of these less the error of its mesh": sum(
+            "tries" in one and one["tries"][-1][1] == "less the error of its mesh" for one in found
+        ),
         "MoorDyn within 0.5 %": sum(isinstance(p := one.get("peer"), float) and p <= CLOSE for one in found),
     }
     print(", ".join(f"{name}: {value}" for name, value in count.items()))

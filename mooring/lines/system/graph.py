@@ -2,7 +2,8 @@
 
 Degrees of freedom: six of each body (shift of its origin, rotation about space axes), then three of each free
 point, in the order in which the parts are given.  Stiffness is −∂(force, moment about the moving origin).
-The bed is flat at z = −depth; lines weigh what they weigh in water, also where they leave it.  Friction of the bed
+The bed is flat at z = −depth; lines weigh what they weigh in water, also where they leave it, but for those with a
+weight in air.  Friction of the bed
 is counted on lines that end at an anchor on it: between free points it would depend on history.
 Equations of equilibrium: SR179 report (1982), sections 3.1.5 and 3.5.1.
 """
@@ -18,7 +19,7 @@ import numpy as np
 from ..catenary.state import State
 from .bodies import rotation
 from .checks import ON_BED, check_system
-from .composite import composite, fill_row
+from .composite import composite, fill_row, fill_surfacing, surfacing
 from .findings import culprit
 from .hawser import Hawser, fill_hawser
 from .parts import (
@@ -86,7 +87,8 @@ class SystemArrays(NamedTuple):
     column : (p,) first degree of freedom; floats : (p, 3) weight and buoyancy of free points, N, and their height, m
     ends : (n, 2) points of each line; flipped : (n,) whether end b is the anchor on the bed, so that the
     line is solved from there
-    lines : (n, 4) length, weight, 1/EA and friction, 0 for other lines than uniform ones; bed : its height, m
+    lines : (n, 4) length, weight, 1/EA and friction, 0 for lines that are not uniform or have a weight in air
+    bed : its height, m
     """
 
     position: np.ndarray
@@ -169,7 +171,7 @@ class System:
         anchored = self.anchored_ends
         lines = np.zeros((len(self.lines), 4))
         for i, (line, end) in enumerate(zip(self.lines, anchored, strict=True)):
-            if isinstance(line, UniformLine):
+            if isinstance(line, UniformLine) and line.weight_in_air is None:
                 friction = line.bed_friction * bool(end)
                 lines[i] = line.length, line.type.weight, 1 / line.type.axial_stiffness, friction
         flipped = np.array([end == "b" for end in anchored])
@@ -180,6 +182,11 @@ class System:
         """Composite of every line of segments, in the order of the lines"""
         numbers = [i for i, line in enumerate(self.lines) if isinstance(line, CompositeLine)]
         return tuple(composite(self, i, self.anchored_ends[i]) for i in numbers)
+
+    @cached_property
+    def surfacing(self):
+        """`composite.Surfacing` of every line that weighs differently above the water"""
+        return surfacing(self) if any(getattr(line, "weight_in_air", None) is not None for line in self.lines) else ()
 
     @cached_property
     def hawsers(self):
@@ -209,7 +216,7 @@ class System:
         from .assembly import assemble
 
         pose = self.pose if pose is None else pose
-        if self.composites or self.hawsers:
+        if self.composites or self.hawsers or self.surfacing:
             return self._load_by_rows(pose)
         return SystemLoad(*assemble(*self.arrays, *pose), {})
 
@@ -234,6 +241,8 @@ class System:
             solutions[one.number] = fill_row(rows[one.number], one, A, B)
         for i in self.hawsers:
             fill_hawser(rows[i], self.lines[i], *points[ends[i][::-1] if arrays.flipped[i] else ends[i]])
+        for one in self.surfacing:
+            fill_surfacing(rows[one.number], one, *points[ends[one.number][::-1] if one.flipped else ends[one.number]])
         return rows, solutions
 
     def forces_between(self, starts, ends) -> LineForces:

@@ -75,6 +75,7 @@ class UniformLine:
     """A uniform line between two points, named by their names.
 
     length : m, unstretched; elements : of a run in time, None where it is left to whoever runs it
+    weight_in_air : N/m of its parts above z = 0, None where these weigh what they do in water
     """
 
     name: str
@@ -84,10 +85,16 @@ class UniformLine:
     b: str
     bed_friction: float = 0.0
     elements: int | None = None
+    weight_in_air: float | None = None
 
     def __post_init__(self):
         _check(f"line {self.name}: length", self.length, self.length > 0, "finite, above 0 m")
         _check(f"line {self.name}: bed_friction", self.bed_friction, self.bed_friction >= 0, "finite, at least 0")
+        if self.weight_in_air is not None:
+            least, air = self.type.weight, self.weight_in_air
+            _check(
+                f"line {self.name}: weight_in_air", air, air >= least > 0, "finite, at least a weight in water above 0"
+            )
 
     @property
     def breaking_load(self):

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..catenary.state import State
-from .composite import points_along
+from .composite import points_along, surfacing_shape
 from .hawser import Hawser
 
 
@@ -48,6 +48,9 @@ def _shape(state, i, count):
     a, b = state.points[system.arrays.ends[i]]
     if isinstance(line, Hawser):
         return a + np.linspace(0, 1, count)[:, None] * (b - a)
+    one = next((one for one in system.surfacing if one.number == i), None)
+    if one is not None:
+        return surfacing_shape(one, *((b, a) if one.flipped else (a, b)), count)
     away = (b - a)[:2]
     span = np.hypot(*away)
     outward = away / span if span > 0 else np.array([1.0, 0.0])

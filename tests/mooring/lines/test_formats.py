@@ -302,6 +302,50 @@ def test_a_rod_without_length_joins_its_lines_and_one_that_is_held_ends_them():
         quiet_system(with_rod("Pinned -10 0 -75 10 0 -75 1"))
 
 
+DRY = """\
+--- LINE TYPES ---
+Name Diam MassDen EA BA/-zeta EI Cd Ca CdAx CaAx
+(-) (m) (kg/m) (N) (-) (-) (-) (-) (-) (-)
+beam 0.25 100 1.5e9 -1 0 0 0 0 0
+--- POINTS ---
+ID Attachment X Y Z Mass Volume CdA Ca
+- - - - - - - - -
+1 Fixed 0 0 10 0 0 0 0
+2 Fixed 10 0 10 0 0 0 0
+3 Free 20 0 9 0 0 0 0
+4 Fixed 40 0 -10 0 0 0 0
+--- LINES ---
+ID LineType AttachA AttachB UnstrLen NumSegs
+- - - - - -
+1 beam 1 2 10.1 20
+2 beam 2 3 10 20
+3 beam 2 4 45 20
+--- OPTIONS ---
+60 WtrDpth
+"""
+
+
+def test_lines_above_the_water_weigh_what_they_do_in_air(tmp_path):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        system = system_of_moordyn(parse_moordyn(DRY))
+    state = rest(system)
+    weight = 100 * system.gravity
+    assert np.allclose((state.lines.vertical_a + state.lines.vertical_b)[:2], weight * np.array([10.1, 10]), rtol=1e-9)
+    inside = 45 * system.lines[2].type.weight
+    assert inside < state.lines.vertical_a[2] + state.lines.vertical_b[2] < 45 * weight
+    write_moordyn(moordyn_of_system(system), tmp_path / "again.txt")
+    again = rest(quiet_system((tmp_path / "again.txt").read_text()))
+    assert np.allclose(again.tension, state.tension, rtol=1e-9)
+    moving = quiet_system(DRY, moves=True)  # where each part weighs by where it is
+    assert len({line.type for line in moving.lines}) == 1 and {line.weight_in_air for line in moving.lines} == {None}
+
+
+def test_a_line_that_floats_is_said_to_weigh_in_air_what_it_does_in_water():
+    with pytest.warns(UserWarning, match="line 3 comes out of the water and weighs there what it does in it"):
+        system_of_moordyn(parse_moordyn(DRY.replace("0.25 100 ", "0.25 40 ")))
+
+
 def test_what_a_run_in_time_needs_is_kept_when_a_file_is_read_and_written():
     first = parse_moordyn(VERSION_2.replace("3.0e6    kBot", "1.5e6    kb\n0.4 FrictionCoefficient\nRK4 tScheme"))
     system = quiet_system(VERSION_2.replace("0       0\n3    Body1", "0.3     0.7\n3    Body1"))
@@ -331,7 +375,10 @@ def test_the_written_time_step_is_stable_for_the_axial_waves_of_every_line():
 
 
 def test_a_system_written_for_moordyn_and_read_back_has_the_same_forces():
-    system = bridle()
+    with pytest.warns(UserWarning, match="line bow comes out of the water; there it weighs here what it does in water"):
+        moordyn_of_system(bridle())
+    points = [replace(point, position=(30.0, 1.0, -1.0)) if point.name == "bow" else point for point in bridle().points]
+    system = replace(bridle(), points=tuple(points))
     again = system_of_moordyn(parse_moordyn(moordyn_text(moordyn_of_system(system))))
     number = {point.name: str(i) for i, point in enumerate(system.points, 1)}
     assert [(line.name, line.a, line.b, line.length) for line in again.lines] == [

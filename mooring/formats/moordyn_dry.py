@@ -1,0 +1,100 @@
+"""Lines of a MoorDyn file out of the water: what is above it weighs what it does in air.
+
+Lines that cannot reach the water have a type of that weight: of a line L long whose ends are at z_a and z_b no point is
+lower than (z_a + z_b − L)/2, and a free point at its end no lower than L below the other end.  Of other lines with an
+end above the water the parts above it do (`mooring.lines.system.composite`); where they float or have a table of
+stiffness, they weigh there what they do in water, which is said.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..lines.system.bodies import rotation
+from ..lines.system.parts import Anchor, Fairlead, UniformLine
+
+STILL = 1e-6  # N/m: weight of a line that weighs nothing in water; the solver wants one
+OUT = 1e-6  # m: how far an end above the water is out of it
+DIPS = 1e-3  # of the length: a part that may get wet, by its stretch say, and counts as dry
+
+
+def in_air(lines, points, bodies, water):
+    """The lines, those that cannot reach the water with a type of their weight in air; their names"""
+    lowest = _lowest(lines, points, bodies)
+    dry = [_is_dry(line, lowest) for line in lines] if water.density > 0 else [False] * len(lines)
+    wet = {line.type.name for line, out in zip(lines, dry, strict=True) if not out and isinstance(line, UniformLine)}
+    made = [
+        replace(line, type=_aired(line.type, wet, water)) if out else line for line, out in zip(lines, dry, strict=True)
+    ]
+    return made, [line.name for line, out in zip(lines, dry, strict=True) if out]
+
+
+def _is_dry(line, lowest):
+    ends = lowest[line.a], lowest[line.b]
+    return isinstance(line, UniformLine) and min(*ends, 0.5 * (sum(ends) - line.length)) >= -DIPS * line.length
+
+
+def _aired(kind, wet, water):
+    name = f"{kind.name} in air" if kind.name in wet else kind.name
+    return replace(kind, name=name, weight=kind.mass * water.gravity or kind.weight)
+
+
+def heights(points, bodies):
+    """{name: m} of all points where they are given"""
+    turned = {body.name: (body.position[2], rotation(*body.position[3:])) for body in bodies}
+    found = {}
+    for point in points:
+        z, turn = turned[point.body] if isinstance(point, Fairlead) else (0.0, np.eye(3))
+        found[point.name] = float(z + turn[2] @ point.position)
+    return found
+
+
+def _lowest(lines, points, bodies):
+    """{name: m} that no point gets below; −inf where a free body or a chain of free points bears it"""
+    given, moves = heights(points, bodies), {body.name for body in bodies if body.freedom}
+    held = {
+        point.name
+        for point in points
+        if isinstance(point, Anchor) or (isinstance(point, Fairlead) and point.body not in moves)
+    }
+    found = {name: z if name in held else -np.inf for name, z in given.items()}
+    for line in lines:
+        for end, other in ((line.a, line.b), (line.b, line.a)):
+            if end not in held and other in held:
+                found[end] = max(found[end], given[other] - line.length)
+    return found
+
+
+def weighed_differently(system):
+    """Names of lines that weigh what they do in water above it too, and in MoorDyn do not"""
+    above = heights(system.points, system.bodies) if system.density > 0 else {}
+    high = {name for name, z in above.items() if z > OUT}
+    return [
+        line.name
+        for line in system.lines
+        if {line.a, line.b} & high
+        and line.weight_in_air is None
+        and line.type.mass is not None
+        and not np.isclose(line.type.weight, line.type.mass * system.gravity)
+    ]
+
+
+def out_of_water(lines, points, bodies, dry, water):
+    """The lines, those with an end above the water where it is given with their weight in air; text of those without.
+
+    dry : names of `in_air`
+    """
+    high = {name for name, z in heights(points, bodies).items() if z > OUT} if water.density > 0 else set()
+    made, left = [], []
+    for line in lines:
+        if line.name in dry or not {line.a, line.b} & high:
+            made.append(line)
+        elif isinstance(line, UniformLine) and line.type.weight > STILL:
+            made.append(replace(line, weight_in_air=line.type.mass * water.gravity))
+        else:
+            made.append(line)
+            left.append(line.name)
+    what = f"line {', '.join(left)} comes out of the water and weighs there what it does in it"
+    return made, [what] if left else []
