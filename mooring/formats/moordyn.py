@@ -82,11 +82,11 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
             found[key] += [(number, line)] if line.strip() else []
         elif line.split("#")[0].strip() or len(found[key]) < 2:  # the names may begin with #, and units be "(#)"
             found[key] += [(number, line)] if line.strip() and not COUNT.match(line) else []
-    if "lines" not in found:
-        others = ", ".join(SECTIONS[one].title for one in ("points", "bodies", "rods") if found.get(one))
-        what = f"it has {others} alone; allowed: with lines" if others else "this is no MoorDyn input file"
+    alone = "lines" not in found
+    if alone and not (found.get("rods") or found.get("bodies")):
+        what = "it has POINTS alone; allowed: with lines" if found.get("points") else "this is no MoorDyn input file"
         raise fault(path, None, None, f"there is no section LINES; {what}")
-    made = {key: _rows(key, rows, path) for key, rows in found.items() if SECTIONS[key].row is not None}
+    made = {key: _rows(key, rows, path, alone) for key, rows in found.items() if SECTIONS[key].row is not None}
     for key in ("syrope", "control", "external"):
         made[key] = tuple(line.rstrip() for _, line in found.get(key, []))
     options = _options(found.get("options", []), path)
@@ -115,7 +115,8 @@ def _fields(key):
     return own | section.aliases
 
 
-def _rows(key, rows, path):
+def _rows(key, rows, path, alone):
+    """Rows of a table; alone : in a file without lines rods need no ids of their own, nothing is joined to them"""
     section = SECTIONS[key]
     if len(rows) < 2:
         raise fault(path, rows[0][0] if rows else None, section.title, "a line of names and a line of units are needed")
@@ -123,7 +124,7 @@ def _rows(key, rows, path):
     made = tuple(_row(key, fields, number, line.split("#")[0].split(), path) for number, line in rows[2:])
     seen = set()
     for (number, _), row in zip(rows[2:], made, strict=True):
-        if row[0] in seen:
+        if row[0] in seen and not (alone and key == "rods"):
             raise fault(path, number, section.title, f"{row._fields[0]} {row[0]} is used twice; allowed: once")
         seen.add(row[0])
     return made
@@ -198,7 +199,7 @@ def _options(rows, path):
 def _check_references(file, found, path):
     types = [row.name for row in file.line_types]
     points = {row.id.lower().removeprefix("p").removeprefix("oint") for row in file.points}
-    places = [number for number, _ in found["lines"][2:]]
+    places = [number for number, _ in found.get("lines", [])[2:]]
     for number, row in zip(places, file.lines, strict=True):
         if row.type not in types:
             what = f"line {row.id}: type {row.type!r} is unknown; allowed: {', '.join(types)}"

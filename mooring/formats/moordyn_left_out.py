@@ -36,7 +36,7 @@ def left_out(file, moves=False):
     heeled = [row.id for row in file.bodies if row.attachment.lower() in FREE and (row.roll0 or row.pitch0)]
     for names, what in (
         ([row.id for row in file.failures], "failure {} of lines is left out: nothing breaks at rest"),
-        ([row.name for row in file.rod_types if file.rods], "bending and end forces of rods of type {} are left out"),
+        ([row.name for row in file.rod_types if file.rods and file.lines], "bending and end forces of rods of type {} are left out"),
         (heeled, "free body {} starts heeled (r0, p0): left out, its rest is sought from upright"),
         (joints, "rod {} has no length: the bending it would pass on is left out"),
     ):

@@ -33,6 +33,7 @@ from .fault import FormatError
 from .moordyn import MoorDynFile, read_moordyn
 from .moordyn_dry import STILL, in_air, out_of_water
 from .moordyn_left_out import left_out
+from .moordyn_loose import Still
 from .moordyn_ropes import curve_of_line, is_tabulated, largest_tensions, segment_of_curve
 from .moordyn_rows import COUPLED, FIXED, FREE, LineTypeRow
 
@@ -57,6 +58,9 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     warns : of each kind of thing that is left out
     raises : FormatError for what is not represented, ValueError for what cannot be
     """
+    if not file.lines:
+        others = ", ".join(title for title, rows in (("BODIES", file.bodies), ("RODS", file.rods)) if rows)
+        raise FormatError(f"{path}: there are no LINES, but {others} alone; allowed: with lines")
     depth, said = _depth(file, path, depth)
     water = _Water(_option(file, path, 1025.0, DENSITY), _option(file, path, 9.80665, GRAVITY), path)
     friction = _option(file, path, 0.0, FRICTION)
@@ -77,6 +81,16 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     ):
         warnings.warn(f"{path}: {text}", stacklevel=2)
     return system
+
+
+def still_water(file, path="MoorDyn file", depth=None) -> Still:
+    """What a file without lines says of its water, for `moordyn_loose`; depth : m, where it does not say it"""
+    depth, said = _depth(file, path, depth)
+    if depth == 0:
+        raise FormatError(f"{path}: WtrDpth is missing; allowed: above 0 m, or a depth given beside the file")
+    for text in said:
+        warnings.warn(f"{path}: {text}", stacklevel=2)
+    return Still(_option(file, path, 1025.0, DENSITY), _option(file, path, 9.80665, GRAVITY), depth)
 
 
 def _lines(file, types, friction, path):

@@ -17,6 +17,7 @@ from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
 from ..common.units import KN
+from .loose import check_alone, rests, show_loose, without_lines
 from .overloads import overloads
 from .system_file import TOML, YAML, read_system
 
@@ -44,8 +45,17 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
         check_place(moordyn)
     if offset is not None and not 0 < offset <= FARTHEST:
         raise StudyError(f"--offset is {offset:g} m; allowed: above 0, at most {FARTHEST:g}")
-    db = None if database is None else open_database(database)
     console = _console()
+    alone = without_lines(file)
+    if alone is not None:
+        asked = {"--body": body, "--force": force, "--offset": offset, "--characteristic": characteristic}
+        asked |= {"--broken": broken, "--database": database, "--output": output, "--picture": picture}
+        check_alone(file, asked | {"--moordyn": moordyn})
+        with _warnings_shown(console):
+            found = rests(alone, file, depth)
+        show_loose(console, _table("no lines: each by itself, in still water", "part", "state", "A m", "B m"), found)
+        return 0
+    db = None if database is None else open_database(database)
     with _warnings_shown(console):
         system = read_system(file, depth)
         name = _body(system, body, needed=bool(force) or offset is not None or database is not None)

@@ -436,3 +436,16 @@ def test_an_anchor_high_above_the_water_is_warned_of(tmp_path, capsys):
     path.write_text(SPREAD.replace("position = [-320.0, 0.0, -60.0]", "position = [-320.0, 0.0, 60.0]"))
     main(["lines", str(path)])
     assert "anchors above the water: A1 (z = 60 m), limit 30 m" in capsys.readouterr().out
+
+
+def test_a_moordyn_file_without_lines_tells_where_its_rods_float(tmp_path, capsys):
+    table = (
+        "--- ROD TYPES ---\nTypeName Diam Mass/m Cd Ca CdEnd CaEnd\n- - - - - - -\nlog 0.5 100 0 1 0 0\n--- RODS ---\n"
+    )
+    table += "ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs Outputs\n- - - - - - - - - - -\n"
+    (tmp_path / "rods.txt").write_text(table + "1 log free 0 -1 -10 0 1 -10 4 -\n--- OPTIONS ---\n16 WtrDpth\n")
+    assert main(["lines", str(tmp_path / "rods.txt")]) == 0
+    shown = capsys.readouterr().out
+    assert "rod 1" in shown and "floats, lying" in shown and "0.000, 1.000, 0.001" in shown
+    assert main(["lines", str(tmp_path / "rods.txt"), "--broken"]) == 2
+    assert "has no lines, and --broken is for these; allowed: --depth" in capsys.readouterr().err
