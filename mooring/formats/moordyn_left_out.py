@@ -33,10 +33,11 @@ def left_out(file, moves=False):
     """[text] for each kind of thing of a MoorDynFile that its System does not have; moves : of lines in motion"""
     said = [*_of_types(file, moves), *_of_options(file)]
     joints = [row.id for row in file.rods if (row.xa, row.ya, row.za) == (row.xb, row.yb, row.zb)]
+    bent = [row.name for row in file.rod_types if file.rods and file.lines]
     heeled = [row.id for row in file.bodies if row.attachment.lower() in FREE and (row.roll0 or row.pitch0)]
     for names, what in (
         ([row.id for row in file.failures], "failure {} of lines is left out: nothing breaks at rest"),
-        ([row.name for row in file.rod_types if file.rods and file.lines], "bending and end forces of rods of type {} are left out"),
+        (bent, "bending and end forces of rods of type {} are left out"),
         (heeled, "free body {} starts heeled (r0, p0): left out, its rest is sought from upright"),
         (joints, "rod {} has no length: the bending it would pass on is left out"),
     ):
