@@ -13,6 +13,9 @@ Wire:  break = K d² R / 1000 kN, mass = W d² / 100 kg/m, EN 12385-4 (2002); mo
 six strands, 1.13e11 spiral strand, DNV-OS-E301.  Fibre rope and the loads of spiral strand: coefficients drawn from
 makers' catalogues as published with NREL's mooring property library (MoorPy, 2021 to 2024); stiffness quasi-static,
 a multiple of the breaking load.  Submerged weight counts the volume of the material, water fills the gaps.
+
+Drag: coefficients on the nominal diameter of DNV-OS-E301 (2013) ch. 2 sec. 2, which gives none along ropes; added mass
+along a chain 0.5 of the water it displaces, as in NREL's library.
 """
 
 from __future__ import annotations
@@ -22,7 +25,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .system.parts import LineSystemError, LineType
+from .system.parts import LineDynamics, LineSystemError, LineType
 
 STEEL = 7850.0  # kg/m³
 KGF = 9.80665e-3  # kN
@@ -49,6 +52,9 @@ CHAIN = {
     "r4s": ChainGrade(0.0304, 0.0240, 0.0213, (5.45e10, 0.0025e10)),
     "r5": ChainGrade(0.0320, 0.0251, 0.0223, (6.00e10, 0.0033e10)),
 }
+# on the nominal diameter, across and along the line
+CHAIN_DRAG = {"studlink": (2.6, 1.4), "studless": (2.4, 1.15)}
+STRANDED, SPIRAL, FIBRE_DRAG = 1.8, 1.6, 1.6
 WIRE = {  # construction and core: K, W
     ("6x7", "fc"): (0.332, 0.345),
     ("6x7", "iwrc"): (0.359, 0.384),
@@ -106,24 +112,36 @@ def line_type(name, density=1025.0, gravity=9.80665) -> LineType:
     elif words[:1] == ["wire"]:
         made = _wire(name, words[1:], d)
     elif words == ["spiral", "strand"]:
-        made = _steel(5293e-6 * d**2, 1022.0 * d**2, 1.13e5 * np.pi / 4 * d**2)
+        made = _steel(5293e-6 * d**2, 1022.0 * d**2, 1.13e5 * np.pi / 4 * d**2, (SPIRAL,))
     elif len(words) == 1 and words[0] in FIBRE:
         made = _fibre(FIBRE[words[0]], d)
     else:
         raise _unknown(name)
-    mass, material, breaking, proof, stiffness = made
+    mass, material, breaking, proof, stiffness, drag = made
     if not d > 0:
         raise LineSystemError(f"{name}: the diameter is {d:g} mm; allowed: above 0")
+    diameter = float(np.sqrt(4 * mass / (np.pi * material)))
     return LineType(
         name.strip(),
         weight=mass * gravity * (1 - density / material),
         axial_stiffness=stiffness,
         mass=mass,
-        diameter=float(np.sqrt(4 * mass / (np.pi * material))),
+        diameter=diameter,
         breaking_load=breaking,
         proof_load=proof,
+        dynamics=_dynamics(1e-3 * d / diameter, *drag),
         source="mooring.lines.catalogue",
     )
+
+
+def _dynamics(ratio, across, along=None):
+    """LineDynamics of drag coefficients on a nominal diameter, `ratio` times that of the displaced volume
+
+    along : of chain, None for ropes
+    """
+    if along is None:
+        return LineDynamics(drag_normal=across * ratio)
+    return LineDynamics(across * ratio, along * ratio / np.pi, added_mass_tangential=0.5)
 
 
 def _chain(name, words, d):
@@ -143,7 +161,7 @@ def _chain(name, words, d):
         mass = 0.0200 * d * d
     else:
         modulus, mass = 5.6e10, (0.02288 if words[0] == "orq" else 0.0219) * d * d
-    return mass, STEEL, grade.breaking * size, proof * size, modulus * np.pi / 2 * (1e-3 * d) ** 2
+    return mass, STEEL, grade.breaking * size, proof * size, modulus * np.pi / 2 * (1e-3 * d) ** 2, CHAIN_DRAG[kind]
 
 
 def _wire(name, words, d):
@@ -156,17 +174,17 @@ def _wire(name, words, d):
             f"wire {name!r}: allowed: {known}, and a strength of {', '.join(map(str, WIRE_STRENGTH))} N/mm²"
         )
     K, W = WIRE[tuple(words)]
-    return _steel(0.01 * W * d * d, K * d * d * strength, 7.0e4 * np.pi / 4 * d * d)
+    return _steel(0.01 * W * d * d, K * d * d * strength, 7.0e4 * np.pi / 4 * d * d, (STRANDED,))
 
 
-def _steel(mass, breaking, stiffness):
-    return mass, STEEL, breaking, None, stiffness
+def _steel(mass, breaking, stiffness, drag):
+    return mass, STEEL, breaking, None, stiffness, drag
 
 
 def _fibre(fibre, d):
     m = 1e-3 * d
     breaking = fibre.breaking_2 * m**2 + fibre.breaking_3 * m**3
-    return fibre.mass * m**2, fibre.density, breaking, None, fibre.stiffness * breaking
+    return fibre.mass * m**2, fibre.density, breaking, None, fibre.stiffness * breaking, (FIBRE_DRAG,)
 
 
 def _unknown(name):

@@ -130,6 +130,7 @@ def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineT
         known.mass if known else None,
         known.diameter if known else None,
         force(where, table, "breaking_load") or (known.breaking_load if known else math.inf),
+        dynamics=known.dynamics if known else None,
     )
 
 

@@ -49,6 +49,8 @@ def _segment(where, part, kinds, total):
 
 def _properties(where, kind, water):
     """Keywords of a DynamicSegment, and the breaking load in N"""
+    from mooring.lines.system.parts import LineDynamics
+
     static = line_type(where, kind, water.density, water.gravity)
     stiffness = static.axial_stiffness if kind.elongation_percent is None else _elongation(where, kind)
     if np.ndim(stiffness) == 0 and math.isinf(stiffness):
@@ -61,10 +63,17 @@ def _properties(where, kind, water):
         if given[key] is None and kind.catalogue is None:
             raise StudyError(f"{where}: {name} is not given; allowed: a number above 0, or a catalogue name")
         given[key] = getattr(static, key) if given[key] is None else positive(f"{where}.{name}", given[key])
-    rest = ("drag_normal", "drag_tangential", "added_normal", "added_tangential", "damping_ratio")
+    known = static.dynamics or LineDynamics()
+    felt = {
+        "drag_normal": known.drag_normal,
+        "drag_tangential": known.drag_tangential,
+        "added_normal": known.added_mass_normal,
+        "added_tangential": known.added_mass_tangential,
+    }
+    felt |= {key: getattr(kind, key) for key in felt if getattr(kind, key) is not None}
     made = {"weight": static.weight, "axial_stiffness": stiffness, **given}
     bending = {"bending_stiffness": 1e3 * kind.bending_stiffness_kN_m2}
-    return made | bending | {key: getattr(kind, key) for key in rest}, static.breaking_load
+    return made | bending | felt | {"damping_ratio": kind.damping_ratio}, static.breaking_load
 
 
 def _elongation(where, kind):

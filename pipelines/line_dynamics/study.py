@@ -50,10 +50,10 @@ class DynamicTypeTable(MaterialTable):
 
     mass_kg_per_m : in air
     diameter : m, of the displaced volume
-    drag_normal : coefficient on D
-    drag_tangential : coefficient on πD
-    added_normal : coefficient of added mass across the line
-    added_tangential : coefficient of added mass along the line
+    drag_normal : coefficient on D; not given: the catalogue's, and 1.2 without one
+    drag_tangential : coefficient on πD; not given: the catalogue's, and 0.1 without one
+    added_normal : coefficient of added mass across the line; not given: the catalogue's, and 1 without one
+    added_tangential : coefficient of added mass along the line; not given: the catalogue's, and 0 without one
     damping_ratio : structural damping over that which is critical for one element, or a fortieth of its segment
     bending_stiffness : EI, between hinged ends
     elongation_percent : % of its length, from 0 on, of a rope whose stiffness is no number
@@ -62,10 +62,10 @@ class DynamicTypeTable(MaterialTable):
 
     mass_kg_per_m: float | None = None
     diameter: float | None = None
-    drag_normal: float = 1.2
-    drag_tangential: float = 0.1
-    added_normal: float = 1.0
-    added_tangential: float = 0.0
+    drag_normal: float | None = None
+    drag_tangential: float | None = None
+    added_normal: float | None = None
+    added_tangential: float | None = None
     damping_ratio: float = 1.0
     bending_stiffness_kN_m2: float = 0.0
     elongation_percent: list[float] | None = None

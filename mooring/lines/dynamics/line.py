@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ..multi_segment.segments import Segment
+from ..system.parts import LineDynamics
 from .bed import ElasticBed
 from .bed import check as _check
 from .lumped.system import System
@@ -38,10 +39,10 @@ class DynamicSegment:
     elements: int = 20
     damping_ratio: float = 1.0
     structural_damping: float | None = None
-    drag_normal: float = 1.2
-    drag_tangential: float = 0.1
-    added_normal: float = 1.0
-    added_tangential: float = 0.0
+    drag_normal: float = LineDynamics.drag_normal
+    drag_tangential: float = LineDynamics.drag_tangential
+    added_normal: float = LineDynamics.added_mass_normal
+    added_tangential: float = LineDynamics.added_mass_tangential
     bending_stiffness: float = 0.0
 
     def __post_init__(self):

@@ -35,10 +35,10 @@ class LineDynamics:
     damping : axial, BA in N s; below 0, minus the fraction of critical; bending_stiffness : EI, N m²
     """
 
-    drag_normal: float = 1.33
-    drag_tangential: float = 0.64
+    drag_normal: float = 1.2
+    drag_tangential: float = 0.1
     added_mass_normal: float = 1.0
-    added_mass_tangential: float = 0.5
+    added_mass_tangential: float = 0.0
     damping: float = -1.0
     bending_stiffness: float = 0.0
 

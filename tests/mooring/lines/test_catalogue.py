@@ -104,3 +104,22 @@ def test_unknown_names_are_refused_in_one_line_with_what_is_known(name):
     with pytest.raises(LineSystemError, match=r"allowed|comes") as fault:
         line_type(name)
     assert "\n" not in str(fault.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "d", "across", "along"),
+    [
+        ("R3 studlink 142 mm", 0.142, 2.6, 1.4),
+        ("grade 3 76 mm", 0.076, 2.6, 1.4),
+        ("R4 studless 84 mm", 0.084, 2.4, 1.15),
+        ("wire 6x36 IWRC 60 mm", 0.060, 1.8, None),
+        ("spiral strand 90 mm", 0.090, 1.6, None),
+        ("polyester 160 mm", 0.160, 1.6, None),
+    ],
+)
+def test_drag_is_that_of_its_standard_on_the_nominal_diameter(name, d, across, along):
+    """DNV-OS-E301 (2013) ch. 2 sec. 2; here coefficients are on D of the displaced volume, and along the line on πD"""
+    kind = line_type(name)
+    assert kind.dynamics.drag_normal * kind.diameter == pytest.approx(across * d, rel=1e-12)
+    if along is not None:
+        assert kind.dynamics.drag_tangential * np.pi * kind.diameter == pytest.approx(along * d, rel=1e-12)

@@ -8,9 +8,12 @@ import pytest
 
 from mooring.environment.sea import Sea
 from mooring.environment.spectra import jonswap
+from mooring.formats.moordyn_writing import moordyn_of_system
+from mooring.lines.catalogue import line_type
 from mooring.lines.dynamics.simulation import FairleadMotion
 from mooring.lines.dynamics.simulation import simulate as drive
-from mooring.lines.system.parts import Fairlead, LineDynamics
+from mooring.lines.system.graph import System
+from mooring.lines.system.parts import Anchor, Fairlead, LineDynamics, UniformLine
 from mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
 from mooring.motion.moving_lines.packed import state_pull
 from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
@@ -107,3 +110,16 @@ def test_names_and_types_that_cannot_move_are_refused(on_lines):
     bare = replace(on_lines, system=replace(on_lines.system, lines=plain))
     with pytest.raises(ValueError, match="has no mass"):
         simulate(bare, ROUGH, replace(WANTED, dynamic_lines="all"))
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_a_line_moves_with_the_water_that_a_moordyn_file_of_it_says(known):
+    kind = line_type("R3 studless 84 mm")
+    kind = kind if known else replace(kind, dynamics=None)
+    line = UniformLine("port", kind, 300.0, "anchor", "fairlead")
+    ends = (Anchor("anchor", (-280.0, 0.0, -60.0)), Anchor("fairlead", (0.0, 0.0, 0.0)))
+    system = System(60.0, (line,), ends)
+    row, one = moordyn_of_system(system).line_types[0], dynamic_line(line, ends[0].position, system, 20).segments[0]
+    assert (row.Cd, row.CdAx) == (one.drag_normal, one.drag_tangential)
+    assert (row.Ca, row.CaAx) == (one.added_normal, one.added_tangential)
+    assert float(row.BA) == -one.damping_ratio
