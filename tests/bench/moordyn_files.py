@@ -184,15 +184,16 @@ def with_peer(python, file, system, folder):
             found.append((finer, "relaxed" if damped else "static", by))
             if isinstance(by, float) and by <= CLOSE:
                 return found
-        if theirs:
-            try:
-                near, times, fine = mesh_error(file, system, theirs, finer)
-            except ValueError as error:
-                found.append((finer, "cut", str(error)))
-                continue
-            found += [(finer, "of MoorDyn from lines cut as it cuts them", near), (times * finer, "cut", fine)]
-            if max(near, fine) <= CLOSE:
-                return [*found, (finer, "less the error of its mesh", max(near, fine))]
+        if not theirs:  # with more segments still less
+            break
+        try:
+            near, times, fine = mesh_error(file, system, theirs, finer)
+        except ValueError as error:
+            found.append((finer, "cut", str(error)))
+            continue
+        found += [(finer, "of MoorDyn from lines cut as it cuts them", near), (times * finer, "cut", fine)]
+        if max(near, fine) <= CLOSE:
+            return [*found, (finer, "less the error of its mesh", max(near, fine))]
     runs = [one for one in found if one[1] in ("static", "relaxed") and isinstance(one[2], float)]
     return [*found, min(runs, key=lambda one: one[2])] if runs else found
 

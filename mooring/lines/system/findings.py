@@ -9,6 +9,7 @@ import numpy as np
 from bem import DOFS
 
 from ..catenary.state import State
+from .checks import ON_BED
 from .composite import solution
 from .hawser import Hawser
 from .parts import CompositeLine
@@ -45,15 +46,19 @@ def beyond_tables(system, tension):
 def warn_of_floating(system, load):
     """Warn of lines lighter than water that would rise above its surface, which is not modelled as a limit of lines."""
     for i, line in enumerate(system.lines):
-        down = load.rows[i, 3:5]
-        if isinstance(line, CompositeLine | Hawser) or line.type.weight > 0 or np.any(down >= 0):
+        if isinstance(line, CompositeLine | Hawser) or line.type.weight > 0:
             continue
-        z, tension = load.points[system.arrays.ends[i, 0], 2], np.hypot(load.rows[i, 1], down[0])
-        bend = 1 / (tension + load.rows[i, 1]) + 0.5 / line.type.axial_stiffness
-        top = z + down[0] ** 2 * bend / -line.type.weight
-        if top > 0:
+        down, ends = load.rows[i, 3:5], load.points[system.arrays.ends[i], 2]
+        part, top = "end", ends.max()
+        if np.all(down < 0):
+            tension = np.hypot(load.rows[i, 1], down[0])
+            bend = 1 / (tension + load.rows[i, 1]) + 0.5 / line.type.axial_stiffness
+            middle = ends[0] + down[0] ** 2 * bend / -line.type.weight
+            if middle > top + 1e-3 * line.length:
+                part, top = "middle", middle
+        if top > ON_BED:
             warnings.warn(
-                f"line {line.name} floats and its middle would be {top:.3g} m above the water; allowed: below it, "
+                f"line {line.name} floats and its {part} would be {top:.3g} m above the water; allowed: below it, "
                 "the surface holds no line here; shorten the line or give it its weight in air",
                 stacklevel=4,
             )

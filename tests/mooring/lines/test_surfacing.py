@@ -77,3 +77,11 @@ def test_its_forces_have_a_potential_and_a_buoy_comes_to_rest_between_two():
 def test_a_weight_in_air_below_that_in_water_is_refused():
     with pytest.raises(LineSystemError, match="weight_in_air is 900; allowed: finite, at least a weight in water"):
         UniformLine("L", CHAIN, 10.0, "a", "b", weight_in_air=900.0)
+
+
+def test_a_line_that_floats_out_of_the_water_by_its_end_is_told():
+    float_, rope = LineType("float", -4e3, 1e9, 130.0, 0.8), LineType("rope", 1.0, 1e6)
+    lines = [UniformLine("tether", rope, 20.0, "anchor", "foot"), UniformLine("buoy", float_, 0.6, "foot", "head")]
+    points = [Anchor("anchor", (0, 0, -19.8)), FreePoint("foot", (0, 0, -0.5)), FreePoint("head", (0, 0, 0.1))]
+    with pytest.warns(UserWarning, match=r"line buoy floats and its end would be 0\.848 m above the water"):
+        rest(System(30.0, lines, points))
