@@ -19,6 +19,7 @@ class State(IntEnum):
 
 
 SLACK, GROUNDED, SUSPENDED, BEYOND_REACH, BELOW_BED, UNSOLVED = map(int, State)  # for kernels
+HEAP = 1e-300  # λ of a piece in a heap, which has no extent
 
 
 class LineError(ValueError):

@@ -15,8 +15,9 @@ lifted out of it by a fairlead that stands above.  On a slope steeper than frict
 down: into a heap above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where
 the first facet falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of
 the fairlead with all that it can give; where a line that does so has no equilibrium, because a span that lands behind
-a ridge would jump to its front, friction holds with a part of that.  Bending, current on the line and the weight of
-the line above water are neglected.
+a ridge would jump to its front, friction holds with a part of that.  What is found in none of these ways comes to
+rest without friction (`at_rest`): in several heaps, folds and bights, also beyond the foot of its fairlead.
+Bending, current on the line and the weight of the line above water are neglected.
 """
 
 from __future__ import annotations
@@ -38,6 +39,7 @@ LEAST = 1e-11  # of the line's weight: horizontal tension below which a line is 
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
 SOFTER = (1e-5, 1e-3)  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
+AT_REST = None  # a way to seek a line: without friction, by a chain that falls to rest
 MOBILISED = (0.8, 0.6, 0.4, 0.2, 0.05, 0.0)  # of the friction, the largest first, where all of it has no equilibrium
 
 
@@ -141,19 +143,39 @@ class StaticLine:
             pieces, loads = self._slide_beyond(x, z, found, status, pieces, loads)
         for way, tolerances in self._further_tries(data) if search.LOST in status.tolist() else ():
             for i in np.flatnonzero(status == search.LOST):
-                guess = self._like_a_uniform_line(float(x[i]), float(z[i]))
-                given = way, x[i : i + 1], z[i : i + 1], guess, self._capacity(data), tolerances
-                once, state, its, words = search.solve_positions(*given)
-                if state[0] != search.LOST:
-                    found[i], status[i] = once[0], state[0]
+                row, state, its, words = self._once(way, x[i : i + 1], z[i : i + 1], tolerances)
+                if state != search.LOST:
+                    found[i], status[i] = row, state
                     pieces, loads = (its, words) if i + 1 == len(x) else (pieces, loads)
         return found, status, pieces, loads
+
+    def _once(self, way, x, z, tolerances):
+        """Row of `newton.store`, state, pieces and states of the loads at one position; way : LineData, or AT_REST"""
+        search = _search()
+        if way is AT_REST:
+            from .at_rest.solve import come_to_rest
+
+            row = come_to_rest(self, float(x[0]), float(z[0]), self._bears_out)
+            return (None, search.LOST, None, None) if row is None else (row[0], search.SOLVED, *row[1:])
+        guess = self._like_a_uniform_line(float(x[0]), float(z[0]))
+        found, status, pieces, loads = search.solve_positions(way, x, z, guess, self._capacity(way), tolerances)
+        return found[0], status[0], pieces, loads
+
+    def _bears_out(self, pieces, states):
+        """Whether pieces (n, 11) are in equilibrium: `verdict`"""
+        from .verdict import stands
+
+        q, below, none = np.zeros(7), np.zeros(7), np.empty((11, 0))
+        return stands(self._data, pieces, len(pieces), states, False, q, below, none)
 
     def _further_tries(self, data):
         """Pairs of LineData and tolerances by which a line is sought that is not found at once, the quickest first"""
         search = _search()
         ways = [data, data._replace(to_place=not data.to_place)]
-        tries = [(ways[1], search.QUICK), (ways[0], search.EXACT), (ways[1], search.EXACT)]
+        tries = [(ways[0], search.CLOSER), (ways[1], search.QUICK), (ways[1], search.EXACT)]
+        rests = [] if self.bed is None or len(data.kept) else [(AT_REST, None)]
+        if data.friction == 0:
+            tries, rests = tries + rests, []
         told = []
         if self.loads and self._steep:
             ways, told = ([way._replace(held=held) for way in ways] for held in (1, 2))
@@ -164,7 +186,7 @@ class StaticLine:
             softer = [ways[0]._replace(soft=soft * self.length) for soft in SOFTER]
             ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
         tries += [(way, search.COARSE) for way in ways[2:]] + [(way, search.FINE) for way in ways] + less
-        return tries + [(way, how) for how in (search.QUICK, search.EXACT, search.FINE) for way in told]
+        return tries + [(way, how) for how in (search.QUICK, search.EXACT, search.FINE) for way in told] + rests
 
     @cached_property
     def _mirrored(self):

@@ -25,7 +25,6 @@ SUBMERGED, FLOATING, EMERGED = 0, 1, 2
 # what is left over of a line: nothing; it lies in a heap at the anchor; where the line first touches the bed
 TAUT, HEAP_AT_ANCHOR, HEAP_AT_TOUCHDOWN = np.arange(3)
 STEEP = 1e-12  # of a slope, by which it is steeper than friction holds
-HEAP = 1e-300  # λ of a piece in a heap, which has no extent
 
 
 class LineData(NamedTuple):

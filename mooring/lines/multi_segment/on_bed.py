@@ -12,8 +12,9 @@ import math
 
 from bem.kernels.jit import kernel
 
+from ..catenary.state import HEAP
 from .friction import bed_step, friction_rate, kept_tension, pass_weight_on_bed, slides_down
-from .line_data import END, HEAP, LENGTH, PHI, H, S, T, V, X, Z, mix, next_stop, record, strain_row
+from .line_data import END, LENGTH, PHI, H, S, T, V, X, Z, mix, next_stop, record, strain_row
 
 # what ends a piece on the bed: a row of the tension table, the tension kept from an earlier position, tension 0, a
 # joint or point load, the length asked for, the anchor's place

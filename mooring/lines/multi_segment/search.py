@@ -22,9 +22,9 @@ from .traverse import traverse
 # results of a search beside `State`: an equilibrium that is not slack; none found, though in reach; one with a heap
 # at the bed vertex to which the line slides
 SOLVED, LOST, SLIDES = -1, -2, -3
-# of the length, left over at the anchor by a search: that of a single position to begin with, that where it finds
+# of the length, left over at the anchor by a search: that of a single position to begin with, those where it finds
 # nothing, and those where these find nothing, which take ten times as long
-QUICK, EXACT, COARSE = np.array([1e-2]), np.array([1e-6]), np.array([1e-3, 1e-6])
+QUICK, CLOSER, EXACT, COARSE = np.array([1e-2]), np.array([1e-4, 1e-6]), np.array([1e-6]), np.array([1e-3, 1e-6])
 FINE = np.array([1e-3, 1e-6, 1e-9, 1e-12, 1e-15])
 CLOSE = 1e-7  # of the starts of spans in the coarsest searches
 

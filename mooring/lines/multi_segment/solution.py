@@ -107,7 +107,7 @@ class StaticSolution:
 
         It is taken to lie where it is laid; in truth it would slide to the nearest hollow, and pull there.  What
         slides towards the anchor, or down the first facet, is solved; this is left of lines with buoys, and of those
-        that slide into a hollow beyond their fairlead.
+        that slide into a hollow beyond their fairlead, where a traversal found them so.
         """
         if self.line.bed is None:
             return False
@@ -151,7 +151,7 @@ def heaped(pieces, tangent):
 
     tangent : slope of that facet.  Spans that buoys lift from the heap stand over the anchor, as high as they were.
     """
-    from .line_data import HEAP
+    from ..catenary.state import HEAP
 
     out = pieces.copy()
     beyond = pieces[:, 3] <= 0

@@ -71,8 +71,10 @@ def clears_bed(line, piece, q, g, far):
             free_step(q, g, down, piece[7], piece[8], piece[9])
             if left <= q[X] <= right and height_over_bed(line, q[X], q[Z]) < -far:
                 return False
-        if facet > 0 and bottom < left < top:
+        if facet > 0 and min(bottom, top) < left < max(bottom, top):
             put_top(piece, q)
+            if h < 0:  # the same with x turned round
+                q[H], q[X], left = -h, -top, -left
             free_step(q, g, length_to(q, left, piece[7], piece[8], piece[9]), piece[7], piece[8], piece[9])
             if q[Z] - line.bed[facet, 1] < -far:
                 return False

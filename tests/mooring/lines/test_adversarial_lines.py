@@ -4,9 +4,10 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from bench.adversarial_lines import verdict
+from bench.adversarial_lines import random_line, verdict
 from exact.static_line import faults
 
+from mooring.lines.multi_segment.at_rest.solve import come_to_rest
 from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 
@@ -26,14 +27,32 @@ def test_friction_holds_with_a_part_where_all_of_it_has_no_equilibrium():
     assert all(verdict(1101, number)[0] == "answered" for number in (7801, 10727, 13581, 15160, 38880))
 
 
-def test_what_a_slack_line_with_buoys_leaves_on_a_steep_slope_is_a_heap_at_its_anchor_and_told():
-    """Sinkers on a slope that falls from the anchor, and a leg below a buoy on one that rises from it, do not pull."""
-    assert all(verdict(1101, number)[0] == "slides" for number in (193, 647, 14847, 20761, 22742, 29330))
+def test_slack_lines_with_buoys_on_steep_slopes_come_to_rest_without_friction_and_are_told_with_it():
+    """Sinkers on a slope that falls from the anchor, and a leg below a buoy on one that rises from it, slide."""
+    assert all(verdict(1101, number)[0] == "answered" for number in (193, 14847, 20761, 22742, 29330))
+    assert verdict(1101, 647)[0] == "slides"  # friction 0.4: what is left over is a heap at the anchor
 
 
 def test_a_sinker_in_a_hollow_and_a_heap_above_a_buoy_are_in_equilibrium():
     """The line slides into a hollow and has no tension there: to its sinker, or above a buoy further on."""
     assert all(verdict(1101, number)[0] == "answered" for number in (27293, 30437, 59958))
+
+
+def test_lines_that_no_traversal_finds_come_to_rest():
+    """Two heaps of which one drains into the other, folds past the fairlead's foot, buoys that stand over a heap."""
+    numbers = (671, 1422, 1913, 4707, 7898, 13800, 26213, 32847, 34004, 38742)
+    words = {number: verdict(1101, number)[0] for number in numbers}
+    assert set(words.values()) == {"answered"}, words
+
+
+def test_a_line_at_rest_has_the_stiffness_of_its_forces():
+    """Central differences over 1e-5 of the length, whose own error is of second order."""
+    line, x, z = random_line(np.random.default_rng([1101, 671]))
+    row, step = come_to_rest(line, x, z, line._bears_out)[0], 1e-5 * line.length
+    for column, (dx, dz) in enumerate(((step, 0.0), (0.0, step))):
+        ahead, behind = (come_to_rest(line, x + way * dx, z + way * dz, line._bears_out)[0] for way in (1, -1))
+        slope = (ahead[:2] - behind[:2]) / (2 * step)
+        assert np.allclose(slope, row[[5 + column, 7 + column]], rtol=1e-4)
 
 
 def test_the_residual_sees_a_wrong_tension_a_broken_line_and_a_buoy_above_the_sea():
