@@ -25,8 +25,11 @@ def come_to_rest(line, x, z, bears_out):
     x, z : m, the fairlead; bears_out : pieces, states → whether the pieces are in equilibrium
     """
     for links in LINKS:
-        contacts = Contacts(FallingChain(line, x, z, links).fall())
-        found = _equilibrium(line, contacts, np.array([x, z]) / line.length, bears_out)
+        try:
+            contacts = Contacts(FallingChain(line, x, z, links).fall())
+            found = _equilibrium(line, contacts, np.array([x, z]) / line.length, bears_out)
+        except np.linalg.LinAlgError:  # a chain or a line without stiffness somewhere
+            continue
         if found is not None:
             return found
     return None
