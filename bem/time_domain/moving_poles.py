@@ -7,7 +7,7 @@ With rows b_k of B and l_k of L in the modes of `passive_fit`,
 is passive whatever λ, B and L are, if only Re λ < 0.  The sum of the p-th powers of what H misses is made small by
 Newton's method without the second derivatives of H (Levenberg's and Marquardt's damping), for p = 4 and 8, that come
 near the largest.  Decay moves by its logarithm, so that it stays a decay; b_k only across itself, since its size is
-that of l_k.  Fixed poles take a fifth more states for the same largest miss.
+that of l_k.  With poles that stay, boxes and a buoy take 3 to 25 % more states for the same largest miss.
 """
 
 from __future__ import annotations
