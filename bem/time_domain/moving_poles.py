@@ -41,7 +41,7 @@ def real_basis(alone, pairs):
 
 def moved(system, s, wanted, weight):
     """`Moving` nearer to H (q, m, m) at s (q,), wherever weight (q, m, m) times its miss is above 1"""
-    system = _steady(system)
+    system, slowest = _steady(system), np.abs(s[s != 0]).min()  # slower ones would be felt for hours
     off = (transfer(system, s) - wanted) * weight
     damping = 1e-2
     for power, rounds in POWERS:
@@ -51,7 +51,7 @@ def moved(system, s, wanted, weight):
             step = _step(system, s, off, weight, power)
             size = np.sum(np.abs(off) ** power)
             for _ in range(10):
-                there = _steady(_shifted(system, step(damping)))
+                there = _steady(_shifted(system, step(damping), slowest))
                 new = (transfer(there, s) - wanted) * weight
                 if np.sum(np.abs(new) ** power) < size:
                     break
@@ -167,14 +167,15 @@ def _across(system):
     return list(turned.swapaxes(0, 1))
 
 
-def _shifted(system, step):
-    """`Moving` after a step of its unknowns"""
+def _shifted(system, step, slowest=0.0):
+    """`Moving` after a step of its unknowns; no decay becomes slower than slowest, 1/s"""
     rate, B, L, pairs = system
     n, m = B.shape
     alone = n - 2 * pairs
     basis = real_basis(alone, pairs)
     decays, turns, rest = np.split(step, [alone + pairs, alone + 2 * pairs])
-    decay = rate.real[: alone + pairs] * np.exp(np.clip(decays, -FARTHEST, FARTHEST))
+    old = rate.real[: alone + pairs]
+    decay = np.minimum(old * np.exp(np.clip(decays, -FARTHEST, FARTHEST)), np.maximum(old, -slowest))
     turn = rate.imag[alone : alone + pairs] + turns * np.abs(rate[alone : alone + pairs])
     upper = decay[alone:] + 1j * turn
     rate = np.concatenate([decay[:alone], upper, upper.conj()])
