@@ -40,6 +40,8 @@ CHAPTERS = {
         "bem/time_domain/whole_axis.py",
         "bem/time_domain/memory.py",
         "bem/time_domain/passive_fit.py",
+        "bem/time_domain/moving_poles.py",
+        "bem/time_domain/sensitivity.py",
     ),
     "Seas, wind, current": (
         "mooring/environment/spectra.py",

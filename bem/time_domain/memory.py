@@ -14,6 +14,8 @@ Motions that symmetry keeps apart have states of their own.  Damping at every fr
 `whole_axis`, their poles those of `rational`, and output follows from a matrix P ≥ 0 such that (`passive_fit`)
 
     d/dt ½ xᵀP x = yᵀν − ½ |lossᵀ x|²,    y = 0 in steady motion.
+
+Within the band it is nearer than asked for where the body answers more to an error (`sensitivity`).
 """
 
 from __future__ import annotations
@@ -26,8 +28,9 @@ import numpy as np
 
 from .. import DOFS
 from ..database.reader import Reader, reader
-from .passive_fit import passive_fit
+from .passive_fit import MOVED, passive_fit
 from .rational import balanced, fitted
+from .sensitivity import sensitivity
 from .whole_axis import Causal, ends_of, whole_axis, without_negative
 
 FEWEST = 8  # frequencies
@@ -37,6 +40,9 @@ MOST = (76, 4)  # states of coupled motions, and for each of them
 STILL = 1e-4  # √ of the impedance of a motion that moves no water, relative to the largest of its kind
 SPREAD = (30.0, 8.0)  # how far below and above the band is fitted, as a factor
 CLOSE = (0.03, 0.1)  # deviation of what is fitted from the database: remarked, refused
+ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: the factor by which memory is nearer,
+# and the largest one.  Free decay of boxes and a buoy is then within 8e-5 of its start for a tolerance of 3e-4
+LESS = (1.0, 0.5, 0.0)  # powers of that factor that are tried one after the other
 
 
 class MemoryArrays(NamedTuple):
@@ -143,7 +149,11 @@ def memory_of_database(db, tolerance=1e-3):
     deviation = _deviation(axis, omega, added_mass, damping, scale)
     _check_deviation(deviation, band, damping, size)
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
-    parts = [_fitted(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance) for g in groups]
+    answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size)
+    answered[(at < band[0]) | (at > band[1])] = 0.0  # where damping is a power that is supposed
+    parts = [
+        _fitted(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g]) for g in groups
+    ]
     arrays, storage, loss = _joined(parts, groups, size)
     made = _transfer(arrays, at).conj()
     error = _relative(np.abs(made - wanted).max(axis=0), scale)
@@ -234,27 +244,28 @@ def _groups(coupled):
     return tuple(found)
 
 
-def _fitted(omega, wanted, size, group, tolerance):
-    """`Passive` of coupled motions, in units of `size`, with the fewest states found within tolerance"""
+def _fitted(omega, wanted, size, group, tolerance, answered):
+    """`Passive` of coupled motions, in units of `size`, with the fewest states found within tolerance
+
+    answered : (q, m) `sensitivity` of the motions
+    """
     wanted, s = wanted.conj() / np.outer(size, size), 1j * omega
+    nearer = np.sqrt(np.clip(ANSWERED * len(group) * answered, 1.0, NEARER if len(group) <= MOVED else 1.0))
     best, most = np.inf, MOST[0] + MOST[1] * len(group)
-    for poles in POLES:
-        system, off = fitted(s, wanted, poles)
-        if off > tolerance:
-            best = min(best, off)
-            continue
-        whole = balanced(system)
-        states = max(4, len(group) + 1, int(np.sum(whole.values > 2 * tolerance)))
-        while states <= min(most, len(whole.values)):
-            made = passive_fit(*whole.reduced(states)[:2], s, wanted, 0.99 * tolerance)
-            if made is None:
-                states += 2
+    for power in LESS if np.any(nearer > 1) else LESS[:1]:
+        weight = (nearer[:, :, None] * nearer[:, None, :]) ** power
+        for poles in POLES:
+            system, off = fitted(s, wanted, poles, weight)
+            if off > tolerance:
+                best = min(best, off)
                 continue
-            error = np.abs(_transfer(MemoryArrays(*made[:4]), omega) - wanted).max()
-            best = min(best, error)
-            if error <= tolerance:
-                return made
-            states += 2 if error < 2 * tolerance else max(4, states // 6)
+            whole = balanced(system)
+            fewest = max(4, len(group) + 1, int(np.sum(whole.values > tolerance)))
+            for states in range(fewest, min(most, len(whole.values)) + 1, max(1, len(group) - 1)):
+                made, error = passive_fit(*whole.reduced(states)[:2], s, wanted, 0.99 * tolerance, weight)
+                best = min(best, error)
+                if error <= tolerance:
+                    return made
     raise ValueError(
         f"memory of {', '.join(DOFS[i].lower() for i in group)} is {best:.2g} off with the best of the systems tried; "
         f"the tolerance is {tolerance:g}: ask for less, or solve the database to a smaller tolerance"

@@ -8,7 +8,8 @@ The last condition makes it zero at ω = 0: steady motion is not resisted.
 
 A and B are given by their modes; L (n, m) is found by least squares of H over samples, H(0) = 0 a heavy one, by
 Gauss and Newton with Levenberg's and Marquardt's damping.  In coordinates z of the modes, A = diag λ, P is
-Pₖₗ = −(L Lᴴ)ₖₗ / (λ̄ₖ + λₗ), and derivatives of H to L are products of matrices.
+Pₖₗ = −(L Lᴴ)ₖₗ / (λ̄ₖ + λₗ), and derivatives of H to L are products of matrices.  Where that is nearly enough, modes
+and L move together (`moving_poles`).
 """
 
 from __future__ import annotations
@@ -17,11 +18,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .moving_poles import Moving, moved, real_basis, storage, transfer
+
 ROUNDS = 80
 STEADY = 300.0  # weight of H(0) = 0, whose part that does no work is not zero by itself
 ENOUGH, ENOUGH_AFAR, NEAR = 1e-3, 1e-2, 1.5  # relative gain in squares of a round after which no more is tried, and
 # that of a fit which misses by more than NEAR times its tolerance
 HOPELESS = 1.2  # times the tolerance: more than least squares of all entries leave to their largest
+MOVABLE, MOVED = 8.0, 3  # times the tolerance, of a fit whose modes are moved to come nearer, and most inputs of it: a
+# round takes 10 ms with two, a second with six
 DAMPINGS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3)  # of the largest, to start from
 REAL = 1e-10  # imaginary part, relative, of what is a real mode
 
@@ -50,27 +55,36 @@ class _Modes(NamedTuple):
     pairs: int
 
 
-def passive_fit(A, B, s, H, tolerance=0.0):
-    """`Passive` near H (q, m, m) at s (q,) = iω, with the modes of a stable A (n, n), B (n, m), n > m
+def passive_fit(A, B, s, H, tolerance=0.0, weight=None):
+    """`Passive` near H (q, m, m) at s (q,) = iω, with the modes of a stable A (n, n), B (n, m), n > m, or near them
 
-    tolerance : of H, at which no more is tried; None is returned where already an output that is free of the condition
-    P ≥ 0 misses H by clearly more.  0 : as near as it goes
+    tolerance : of H times weight (q, m, m), 1 by default, at which no more is tried; 0 : as near as it goes with these
+    modes
+    returns : also its largest weighted miss; None and what an output misses that is free of the condition P ≥ 0, where
+    already that is clearly beyond the tolerance
     """
+    weight = np.ones(H.shape) if weight is None else weight
     modes = _modes(A, B)
-    problem = _Problem(modes, s, H)
+    problem = _Problem(modes, s, H, weight)
     output, miss = problem.output()
     if tolerance > 0 and miss > HOPELESS * tolerance:
-        return None
-    loss = modes.basis @ problem.free @ _least_squares(problem, problem.start(output), tolerance)
-    P = (loss @ loss.conj().T) * problem.sums
-    C = modes.input.conj().T @ P
-    back = modes.basis.conj().T
+        return None, miss
+    Z = _least_squares(problem, problem.start(output), tolerance)
+    system = Moving(modes.rate, modes.input, problem.columns @ Z, modes.pairs)
+    if tolerance > 0 and H.shape[1] <= MOVED and 1 < problem.worst(Z) / tolerance <= MOVABLE:
+        system = moved(system, problem.s, problem.wanted, problem.weights / tolerance)
+    return _passive(system, modes.basis), np.abs((transfer(system, s) - H) * weight).max()
+
+
+def _passive(system, basis):
+    rate, into, loss, pairs = system
+    P, back, alone = storage(system), basis.conj().T, len(rate) - 2 * pairs
     return Passive(
-        -modes.rate.real,
-        modes.rate.imag[len(modes.rate) - 2 * modes.pairs : len(modes.rate) - modes.pairs],
-        (back @ modes.input).real.T,
-        (C @ modes.basis).real,
-        (back @ P @ modes.basis).real,
+        -rate.real,
+        rate.imag[alone : alone + pairs],
+        (back @ into).real.T,
+        (into.conj().T @ P @ basis).real,
+        (back @ P @ basis).real,
         (back @ loss).real,
     )
 
@@ -87,19 +101,15 @@ def _modes(A, B):
     rate = np.concatenate([rate[alone].real, rate[upper], rate[upper].conj()])
     b = np.concatenate([single, b[upper], b[upper].conj()])
     b = b * (np.sqrt(-2 * rate.real) / np.linalg.norm(b, axis=1))[:, None]
-    basis = np.zeros((r + 2 * p, r + 2 * p), complex)
-    basis[:r, :r] = np.eye(r)
-    one = np.sqrt(0.5) * np.eye(p)
-    basis[r:, r:] = np.block([[one, -1j * one], [one, 1j * one]])
-    return _Modes(rate, b, basis, p)
+    return _Modes(rate, b, real_basis(r, p), p)
 
 
 class _Problem:
     """H of unknown Z (a, m), with L = free Z in real states, and its derivatives"""
 
-    def __init__(self, modes, s, H):
-        s = np.append(0.0, s)
-        self.modes, self.weights = modes, np.append(STEADY, np.ones(len(H)))
+    def __init__(self, modes, s, H, weight):
+        self.s = s = np.append(0.0, s)
+        self.modes, self.weights = modes, np.concatenate([np.full_like(weight[:1], STEADY), weight])
         self.wanted = np.concatenate([np.zeros_like(H[:1]), H])
         n, m = modes.input.shape
         self.sums = -1 / (modes.rate.conj()[:, None] + modes.rate)
@@ -119,8 +129,12 @@ class _Problem:
 
     def misses(self, Z):
         """Real differences from what is wanted, in one row"""
-        off = ((self.transfer(Z) - self.wanted) * self.weights[:, None, None]).ravel()
+        off = ((self.transfer(Z) - self.wanted) * self.weights).ravel()
         return np.concatenate([off.real, off.imag])
+
+    def worst(self, Z):
+        """Largest weighted miss"""
+        return np.hypot(*np.split(self.misses(Z), 2)).max()
 
     def slopes(self, Z):
         """(unknowns, misses) derivatives"""
@@ -131,19 +145,23 @@ class _Problem:
             first = self.left @ ((self.sums * column.conj()) @ self.response)
             weight = (B * column[:, None]).T @ self.sums
             second = (weight[:, None, :] * self.columns.conj().T).reshape(m * a, -1) @ self.response
-            part = (first + second).reshape(m, a, -1, m).transpose(1, 2, 0, 3) * self.weights[:, None, None]
+            part = (first + second).reshape(m, a, -1, m).transpose(1, 2, 0, 3) * self.weights
             part = part.reshape(a, -1)
             out.append(np.concatenate([part.real, part.imag], axis=1))
         return np.stack(out, axis=1).reshape(a * m, -1)
 
     def output(self):
-        """C (m, n) of least squares with the same modes, free of the condition P ≥ 0, and by how much it misses H"""
+        """C (m, n) of least squares with the same modes, free of the condition P ≥ 0, and its largest weighted miss"""
         m = self.wanted.shape[1]
-        real = (self.modes.basis.conj().T @ self.response).reshape(len(self.modes.rate), -1).T
-        right = self.wanted.transpose(0, 2, 1).reshape(-1, m)
-        left, right = (np.concatenate([part.real, part.imag]) for part in (real, right))
-        C = np.linalg.lstsq(left, right, rcond=None)[0]
-        return C.T, np.abs(left @ C - right).max()
+        real = (self.modes.basis.conj().T @ self.response).reshape(len(self.modes.rate), -1, m)
+        C, miss = [], 0.0
+        for row in range(m):
+            weight = self.weights[:, row]
+            left, right = (real * weight).reshape(len(real), -1).T, (self.wanted[:, row] * weight).ravel()
+            found = np.linalg.lstsq(*(np.concatenate([x.real, x.imag]) for x in (left, right)), rcond=None)[0]
+            C.append(found)
+            miss = max(miss, np.abs(left @ found - right).max())
+        return np.array(C), miss
 
     def start(self, C):
         """Z to begin with: L of an output C (m, n) with some damping, or C itself, with which V has the peaks of H"""

@@ -47,22 +47,29 @@ class Balanced(NamedTuple):
         return System(A, A @ (out @ B), (C @ into) @ A)
 
 
-def fitted(s, H, count):
+def fitted(s, H, count, weight):
     """`System` with `count` poles an input whose transfer function is near H (q, m, m), symmetric, at s (q,) = iω
 
-    returns : also the largest entry of what it misses
+    weight : (q, m, m), symmetric, of what is missed
+    returns : also the largest entry of what it misses, times weight
     """
     m = H.shape[1]
     rows, columns = np.triu_indices(m)
-    entries = H[:, rows, columns]
-    poles = _moved(s, entries, _first_poles(s, count))
+    entries, weight = H[:, rows, columns], weight[:, rows, columns]
+    poles = _moved(s, entries, weight, _first_poles(s, count))
     parts = fractions(s, poles)
-    residues = np.linalg.lstsq(_real(parts), _real(entries), rcond=None)[0]
+    residues = np.stack(
+        [
+            np.linalg.lstsq(_real(w[:, None] * parts), _real(w * entry), rcond=None)[0]
+            for entry, w in zip(entries.T, weight.T, strict=True)
+        ],
+        axis=1,
+    )
     A, b = _blocks(poles)
     C = np.zeros((m, len(A), m))
     C[rows, :, columns] = C[columns, :, rows] = residues.T
     system = System(np.kron(A, np.eye(m)), np.kron(b[:, None], np.eye(m)), C.reshape(m, -1))
-    return system, float(np.abs(parts @ residues - entries).max())
+    return system, float((np.abs(parts @ residues - entries) * weight).max())
 
 
 def balanced(system):
@@ -97,13 +104,13 @@ def _first_poles(s, count):
     return np.concatenate([slow, -0.1 * w - 0.02 * w[-1] + 1j * w])
 
 
-def _moved(s, entries, poles):
+def _moved(s, entries, weight, poles):
     for _ in range(ROUNDS):
         phi = fractions(s, poles)
         n = phi.shape[1]
         parts = []
-        for entry in entries.T:
-            triangle = np.linalg.qr(_real(np.hstack([phi, -entry[:, None] * phi, -entry[:, None]])), mode="r")
+        for entry, w in zip(entries.T[:, :, None], weight.T[:, :, None], strict=True):
+            triangle = np.linalg.qr(_real(w * np.hstack([phi, -entry * phi, -entry])), mode="r")
             parts.append(triangle[n:, n:])  # what concerns σ alone
         left = np.vstack(parts)
         size = np.linalg.norm(left)  # Σ Re σ = q keeps σ from vanishing

@@ -7,8 +7,6 @@ import pytest
 
 from bem.time_domain.fast_states import slow_memory
 from bem.time_domain.memory import MemoryArrays
-from bem.time_domain.retardation import fourier_weights
-from bem.time_domain.whole_axis import ends_of, whole_axis
 from mooring.environment.sea import Components, Sea
 from mooring.environment.spectra import issc, jonswap
 from mooring.lines.system.bodies import rotation
@@ -70,26 +68,6 @@ def test_states_that_decay_at_once_change_the_memory_by_their_speed_squared(on_s
     H = left.transform(omega) + slow.damping - 1j * omega[:, None, None] * slow.inertia
     size = np.sqrt(np.abs(np.einsum("qii->qi", memory.transform(omega))).max(axis=0))
     assert np.abs((H - memory.transform(omega)) / np.outer(size, size)).max() <= (1.5 / FASTEST) ** 2 * 0.1
-
-
-def test_free_decay_is_the_inverse_fourier_transform_of_the_database(on_springs):
-    reader, start = on_springs.reader, np.array([1.0, 0, 0.5, 0.02, 0, 0])
-    moved = replace(on_springs, start=start, damping=np.diag([2e6, 2e6, 0, 5e8, 0, 1e9]))
-    run = simulate(moved, Weather(), replace(CALM, tolerance=1e-5))
-    band = np.linspace(reader.omega[0], reader.omega[-1], 800)
-    axis = whole_axis(band, *reader.coefficients(band), *ends_of(reader))
-    parts = np.geomspace(1e-7, 1e-3, 40)[:-1], np.linspace(1e-3, 4.0, 4000)[:-1], np.geomspace(4.0, 200.0, 1500)
-    omega = np.concatenate(parts) * (1 + 1e-9)  # none of those of the axis
-    K, s, M = (
-        axis.transform(omega) + moved.damping,
-        -1j * omega[:, None, None],
-        reader.inertia + axis.added_mass_infinity,
-    )
-    X = np.linalg.solve(s**2 * M + s * K + reader.stiffness + moved.spring, (s * M + K) @ start[:, None])[..., 0].real
-    found = (2 / np.pi) * (fourier_weights(run.time, omega).real @ X)
-    late = run.time > 0
-    for mode in (0, 2, 3):
-        assert np.abs(run.motion[late, mode] - found[late, mode]).max() <= 1e-4 * abs(start[mode])
 
 
 def test_the_integrator_is_of_fifth_order(without_hull):

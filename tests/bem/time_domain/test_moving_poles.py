@@ -1,0 +1,68 @@
+"""Poles that move: derivatives by differences, passivity whatever they are, and fits that come nearer."""
+
+import numpy as np
+import pytest
+
+from bem.time_domain.moving_poles import (
+    Moving,
+    _across,
+    _shifted,
+    _slopes,
+    _steady,
+    _steady_slopes,
+    moved,
+    real_basis,
+    storage,
+    transfer,
+)
+
+S = 1j * np.linspace(0.05, 4.0, 60)
+
+
+def system(motions, seed=0, alone=3, pairs=4):
+    rng = np.random.default_rng(seed)
+    basis = real_basis(alone, pairs)
+    upper = -rng.uniform(0.1, 0.8, pairs) + 1j * np.linspace(0.3, 2.5, pairs)
+    rate = np.concatenate([-rng.uniform(0.2, 3.0, alone), upper, upper.conj()])
+    into, loss = (basis @ rng.standard_normal((len(rate), motions)) for _ in range(2))
+    into *= (np.sqrt(-2 * rate.real) / np.linalg.norm(into, axis=1))[:, None]
+    return _steady(Moving(rate, into, loss, pairs))
+
+
+def steady_output(one):
+    return (one.loss.conj().T @ (one.input / one.rate[:, None])).real
+
+
+@pytest.mark.parametrize("motions", [1, 2, 3])
+def test_derivatives_are_those_of_differences(motions):
+    one, h = system(motions), 1e-6
+    across = _across(one)
+    slopes, held = _slopes(one, S, across), _steady_slopes(one, across)
+    for k in range(len(slopes)):
+        step = np.zeros(len(slopes))
+        step[k] = h
+        up, down = _shifted(one, step), _shifted(one, -step)
+        by_difference = (transfer(up, S) - transfer(down, S)).ravel() / (2 * h)
+        assert np.abs(slopes[k] - by_difference).max() <= 1e-6 * (1 + np.abs(by_difference).max())
+        by_difference = (steady_output(up) - steady_output(down)).ravel() / (2 * h)
+        assert np.abs(held[k] - by_difference).max() <= 1e-6 * (1 + np.abs(by_difference).max())
+
+
+@pytest.mark.parametrize("motions", [1, 2])
+def test_energy_is_only_stored_and_lost_wherever_the_poles_are(motions):
+    one = system(motions, seed=5)
+    H, P = transfer(one, S), storage(one)
+    lost = np.einsum("nl,qn,nj->qlj", one.loss.conj(), 1 / (S[:, None] - one.rate), one.input)
+    assert np.allclose(H + H.conj().swapaxes(1, 2), lost.conj().swapaxes(1, 2) @ lost, atol=1e-10 * np.abs(H).max())
+    assert np.linalg.eigvalsh(P).min() >= -1e-12 * np.abs(P).max()
+    assert np.abs(steady_output(one)).max() <= 1e-12 * np.abs(one.loss).max()
+
+
+def test_a_system_that_was_shifted_is_found_again():
+    exact = system(2, seed=2)
+    off = 0.02 * np.random.default_rng(1).standard_normal(len(_slopes(exact, S, _across(exact))))
+    wanted = transfer(exact, S)
+    begun, weight = _steady(_shifted(exact, off)), np.full(wanted.shape, 1e4 / np.abs(wanted).max())
+    found = moved(begun, S, wanted, weight)
+    first, last = (np.abs((transfer(one, S) - wanted) * weight).max() for one in (begun, found))
+    assert last <= 1 < 0.02 * first
