@@ -41,7 +41,7 @@ def test_a_line_pulls_as_the_same_line_driven_alone(on_lines, bends):
     line = dynamic_line(on_lines.system.lines[number], anchor, on_lines.system, WANTED.dynamic_elements)
     assert line.bends == bends
     t = run.time - run.time[0]
-    alone = drive(line, FairleadMotion.table(t, place, velocity), t[-1], tolerance=1e-4, check_mesh=False)
+    alone = drive(line, FairleadMotion.table(t, place, velocity), t[-1], tolerance=1e-5, check_mesh=False)
     pull = np.interp(t, alone.time, alone.tension_fairlead)
     off = np.sqrt(np.mean((run.tension[:, number] - pull) ** 2))
     assert off <= 1e-3 * pull.max() and pull.std() > 1e-2 * pull.max()
