@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from bem.kernels.borrowed import borrowed
 from bem.kernels.jit import kernel
 
 from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, run, tableau
@@ -36,15 +37,18 @@ ROUNDING = 1e-9  # of the time that a table of the sea reaches
 def pull_at_rest(moving, i, q, v, a, slip, out):
     """out (3,) N, pull of line i at its nodes q (n, 3) m at rest"""
     system = line_system(moving, i)
-    work, last = workspace(system), q.shape[0] - 1
-    here, held = np.zeros_like(work.q), np.zeros_like(work.q)
+    s, last = borrowed(system), q.shape[0] - 1
+    room = workspace(s)
+    work, rows = borrowed(room), np.zeros((2, 3, room.q.shape[1]))
+    here, held = borrowed((rows[0], rows[1]))
     read(work.q, q)
     read(work.v, v)
     read(here, a)
     read(held, slip)
-    node_forces(system, work, here, held, work.q, 0.0, 0.0)
+    node_forces(s, work, here, held, work.q, 0.0, 0.0)
     for k in range(3):
         out[k] = work.r[k, last]
+    rows[0, 0, 0], room.power[0] = 0.0, 0.0  # kept until here, see `borrowed`
 
 
 @kernel()

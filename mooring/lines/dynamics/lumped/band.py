@@ -100,7 +100,7 @@ def substitute_band(pivots, bending, r, x, first, last):
         x[0, j], x[1, j], x[2, j] = applied(p, OF_BAND * j, a, b, c)
 
 
-@kernel()
+@kernel(inline=True)
 def factor_line(D, B, bending, pivots, last):
     """Pivots of the inner nodes of a line of `last` elements"""
     if bending is None:
@@ -109,7 +109,7 @@ def factor_line(D, B, bending, pivots, last):
         factor_band(D, B, bending, pivots, 1, last - 1)
 
 
-@kernel()
+@kernel(inline=True)
 def substitute_line(pivots, bending, r, x, last):
     """x (3, w) of its inner nodes with the right hand r (3, w), which may be x itself"""
     if bending is None:

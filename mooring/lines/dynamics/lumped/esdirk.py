@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from bem.kernels.borrowed import borrowed
 from bem.kernels.jit import kernel
 
 from .band import substitute_line
@@ -120,7 +121,7 @@ def error(s, work, K, V, db, step, hd):
                 total += db[k] * (V[k, i, j] + hd * K[k, i, j])
             work.x[i, j] = work.node[INERTIA, j] * step * total
     substitute_line(work.pivots, work.bending, work.x, work.x, last)
-    return spread(s, work)
+    return spread(work, last)
 
 
 @kernel()
@@ -136,17 +137,19 @@ def predict(q, v, qh, vh, K, V, A, i, step, cv):
 
 
 @kernel()
-def run(s, water, motion, control, scheme, state, until, rows, frame_times, frames, stations, station_rows):
+def run(system, sea, course, control, scheme, state, until, rows, frame_times, frames, stations, station_rows):
     """Step from `state` to `until`; fills rows and frames, and `state` with the arrays of its end.
 
     returns : why it stopped, rows used, frames used, time, step, rejected steps, Newton steps, element at fault
     """
-    A, db, c = scheme
-    stages, last, work = c.size, s.length.size, workspace(s)
+    s, water, motion = borrowed((system, sea, course))
+    A, db, c = borrowed(scheme)
+    stages, last, room = c.size, s.length.size, workspace(s)
+    work = borrowed(room)
     w, d = work.q.shape[1], A[1, 1]
-    memory, power, room = np.zeros((6 + 2 * stages, 3, w)), np.zeros((stages, 6)), np.zeros((3, 3))
-    q, v, a, slip, qh, vh = memory[0], memory[1], memory[2], memory[3], memory[4], memory[5]
-    K, V = memory[6 : 6 + stages], memory[6 + stages :]
+    memory, power, place = np.zeros((6 + 2 * stages, 3, w)), np.zeros((stages, 6)), np.zeros((3, 3))
+    q, v, a, slip, qh, vh = borrowed((memory[0], memory[1], memory[2], memory[3], memory[4], memory[5]))
+    K, V = borrowed((memory[6 : 6 + stages], memory[6 + stages :]))
     energy, used, drawn = rows[0, 7:13].copy(), 1, 0
     t, h, rejected, iterations, why = state.time, min(state.step, control.longest), 0, 0, DONE
     load_state(state, q, v, a, slip)
@@ -171,18 +174,19 @@ def run(s, water, motion, control, scheme, state, until, rows, frame_times, fram
         for i in range(1, stages):
             now = t + c[i] * step
             predict(q, v, qh, vh, K, V, A, i, step, cv)
-            copy(K[i], K[i - 1])
-            lead(motion, now, room, qh, vh, K[i], last)
-            begin_stage(work, qh, vh, K[i], last, cq, cv)
+            k = borrowed(K[i])
+            copy(k, K[i - 1])
+            lead(motion, now, place, qh, vh, k, last)
+            begin_stage(work, qh, vh, k, last, cq, cv)
             # the water is taken where the nodes are expected: an error of order h³
             if moving:
                 water_at(water, work.q, last + 1, now, work.u, work.du)
-            status, count = solve_stage(s, work, K[i], slip, q, cq, cv, limit * scale, limit * control.distance)
+            status, count = solve_stage(s, work, k, slip, q, cq, cv, limit * scale, limit * control.distance)
             iterations += count
             if status != CONVERGED:
                 good = False
                 break
-            keep(i, K, V, power, K[i], work.v, work.power)
+            keep(i, K, V, power, k, work.v, work.power)
         if good:
             largest = max(scale, largest_of(work.T))
             stretched, moved = error(s, work, K, V, db, step, cv)
@@ -219,4 +223,5 @@ def run(s, water, motion, control, scheme, state, until, rows, frame_times, fram
         h = min(h, control.longest)
     store_state(state, q, v, a, slip)
     worst = worst_element(work, last) if why == TOO_SHORT else 0
+    memory[0, 0, 0], room.power[0] = 0.0, 0.0  # kept until here, see `borrowed`
     return why, used, drawn, t, h, rejected, iterations, worst

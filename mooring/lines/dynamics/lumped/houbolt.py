@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from bem.kernels.borrowed import borrowed
 from bem.kernels.jit import kernel
 
 from .bed import keep_slip
@@ -24,15 +25,16 @@ from .workspace import copy, workspace
 
 
 @kernel()
-def run_fixed(s, water, motion, control, state, step, rows, frame_times, frames, stations, station_rows):
+def run_fixed(system, sea, course, control, state, step, rows, frame_times, frames, stations, station_rows):
     """rows.shape[0] − 1 steps from a state of rest; fills rows and frames.
 
     returns : steps made, Newton steps, element at fault
     """
-    last, work = state.position.shape[0] - 1, workspace(s)
-    memory, still = np.zeros((8, 3, work.q.shape[1])), np.zeros((3, 3))
-    q, v, a, slip = memory[0], memory[1], memory[2], memory[3]
-    p1, p2, qh, vh = memory[4], memory[5], memory[6], memory[7]  # p1 and p2: one and two steps before q
+    s, water, motion = borrowed((system, sea, course))
+    last, room = state.position.shape[0] - 1, workspace(s)
+    work, memory, still = borrowed(room), np.zeros((8, 3, room.q.shape[1])), np.zeros((3, 3))
+    q, v, a, slip = borrowed((memory[0], memory[1], memory[2], memory[3]))
+    p1, p2, qh, vh = borrowed((memory[4], memory[5], memory[6], memory[7]))  # p1 and p2: one and two steps before q
     energy, before = np.zeros(6), np.zeros(6)
     load_state(state, q, v, a, slip)
     copy(p1, q)
@@ -43,7 +45,7 @@ def run_fixed(s, water, motion, control, state, step, rows, frame_times, frames,
     before[:] = work.power
     record(rows[0], state.time, step, s, work, energy)
     mark(station_rows[0], stations, work.T, last)
-    drawn, iterations, cq, cv, limit = 0, 0, 0.5 * step * step, 11.0 / 12.0 * step, 1e-2 * control.tolerance
+    done, drawn, iterations, cq, cv, limit = 0, 0, 0, 0.5 * step * step, 11.0 / 12.0 * step, 1e-2 * control.tolerance
     for k in range(1, rows.shape[0]):
         t = state.time + k * step
         for i in range(3):
@@ -58,8 +60,7 @@ def run_fixed(s, water, motion, control, state, step, rows, frame_times, frames,
         )
         iterations += count
         if status != CONVERGED:
-            store_state(state, q, v, a, slip)
-            return k - 1, iterations, worst_element(work, last)
+            break
         for i in range(FRICTION):
             energy[i] += 0.5 * step * (before[i] + work.power[i])
             before[i] = work.power[i]
@@ -73,5 +74,8 @@ def run_fixed(s, water, motion, control, state, step, rows, frame_times, frames,
         copy(v, work.v)
         record(rows[k], t, step, s, work, energy)
         mark(station_rows[k], stations, work.T, last)
+        done = k
     store_state(state, q, v, a, slip)
-    return rows.shape[0] - 1, iterations, 0
+    worst = worst_element(work, last) if done + 1 < rows.shape[0] else 0
+    room.power[0], memory[0, 0, 0] = 0.0, 0.0  # kept until here, see `borrowed`
+    return done, iterations, worst

@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from bem.kernels.borrowed import borrowed
 from bem.kernels.jit import kernel
 
 from .band import factor_line
@@ -25,11 +26,12 @@ ROUNDING = 1e-14  # of the line's length, in the distance of two nodes
 
 
 @kernel()
-def settle(s, water, q, slip):
+def settle(system, sea, q, slip):
     """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 when it was not reached."""
-    last, work, before = q.shape[0] - 1, workspace(s), np.inf
-    rooms = np.zeros((3, 3, work.q.shape[1]))
-    still, held, at = rooms[0], rooms[1], rooms[2]
+    s, water = borrowed((system, sea))
+    last, room, before = q.shape[0] - 1, workspace(s), np.inf
+    work, rooms = borrowed(room), np.zeros((3, 3, room.q.shape[1]))
+    still, held, at = borrowed((rooms[0], rooms[1], rooms[2]))
     read(held, slip)
     read(at, q)
     length, shortest, longest, stiffest = 0.0, np.inf, 0.0, 0.0
@@ -38,23 +40,25 @@ def settle(s, water, q, slip):
         length, shortest, longest = length + one, min(shortest, one), max(longest, one)
         stiffest = max(stiffest, s.stiffness[e] / one)
     heaviest = largest_of(s.weight)
-    tau, noise = 0.3 * math.sqrt(longest), ROUNDING * length * stiffest
+    tau, noise, passes = 0.3 * math.sqrt(longest), ROUNDING * length * stiffest, -1
     for count in range(PASSES):
         copy(work.q, at)
         water_at(water, at, last + 1, 0.0, work.u, work.du)
         node_forces(s, work, still, held, at, tau * tau, tau)
         factor_line(work.D, work.B, work.bending, work.pivots, last)
-        tension, distance = correction(s, work, tau * tau)
+        tension, distance = correction(work, last, tau * tau)
         if not (math.isfinite(tension) and math.isfinite(distance)):
-            return -1
+            break
         share = min(1.0, 0.5 * shortest / distance) if distance > 0.0 else 1.0
         add(at, share * tau * tau, work.x)
         write(q, at)
         most = max(largest_of(work.T), heaviest)
         size = max(tension / most, distance / length)
         if size <= LIMIT + noise / most and tau >= 1.0:
-            return count + 1
+            passes = count + 1
+            break
         tau = min(tau * (3.0 if size < before and share == 1.0 else 0.5), 1e4)
         tau = max(tau, 1e-3)
         before = size
-    return -1
+    room.power[0], rooms[0, 0, 0] = 0.0, 0.0  # kept until here, see `borrowed`
+    return passes

@@ -21,8 +21,8 @@ ITERATIONS = 12
 CONVERGED, NOT_FINITE, STALLED = range(3)
 
 
-@kernel()
-def changes(s, work, scale):
+@kernel(inline=True)
+def changes(work, elements, scale):
     """Changes of tension (N) and place (m) by displacements ± scale · work.x, of which `change` and `spread` tell.
 
     A slack element has no tension to change until it is taut.
@@ -30,13 +30,7 @@ def changes(s, work, scale):
         places, m
     """
     w, q, x, known = work.q.shape[1], address(work.q), address(work.x), address(work.element)
-    elements, far, most, squares, changed = (
-        s.length.size,
-        repeated(0.0),
-        repeated(0.0),
-        repeated(0.0),
-        address(work.change),
-    )
+    far, most, squares, changed = repeated(0.0), repeated(0.0), repeated(0.0), address(work.change)
     for e in range(0, elements, WIDTH):
         slot = e + 1
         d, away = minus(load_three(q, w, slot), load_three(q, w, e)), load_three(x, w, slot)
@@ -65,16 +59,16 @@ def worst_element(work, elements):
 
 
 @kernel()
-def change(s, work, scale):
+def change(work, elements, scale):
     """Largest change of any element's tension (N) and of any node's position (m) by ± scale · work.x"""
-    most, _, _, distance = changes(s, work, scale)
+    most, _, _, distance = changes(work, elements, scale)
     return most, distance
 
 
 @kernel()
-def spread(s, work):
+def spread(work, elements):
     """The same with the change of tension at either end, or the root mean square of all where that is larger."""
-    _, mean, ends, distance = changes(s, work, 1.0)
+    _, mean, ends, distance = changes(work, elements, 1.0)
     return ends if mean <= ends else mean, distance  # nan stays
 
 
@@ -100,7 +94,7 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
     node_forces(s, work, a, slip, since, cq, cv)
     for iteration in range(ITERATIONS):
         factor_line(work.D, work.B, work.bending, work.pivots, last)
-        tension, distance = correction(s, work, cq)
+        tension, distance = correction(work, last, cq)
         if not (math.isfinite(tension) and math.isfinite(distance)):
             return NOT_FINITE, iteration + 1
         correct(work, a, last, cq, cv)
@@ -108,7 +102,7 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
         if tension <= tension_limit and distance <= distance_limit:
             return CONVERGED, iteration + 1
         # what is left of the equations, by the matrix at hand, shows whether another one is needed
-        left, astray = correction(s, work, cq)
+        left, astray = correction(work, last, cq)
         if left <= tension_limit and astray <= distance_limit:
             return CONVERGED, iteration + 1
         size = max(tension / tension_limit, distance / distance_limit)
@@ -119,10 +113,10 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
 
 
 @kernel()
-def correction(s, work, cq):
+def correction(work, last, cq):
     """Accelerations that take away the residual, into work.x, and the largest change of tension and place by them."""
-    substitute_line(work.pivots, work.bending, work.r, work.x, s.length.size)
-    return change(s, work, cq)
+    substitute_line(work.pivots, work.bending, work.r, work.x, last)
+    return change(work, last, cq)
 
 
 @kernel()
