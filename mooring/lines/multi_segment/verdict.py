@@ -60,7 +60,7 @@ def clears_bed(line, piece, q, g, far):
     top, h, v = piece[3], piece[5], piece[6]
     go_down(piece, q, g)
     bottom = q[X]
-    if bottom > line.bed[0, 0] and height_over_bed(line, bottom, q[Z]) < -far:
+    if height_over_bed(line, bottom, q[Z]) < -far:  # also of what is heaped beyond the anchor's place, laid out there
         return False
     for facet in range(line.bed.shape[0]):
         right = line.bed[facet + 1, 0] if facet + 1 < line.bed.shape[0] else math.inf

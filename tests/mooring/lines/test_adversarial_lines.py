@@ -45,6 +45,11 @@ def test_lines_that_no_traversal_finds_come_to_rest():
     assert set(words.values()) == {"answered"}, words
 
 
+def test_what_is_heaped_at_the_anchor_does_not_hang_below_the_bed():
+    """Between a buoy over the anchor and the anchor, five times the depth of line lies in a heap."""
+    assert verdict(31, 193226)[0] == "answered"
+
+
 def test_a_line_at_rest_has_the_stiffness_of_its_forces():
     """Central differences over 1e-5 of the length, whose own error is of second order."""
     line, x, z = random_line(np.random.default_rng([1101, 671]))
