@@ -91,7 +91,9 @@ class Faults(dict):
 def faults(found, sliding=True):
     """Faults of a `StaticSolution` of one position.  sliding : whether a line without tension may not lie on a slope
     steeper than friction holds."""
-    line, pieces, out = found.line, found.pieces[found.pieces[:, 2] > 0], Faults()
+    line, out = found.line, Faults()
+    # shorter ones are rounding of s, and a load between two of them would count twice
+    pieces = found.pieces[found.pieces[:, 2] > 1e-14 * line.length]
     far = LENGTH * line.length
     ends = np.concatenate([[pull(p, 0.0), pull(p, p[2])] for p in pieces])
     force = FORCE * max(np.hypot(*ends.T).max(), 1e-3 * line.weight)
