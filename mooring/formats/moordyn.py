@@ -17,7 +17,18 @@ from meshing.text_files import read_text
 from meshing.whole_files import write_whole
 
 from .fault import FormatError, fault
-from .moordyn_rows import OPTIONAL, SECTIONS, BodyRow, FailureRow, LineRow, LineTypeRow, PointRow, RodRow, RodTypeRow
+from .moordyn_rows import (
+    OPTIONAL,
+    SECTIONS,
+    BodyRow,
+    FailureRow,
+    LineRow,
+    LineTypeRow,
+    PointRow,
+    RodRow,
+    RodTypeRow,
+    finite_number,
+)
 
 
 @dataclass(frozen=True)
@@ -149,7 +160,7 @@ def _row(key, fields, number, words, path):
         words = [*words[: len(fields) - 1], "".join(words[len(fields) - 1 :])]
     for name, word in zip(fields, words, strict=False):
         if name is None:
-            if _number(word) != 0:
+            if finite_number(word) != 0:
                 raise fault(path, number, section.title, f"a force of {word} kN on a point is not read; allowed: 0")
             continue
         values[name] = _value(kinds[name], name, word, number, section, path)
@@ -164,7 +175,7 @@ def _row(key, fields, number, words, path):
 def _value(kind, name, word, number, section, path):
     if kind is str:
         return word
-    value = _number(word)
+    value = finite_number(word)
     if value is None:
         raise fault(path, number, section.title, f"{name} is {word!r}; allowed: a number")
     if kind is int:
@@ -172,15 +183,6 @@ def _value(kind, name, word, number, section, path):
             raise fault(path, number, section.title, f"{name} is {word}; allowed: a whole number")
         return int(value)
     return value
-
-
-def _number(word):
-    """A finite number, also with Fortran's exponent; None for anything else"""
-    try:
-        value = float(word.lower().replace("d", "e"))
-    except ValueError:
-        return None
-    return value if abs(value) < float("inf") else None
 
 
 def _options(rows, path):

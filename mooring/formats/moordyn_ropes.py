@@ -24,6 +24,7 @@ from meshing.text_files import read_text
 
 from ..lines.multi_segment.segments import Segment
 from .fault import FormatError
+from .moordyn_rows import finite_number
 
 SYROPE = "syrope:"
 POINTS = 101  # of a working curve: its chords are within 1e-4 of T_max for |k₂| up to 2.5
@@ -65,7 +66,7 @@ class WorkingCurves(NamedTuple):
 
 def is_tabulated(row):
     """Whether EA of a LineTypeRow is a table or a Syrope rope"""
-    return is_syrope(row) or _number(row.EA.split("|")[0]) is None
+    return is_syrope(row) or finite_number(row.EA.split("|")[0]) is None
 
 
 def is_syrope(row):
@@ -104,7 +105,7 @@ def largest_tensions(file, path):
         words = text.split("#")[0].split()
         if not words:
             continue
-        value = _number(words[1]) if len(words) > 2 else None
+        value = finite_number(words[1]) if len(words) > 2 else None
         unknown = set(words[0].split(",")) - lines
         if value is None or unknown:
             what = f"line {min(unknown)} is unknown" if unknown else f"{text.strip()!r} is not lines, Tmax0 and Tmean0"
@@ -119,7 +120,7 @@ def _working_curves(folder, name):
     for line in read_text(path, FormatError).splitlines():
         words = line.split()
         given |= {words[1].lower(): words[0]} if len(words) > 1 else {}
-    k1, k2 = (_number(given.get(key, "")) for key in ("k1", "k2"))
+    k1, k2 = (finite_number(given.get(key, "")) for key in ("k1", "k2"))
     form = given.get("wctype", "").lower()
     if "owc" not in given or form not in FORMS or k1 is None or k2 is None:
         raise FormatError(f"{path}: allowed: a file OWC, WCType {', '.join(FORMS).upper()}, and numbers k1, k2")
@@ -130,7 +131,7 @@ def _table(path):
     """(n, 2) strain and tension, N, from 0, 0; lines that are no numbers are its heading"""
     rows = []
     for number, line in enumerate(read_text(path, FormatError).splitlines(), 1):
-        values = [_number(word) for word in line.split()]
+        values = [finite_number(word) for word in line.split()]
         if len(values) == 2 and None not in values:
             rows.append(values)
         elif rows and values:
@@ -139,11 +140,3 @@ def _table(path):
     if len(table) < 2 or np.any(table[0] != 0) or np.any(np.diff(table, axis=0) <= 0):
         raise FormatError(f"{path}: {len(table)} rows; allowed: strain and tension, at least two, rising from 0, 0")
     return table
-
-
-def _number(word):
-    try:
-        value = float(word.lower().replace("d", "e"))
-    except ValueError:
-        return None
-    return value if abs(value) < float("inf") else None

@@ -13,6 +13,15 @@ COUPLED = ("coupled", "cpld", "vessel", "ves", "fairlead")
 FREE = ("free", "connect", "con", "point")
 
 
+def finite_number(word):
+    """A finite number, also with Fortran's exponent; None for anything else"""
+    try:
+        value = float(word.lower().replace("d", "e"))
+    except ValueError:
+        return None
+    return value if abs(value) < float("inf") else None
+
+
 class LineTypeRow(NamedTuple):
     """diameter : m; mass : kg/m; EA, BA : number, a|b, or the name of a file"""
 
