@@ -28,6 +28,7 @@ from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put
 from .wave_loads import fill_rows, fill_window
 
 SAFETY, LARGEST, SMALLEST = 0.85, 4.0, 0.2  # of the change of step
+WITH_LINES = 0.7  # SAFETY where lines move: what they do is foreseen less well, and a step refused is dear
 SHORTEST, OF_USUAL = 1e-5, 1e-4  # s, share of the usual step: a step below both cannot be followed,
 AT_CORNER = 100  # and neither can more steps in a row below the first
 FIRST_STEP = 0.05  # s
@@ -158,10 +159,39 @@ def take_step_with_lines(scene, buoy, clock, moving, t, h):
     project(lines, kept, t, h, work.given)
     good = rates(scene, buoy, t, clock.y, clock.stages[0])
     error, held = take_step(scene, buoy, clock, t, h)
-    for i in range(12):
-        missed = abs(trial[i] - kept.foreseen[i]) * lines.swing * h * h
-        error = max(error, missed / (clock.scale[i] * h))
-    return error, good and held
+    return max(error, missed_course(scene, clock, moving, h)), good and held
+
+
+@kernel()
+def missed_course(scene, clock, moving, h):
+    """Error of a step of h s, over what is allowed, because lines went where the body was foreseen.
+
+    Missed by its end are x = at²/2 and v = at, by a wrong pull.  Lines that only stretch have a pull that is wrong by
+    their part of Kx, of which each may be off by its tolerance; all together they change the velocity of the body by
+    M⁻¹Kv h²/6 and its position by M⁻¹Kx h²/12.
+    """
+    lines, kept = moving
+    worst, push, inverse = 0.0, kept.room.push, scene.body.mass_inverse
+    for first, share in ((0, h / 12), (6, h / 6)):
+        push[:] = 0.0
+        for i in range(lines.number.size):
+            n, pull = lines.number[i], 0.0
+            if not scene.line_work.whole[n]:
+                continue
+            for j in range(6):
+                pull += lines.spring[i] * lines.stretch[i, j] * (clock.trial[first + j] - kept.foreseen[first + j])
+            for j in range(6):
+                push[j] += pull * lines.stretch[i, j]
+            if first == 0:
+                x, y, z = scene.line_work.given[n, 0]
+                tension = max(lines.tension[i], np.sqrt(x * x + y * y + z * z))
+                worst = max(worst, abs(pull) / (lines.tolerance * tension))
+        for i in range(6):
+            total = 0.0
+            for j in range(6):
+                total += inverse[i, j] * push[j]
+            worst = max(worst, share * abs(total) / clock.scale[first + i])
+    return worst
 
 
 @kernel()
@@ -229,6 +259,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
     """
     now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step
     lines, length = scene.lines, waves.table.window
+    safety = SAFETY if moving is None else WITH_LINES
     again = False  # after a step that was refused: one over a corner is, where one that a window cuts short is not
     for _ in range(most):
         t = now[TIME]
@@ -268,7 +299,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
         if error > 1.0 and fixed == 0.0:
             counts[REFUSED] += 1
             again = True
-            now[STEP] = h * max(SMALLEST, SAFETY * error**-0.25)
+            now[STEP] = h * max(SMALLEST, safety * error**-0.25)
             if now[STEP] < min(SHORTEST, OF_USUAL * now[USUAL]):
                 return TOO_SHORT
             continue
@@ -300,7 +331,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
             for i in range(clock.y.size):
                 k[0, i] = k[6, i]
         if not cut or error > 0.0:
-            grown = h * min(LARGEST, max(SMALLEST, SAFETY * max(error, 1e-8) ** -0.25))
+            grown = h * min(LARGEST, max(SMALLEST, safety * max(error, 1e-8) ** -0.25))
             now[STEP] = max(now[STEP], grown) if cut else grown
     return RUNNING
 

@@ -32,7 +32,7 @@ class MovingLines(NamedTuple):
     parts of each begin
     tension, distance : (m,) N, m, scales of their errors; tolerance : of a step
     water : `Water` at all nodes, with a table of `sea` that is filled again and again; room_of_sea : of its sums
-    swing : (rad/s)², of the body on these lines if they could only stretch
+    stretch : (m, 6) of each by motions of the body from rest, if it could only stretch, and spring : (m,) N/m, EA/L
     """
 
     number: np.ndarray
@@ -47,7 +47,8 @@ class MovingLines(NamedTuple):
     water: Water
     sea: LineSea
     room_of_sea: tuple
-    swing: float
+    stretch: np.ndarray
+    spring: np.ndarray
 
 
 class Room(NamedTuple):
@@ -93,11 +94,11 @@ class MovingWork(NamedTuple):
     stuck: np.ndarray
 
 
-def moving_lines(lines, fairleads, tolerance, swing, sea=None):
+def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
     """`MovingLines` and their States at rest.
 
     lines : {number: DynamicLine}; fairleads : (m, 3) m in space, of these with the body at rest
-    sea : LineSea that grows from still water, None for still water
+    as_spring : `MovingLines.stretch` and `spring`; sea : LineSea that grows from still water, None for still water
     raises : LineError where a line has no shape at rest
     """
     still = water_arrays(None, None, 9.80665)
@@ -127,7 +128,7 @@ def moving_lines(lines, fairleads, tolerance, swing, sea=None):
         water,
         sea,
         tuple(room),
-        float(swing),
+        *as_spring,
     ), tuple(states)
 
 

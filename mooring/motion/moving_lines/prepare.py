@@ -13,6 +13,10 @@ from .packed import moving_lines
 # than its static shape
 FIRM = {"stiffness": 3e6, "damping": 3e5}
 
+# of the tolerance of a run: what a step of a line may miss, and its pull by a course foreseen wrongly.  Errors of
+# smooth motion add up: steps that miss a whole tolerance each leave three in a regular wave, these one
+OF_LINE = 0.25
+
 
 def moving_of(moored, settings, sea=None, surface=True):
     """(`MovingLines`, States at rest) of the lines that `settings.dynamic_lines` names; None for none
@@ -38,7 +42,7 @@ def moving_of(moored, settings, sea=None, surface=True):
         numbers = sorted(system.line_names.index(name) for name in names)
     if not numbers:
         raise ValueError("dynamic_lines: no line of the body is uniform; allowed: uniform lines")
-    made, places = {}, []
+    made, places, stretch, spring = {}, [], [], []
     body, R = np.asarray(system.bodies[0].position[:3], float), rotation(*moored.start[3:])
     for i in numbers:
         line = system.lines[i]
@@ -46,10 +50,14 @@ def moving_of(moored, settings, sea=None, surface=True):
             raise ValueError(f"dynamic_lines: line {line.name} has segments or is a hawser; allowed: uniform lines")
         anchor, fairlead = ends_of(line, system)
         made[i] = dynamic_line(line, anchor.position, system, settings.dynamic_elements, surface)
-        places.append(body + moored.start[:3] + R @ np.asarray(fairlead.position, float))
-    swing = sum(line.type.axial_stiffness / line.length for line in (system.lines[i] for i in numbers))
-    swing /= float(moored.reader.inertia[0, 0])
-    return moving_lines(made, np.array(places), settings.tolerance, swing, sea)
+        arm = R @ np.asarray(fairlead.position, float)
+        places.append(body + moored.start[:3] + arm)
+        along = places[-1] - np.asarray(anchor.position, float)
+        along /= np.linalg.norm(along)
+        stretch.append(np.concatenate([along, np.cross(arm, along)]))
+        spring.append(line.type.axial_stiffness / line.length)
+    as_spring = np.array(stretch), np.array(spring)
+    return moving_lines(made, np.array(places), OF_LINE * settings.tolerance, as_spring, sea)
 
 
 def ends_of(line, system):
