@@ -193,7 +193,7 @@ def buoy_of(hung, table, samples):
     count = len(buoy.ropes) + len(buoy.lines.lost)
     return buoy, BuoyWork(
         line_work(buoy.lines), np.zeros((WATER, m)),
-        np.zeros((2, WATER, c), np.float32), np.zeros((WATER, m), np.float32), np.zeros(2),
+        np.zeros((2, WATER, c)), np.zeros((WATER, m)), np.zeros(2),
         np.zeros(WATER), np.zeros(6), np.zeros(6), np.zeros((3, 3)), np.zeros(6), np.zeros(6),
         np.zeros((len(buoy.ropes), 5)), np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples, count)),
     )  # fmt: skip
