@@ -18,8 +18,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..common.quantities import StudyError
+from . import work
 from .berth import PLANE, natural_periods, windows
-from .work import prepared
 
 STILL = 1e-6  # m, degrees: no motion
 SIGNIFICANT = 0.9  # mean over significant period, of the spectra of the report
@@ -32,7 +32,7 @@ def methods_table(task, seed, division=None):
     """
     from rich.table import Table
 
-    body, plan, study, _ = prepared(task)
+    body, plan, study, _ = work.prepared(task)
     if plan.mean_period is None:
         raise StudyError("--methods compares motions in waves, and there are none; allowed: with [waves] or a record")
     periods, states = natural_periods(body), {"memory": "states", "constant_period": None}

@@ -43,7 +43,7 @@ class Task:
 
 def prepared(task):
     """`Moored` body, Plan and the Study of a Task; kept for the next seed of the same"""
-    key = task.study, task.database, task.duration
+    key = task.study, task.folder, task.database, task.duration
     if key not in _prepared:
         from bem.database import open_database
         from bem.time_domain.memory import no_memory

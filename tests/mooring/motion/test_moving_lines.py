@@ -15,8 +15,10 @@ from mooring.lines.dynamics.simulation import simulate as drive
 from mooring.lines.system.graph import System
 from mooring.lines.system.parts import Anchor, Fairlead, LineDynamics, UniformLine
 from mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
-from mooring.motion.moving_lines.packed import state_pull
+from mooring.motion.moving_lines.packed import moving_work, state_pull
+from mooring.motion.moving_lines.polynomial import TERMS
 from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
+from mooring.motion.moving_lines.steps import advance_lines, keep_lines
 from mooring.motion.simulation import simulate, with_lines_chosen
 from mooring.motion.weather import Settings, Weather
 
@@ -31,21 +33,48 @@ def bent(body):
     return replace(body, system=replace(body.system, lines=(replace(lines[0], type=stiff), *lines[1:])))
 
 
-@pytest.mark.parametrize("bends", [False, True])
-def test_a_line_pulls_as_the_same_line_driven_alone(on_lines, bends):
-    on_lines = bent(on_lines) if bends else on_lines
+def test_a_line_pulls_as_the_same_line_driven_alone(on_lines):
     number = on_lines.system.line_names.index("fore port 1")
     run = simulate(on_lines, ROUGH, WANTED, seed=1)
     place, velocity = fairlead_course(body_lines(on_lines.system), number, np.hstack([run.motion, run.velocity]))
-    anchor = body_lines(on_lines.system).anchor[number]
-    line = dynamic_line(on_lines.system.lines[number], anchor, on_lines.system, WANTED.dynamic_elements)
-    assert line.bends == bends
-    t = run.time - run.time[0]
+    line, t = line_of(on_lines, number), run.time - run.time[0]
     alone = drive(line, FairleadMotion.table(t, place, velocity), t[-1], tolerance=1e-5, check_mesh=False)
     pull = np.interp(t, alone.time, alone.tension_fairlead)
     off = np.sqrt(np.mean((run.tension[:, number] - pull) ** 2))
     assert off <= 1e-3 * pull.max() and pull.std() > 1e-2 * pull.max()
     assert np.ptp(place, axis=0).max() > 0.1  # it moves
+
+
+def test_a_line_that_bends_beside_one_that_does_not_pulls_along_a_course_as_driven_alone(on_lines):
+    """Steps of the body of 0.1 s, without a body: a run with lines that bend takes half a minute to compile"""
+    body, h = bent(on_lines), 0.1
+    moving, states = moving_of(body, WANTED)
+    work, whole = moving_work(moving, states, 1, len(body.system.lines)), np.ones(len(body.system.lines), bool)
+    t, rest = h * np.arange(201), [state.position[-1] for state in states]
+    halves = 0.5 * h * np.arange(401)
+    sway, speed = 0.6 * np.sin(0.9 * halves) ** 2, 0.54 * np.sin(1.8 * halves)
+    pulls = np.full((201, 2), [np.linalg.norm(state_pull(moving, i, one)) for i, one in enumerate(states)])
+    for k in range(200):
+        for i in range(2):
+            for part in range(3):
+                work.course[i, part] = rest[i] + [sway[2 * k + part], 0, 0], [speed[2 * k + part], 0, 0]
+        assert advance_lines(moving, work, whole, t[k], h)
+        keep_lines(moving, work, h, np.zeros((len(whole), TERMS, 3)))
+        for i in range(2):
+            pulls[k + 1, i] = np.linalg.norm(work.pull[i, work.used[i] - 1])
+    for i, number in enumerate(moving.number):
+        line, moved = line_of(body, number), np.outer(sway[::2], [1.0, 0, 0])
+        motion = FairleadMotion.table(t, rest[i] + moved, np.outer(speed[::2], [1.0, 0, 0]))
+        alone = drive(line, motion, t[-1], tolerance=1e-5, check_mesh=False)
+        pull = np.interp(t, alone.time, alone.tension_fairlead)
+        assert line.bends == (i == 0)
+        assert np.sqrt(np.mean((pulls[:, i] - pull) ** 2)) <= 1e-3 * pull.max() and pull.std() > 1e-2 * pull.max()
+
+
+def line_of(body, number):
+    """The DynamicLine of a line of a body in WANTED"""
+    anchor = body_lines(body.system).anchor[number]
+    return dynamic_line(body.system.lines[number], anchor, body.system, WANTED.dynamic_elements)
 
 
 def test_lines_that_are_not_asked_for_hang_in_their_static_shape(on_lines):
