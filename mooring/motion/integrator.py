@@ -169,6 +169,7 @@ def missed_course(scene, clock, moving, h):
     Missed by its end are x = at²/2 and v = at, by a wrong pull.  Lines that only stretch have a pull that is wrong by
     their part of Kx, of which each may be off by its tolerance; all together they change the velocity of the body by
     M⁻¹Kv h²/6 and its position by M⁻¹Kx h²/12.
+    scene : `equation.Scene`; clock : `Clock`, its trial state that of the end; moving : (MovingLines, MovingWork)
     """
     lines, kept = moving
     worst, push, inverse = 0.0, kept.room.push, scene.body.mass_inverse

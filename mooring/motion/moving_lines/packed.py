@@ -32,7 +32,8 @@ class MovingLines(NamedTuple):
     parts of each begin
     tension, distance : (m,) N, m, scales of their errors; tolerance : of a step
     water : `Water` at all nodes, with a table of `sea` that is filled again and again; room_of_sea : of its sums
-    stretch : (m, 6) of each by motions of the body from rest, if it could only stretch, and spring : (m,) N/m, EA/L
+    stretch : (m, 6) m/m and m/rad, of each chord from anchor to fairlead by motions of the body about rest
+    spring : (m,) N/m, EA/L
     """
 
     number: np.ndarray
