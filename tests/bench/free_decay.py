@@ -68,10 +68,10 @@ if __name__ == "__main__":
     warnings.simplefilter("ignore")
     with tempfile.TemporaryDirectory() as temporary:
         found = databases(given.folder or temporary)
-    for name, db in found.items():
-        kind = name.split()[0]
-        memory = None if given.tolerance is None else memory_of_database(db, given.tolerance)
-        body = moored(db, memory=memory, spring=SPRING[kind], damping=DAMPING[kind])
-        parts = spectrum(body)
-        cells = [f"{mode} {difference(body, *parts, *start):.1e}" for mode, start in START.items()]
-        print(f"{name}: {', '.join(cells)}, {body.memory}", flush=True)
+        for name, db in found.items():
+            kind = name.split()[0]
+            memory = None if given.tolerance is None else memory_of_database(db, given.tolerance)
+            body = moored(db, memory=memory, spring=SPRING[kind], damping=DAMPING[kind])
+            parts = spectrum(body)
+            cells = [f"{mode} {difference(body, *parts, *start):.1e}" for mode, start in START.items()]
+            print(f"{name}: {', '.join(cells)}, {body.memory}", flush=True)
