@@ -73,9 +73,10 @@ class Bed:
 
     def depth_below(self, x, z):
         """Height of points (x, z) above the bed, m; negative under it."""
-        px, pz, slope = *self.points.T, self.slopes
+        slope = self.slopes
         if len(slope) == 1:
             return z - slope[0] * x
+        px, pz = self.points.T
         beyond = slope[0] * np.minimum(x, 0.0) + slope[-1] * np.maximum(x - px[-1], 0.0)
         return z - np.interp(x, px, pz) - beyond
 

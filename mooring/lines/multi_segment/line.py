@@ -40,6 +40,7 @@ RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
 SOFTER = (1e-5, 1e-3)  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
 AT_REST = None  # a way to seek a line: without friction, by a chain that falls to rest
+WORDS = ("submerged", "floating", "emerged")  # of the states of point loads
 MOBILISED = (0.8, 0.6, 0.4, 0.2, 0.05, 0.0)  # of the friction, the largest first, where all of it has no equilibrium
 
 
@@ -126,8 +127,11 @@ class StaticLine:
         self._check(x, z)
         data = self._data if state is None else self._data._replace(kept=np.ascontiguousarray(state.pieces, float))
         least = 1e-9 * self.length
-        xs, zs = (np.array([max(x, least)]), z.reshape(1)) if x.ndim == 0 else (np.maximum(x, least), z)
-        found, status, pieces, loads = self._solve(data, xs.ravel(), np.ascontiguousarray(zs.ravel()))
+        if x.ndim == 0:
+            xs, zs = np.array([max(float(x), least)]), z.reshape(1)
+        else:
+            xs, zs = np.maximum(x, least).ravel(), np.ascontiguousarray(z.ravel())
+        found, status, pieces, loads = self._solve(data, xs, zs)
         self._judge(x, z, found, status)
         return self._solution(x, z, found, status, loads, pieces)
 
@@ -243,26 +247,16 @@ class StaticLine:
         if SLACK in status.tolist():
             found[slack, 0] = 0.0
             found[slack, 5:7] = 0.0
-        H, V, H_anchor, V_anchor = found[:, :4].T.reshape(4, *x.shape)
-        words = ("submerged", "floating", "emerged")
-        one = x.ndim == 0
-        if one and slack[0] and not np.any(pieces[:, 10] > 0.5 * np.pi):  # the bight of a line that slides
+        if x.ndim > 0:
+            H, V, H_anchor, V_anchor = found[:, :4].T.reshape(4, *x.shape)
+            stiffness, residual = found[:, 5:9].reshape(*x.shape, 2, 2), found[:, 9].reshape(x.shape)
+            return StaticSolution(self, x, z, H, V, H_anchor, V_anchor, stiffness, slack.reshape(x.shape), residual)
+        if slack[0] and not np.any(pieces[:, 10] > 0.5 * np.pi):  # the bight of a line that slides
             tangent = 0.0 if self.bed is None else self.bed.points[1, 1] / self.bed.points[1, 0]
             pieces = heaped(pieces, tangent)
-        return StaticSolution(
-            self,
-            x[()],
-            z[()],
-            H,
-            V,
-            H_anchor,
-            V_anchor,
-            found[:, 5:9].reshape(*x.shape, 2, 2),
-            slack.reshape(x.shape)[()],
-            found[:, 9].reshape(x.shape)[()],
-            tuple(words[i] for i in loads) if one else (),
-            pieces if one else None,
-        )
+        row, states = found[0], tuple([WORDS[i] for i in loads.tolist()])
+        stiffness = row[5:9].reshape(2, 2)
+        return StaticSolution(self, x[()], z[()], *row[:4], stiffness, slack[0], row[9], states, pieces)
 
     def _check(self, x, z):
         if x.ndim == 0:  # at once, without arrays
