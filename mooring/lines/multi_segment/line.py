@@ -177,7 +177,7 @@ class StaticLine:
         search = _search()
         ways = [data, data._replace(to_place=not data.to_place)]
         tries = [(ways[0], search.CLOSER), (ways[1], search.QUICK), (ways[1], search.EXACT)]
-        rests = [] if self.bed is None or len(data.kept) else [(AT_REST, None)]
+        rests = [] if len(data.kept) else [(AT_REST, None)]
         if data.friction == 0:
             tries, rests = tries + rests, []
         told = []

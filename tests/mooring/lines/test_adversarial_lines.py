@@ -45,6 +45,24 @@ def test_lines_that_no_traversal_finds_come_to_rest():
     assert set(words.values()) == {"answered"}, words
 
 
+def test_contacts_shorter_than_the_links_of_a_chain_are_found_where_it_is_made_finer():
+    """A buoy at the crest of a ridge, spans and heaps of a thousandth of the line, a sinker where a span lands."""
+    cases = ((31, 1708), (31, 96999), (31, 220439), (31, 449724), (32, 130930), (32, 416154))
+    words = {case: verdict(*case)[0] for case in cases}
+    assert set(words.values()) == {"answered"}, words
+
+
+def test_a_sinker_is_held_down_in_a_hollow_by_buoys_that_stand_plumb_beside_it():
+    words = {case: verdict(*case)[0] for case in ((31, 100529), (32, 124765), (32, 443879))}
+    assert set(words.values()) == {"answered"}, words
+
+
+def test_a_line_without_a_bed_hangs_plumb_in_a_bight_below_its_fairlead():
+    """Fairlead over the anchor: with a sinker lowest, with a stretch of 40 %, with two buoys under water."""
+    words = {case: verdict(*case)[0] for case in ((31, 12738), (31, 160770), (32, 357520))}
+    assert set(words.values()) == {"answered"}, words
+
+
 def test_what_is_heaped_at_the_anchor_does_not_hang_below_the_bed():
     """Between a buoy over the anchor and the anchor, five times the depth of line lies in a heap."""
     assert verdict(31, 193226)[0] == "answered"

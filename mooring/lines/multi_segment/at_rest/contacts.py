@@ -13,6 +13,8 @@ NEARLY = 1e-3
 TOUCHES = 2e-4  # of L: height of a node that lies
 PRESSED = 1e-3  # of the mean weight of a node: force of the bed on one that lies
 UPRIGHT, NARROW = 1e-5, 3e-3  # of W and of L: H or width of a span that stands plumb over its heap
+BESIDE = 40  # nodes on either side of a load that may be at a ridge with it
+LEAST = 1e-9  # of W: H with which a line is begun that hangs plumb
 SHORT = 8  # links of a span whose length is known from what its buoy lifts
 
 
@@ -26,11 +28,16 @@ class Contacts:
         self.dx, self.dz, self.slack = np.diff(self.x), np.diff(self.z), chain.T[::-1] <= 1e-9
         self.load = {self.n - 1 - node: i for i, node in enumerate(chain.loads)}
         self.weight = [load.weight for load in chain.line.loads]
-        self.slopes, self.vertices = chain.line.bed.slopes, chain.x
-        self.near = 2.2 * chain.round + 0.5 / self.n
+        self.slopes, self.vertices = chain.slopes, chain.x
+        self.touches, self.nearly, self.narrow = TOUCHES, NEARLY, NARROW
+        if chain.fine:
+            self.touches, self.nearly, self.narrow = 1e-3 * chain.size, chain.size, min(NARROW, 10 * chain.size)
+        self.near = np.concatenate([[0.0], 2.2 * chain.round + 0.5 * chain.size])  # of each vertex
         self.lies = self._lying()
-        self.steps, self.given = [], [list(self._pull(0))]
-        self._left = None  # hollow of the heap that the line has just left plumb
+        H, V = self._pull(0)
+        self.steps, self.given = [], [[H if abs(H) > LEAST else LEAST, V + chain.weight[-1]]]
+        # hollow that the line has just left plumb, and whether it did at a load, and at which node
+        self._left, self._held, self._from = None, False, 0
         self._read()
 
     def states(self):
@@ -50,19 +57,22 @@ class Contacts:
         return [load.weight / W for load in self.line.loads], [load.weight_in_air / W for load in self.line.loads]
 
     def _lying(self):
-        mass = np.maximum(np.abs(self.chain.weight[::-1]), 0.2 / self.n)
+        mass = self.chain.mass[::-1]
         heaped = np.zeros(self.n, bool)
         heaped[1:-1] = self.slack[1:] & self.slack[:-1]
         pressed = self.N / mass > PRESSED
         gap = self.chain.gap[::-1]
-        lies = pressed | (gap < TOUCHES) | heaped
+        lies = pressed | (gap < self.touches) | heaped
         for node, i in self.load.items():
             if self.weight[i] < 0 and not heaped[node] and self.z[node] < self.chain.surface:
                 lies[node] = False
+        for node in self.load:
+            at_ridge = self._at_ridge(node)
+            lies[at_ridge] |= lies[at_ridge].any()
         lies[0], lies[-2] = False, lies[-2] and pressed[-2]
         lies[-1] = lies[-2]
         for a, b in _runs(lies):
-            few = a > 0 and b < self.n - 1 and b - a < FEW and not lies[a] and gap[a : b + 1].max() < NEARLY
+            few = a > 0 and b < self.n - 1 and b - a < FEW and not lies[a] and gap[a : b + 1].max() < self.nearly
             if few and not any(self.weight[self.load[k]] < 0 for k in range(a, b + 1) if k in self.load):
                 lies[a : b + 1] = True
         return lies
@@ -89,6 +99,12 @@ class Contacts:
         H, V = self._pull(node)
         return float(np.arctan2(V, H))
 
+    def _normal(self, node, facet, load):
+        """Force of a facet on a load that balances the pulls of the links above and below it"""
+        across, up = np.subtract(self._pull(node), self._pull(node - 1))
+        angle = np.arctan(self.slopes[facet])
+        return float((up + self.weight[load] / self.line.weight) * np.cos(angle) - across * np.sin(angle))
+
     def _hollow(self, vertex):
         return self.slopes[vertex] > self.slopes[vertex - 1]
 
@@ -97,16 +113,25 @@ class Contacts:
         close = [
             (abs(x - self.vertices[v]), v)
             for v in range(1, len(self.slopes))
-            if abs(x - self.vertices[v]) < self.near and hollow in (None, self._hollow(v))
+            if abs(x - self.vertices[v]) < self.near[v] and hollow in (None, self._hollow(v))
         ]
         return min(close)[1] if close else None
 
     def _facet(self, x):
         return int(np.searchsorted(self.vertices[1:-1], x))
 
-    def _sinker(self, node):
+    def _at_ridge(self, node):
+        """Nodes beside one that are at the same ridge, where the chain is fine enough to tell"""
+        ridge = self._vertex(self.x[node], False) if self.chain.fine else None
+        beside = range(max(node - BESIDE, 0), min(node + BESIDE + 1, self.n)) if ridge else ()
+        return [k for k in beside if abs(self.x[k] - self.vertices[ridge]) < self.near[ridge]]
+
+    def _held_load(self, node):
+        """The sinker at a node, or the load, a buoy too, that is at the ridge with it, or None"""
         i = self.load.get(node)
-        return i if i is not None and self.weight[i] > 0 else None
+        if i is not None and self.weight[i] > 0:
+            return i
+        return next((self.load[k] for k in self._at_ridge(node) if k in self.load), None)
 
     def _way(self, link):
         return 1 if self.dx[link] < 0 else -1
@@ -143,7 +168,7 @@ class Contacts:
 
     def _within(self, part, hollow):
         """Whether all nodes of a part are in a hollow, as those of a heap are"""
-        return np.abs(self.x[part[0] : part[1] + 1] - self.vertices[hollow]).max() < 3 * self.near
+        return np.abs(self.x[part[0] : part[1] + 1] - self.vertices[hollow]).max() < 3 * self.near[hollow]
 
     def _without_rounding(self, parts):
         """Parts without those on a slope that have no tension between two that lie in the same direction"""
@@ -159,7 +184,7 @@ class Contacts:
     def _contact(self, a, b, left):
         """Steps of the nodes a … b that lie; left : hollow over which the span before stands plumb"""
         parts, ends = self._parts(a, b), b == self.n - 1
-        if len(parts) == 1 and not ends and parts[0][2] and self._one_place(*parts[0]):
+        if len(parts) == 1 and not ends and parts[0][2] and self._one_place(*parts[0], left):
             return
         facet = None
         for number, (first, last, way) in enumerate(parts):
@@ -176,16 +201,20 @@ class Contacts:
                 facet = self._folded(first, last, way_in, begins)
             else:
                 plumb = begins and left == hollow
-                if begins and not plumb:
+                lands = begins and not plumb
+                at_load = lands and self.chain.fine and self._held_load(first) is not None
+                if lands:
                     facet = hollow if way_in > 0 else hollow - 1
+                if lands and not at_load:
                     self._land(a, facet, way_in)
-                if self._heap(first, last, way_in, facet, hollow, plumb, stops and not ends):
+                begin = "plumb" if plumb else "at_load" if at_load else "along"
+                if self._heap(first, last, way_in, facet, hollow, begin, stops and not ends):
                     continue
                 facet = hollow - 1 if way_out > 0 else hollow
             if stops and ends:
                 self._add("end", 0, way_out)
             elif stops and hollow is not None and self._stands_plumb(b, hollow):
-                self._left = hollow
+                self._left, self._held = hollow, False
             elif stops:
                 self._add("off_facet", facet, way_out, given=[self._leaves(b)])
 
@@ -195,25 +224,30 @@ class Contacts:
         while end + 1 < self.n and not self.lies[end]:
             end += 1
         H = np.abs(self.T * self.dx / np.maximum(np.hypot(self.dx, self.dz), 1e-300))[b:end]
-        return np.ptp(self.x[b : end + 1]) < NARROW or (H.max() < UPRIGHT and self._within((b, end), hollow))
+        return np.ptp(self.x[b : end + 1]) < self.narrow or (H.max() < UPRIGHT and self._within((b, end), hollow))
 
     def _folded(self, first, last, way, begins):
         """A fold on a slope; returns its facet"""
         facet = self._facet(self.x[(first + last) // 2])
         if begins:
             self._land(first, facet, way)
-        sinker = self._sinker(first) if self._sinker(first) is not None else self._sinker(last)
+        sinker = self._held_load(first) if self._held_load(first) is not None else self._held_load(last)
         if sinker is not None:
             self._add("fold_load", facet, way, sinker)
         else:
             self._add("fold", facet, way, given=[0.5 * (self.s[first] + self.s[last])])
         return facet
 
-    def _heap(self, first, last, way, facet, hollow, plumb, leaves):
-        """A heap in a hollow, or a sinker there.  returns : whether the line leaves it at a sinker, to hang"""
-        top, bottom = self._sinker(first), self._sinker(last)
-        if plumb:
-            self._add("plumb", hollow, given=[self.s[first]])
+    def _heap(self, first, last, way, facet, hollow, begin, leaves):
+        """A heap in a hollow, or a sinker there.  returns : whether the line leaves it at a sinker, to hang
+
+        begin : "plumb", a span over it, or "at_load", with which a span ends there, or "along" the facet
+        """
+        top, bottom = self._held_load(first), self._held_load(last)
+        if begin == "plumb":
+            self._plumb(hollow, top, self.s[first])
+        elif begin == "at_load":
+            self._add("to_vertex_sinker", hollow, top)
         elif top is not None:
             self._add("along_load", facet, way, hollow, top)
         else:
@@ -225,33 +259,55 @@ class Contacts:
             self._add("heap_end", hollow, given=[self.s[last]])
             return False
         if leaves:
-            self._add("anew_free", given=self._pull(last))
+            self._leave_load(last, hollow)
             return True
         self._add("anew", given=[self.T[min(last, self.n - 2)]])
         return False
 
-    def _one_place(self, first, last, _):
+    def _plumb(self, hollow, sinker, s):
+        """Step of a plumb span over a hollow that ends in its heap at s, or at a sinker"""
+        up = [self._pull(self._from)[1]] if self._held else []
+        if sinker is not None:
+            self._add("plumb_load", hollow, sinker, self._held, given=up)
+        else:
+            self._add("plumb", hollow, self._held, given=[*up, s])
+
+    def _leave_load(self, node, vertex):
+        """Step from a load at a vertex, below which the line hangs or stands plumb"""
+        if self.chain.fine and self._hollow(vertex) and self._stands_plumb(node, vertex):
+            self._left, self._held, self._from = vertex, True, node
+        else:
+            self._add("anew_free", given=self._pull(node))
+
+    def _one_place(self, first, last, _, left):
         """Steps where a few nodes touch at one place.  returns : whether they do"""
-        sinker, ridge = self._sinker(first), self._vertex(self.x[first], False)
-        if first == last and sinker is not None:
-            vertex = self._vertex(self.x[first])
-            if vertex is not None:
-                self._add("to_vertex_sinker", vertex, sinker)
-                self._add("anew_free", given=self._pull(first))
-            else:
-                self._add("sinker", self._facet(self.x[first]), sinker, given=[self.N[first]])
+        load, ridge = self._held_load(first), self._vertex(self.x[first], False)
+        over_ridge = ridge is not None and ridge == self._vertex(self.x[last], False)
+        if load is not None and (first == last or (self.chain.fine and over_ridge)):
+            self._one_load(first, last, load, left)
             return True
-        if ridge is None or sinker is not None or self._sinker(last) is not None:
-            return False
-        if ridge != self._vertex(self.x[last], False):
+        if not over_ridge or load is not None or self._held_load(last) is not None:
             return False
         self._add("to_vertex", ridge, given=[0.5 * (self.s[first] + self.s[last])])
         self._add("off_vertex", ridge, given=[self._angle(last)])
         return True
 
+    def _one_load(self, first, last, load, left):
+        """Steps of a load that alone touches the bed"""
+        vertex = self._vertex(self.x[first])
+        if vertex is None:
+            facet = self._facet(self.x[first])
+            self._add("sinker", facet, load, given=[self._normal(first, facet, load)])
+            return
+        if left == vertex:
+            self._plumb(vertex, load, self.s[first])
+        else:
+            self._add("to_vertex_sinker", vertex, load)
+        self._leave_load(last, vertex)
+
     def _begin(self, first, last, way):
         """Steps to the node at which a span comes down; returns the facet on which the line lies then"""
-        sinker, vertex = self._sinker(first), self._vertex(self.x[first])
+        sinker, vertex = self._held_load(first), self._vertex(self.x[first])
         beyond = None if vertex is None else vertex - 1 if way > 0 else vertex
         if vertex is not None and sinker is not None:
             self._add("to_vertex_sinker", vertex, sinker)
@@ -265,7 +321,7 @@ class Contacts:
         return facet
 
     def _land(self, node, facet, way):
-        sinker = self._sinker(node)
+        sinker = self._held_load(node)
         if sinker is not None:
             self._add("to_sinker", facet, way, sinker)
             return
@@ -309,7 +365,7 @@ class Contacts:
             goal = self._facet(middle) if hollow is None else hollow if way > 0 else hollow - 1
             self._cross(facet, goal, way, first, last)
             return goal
-        vertex, sinker = self._vertex(self.x[last]), self._sinker(last)
+        vertex, sinker = self._vertex(self.x[last]), self._held_load(last)
         at_vertex = vertex is not None and (sinker is not None or not self._hollow(vertex))
         goal = (vertex if way > 0 else vertex - 1) if at_vertex else self._facet(self.x[last])
         self._cross(facet, goal, way, first, last)
@@ -317,7 +373,7 @@ class Contacts:
             self._add("along_load", goal, way, vertex, sinker)
             self._add("anew_free", given=self._pull(last))
         elif sinker is not None:
-            self._add("off_load", goal, way, sinker, given=[self.N[last]])
+            self._add("off_load", goal, way, sinker, given=[self._normal(last, goal, sinker)])
         elif at_vertex:
             self._add("along", goal, way, vertex, given=[self.s[last]])
             self._add("off_vertex", vertex, given=[self._angle(last)])
@@ -330,12 +386,12 @@ class Contacts:
         while (goal - facet) * way < 0:
             vertex = facet if way > 0 else facet + 1
             s, following = self._s_at(first, last, self.vertices[vertex]), facet - way
-            close = [k for k in range(first, last + 1) if abs(self.x[k] - self.vertices[vertex]) < self.near]
-            sinkers = [k for k in close if self._sinker(k) is not None]
-            if not self._hollow(vertex):
+            close = [k for k in range(first, last + 1) if abs(self.x[k] - self.vertices[vertex]) < self.near[vertex]]
+            sinkers = [k for k in close if self._held_load(k) is not None]
+            if not self._hollow(vertex) and not (sinkers and self.chain.fine):
                 self._add("along", facet, way, vertex, given=[s])
             elif sinkers:
-                self._add("along_load", facet, way, vertex, self._sinker(sinkers[0]))
+                self._add("along_load", facet, way, vertex, self._held_load(sinkers[0]))
                 self._add("anew", given=[self.T[min(sinkers[0], self.n - 2)]])
             else:
                 half = min(2e-3, 1e-4 + 0.3 * abs(self.s[first] - s), 1e-4 + 0.3 * abs(s - self.s[last]))

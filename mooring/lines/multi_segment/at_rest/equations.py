@@ -17,7 +17,7 @@ import numpy as np
 from ...catenary.state import HEAP
 
 MOVED = 1e-30
-PLUMB = 1e-11  # H of a span that stands plumb, which has none: that below which a line is called slack
+PLUMB = 1e-13  # H of a span that stands plumb, which has none: a hundredth of that below which a line is called slack
 FLOATING, EMERGED = 1, 2
 
 
@@ -43,7 +43,9 @@ class RestEquations:
         self.weights = [segment.weight * L / W for segment in line.segments]
         self.tables = [segment.strain_table * (1 / W, 1.0, W) for segment in line.segments]
         self.loads = [(load.position / L, load.weight / W, load.weight_in_air / W) for load in line.loads]
-        self.points, self.angles, self.surface = line.bed.points / L, np.arctan(line.bed.slopes), line.surface / L
+        self.surface = line.surface / L
+        if line.bed is not None:
+            self.points, self.angles = line.bed.points / L, np.arctan(line.bed.slopes)
         self.given, self.floats = [list(values) for values in given], dict(floats)
         self.count = sum(map(len, self.given)) + len(self.floats)
         self.zero, self.order, self.residuals, self.rows = np.zeros(self.count + 2, complex), [], [], []
@@ -139,8 +141,10 @@ class RestEquations:
         h, v, low = self.h, self.v, self.v - weight * ds
         upper, lower = _hypot(h, v), _hypot(h, low)
         mean = (v + low) / (upper + lower)
-        base = low + lower if low[0].real >= 0 else h * h / (lower - low)
-        self.x = self.x - h * (flexibility * ds + factor * _log1p(weight * ds * (1 + mean) / base) / weight)
+        # V₋ + T₋ of the end that points up, or of the other end with both turned, without cancellation
+        way, end, size = (1, low, lower) if mean[0].real >= 0 else (-1, -v, upper)
+        base = end + size if end[0].real >= 0 else h * h / (size - end)
+        self.x = self.x - h * (flexibility * ds + factor * _log1p(weight * ds * (1 + way * mean) / base) / weight)
         self.z = self.z - ds * (0.5 * flexibility * (v + low) + factor * mean)
         self.v, self.s = low, self.s - ds
         return cut
@@ -256,14 +260,26 @@ class RestEquations:
         """The same where the line hangs below it."""
         self.h, self.v = self._unknown(), self._unknown()
 
-    def do_plumb(self, vertex):
-        """Out of a heap, plumb over it, and back into it."""
-        self.h, self.v = self.zero + PLUMB, self.zero
+    def do_plumb(self, vertex, held):
+        """Out of a heap, or up from a load in one (`held`), plumb over it, and back into it."""
+        self._stand(held)
         self._march(self._unknown(), self._hang)
         self._require(self.z - self.points[vertex, 1])
         self._require(self.v)
         self._put(vertex)
         self.t = self.zero
+
+    def do_plumb_load(self, vertex, load, held):
+        """The same down to a sinker that its buoy does not lift."""
+        self._stand(held)
+        self._march(self._load_at(load), self._hang, load)
+        self._require(self.z - self.points[vertex, 1])
+        self._pass()
+        self._put(vertex)
+        self.t = self.zero
+
+    def _stand(self, held):
+        self.h, self.v = self.zero + PLUMB, self._unknown() if held else self.zero
 
     def do_to_anchor(self):
         self._march(self.zero, self._hang)

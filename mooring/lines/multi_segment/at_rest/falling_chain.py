@@ -17,28 +17,47 @@ from itertools import pairwise
 
 import numpy as np
 
+from .finer import divided
+
 WEIGHTLESS = 0.2  # of the mean weight of a node: least damping of those with little
 SETTLED = 1e-7  # of L: largest step of a chain at rest
 LONGEST = 0.03  # of L: longest step of a node
 STEPS = 250  # of which 20 to 150 are taken; links of a heap may go to and fro for ever
 INNER = 8  # iterations on which links pull and which nodes lie
-HARD = 1e5  # p over the weight of a node
+LEAST_DAMPING = (1e-3, 1e-2)  # of a chain as it falls first, and divided anew
+FAR_BELOW = np.array([[0.0, -1e3], [1.0, -1e3]])  # a bed where there is none
+HARD = 1e5  # p over the weight of a node; over its force N too, if that is more, in a chain divided anew
 
 
 class FallingChain:
     """Nodes s (n,) of a StaticLine from its anchor up, with its fairlead at (x, z) m
 
     links : about how many; after `fall`: u (n, 2) places, T (n−1,) of links, N (n,) of the bed, gap (n,) over it
+    size : least length of a link; fine : whether it was divided anew, `finer`
     """
 
     def __init__(self, line, x, z, links):
-        L, W = line.length, line.weight
+        L = line.length
         self.line, self.end, self.surface = line, np.array([x, z]) / L, line.surface / L
-        self.round = 0.6 / links  # half the length over which a vertex is rounded
+        self.points = FAR_BELOW if line.bed is None else line.bed.points / L
+        self.x, self.slopes = self.points[:, 0], np.diff(self.points[:, 1]) / np.diff(self.points[:, 0])
         self.soft = 2e-3  # over which a buoy emerges
         ends = np.cumsum([segment.length for segment in line.segments]) / L
-        self.s = _nodes(ends, [load.position / L for load in line.loads], links)
+        self.marks = np.unique(np.concatenate([[0.0], ends[:-1], [load.position / L for load in line.loads], [1.0]]))
+        self.fine, self.links = False, links
+        self._divide(_nodes(self.marks, links), 1 / links)
+        self.u, self.T, self.N = self.start(), np.zeros(len(self.s) - 1), np.zeros(len(self.s))
+        self.pulls, self.lies = np.zeros(len(self.s) - 1, bool), np.zeros(len(self.s), bool)
+
+    def _divide(self, s, size):
+        """Put nodes at s (n,), the closest of them `size` apart."""
+        line, L, W = self.line, self.line.length, self.line.weight
+        self.s, self.size = s, size
+        ridges = np.maximum(-np.diff(self.slopes), 0.0)
+        # half the length over which a vertex is rounded: on the crest of a ridge, several links (`finer`)
+        self.round = size * (np.maximum(2.0, 2.5 * ridges) if self.fine else np.full(len(ridges), 0.6))
         self.length = np.diff(self.s)
+        ends = np.cumsum([segment.length for segment in line.segments]) / L
         part = np.minimum(np.searchsorted(ends, 0.5 * (self.s[1:] + self.s[:-1])), len(ends) - 1)
         weight = np.array([segment.weight for segment in line.segments])[part] * self.length * L / W
         self.weight = np.zeros(len(self.s))
@@ -52,14 +71,15 @@ class FallingChain:
             else:
                 self.weight[node] += load.weight / W
         stiffness = np.array([1 / max(segment.strain_table[0, 2] * W, 1e-300) for segment in line.segments])[part]
-        self.k = np.minimum(stiffness, 15.0 * links) / self.length
-        self.x, self.slopes = line.bed.points[:, 0] / L, line.bed.slopes
-        self.points = line.bed.points / L
+        self.k = np.minimum(stiffness, 15.0 / size) / self.length
+        share = np.append(self.length, 0.0) + np.append(0.0, self.length)
+        self.mass = np.maximum(np.abs(self.weight), WEIGHTLESS * 0.5 * share)
 
     def bed(self, x):
         """Height, slope and curvature of the bed with vertices rounded by parabolas, (n,) each"""
-        height, slope, curvature, d = self.slopes[0] * x, np.full_like(x, self.slopes[0]), np.zeros_like(x), self.round
-        for at, bend in zip(self.x[1:-1], np.diff(self.slopes), strict=True):
+        slope, curvature = np.full_like(x, self.slopes[0]), np.zeros_like(x)
+        height = self.points[0, 1] + self.slopes[0] * x
+        for at, bend, d in zip(self.x[1:-1], np.diff(self.slopes), self.round, strict=True):
             t = np.clip((x - at + d) / (2 * d), 0.0, 1.0)
             height += bend * (d * t * t + np.maximum(x - at - d, 0.0))
             slope += bend * t
@@ -81,25 +101,50 @@ class FallingChain:
 
     def fall(self):
         """Let the chain fall to rest; returns itself"""
-        u, n = self.start(), len(self.s)
-        self.T, self.N = np.zeros(n - 1), np.zeros(n)
-        pulls, lies, damping, settled = np.zeros(n - 1, bool), np.zeros(n, bool), 1 / LONGEST, 0
+        u, pulls, lies, damping, settled = self.u, self.pulls, self.lies, 1 / LONGEST, 0
         for _ in range(STEPS):
-            step, pulls, lies = self._step(u, pulls, lies, damping)
+            try:
+                step, pulls, lies = self._step(u, pulls, lies, damping)
+            except np.linalg.LinAlgError:  # rounding, of links as stiff as short ones are
+                damping *= 100.0
+                continue
             size = np.hypot(*step.T)
-            u = u + step * np.minimum(1.0, LONGEST / np.maximum(size, 1e-300))[:, None]
+            u = self._stopped(u, u + step * np.minimum(1.0, LONGEST / np.maximum(size, 1e-300))[:, None], lies)
             largest = size.max()
             damping *= 1.6 if largest > LONGEST else 0.75 if largest < 0.5 * LONGEST else 1.0
-            damping = max(damping, 1e-3)
+            damping = max(damping, LEAST_DAMPING[self.fine])
             settled = settled + 1 if largest < SETTLED else 0
             if settled == 2:
                 break
-        self.u, self.gap = u, u[:, 1] - self.bed(u[:, 0])[0]
+        self.u, self.gap, self.pulls, self.lies = u, u[:, 1] - self.bed(u[:, 0])[0], pulls, lies
         return self
+
+    def _stopped(self, before, after, lies):
+        """Places after a step, with nodes stopped in a hollow that would slide on under the facet beyond
+
+        They would go to and fro for ever, one facet being all that a step knows of the bed.
+        """
+        for at, bend, d in zip(self.x[1:-1], np.diff(self.slopes), self.round, strict=True):
+            if bend > 0:
+                through = lies & ((before[:, 0] - at) * (after[:, 0] - at) < 0)
+                through &= np.abs(before[:, 0] - at) > d
+                after[through, 0] = at
+                after[through, 1] = self.bed(np.array([at]))[0]
+        return after
+
+    def finer(self, size):
+        """Divide a chain that has fallen into links of `size` where its contacts change (`finer`)"""
+        old, s, per_mass = self.s, divided(self, size), self.N / self.mass
+        link = np.searchsorted(old, 0.5 * (s[1:] + s[:-1])) - 1
+        self.T, self.pulls, self.lies = self.T[link], self.pulls[link], self.lies[np.searchsorted(old, s)]
+        self.u, self.fine = np.column_stack([np.interp(s, old, self.u[:, axis]) for axis in (0, 1)]), True
+        self._divide(s, size)
+        self.N = np.interp(s, old, per_mass) * self.mass
 
     def _step(self, u, pulls, lies, damping):
         """(n, 2) step; which links pull and which nodes lie then; sets T and N"""
-        n, mass = len(u), np.maximum(np.abs(self.weight), WEIGHTLESS / len(u))
+        n, mass = len(u), self.mass
+        hard = HARD * (np.maximum(mass, self.N) if self.fine else mass)
         height, slope, curvature = self.bed(u[:, 0])
         gap, d = u[:, 1] - height, np.diff(u, axis=0)
         r = np.maximum(np.hypot(*d.T), 1e-9)
@@ -108,7 +153,7 @@ class FallingChain:
         turning = (self.T / r)[:, None, None] * (np.eye(2) - along)
         lift, stiff_lift = self._lift(u[:, 1])
         for _ in range(INNER):
-            k, p = np.where(pulls, self.k, 0.0), np.where(lies, HARD * mass, 0.0)
+            k, p = np.where(pulls, self.k, 0.0), np.where(lies, hard, 0.0)
             link = k[:, None, None] * along + turning
             own = np.zeros((n, 2, 2))
             own[:-1] += link
@@ -128,7 +173,7 @@ class FallingChain:
             lies[0] = lies[-1] = False
             if np.array_equal(before[0], pulls) and np.array_equal(before[1], lies):
                 break
-        self.T, self.N = self.k * np.maximum(stretched, 0.0), HARD * mass * np.maximum(-above, 0.0)
+        self.T, self.N = self.k * np.maximum(stretched, 0.0), hard * np.maximum(-above, 0.0)
         return step, pulls, lies
 
     def emerged(self, node):
@@ -145,9 +190,8 @@ class FallingChain:
         return weight, stiffness
 
 
-def _nodes(ends, loads, links):
-    """s of nodes, rising, with one at each joint and load and at least three links between two of those"""
-    marks = np.unique(np.concatenate([[0.0], ends[:-1], loads, [1.0]]))
+def _nodes(marks, links):
+    """s of nodes, rising, with one at each mark and at least three links between two of those"""
     parts = [np.linspace(a, b, max(3, round(links * (b - a))) + 1)[:-1] for a, b in pairwise(marks)]
     return np.append(np.concatenate(parts), 1.0)
 

@@ -15,7 +15,11 @@ from .contacts import Contacts
 from .equations import Broken, solved
 from .falling_chain import FallingChain
 
-LINKS = (200, 160, 500, 300)  # of the chain, one after another where contacts too short for its links are misread
+LINKS = (200, 160, 300)  # of the chain that falls first, one after another
+# of L: links where the contacts of a fallen chain change, one after another; the same again where the chain slid along
+FINER = (3e-3, 2e-3, 1e-3, 1e-3, 5e-4, 3e-4, 2e-4, 1e-4, 1e-4, 5e-5, 2e-5)
+ENDS = {"to_facet": "to_sinker", "off_facet": "off_load"}  # of spans, and those at a sinker
+BESIDE = 2e-3  # of L: how far from a sinker a chain has the end of a span that is there
 REPAIRS = 10  # of contacts, of which one or two are usual
 
 
@@ -25,19 +29,37 @@ def come_to_rest(line, x, z, bears_out):
     x, z : m, the fairlead; bears_out : pieces, states → whether the pieces are in equilibrium
     """
     for links in LINKS:
-        try:
-            contacts = Contacts(FallingChain(line, x, z, links).fall())
-            found = _equilibrium(line, contacts, np.array([x, z]) / line.length, bears_out)
-        except np.linalg.LinAlgError:  # a chain or a line without stiffness somewhere
-            continue
-        if found is not None:
-            return found
+        chain = FallingChain(line, x, z, links)
+        for size in (None, *FINER):
+            if size is not None:
+                chain.finer(size)
+            contacts = Contacts(chain.fall())
+            states = contacts.states()
+            for steps, given in _readings(line, contacts):
+                try:
+                    found = _equilibrium(line, steps, given, states, np.array([x, z]) / line.length, bears_out)
+                except np.linalg.LinAlgError:  # a line without stiffness somewhere
+                    continue
+                if found is not None:
+                    return found
     return None
 
 
-def _equilibrium(line, contacts, end, bears_out):
+def _readings(line, contacts):
+    """Steps and unknowns of contacts, then those with one span that ends at the sinker beside its end"""
     steps, given = contacts.steps, contacts.given
-    states, floats = contacts.states()
+    yield steps, given
+    sinkers = [(i, load.position / line.length) for i, load in enumerate(line.loads) if load.weight > 0]
+    for k, step in enumerate(steps if contacts.chain.fine else ()):
+        for i, s in sinkers if step[0] in ENDS else ():
+            if abs(given[k + 1][0] - s) < BESIDE:
+                new, force = (ENDS[step[0]], *step[1:], i), [line.loads[i].weight / line.weight]
+                unknowns = force if step[0] == "off_facet" else []
+                yield [*steps[:k], new, *steps[k + 1 :]], [*given[: k + 1], unknowns, *given[k + 2 :]]
+
+
+def _equilibrium(line, steps, given, states, end, bears_out):
+    states, floats = states
     for _ in range(REPAIRS):
         try:
             with np.errstate(all="ignore"):  # of trials without numbers, which are refused
