@@ -2,7 +2,7 @@
 
 Lines that cannot reach the water have a type of that weight: of a line L long whose ends are at z_a and z_b no point is
 lower than (z_a + z_b − L)/2, and a free point at its end no lower than L below the other end.  Of other lines with an
-end above the water the parts above it do (`mooring.lines.system.composite`); where they float or have a table of
+end above the water the parts above it do (`mooring.lines.system.surfacing`); where they float or have a table of
 stiffness, they weigh there what they do in water, which is said.
 """
 

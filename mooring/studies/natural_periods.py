@@ -7,7 +7,7 @@ import numpy as np
 from bem.database.natural_periods import natural_periods
 
 from ..lines.system.equilibrium import SystemEquilibrium
-from ..lines.system.studies import about_body_axes, body_number, mooring_stiffness
+from .system_at_rest import about_body_axes, body_number, mooring_stiffness
 
 
 def moored_periods(state: SystemEquilibrium, body, db):

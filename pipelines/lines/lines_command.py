@@ -196,7 +196,7 @@ def _show_rest(console, state):
 
 
 def _show_stiffness(console, state, name):
-    from mooring.lines.system.studies import mooring_stiffness
+    from mooring.studies.system_at_rest import mooring_stiffness
 
     K = mooring_stiffness(state, name)
     unit = np.sqrt(np.maximum(np.abs(np.diag(K)), 1e-300))
@@ -208,7 +208,7 @@ def _show_stiffness(console, state, name):
 
 
 def _curves(state, name, offset, directions):
-    from mooring.lines.system.studies import offset_curve
+    from mooring.studies.system_at_rest import offset_curve
 
     offsets = np.linspace(-offset, offset, 21)
     pace = Pace("offset curves take", len(directions) * len(offsets), "give fewer with --direction")
@@ -216,7 +216,7 @@ def _curves(state, name, offset, directions):
 
 
 def _losses(state):
-    from mooring.lines.system.studies import one_line_broken
+    from mooring.studies.system_at_rest import one_line_broken
 
     count = len(state.system.lines)
     return one_line_broken(state, Pace(f"{count} losses of a line take", count, "leave out --broken").step)
@@ -246,7 +246,7 @@ def _show_line(console, state, name):
 
 
 def _show_losses(console, state, losses, name):
-    from mooring.lines.system.studies import body_number
+    from mooring.studies.system_at_rest import body_number
 
     table = _table("one line broken", "lost line", "largest tension kN", "in", "used %", f"{name or 'system'} moves m")
     i = None if name is None else body_number(state.system, name)

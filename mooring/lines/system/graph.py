@@ -19,7 +19,7 @@ import numpy as np
 from ..catenary.state import State
 from .bodies import rotation
 from .checks import ON_BED, check_system
-from .composite import composite, fill_row, fill_surfacing, surfacing
+from .composite import composite, fill_row
 from .findings import culprit
 from .hawser import Hawser, fill_hawser
 from .parts import (
@@ -32,6 +32,7 @@ from .parts import (
     MooredBody,
     UniformLine,
 )
+from .surfacing import fill_surfacing, surfacing
 
 
 class Pose(NamedTuple):
@@ -185,7 +186,7 @@ class System:
 
     @cached_property
     def surfacing(self):
-        """`composite.Surfacing` of every line that weighs differently above the water"""
+        """`surfacing.Surfacing` of every line that weighs differently above the water"""
         return surfacing(self) if any(getattr(line, "weight_in_air", None) is not None for line in self.lines) else ()
 
     @cached_property

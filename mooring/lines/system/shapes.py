@@ -11,8 +11,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..catenary.state import State
-from .composite import points_along, surfacing_shape
+from .composite import points_along
 from .hawser import Hawser
+from .surfacing import surfacing_shape
 
 
 def line_shapes(state, points=80):

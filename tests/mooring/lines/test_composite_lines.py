@@ -25,7 +25,7 @@ from mooring.lines.system.parts import (
     UniformLine,
 )
 from mooring.lines.system.shapes import line_shapes, loads_on_lines
-from mooring.lines.system.studies import mooring_stiffness, one_line_broken
+from mooring.studies.system_at_rest import mooring_stiffness, one_line_broken
 
 G, RHO = 9.80665, 1025.0
 CHAIN, ROPE = LineType("chain", 1000.0, 5e8, breaking_load=4e6), LineType("rope", 60.0, 2e7, breaking_load=1.5e6)

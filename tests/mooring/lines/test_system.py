@@ -26,13 +26,13 @@ from mooring.lines.system.parts import (
     UniformLine,
 )
 from mooring.lines.system.shapes import line_shapes
-from mooring.lines.system.studies import (
+from mooring.studies.natural_periods import moored_periods
+from mooring.studies.system_at_rest import (
     about_body_axes,
     mooring_stiffness,
     offset_curve,
     one_line_broken,
 )
-from mooring.studies.natural_periods import moored_periods
 
 ROOT = Path(__file__).parents[3]
 CHAIN = LineType("chain", 1000.0, 5e8, breaking_load=4e6)
@@ -584,7 +584,7 @@ def test_natural_periods_are_those_of_the_stiffness_in_the_axes_of_the_body():
 
 
 def test_systems_and_files_load_no_compiler_before_something_is_solved():
-    modules = "mooring.lines.system.studies, mooring.lines.catalogue, mooring.formats.moorpy, mooring.formats.results"
+    modules = "mooring.studies.system_at_rest, mooring.lines.catalogue, mooring.formats.moorpy, mooring.formats.results"
     code = f"import sys, {modules}; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
     assert done.stdout.strip() == "False"

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .bodies import cross_matrix
-from .equilibrium import SystemEquilibrium, held_at, rest
-from .parts import EquilibriumError, LineSystemError
+from ..lines.system.bodies import cross_matrix
+from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
+from ..lines.system.parts import EquilibriumError, LineSystemError
 
 FREE, PULLED = 1e-12, 1e-6  # of the largest stiffness and of the largest force: rounding, and what equilibrium leaves
 
@@ -62,7 +62,7 @@ def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
     follows[own if others == "free" else slice(0, 6 * len(system.bodies))] = False
     K = state.stiffness.copy()
     if system.bodies[i].hydrostatic_stiffness is not None:
-        from .hydrostatics import hydrostatic_load
+        from ..lines.system.hydrostatics import hydrostatic_load
 
         sinkage = state.pose.place[i, 2] - system.bodies[i].position[2]
         K[np.ix_(own, own)] -= hydrostatic_load(system.bodies[i].hydrostatic_stiffness, sinkage, state.pose.turn[i])[1]
