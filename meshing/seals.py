@@ -26,7 +26,8 @@ LONGEST_HEAD = 2**16  # characters of a text in which its mark is looked for
 AT_ONCE = 2**22  # bytes read of a file
 MOST_BEHIND = 2**24  # bytes of names and attributes behind the last numbers, beside as many as these
 MARK = "  [CRC-32 of all else: "
-TRACE = re.compile("|".join(re.escape(MARK[i : i + 7]) for i in range(len(MARK) - 6)) + r"|: [0-9a-f]{8}\]\n")
+# either end of a mark that is damaged elsewhere; words of it alone, as "of all lines", stand in many a text
+TRACE = re.compile(r"\[CRC-32|else: [0-9a-f]{8}\]")
 REMEDY = "copy it again, or delete it and make it anew"
 
 

@@ -30,6 +30,7 @@ from .system.parts import LineDynamics, LineSystemError, LineType
 STEEL = 7850.0  # kg/m³
 KGF = 9.80665e-3  # kN
 CHAIN_SIZES = (10.0, 220.0)  # mm, for which the formulas are used
+ROPE_SIZES = (1.0, 500.0)  # mm: no rope is made beyond
 
 
 class ChainGrade(NamedTuple):
@@ -118,8 +119,8 @@ def line_type(name, density=1025.0, gravity=9.80665) -> LineType:
     else:
         raise _unknown(name)
     mass, material, breaking, proof, stiffness, drag = made
-    if not d > 0:
-        raise LineSystemError(f"{name}: the diameter is {d:g} mm; allowed: above 0")
+    if not ROPE_SIZES[0] <= d <= ROPE_SIZES[1]:
+        raise LineSystemError(f"{name}: the size is {d:g} mm; allowed: {ROPE_SIZES[0]:g} to {ROPE_SIZES[1]:g}")
     diameter = float(np.sqrt(4 * mass / (np.pi * material)))
     return LineType(
         name.strip(),

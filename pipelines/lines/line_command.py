@@ -14,6 +14,7 @@ from .overloads import LONGEST_STRAIN
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
 FLOATING_STATES = ("slack, the rest floats", "partly in the sea surface", "under water", "beyond reach")
 STEEPEST = np.degrees(1.5)  # of a bed that `mooring.catenary` knows
+NEAR_SHORE = 1e-3  # of the distance to where the bed is as high as the fairlead: how near curves go to it
 FLAGS = {  # unit, whether a value is good, what is allowed
     "weight": (" N/m", lambda value: 0 < value <= HEAVIEST, f"above 0, at most {HEAVIEST:g}"),
     "stiffness": (" kN", lambda value: value > 0, "above 0"),
@@ -97,6 +98,11 @@ def line(
         if one.slope >= 0:  # the bed is nowhere lower than at the anchor
             _check_above_bed(one, 0.0, depth)
         span = one.span_at(KN * tension)
+        if span < 0:
+            raise StudyError(
+                f"--tension is {tension:g} kN, which the line has {-span:.4g} m behind its anchor, where the bed is "
+                "lower; allowed: more"
+            )
     _check_above_bed(one, span, depth)
     found = one.solve(span)
     _show(one, span, found)
@@ -183,7 +189,7 @@ def _show_characteristic(one, span):
     from ..printing.console import new_console
     from .characteristic import show_characteristic
 
-    spans, curve = tension_curve(one, 24)
+    spans, curve = tension_curve(one, 24, span)
     columns = spans, curve.horizontal_fairlead, curve.tension_fairlead, curve.grounded_length
     show_characteristic(new_console(), one.type.name, *columns, span, one.type.breaking_load)
 
@@ -196,12 +202,17 @@ def _force(horizontal, vertical):
     return f"{float(horizontal) / KN:.3f}, {float(vertical) / KN:.3f} kN"
 
 
-def tension_curve(one, points=120):
-    """Spans from slack to the breaking load (or a taut line) and the forces there: (m,) m, LineSolution"""
+def tension_curve(one, points=120, span=0.0):
+    """Spans from slack to the breaking load (or a taut line), or to `span`, m, and the forces: (m,) m, LineSolution
+
+    None is behind the anchor, or where the bed would be above the fairlead.
+    """
     weight = abs(one.type.weight)
     top = 0.8 * one.type.breaking_load if np.isfinite(one.type.breaking_load) else 20 * weight * one.length
     least = 1e-3 * weight * max(abs(one.height), 0.01 * one.length)
-    ends = [one.span_at(H) for H in (least, top)]
+    shore = np.inf if one.slope == 0 else one.height / np.tan(one.slope)  # where the bed is as high as the fairlead
+    ends = [_span_over_bed(one, H, shore) for H in (least, top)]
+    ends[1] = max(ends[1], span)
     reach = np.sqrt(max(one.length**2 - one.height**2, 0.0))
     # tension climbs steeply at the end: half of the points lie in the last tenth
     share = np.concatenate(
@@ -211,6 +222,19 @@ def tension_curve(one, points=120):
     if np.isinf(one.type.axial_stiffness):
         spans = spans[spans < reach * (1 - 1e-9)] if one.slope == 0 else spans
     return spans, one.solve(spans)
+
+
+def _span_over_bed(one, H, shore):
+    """m, at least 0, with a horizontal tension, N, or just before `shore`, where the bed is as high as the fairlead"""
+    from mooring.lines.catenary.state import LineError
+
+    try:
+        span = max(one.span_at(H), 0.0)
+    except LineError:
+        span = shore
+    if one.slope == 0:
+        return span
+    return min(span, (1 - NEAR_SHORE) * shore) if one.slope > 0 else max(span, (1 + NEAR_SHORE) * shore)
 
 
 def _draw(one, span, found, output):
@@ -228,7 +252,7 @@ def _draw(one, span, found, output):
     left.plot([span], [one.height], "ko")
     left.set(xlabel="x from the anchor, m", ylabel="height, m", aspect="equal" if one.height > 0.1 * span else "auto")
     left.set_title(f"{one.type.name}: {one.state(found)}")
-    spans, curve = tension_curve(one)
+    spans, curve = tension_curve(one, span=span)
     right.plot(spans, curve.horizontal_fairlead / KN, label="horizontal at the fairlead")
     right.plot(spans, curve.tension_fairlead / KN, label="tension at the fairlead")
     right.plot([span], [found.tension_fairlead / KN], "ko", ms=5)

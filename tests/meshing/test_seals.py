@@ -112,3 +112,11 @@ def test_a_seal_of_a_text_that_is_damaged_itself_is_no_missing_seal(tmp_path):
             path.write_text(damaged)
             with pytest.raises(ValueError, match=r"table\.csv is damaged"):
                 read_text(path)
+
+
+def test_words_of_a_seal_in_a_text_without_one_are_words(tmp_path):
+    path = tmp_path / "lines.toml"
+    path.write_text(
+        "# Pretension of all lines, of all else: none; CRC-32 of what follows: 0badcafe]\n[water]\ndepth = 60.0\n"
+    )
+    assert read_text(path) == path.read_text()

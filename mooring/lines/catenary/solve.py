@@ -112,15 +112,21 @@ def span_at_tension(
     from .uniform import spans_at_tension
 
     H = np.asarray(horizontal_tension, float)
-    lines, shape = _lines(0.0 * H, z, length, weight, axial_stiffness, bed_friction, bed_slope, True)
+    falls = np.asarray(bed_slope, float) < 0  # then the bed is below any fairlead, far enough from the anchor
+    over = bool(np.all(falls)) or np.where(falls, np.inf, z).min() >= 0
+    lines, shape = _lines(0.0 * H, z, length, weight, axial_stiffness, bed_friction, bed_slope, not over)
     H = np.broadcast_to(H, shape).ravel()
     if not np.all((H > 0) & np.isfinite(H)):
         raise ValueError(f"horizontal_tension is {H.min():g} N; allowed: finite values above 0")
     x, lying = spans_at_tension(lines, H).T
-    if np.any(np.isnan(lying)):
-        raise LineError("the fairlead lies below the upper end of the bed under the line")
-    if np.any(np.isnan(x)):
-        raise ValueError("an inextensible line shorter than the height of its fairlead cannot be hung")
+    for wrong, error, what in (
+        (np.isnan(lying), LineError, "would be below the upper end of the bed under the line; give less tension"),
+        (np.isnan(x), ValueError, "is higher than an inextensible line is long; give a longer line, or its stiffness"),
+    ):
+        if wrong.any():
+            i = int(np.argmax(wrong))
+            where = f"a fairlead {lines[i, 1]:g} m above the anchor on a line of {lines[i, 2]:g} m with {H[i]:g} N"
+            raise error(f"{where} {what}")
     return x.reshape(shape), lying.reshape(shape)
 
 

@@ -116,6 +116,17 @@ def test_the_characteristic_of_one_line_is_that_of_a_line_of_a_system(spread, ca
     assert "as it hangs the span is" in " ".join(capsys.readouterr().out.split())
 
 
+@pytest.mark.parametrize("place", [("5", "0", "280"), ("15", "0", "200"), ("-15", "-65", "24")])
+def test_the_characteristic_over_a_slope_ends_where_the_bed_is_as_high_as_the_fairlead(tmp_path, place, capsys):
+    slope, z, span = place
+    flags = ["--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--slope-deg", slope, "--fairlead-z", z]
+    assert main(["line", *flags, "--span", span, "--characteristic", "--output", str(tmp_path / "line.png")]) == 0
+    spans = np.array(re.findall(r"^│ ([\d.]+)", capsys.readouterr().out, re.M), float)
+    assert spans.min() >= 0 and (60 + float(z) >= spans * np.tan(np.radians(float(slope)))).all()
+    assert len(spans) == 24 and np.ptp(spans) > 60
+    assert (tmp_path / "line.png").stat().st_size > 10_000
+
+
 def test_line_finds_the_span_of_a_tension(capsys):
     assert main(["line", "--type", "R4 studlink 84 mm", "--length", "400", "--depth", "80", "--tension", "500"]) == 0
     assert "500.000," in capsys.readouterr().out
@@ -151,6 +162,10 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
         (["--length", "300", "--depth", "60", "--span", "1"], "--type and --weight: neither is given"),
         (["--weight", "9", "--length", "300", "--depth", "60"], "--span and --tension: neither is given"),
         (["--type", "rope", "--length", "300", "--depth", "60", "--span", "1"], "'rope' is not in the catalogue"),
+        (
+            ["--type", "polyester 99999 mm", "--length", "300", "--depth", "60", "--span", "250"],
+            "polyester 99999 mm: the size is 99999 mm; allowed: 1 to 500",
+        ),
         (["--weight", "9", "--length", "50", "--depth", "60", "--span", "40"], "cannot be reached"),
         (["--weight", "9", "--length", "-5", "--depth", "60", "--span", "40"], "--length is -5 m; allowed"),
         ([*HANGING, "--span", "250", "--slope-deg", "95"], "--slope-deg is 95°; allowed: above −85.94 and below 85.94"),
@@ -171,6 +186,8 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
             [*FLOATING, "--friction", "1"],
             "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, it does not",
         ),
+        ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN, which the line has "),
+        ([*HANGING, "--tension", "9000", "--slope-deg", "15"], "60 m above the anchor on a line of 300 m with 9e+06 N"),
         ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
     ],
 )
