@@ -68,7 +68,8 @@ FORCES = ("fx", "fy", "fz")  # of points, version 1: only nought is understood
 
 def read_moordyn(path) -> MoorDynFile:
     """The MoorDynFile of a path.  Raises FormatError with line and section."""
-    return parse_moordyn(read_text(path, FormatError, largest=LARGEST), path)
+    # units as m³ are often in a code page of Windows; whatever is read is in ASCII
+    return parse_moordyn(read_text(path, FormatError, errors="replace", largest=LARGEST), path)
 
 
 def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:

@@ -146,6 +146,10 @@ def _depth(file, path, given):
 
 
 def _type(row: LineTypeRow, water):
+    for key, value, unit in (("Diam", row.diameter, "m"), ("Mass/m", row.mass, "kg/m")):
+        if not value > 0:
+            where = f"{water.path}, section LINE TYPES: {key} of {row.name}"
+            raise FormatError(f"{where} is {value:g} {unit}; allowed: above 0")
     stiffness = np.inf if is_tabulated(row) else float(row.EA.split("|")[0].lower().replace("d", "e"))
     dynamics = LineDynamics(
         row.Cd, row.CdAx, row.Ca, row.CaAx, _number(row.BA.split("|")[0], -1.0), _number(row.EI, 0.0)

@@ -1,13 +1,14 @@
 """MoorPy's YAML, also inside a RAFT design (`mooring:`), as a System of lines.
 
-Keys: water_depth (depth), water_density (rho), line_types, points, lines; mass_density is mass per metre, so the
-submerged weight is (mass_density − ρ π/4 diameter²) g.  Points of type fixed are anchors, vessel and fairlead belong
-to one body "vessel" at the origin, body1 … to "body 1" …, free and connection move.  anchor_types and costs
-are passed over.  NREL/MoorPy 1.3, `System.parseYAML`.
+Keys: water_depth (depth), water_density (rho_water, rho), line_types, points, lines; mass_density is mass per metre, so
+the submerged weight is (mass_density − ρ π/4 diameter²) g.  Points of type fixed are anchors, vessel and fairlead
+belong to one body "vessel" at the origin, body1 … to "body 1" …, free and connection move.  anchor_types and costs are
+passed over.  NREL/MoorPy 1.3, `System.parseYAML`.
 """
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +28,7 @@ KNOWN = {
     "points": {"name", "type", "location", "mass", "volume", "anchor_type"},
     "lines": {"name", "endA", "endB", "type", "length"},
 }  # fmt: skip
+READ = ("water_depth", "depth", "water_density", "rho_water", "rho", *KNOWN, "anchor_types", "bodies", "file")
 
 
 def read_moorpy(path, depth=None) -> System:
@@ -36,15 +38,20 @@ def read_moorpy(path, depth=None) -> System:
 
 def system_of_moorpy(data, path="YAML file", depth=None) -> System:
     """The System of nested dictionaries.  Raises FormatError naming table and key."""
+    site = {}
     if isinstance(data, dict) and isinstance(data.get("mooring"), dict):
-        data = {**data.get("site", {}), **data["mooring"]} if isinstance(data.get("site"), dict) else data["mooring"]
+        site, data = data.get("site"), data["mooring"]
     if not isinstance(data, dict):
         raise FormatError(f"{path}: the file is not a table of keys; this is no MoorPy file")
+    unknown = sorted(str(key) for key in data if key not in READ)
+    if unknown:
+        warnings.warn(f"{path}: not read: {', '.join(unknown)}; known: {', '.join(READ)}", stacklevel=3)
+    data = {**site, **data} if isinstance(site, dict) else data
     if data.get("file"):
         return read_moordyn_system(Path(path).parent / data["file"], depth)
     if data.get("bodies"):
         raise FormatError(f"{path}: bodies is not read, MoorPy does not define it yet; use points of type vessel")
-    density = _number(data, ("water_density", "rho"), path, "the file", 1025.0)
+    density = _number(data, ("water_density", "rho_water", "rho"), path, "the file", 1025.0)
     given, depth = depth, _number(data, ("water_depth", "depth"), path, "the file", depth)
     if given is not None and given != depth:
         raise FormatError(f"{path}: water_depth is {depth:g} m and the depth given {given:g} m; allowed: one of them")

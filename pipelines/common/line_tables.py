@@ -14,7 +14,7 @@ from mooring.lines.multi_segment.segments import PointLoad, Segment
 from mooring.lines.system.hawser import Hawser, elongation_at, pull_of_points
 from mooring.lines.system.parts import CompositeLine, LineType, UniformLine
 
-from .quantities import HEAVIEST, StudyError, Table, below, force, friction, one_of, positive
+from .quantities import HEAVIEST, LONGEST, StudyError, Table, below, force, friction, one_of, positive
 from .units import KGF, TONF
 
 
@@ -154,7 +154,7 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
     if table.type in types and types[table.type].straight:
         if table.bodies or table.bed:
             raise StudyError(f"{where} ({name}): a hawser has no bodies and no bed; allowed: on a line of segments")
-        return hawser_of(where, name, table.type, types[table.type], positive(f"{where}.length", table.length), ends)
+        return hawser_of(where, name, table.type, types[table.type], _length(where, table), ends)
     parts = table.segments or [SegmentTable(type=table.type, length=table.length)]
     places = [f"{where}.segments[{i}]" if table.segments else where for i in range(len(parts))]
     kinds = [of_types(place, part.type, types) for place, part in zip(places, parts, strict=True)]
@@ -165,7 +165,7 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
         line_type(f"types.{part.type}", kind, density, gravity, part.type)
         for part, kind in zip(parts, kinds, strict=True)
     ]
-    lengths = [positive(f"{place}.length", part.length) for place, part in zip(places, parts, strict=True)]
+    lengths = [_length(place, part) for place, part in zip(places, parts, strict=True)]
     rough = [bed_friction(f"types.{part.type}", kind) for part, kind in zip(parts, kinds, strict=True)]
     if not (table.segments or table.bodies or table.bed):
         return UniformLine(name, made[0], lengths[0], *ends, rough[0])
@@ -205,6 +205,19 @@ def hawser_at_tension(where, name, kind_name, kind, distance, tension):
             "allowed: above 0; give a stiffer spring or less pretension"
         )
     return hawser_of(where, name, kind_name, kind, length)
+
+
+def _length(place, table):
+    return below(f"{place}.length", table.length, LONGEST)
+
+
+def check_types(types, density=1025.0, gravity=9.80665):
+    """Raise StudyError for a type that cannot be, also where no line is of it; types : {name: TypeTable}"""
+    for name, kind in types.items():
+        if kind.straight:
+            _pull(f"types.{name}", name, kind, 1.0)
+        else:
+            line_type(f"types.{name}", kind, density, gravity, name)
 
 
 def _pull(place, name, kind, length):

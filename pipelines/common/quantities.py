@@ -14,6 +14,7 @@ import msgspec
 from .units import KNOT, TONF
 
 DEEPEST = 12_000.0  # m, the deepest sea
+LONGEST = 1e5  # m, a line
 HEAVIEST = 1e6  # N/m, chain of 2 m diameter
 ROUGHEST = 5.0  # coefficient of friction
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..common.picture import PLOTS, check_picture, save
-from ..common.quantities import DEEPEST, HEAVIEST, ROUGHEST, StudyError
+from ..common.quantities import DEEPEST, HEAVIEST, LONGEST, ROUGHEST, StudyError
 from ..common.units import KN, TONF
 from .overloads import LONGEST_STRAIN
 
@@ -18,7 +18,7 @@ NEAR_SHORE = 1e-3  # of the distance to where the bed is as high as the fairlead
 FLAGS = {  # unit, whether a value is good, what is allowed
     "weight": (" N/m", lambda value: 0 < value <= HEAVIEST, f"above 0, at most {HEAVIEST:g}"),
     "stiffness": (" kN", lambda value: value > 0, "above 0"),
-    "length": (" m", lambda value: 0 < value <= 1e5, "above 0, at most 1e5"),
+    "length": (" m", lambda value: 0 < value <= LONGEST, f"above 0, at most {LONGEST:g}"),
     "depth": (" m", lambda value: 0 <= value <= DEEPEST, f"at least 0, at most {DEEPEST:g}, the deepest sea"),
     "fairlead_z": (" m", np.isfinite, "finite"),
     "span": (" m", lambda value: 0 <= value < np.inf, "at least 0, finite"),
@@ -191,7 +191,8 @@ def _show_characteristic(one, span):
 
     spans, curve = tension_curve(one, 24, span)
     columns = spans, curve.horizontal_fairlead, curve.tension_fairlead, curve.grounded_length
-    show_characteristic(new_console(), one.type.name, *columns, span, one.type.breaking_load)
+    lies = "floats" if one.floats else "on the bed"
+    show_characteristic(new_console(), one.type.name, *columns, span, one.type.breaking_load, lies)
 
 
 def _kN(value):

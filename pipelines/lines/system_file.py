@@ -15,7 +15,7 @@ from mooring.lines.system.graph import System
 from mooring.lines.system.parts import Anchor, Fairlead, FreePoint, MooredBody
 
 from ..common.anchors import warn_of_anchors
-from ..common.line_tables import LineTable, TypeTable, line_of
+from ..common.line_tables import LineTable, TypeTable, check_types, line_of
 from ..common.quantities import StudyError, Table, water_depth
 from ..common.typed import read_toml, typed
 
@@ -162,6 +162,7 @@ def make_system(raw) -> System:
     points += [Fairlead(point.name, point.body, point.position) for point in table.fairleads]
     points += [FreePoint(p.name, p.position, p.mass, p.volume, p.height) for p in table.points]
     water = table.water
+    check_types(table.types, water.density, water.gravity)
     lines = [
         line_of(f"lines[{i}]", line.name, line, table.types, (line.start, line.end), water.density, water.gravity)
         for i, line in enumerate(table.lines)

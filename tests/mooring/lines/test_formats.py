@@ -418,6 +418,7 @@ def test_a_faulty_file_names_line_and_section(tmp_path, old, new, message):
 REFUSED = [
     ("70       WtrDpth", "bathy.txt WtrDpth", "WtrDpth is 'bathy.txt', a bathymetry; allowed: a number"),
     ("653.3E6 ", "table.txt ", "EA of chain is 'table.txt'"),
+    ("122.54     653.3E6", "0     653.3E6", "section LINE TYPES: Mass/m of chain is 0 kg/m; allowed: above 0"),
     ("3    Body1 ", "3    Turbine1 ", "attachment of point 3 is 'Turbine1'"),
     ("0      0     0      0     0     30 ", "0      0     0      5     0     30 ", "2 angles that are not 0"),
 ]  # fmt: skip
@@ -510,6 +511,16 @@ def test_a_faulty_moorpy_file_names_what_is_wrong(old, new, message):
     with pytest.raises(ValueError) as fault:
         system_of_moorpy(parse_yaml(YAML.replace(old, new, 1)))
     assert message in str(fault.value) and "\n" not in str(fault.value)
+
+
+def test_a_key_of_a_moorpy_file_that_is_not_read_is_said():
+    with pytest.warns(UserWarning, match="not read: water_densty; known: water_depth, depth, water_density"):
+        system_of_moorpy(parse_yaml(YAML.replace("water_depth: 200", "water_depth: 200\nwater_densty: 1000", 1)))
+
+
+def test_units_in_a_code_page_do_not_matter(tmp_path):
+    (tmp_path / "lines.txt").write_bytes(VERSION_2.replace("(m^3)", "(m³)").encode("cp1252"))
+    assert read_moordyn(tmp_path / "lines.txt").points == parse_moordyn(VERSION_2).points
 
 
 def test_channels_are_stored_under_moordyns_names(tmp_path):

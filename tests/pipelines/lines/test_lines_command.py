@@ -143,8 +143,9 @@ def test_line_of_a_rope_that_floats_hangs_upside_down_and_stays_in_the_sea(tmp_p
     # the anchor holds what lifts the part under water
     assert up == pytest.approx(6.3929e-3 * (350 - floats), abs=1e-3)
     assert picture.stat().st_size > 10_000
-    assert main([*rope, "--tension", "50"]) == 0
-    assert "50.000," in capsys.readouterr().out
+    assert main([*rope, "--tension", "50", "--characteristic"]) == 0
+    shown = capsys.readouterr().out
+    assert "50.000," in shown and "floats m" in shown and "on the bed m" not in shown
 
 
 def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
@@ -430,6 +431,12 @@ def test_a_line_stretched_to_twice_its_length_is_said_to_part(tmp_path, capsys):
     [
         ("bed_friction = 0.5", "bed_friction = 1e9", "bed_friction is 1e+09; allowed: 0 to 5"),
         ("depth = 60.0", "depth = 20000.0", "water.depth is 20000; allowed: above 0, at most 12000"),
+        ("length = 80.0", "length = 1e9", "length is 1e+09; allowed: above 0, at most 100000"),
+        (
+            "[[bodies]]",
+            '[types.spare]\ncatalogue = "R9 3 mm"\n[[bodies]]',
+            "types.spare.catalogue: 'R9 3 mm' is not in",
+        ),
         ("weight_N_per_m = 120.0", "weight_N_per_m = 1e7", "1e+07; allowed: above 0, at most 1e+06"),
     ],
 )
