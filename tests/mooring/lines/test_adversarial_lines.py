@@ -52,6 +52,17 @@ def test_contacts_shorter_than_the_links_of_a_chain_are_found_where_it_is_made_f
     assert set(words.values()) == {"answered"}, words
 
 
+def test_a_load_at_a_vertex_is_not_joined_to_the_line_by_a_span_of_no_length():
+    """Such a span, and the load on either side of it, would be counted twice: 1e-8 of the line beside a buoy."""
+    cases = ((31, 473387), (31, 63185), (52, 80779))
+    words = {case: verdict(*case)[0] for case in cases}
+    assert set(words.values()) == {"answered"}, words
+    for case in cases:
+        line, x, z = random_line(np.random.default_rng(case))
+        lengths = line.solve(x, z).pieces[:, 2] / line.length
+        assert not np.any((lengths > 1e-14) & (lengths < 1e-7)), (case, lengths)
+
+
 def test_a_sinker_is_held_down_in_a_hollow_by_buoys_that_stand_plumb_beside_it():
     words = {case: verdict(*case)[0] for case in ((31, 100529), (32, 124765), (32, 443879))}
     assert set(words.values()) == {"answered"}, words

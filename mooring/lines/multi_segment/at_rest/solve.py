@@ -18,8 +18,10 @@ from .falling_chain import FallingChain
 LINKS = (200, 160, 300)  # of the chain that falls first, one after another
 # of L: links where the contacts of a fallen chain change, one after another; the same again where the chain slid along
 FINER = (3e-3, 2e-3, 1e-3, 1e-3, 5e-4, 3e-4, 2e-4, 1e-4, 1e-4, 5e-5, 2e-5)
+MOST = 2000  # nodes of a chain: one with more has folded everywhere, and those of lines that were found have 1500
 ENDS = {"to_facet": "to_sinker", "off_facet": "off_load"}  # of spans, and those at a sinker
 BESIDE = 2e-3  # of L: how far from a sinker a chain has the end of a span that is there
+ROUNDING, LEAST = 1e-14, 3e-7  # of L: lengths of pieces that are nothing, and of the shortest beside a load
 REPAIRS = 10  # of contacts, of which one or two are usual
 
 
@@ -33,6 +35,8 @@ def come_to_rest(line, x, z, bears_out):
         for size in (None, *FINER):
             if size is not None:
                 chain.finer(size)
+            if len(chain.s) > MOST:
+                break
             contacts = Contacts(chain.fall())
             states = contacts.states()
             for steps, given in _readings(line, contacts):
@@ -92,10 +96,14 @@ def _pieces(line, e):
 
 
 def _is_whole(line, pieces):
-    """Whether the pieces are all of the line"""
+    """Whether the pieces are all of the line, and none beside a load is so short that the load's contact is another"""
     gaps = np.abs(pieces[1:, 1] - (pieces[:-1, 1] - pieces[:-1, 2])).max(initial=0.0)
     ends = abs(pieces[0, 1] - line.length) + abs(pieces[-1, 1] - pieces[-1, 2])
-    return np.isfinite(pieces).all() and max(gaps, ends) <= 1e-9 * line.length
+    if not (np.isfinite(pieces).all() and max(gaps, ends) <= 1e-9 * line.length):
+        return False
+    short = pieces[(pieces[:, 2] > ROUNDING * line.length) & (pieces[:, 2] < LEAST * line.length), 1]
+    loads = np.array([load.position for load in line.loads])
+    return not (np.abs(short[:, None] - loads) < LEAST * line.length).any()
 
 
 def _row(line, e, J, count):
@@ -120,6 +128,10 @@ def _repaired(e):
 
 def _put_right(e, k, step):
     """(steps replaced, new steps, their unknowns) where a step is wrong, else None"""
+    if k + 1 < len(e.steps) and abs(e.marks[k + 1] - e.marks[k + 2]) < LEAST:
+        merged = _merged(e, k, step, e.steps[k + 1])
+        if merged is not None:
+            return merged
     if step[0] in ("off_load", "sinker", "to_sinker") and e.normal.get(k, 0.0) < 0:
         return _let_go(e, k, step)
     if step[0] == "to_facet":
@@ -130,6 +142,17 @@ def _put_right(e, k, step):
         return _leave_before(e, k, *step[1:])
     if step[0] == "to_vertex":
         return _land_behind(e, k)
+    return None
+
+
+def _merged(e, k, step, after):
+    """A load at a vertex in place of one that the line reaches, or leaves, by a span or on a facet of no length"""
+    if step[0] == "anew_free" and after[0] == "to_facet":
+        return 2, [("anew",)], [[min(np.hypot(*e.given[k + 1]), 1.0)]]
+    if step[0] == "off_facet" and after[0] == "to_vertex_sinker":
+        return 2, [("along_load", *step[1:], *after[1:])], [[]]
+    if step[0] in ("to_facet", "to_sinker") and after[0] == "along_load":
+        return 2, [("to_vertex_sinker", *after[3:])], [[]]
     return None
 
 
