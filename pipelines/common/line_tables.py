@@ -167,7 +167,14 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
     ]
     lengths = [_length(place, part) for place, part in zip(places, parts, strict=True)]
     rough = [bed_friction(f"types.{part.type}", kind) for part, kind in zip(parts, kinds, strict=True)]
-    if not (table.segments or table.bodies or table.bed):
+    alone = not (table.segments or table.bodies or table.bed)
+    for place, kind in zip(places, made, strict=True):
+        if kind.weight <= 0 and not alone:
+            raise StudyError(
+                f"{place} ({name}): {kind.name} weighs {kind.weight:.4g} N/m in water; allowed: above 0; what is "
+                "lighter than water is a line of its own between two points, of `hakobune lines`"
+            )
+    if alone:
         return UniformLine(name, made[0], lengths[0], *ends, rough[0])
     try:
         segments = [

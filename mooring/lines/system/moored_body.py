@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..catenary.buoyant import solve_buoyant_lines
 from ..catenary.solve import span_at_tension
 from ..multi_segment.span import span_of
 from .composite import of_line, solution
@@ -44,19 +45,25 @@ def leg_at_tension(line, fairlead, heading, depth, horizontal_tension):
     fairlead : (3,) m; heading : rad, from the fairlead to the anchor; depth : m; horizontal_tension : N
     A line of segments counts from the anchor.  raises : LineError or LineSystemError where no span gives that tension
     """
-    height = fairlead[2] + depth
-    if isinstance(line, CompositeLine):
-        one = of_line(line, 0, "a", -depth)
-        try:
-            span = span_of(lambda x: solution(one, (0, 0, 0), (x, 0, height)), horizontal_tension, line.length, height)
-        except ValueError as error:
-            raise LineSystemError(f"line {line.name}: {error}") from None
-    else:
-        kind = line.type
-        properties = line.length, kind.weight, kind.axial_stiffness, line.bed_friction
-        span = float(span_at_tension(horizontal_tension, height, *properties)[0])
+    try:
+        span = _span(line, fairlead[2] + depth, depth, horizontal_tension)
+    except ValueError as error:
+        raise LineSystemError(f"line {line.name}: {error}") from None
     x, y = fairlead[0] + span * np.cos(heading), fairlead[1] + span * np.sin(heading)
     return Leg(line, (float(x), float(y), -float(depth)), tuple(map(float, fairlead)))
+
+
+def _span(line, height, depth, horizontal_tension):
+    """m, where a line pulls a fairlead `height` m above its anchor with a horizontal tension, N; raises ValueError"""
+    if isinstance(line, CompositeLine):
+        one = of_line(line, 0, "a", -depth)
+        return span_of(lambda x: solution(one, (0, 0, 0), (x, 0, height)), horizontal_tension, line.length, height)
+    properties = line.length, line.type.weight, line.type.axial_stiffness
+    if line.type.weight < 0:
+        return span_of(
+            lambda x: solve_buoyant_lines(x, height, *properties, depth), horizontal_tension, line.length, height
+        )
+    return float(span_at_tension(horizontal_tension, height, *properties, line.bed_friction)[0])
 
 
 def corner_legs(line, hull_length, beam, headings, depth, horizontal_tension, z=0.0):

@@ -46,6 +46,13 @@ def test_spread_at_rest_has_its_pretension_and_pulls_only_down():
     assert np.isclose(load.force[2], -lines.vertical_b.sum())
 
 
+def test_legs_of_a_rope_that_floats_have_their_pretension():
+    rope = LineType("rope", -6.4, 3e8)
+    lines = rest(spread(kind=rope)).lines
+    assert np.allclose(lines.horizontal_b, 40 * TONF, rtol=1e-7)
+    assert np.allclose(lines.vertical_a + lines.vertical_b, -6.4 * 260.0, rtol=1e-9)  # down on both ends
+
+
 def test_plane_stiffness_equals_the_coefficients_of_the_report():
     """SR179 report (1982), eq. 3.5.1.2, with the line angle ψ from fairlead to anchor."""
     system = spread(70 * TONF)
