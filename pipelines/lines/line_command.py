@@ -104,7 +104,15 @@ def line(
                 "lower; allowed: more"
             )
     _check_above_bed(one, span, depth)
-    found = one.solve(span)
+    try:
+        found = one.solve(span)
+    except ValueError:
+        if tension is None or np.isfinite(one.type.axial_stiffness):
+            raise
+        raise StudyError(
+            f"--tension is {tension:g} kN, at which an inextensible line of {length:g} m is straight; allowed: less, "
+            "or the stiffness of the line (--stiffness)"
+        ) from None
     _show(one, span, found)
     if characteristic:
         _show_characteristic(one, span)
@@ -189,7 +197,7 @@ def _show_characteristic(one, span):
     from ..printing.console import new_console
     from .characteristic import show_characteristic
 
-    spans, curve = tension_curve(one, 24, span)
+    spans, curve = tension_curve(one, 24)
     columns = spans, curve.horizontal_fairlead, curve.tension_fairlead, curve.grounded_length
     lies = "floats" if one.floats else "on the bed"
     show_characteristic(new_console(), one.type.name, *columns, span, one.type.breaking_load, lies)

@@ -187,6 +187,7 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
             [*FLOATING, "--friction", "1"],
             "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, it does not",
         ),
+        ([*HANGING, "--tension", "1e12"], "--tension is 1e+12 kN, at which an inextensible line of 300 m is straight"),
         ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN, which the line has "),
         ([*HANGING, "--tension", "9000", "--slope-deg", "15"], "60 m above the anchor on a line of 300 m with 9e+06 N"),
         ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
