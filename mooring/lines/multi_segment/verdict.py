@@ -5,8 +5,8 @@ each piece ends where the next one begins, the last one at the anchor, and where
 
     R = (H₋ − H₊, V₋ − V₊ + f),   + above the place, − below it, f the weight of the point load there,
 
-is nothing off the bed; on it R points out of the bed.  A buoy is under water, or out of it, or in the surface with
-a weight between both.
+is nothing off the bed; on it R points out of the bed, and on a facet T jumps at loads alone, but for what a slack line
+has laid out at its anchor.  A buoy is under water, or out of it, or in the surface with a weight between both.
 """
 
 from __future__ import annotations
@@ -170,6 +170,9 @@ def stands(line, rows, count, states, slack, q, below, g):
             q[X], q[Z] = below[X], below[Z]
             at_load = load >= 0 and abs(line.loads[load, 0] - below[S]) <= 1e-14 * line.length
             if not balanced(line, q, below, load if at_load else -1, states, slack, far, stray):
+                return False
+            flat = piece[0] == 1 and rows[i + 1, 0] == 1 and piece[10] == rows[i + 1, 10]
+            if flat and not slack and not at_load and abs(q[T] - rows[i + 1, 5]) > stray:
                 return False
             load -= 1 if at_load else 0
     if slack:

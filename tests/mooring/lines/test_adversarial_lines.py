@@ -22,6 +22,11 @@ def test_a_line_with_a_gap_or_that_ends_beside_its_anchor_is_no_answer():
     assert all(verdict(3, number)[0] != "wrong" for number in (592, 2428, 3799, 4980, 7751))
 
 
+def test_a_line_on_a_slope_has_no_tension_below_a_heap_that_has_none():
+    """What slid into a heap at the anchor pulled there, with 1.6 % of the weight on no length."""
+    assert verdict(52, 95292)[0] != "wrong"
+
+
 def test_friction_holds_with_a_part_where_all_of_it_has_no_equilibrium():
     """Uniform lines over ridges: with all of the friction the span behind a ridge jumps from one facet to another."""
     assert all(verdict(1101, number)[0] == "answered" for number in (7801, 10727, 13581, 15160, 38880))
