@@ -14,6 +14,8 @@ import numpy as np
 SLACK = 0.1  # of the tension at rest
 POSITIONS = 48  # of the fairlead, for the quasi-static tension
 INSTANT = 1e-3  # s, a run whose first row is the line at rest
+SMALL_WORK = 1e-2  # of what is lost, gained and stored, below which nothing is told as a share of the work
+NONE = 1e-6  # of the largest tension, and of the heaviest node: what is less is rounding, nothing is divided by it
 LOSSES = ("drag", "water_inertia", "structural", "bed", "friction")
 
 
@@ -22,7 +24,8 @@ class End:
     """Tension at one end, N, in the window: largest at `time` s, mean, least; rest : before the motion
 
     slack : s of the window in which it is below a tenth of that at rest, nan where there is no tension at rest
-    quasi_static : largest of the line at rest in every position
+    quasi_static : largest of the line at rest in every position, nan where none has a static shape
+    over_quasi_static : the largest over it, nan where it is none
     """
 
     largest: float
@@ -32,6 +35,7 @@ class End:
     rest: float
     slack: float
     quasi_static: float
+    over_quasi_static: float
 
 
 @dataclass(frozen=True)
@@ -56,6 +60,16 @@ class Figures:
     exchanged: float = 0.0
     change: float = np.nan
     regime: object = ""
+
+    def share_of_work(self, value):
+        """`value`, J, over the work done on the line; nan where that is none
+
+        A line whose fairlead hardly moves takes its work from waves and current: the work at its ends is then rounding,
+        or a small difference, beside what is lost, gained and stored.
+        """
+        gross = sum(map(abs, (*self.losses.values(), self.stored)))
+        told = abs(self.work) > SMALL_WORK * gross and self.exchanged > SMALL_WORK * abs(self.work)
+        return value / self.work if told else np.nan
 
     @property
     def imbalance(self):
@@ -84,10 +98,9 @@ def figures(line, course, window, result, current, regime):
     """
     begin, end, cycles = window
     statics, places = quasi_static(line, course, window, current)
-    ends = [
-        _end(result.time, tension, begin, end, static)
-        for tension, static in zip((result.tension_fairlead, result.tension_anchor), statics.T, strict=True)
-    ]
+    tensions = result.tension_fairlead, result.tension_anchor
+    none = NONE * max(np.abs(line.system.weight).max(), *(tension.max() for tension in tensions))
+    ends = [_end(result.time, T, begin, end, none, static) for T, static in zip(tensions, statics.T, strict=True)]
     E = result.energies
     work, of_forces, stored, *losses = (
         float(np.diff(np.interp([begin, end], result.time, values))[0])
@@ -98,10 +111,10 @@ def figures(line, course, window, result, current, regime):
     change = np.nan
     if cycles is not None and cycles > 1:
         last, before = (
-            _end(result.time, result.tension_fairlead, end - i * course.cycle, end - (i - 1) * course.cycle).largest
+            _end(result.time, tensions[0], end - i * course.cycle, end - (i - 1) * course.cycle, none).largest
             for i in (1, 2)
         )
-        change = abs(last / before - 1)
+        change = abs(last / before - 1) if before > none else np.nan
     if not isinstance(regime, str):
         away = places[np.nanargmax(statics[:, 0])] - course.motion.mean
         regime = regime(away) if np.any(np.isfinite(statics)) else "no static shape"
@@ -109,13 +122,14 @@ def figures(line, course, window, result, current, regime):
     return Figures(begin, end, cycles, *ends, work, lost, stored, of_forces, exchanged, change, regime)
 
 
-def _end(time, tension, begin, end, static=(np.nan,)):
+def _end(time, tension, begin, end, none, static=(np.nan,)):
     inside = (time > begin) & (time < end)
     t = np.concatenate([[begin], time[inside], [end]])
     T = np.interp(t, time, tension)
     rest, top = float(tension[0]), int(np.argmax(T))
-    slack = time_below(t, T, SLACK * rest) if rest > 0 else np.nan
+    slack = time_below(t, T, SLACK * rest) if rest > none else np.nan
     known = np.asarray(static)[np.isfinite(static)]
+    still = float(known.max()) if known.size else np.nan
     return End(
         float(T[top]),
         float(t[top]),
@@ -123,7 +137,8 @@ def _end(time, tension, begin, end, static=(np.nan,)):
         float(T.min()),
         rest,
         slack,
-        float(known.max()) if known.size else np.nan,
+        still,
+        float(T[top]) / still if still > none else np.nan,
     )
 
 

@@ -35,12 +35,14 @@ def _history(axes, name, result, found, breaking):
         )
     if breaking < 1.5 * top:
         axes.axhline(breaking / KN, color="C3", lw=1.5, label="breaking load")
-    axes.axvspan(found.begin, found.end, color="0.92", zorder=0, label="measured")
+        top = max(top, breaking)
+    axes.axvspan(found.begin, found.end, color="0.92", zorder=0, label="time of the figures")
     axes.plot([found.fairlead.time], [found.fairlead.largest / KN], "o", color="C0", ms=5)
     axes.set(xlabel="t, s", ylabel="tension, kN", xlim=(result.time[0], result.time[-1]), ylim=(0, 1.12 * top / KN))
     axes.set_title(name, loc="left")
     axes.grid(alpha=0.3)
-    axes.legend(frameon=False, fontsize=8, ncols=5, loc="upper right")
+    # above the axes: the patch of the grey span would be lost on the span itself
+    axes.legend(frameon=False, fontsize=8, ncols=5, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
 
 
 def _strip(figure, grid, line, course, result):

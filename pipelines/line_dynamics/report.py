@@ -29,7 +29,7 @@ def show(console, name, found, course, result, breaking):
         ("least", [_kN(e.least) for e in ends]),
         ("at rest", [_kN(e.rest) for e in ends]),
         ("largest, quasi-static", [_kN(e.quasi_static) for e in ends]),
-        ("largest over quasi-static", [_number(e.largest / e.quasi_static, ".2f") for e in ends]),
+        ("largest over quasi-static", [_number(e.over_quasi_static, ".2f") for e in ends]),
         ("slack, s", [_number(e.slack, ".2f") for e in ends]),
     ]
     if found.cycles is not None:
@@ -53,8 +53,7 @@ def _show_work(console, found, make_table):
     rows += [(name.replace("_", " "), found.losses[name]) for name in LOSSES]
     rows += [("stored", found.stored), ("as force times velocity", found.of_forces)]
     for name, value in rows:
-        share = _number(100 * value / found.work, ".2f") if found.work else "–"
-        table.add_row(name, f"{value / count / KN:.4g}", share)
+        table.add_row(name, f"{value / count / KN:.4g}", _number(100 * found.share_of_work(value), ".2f"))
     console.print(table)
 
 
@@ -110,7 +109,7 @@ def findings(found, result, breaking):
             f"{share:.1%} of the work that goes in and out is neither lost nor stored, allowed {BALANCE:.0%}; give a "
             "smaller tolerance"
         )
-    dynamic = found.fairlead.largest / found.fairlead.quasi_static - 1
+    dynamic = found.fairlead.over_quasi_static - 1
     if not isinstance(found.regime, str) and found.regime.regime == 1 and abs(dynamic) > DYNAMIC:
         yield (
             f"the simplified method calls this line quasi-static, but the run is {dynamic:+.0%} off statics, allowed "

@@ -17,6 +17,7 @@ from .run import DynamicLineError, run_esdirk
 from .start import start
 
 COARSER = 2.0  # times as long as the run's are the steps beside it
+NONE = 1e-6  # of the larger of both, and of the heaviest node: a tension that is rounding
 PARTS = 10  # of a run, whose largest tensions are compared
 
 
@@ -32,7 +33,7 @@ def mesh_error(case, result, limit):
     ratio = (other.elements / case.line.elements) ** 2
     share = ratio / abs(1 - ratio)
     ours, peaks = _largest(result), _largest(found)
-    error = share * np.abs(peaks / ours - 1)
+    error = share * _off(peaks - ours, ours, case.line)
     if not np.all(error <= limit):
         at = int(np.argmax(error))
         warnings.warn(
@@ -55,7 +56,7 @@ def step_error(case, result, state, limit):
         return np.nan
     edges = np.linspace(result.time[0], result.time[-1], PARTS + 1)
     ours, others = _largest_of_parts(result, edges), _largest_of_parts(found, edges)
-    error = np.abs(ours - others).max(axis=1) / ours.max(axis=1)
+    error = _off(np.abs(ours - others).max(axis=1), ours.max(axis=1), case.line)
     if not np.all(error <= limit):
         at = int(np.argmax(error))
         part = int(np.argmax(np.abs(ours - others)[at]))
@@ -74,6 +75,12 @@ _WHERE = "at the fairlead", "of all elements"
 
 def _plain(case):
     return case._replace(frames=0, stations=(), stops=())
+
+
+def _off(difference, of, line):
+    """(2,) differences as shares of `of`, N; 0 of what is rounding, as of a fairlead that lies on the bed"""
+    none = of <= NONE * max(np.abs(line.system.weight).max(), of.max())
+    return np.where(none, 0.0, np.abs(difference) / np.where(none, 1.0, of))
 
 
 def _largest(result):

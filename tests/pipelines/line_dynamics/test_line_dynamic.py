@@ -14,7 +14,7 @@ from mooring.lines.catenary.solve import solve_lines
 from pipelines.cli import main
 from pipelines.common.anchors import warn_of_anchors
 from pipelines.line_dynamics import command as line_dynamics_command
-from pipelines.line_dynamics.figures import time_below
+from pipelines.line_dynamics.figures import Figures, time_below
 from pipelines.line_dynamics.motion import course_of
 from pipelines.line_dynamics.parts import current_of, line_of, wave_of
 from pipelines.line_dynamics.study import make_line_dynamics, read_line_dynamics
@@ -116,6 +116,30 @@ def test_a_fairlead_out_of_the_water_is_named_and_its_line_is_heavier_there_wher
         pulls.append(attributes(tmp_path / "run.h5")["rest_fairlead"])
     # the weight of the twelve metres that the buoyancy of their steel no longer carries, and what that pulls taut
     assert 1.0 < pulls[1] / pulls[0] < 1.05
+
+
+@pytest.mark.parametrize("change", [("length = 315.0", "length = 400.0"), ("[292.0, 0.0, -2.0]", "[50.0, 0.0, -2.0]")])
+def test_a_slack_line_has_its_tables_without_a_ratio_to_no_tension(change, tmp_path, capsys):
+    assert main(["line-dynamics", str(changed(tmp_path, change)), "--csv"]) == 0
+    assert re.search(r"\nlargest over quasi-static,1\.\d\d,–\n", capsys.readouterr().out)
+
+
+def test_a_line_that_lies_on_the_bed_wholly_is_told_to_pull_nothing(tmp_path, capsys):
+    lying = changed(tmp_path, ("[292.0, 0.0, -2.0]", "[292.0, 0.0, -60.0]"), ("[1.0, 0.0, 0.5]", "[0.0, 0.0, 0.0]"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert main(["line-dynamics", str(lying), "--csv"]) == 0
+    assert "largest over quasi-static,–,–" in capsys.readouterr().out
+
+
+def test_work_of_a_still_fairlead_in_waves_has_no_shares(tmp_path, capsys):
+    wave = "[wave]\nheight = 3\nperiod = 8\ndirection_deg = 0\n[fairlead]"
+    path = changed(tmp_path, ("[1.0, 0.0, 0.5]", "[0.0, 0.0, 0.0]"), ("[fairlead]", wave))
+    assert main(["line-dynamics", str(path), "--csv"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"\ndrag,[-.\de]+,–\n", shown), shown
+    moves = Figures(0.0, 1.0, None, None, None, -2.0, {"drag": -3.0, "bed": 0.5}, 0.5, -2.0, 2.0)
+    assert moves.share_of_work(-3.0) == 1.5  # waves move it and its fairlead takes the work out
 
 
 def test_time_below_a_level_is_that_of_a_cosine():
