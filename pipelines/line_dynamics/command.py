@@ -66,17 +66,17 @@ def _run(study, text, folder, output, picture):
             warnings.simplefilter("always")
             study = with_moordyn(study, folder)
     _check_finest(study)
-    line, breaking = line_of(study)
+    line, strength = line_of(study)
     course = course_of(study, folder)
     if not 0 < course.duration < np.inf:
         raise StudyError(f"duration is {course.duration:g} s; allowed: finite, above 0")
     window = course.window(study.measure_from)
     current, wave = current_of(study), wave_of(study, course.ramp or None)
     frames = frames_of(study, course)
-    check_effort(study, line, course, wave, frames)
+    check_effort(study, line, course, wave, frames, len(strength.nodes(line)))
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
-        check_reach(line, breaking, course)
+        check_reach(line, strength.weakest, course)
         _warn_of_air(line, course)
         warn_of_anchors({"anchor": study.anchor[2]}, study.water.depth)
         result = simulate(
@@ -87,15 +87,17 @@ def _run(study, text, folder, output, picture):
             waves=wave,
             tolerance=study.tolerance,
             frames=frames,
+            stations=strength.nodes(line),
             progress=Progress(console, course.duration),
             stops=window[:2],
         )
     harmonics = 0 if study.sea else sum(any(part.amplitude) for part in study.fairlead.motions)
     found = figures(line, course, window, result, current, judged_by_regime(line, course, harmonics))
-    show(console, study.name, found, course, result, breaking)
-    for warning in [*dict.fromkeys(str(w.message) for w in (*left_out, *said)), *findings(found, result, breaking)]:
+    show(console, study.name, found, course, result, strength, line)
+    noted = findings(found, result, strength, line)
+    for warning in [*dict.fromkeys(str(w.message) for w in (*left_out, *said)), *noted]:
         console.print(f"warning: {warning}", style="yellow", highlight=False, soft_wrap=True)
-    for path in _write(study, text, course, result, found, line, breaking, output, picture):
+    for path in _write(study, text, course, result, found, line, strength, output, picture):
         console.print(f"written: {path}", highlight=False, soft_wrap=True)
     return 0
 
@@ -118,7 +120,7 @@ def _check_finest(study):
     check_memory(f"{elements} elements need", OF_ELEMENT * elements, "give fewer elements")
 
 
-def check_effort(study, line, course, wave, frames):
+def check_effort(study, line, course, wave, frames, stations=0):
     """Raise TooMuchError for a run that nobody can wait for or store, and say what a long one takes.
 
     Steps are as many as the tolerance asks for, a guess within a factor of three: most in snapping lines.
@@ -132,7 +134,7 @@ def check_effort(study, line, course, wave, frames):
     steps = STEPS * (1e-3 / study.tolerance) ** 0.38 * course.duration / fastest
     what = f"{course.duration:g} s of {line.elements} elements"
     way_out = "give a shorter duration (--duration), fewer elements or slower motions"
-    memory = OF_STEP * steps + 3 * 24.0 * frames * (line.elements + 1)
+    memory = (OF_STEP + 8.0 * stations) * steps + 3 * 24.0 * frames * (line.elements + 1)
     check_memory(f"{what} need", memory, way_out)
     seconds = (OF_CALL + (OF_ELEMENT_STEP + OF_WAVE * len(periods)) * line.elements) * steps
     check_seconds(f"{what} take", seconds, way_out)
@@ -206,7 +208,7 @@ class Progress:
         self.reached = reached
 
 
-def _write(study, text, course, result, found, line, breaking, output, picture):
+def _write(study, text, course, result, found, line, strength, output, picture):
     written = []
     if output is not None:
         from mooring.formats.results import channels_of_line, write_channels
@@ -225,6 +227,6 @@ def _write(study, text, course, result, found, line, breaking, output, picture):
     if picture is not None:
         from .picture import draw_run
 
-        draw_run(picture, study.name, line, course, result, found, breaking)
+        draw_run(picture, study.name, line, course, result, found, strength)
         written.append(picture)
     return written

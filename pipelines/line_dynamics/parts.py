@@ -11,6 +11,7 @@ import numpy as np
 from ..common.line_tables import attached, line_type, of_types
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
+from .strength import Strength
 from .study import BedTable
 
 ELEMENTS = 40  # of a line whose segments do not say how many, at least 4 each
@@ -19,7 +20,7 @@ FEWEST, MOST = 10, 1000  # components of a sea
 
 
 def line_of(study):
-    """DynamicLine, and the least breaking load of its segments (N, inf where none is known).  Raises ValueError."""
+    """DynamicLine, and the Strength of its segments.  Raises ValueError."""
     from mooring.lines.dynamics.simulation import DynamicLine
 
     kinds = {name: _properties(f"types.{name}", kind, study.water) for name, kind in study.types.items()}
@@ -33,7 +34,7 @@ def line_of(study):
         study.water.density,
         study.water.gravity,
         bool(study.surface),
-    ), min(breaking for _, breaking in parts)
+    ), Strength(tuple(breaking for _, breaking in parts), tuple(part.type for part in study.segments))
 
 
 def _segment(where, part, kinds, total):

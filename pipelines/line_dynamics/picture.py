@@ -11,21 +11,21 @@ from ..lines.pictures import line_plane
 SHAPES = 8
 
 
-def draw_run(path, name, line, course, result, found, breaking):
+def draw_run(path, name, line, course, result, found, strength):
     """Draw to a file.
 
-    line : DynamicLine; course : Course; result : Result; found : Figures; breaking : N, or inf
+    line : DynamicLine; course : Course; result : Result; found : Figures; strength : Strength
     """
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(13, 9.5), layout="constrained")
     grid = figure.add_gridspec(3, SHAPES // 2, height_ratios=(1.6, 1, 1))
-    _history(figure.add_subplot(grid[0, :]), name, result, found, breaking)
+    _history(figure.add_subplot(grid[0, :]), name, result, found, strength)
     _strip(figure, grid, line, course, result)
     save(figure, path, 120)
 
 
-def _history(axes, name, result, found, breaking):
+def _history(axes, name, result, found, strength):
     axes.plot(result.time, result.tension_fairlead / KN, lw=1.2, label="fairlead")
     axes.plot(result.time, result.tension_anchor / KN, lw=1.0, label="anchor")
     top = max(result.tension_fairlead.max(), result.tension_anchor.max())
@@ -33,16 +33,25 @@ def _history(axes, name, result, found, breaking):
         axes.axhline(
             found.fairlead.quasi_static / KN, color="C0", ls="--", lw=1, label="fairlead, largest quasi-static"
         )
-    if breaking < 1.5 * top:
-        axes.axhline(breaking / KN, color="C3", lw=1.5, label="breaking load")
-        top = max(top, breaking)
+    top = max(top, *_breaking_loads(axes, strength, 1.5 * top))
     axes.axvspan(found.begin, found.end, color="0.92", zorder=0, label="time of the figures")
     axes.plot([found.fairlead.time], [found.fairlead.largest / KN], "o", color="C0", ms=5)
     axes.set(xlabel="t, s", ylabel="tension, kN", xlim=(result.time[0], result.time[-1]), ylim=(0, 1.12 * top / KN))
     axes.set_title(name, loc="left")
     axes.grid(alpha=0.3)
     # above the axes: the patch of the grey span would be lost on the span itself
-    axes.legend(frameon=False, fontsize=8, ncols=5, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
+    axes.legend(frameon=False, fontsize=8, ncols=6, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
+
+
+def _breaking_loads(axes, strength, below):
+    """Draw the breaking loads, N, of the segments at both ends that are lower than `below`; yields each, and 0."""
+    yield 0.0
+    ends = {"fairlead": strength.breaking[-1], "anchor": strength.breaking[0]}
+    same = len(set(ends.values())) == 1
+    for (end, load), style in zip(ends.items(), ("-", ":"), strict=True):
+        if load < below and not (same and end == "anchor"):
+            axes.axhline(load / KN, color="C3", lw=1.5, ls=style, label="breaking load" + ("" if same else f", {end}"))
+            yield load
 
 
 def _strip(figure, grid, line, course, result):

@@ -13,8 +13,8 @@ INSIDE = 0.05  # of the largest tension at the ends, by which one between them i
 BALANCE = 0.01  # of the work that goes in and out: left over by the time steps
 
 
-def show(console, name, found, course, result, breaking):
-    """Print the tables of a run.  found : Figures; course : Course; result : Result; breaking : N, or inf"""
+def show(console, name, found, course, result, strength, line):
+    """Print the tables of a run.  found : Figures; course : Course; result : Result; strength : Strength"""
     from ..lines.lines_command import _table
 
     cycles = "" if found.cycles is None else f", {found.cycles} cycles of {course.cycle:g} s"
@@ -34,14 +34,32 @@ def show(console, name, found, course, result, breaking):
     ]
     if found.cycles is not None:
         rows.append(("slack, s in a cycle", [_number(e.slack * share, ".2f") for e in ends]))
-    if np.isfinite(breaking):
-        rows.append(("breaking load used, %", [f"{100 * e.largest / breaking:.1f}" for e in ends]))
+    own = strength.breaking[-1], strength.breaking[0]
+    if np.isfinite(strength.weakest):
+        used = [e.largest / load if np.isfinite(load) else np.nan for e, load in zip(ends, own, strict=True)]
+        rows.append(("breaking load used, %", [_number(100 * share, ".1f") for share in used]))
     for title, cells in rows:
         table.add_row(title, *cells)
     console.print(table)
+    _show_used(console, strength.most_used(line, result, found.begin, found.end), strength)
     _show_work(console, found, _table)
     for text in (*_regime(found.regime), _steps(result)):
         console.print(text, highlight=False, soft_wrap=True)
+
+
+def _show_used(console, used, strength):
+    """Where a line of several segments is nearest to parting."""
+    if used is not None and len(strength.breaking) > 1:
+        console.print(
+            f"breaking load used along the line: at most {used.share:.1%}{_of_segment(used, strength)}, "
+            f"{_kN(used.tension)} of {_kN(used.breaking)} kN at t = {used.time:.2f} s",
+            highlight=False,
+            soft_wrap=True,
+        )
+
+
+def _of_segment(used, strength):
+    return "" if strength.uniform else f" of segment {used.segment + 1} ({strength.names[used.segment]})"
 
 
 def _show_work(console, found, make_table):
@@ -83,12 +101,16 @@ def _number(value, form):
     return format(value, form) if np.isfinite(value) else "–"
 
 
-def findings(found, result, breaking):
+def findings(found, result, strength, line):
     """Findings on the figures, one line each."""
     largest, ends = result.tension_fairlead.max(), max(result.tension_fairlead.max(), result.tension_anchor.max())
     anywhere = max(ends, result.largest_tension.max())
-    if anywhere > breaking:
-        yield f"the largest tension is {anywhere / KN:.0f} kN, the breaking load {breaking / KN:.0f} kN: the line parts"
+    used = strength.most_used(line, result)
+    if used is not None and used.share > 1:
+        yield (
+            f"the tension{_of_segment(used, strength)} is {used.tension / KN:.0f} kN at t = {used.time:.2f} s, the "
+            f"breaking load {used.breaking / KN:.0f} kN: the line parts"
+        )
     if anywhere > (1 + INSIDE) * ends:
         when = result.time[np.argmax(result.largest_tension)]
         yield f"between its ends the line has {anywhere / KN:.1f} kN at t = {when:.2f} s, more than at either"

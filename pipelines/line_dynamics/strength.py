@@ -1,0 +1,69 @@
+"""Tensions of a line that moves against the breaking loads of its segments, each place against that of its own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Used(NamedTuple):
+    """Where a line is nearest to parting: tension and breaking load there, N; time, s; segment : its number, from 0"""
+
+    tension: float
+    breaking: float
+    time: float
+    segment: int
+
+    @property
+    def share(self):
+        """of the breaking load"""
+        return self.tension / self.breaking
+
+
+@dataclass(frozen=True)
+class Strength:
+    """breaking : N of each segment from the anchor up, inf where it is not known; names : of their types"""
+
+    breaking: tuple[float, ...]
+    names: tuple[str, ...]
+
+    @property
+    def weakest(self):
+        """N, inf where none is known"""
+        return min(self.breaking)
+
+    @property
+    def uniform(self):
+        """Whether one load is that of all segments"""
+        return len(set(self.breaking)) == 1
+
+    def nodes(self, line):
+        """Nodes whose tensions a run has to keep, to tell that of each segment: all, or none of a uniform line"""
+        return () if self.uniform else tuple(range(line.elements + 1))
+
+    def most_used(self, line, result, begin=-np.inf, end=np.inf):
+        """Used, of a Result that has kept the tensions at `nodes`, from begin to end, s; None where no load is known"""
+        if not np.isfinite(self.weakest):
+            return None
+        inside = (result.time >= begin) & (result.time <= end)
+        time, found = result.time[inside], []
+        for i, tension in self._tensions(line, result, inside):
+            top = int(np.argmax(tension))
+            found.append(Used(float(tension[top]), self.breaking[i], float(time[top]), i))
+        return max(found, key=lambda used: used.share)
+
+    def _tensions(self, line, result, inside):
+        """(segment, (n,) N) of every end and element"""
+        yield 0, result.tension_anchor[inside]
+        yield len(self.breaking) - 1, result.tension_fairlead[inside]
+        if self.uniform:
+            yield 0, result.largest_tension[inside]
+            return
+        # a node keeps the mean of the elements beside it, and the first that of the one it has: they follow in turn
+        kept, tension = result.station_tension, 0.0
+        segments = np.repeat(np.arange(len(line.segments)), [segment.elements for segment in line.segments])
+        for j, segment in enumerate(segments):
+            tension = kept[inside, 0] if j == 0 else 2 * kept[inside, j] - tension
+            yield int(segment), tension

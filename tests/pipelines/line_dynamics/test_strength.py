@@ -1,0 +1,62 @@
+"""Breaking loads of a line in motion: each place against that of its own segment."""
+
+import re
+
+import numpy as np
+
+from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
+from pipelines.cli import main
+from pipelines.line_dynamics.strength import Strength
+
+STUDY = """\
+anchor = [0.0, 0.0, -60.0]
+duration = 16.0
+[water]
+depth = 60.0
+[types.weak]
+catalogue = "R3 studless 76 mm"
+breaking_load_kN = 100.0
+[types.strong]
+catalogue = "R3 studless 76 mm"
+[[segments]]
+type = "weak"
+length = 230.0
+[[segments]]
+type = "strong"
+length = 85.0
+[fairlead]
+position = [292.0, 0.0, -2.0]
+[[fairlead.motions]]
+period = 8.0
+amplitude = [0.5, 0.0, 0.2]
+"""
+
+
+def test_a_weak_part_that_carries_less_is_not_judged_by_what_a_strong_part_carries(tmp_path, capsys):
+    (tmp_path / "line.toml").write_text(STUDY)
+    assert main(["line-dynamics", str(tmp_path / "line.toml"), "--csv"]) == 0
+    shown = "".join(capsys.readouterr())
+    largest, used = (
+        [float(x) for x in re.search(rf"\n{row},([\d.]+),([\d.]+)\n", shown).groups()]
+        for row in ("largest", '"breaking load used, %"')
+    )
+    assert largest[0] > 100.0 > largest[1] and "the line parts" not in shown
+    assert np.allclose(used, [100 * largest[0] / 4884, largest[1]], atol=0.1)
+    assert "of segment 1 (weak)" in shown
+
+
+def test_tensions_of_segments_are_those_of_their_elements():
+    """Of their largest together the run keeps a history of its own; that of a part without a load counts nowhere."""
+    rope = dict(mass=115.5, weight=985.0, diameter=0.137, axial_stiffness=4.6e8)
+    parts = DynamicSegment(200.0, elements=16, **rope), DynamicSegment(115.0, elements=9, **rope)
+    line = DynamicLine(parts, (0.0, 0.0, -60.0))
+    motion = FairleadMotion.harmonic((292.0, 0.0, -2.0), [(2.0, 0.0, 1.0)], [6.0], 6.0)
+    strength = Strength((2e5, 1e6), ("chain", "wire"))
+    made = simulate(line, motion, 12.0, stations=strength.nodes(line), check_mesh=False)
+    elements = [T for _, T in strength._tensions(line, made, made.time >= 0.0)][2:]
+    assert np.allclose(np.max(elements, axis=0), made.largest_tension, rtol=1e-12)
+    assert np.allclose(np.min(elements, axis=0), made.least_tension, rtol=1e-9, atol=1e-9 * made.largest_tension.max())
+    top = max(np.max(elements[:16]), made.tension_anchor.max())
+    lower = Strength((2e5, np.inf), strength.names).most_used(line, made)
+    assert (lower.tension, lower.segment) == (top, 0) and lower.share == top / 2e5
+    assert Strength((np.inf, np.inf), strength.names).most_used(line, made) is None
