@@ -146,8 +146,11 @@ def of_types(where, name, types):
     return types[name]
 
 
-def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.80665):
-    """The UniformLine or CompositeLine of a LineTable between two points; types : {name: TypeTable}"""
+def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.80665, level=-math.inf):
+    """The UniformLine or CompositeLine of a LineTable between two points
+
+    types : {name: TypeTable}; level : m, z of its anchor, where a bed of its own begins
+    """
     whole = table.type, table.length
     if whole != (None, None) if table.segments else None in whole:
         raise StudyError(f"{where} ({name}): allowed: either type and length, or segments")
@@ -185,7 +188,7 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
         raise StudyError(f"{where} ({name}): {error}") from None
     loads = _point_loads(where, table.bodies, lengths, density, gravity)
     on_bed = _friction(where, table.bed, rough)
-    return CompositeLine(name, segments, *ends, loads, on_bed, _own_bed(where, table.bed, on_bed))
+    return CompositeLine(name, segments, *ends, loads, on_bed, _own_bed(where, table.bed, on_bed, level))
 
 
 def hawser_of(where, name, kind_name, kind, length, ends=("", "")):
@@ -281,9 +284,21 @@ def _friction(where, bed, of_segments):
     return of_segments[0]
 
 
-def _own_bed(where, bed, friction):
+def check_bed(where, points, level):
+    """Raise StudyError for a point [x, z] of a bed above still water; level : m, z of the first, under the anchor"""
+    for i, (x, z) in enumerate(points):
+        height = level + z - points[0][1]
+        if height > 0:
+            raise StudyError(
+                f"{where}.points[{i}] is [{x:g}, {z:g}], {height:g} m above still water; allowed: z up to "
+                f"{z - height:g}, as points[0] lies at z = {level:g} m under the anchor"
+            )
+
+
+def _own_bed(where, bed, friction, level):
     if bed is None or not bed.points:
         return None
+    check_bed(f"{where}.bed", bed.points, level)
     try:
         return Bed(bed.points, friction)
     except ValueError as error:

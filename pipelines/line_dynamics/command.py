@@ -20,6 +20,7 @@ from ..common.progress import duration as spoken
 from ..common.quantities import StudyError
 from ..common.units import KN
 from .figures import figures, judged_by_regime
+from .in_air import warn_of_air
 from .motion import course_of
 from .parts import current_of, line_of, wave_of
 from .report import findings, show
@@ -31,7 +32,6 @@ STEPS = 2.0  # for each longest step that the motion allows, at a tolerance of 1
 OF_ELEMENT, OF_STEP = 2e3, 600.0  # bytes
 # s of a step, of each element in it, and of each wave at each element, with the checks of both
 OF_CALL, OF_ELEMENT_STEP, OF_WAVE = 2.7e-5, 5.3e-6, 2e-7
-IN_AIR = 0.01  # of a line, out of the water without a word
 FRAMES = 20  # of a cycle, or of a run without one at least 200
 
 
@@ -77,7 +77,6 @@ def _run(study, text, folder, output, picture):
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         check_reach(line, strength.weakest, course)
-        _warn_of_air(line, course)
         warn_of_anchors({"anchor": study.anchor[2]}, study.water.depth)
         result = simulate(
             line,
@@ -91,6 +90,7 @@ def _run(study, text, folder, output, picture):
             progress=Progress(console, course.duration),
             stops=window[:2],
         )
+        warn_of_air(line, result)
     harmonics = 0 if study.sea else sum(any(part.amplitude) for part in study.fairlead.motions)
     found = figures(line, course, window, result, current, judged_by_regime(line, course, harmonics))
     show(console, study.name, found, course, result, strength, line)
@@ -169,17 +169,6 @@ def check_reach(line, breaking, course):
         warnings.warn(
             f"the fairlead goes {away[far] - line.length:.2f} m farther from the anchor than the line is long, at "
             f"t = {times[far]:.2f} s: stretching it so takes {pull / KN:.0f} kN",
-            stacklevel=2,
-        )
-
-
-def _warn_of_air(line, course):
-    """Warn of a line whose fairlead is held out of the water and that counts as under it."""
-    height = float(course.motion.at(course.motion.begin)[0][2])
-    if not line.surface and height > IN_AIR * line.length:
-        warnings.warn(
-            f"the fairlead is {height:.3g} m above still water, and the line counts as under water there: "
-            "with surface = true it weighs as in air and feels no water",
             stacklevel=2,
         )
 

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from ..common.line_tables import attached, line_type, of_types
+from ..common.line_tables import attached, check_bed, line_type, of_types
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
 from .strength import Strength
@@ -115,6 +115,7 @@ def _bed(study):
         raise StudyError(
             f"anchor is at z = {study.anchor[2]:g} m, under the bed; allowed: {-study.water.depth:g} m or higher"
         )
+    check_bed("bed", table.points, -study.water.depth)
     try:
         return ElasticBed(
             math.radians(table.slope_deg),

@@ -163,8 +163,18 @@ def make_system(raw) -> System:
     points += [FreePoint(p.name, p.position, p.mass, p.volume, p.height) for p in table.points]
     water = table.water
     check_types(table.types, water.density, water.gravity)
+    z = {point.name: point.position[2] for point in table.anchors}
     lines = [
-        line_of(f"lines[{i}]", line.name, line, table.types, (line.start, line.end), water.density, water.gravity)
+        line_of(
+            f"lines[{i}]",
+            line.name,
+            line,
+            table.types,
+            (line.start, line.end),
+            water.density,
+            water.gravity,
+            z.get(line.start, z.get(line.end, -math.inf)),
+        )
         for i, line in enumerate(table.lines)
     ]
     return System(

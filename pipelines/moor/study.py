@@ -146,7 +146,7 @@ class Study(Table):
     def _spread(self, where, spread, hull, density, gravity):
         if self._straight(spread):
             raise StudyError(f"{where}.type {spread.type} is a hawser; allowed: as [[lines]] with a bollard")
-        line = line_of(where, "spread", spread, self.types, density=density, gravity=gravity)
+        line = line_of(where, "spread", spread, self.types, density=density, gravity=gravity, level=-self.water.depth)
         headings = _corner_headings(where, spread.corner_headings_deg)
         pretension = force(where, spread, "pretension", required=True)
         return corner_legs(line, hull.length, hull.beam, headings, self.water.depth, pretension, spread.fairlead_z)
@@ -158,7 +158,7 @@ class Study(Table):
             kind = given.type, self.types[given.type]
             line = hawser_at_tension(where, given.name, *kind, away, pretension)
             return Leg(line, given.bollard, given.fairlead)
-        line = line_of(where, given.name, given, self.types, density=density, gravity=gravity)
+        line = line_of(where, given.name, given, self.types, density=density, gravity=gravity, level=-depth)
         if given.bollard is not None and pretension is None and given.anchor is None and given.heading_deg is None:
             return Leg(line, given.bollard, given.fairlead)
         if straight:

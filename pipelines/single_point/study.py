@@ -125,7 +125,7 @@ def system_of(study, depth, density):
     b, m = study.buoy, study.mooring
     if not -depth < b.z <= 0:
         raise StudyError(f"buoy.z is {b.z:g} m; allowed: above the bed at {-depth:g} m, at most 0")
-    line = line_of("mooring", "line", m, study.types, density=density, gravity=GRAVITY)
+    line = line_of("mooring", "line", m, study.types, density=density, gravity=GRAVITY, level=-depth)
     height = b.z + depth
     if line.length < height:
         raise StudyError(

@@ -118,6 +118,19 @@ def test_a_fairlead_out_of_the_water_is_named_and_its_line_is_heavier_there_wher
     assert 1.0 < pulls[1] / pulls[0] < 1.05
 
 
+def test_a_rope_that_floats_above_the_water_is_named_and_lies_in_the_surface_where_it_may(tmp_path, capsys):
+    rope = ('catalogue = "R3 studless 76 mm"', 'catalogue = "HMPE 80 mm"'), ("length = 315.0", "length = 302.0")
+    floating = (*rope, ("[292.0, 0.0, -2.0]", "[292.0, 0.0, 0.0]"))
+    still = ("[1.0, 0.0, 0.5]", "[0.0, 0.0, 0.0]")
+    above = "m above still water at"
+    for change, surface, said in ((still, "", f"{above} rest"), (("", ""), "", above), (still, "surface = true\n", "")):
+        path = changed(tmp_path, *floating, change, ("anchor", f"{surface}anchor"))
+        assert main(["line-dynamics", str(path), "--output", str(tmp_path / "run.h5")]) == 0
+        shown = capsys.readouterr().out
+        assert said in shown and (above in shown) == bool(said)
+    assert read_frames(tmp_path / "run.h5")[1][..., 2].max() < 0.08
+
+
 @pytest.mark.parametrize("change", [("length = 315.0", "length = 400.0"), ("[292.0, 0.0, -2.0]", "[50.0, 0.0, -2.0]")])
 def test_a_slack_line_has_its_tables_without_a_ratio_to_no_tension(change, tmp_path, capsys):
     assert main(["line-dynamics", str(changed(tmp_path, change)), "--csv"]) == 0
@@ -244,6 +257,8 @@ def test_an_anchor_that_lies_nowhere_is_warned_of(z, said):
 
 FAULTS = [
     (("R3 studless", "R3 stuffed"), [], "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes"),
+    (("[fairlead]", "[bed]\npoints = [[5, 2], [60, 62], [90, 92]]\n[fairlead]"), [],
+     "bed.points[2] is [90, 92], 30 m above still water; allowed: z up to 62, as points[0] lies at z = -60 m"),
     (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown; allowed: depth"),
     (('type = "chain"', 'type = "rope"'), [], "segments[0].type is 'rope'; allowed: chain"),
     (("length = 315.0", "length = 250.0"), [], "m from the anchor at t ="),

@@ -382,6 +382,11 @@ def test_segments_with_a_body_between_them_are_lines_joined_at_a_free_point(tmp_
             "bed = { points = [[0, 0]] }\nbodies = [{ after",
             "lines[0].bed: bed points have the shape",
         ),
+        (
+            "bodies = [{ after",
+            "bed = { points = [[0, 0], [90, 80]] }\nbodies = [{ after",
+            "lines[0].bed.points[1] is [90, 80], 20 m above still water; allowed: z up to 60",
+        ),
     ],
 )
 def test_a_line_of_segments_that_cannot_be_is_refused_by_its_key(tmp_path, old, new, message):

@@ -1,0 +1,48 @@
+"""Parts of a line out of the water that count as under it, at rest or in the run."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+IN_AIR = 0.01  # of a line, out of the water at its fairlead without a word
+
+
+def warn_of_air(line, result):
+    """Warn of a DynamicLine without a surface whose fairlead or floating part is out of the water in a Result."""
+    if line.surface:
+        return
+    z = result.frames[:, :, 2]
+    _warn_of_fairlead(line, result.frame_time, z)
+    _warn_of_floating(line, result.frame_time, z)
+
+
+def _warn_of_fairlead(line, time, z):
+    top = int(np.argmax(z[:, -1]))
+    if z[top, -1] > IN_AIR * line.length:
+        warnings.warn(
+            f"the fairlead is {z[top, -1]:.3g} m above still water {_when(time, top)}, allowed {IN_AIR:.0%} of the "
+            f"line, {IN_AIR * line.length:.3g} m, and the line counts as under water there: with surface = true it "
+            "weighs as in air and feels no water",
+            stacklevel=3,
+        )
+
+
+def _warn_of_floating(line, time, z):
+    """Of nodes that rise above still water and both ends: nothing but their buoyancy, or a whip, holds them there."""
+    above = z[:, 1:-1] - np.maximum(0.0, np.maximum(z[:, 0], z[:, -1]))[:, None]
+    limit = max(segment.diameter for segment in line.segments)
+    top = 0 if above[0].max() > limit else int(np.argmax(above.max(axis=1)))  # at rest counts first
+    node = 1 + int(np.argmax(above[top]))
+    if above[top, node - 1] > limit:
+        warnings.warn(
+            f"the line is {z[top, node]:.3g} m above still water {_when(time, top)}, {line.nodes[node]:.4g} m of it "
+            f"from the anchor, where it counts as under water; allowed: up to its diameter, {limit:.3g} m: with "
+            "surface = true it lies in the surface, weighs as in air above it and feels no water there",
+            stacklevel=3,
+        )
+
+
+def _when(time, frame):
+    return "at rest" if frame == 0 else f"at t = {time[frame]:.2f} s"
