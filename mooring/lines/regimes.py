@@ -83,6 +83,11 @@ def centroid_height(horizontal_tension, span, weight):
     return horizontal_tension / weight * (0.5 * np.cosh(D) - 1 + 0.5 * D / np.sinh(D))
 
 
+def _rounded(amplitude):
+    """Text of a motion, m, without its rounding errors"""
+    return f"{round(abs(amplitude), 6):.3g}"
+
+
 def harmonic_tension(
     x,
     z,
@@ -117,8 +122,8 @@ def harmonic_tension(
     line = solve_lines(np.array([x, x + out]), np.array([z, z + up]), length, weight, axial_stiffness)
     if np.any(line.status != State.GROUNDED):
         raise ValueError(
-            f"line of {length:g} m at x = {x:g} ± {abs(out):g} m, z = {z:g} ± {abs(up):g} m does not keep a part on "
-            "the bed, or is slack; the simplified method needs one: follow it in time, by hakobune line-dynamics"
+            f"the line of {length:g} m at x = {x:g} ± {_rounded(out)} m, z = {z:g} ± {_rounded(up)} m does not keep a "
+            "part on the bed and tension, at rest and outermost; the simplified method needs both"
         )
     H, V = line.horizontal_fairlead, line.vertical_fairlead
     span = H / weight * np.arcsinh(V / H)

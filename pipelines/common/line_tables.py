@@ -40,7 +40,7 @@ class TypeTable(MaterialTable):
     """What a line is made of, by the name that lines call it
 
     bed_friction : coefficient of friction on the bed, 0 to 5
-    elongation_percent : % of its length, of a hawser without weight, from 0 on
+    elongation_percent : % of its length, of a hawser without weight, from 0 on; a smooth curve goes through the points
     tension : of a hawser, at each elongation, from 0 on
     spring_kN_per_m : kN/m, of a spring that pulls and does not push
     """

@@ -34,7 +34,7 @@ def with_moordyn(study, folder):
     path = Path(folder) / study.moordyn.file
     file = read_moordyn(path)
     system = system_of_moordyn(file, path, study.moordyn.depth, moves=True)
-    lines, joints, anchor, end = _way(system, study.moordyn.line)
+    lines, joints, anchor, end = _way(system, str(study.moordyn.line))
     places = dict(zip((point.name for point in system.points), system.load().points, strict=True))
     types = {f"line {line.name}": _type(line, path) for line in lines}
     segments = [SegmentTable(f"line {line.name}", line.length, max(line.elements or LEAST, LEAST)) for line in lines]

@@ -56,7 +56,7 @@ class DynamicTypeTable(MaterialTable):
     added_tangential : coefficient of added mass along the line; not given: the catalogue's, and 0 without one
     damping_ratio : structural damping over that which is critical for one element, or a fortieth of its segment
     bending_stiffness : EI, between hinged ends
-    elongation_percent : % of its length, from 0 on, of a rope whose stiffness is no number
+    elongation_percent : % of its length, from 0 on, of a rope whose stiffness is no number; straight between the points
     tension : of such a rope, at each elongation, from 0 on
     """
 
@@ -148,12 +148,12 @@ class MoorDynTable(Table):
     """A line of a MoorDyn file, in place of water, types, segments, bodies and anchor
 
     file : beside this one
-    line : its number
+    line : its number there, as 1; any of those joined by free points
     depth : m, for a file that does not say it
     """
 
     file: str
-    line: str
+    line: str | int
     depth: float | None = None
 
 

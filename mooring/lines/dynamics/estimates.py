@@ -37,8 +37,8 @@ def mesh_error(case, result, limit):
     if not np.all(error <= limit):
         at = int(np.argmax(error))
         warnings.warn(
-            f"{case.line!r}: the largest tension {_WHERE[at]} is {ours[at]:.4g} N, with {other.elements} elements "
-            f"{peaks[at]:.4g} N: estimated error {error[at]:.1%}, above mesh_tolerance {limit:.1%}; give more elements",
+            f"{case.line}: the largest tension {_WHERE[at]} is {_kN(ours[at])}, in {other.elements} elements "
+            f"{_kN(peaks[at])}: estimated error {error[at]:.1%}, above mesh_tolerance {limit:.1%}; give more elements",
             stacklevel=3,
         )
     return float(error.max())
@@ -61,9 +61,9 @@ def step_error(case, result, state, limit):
         at = int(np.argmax(error))
         part = int(np.argmax(np.abs(ours - others)[at]))
         warnings.warn(
-            f"{case.line!r}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
-            f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {others[at, part]:.4g} N in place of "
-            f"{ours[at, part]:.4g} N: largest tensions are known to {error[at]:.1%} for their steps, above "
+            f"{case.line}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
+            f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {_kN(others[at, part])} in place of "
+            f"{_kN(ours[at, part])}: largest tensions are known to {error[at]:.1%} for their steps, above "
             f"{limit:.1%}; give a smaller tolerance than {case.tolerance:g}",
             stacklevel=3,
         )
@@ -71,6 +71,10 @@ def step_error(case, result, state, limit):
 
 
 _WHERE = "at the fairlead", "of all elements"
+
+
+def _kN(tension):
+    return f"{1e-3 * tension:.4g} kN"
 
 
 def _plain(case):

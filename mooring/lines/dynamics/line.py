@@ -173,6 +173,10 @@ class DynamicLine:
     def __repr__(self):
         return f"<DynamicLine {self.length:.6g} m, {self.elements} elements, {len(self.segments)} segments>"
 
+    def __str__(self):
+        """As messages call it"""
+        return f"line of {self.length:.6g} m in {self.elements} elements"
+
     @property
     def length(self):
         """m, unstretched"""

@@ -163,7 +163,7 @@ def _control(case, state):
 def stopped(line, time, step, shortest, node):
     """DynamicLineError of a run whose step became too short near a node"""
     return DynamicLineError(
-        f"{line!r}: at t = {time:.6g} s the step fell to {step:.3g} s, below {shortest:.3g} s, "
+        f"{line}: at t = {time:.6g} s the step fell to {step:.3g} s, below {shortest:.3g} s, "
         f"near node {node} of {line.elements}; give a larger tolerance, more damping or a softer bed"
     )
 
@@ -224,12 +224,12 @@ def run_houbolt(case, state):
         before, count = found, 2 * count
     if before is None:
         raise DynamicLineError(
-            f"{case.line!r}: Houbolt's scheme did not converge with steps of {2 * case.duration / count:.3g} s; "
+            f"{case.line}: Houbolt's scheme did not converge with steps of {2 * case.duration / count:.3g} s; "
             "use method='esdirk'"
         )
     known = f"an estimated error of {error:.2g} of the largest tension" if np.isfinite(error) else "an unknown error"
     warnings.warn(
-        f"{case.line!r}: Houbolt's scheme with steps of {2 * case.duration / count:.3g} s leaves {known}; "
+        f"{case.line}: Houbolt's scheme with steps of {2 * case.duration / count:.3g} s leaves {known}; "
         f"asked {case.tolerance:g}; use method='esdirk'",
         stacklevel=3,
     )

@@ -11,6 +11,7 @@ from .lumped import system as lumped
 LIGHTEST = 1e-6  # of all weights: least weight of a line in the first guess
 SOFT = 1e4  # times the weight: axial stiffness that Newton's method takes from the first guess
 LOOSE = 1e3  # m, slip that mobilises friction: it then acts as a force, not as a spring
+MANY = 1000  # elements: of a chain of 315 m in 60 m they come to rest, 2300 do not
 LEAST_PACKED = 0.5  # of its length; slack elements on the bed start no shorter
 
 
@@ -35,9 +36,10 @@ def start(line, fairlead, water):
         slip = _mobilised(line.system, q)
         good = _settled(loose, water, q, LOOSE / line.system.bed_slip * slip)
     if not good:
+        way_out = f"give {'fewer' if line.elements > MANY else 'more'} elements"
         raise LineError(
-            f"no static shape found for {line!r} with its fairlead at x = {fairlead[0]:.6g}, y = {fairlead[1]:.6g}, "
-            f"z = {fairlead[2]:.6g} m; give more elements, or start where the line hangs freely"
+            f"no static shape found for the {line} with its fairlead at x = {fairlead[0]:.6g}, y = {fairlead[1]:.6g}, "
+            f"z = {fairlead[2]:.6g} m; {way_out}, or start where the line hangs freely"
         )
     zero = np.zeros_like(q)
     return lumped.State(0.0, q, zero, zero.copy(), slip, np.inf)
@@ -52,7 +54,7 @@ def _check_bending(line, q):
     tension = float(lumped.elastic_tension(line.system, q).max())
     if 4 * stiffest.bending_stiffness > tension * line.length**2:
         raise LineError(
-            f"{line!r}: bending stiffness EI = {1e-3 * stiffest.bending_stiffness:.4g} kN m² holds it up more than its "
+            f"{line}: bending stiffness EI = {1e-3 * stiffest.bending_stiffness:.4g} kN m² holds it up more than its "
             f"tension, at most {1e-3 * tension:.4g} kN at rest without it; allowed: up to "
             f"{0.25e-3 * tension * line.length**2:.4g} kN m², T L²/4"
         )

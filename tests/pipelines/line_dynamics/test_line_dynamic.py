@@ -155,6 +155,20 @@ def test_work_of_a_still_fairlead_in_waves_has_no_shares(tmp_path, capsys):
     assert moves.share_of_work(-3.0) == 1.5  # waves move it and its fairlead takes the work out
 
 
+def test_messages_name_the_line_in_kN_and_send_nobody_where_he_is(tmp_path, monkeypatch, capsys):
+    slack = changed(tmp_path, ("length = 315.0", "length = 400.0"))
+    assert main(["line-dynamics", str(slack)]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"warning: line of 400 m in 24 elements: .* is [\d.]+ kN, in 12 elements [\d.]+ kN", shown), shown
+    assert "does not keep a part on the bed" in shown and "hakobune" not in shown and "<" not in shown
+    monkeypatch.setattr("mooring.lines.dynamics.start._settled", lambda *_: False)
+    for count, way_out in ((5000, "fewer"), (24, "more")):
+        many = changed(tmp_path, ("elements = 24", f"elements = {count}"))
+        assert main(["line-dynamics", str(many)]) == 2
+        said = capsys.readouterr().err
+        assert f"line of 315 m in {count} elements" in said and f"give {way_out} elements" in said
+
+
 def test_time_below_a_level_is_that_of_a_cosine():
     t = np.linspace(0.0, 2.0, 4001)
     exact = 2.0 * (1 - np.arccos(-0.3) / np.pi)

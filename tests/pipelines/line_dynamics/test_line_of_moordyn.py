@@ -68,6 +68,17 @@ def test_a_line_of_a_file_goes_through_its_free_points_to_the_anchor_and_rests_a
     assert np.abs(still[40] - joint).max() < 2e-3 * line.length
 
 
+def test_the_number_of_a_line_may_be_written_as_a_number(study):
+    made = []
+    for number in ('"2"', "2"):
+        study.write_text(STUDY.replace('"1"', number))
+        made.append(with_moordyn(read_line_dynamics(study)[0], study.parent))
+    assert made[0].segments == made[1].segments and made[0].anchor == made[1].anchor
+    study.write_text(STUDY.replace('"1"', "7"))
+    with pytest.raises(ValueError, match=r"moordyn\.line is '7'; allowed: 1, 2"):
+        with_moordyn(read_line_dynamics(study)[0], study.parent)
+
+
 def test_the_command_runs_a_line_of_a_file_and_names_what_is_left_out(study, capsys):
     (study.parent / "lines.txt").write_text(MOORDYN.replace("2.0e5      10 ", "2.0e5      EI.txt "))
     assert main(["line-dynamics", str(study)]) == 0
