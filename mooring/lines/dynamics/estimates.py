@@ -38,7 +38,7 @@ def mesh_error(case, result, limit):
         at = int(np.argmax(error))
         warnings.warn(
             f"{case.line}: the largest tension {_WHERE[at]} is {_kN(ours[at])}, in {other.elements} elements "
-            f"{_kN(peaks[at])}: estimated error {error[at]:.1%}, above mesh_tolerance {limit:.1%}; give more elements",
+            f"{_kN(peaks[at])}: estimated error {error[at]:.1%}, allowed {limit:.1%}; give more elements",
             stacklevel=3,
         )
     return float(error.max())

@@ -141,7 +141,7 @@ def test_a_line_that_lies_on_the_bed_wholly_is_told_to_pull_nothing(tmp_path, ca
     lying = changed(tmp_path, ("[292.0, 0.0, -2.0]", "[292.0, 0.0, -60.0]"), ("[1.0, 0.0, 0.5]", "[0.0, 0.0, 0.0]"))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert main(["line-dynamics", str(lying), "--csv"]) == 0
+        assert main(["line-dynamics", str(lying), "--csv", "--picture", str(tmp_path / "lying.png")]) == 0
     assert "largest over quasi-static,–,–" in capsys.readouterr().out
 
 
