@@ -23,6 +23,7 @@ class OffsetCurve:
 
     offset : (m,) m along direction, rad; force : (m, 6) N and N m of the lines on the body
     tension : (m, n) N, the larger of both ends of each line; grounded_length : (m, n) m
+    utilisation : (m, n) as of LineForces
     """
 
     body: str
@@ -31,6 +32,7 @@ class OffsetCurve:
     force: np.ndarray
     tension: np.ndarray
     grounded_length: np.ndarray
+    utilisation: np.ndarray
 
     @property
     def restoring(self):
@@ -119,7 +121,10 @@ def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=No
     own = slice(6 * i, 6 * i + 6)
     force = np.array([s.system.load(s.pose).force[own] for s in states]).reshape(-1, 6)
     tension = np.array([s.tension for s in states])
-    return OffsetCurve(body, direction, offsets, force, tension, np.array([s.lines.grounded_length for s in states]))
+    grounded, used = (
+        np.array([getattr(s.lines, name) for s in states]) for name in ("grounded_length", "utilisation")
+    )
+    return OffsetCurve(body, direction, offsets, force, tension, grounded, used)
 
 
 def one_line_broken(state: SystemEquilibrium, progress=None):

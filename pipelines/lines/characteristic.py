@@ -7,17 +7,21 @@ import math
 from ..common.units import KN
 
 
-def show_characteristic(console, name, span, horizontal, tension, grounded, rest, breaking, lies="on the bed"):
+def percent(share):
+    """Of a breaking load, "–" where none is known"""
+    return f"{100 * share:.1f}" if math.isfinite(share) else "–"
+
+
+def show_characteristic(console, name, span, horizontal, tension, grounded, used, rest, lies="on the bed"):
     """Print spans (m,) m with pulls (m,) N and lengths (m,) m that lie as `lies` says
 
-    rest : m; breaking : N, may be inf
+    used : (m,) share of the breaking load, nan where none is known; rest : m
     """
     from rich.table import Table
 
     table = Table(title=f"{name}: from slack to taut; as it hangs the span is {rest:.3f} m", title_justify="left")
     for i, column in enumerate(("span m", "horizontal kN", "tension kN", f"{lies} m", "used %")):
         table.add_column(column, justify="right" if i else "left")
-    for x, H, T, length in zip(span, horizontal, tension, grounded, strict=True):
-        used = f"{100 * T / breaking:.1f}" if math.isfinite(breaking) else "–"
-        table.add_row(f"{x:.3f}", f"{H / KN:.2f}", f"{T / KN:.2f}", f"{length:.2f}", used)
+    for x, H, T, length, share in zip(span, horizontal, tension, grounded, used, strict=True):
+        table.add_row(f"{x:.3f}", f"{H / KN:.2f}", f"{T / KN:.2f}", f"{length:.2f}", percent(share))
     console.print(table)

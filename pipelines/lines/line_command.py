@@ -198,9 +198,11 @@ def _show_characteristic(one, span):
     from .characteristic import show_characteristic
 
     spans, curve = tension_curve(one, 24)
-    columns = spans, curve.horizontal_fairlead, curve.tension_fairlead, curve.grounded_length
+    breaking = one.type.breaking_load
+    used = curve.tension_fairlead / (breaking if np.isfinite(breaking) else np.nan)
+    columns = spans, curve.horizontal_fairlead, curve.tension_fairlead, curve.grounded_length, used
     lies = "floats" if one.floats else "on the bed"
-    show_characteristic(new_console(), one.type.name, *columns, span, one.type.breaking_load, lies)
+    show_characteristic(new_console(), one.type.name, *columns, span, lies)
 
 
 def _kN(value):

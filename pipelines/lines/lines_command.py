@@ -17,6 +17,7 @@ from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
 from ..common.units import KN
+from .characteristic import percent, show_characteristic
 from .loose import check_alone, rests, show_loose, without_lines
 from .overloads import overloads
 from .system_file import TOML, YAML, read_system
@@ -165,7 +166,6 @@ def _table(title, *columns):
 def _show_rest(console, state):
     system = state.system
     table = _table("lines at rest, kN", "line", "tension a", "tension b", "horizontal", "on the bed m", "used %")
-    used = 100 * state.tension / system.breaking_load
     for i, line in enumerate(system.lines):
         forces = state.lines
         cells = (
@@ -174,8 +174,7 @@ def _show_rest(console, state):
             forces.horizontal_b[i] / KN,
             forces.grounded_length[i],
         )
-        share = f"{used[i]:.1f}" if np.isfinite(system.breaking_load[i]) else "–"
-        table.add_row(line.name, *(f"{value:.1f}" for value in cells), share)
+        table.add_row(line.name, *(f"{value:.1f}" for value in cells), percent(forces.utilisation[i]))
     console.print(table)
     for body, position in zip(system.bodies, state.position, strict=True):
         x, y, z = position[:3]
@@ -239,10 +238,7 @@ def _show_curves(console, name, curves, directions):
 def _show_line(console, state, name):
     from mooring.lines.system.characteristic import characteristic
 
-    from .characteristic import show_characteristic
-
-    found, number = characteristic(state, name), state.system.line_names.index(name)
-    show_characteristic(console, name, *found, state.system.breaking_load[number])
+    show_characteristic(console, name, *characteristic(state, name))
 
 
 def _show_losses(console, state, losses, name):
@@ -255,13 +251,12 @@ def _show_losses(console, state, losses, name):
             table.add_row(lost, "no equilibrium", str(left), "", "")
             continue
         worst = int(np.argmax(left.tension))
-        used = 100 * np.max(left.tension / left.system.breaking_load)
         shift = "–" if i is None else f"{np.linalg.norm(left.position[i, :3] - state.position[i, :3]):.2f}"
         table.add_row(
             lost,
             f"{left.tension[worst] / KN:.1f}",
             left.system.lines[worst].name,
-            f"{used:.1f}" if used > 0 else "–",
+            percent(np.fmax.reduce(left.lines.utilisation)),
             shift,
         )
     console.print(table)

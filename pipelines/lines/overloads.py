@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.lines.system.findings import LONGEST_STRAIN, strains
+from mooring.lines.system.findings import LONGEST_STRAIN, beyond_tables, strains
 from mooring.response.findings import LINES_NAMED, some
 
 
 def overloads(state, curves=(), losses=None):
-    """Lines above their breaking load, or stretched by more than a half: at rest, at offsets, with a line broken.
+    """Lines above their breaking load or table, or stretched by more than a half: at rest, at offsets, a line broken.
 
-    state : SystemEquilibrium; curves : OffsetCurves of it, where the breaking load is the least of a line's segments
+    state : SystemEquilibrium; curves : OffsetCurves of it
     losses : {line: SystemEquilibrium without it, or an exception}
     """
     yield from _of_one("at rest", state.system, state.tension, state.lines.utilisation)
     for curve in curves:
         where = f"held at offsets up to {np.abs(curve.offset).max():g} m along {np.degrees(curve.direction):g}°"
-        tension = curve.tension.max(axis=0)
-        yield from _of_one(where, state.system, tension, tension / state.system.breaking_load)
+        yield from _of_one(where, state.system, curve.tension.max(axis=0), curve.utilisation.max(axis=0))
     for lost, left in (losses or {}).items():
         if not isinstance(left, Exception):
             yield from _of_one(f"after the loss of {lost}", left.system, left.tension, left.lines.utilisation)
@@ -38,6 +37,8 @@ def _of_one(where, system, tension, used):
             f"{where}, stretched by: {stretched}; limit {100 * LONGEST_STRAIN:g} %, where any rope parts; "
             "give a longer line or a nearer anchor"
         )
+    for text in beyond_tables(system, tension):
+        yield f"{where}, {text}"
 
 
 def _named(system, shares, limit):

@@ -18,19 +18,23 @@ ROUNDS = 60  # of halving, to rounding
 
 
 class Characteristic(NamedTuple):
-    """All (m,): span m, horizontal pull and tension N at the end that moves, length on the bed m; rest : m, span"""
+    """All (m,): span m, horizontal pull and tension N at the end that moves, length on the bed m
+
+    utilisation : (m,) as of LineForces, nan where no breaking load is known; rest : m, span
+    """
 
     span: np.ndarray
     horizontal: np.ndarray
     tension: np.ndarray
     grounded: np.ndarray
+    utilisation: np.ndarray
     rest: float
 
 
 def characteristic(state, name, points=24):
     """Characteristic of the line `name` of a SystemEquilibrium, half of its points in the last tenth, where it is taut.
 
-    It ends at the breaking load, or at four times the tension at rest.
+    It ends where a segment carries its breaking load, or at four times the tension at rest.
     raises : LineSystemError for a name that is not there, EquilibriumError where the line has no forces
     """
     system = state.system
@@ -47,13 +51,14 @@ def characteristic(state, name, points=24):
         moving[number, :2] = held[number, :2] + span * way
         found = system.forces_between(starts, ends)
         side = "a" if moving is starts else "b"
-        return [float(getattr(found, f"{what}{side}")[number]) for what in ("horizontal_", "tension_")] + [
-            float(found.grounded_length[number])
-        ]
+        names = f"horizontal_{side}", f"tension_{side}", "grounded_length", "utilisation"
+        return [float(getattr(found, what)[number]) for what in names]
 
-    breaking = system.breaking_load[number]
-    most = breaking if np.isfinite(breaking) else OVER * state.tension[number]
-    top = _where(lambda span: pulls(span)[1] > most, rest, system.lines[number].length)
+    def beyond(span):
+        _, tension, _, used = pulls(span)
+        return used > 1 if np.isfinite(system.breaking_load[number]) else tension > OVER * state.tension[number]
+
+    top = _where(beyond, rest, system.lines[number].length)
     least = SLACK * pulls(top)[0]
     low = _halved(lambda span: pulls(span)[0] > least, 0.0, top)
     share = np.concatenate([np.linspace(0, 0.9, points // 2, endpoint=False), np.linspace(0.9, 1, -(-points // 2))])

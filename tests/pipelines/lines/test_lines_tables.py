@@ -1,0 +1,92 @@
+"""The tables and warnings of `hakobune lines` against figures by hand, and what it says where something is amiss."""
+
+import math
+
+import pytest
+
+from pipelines.cli import main
+
+HELD = """\
+[water]
+depth = 100.0
+[types.chain]
+catalogue = "R3 studless 76 mm"
+[types.wire]
+catalogue = "wire 6x36 IWRC 1960 30 mm"
+[types.nylon]
+elongation_percent = [0, 5, 10, 20]
+tension_kN = [0, 50, 150, 600]
+[[anchors]]
+name = "A"
+position = [0.0, 0.0, -100.0]
+[[anchors]]
+name = "F"
+position = [280.0, 0.0, 0.0]
+[[anchors]]
+name = "G"
+position = [280.0, 40.0, 0.0]
+"""
+BUOYED = """\
+[[lines]]
+name = "buoyed"
+from = "A"
+to = "F"
+segments = [{ type = "chain", length = 200.0 }, { type = "chain", length = 140.0 }]
+bodies = [{ after_segment = 1, mass = 1000.0, volume = 500.0 }]
+"""
+CHAIN_OVER_WIRE = """\
+[[lines]]
+name = "chain over wire"
+from = "A"
+to = "F"
+segments = [{ type = "wire", length = 200.0 }, { type = "chain", length = 112.0 }]
+"""
+HAWSER = """\
+[[lines]]
+name = "hawser"
+from = "F"
+to = "G"
+type = "nylon"
+length = 30.0
+"""
+
+
+@pytest.fixture
+def shown(tmp_path, capsys):
+    """What `hakobune lines` prints, and its status, of a system of the held points with some lines and flags"""
+
+    def show(*lines, flags=(), system=HELD):
+        path = tmp_path / "system.toml"
+        path.write_text(system + "".join(lines))
+        status = main(["lines", str(path), *flags])
+        printed = capsys.readouterr()
+        return printed.out + printed.err, status
+
+    return show
+
+
+def row(said, name):
+    return [cell.strip() for line in said.splitlines() if name in line and "│" in line for cell in line.split("│")[1:-1]]
+
+
+def test_what_a_line_uses_is_that_of_the_segment_nearest_to_its_breaking_load(shown):
+    # the upper end of the wire, of 629 kN, pulls down by what the top does less 112 m of chain at 985 N/m
+    said, _ = shown(CHAIN_OVER_WIRE)
+    _, _, top, pull, _, used = row(said, "chain over wire")
+    wire = math.hypot(float(pull), math.sqrt(float(top) ** 2 - float(pull) ** 2) - 0.985 * 112)
+    assert float(used) == pytest.approx(100 * wire / 629, abs=0.1) and float(used) < 100 * float(top) / 629
+    # under the buoy the line carries more than at either end
+    said, _ = shown(BUOYED)
+    _, low, high, _, _, used = row(said, "buoyed")
+    assert float(used) == pytest.approx(3.6, abs=0.1) and float(used) > 100 * max(float(low), float(high)) / 4884
+
+
+def test_a_characteristic_ends_where_the_first_segment_carries_its_breaking_load(shown):
+    said, _ = shown(CHAIN_OVER_WIRE, flags=("--characteristic", "chain over wire"))
+    last = [line for line in said.splitlines() if line.startswith("│")][-1].split("│")
+    assert last[-2].strip() == "100.0" and float(last[3]) > 629
+
+
+def test_a_hawser_beyond_its_table_is_told_with_the_end_of_the_table(shown):
+    said, _ = shown(HAWSER)
+    assert "beyond the table of load against elongation" in said and "table to 600 kN" in said
