@@ -121,9 +121,7 @@ def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=No
     own = slice(6 * i, 6 * i + 6)
     force = np.array([s.system.load(s.pose).force[own] for s in states]).reshape(-1, 6)
     tension = np.array([s.tension for s in states])
-    grounded, used = (
-        np.array([getattr(s.lines, name) for s in states]) for name in ("grounded_length", "utilisation")
-    )
+    grounded, used = (np.array([getattr(s.lines, name) for s in states]) for name in ("grounded_length", "utilisation"))
     return OffsetCurve(body, direction, offsets, force, tension, grounded, used)
 
 

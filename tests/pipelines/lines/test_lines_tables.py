@@ -66,7 +66,9 @@ def shown(tmp_path, capsys):
 
 
 def row(said, name):
-    return [cell.strip() for line in said.splitlines() if name in line and "│" in line for cell in line.split("│")[1:-1]]
+    """The cells of the first row of a table that begins with a name"""
+    rows = ([cell.strip() for cell in line.split("│")[1:-1]] for line in said.splitlines() if "│" in line)
+    return next(cells for cells in rows if cells[0] == name)
 
 
 def test_what_a_line_uses_is_that_of_the_segment_nearest_to_its_breaking_load(shown):
