@@ -94,4 +94,7 @@ def _fails(found):
     held = found.pretension
     if held is not None and (held.slack or (held.most is not None and held.most < max(held.least, held.used))):
         return True
+    sea = found.sea
+    if held is not None and held.given is not None and sea is not None and (sea.least or 0.0) > held.given:
+        return True
     return any(one.utilisation is not None and one.utilisation > 1 for one in found.anchors)

@@ -102,6 +102,8 @@ def _put_sea(file, sea):
             _put(file, f"sea/tension_{name}", getattr(sea, name), "N/m")
     if sea.slack is not None:
         _put(file, "sea/slack_share", sea.slack, "1")
+        _put(file, "sea/largest_tension", sea.tension, "N/m")
+        _put(file, "sea/least_pretension", sea.least, "N/m")
 
 
 def _put(file, name, value, unit):

@@ -96,7 +96,8 @@ def _lines(study, found):
             )
             yield f"  greatest tension amplitude of {found.sea.waves:.0f} waves, kN/m: {spread}"
             share = max(found.sea.slack)
-            yield f"  a line is slack in {share:.2g} of the cycles" if share > 1e-6 else "  no line goes slack"
+            slack = f"a line is slack in {share:.2g} of the cycles" if share > 1e-6 else "no line goes slack"
+            yield f"  {slack}, with {found.pretension.used / KN:.4g} kN/m at the worst level"
     if found.lee is not None:
         units = f"{len(found.lee.units)} unit{'s' * (len(found.lee.units) > 1)} of {2 * found.lee.half[0]:.4g} m"
         yield f"behind {units} in {found.lee.waves}, K over their breadth, height over that of the waves that come:"
@@ -109,13 +110,18 @@ def _lines(study, found):
         yield from _pretension_lines(study, found.pretension)
     if found.snapping is not None:
         level, period, snap = found.snapping
-        front, back = (f"{P / KN:.4g} kN/m, slack {share:.0%}" for P, share in zip(snap.peaks, snap.slack, strict=True))
+        front, back = (f"{P / KN:.4g} kN/m, slack {share:.2g}" for P, share in zip(snap.peaks, snap.slack, strict=True))
         yield f"in time, {period:.4g} s at {level} water: front snaps to {front} of the time; back to {back}"
 
 
 def _pretension_lines(study, held):
     holding, theory = design(study)
-    most = "" if held.most is None else f", at most {held.most / KN:.4g} within the allowable tension"
+    if held.most is None:
+        most = ""
+    elif held.most < 0:
+        most = f"; none is within the allowable tension, which waves and tide alone exceed by {-held.most / KN:.4g}"
+    else:
+        most = f", at most {held.most / KN:.4g} within the allowable tension"
     yield f"pretension P₀, kN/m: at least {held.least / KN:.4g} to keep lines taut{most} ({holding}, {theory})"
     kind = "that is used" if held.given is None else "of the body"
     front, back = (one / KN for one in held.greatest)

@@ -21,6 +21,7 @@ from .study import MOST_OBLIQUE, periods
 from .tables import THEORIES
 
 SEA_CELLS = 120  # the height behind a circle is within 2e-4 of that of 2000
+HIGH_SINKER = 0.5  # of the water under the keel: higher ones move the lower ends of the lines
 WAYS = 12  # of a sea spread over directions: the height behind is within 4e-3 of that of 48
 BREAKING = 0.142  # Miche (1944): H = 0.142 λ tanh kh
 
@@ -63,6 +64,7 @@ class SeaBehind(NamedTuple):
 
     deviation : (front, back) of tensions of the design curve, N/m, or None; waves : their number
     greatest : (front, back) expected greatest amplitude; slack : share of cycles at the worst level
+    tension : (front, back) expected greatest tension at the worst level, N/m; least : pretension that keeps both taut
     """
 
     cells: Cells
@@ -72,6 +74,8 @@ class SeaBehind(NamedTuple):
     waves: float
     greatest: tuple | None
     slack: tuple | None
+    tension: tuple | None = None
+    least: float | None = None
 
 
 class AnchorRow(NamedTuple):
@@ -119,9 +123,24 @@ def results(breakwater):
         *left_out,
         *dict.fromkeys(str(w.message) for w in caught),
     ]
+    warned += _rougher(study, held, sea)
     if study.lines is not None and not has_tensions:
         warned.append(f"holding {design(study)[0]} tells no tension of these lines: no pretension and no anchors")
     return Results(period, made, tides, held, sea, rows, warned, _snapping(breakwater, tides, held))
+
+
+def _rougher(study, held, sea):
+    """What is said where lines carry more in the sea than in the waves that pretension and anchors go by"""
+    if sea is None or sea.tension is None:
+        return
+    over = [(end, s, w) for end, s, w in zip(("front", "back"), sea.tension, held.greatest, strict=True) if s > w]
+    if over or sea.least > held.used:
+        tensions = "; ".join(f"{end} {s / KN:.4g} kN/m for {w / KN:.4g}" for end, s, w in over)
+        yield (
+            f"the greatest of {sea.waves:.0f} waves of the sea is rougher than waves of {study.waves.height:g} m, by "
+            f"which pretension and anchors go: {tensions or 'lines go slack'}; taut in it takes a pretension of "
+            f"{sea.least / KN:.4g} kN/m; give waves.height of the highest wave"
+        )
 
 
 def design(study):
@@ -226,7 +245,11 @@ def _sea(breakwater, made, tides, held):
         shares.append([slack_share(held.used + one.change, deviation) for deviation in both])
     deviation = tuple(np.max(deviations, axis=0))
     greatest = tuple(float(greatest_of(one, waves)) for one in deviation)
-    return SeaBehind(sea, heights, behind, deviation, waves, greatest, tuple(np.max(shares, axis=0)))
+    changes, amplitudes = np.array([[one.change] for one in tides]), greatest_of(np.array(deviations), waves)
+    tension = tuple(map(float, np.max(held.used + changes + amplitudes, axis=0)))
+    least = max(0.0, max(sizes.pretension_needed(P.max(), -c) for P, (c,) in zip(amplitudes, changes, strict=True)))
+    slack = tuple(np.max(shares, axis=0))
+    return SeaBehind(sea, heights, behind, deviation, waves, greatest, slack, tension, float(least))
 
 
 def in_sea(breakwater, curve, rise, omega, amplitude, ways):
@@ -260,13 +283,13 @@ def _anchors(breakwater, period, held):
     asked, angle, rows = breakwater.study.anchors, breakwater.angle, []
     if angle >= np.pi / 2 and any((asked.sinker, asked.common_sinker, asked.pile)):
         angle = np.pi - angle
-    greatest = dict(zip(("front", "back"), held.greatest, strict=True))
+    greatest, room = dict(zip(("front", "back"), held.greatest, strict=True)), _room(breakwater)
     for end, tension in greatest.items():
         if asked.sinker is not None:
             one = asked.sinker
             weight = sizes.sinker(tension, angle, one.friction, one.lifted)
             _check_not_lifted(weight, tension * np.sin(angle))
-            rows.append(_sinker_row(f"sinker, {end}", one, weight))
+            rows.append(_sinker_row(f"sinker, {end}", one, weight, room))
         if asked.pile is not None:
             rows.append(_pile_row(end, asked.pile, tension, angle))
         if asked.holding is not None:
@@ -293,8 +316,20 @@ def _check_not_lifted(weight, pull):
         )
 
 
-def _sinker_row(name, table, weight, note=""):
+def _room(breakwater):
+    """m under the keel at mean level"""
+    return breakwater.study.water.depth - breakwater.study.section.draft
+
+
+def _sinker_row(name, table, weight, room, note=""):
     height = sizes.sinker_height(weight, table.width, table.unit_weight_kN_per_m3 * KN)
+    if height > HIGH_SINKER * room:
+        wide = table.width * height / (HIGH_SINKER * room)
+        warnings.warn(
+            f"{name}: {height:.3g} m high, where the lines are taken to begin on the bed and {room:.3g} m are under "
+            f"the keel; allowed: up to {HIGH_SINKER * room:.3g} m; give a width of {wide:.3g} m",
+            stacklevel=2,
+        )
     note = f"{height:.3g} m high, {table.width:g} m wide{note}"
     given = None if table.weight_kN_per_m is None else positive("weight_kN_per_m", table.weight_kN_per_m) * KN
     use = None if given is None else weight / given
@@ -323,4 +358,4 @@ def _common_row(breakwater, period):
         buoyancy = 2 * s * (breakwater.pretension(rise) or 0.0)
         greatest = max(greatest, weight.max() + buoyancy)
     note = ", the body's buoyancy held too" if breakwater.study.body is not None else ", without the body's buoyancy"
-    return _sinker_row("sinker of both lines", table, greatest, note)
+    return _sinker_row("sinker of both lines", table, greatest, _room(breakwater), note)

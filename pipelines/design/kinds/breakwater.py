@@ -161,7 +161,7 @@ def _numbers(asked, found):
     names = () if held is None else ("front", "back")
     count, lines = len(names), study.lines
     spacing = 0.0 if lines is None else lines.spacing
-    largest = np.array([] if held is None else [spacing * (held.used + one) for one in sea.greatest])
+    largest = np.array([] if held is None else [spacing * one for one in sea.tension])
     if count:
         parts[SLACK] = dict(zip(names, map(float, sea.slack), strict=True))
         if lines.allowable_kN is not None:

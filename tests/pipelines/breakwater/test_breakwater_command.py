@@ -1,6 +1,7 @@
 """`hakobune breakwater` as a person runs it."""
 
 import csv
+import re
 from pathlib import Path
 
 import h5py
@@ -52,9 +53,13 @@ def test_the_paper_is_followed_from_waves_to_anchors(tmp_path, capsys):
         assert file["pretension/least"][()] / TONNE == pytest.approx(14.6, rel=0.05)
         levels = [{name: item[()] for name, item in level.items()} for level in file["tide"].values()]
         assert abs(file["checks/energy/fixed"][()]).max() < 1e-6 and file["checks/haskind"][()].max() < 1e-5
+        sea, least = file["sea/largest_tension"][()], file["sea/least_pretension"][()]
         margins = [file["pretension/used"][()] + one["change"] - max(one["front"], one["back"]) for one in levels]
     assert min(margins) == pytest.approx(0, abs=1e-6 * TONNE)  # the least pretension is just enough at one level
     said = capsys.readouterr().out
+    # pretension, high water and the greatest of 2069 waves of the sea: 139.4 + 34.59 + 138.1 kN/m
+    assert sea[0] == pytest.approx(312.1e3, rel=1e-3) and 34.59e3 < least < 34.59e3 + 138.1e3
+    assert f"front 312.1 kN/m for 290.2; taut in it takes a pretension of {least / 1e3:.4g} kN/m" in said
     assert "waves of 3 m break at 3 of 86 periods" in said and (tmp_path / "out.png").stat().st_size > 10_000
 
 
@@ -79,6 +84,17 @@ def test_lines_without_enough_pretension_are_said_to_go_slack(tmp_path, capsys):
     assert run(tmp_path, text) == 1
     said = capsys.readouterr().out
     assert "LINES GO SLACK: front at mean water" in said and "front snaps to" in said
+
+
+def test_lines_that_the_sea_takes_slack_and_a_sinker_up_to_the_keel_are_told(tmp_path, capsys):
+    sea = "[sea]\nspectrum = 'bretschneider'\nheight = 1.5\nsignificant_period = 7.0\n"
+    narrow = SINKER.replace("width = 9.0", "width = 1.0")
+    assert run(tmp_path, RECTANGLE.replace("[lines]", narrow) + sea) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "LINES GO SLACK" not in said and "taut in it takes a pretension of" in said
+    assert re.search(
+        r"sinker, front: [\d.]+ m high, .*5 m are under the keel; allowed: up to 2.5 m; give a width", said
+    )
 
 
 def test_loss_under_the_keel_takes_from_what_is_transmitted(tmp_path, capsys):
