@@ -25,6 +25,7 @@ TEXT_READERS = {
     ".nemoh": text_formats.read_nemoh,
     ".dat": text_formats.read_nemoh,
     ".pnl": text_formats.read_pnl,
+    ".obj": text_formats.read_obj,
 }
 TEXT_WRITERS = {
     ".gdf": text_formats.write_gdf,
@@ -32,7 +33,7 @@ TEXT_WRITERS = {
     ".dat": text_formats.write_nemoh,
     ".pnl": text_formats.write_pnl,
 }
-MESHIO = (".msh", ".vtu", ".vtk", ".stl", ".ply", ".obj", ".off")
+MESHIO = (".msh", ".vtu", ".vtk", ".stl", ".ply", ".off")
 READABLE = (*TEXT_READERS, *MESHIO)
 WRITABLE = (*TEXT_WRITERS, ".msh", ".vtu")
 
@@ -111,6 +112,12 @@ def _check_head(path):
     """Raise ValueError for a head that does not end before the file does: meshio would look for its end for ever."""
     suffix, content = path.suffix.lower(), path.read_bytes()
     said = [line for line in content.splitlines() if line.strip() and not line.lstrip().startswith(b"#")]
+    whole = 84 + 50 * int.from_bytes(content[80:84], "little")
+    if suffix == ".stl" and b"facet" not in content and 84 <= len(content) < whole:
+        raise ValueError(
+            f"{path}: its head says {(whole - 84) // 50} triangles, {whole} bytes, and it has {len(content)}; write or "
+            "copy it again"
+        )
     if (suffix == ".ply" and b"end_header" not in content) or (suffix == ".off" and len(said) < 2):
         raise ValueError(f"{path}: it ends within its head; write or copy it again")
 

@@ -141,6 +141,26 @@ def write_pnl(mesh, path):
     write_whole(path, "\n".join(lines))
 
 
+def read_obj(path):
+    """Wavefront's: points `v x y z`, panels `f` of points from 1, or from the last one read, −1; normals do not count.
+
+    A corner may be point/texture/normal, whose numbers are others, which libraries of meshes take for those of points.
+    """
+    points, panels = [], []
+    for k, line in enumerate(read_text(path, errors="replace").replace("\\\n", " ").splitlines(), 1):
+        what, *words = line.split("#")[0].split() or [""]
+        if what == "v":
+            points.append(_numbers(path, k, " ".join(words), 3))
+        elif what == "f":
+            if len(words) not in (3, 4):
+                raise ValueError(f"{path}, line {k}: {len(words)} nodes; a panel has 3 or 4")
+            corners = [_number(path, k, word.split("/")[0]) for word in words]
+            panels.append((k, [value if value > 0 else len(points) + 1 + value for value in corners]))
+    numbers = {number: place for place, number in enumerate(range(1, len(points) + 1))}
+    corners = [_panel(path, k, row, numbers) for k, row in panels]
+    return PanelMesh(np.reshape(points, (-1, 3)), np.reshape(corners, (-1, 4)).astype(int))
+
+
 def split(corners):
     """Panels (n, 4) as quadrilaterals (q, 4) and triangles (t, 3), and the panel numbers (n,) in that order.
 

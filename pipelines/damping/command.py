@@ -79,6 +79,11 @@ def _forced(columns):
     print(f"standard errors by noise: {first / 1e3:.2g} kN s/m of B1 and {second / 1e3:.2g} kN s²/m² of B2")
     print(f"as one coefficient: {made.same_energy / 1e3:.5g} kN s/m of the same energy, "
           f"{made.same_force / 1e3:.5g} of the same largest force")  # fmt: skip
+    if made.same_energy < 0:
+        print(
+            f"warning: the damping is negative, {made.same_energy / 1e3:.5g} kN s/m of the same energy: the force "
+            "gives energy to the body; is force_kN that of what moves it? the water's reaction has the other sign"
+        )
     theta = sine.omega * (time - time[0]) + sine.phase
     v, a = sine.omega * sine.amplitude * np.cos(theta), -(sine.omega**2) * sine.amplitude * np.sin(theta)
     fitted = -made.added_mass * a - made.linear * v - made.quadratic * v * np.abs(v)

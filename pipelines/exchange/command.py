@@ -155,6 +155,11 @@ def import_(place, kind_name, mesh, known, output):
     panels = read_mesh(hull.resolve())
     for finding in findings(panels):
         print(f"{hull}: {finding}", file=sys.stderr)
+    draft = -float(panels.points[:, 2].min())
+    if not draft < values.water_depth:
+        raise ValueError(
+            f"the water is {values.water_depth:g} m deep and {hull} draws {draft:g} m; allowed: deeper water"
+        )
     _store(values, panels, output, f"{kind_name}: {place}")
     groups = []
     if pairs:

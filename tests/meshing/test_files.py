@@ -84,6 +84,15 @@ def test_other_formats_are_read_and_their_points_welded(tmp_path, suffix):
     assert findings(mesh) == []
 
 
+def test_corners_of_an_obj_may_have_normals_and_count_from_the_last_point(tmp_path):
+    points, triangles = tetrahedron()
+    lines = [*("v {} {} {}".format(*point) for point in points), "vn 0 0 1", "s off"]
+    lines += [f"f {a + 1}//1 {b - 4}/1/1 {c - 4}  # a panel" for a, b, c in triangles]
+    (tmp_path / "a.obj").write_text("\n".join(lines) + "\n")
+    mesh = read_mesh(tmp_path / "a.obj")
+    assert (len(mesh), len(mesh.points)) == (3, 4) and mesh.volume == pytest.approx(0.5)
+
+
 def test_a_deck_in_the_water_surface_is_left_out(tmp_path):
     import meshio
 
@@ -128,7 +137,7 @@ BAD = {
     "wall.gdf": ("h\n1 9.81\n-1 0\n0\n", "symmetry -1 0"),
     "patches.gdf": ("h\n1 9.81\n0 0\n4 1\n", "higher-order"),
     "empty.gdf": ("h\n1 9.81\n0 0\n0\n", "no panels"),
-    "far.obj": ("v 0 0 0\nf 1 2 1000000000000000000000\n", "no rows of whole numbers"),
+    "far.obj": ("v 0 0 0\nf 1 2 1000000000000000000000\n", "line 2: there is no point 2; the file has 1"),
     "inf.nemoh": ("2 0\ninf 0 0 0\n0 0 0 0\n1 1 1 1\n0 0 0 0\n", "line 2: 'inf' is not a finite number"),
     "nan.gdf": ("h\n1 9.81\n0 0\n1\n" + "nan " * 12, "not a finite number"),
     "head.nemoh": ("1 2 3\n", "line 1"),
@@ -150,7 +159,8 @@ BAD = {
     "bad.off": ("hello", "ends within its head"),
     "half.ply": ("ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty", "ends within its head"),
     "half.off": ("OFF\n# a comment\n\n", "ends within its head"),
-    "points.obj": ("v 0 0 0\n", "allowed: triangle, quad"),
+    "points.obj": ("v 0 0 0\n", "no panels"),
+    "five.obj": ("v 0 0 0\nf 1 1 1 1 1\n", "line 2: 5 nodes; a panel has 3 or 4"),
     "bad.xyz": ("hello", "cannot read .xyz; allowed: .gdf"),
 }
 
@@ -165,6 +175,16 @@ def test_a_bad_file_is_named_with_what_is_wrong(tmp_path, capsys, name):
     assert name in str(caught.value)
     assert "\n" not in str(caught.value)
     assert capsys.readouterr().out == ""
+
+
+def test_a_binary_stl_that_is_cut_off_says_how_much_is_lost(tmp_path):
+    import meshio
+
+    points, triangles = tetrahedron()
+    meshio.Mesh(points, [("triangle", triangles)]).write(tmp_path / "a.stl", binary=True)
+    (tmp_path / "a.stl").write_bytes((tmp_path / "a.stl").read_bytes()[:200])
+    with pytest.raises(ValueError, match="its head says 3 triangles, 234 bytes, and it has 200"):
+        read_mesh(tmp_path / "a.stl")
 
 
 def test_a_missing_file_is_missing(tmp_path):

@@ -22,7 +22,10 @@ def test_a_forced_oscillation_is_told_and_drawn(tmp_path, capsys):
     assert cli.main(["damping", path, "--plot", str(tmp_path / "f.png")]) == 0
     told = capsys.readouterr().out
     assert "added mass 1500 t" in told and "B1 = 40 kN s/m, B2 = 25 kN s²/m²" in told
-    assert (tmp_path / "f.png").stat().st_size > 5000
+    assert (tmp_path / "f.png").stat().st_size > 5000 and "negative" not in told
+    turned = written(tmp_path / "turned.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=-force)
+    assert cli.main(["damping", turned]) == 0
+    assert "warning: the damping is negative" in capsys.readouterr().out
 
 
 def test_a_free_decay_is_told_with_its_mass(tmp_path, capsys):
