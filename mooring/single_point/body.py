@@ -131,7 +131,7 @@ class SinglePoint:
             F, K = load.force, load.stiffness
             if not isfinite(F[0]):
                 a, b = load.points[self.system.arrays.ends].swapaxes(0, 1)
-                raise SinglePointError(f"{culprit(self.system, load.rows, a, b)} with the buoy at {place}")
+                raise SinglePointError(culprit(self.system, load.rows, a, b, f"with the buoy at {place}"))
             if floats == 0.0:
                 return Pull(F[:2], K[:2, :2], z)
             up, stiff = F[2] + body.load[2] - floats * (z - body.position[2]), K[2, 2] + floats

@@ -23,7 +23,7 @@ class OffsetCurve:
 
     offset : (m,) m along direction, rad; force : (m, 6) N and N m of the lines on the body
     tension : (m, n) N, the larger of both ends of each line; grounded_length : (m, n) m
-    utilisation : (m, n) as of LineForces
+    utilisation : (m, n) as of LineForces; missed : {offset m: why there is no equilibrium}, where the others are nan
     """
 
     body: str
@@ -33,6 +33,7 @@ class OffsetCurve:
     tension: np.ndarray
     grounded_length: np.ndarray
     utilisation: np.ndarray
+    missed: dict
 
     @property
     def restoring(self):
@@ -95,14 +96,14 @@ def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=No
     """Forces and tensions with a body held at offsets from its place at rest, its attitude kept.
 
     direction : rad; offsets : (m,) m; everything else comes to rest anew at each, after which `progress` is called
-    raises : EquilibriumError naming the offset at which no equilibrium was found
+    raises : EquilibriumError where no equilibrium is found at any of them
     """
     i = body_number(state.system, body)
     at_rest = state.position[i]
     along = np.array([np.cos(direction), np.sin(direction), 0, 0, 0, 0])
     offsets = np.asarray(offsets, float)
     order = np.argsort(np.abs(offsets), kind="stable")
-    found, starts = {}, {1.0: state.pose, -1.0: state.pose}
+    found, missed, starts = {}, {}, {1.0: state.pose, -1.0: state.pose}
     for j in order:
         side = 1.0 if offsets[j] >= 0 else -1.0
         held = held_at(state.system, {body: at_rest + offsets[j] * along})
@@ -113,16 +114,21 @@ def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=No
         try:
             found[int(j)] = rest(held, start)
         except EquilibriumError as error:
-            raise EquilibriumError(f"body {body} at offset {offsets[j]:g} m: {error}") from None
-        starts[side] = found[int(j)].pose
+            missed[float(offsets[j])] = str(error)
+        else:
+            starts[side] = found[int(j)].pose
         if progress is not None:
             progress()
-    states = [found[j] for j in range(len(offsets))]
-    own = slice(6 * i, 6 * i + 6)
-    force = np.array([s.system.load(s.pose).force[own] for s in states]).reshape(-1, 6)
-    tension = np.array([s.tension for s in states])
-    grounded, used = (np.array([getattr(s.lines, name) for s in states]) for name in ("grounded_length", "utilisation"))
-    return OffsetCurve(body, direction, offsets, force, tension, grounded, used)
+    if missed and not found:
+        nearest = min(missed, key=abs)
+        raise EquilibriumError(f"body {body} at offset {nearest:g} m: {missed[nearest]}")
+    count = len(offsets)
+    force = np.full((count, 6), np.nan)
+    tension, grounded, used = np.full((3, count, len(state.system.lines)), np.nan)
+    for j, at in found.items():
+        force[j] = at.system.load(at.pose).force[6 * i : 6 * i + 6]
+        tension[j], grounded[j], used[j] = at.tension, at.lines.grounded_length, at.lines.utilisation
+    return OffsetCurve(body, direction, offsets, force, tension, grounded, used, missed)
 
 
 def one_line_broken(state: SystemEquilibrium, progress=None):

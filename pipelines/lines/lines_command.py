@@ -229,10 +229,15 @@ def _show_curves(console, name, curves, directions):
         *(f"{d:g}° tension kN" for d in directions),
     )
     for j, value in enumerate(curves[0].offset):
-        forces = [f"{curve.restoring[j] / KN:.1f}" for curve in curves]
-        tension = [f"{curve.tension[j].max() / KN:.1f}" for curve in curves]
+        forces = [_kN(curve.restoring[j]) for curve in curves]
+        tension = [_kN(curve.tension[j].max()) for curve in curves]
         table.add_row(f"{value:.2f}", *forces, *tension)
     console.print(table)
+
+
+def _kN(value):
+    """A force, "–" where there is no equilibrium"""
+    return f"{value / KN:.1f}" if np.isfinite(value) else "–"
 
 
 def _show_line(console, state, name):

@@ -17,10 +17,23 @@ def overloads(state, curves=(), losses=None):
     yield from _of_one("at rest", state.system, state.tension, state.lines.utilisation)
     for curve in curves:
         where = f"held at offsets up to {np.abs(curve.offset).max():g} m along {np.degrees(curve.direction):g}°"
-        yield from _of_one(where, state.system, curve.tension.max(axis=0), curve.utilisation.max(axis=0))
+        yield from _missed(curve)
+        largest, used = np.fmax.reduce(curve.tension), np.fmax.reduce(curve.utilisation)
+        yield from _of_one(where, state.system, largest, used)
     for lost, left in (losses or {}).items():
         if not isinstance(left, Exception):
             yield from _of_one(f"after the loss of {lost}", left.system, left.tension, left.lines.utilisation)
+
+
+def _missed(curve):
+    """Of offsets without an equilibrium: which, and why at the nearest"""
+    if curve.missed:
+        nearest = min(curve.missed, key=abs)
+        yield (
+            f"{curve.body} cannot be held at {len(curve.missed)} of {len(curve.offset)} offsets along "
+            f"{np.degrees(curve.direction):g}°, the nearest {nearest:g} m: {curve.missed[nearest]}, or give a smaller "
+            "--offset"
+        )
 
 
 def _of_one(where, system, tension, used):

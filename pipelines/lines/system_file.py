@@ -7,6 +7,7 @@ TOML, in m, kg and degrees, with [water], [types.<name>] as in a mooring study, 
 from __future__ import annotations
 
 import math
+import warnings
 from pathlib import Path
 
 import msgspec
@@ -158,6 +159,7 @@ def make_system(raw) -> System:
         )
         for body in table.bodies
     ]
+    _warn_of_no_water(table.bodies)
     points = [Anchor(point.name, point.position) for point in table.anchors]
     points += [Fairlead(point.name, point.body, point.position) for point in table.fairleads]
     points += [FreePoint(p.name, p.position, p.mass, p.volume, p.height) for p in table.points]
@@ -180,3 +182,18 @@ def make_system(raw) -> System:
     return System(
         water_depth("water.depth", water.depth), lines, points, bodies, table.water.density, table.water.gravity
     )
+
+
+def _warn_of_no_water(bodies):
+    """Warn of bodies that would sink or turn over: a system in TOML gives them neither weight nor water"""
+    for body in bodies:
+        loose = [name for name in ("Heave", "Roll", "Pitch") if name in body.freedom]
+        if body.force_kN[2] != 0 and "Heave" in loose:  # its lift less its weight is given
+            loose.remove("Heave")
+        if loose:
+            warnings.warn(
+                f"{body.name} is free in {', '.join(loose)}, where it has neither weight nor water here, and the lines "
+                'alone hold it; allowed: freedom = ["Surge", "Sway", "Yaw"], or Heave with its lift less its weight as '
+                "the third of force_kN; `hakobune moor` counts water",
+                stacklevel=3,
+            )

@@ -281,12 +281,13 @@ class StaticLine:
             wrong = ~good
             i = int(np.argmax(wrong))
             beyond = status[i] == BEYOND_REACH
-            what = "cannot be reached" if beyond else "is in reach, but no equilibrium was found"
+            what = "cannot be reached by" if beyond else "is in reach, but no equilibrium was found for"
+            what += f" a line of {self.length:g} m"
             if not beyond and self._steep:
                 what += f" (a slack line may slide: part of the bed is steeper than its friction {self.bed.friction:g})"
+            count = f"{np.count_nonzero(wrong)} of {x.size} positions: " if x.size > 1 else ""
             raise (BeyondReachError if beyond else LineError)(
-                f"{np.count_nonzero(wrong)} of {x.size} position(s): fairlead at x = {x.flat[i]:.6g} m, "
-                f"z = {z.flat[i]:.6g} m {what}: {self!r}"
+                f"{count}fairlead at x = {x.flat[i]:.6g} m, z = {z.flat[i]:.6g} m {what}"
             )
 
     def _capacity(self, data):

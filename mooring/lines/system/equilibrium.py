@@ -14,6 +14,7 @@ import numpy as np
 
 from bem import DOFS
 
+from ..catenary.state import State
 from .bodies import angles, rotated
 from .composite import check_free
 from .findings import culprit, freedom_name, warn_of_floating, warn_of_friction, warn_of_sliding
@@ -99,9 +100,10 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
     lengths = sorted(line.length for line in system.lines)
     radius = longest = 0.05 * float(lengths[len(lengths) // 2])
     load = system.total_load(pose)
-    if not np.isfinite(load.force).all():
+    if np.any(load.rows[:, 0] >= State.BEYOND_REACH):
         a, b = load.points[system.arrays.ends].swapaxes(0, 1)
-        raise EquilibriumError(f"{culprit(system, load.rows, a, b)} at the position the search starts from")
+        where = "at the position the search starts from" if may.any() else "where its ends are held"
+        raise EquilibriumError(culprit(system, load.rows, a, b, where))
     count, before = 0, np.zeros(len(unit))
     while count < steps:
         left, scale = left_over(load.force, load.rows, pose.free, -system.depth, may, unit, moving, residual)

@@ -15,6 +15,7 @@ from .hawser import Hawser
 from .parts import CompositeLine
 
 LONGEST_STRAIN = 0.5  # nylon rope parts before
+NEARER = "give it its axial stiffness or more length, or bring its ends nearer to each other"
 
 
 def strains(system, tension):
@@ -115,13 +116,17 @@ def freedom_name(system, index):
     return f"{system.free_points[(index - count) // 3].name} {'xyz'[(index - count) % 3]}"
 
 
-def culprit(system, rows, starts, ends):
-    """Message on the first line without a solution between its ends, (n, 3) m in space each."""
+def culprit(system, rows, starts, ends, where):
+    """Message on the first line without a solution between its ends, (n, 3) m in space each, which are `where`."""
     bad = int(np.argmax(rows[:, 0]))  # beyond reach, below the bed, unsolved
     line, a, b = system.lines[bad], starts[bad], ends[bad]
     if isinstance(line, CompositeLine):
         one = next(one for one in system.composites if one.number == bad)
-        return f"line {line.name}: {fault_of(one, a, b)};"
+        said = f"line {line.name}, {where}: {fault_of(one, a, b)}"
+        return f"{said}; {NEARER}" if rows[bad, 0] == State.BEYOND_REACH else said
     if rows[bad, 0] == State.BELOW_BED:
-        return f"line {line.name} has an end below the bed, {-system.depth:g} m,"
-    return f"line {line.name}, inextensible and {line.length:g} m long, cannot span {np.linalg.norm(b - a):g} m"
+        return f"line {line.name} has an end below the bed, {-system.depth:g} m, {where}"
+    return (
+        f"line {line.name}, inextensible and {line.length:g} m long, cannot span {np.linalg.norm(b - a):g} m, {where}; "
+        f"{NEARER}"
+    )

@@ -257,7 +257,7 @@ class System:
         pairs = np.column_stack([np.arange(count), count + np.arange(count)])
         rows, solutions = self._rows(np.concatenate([starts, ends]), pairs)
         if np.any(rows[:, 0] > State.BEYOND_REACH):
-            raise EquilibriumError(f"{culprit(self, rows, starts, ends)} where its ends are held")
+            raise EquilibriumError(culprit(self, rows, starts, ends, "where its ends are held"))
         for row, flipped in zip(rows, self.arrays.flipped, strict=True):
             if flipped:
                 exchange(row)

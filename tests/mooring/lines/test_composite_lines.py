@@ -231,7 +231,7 @@ FAULTS = [
     (
         lambda a, b: [composite("x", [(replace(CHAIN, axial_stiffness=np.inf), 200.0)], a, b)],
         EquilibriumError,
-        "line x: .* cannot be reached",
+        "line x, .* cannot be reached",
     ),
 ]
 

@@ -92,3 +92,55 @@ def test_a_characteristic_ends_where_the_first_segment_carries_its_breaking_load
 def test_a_hawser_beyond_its_table_is_told_with_the_end_of_the_table(shown):
     said, _ = shown(HAWSER)
     assert "beyond the table of load against elongation" in said and "table to 600 kN" in said
+
+
+STIFF = '[types.stiff]\nweight_kg_per_m = 100.0\n[[lines]]\nname = "short"\ntype = "stiff"\n'
+
+
+def test_a_line_too_short_for_two_anchors_is_named_with_length_span_and_way_out(shown):
+    said, status = shown(STIFF + 'length = 200.0\nfrom = "A"\nto = "F"\n')
+    assert status != 0 and "line short, inextensible and 200 m long, cannot span 297.321 m" in said
+    assert "give it its axial stiffness or more length" in said
+
+
+MOORED = """\
+[[bodies]]
+name = "barge"
+[[fairleads]]
+name = "bow"
+body = "barge"
+position = [0.0, 0.0, 0.0]
+[types.stiff]
+weight_kg_per_m = 100.0
+[[anchors]]
+name = "B"
+position = [-280.0, 0.0, -100.0]
+[[anchors]]
+name = "C"
+position = [280.0, 0.0, -100.0]
+"""
+LEGS = "".join(
+    f"""\
+[[lines]]
+name = "leg {anchor}"
+from = "{anchor}"
+to = "bow"
+segments = [{{ type = "stiff", length = 305.0 }}]
+bed = {{ friction = 0.5 }}
+"""
+    for anchor in "BC"
+)
+
+
+def test_offsets_out_of_reach_are_told_and_the_others_shown(shown):
+    # 305 m reach 288.1 m at 100 m depth, 8.1 m off the middle
+    said, status = shown(MOORED, LEGS, flags=("--offset", "10", "--direction", "0"))
+    assert status == 0 and row(said, "10.00")[1] == row(said, "-9.00")[1] == "–" and row(said, "8.00")[1] != "–"
+    assert "barge cannot be held at 4 of 21 offsets along 0°, the nearest -9 m: line leg C" in said
+    assert "give it its axial stiffness" in said and "a smaller --offset" in said and "<StaticLine" not in said
+
+
+def test_a_body_free_where_no_water_holds_it_is_warned_of(shown):
+    loose = MOORED.replace('name = "barge"\n', 'name = "barge"\nfreedom = ["Surge", "Heave", "Roll"]\n', 1)
+    assert "barge is free in Heave, Roll, where it has neither weight nor water" in shown(loose, LEGS)[0]
+    assert "neither weight nor water" not in shown(MOORED, LEGS)[0]
