@@ -16,6 +16,8 @@ def interrupted(command, arguments):
     """What to say of a command that Ctrl-C ended at once"""
     if command in STORING and "--mesh-only" not in arguments:
         return "interrupted; what was solved is stored, the same command goes on"
+    if command == "sweep":
+        return "interrupted; the cases that were done are kept, the same command goes on with the others"
     if command == "qtf":
         return "interrupted; the pairs that were written are kept, the same command goes on from them"
     return "interrupted"

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from . import file
 from .solved import solved
-from .study import SOLVE, StudyError, cases, put
+from .study import SOLVE, StudyError, cases, check_keys, varied
 
 
 class Outcome(NamedTuple):
@@ -38,8 +38,7 @@ def sweep(table, text, folder, output, executor, main, say):
         raise StudyError(f"study is {table.study!r}; there is no such file beside the sweep")
     study_text = study.read_text(encoding="utf-8")
     raw, keys, values = tomllib.loads(study_text), [one.key for one in table.vary], cases(table)
-    for key, value in zip(keys, values[0], strict=True):
-        put(raw, key, value)  # is there a place for it?
+    check_keys(table.command, varied(raw, keys, values[0]))
     texts = {"sweep": text, "study": study_text}
     if output.exists():
         _check_same(output, texts)
@@ -52,11 +51,9 @@ def sweep(table, text, folder, output, executor, main, say):
         for batch in (todo[i : i + together] for i in range(0, len(todo), together)):
             asked = {}
             for number in batch:
-                varied = raw
-                for key, value in zip(keys, values[number], strict=True):
-                    varied = put(varied, key, value)
+                case = varied(raw, keys, values[number])
                 asked[number] = executor.submit(
-                    one_case, main, table.command, varied, str(study), tuple(table.arguments)
+                    one_case, main, table.command, case, str(study), tuple(table.arguments)
                 )
             for number, future in asked.items():
                 try:
@@ -71,6 +68,7 @@ def sweep(table, text, folder, output, executor, main, say):
 
 
 BATCH = 8  # cases that each process is given at once, which are lost with it
+INTERRUPTED = 130  # status of a command that Ctrl-C ended
 BLOCK = 0.5  # s, of whose cases a kill takes at most; opening the file for each takes as long as writing it
 
 
@@ -115,11 +113,19 @@ def _failed(output):
 
 
 def one_case(main, command, raw, study, arguments):
-    """(exit status, last line of stderr, tables, arrays) of a command on a study, which lies beside it meanwhile"""
+    """(exit status, last line of stderr, tables, arrays) of a command on a study, which lies beside it meanwhile.
+
+    raises : KeyboardInterrupt where Ctrl-C ended the command, which tells that by its status: the case is not done
+    """
+    found = solved(raw, Path(study)) if command == SOLVE else _by_command(main, command, raw, study, arguments)
+    if found[0] == INTERRUPTED:
+        raise KeyboardInterrupt
+    return found
+
+
+def _by_command(main, command, raw, study, arguments):
     import tomli_w
 
-    if command == SOLVE:
-        return solved(raw, Path(study))
     out, said, folder = io.StringIO(), io.StringIO(), Path(study).parent
     with tempfile.NamedTemporaryFile("wb", suffix=".toml", prefix=".case_", dir=folder) as place:
         place.write(tomli_w.dumps(raw).encode())

@@ -112,6 +112,24 @@ def _values(where, one):
     return np.linspace(one.first, one.last, one.count).tolist()
 
 
+def varied(raw, keys, values):
+    """A copy of nested tables with each value in the place of its key.  Raises StudyError as `put` does."""
+    for key, value in zip(keys, values, strict=True):
+        raw = put(raw, key, value)
+    return raw
+
+
+def check_keys(command, raw):
+    """Raise StudyError where a case has a key that the command does not know, or of another type: so has every case.
+
+    A study at a site is left to the command, which lays the values of the site in before it reads the tables.
+    """
+    from ..keys.kinds import struct_of
+
+    if "site" not in raw:
+        typed(raw, struct_of(command), StudyError)
+
+
 def put(raw, key, value):
     """A copy of nested tables with a value in the place of a key; [*] : of every table of a list.
 

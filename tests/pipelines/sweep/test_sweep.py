@@ -61,6 +61,41 @@ def test_a_sweep_that_stopped_is_taken_up(folder, monkeypatch, capsys):
     assert np.all(found["status"] == 0) and np.all(np.isfinite(found["tables/0/C_M"]))
 
 
+def test_a_ctrl_c_that_ends_the_command_of_a_case_ends_the_sweep_and_leaves_the_case_to_do(folder, monkeypatch, capsys):
+    """A command tells it by its status, that of a scene which stops after its frequency too"""
+    from pipelines.berth import command
+
+    whole = command.in_time
+
+    def stopping(ship, meetings, speed):
+        if speed > 0.12:
+            raise KeyboardInterrupt
+        return whole(ship, meetings, speed)
+
+    monkeypatch.setattr(command, "in_time", stopping)
+    assert cli.main(["sweep", "sweep.toml"]) == 130
+    assert "interrupted; the cases that were done are kept" in capsys.readouterr().err
+    assert list(numbers("sweep.h5")["status"]) == [0, -1, -1]
+    monkeypatch.setattr(command, "in_time", whole)
+    assert cli.main(["sweep", "sweep.toml"]) == 0
+    monkeypatch.setattr(run, "solved", lambda raw, study: (130, "", [], {}))
+    with pytest.raises(KeyboardInterrupt):
+        run.one_case(cli.main, "solve", {}, "box.toml", ())
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("approach.speed", "approach.sped", "approach.sped is unknown; allowed: speed"),
+        ("[0.1, 0.15, 0.2]", '["slow", "fast"]', "approach.speed is 'slow'; allowed: a number"),
+    ],
+)
+def test_a_key_that_every_case_has_wrong_is_told_before_any_is_run(folder, capsys, old, new, said):
+    (folder / "sweep.toml").write_text(SWEEP.replace(old, new))
+    assert cli.main(["sweep", "sweep.toml"]) == 2
+    assert said in capsys.readouterr().err and not (folder / "sweep.h5").exists()
+
+
 def test_a_case_that_is_refused_is_kept_with_its_reason(folder, capsys):
     (folder / "sweep.toml").write_text(SWEEP.replace("0.1, 0.15, 0.2", "0.1, -1.0"))
     assert cli.main(["sweep", "sweep.toml"]) == 1
