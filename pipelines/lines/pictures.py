@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.lines.system.shapes import line_shapes, loads_on_lines
+from mooring.lines.system.shapes import beds_of_lines, line_shapes, loads_on_lines
 
 from ..common.picture import save
 from ..common.units import KN
+
+LEAST_ROOM = 0.25  # of the longer side of a plan, its shorter one
 
 
 def draw_system(state, path, curves=(), losses=None):
@@ -29,7 +31,8 @@ def draw_system(state, path, curves=(), losses=None):
         _draw_points(axes, state, i, j)
         axes.set(xlabel=f"{labels[0]}, m", ylabel=f"{labels[1]}, m")
     grid[0, 0].set(aspect="equal", title="plan")
-    grid[0, 1].axhline(-state.system.depth, color="0.5", lw=4, zorder=0)
+    _widen(grid[0, 0])
+    _draw_beds(grid[0, 1], state)
     grid[0, 1].axhline(0.0, color="C0", lw=1, zorder=0)
     grid[0, 1].set_title("profile, heights stretched")
     figure.colorbar(colours, ax=grid[0], label="tension, kN", shrink=0.8)
@@ -37,6 +40,23 @@ def draw_system(state, path, curves=(), losses=None):
         _draw_curves(grid[1, 0], curves)
         _draw_losses(grid[1, 1], state, losses or {})
     save(figure, path, 120)
+
+
+def _widen(axes):
+    """Give a plan of lines in one plane room across it"""
+    limits = np.array([axes.get_xlim(), axes.get_ylim()])
+    half, middle = 0.5 * np.ptp(limits, axis=1), limits.mean(axis=1)
+    half = np.maximum(half, LEAST_ROOM * half.max())
+    axes.set(xlim=(middle[0] - half[0], middle[0] + half[0]), ylim=(middle[1] - half[1], middle[1] + half[1]))
+
+
+def _draw_beds(axes, state):
+    """The bed of the system where a line has no other, and that of each line that has its own"""
+    own = beds_of_lines(state)
+    if len(own) < len(state.system.lines):
+        axes.axhline(-state.system.depth, color="0.5", lw=4, zorder=0)
+    for bed in own:
+        axes.plot(bed[:, 0], bed[:, 2], color="C5", lw=2.5, alpha=0.6, zorder=0)
 
 
 def _draw_points(axes, state, i, j):

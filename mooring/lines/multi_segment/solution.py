@@ -126,6 +126,19 @@ class StaticSolution:
         s = np.linspace(0.0, self.line.length, points)
         return np.column_stack([s, self.at(s)])
 
+    def places(self, count):
+        """(count,) m from the anchor, even, but for the ones that move to a joint, a lift-off point or, last, a body"""
+        even = np.linspace(0.0, self.line.length, count)
+        s, bodies = even.copy(), [load.position for load in self.line.loads]
+        for end in (
+            *self._one[:-1, 1],
+            *self._one[:-1, 1] - self._one[:-1, 2],
+            *bodies,
+        ):
+            s[int(np.argmin(np.abs(even - end)))] = end
+        s[[0, -1]] = even[[0, -1]]
+        return np.sort(s)
+
     def at(self, s):
         """(k, 3) x, z (m) and tension (N) at unstretched lengths s (k,) m from the anchor"""
         p = self._one

@@ -38,6 +38,22 @@ def joints_of_lines(state):
     return _places(state, lambda line: np.cumsum([segment.length for segment in line.segments])[:-1])
 
 
+def beds_of_lines(state):
+    """[(k, 3) m in space] of the beds that lines have of their own, from their anchor as far as their other end"""
+    found = []
+    for one in state.system.composites:
+        if state.system.lines[one.number].bed is None:
+            continue
+        A, B = state.points[state.system.arrays.ends[one.number]][:: -1 if one.flipped else 1]
+        span, bed = np.hypot(*(B - A)[:2]), one.line.bed.points
+        slope = (bed[-1, 1] - bed[-2, 1]) / (bed[-1, 0] - bed[-2, 0])  # the last facet has no end
+        x = np.unique([*bed[bed[:, 0] < span, 0], span])
+        z = np.interp(x, *bed.T) + slope * np.maximum(0.0, x - bed[-1, 0])
+        outward = (B - A)[:2] / span if span > 0 else np.array([1.0, 0.0])
+        found.append(np.column_stack([A[:2] + x[:, None] * outward, A[2] + z]))
+    return found
+
+
 def _places(state, lengths):
     lines = {i: state.system.lines[i] for i in state.lines.solutions}
     found = [composite_points(state, i, np.asarray(lengths(line), float)) for i, line in lines.items()]
@@ -56,7 +72,9 @@ def _shape(state, i, count):
     span = np.hypot(*away)
     outward = away / span if span > 0 else np.array([1.0, 0.0])
     if i in forces.solutions:
-        return composite_points(state, i, np.linspace(0, line.length, count))
+        one = next(one for one in system.composites if one.number == i)
+        s = forces.solutions[i].places(count)
+        return composite_points(state, i, line.length - s[::-1] if one.flipped else s)
     w, flexibility = line.type.weight, 1 / line.type.axial_stiffness
     if forces.status[i] == State.SUSPENDED:
         s = np.linspace(0, line.length, count)

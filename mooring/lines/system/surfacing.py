@@ -121,7 +121,7 @@ def surfacing_shape(one, A, B, count):
     away = (B - A)[:2]
     span = np.hypot(*away)
     found, _ = one.between(span, A[2], B[2])
-    x, z, _ = found.at(np.linspace(0, one.line.length, count)).T
+    x, z, _ = found.at(found.places(count)).T
     outward = away / span if span > 0 else np.array([1.0, 0.0])
     made = np.column_stack([A[:2] + x[:, None] * outward, A[2] + z])
     return made[::-1] if one.flipped else made
