@@ -79,6 +79,13 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
             "MoorDyn what it does in air",
             stacklevel=2,
         )
+    lost = [line.name for line in system.lines if np.isfinite(line.breaking_load)]
+    told = f"; breaking loads are not in it, those of {', '.join(lost)} are lost" if lost else ""
+    if lost or any(not line.name.isdigit() for line in system.lines):
+        numbers = ", ".join(f"{i} is {line.name}" for i, line in enumerate(system.lines, 1))
+        warnings.warn(
+            f"the MoorDyn file numbers its lines: {numbers}{told}; keep the file they come from", stacklevel=2
+        )
     moved = [body.name for body in system.bodies if body.freedom]
     if moved:
         warnings.warn(

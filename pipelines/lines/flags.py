@@ -63,6 +63,13 @@ def lines(
     if file.suffix.lower() in (".h5", ".hdf5"):
         from .pictures import draw_result
 
+        asked = {"--body": body, "--force": force, "--offset": offset, "--direction": direction, "--depth": depth}
+        asked |= {"--characteristic": characteristic, "--broken": broken or None, "--database": database}
+        given = [
+            flag for flag, value in (asked | {"--output": output, "--moordyn": moordyn}).items() if value is not None
+        ]
+        if given:
+            raise ValueError(f"{given[0]} is for a system of lines and {file} is a result; allowed with it: --picture")
         print(draw_result(file, picture))
         return 0
     from ..common.bounds import check_count

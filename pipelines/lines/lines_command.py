@@ -25,6 +25,7 @@ from .system_file import TOML, YAML, read_system
 FARTHEST = 1e5  # m
 OF_POINTS = 2e-3  # s for the square of the number of free points, where they are hard to bring to rest
 SHOWN = 1e-9  # of the largest term, below which a stiffness is rounding
+LEAST_ARM = 1e-3  # m, that turns a stiffness of shifts into one of rotations where all of these are rounding
 
 
 def lines(file, body, force, depth, offset, directions, characteristic, broken, database, output, picture, moordyn):
@@ -178,17 +179,20 @@ def _show_rest(console, state):
     console.print(table)
     for body, position in zip(system.bodies, state.position, strict=True):
         x, y, z = position[:3]
-        roll, pitch, yaw = np.degrees(position[3:])
+        roll, pitch, yaw = np.round(np.degrees(position[3:]), 3) + 0.0  # no −0
         console.print(
             f"{body.name}: x {x:.3f} m, y {y:.3f} m, z {z:.3f} m, roll {roll:.3f}°, pitch {pitch:.3f}°, yaw {yaw:.3f}°",
             highlight=False,
+            soft_wrap=True,
         )
     for point, place, lies, reaction in zip(
         system.free_points, state.pose.free, state.on_bed, state.bed_reaction, strict=True
     ):
         where = f", on the bed with {reaction / KN:.1f} kN" if lies else ""
         console.print(
-            f"{point.name}: x {place[0]:.3f} m, y {place[1]:.3f} m, z {place[2]:.3f} m{where}", highlight=False
+            f"{point.name}: x {place[0]:.3f} m, y {place[1]:.3f} m, z {place[2]:.3f} m{where}",
+            highlight=False,
+            soft_wrap=True,
         )
     left = np.abs(state.residual).max(initial=0.0)
     console.print(f"left unbalanced: {left:.2g} N after {state.iterations} steps", highlight=False)
@@ -198,7 +202,8 @@ def _show_stiffness(console, state, name):
     from mooring.studies.system_at_rest import mooring_stiffness
 
     K = mooring_stiffness(state, name)
-    unit = np.sqrt(np.maximum(np.abs(np.diag(K)), 1e-300))
+    shift, turn = np.sqrt(np.abs(np.diag(K)).reshape(2, 3).max(axis=1))
+    unit = np.repeat([shift, max(turn, LEAST_ARM * shift)], 3)
     table = _table(f"stiffness of the lines on {name}, kN/m, kN/rad, kN m/rad", "", *DOFS)
     for i, dof in enumerate(DOFS):
         shown = [f"{K[i, j] / KN:.4g}" if abs(K[i, j]) > SHOWN * unit[i] * unit[j] else "0" for j in range(6)]

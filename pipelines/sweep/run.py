@@ -52,9 +52,7 @@ def sweep(table, text, folder, output, executor, main, say):
             asked = {}
             for number in batch:
                 case = varied(raw, keys, values[number])
-                asked[number] = executor.submit(
-                    one_case, main, table.command, case, str(study), tuple(table.arguments)
-                )
+                asked[number] = executor.submit(one_case, main, table.command, case, str(study), tuple(table.arguments))
             for number, future in asked.items():
                 try:
                     result = future.result()

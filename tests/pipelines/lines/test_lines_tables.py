@@ -144,3 +144,21 @@ def test_a_body_free_where_no_water_holds_it_is_warned_of(shown):
     loose = MOORED.replace('name = "barge"\n', 'name = "barge"\nfreedom = ["Surge", "Heave", "Roll"]\n', 1)
     assert "barge is free in Heave, Roll, where it has neither weight nor water" in shown(loose, LEGS)[0]
     assert "neither weight nor water" not in shown(MOORED, LEGS)[0]
+
+
+def test_positions_keep_to_a_line_and_rounding_is_shown_as_nothing(shown):
+    said, _ = shown(MOORED.replace("[0.0, 0.0, 0.0]", "[0.0, 0.0, -1.0]"), LEGS)
+    where = next(line for line in said.splitlines() if line.startswith("barge: x"))
+    assert "yaw" in where and "-0.000°" not in where
+    assert row(said, "Sway")[1] == row(said, "Heave")[2] == "0" and "e-2" not in said
+
+
+def test_a_moordyn_file_says_what_it_does_not_keep(shown, tmp_path):
+    line = CHAIN_OVER_WIRE.split("segments")[0] + 'type = "wire"\nlength = 312.0\n'
+    said, _ = shown(line, flags=("--moordyn", str(tmp_path / "lines.dat")))
+    assert "1 is chain over wire; breaking loads are not in it" in said
+
+
+def test_flags_of_a_system_are_refused_with_a_result(tmp_path, capsys):
+    assert main(["lines", str(tmp_path / "run.h5"), "--offset", "3"]) != 0
+    assert "--offset is for a system of lines" in capsys.readouterr().err
