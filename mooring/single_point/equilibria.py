@@ -72,8 +72,10 @@ class Equilibrium:
         """Lateral of the quartic; None where the line does not lie straight ahead, or sway and yaw share added mass"""
         point, (x, y, turn) = self.point, self.force
         T, p = point.mass, point.apex
-        crooked = max(abs(y), abs(turn) / abs(p[0]), abs(p[1] * x / p[0])) > SYMMETRIC * self.pull
-        if crooked or x > 0 or p[0] <= 0 or abs(T[1, 2]) > SYMMETRIC * np.sqrt(T[1, 1] * T[2, 2]):
+        if x > 0 or p[0] <= 0:
+            return None
+        crooked = max(abs(y), abs(turn) / p[0], abs(p[1] * x / p[0])) > SYMMETRIC * self.pull
+        if crooked or abs(T[1, 2]) > SYMMETRIC * np.sqrt(T[1, 1] * T[2, 2]):
             return None
         n = np.array([-np.sin(self.heading), np.cos(self.heading)])
         soft = n @ np.linalg.solve(point.pull(self.buoy).stiffness, n)

@@ -15,6 +15,8 @@ from .study import placed, read_study, wave_of, wind_on
 PHASES = 360  # of a wave
 SLENDER = 0.2  # D/λ, above which a member scatters the wave
 KILO = 1e3
+IN_WATER, ALL = "all in the water", "all"
+COLOUR = {IN_WATER: "grey", ALL: "black"}
 A_MEMBER = 0.1  # s, over a wave
 
 
@@ -40,7 +42,7 @@ def members(path, plot):
     for line in remarks(standing, courses, wave):
         print(line)
     if plot is not None:
-        _draw(courses, phases, plot)
+        _draw(courses, wind, phases, plot)
         print(plot)
     return 0
 
@@ -114,11 +116,11 @@ def _show(courses, wind, phases, wave):
     in_water = sum((_moved(one.force, one.foot, bed) for one in courses), np.zeros((len(phases), 6)))
     in_wind = [(name, _moved(force[None], np.zeros(3), bed)) for name, force in wind]
     if courses:
-        table.add_row("all in the water", *_largest(in_water, phases))
+        table.add_row(IN_WATER, *_largest(in_water, phases))
     for name, force in in_wind:
         table.add_row(f"{name}, wind", *_largest(force, phases))
     if courses and wind:
-        table.add_row("all", *_largest(in_water + sum(force for _, force in in_wind), phases))
+        table.add_row(ALL, *_largest(in_water + sum(force for _, force in in_wind), phases))
     console = new_console()
     console.print(table)
 
@@ -141,7 +143,15 @@ def _largest(force, phases):
     )
 
 
-def _draw(courses, phases, path):
+def totals(courses, wind):
+    """[(name, (p, 3) N)] of several members together: in the water, and with the wind"""
+    in_water = sum(one.force[:, :3] for one in courses)
+    found = [(IN_WATER, in_water)] if len(courses) > 1 else []
+    return found + ([(ALL, in_water + sum(force[:3] for _, force in wind))] if courses and wind else [])
+
+
+def _draw(courses, wind, phases, path):
+    """Forces of the members over the phase, and of all with the wind, the rows of the table"""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
@@ -149,9 +159,8 @@ def _draw(courses, phases, path):
     for i, one in enumerate(courses):
         style = ("-", (0, (4, 4)))[i % 2]  # piles side by side have the same force: both are to be seen
         axis.plot(np.degrees(phases), np.linalg.norm(one.force[:, :3], axis=1) / KILO, linestyle=style, label=one.name)
-    if len(courses) > 1:
-        total = sum(one.force[:, :3] for one in courses)
-        axis.plot(np.degrees(phases), np.linalg.norm(total, axis=1) / KILO, "k", linewidth=2, label="all")
+    for name, total in totals(courses, wind):
+        axis.plot(np.degrees(phases), np.linalg.norm(total, axis=1) / KILO, COLOUR[name], linewidth=2, label=name)
     axis.set(xlabel="phase, °, crest at the origin at 0", ylabel="force, kN", xlim=(0, 360), ylim=(0, None))
     axis.set_xticks(range(0, 361, 45))
     axis.grid(alpha=0.3)

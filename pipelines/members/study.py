@@ -205,6 +205,8 @@ def wind_on(study):
     for one in study.wind_members:
         if (one.shape is None) == (one.drag is None):
             raise StudyError(f"wind member {one.name!r}: allowed: one of shape, drag")
+        if not np.all(np.isfinite(one.position)):
+            raise StudyError(f"wind member {one.name!r}: position is {list(one.position)}; allowed: finite")
         member = wind_loads.Member(one.drag if one.shape is None else one.shape, one.area, one.position)
         force = wind_loads.wind_on_members([member], study.wind.speed, towards, study.wind.exponent)
         found.append((one.name, force))

@@ -71,6 +71,12 @@ def test_the_quartic_has_the_eigenvalues_of_the_linearised_motion(hawser):
                 assert np.abs(one.roots - root).min() < 1e-8 * abs(root)
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_body_held_at_its_centre_of_mass_has_no_quartic():
+    point = replace(floater_A(), ends=np.zeros((1, 2)), lengths=np.zeros(1))
+    assert all(one.lateral is None and one.quartic is None for one in equilibria(point))
+
+
 def test_two_hawsers_that_meet_at_a_point_hold_as_one_there():
     """A bridle under a load from ahead is rigid: heading and pull are those of a contact buoy at its apex"""
     point = floater_A(30.0)

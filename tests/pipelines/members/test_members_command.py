@@ -10,7 +10,7 @@ from bem.waves import wavenumber
 from mooring.loads.morison import circular
 from mooring.loads.regular_wave import RegularWave
 from pipelines.cli import main
-from pipelines.members.command import course, wet_part
+from pipelines.members.command import course, totals, wet_part
 from pipelines.members.study import Placed
 
 SCENE = Path(pipelines.__file__).parent / "scenes" / "members_dolphin.toml"
@@ -38,6 +38,21 @@ def test_drag_of_a_pile_in_a_current_is_the_hand_calculation():
     wave = RegularWave(0.0, 1.0, 0.0, 12.0, uniform(1.5, np.pi / 2))
     force = course(pile(0.9), wave, PHASES[:2], 1025.0).force
     assert np.allclose(force[:, :3], [0, 0.5 * 1025 * 0.9 * 1.2 * 12 * 1.5**2, 0], atol=1e-6)
+
+
+def test_the_lines_of_the_picture_are_those_of_the_table():
+    """Two piles in a current, and a wind across it"""
+    from mooring.environment.current_profile import uniform
+
+    current = RegularWave(0.0, 1.0, 0.0, 12.0, uniform(1.0, 0.0))
+    two = [course(pile(1.0), current, PHASES[:1], 1025.0)] * 2
+    wind = [("mast", np.array([0.0, 5e3, 0.0, 0.0, 0.0, 0.0]))]
+    drag = 0.5 * 1025 * 1.2 * 12
+    found = dict(totals(two, wind))
+    assert np.allclose(found["all in the water"], [[2 * drag, 0, 0]]) and np.allclose(
+        found["all"], [[2 * drag, 5e3, 0]]
+    )
+    assert [name for name, _ in totals(two, [])] == ["all in the water"] and not totals(two[:1], [])
 
 
 def test_a_pile_is_wet_up_to_the_surface():
@@ -83,6 +98,10 @@ def test_a_member_that_is_never_wet_is_named_and_a_current_alone_has_one_phase(t
         (("-12.0]", "-13.0]"), "member 'fore port' reaches down to z = -13 m; allowed: at least -12, the bed"),
         (("width = 1.2", "width = nan"), "member 'fore port': width of a member is nan"),
         (("[wind]\\nspeed = 30.0\\ndirection_deg = 0.0", ""), "wind is missing; needed by"),
+        (
+            ("position = [0.0, 0.0, 3.5]", "position = [nan, 0.0, 3.5]"),
+            "wind member 'platform': position is [nan, 0.0, 3.5]; allowed: finite",
+        ),
         (('shape = "cylinder"', 'shape = "cylinder"\\ndrag = 1.0'), "wind member 'mast': allowed: one of shape, drag"),
     ],
 )
