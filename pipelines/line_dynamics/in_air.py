@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 
-IN_AIR = 0.01  # of a line, out of the water at its fairlead without a word
+from mooring.studies.in_air import IN_AIR
 
 
 def warn_of_air(line, result):

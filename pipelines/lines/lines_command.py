@@ -38,6 +38,7 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
     from bem.database import open_database
     from mooring.formats.results import is_channels
     from mooring.lines.system.equilibrium import rest
+    from mooring.studies.in_air import lines_in_air
 
     if picture is not None:
         check_picture(picture, PLOTS)
@@ -75,7 +76,7 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
         warnings.simplefilter("ignore")  # said already of the intact system
         losses = _losses(state) if broken else {}
         curves = [] if offset is None else _curves(state, name, offset, directions)
-    for text in overloads(state, curves, losses):
+    for text in (*lines_in_air(state), *overloads(state, curves, losses)):
         console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
     if name is not None:
         _show_stiffness(console, state, name)

@@ -162,3 +162,13 @@ def test_a_moordyn_file_says_what_it_does_not_keep(shown, tmp_path):
 def test_flags_of_a_system_are_refused_with_a_result(tmp_path, capsys):
     assert main(["lines", str(tmp_path / "run.h5"), "--offset", "3"]) != 0
     assert "--offset is for a system of lines" in capsys.readouterr().err
+
+
+def test_a_line_out_of_the_water_is_told_with_the_share_that_is(shown):
+    # almost straight from 100 m below to 30 m above the water: 30 of 130 m of height
+    held = HELD.replace("position = [280.0, 0.0, 0.0]", "position = [280.0, 0.0, 30.0]")
+    line = CHAIN_OVER_WIRE.split("segments")[0] + 'type = "wire"\nlength = 305.0\n'
+    said, _ = shown(line, system=held)
+    share = float(said.split("chain over wire over ")[1].split(" ")[0])
+    assert share == pytest.approx(30 / 130, rel=0.1) and "limit 0.01" in said
+    assert "above still water and weighing" not in shown(line)[0]
