@@ -298,8 +298,8 @@ def main(arguments=None):
     except MemoryError as error:
         print(f"{name}: there is not enough memory: {error or 'more was asked for than is free'}", file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
-        print(f"{name}: {interrupted(command, arguments)}", file=sys.stderr)
+    except KeyboardInterrupt as stop:
+        print(f"{name}: {str(stop) or interrupted(command, arguments)}", file=sys.stderr)
         return 130
     finally:
         for line in timing.told() if timed else ():

@@ -35,21 +35,17 @@ def berth(study_path, database, output, plot):
     first = approach.meetings[approach.first][0]
     table = study.fender[approach.first]
     bands, _ = softest_and_stiffest(table, _alone(table))
+    course, refused = _course(ship, approach)
+    written = () if course is None else _write(approach, course, output, plot)
     show(study, approach, first, bands)
     for line in told:
         print(f"warning: {line}")
-    try:
-        course = in_time(ship, approach.meetings, approach.speed)
-    except FenderError as error:
-        print(f"in time: {error}")
+    if course is None:
+        print(f"in time: {refused}")
         return 1
     show_course(approach, course, database)
-    if output is not None:
-        write_course(output, course)
-        print(output)
-    if plot is not None:
-        draw(approach, course, plot)
-        print(plot)
+    for path in written:
+        print(path)
     return 0
 
 
@@ -57,6 +53,23 @@ def show_measured():
     """Print the fifty berthings of Ueda (1981) beside the method; returns 0"""
     print("\n".join(measured_lines()))
     return 0
+
+
+def _course(ship, approach):
+    """The course in time and None, or None and why the fenders do not stand it"""
+    try:
+        return in_time(ship, approach.meetings, approach.speed), None
+    except FenderError as error:
+        return None, error
+
+
+def _write(approach, course, output, plot):
+    """[path] of what is asked for; before anything is printed, whose reader may leave"""
+    if output is not None:
+        write_course(output, course)
+    if plot is not None:
+        draw(approach, course, plot)
+    return [path for path in (output, plot) if path is not None]
 
 
 def _alone(table):

@@ -39,6 +39,10 @@ def earthquake(study_path, database, output, plot):
     quake = quake_of(study, Path(study_path).resolve().parent, database)
     rows, run = methods(quake)
     stiffness = _stiffnesses(quake, rows)
+    if output is not None and run is not None:
+        _write(output, quake, run)
+    if plot is not None:
+        _draw(quake, run, stiffness, plot)
     _show(quake, rows, stiffness)
     if run is not None:
         ground, (first, last) = quake.ground, quake.ground.base_line
@@ -48,10 +52,8 @@ def earthquake(study_path, database, output, plot):
             f"{first:.2g} to {last:.2g} m/s² are added to it, so that it ends at rest"
         )
     if output is not None:
-        _write(output, quake, run)
-        print(output)
+        print(output if run is not None else f"warning: {output} is not written: record in time has no course")
     if plot is not None:
-        _draw(quake, run, stiffness, plot)
         print(plot)
     return 1 if any(row.reason and row.reaction is None for row in rows) else 0
 

@@ -28,13 +28,14 @@ def fender(table, strain, deflection, energy, output):
     at = _compression(pair, strain, deflection, energy)
     bands, factors = softest_and_stiffest(table, alone)
     straight = pair_of(table, fender_of(upright(table))) if table.angle_deg else None
+    if output is not None:
+        _draw(pair, bands, at, straight, output)
     _show(pair, bands, factors, causes_of(table), straight)
     if straight is not None:
         _tell_inclined(table, pair, straight)
     if at is not None:
         _tell(pair, bands, at)
     if output is not None:
-        _draw(pair, bands, at, straight, output)
         print(output)
     return 0
 

@@ -93,11 +93,12 @@ def _run(study, text, folder, output, picture):
         warn_of_air(line, result)
     harmonics = 0 if study.sea else sum(any(part.amplitude) for part in study.fairlead.motions)
     found = figures(line, course, window, result, current, judged_by_regime(line, course, harmonics))
+    written = _write(study, text, course, result, found, line, strength, output, picture)
     show(console, study.name, found, course, result, strength, line)
     noted = findings(found, result, strength, line)
     for warning in [*dict.fromkeys(str(w.message) for w in (*left_out, *said)), *noted]:
         console.print(f"warning: {warning}", style="yellow", highlight=False, soft_wrap=True)
-    for path in _write(study, text, course, result, found, line, strength, output, picture):
+    for path in written:
         console.print(f"written: {path}", highlight=False, soft_wrap=True)
     return 0
 

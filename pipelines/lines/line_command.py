@@ -113,11 +113,12 @@ def line(
             f"--tension is {tension:g} kN, at which an inextensible line of {length:g} m is straight; allowed: less, "
             "or the stiffness of the line (--stiffness)"
         ) from None
+    if output is not None:
+        _draw(one, span, found, output)
     _show(one, span, found)
     if characteristic:
         _show_characteristic(one, span)
     if output is not None:
-        _draw(one, span, found, output)
         print(output)
     return 0
 

@@ -69,13 +69,19 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         state = rest(system)
-    _show_rest(console, state)
-    for warning in said:
-        console.print(f"warning: {warning.message}", style="yellow", highlight=False, soft_wrap=True)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # said already of the intact system
         losses = _losses(state) if broken else {}
         curves = [] if offset is None else _curves(state, name, offset, directions)
+    written = _write(state, output, picture, curves, losses)
+    if exported is not None:
+        from mooring.formats.moordyn import write_moordyn
+
+        write_moordyn(exported, moordyn)
+        written.append(moordyn)
+    _show_rest(console, state)
+    for warning in said:
+        console.print(f"warning: {warning.message}", style="yellow", highlight=False, soft_wrap=True)
     for text in (*lines_in_air(state), *overloads(state, curves, losses)):
         console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
     if name is not None:
@@ -92,12 +98,6 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
         for text in off_the_mesh(system, name, db.mesh):
             console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
         _show_periods(console, state, name, db)
-    written = _write(state, output, picture, curves, losses)
-    if exported is not None:
-        from mooring.formats.moordyn import write_moordyn
-
-        write_moordyn(exported, moordyn)
-        written.append(moordyn)
     for path in written:
         console.print(f"written: {path}", highlight=False, soft_wrap=True)
     return 1 if any(isinstance(left, Exception) for left in losses.values()) else 0

@@ -68,12 +68,13 @@ def qtf(
     waves = waves_and_sums_of(db, omega, heading, highest) if sums else waves_of(db, omega, heading, difference)
     question = Question(*waves, held, level, method, given, SUM if sums else DIFFERENCE)
     stored = _answer(db, question, moored, fresh)
-    for line in told(stored, db):
-        print(line)
     if plot is not None:
         from .plot import draw
 
         draw(stored.forces, db, stored.held.floats, plot)
+    for line in told(stored, db):
+        print(line)
+    if plot is not None:
         print(plot)
     return 0
 

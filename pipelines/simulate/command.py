@@ -12,11 +12,13 @@ from ..moor.gusts import gusts_of
 from ..moor.quay import body_of
 from ..moor.study import read_study
 from . import berth, report
-from .file import opened, whole_rows
+from .file import is_run, opened, whole_rows
 from .methods import methods_table
 from .pictures import draw
 from .run import simulate as fill
 from .work import Task
+
+NOTHING = "interrupted before a seed was finished; nothing is stored yet, the same command begins with the first"
 
 
 def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local", windows=None,
@@ -35,24 +37,34 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
         raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
     try:
         outcome = fill(study, database, output, console, workers, seeds, duration, fresh, windows)
+        if outcome.interrupted:
+            raise KeyboardInterrupt
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(*(() if _has_seeds(output) else (NOTHING,))) from None
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
-    if outcome.interrupted:
-        raise KeyboardInterrupt
     if not outcome.made and not outcome.failures:
         console.print("nothing was left to do", highlight=False)
     with opened(output) as file:
         if whole_rows(file).any():
+            drawn = draw(file, Path(output))
             _show(console, file, study, database, outcome.findings)
             if windows is not None:
                 console.print(berth.windows_table(file, windows))
             if methods:
                 console.print(_methods(file, study, database, division))
-            words = ", ".join([str(output), *draw(file, Path(output))])
+            words = ", ".join([str(output), *drawn])
             console.print(f"written: {words}", highlight=False, soft_wrap=True, markup=False)
     for seed, reason in outcome.failures:
         console.print(f"seed {seed} failed: {reason}", highlight=False, soft_wrap=True, markup=False, style="red")
     return 1 if outcome.failures else 0
+
+
+def _has_seeds(output):
+    if not is_run(Path(output)):
+        return False
+    with opened(output) as file:
+        return bool(whole_rows(file).any())
 
 
 def _methods(file, study, database, division):

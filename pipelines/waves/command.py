@@ -43,6 +43,8 @@ def waves(database, period, omega, heading, fixed, width, at, output):
     half = half_width(around, width)
     told(f"{POINTS**2} points take", POINTS**2 * len(around.sources.points) / 60 * A_POINT)
     found = mapped(around, half, POINTS)
+    if output is not None:
+        _write(output, found, db.mesh.name)
     console = new_console()
     console.print(_summary(found))
     if spots:
@@ -50,7 +52,6 @@ def waves(database, period, omega, heading, fixed, width, at, output):
     for line in remarks(around):
         print(line)
     if output is not None:
-        _write(output, found, db.mesh.name)
         print(output)
     return 0
 

@@ -77,6 +77,18 @@ def test_a_record_with_gaps_is_told_with_its_line(study, capsys, change, says):
     assert says in told and "record.csv" in told and told.count("\n") == 1
 
 
+def test_a_record_that_fenders_do_not_stand_has_no_course_and_the_plot_is_drawn(study, tmp_path, capsys):
+    record = study.with_name("record.csv")
+    names, *rows = record.read_text().splitlines()
+    strong = [f"{t},{30 * float(value)}" for t, value in (row.split(",") for row in rows)]
+    record.write_text("\n".join([names, *strong]) + "\n")
+    course, plot = tmp_path / "c.csv", tmp_path / "p.png"
+    assert cli.main(["earthquake", str(study), "--output", str(course), "--plot", str(plot)]) == 1
+    told = capsys.readouterr().out
+    assert "warning: record in time: " in told and f"warning: {course} is not written: record in time has" in told
+    assert plot.stat().st_size > 5000 and not course.exists()
+
+
 def test_a_body_comes_from_the_study_or_a_database(study, capsys):
     assert cli.main(["earthquake", str(study), "--database", "box.h5"]) == 2
     assert "[body] and --database: both are given; allowed: one of them" in capsys.readouterr().err

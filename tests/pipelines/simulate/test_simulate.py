@@ -152,6 +152,17 @@ def test_ctrl_c_leaves_a_seed_where_it_is_and_keeps_those_before(folder, monkeyp
     assert simulate().made == 2
 
 
+@pytest.mark.parametrize("place", [(engine, "simulate"), (runs, "create")])
+def test_ctrl_c_before_a_seed_is_finished_is_said_to_have_stored_nothing(place, folder, monkeypatch, capsys):
+    def pressed(*arguments, **named):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(*place, pressed)
+    words = ["simulate", "study.toml", "--database", "box.h5", "--output", "run.h5"]
+    assert main(words) == 130
+    assert "interrupted before a seed was finished; nothing is stored yet" in capsys.readouterr().err
+
+
 def test_ctrl_c_waits_for_no_process_and_keeps_what_each_has_done(folder, heard):
     class Two:
         """Two processes: the first is still at seed 1 when the second has done two seeds, and Ctrl-C comes."""
