@@ -102,6 +102,8 @@ def faults(found, sliding=True):
     out.note("place of the fairlead", np.hypot(pieces[0, 3] - found.x, pieces[0, 4] - found.z) / far)
     out.note("length", abs(pieces[0, 1] - line.length) / far)
     heap = pieces[:, 8] < 1e-200
+    # each load at the one place between parts that is nearest to it: an end of a segment may be closer than `far`
+    nearest = [int(np.argmin(abs(pieces[1:, 1] - load.position))) if len(pieces) > 1 else -1 for load in line.loads]
     for i, p in enumerate(pieces):
         segment, down = segment_at(line, p[1] - 0.5 * p[2]), p[2]
         out.note("weight", abs(p[7] - segment.weight) * down / force)
@@ -114,7 +116,7 @@ def faults(found, sliding=True):
             out.note("length", abs(p[1] - down - below[1]) / far)
             aside = 0.0 if heap[i + 1] or heap[i] else abs(place[0] - below[3])
             out.note("broken", max(aside, abs(place[1] - below[4])) / far)
-            meet(line, found, p, below, far, force, out)
+            meet(line, found, p, below, [k for k, place in enumerate(nearest) if place == i], far, force, out)
     end = pieces[-1]
     out.note("length", abs(end[1] - end[2]) / far if not found.slack else 0.0)
     held = np.array([found.horizontal_anchor, found.vertical_anchor])
@@ -162,11 +164,11 @@ def in_water(line, p, segment, far, out):
     return x - dx[0], z - dz[0]
 
 
-def meet(line, found, above, below, far, force, out):
-    """Balance where two parts meet."""
+def meet(line, found, above, below, nearest, far, force, out):
+    """Balance where two parts meet; nearest : numbers of the loads of which no other such place is nearer"""
     s, x, z = below[1], below[3], below[4]
     upper, lower = pull(above, above[2]), pull(below, 0.0)
-    loads = [i for i, load in enumerate(line.loads) if abs(load.position - s) <= far]
+    loads = [i for i in nearest if abs(line.loads[i].position - s) <= far]
     weight = 0.0
     for i in loads:
         load, state = line.loads[i], found.loads[i]

@@ -27,6 +27,11 @@ def test_a_line_on_a_slope_has_no_tension_below_a_heap_that_has_none():
     assert verdict(52, 95292)[0] != "wrong"
 
 
+def test_a_load_just_beside_the_end_of_a_segment_counts_once():
+    """Both are within 1e-7 of the length: the judge counted the load at each of them."""
+    assert verdict(61, 312360)[0] == "answered"
+
+
 def test_friction_holds_with_a_part_where_all_of_it_has_no_equilibrium():
     """Uniform lines over ridges: with all of the friction the span behind a ridge jumps from one facet to another."""
     assert all(verdict(1101, number)[0] == "answered" for number in (7801, 10727, 13581, 15160, 38880))
