@@ -44,7 +44,8 @@ def test_every_file_that_is_read_into_a_table_is_a_kind():
     read = set()
     for file in PIPELINES.rglob("*.py"):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "typed":
+            called = isinstance(node, ast.Call) and getattr(node.func, "id", "") == "typed"
+            if called and isinstance(node.args[1], ast.Name):  # a sweep reads its first case as a kind by name
                 read.add((file.parent.name, node.args[1].id))
     known = {(struct.__module__.split(".")[-2], struct.__name__) for struct in map(struct_of, KINDS)}
     known.add(("solve", "Scene"))
