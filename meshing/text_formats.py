@@ -145,6 +145,7 @@ def read_obj(path):
     """Wavefront's: points `v x y z`, panels `f` of points from 1, or from the last one read, −1; normals do not count.
 
     A corner may be point/texture/normal, whose numbers are others, which libraries of meshes take for those of points.
+    Coordinates are taken as m.  raises : ValueError naming the line
     """
     points, panels = [], []
     for k, line in enumerate(read_text(path, errors="replace").replace("\\\n", " ").splitlines(), 1):

@@ -43,7 +43,7 @@ def leg_at_tension(line, fairlead, heading, depth, horizontal_tension):
     """A Leg whose anchor lies on the bed where the line pulls the body at rest with a given horizontal tension.
 
     fairlead : (3,) m; heading : rad, from the fairlead to the anchor; depth : m; horizontal_tension : N
-    A line of segments counts from the anchor.  raises : LineError or LineSystemError where no span gives that tension
+    A line of segments counts from the anchor.  raises : LineSystemError where no span gives it
     """
     try:
         span = _span(line, fairlead[2] + depth, depth, horizontal_tension)

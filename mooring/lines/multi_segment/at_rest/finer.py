@@ -32,7 +32,7 @@ def changes(chain):
 
 
 def divided(chain, size):
-    """s (m,) of nodes, rising, `size` apart where the contacts of a chain change"""
+    """s (m,) of nodes, rising, `size` apart where the contacts of a FallingChain change; both of its length"""
     close = chain.s[changes(chain)]
     out = [0.0]
     while out[-1] < 2 / len(chain.s):
