@@ -67,18 +67,19 @@ def _forced(columns):
     time, motion, force = (np.array(columns[name]) for name in COLUMNS)
     made = forced(time, motion, 1e3 * force)
     sine = made.motion
-    print(
-        f"forced: amplitude {sine.amplitude:.4g} m, period {2 * np.pi / sine.omega:.5g} s; "
-        f"{100 * made.off:.2g} % of the force is left over"
-    )
-    _warn_of_rest(made.off, "force", "a sine that moves a body with added mass and damping")
-    print(f"added mass {made.added_mass / 1e3:.6g} t")
-    print(f"B1 = {made.linear / 1e3:.6g} kN s/m, B2 = {made.quadratic / 1e3:.6g} kN s²/m²; by first and third harmonic "
-          f"{made.by_harmonics[0] / 1e3:.5g} and {made.by_harmonics[1] / 1e3:.5g}")  # fmt: skip
     first, second = made.error
-    print(f"standard errors by noise: {first / 1e3:.2g} kN s/m of B1 and {second / 1e3:.2g} kN s²/m² of B2")
-    print(f"as one coefficient: {made.same_energy / 1e3:.5g} kN s/m of the same energy, "
-          f"{made.same_force / 1e3:.5g} of the same largest force")  # fmt: skip
+    rows = [
+        ("amplitude", sine.amplitude, "m", ""),
+        ("period", 2 * np.pi / sine.omega, "s", ""),
+        ("added mass", made.added_mass / 1e3, "t", ""),
+        ("B1", made.linear / 1e3, "kN s/m", f"±{first / 1e3:.2g}; {made.by_harmonics[0] / 1e3:.5g} by harmonics"),
+        ("B2", made.quadratic / 1e3, "kN s²/m²", f"±{second / 1e3:.2g}; {made.by_harmonics[1] / 1e3:.5g} by harmonics"),
+        ("linear damping of the same energy", made.same_energy / 1e3, "kN s/m", ""),
+        ("linear damping of the same largest force", made.same_force / 1e3, "kN s/m", ""),
+        ("force not explained", 100 * made.off, "%", ""),
+    ]
+    _show("forced oscillation", rows)
+    _warn_of_rest(made.off, "force", "a sine that moves a body with added mass and damping")
     if made.same_energy < 0:
         print(
             f"warning: the damping is negative, {made.same_energy / 1e3:.5g} kN s/m of the same energy: the force "
@@ -98,19 +99,25 @@ def _decay(columns, mass):
     time, motion = (np.array(columns[name]) for name in COLUMNS[:2])
     made = decay(time, motion)
     period, ratio = 2 * np.pi / made.omega, made.linear / (2 * made.omega)
-    print(
-        f"free decay: natural period {period:.5g} s, {len(made.extremes)} extremes from {made.extremes[0]:.4g} m; "
-        f"{100 * made.off:.2g} % of the motion is left over"
-    )
-    _warn_of_rest(made.off, "motion", "the free decay of one motion")
-    print(f"a = {made.a:.4g}, b = {made.b:.4g} 1/m by half cycles; a = {made.linear_only:.4g} with b = 0")
-    print(
-        f"B1/M = {made.linear:.6g} 1/s ({100 * ratio:.3g} % of critical), B2/M = {made.quadratic:.6g} 1/m, "
-        "M with added mass"
-    )
+    rows = [
+        ("natural period", period, "s", f"{len(made.extremes)} extremes from {made.extremes[0]:.4g} m"),
+        ("a", made.a, "", f"by half cycles; {made.linear_only:.4g} with b = 0"),
+        ("b", made.b, "1/m", "by half cycles"),
+        ("B1/M", made.linear, "1/s", f"{100 * ratio:.3g} % of critical; M with added mass"),
+        ("B2/M", made.quadratic, "1/m", ""),
+    ]
     if mass is not None:
-        print(f"B1 = {made.linear * mass:.6g} kN s/m, B2 = {made.quadratic * mass:.6g} kN s²/m²")
+        rows += [("B1", made.linear * mass, "kN s/m", ""), ("B2", made.quadratic * mass, "kN s²/m²", "")]
+    _show("free decay", [*rows, ("motion not explained", 100 * made.off, "%", "")])
+    _warn_of_rest(made.off, "motion", "the free decay of one motion")
     return time, motion, made.fitted, "motion, m"
+
+
+def _show(title, rows):
+    from ..printing.console import new_console
+    from ..printing.number import values_table
+
+    new_console().print(values_table(title, rows))
 
 
 def _warn_of_rest(off, what, kind):

@@ -163,24 +163,26 @@ def _kind(name, weight, stiffness):
 
 
 def _show(one, span, found):
+    from ..printing.console import new_console
+    from ..printing.number import values_table
+
+    kind, floats = one.type, one.floats
     rows = [
-        ("span", f"{span:.3f} m", one.state(found)),
-        ("at the fairlead", _force(found.horizontal_fairlead, found.vertical_fairlead), "horizontal, down"),
-        ("at the anchor", _force(found.horizontal_anchor, found.vertical_anchor), "horizontal, up"),
-        ("tension at the fairlead", f"{_kN(found.tension_fairlead)} = {found.tension_fairlead / TONF:.2f} tonf", ""),
-        (
-            "length that floats" if one.floats else "length on the bed",
-            f"{float(found.grounded_length):.3f} m",
-            f"of {one.length:g} m",
-        ),
-        ("stiffness", f"{found.stiffness[0, 0] / KN:.4g} kN/m", "horizontal"),
+        ("span", span, "m", one.state(found)),
+        ("horizontal force at the fairlead", found.horizontal_fairlead / KN, "kN", ""),
+        ("vertical force at the fairlead", found.vertical_fairlead / KN, "kN", "down"),
+        ("horizontal force at the anchor", found.horizontal_anchor / KN, "kN", ""),
+        ("vertical force at the anchor", found.vertical_anchor / KN, "kN", "up"),
+        ("tension at the fairlead", found.tension_fairlead / KN, "kN", f"{found.tension_fairlead / TONF:.4g} tonf"),
+        ("length that floats" if floats else "length on the bed", found.grounded_length, "m", f"of {one.length:g} m"),
+        ("horizontal stiffness", found.stiffness[0, 0] / KN, "kN/m", ""),
+        ("weight in water", kind.weight, "N/m", kind.name),
+        ("axial stiffness EA", kind.axial_stiffness / KN, "kN", "" if np.isfinite(kind.axial_stiffness) else "rigid"),
     ]
-    if np.isfinite(one.type.breaking_load):
-        used = float(found.tension_fairlead) / one.type.breaking_load
-        rows.append(("breaking load", _kN(one.type.breaking_load), f"{100 * used:.1f} % used"))
-    print(f"{one.type.name}: {one.type.weight:.2f} N/m in water, EA {one.type.axial_stiffness / KN:.6g} kN")
-    for name, value, note in rows:
-        print(f"  {name:<24}{value:<28}{note}".rstrip())
+    if np.isfinite(kind.breaking_load):
+        used = 100 * float(found.tension_fairlead) / kind.breaking_load
+        rows += [("breaking load", kind.breaking_load / KN, "kN", ""), ("used of the breaking load", used, "%", "")]
+    new_console().print(values_table(kind.name, rows))
     largest = max(found.tension_fairlead, found.tension_anchor)
     if largest > one.type.breaking_load:
         print(
@@ -208,10 +210,6 @@ def _show_characteristic(one, span):
 
 def _kN(value):
     return f"{float(value) / KN:.3f} kN"
-
-
-def _force(horizontal, vertical):
-    return f"{float(horizontal) / KN:.3f}, {float(vertical) / KN:.3f} kN"
 
 
 def tension_curve(one, points=120, span=0.0):

@@ -1,7 +1,8 @@
 """The one way to print: a console whose tables are never cut, or come as CSV or JSON where the command line asks.
 
 A table wider than its terminal is printed at its own width.  With --csv or --json (`tables_as`) each table is a block
-of lines, its names first, or one line {"title", "rows": [{name: text}]}; everything else goes to stderr.
+of lines, its names first, or one line {"title", "rows": [{name: text or number}]}; everything else goes to stderr.
+Cells made by `number` come with all their digits; a number that is not finite is empty in CSV and null in JSON.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import contextlib
 import csv
 import io
 import json
+import math
 import sys
 from functools import cache
 
@@ -78,10 +80,17 @@ def _kind():
 
 
 def _cells(table):
-    """Names of the columns of a rich table, and its rows, as texts"""
-    columns = [[_plain(cell) for cell in column.cells] for column in table.columns]
+    """Names of the columns of a rich table, and its rows, as texts and numbers"""
+    columns = [[_value(cell) for cell in column.cells] for column in table.columns]
     names = [_plain(column.header) for column in table.columns]
     return names, list(zip(*columns, strict=True))
+
+
+def _value(cell):
+    value = getattr(cell, "value", None)
+    if value is None:
+        return _plain(cell)
+    return value if math.isfinite(value) else None
 
 
 def _plain(cell):

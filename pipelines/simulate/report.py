@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 
 import numpy as np
@@ -31,25 +30,13 @@ def show(console, file, beside, findings):
     told = int(whole_rows(file).sum())
     hours = float(file.attrs["duration"]) / 3600
     title = f"{told} seed{'s' * (told != 1)} of {hours:.4g} h; amplitudes of maxima from the mean"
-    print_whole(console, statistics_table(file, title))
+    console.print(statistics_table(file, title))
     if beside is not None:
-        print_whole(console, lines_table(file, beside))
+        console.print(lines_table(file, beside))
     else:
         findings = [*findings, *used(file)]
     for text in (*notes(file), *(f"warning: {line}" for line in findings)):
         console.print(text, style="yellow" * text.startswith("warning"), highlight=False, soft_wrap=True, markup=False)
-
-
-def print_whole(console, table):
-    """Print a table as wide as it is: without a terminal numbers would be cut to 80 columns."""
-    from rich.console import Console
-
-    wide = Console(file=io.StringIO(), width=400)
-    if wide.measure(table).maximum <= console.width:
-        console.print(table)
-        return
-    wide.print(table)
-    console.file.write("\n".join(line.rstrip() for line in wide.file.getvalue().split("\n")))
 
 
 def statistics_table(file, title):

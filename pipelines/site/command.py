@@ -28,11 +28,27 @@ def site(
     write_whole(output, values_text(study, values))
     write_whole(output.with_suffix(".html"), page(study, values, text))
     show = new_console().print
-    show(f"return period {values.years:.4g} years", highlight=False)
-    for name, state in values.states.items():
-        parts = [f"{key} {', '.join(f'{n} {v:.4g}' for n, v in table.items())}" for key, table in state.items()]
-        show(f"{name}: {'; '.join(parts)}", highlight=False, soft_wrap=True)
+    show(_table(values))
     for text in values.findings:
         show(text, highlight=False, soft_wrap=True, style="yellow")
     show(f"written: {output}, {output.with_suffix('.html')}", highlight=False, soft_wrap=True)
     return 0
+
+
+def _table(values):
+    """Return period and values of each state, in the units of the file that studies read"""
+    from ..printing.number import values_table
+
+    rows = [("return period", values.years, "years", "")]
+    rows += [(f"{kind} water level", level, "m", "above still water") for kind, level in values.levels.items()]
+    for state, tables in values.states.items():
+        for table, numbers in tables.items():
+            rows += [(f"{table} {name}", value, _unit(name), state) for name, value in numbers.items()]
+    return values_table("values of the site", rows)
+
+
+def _unit(key):
+    """Of a key of a state: lengths in m, speeds in m/s, periods in s"""
+    if key.endswith("_deg"):
+        return "°"
+    return "m/s" if "speed" in key else "s" if "period" in key else "m" if key == "height" else ""

@@ -2,8 +2,8 @@
 
 /keys/NAME (case,);  /status (case,): −1 to do, else that of the command;  /message (case,);  /tables/N/COLUMN
 (case, row) with its title as an attribute and the labels of its rows in /tables/N/row.  Numbers have the digits that
-the command prints; what is no number is NaN.  A sweep of scenes has /results/NAME (case, …) instead, the arrays of each
-case's database with all their digits.  The status is written last.
+the command gives with --json; what is no number is NaN.  A sweep of scenes has /results/NAME (case, …) instead, the
+arrays of each case's database with all their digits.  The status is written last.
 """
 
 from __future__ import annotations
@@ -126,8 +126,9 @@ def _safe(name):
     return name.strip().replace("/", " per ") or "label"
 
 
-def _number(text):
+def _number(cell):
+    """A number of a table, or of its text; NaN of what is none"""
     try:
-        return float(text.replace("−", "-"))
+        return float(cell.replace("−", "-") if isinstance(cell, str) else np.nan if cell is None else cell)
     except ValueError:
         return np.nan

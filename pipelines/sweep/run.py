@@ -132,4 +132,6 @@ def _by_command(main, command, raw, study, arguments):
             status = main([command, place.name, *arguments, "--json"])
     lines = [line for line in said.getvalue().splitlines() if line.strip()]
     tables = [json.loads(line) for line in out.getvalue().splitlines()]
+    if not status and not tables:
+        return 2, f"{command} printed no table, so that nothing of this case could be stored", [], {}
     return status, lines[-1] if status and lines else "", tables, {}

@@ -1,0 +1,53 @@
+"""A number in a table: printed with significant digits, kept whole for --csv, --json and a sweep."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+DIGITS = 4
+WHOLE = 1e4  # from which digits before the point are all printed, where a power of ten would stand
+NOTHING = "–"
+
+
+def number(value, factor=1.0, digits=DIGITS):
+    """A cell of a table with `digits` significant digits of value / factor; its `value`, a float, is not rounded.
+
+    factor : of the unit that the column names, as 1e3 for kN; a value that is not finite is a dash, and null in JSON
+    """
+    kept = float(value) / factor
+    made = _cell()(significant(kept, digits))
+    made.value = kept
+    return made
+
+
+@cache
+def _cell():
+    from rich.text import Text
+
+    class Number(Text):
+        value = math.nan
+
+    return Number
+
+
+def significant(value, digits=DIGITS):
+    """A number as text: 0.01323, 13.2, 13230; never a power of ten between 1e-4 and 1e15"""
+    if not math.isfinite(value):
+        return NOTHING
+    return f"{value + 0.0:.0f}" if WHOLE <= abs(value) < 1e15 else f"{value + 0.0:.{digits}g}"
+
+
+def values_table(title, rows):
+    """A table of quantities in rows: name, value, unit, note
+
+    rows : [(name, number or text, unit, note)]
+    """
+    from rich.table import Table
+
+    table = Table(title=title, title_justify="left")
+    for name in ("quantity", "value", "unit", "note"):
+        table.add_column(name, justify="right" if name == "value" else "left")
+    for name, value, unit, note in rows:
+        table.add_row(name, value if isinstance(value, str) else number(value), unit, note)
+    return table

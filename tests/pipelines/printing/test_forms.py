@@ -1,0 +1,73 @@
+"""Tables as --csv and --json: whole at any width, numbers with all their digits."""
+
+import csv
+import io
+import json
+import math
+
+import pytest
+
+from pipelines.cli import main
+from pipelines.printing.console import new_console, tables_as
+from pipelines.printing.number import number, significant
+
+LINE = ["line", "--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--tension", "300"]
+
+
+def wide_table():
+    from rich.table import Table
+
+    table = Table()
+    for column in range(60):
+        table.add_column(f"quantity {column}", no_wrap=True)
+    table.add_row(*(number(math.pi * 10.0**column) for column in range(-30, 30)))
+    return table
+
+
+@pytest.mark.parametrize("width", ["40", "400"])
+def test_a_table_wider_than_the_terminal_is_whole_in_both_forms(width, monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", width)
+    exact = [math.pi * 10.0**column for column in range(-30, 30)]
+    with tables_as("csv"):
+        new_console().print(wide_table())
+    row = list(csv.reader(io.StringIO(capsys.readouterr().out)))[1]
+    assert [float(cell) for cell in row] == exact
+    with tables_as("json"):
+        new_console().print(wide_table())
+    (row,) = json.loads(capsys.readouterr().out)["rows"]
+    assert list(row.values()) == exact
+
+
+def test_what_is_not_finite_is_a_dash_and_nothing_in_files(capsys):
+    from rich.table import Table
+
+    table = Table("a", "b")
+    table.add_row(number(math.nan), number(math.inf))
+    with tables_as("json"):
+        new_console().print(table)
+    assert json.loads(capsys.readouterr().out)["rows"] == [{"a": None, "b": None}]
+    assert significant(math.nan) == "–"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(0.0132345, "0.01323"), (13.2345, "13.23"), (132345.6, "132346"), (-0.0, "0"), (1.5e-9, "1.5e-09")],
+)
+def test_a_small_number_keeps_four_digits_and_a_large_one_its_whole_part(value, text):
+    assert significant(value) == text
+
+
+def test_a_line_has_the_same_numbers_in_both_forms_whatever_the_width(monkeypatch, capsys):
+    found = []
+    for width in ("40", "400"):
+        monkeypatch.setenv("COLUMNS", width)
+        for form in ("--csv", "--json"):
+            assert main([*LINE, form]) == 0
+            text = capsys.readouterr().out
+            rows = json.loads(text)["rows"] if form == "--json" else list(csv.DictReader(io.StringIO(text.strip())))
+            found.append({row["quantity"]: float(row["value"]) for row in rows})
+    assert found[0] == found[1] == found[2] == found[3]
+    # the tension at the fairlead is the horizontal force plus weight times the height hung, of a line that lies
+    # partly on a bed without friction, but for its stretch (Faltinsen, 1990, eq. 8.18)
+    hung = found[0]["horizontal force at the fairlead"] + 1e-3 * found[0]["weight in water"] * 60
+    assert found[0]["tension at the fairlead"] == pytest.approx(hung, rel=1e-3)
