@@ -1,5 +1,6 @@
 # make demo    two databases, pictures, a sea state, a mooring study; into demo/
 # make test    ruff and all tests, in two processes (PROCESSES=1 in one)
+# make test-quick   what the change of this branch touches, the nearest tests first, in two minutes
 # make test-nojit   kernels as plain Python (a subset); make test-bounds: with array bounds checked
 # make bench   error against time beside capytaine and HAMS, into bench/ (20 to 40 minutes; QUICK=1 a minute)
 # make docs    the guide with the reference of all keys, into docs/html
@@ -17,7 +18,7 @@ NOJIT := tests/bem/kernels/test_interpolative_decomposition.py tests/bem/kernels
 BOUNDS := tests/bem/green tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 
-.PHONY: docs demo test test-nojit test-bounds bench lint venv format clean
+.PHONY: docs demo test test-quick test-nojit test-bounds bench lint venv format clean
 .DELETE_ON_ERROR:
 
 venv: $(STAMP)
@@ -63,6 +64,9 @@ lint: venv
 # each process has one BLAS thread: two wait for each other where the cores are taken (16 minutes of processor time, 10)
 test: lint
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(PROCESSES)
+
+test-quick: lint
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python tests/quick.py --processes $(PROCESSES)
 
 # numpy warns where compiled code gives NaN or infinity in silence
 test-nojit: venv

@@ -1,0 +1,396 @@
+"""Small faults put into code that commands reach, and which of them the tests notice.
+
+    python tests/bench/mutants.py --seed 61 --count 25 --package mooring --results /tmp/mutants.jsonl
+
+A fault (mutant) is a changed source file in a clone of the last commit, in a temporary folder with compiled kernels of
+its own; the checkout is not touched.  Tests nearest to the file run first (`tests/near.py`), up to the first that
+fails; none begins after --timeout seconds, and what has not ended after three times as long counts as noticed: it
+hangs.  Tests that failed are run once without any fault, so that none counts that fails anyway.  What lives through
+the near ones is tried again with --wider seconds.
+
+Results are lines of JSON, one a mutant; a second call with the same file goes on where the first stopped.  Mutants
+that change nothing a test could notice are in `mutants_equivalent.toml`, with the reason.
+--quick evaluates kernels as plain Python: no compilation, for small kernels.
+"""
+
+import argparse
+import ast
+import copy
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+from fnmatch import fnmatch
+from pathlib import Path
+
+sys.path[:0] = [str(Path(__file__).parents[2]), str(Path(__file__).parents[1])]
+
+from near import PACKAGES, ROOT, nearest
+
+from bem.kernels.jit import cache_folder, sources
+
+TWINS = (
+    "sin cos",
+    "sinh cosh",
+    "min max",
+    "minimum maximum",
+    "argmin argmax",
+    "floor ceil",
+    "length beam",
+    "roll pitch",
+)
+TWINS += (
+    "surge sway",
+    "lower upper",
+    "first last",
+    "start end",
+    "real imag",
+    "x y",
+    "mean max",
+    "amax amin",
+    "any all",
+)
+TWIN = {a: b for pair in TWINS for a, b in (pair.split(), pair.split()[::-1])}
+FLIPPED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.GtE, ast.GtE: ast.LtE, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
+SIGN = {ast.Add: ast.Sub, ast.Sub: ast.Add}
+SILENT = (ast.Raise, ast.Import, ast.ImportFrom, ast.arguments, ast.Assert)  # what is inside is not drawn
+
+
+def number(node):
+    return isinstance(node, ast.Constant) and type(node.value) in (int, float)
+
+
+def expressions(node):
+    """(operator, expression in place of `node`) of every fault of one expression"""
+    if isinstance(node, ast.BinOp):
+        if type(node.op) in SIGN:
+            yield "sign", ast.BinOp(node.left, SIGN[type(node.op)](), node.right)
+            yield "term dropped", node.left
+            yield "term dropped", node.right
+        if isinstance(node.op, ast.Mult | ast.Div):
+            yield "factor 2", ast.BinOp(ast.Constant(2), ast.Mult(), node)
+            yield "factor dropped", node.left
+        if isinstance(node.op, ast.Pow) and number(node.right):
+            yield "power", ast.BinOp(node.left, ast.Pow(), ast.Constant(node.right.value + 1))
+    elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub) and not number(node.operand):
+        yield "sign", node.operand
+    elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+        yield "comparison", node.operand
+    elif isinstance(node, ast.Compare) and type(node.ops[0]) in FLIPPED:
+        yield "comparison", ast.Compare(node.left, [FLIPPED[type(node.ops[0])](), *node.ops[1:]], node.comparators)
+    elif isinstance(node, ast.BoolOp):
+        yield "term dropped", node.values[0]
+        yield "term dropped", node.values[-1]
+    elif isinstance(node, ast.Constant) and type(node.value) is float and node.value:
+        yield "constant", ast.Constant(node.value * 1.1)
+    elif isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Load):
+        if isinstance(node.slice, ast.Constant) and type(node.slice.value) is int:
+            yield "index", ast.Subscript(node.value, ast.Constant(node.slice.value + 1), node.ctx)
+        elif isinstance(node.slice, ast.Name):
+            yield "index", ast.Subscript(node.value, ast.BinOp(node.slice, ast.Sub(), ast.Constant(1)), node.ctx)
+    elif isinstance(node, ast.Call):
+        yield from _calls(node)
+    elif isinstance(node, ast.Name) and node.id in TWIN and isinstance(node.ctx, ast.Load):
+        yield "twin", ast.Name(TWIN[node.id], node.ctx)
+
+
+def _calls(node):
+    places = [i for i, (a, b) in enumerate(zip(node.args, node.args[1:], strict=False)) if _plain(a) and _plain(b)]
+    for i in places:
+        swapped = [*node.args[:i], node.args[i + 1], node.args[i], *node.args[i + 2 :]]
+        yield "names swapped", ast.Call(node.func, swapped, node.keywords)
+    if isinstance(node.func, ast.Attribute) and node.func.attr in TWIN:
+        twin = ast.Attribute(node.func.value, TWIN[node.func.attr], node.func.ctx)
+        yield "twin", ast.Call(twin, node.args, node.keywords)
+    if isinstance(node.func, ast.Attribute) and node.func.attr in ("sqrt", "abs", "conj", "radians", "degrees"):
+        yield "function dropped", node.args[0] if node.args else node.func.value
+
+
+def _plain(node):
+    return isinstance(node, ast.Name)
+
+
+def faults(source):
+    """(operator, line, text before, text after, first byte, last byte, function) of every fault of a source file"""
+    tree, offsets = ast.parse(source), _offsets(source)
+    found = []
+
+    def place(node):
+        first = offsets[node.lineno - 1] + node.col_offset
+        return first, offsets[node.end_lineno - 1] + node.end_col_offset
+
+    def visit(node, function, whole):
+        """whole : the string with fields that this is in, of whose parts Python tells no places"""
+        if isinstance(node, SILENT):
+            return
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            function = node.name
+            children = node.body
+        elif isinstance(node, ast.AnnAssign):
+            children = [node.value] if node.value is not None and function.islower() else []
+        else:
+            children = ast.iter_child_nodes(node)
+        if isinstance(node, ast.expr):
+            whole = whole or (node if isinstance(node, ast.JoinedStr) else None)
+            for name, new in expressions(node):
+                at = whole or node
+                if whole:
+                    new = _replaced(whole, node, new)
+                text = ast.unparse(ast.fix_missing_locations(new))
+                after = text if whole else f"({text})"
+                first, last = place(at)
+                found.append((name, node.lineno if not whole else whole.lineno, first, last, after, function))
+        elif isinstance(node, ast.stmt):
+            for name, first, last, after in _statements(node, place, source):
+                found.append((name, node.lineno, first, last, after, function))
+        for child in children:
+            visit(child, function, whole)
+
+    visit(tree, "", None)
+    return found
+
+
+def _replaced(whole, node, new):
+    """A copy of a tree with one node replaced"""
+    index = next(i for i, other in enumerate(ast.walk(whole)) if other is node)
+    twin = copy.deepcopy(whole)
+    target = list(ast.walk(twin))[index]
+
+    class Replace(ast.NodeTransformer):
+        def visit(self, other):
+            return new if other is target else self.generic_visit(other)
+
+    return Replace().visit(twin)
+
+
+def _statements(node, place, source):
+    if isinstance(node, ast.AugAssign) or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Call)):
+        yield "statement dropped", *place(node), "pass"
+    elif isinstance(node, ast.For):
+        last = node.body[-1]
+        end, column = place(last)[1], node.body[0].col_offset
+        if node.body[0].lineno > node.lineno and not isinstance(last, ast.Return | ast.Raise | ast.Continue):
+            yield "early end", end, end, "\n" + " " * column + "break"
+    elif isinstance(node, ast.If) and len(node.body) == 1 and isinstance(node.body[0], ast.Return) and not node.orelse:
+        yield "early return dropped", *place(node.body[0]), "pass"
+
+
+def _offsets(source):
+    offsets = [0]
+    for line in source.encode().splitlines(keepends=True):
+        offsets.append(offsets[-1] + len(line))
+    return offsets
+
+
+def changed(source, first, last, after):
+    data = source.encode()
+    return (data[:first] + after.encode() + data[last:]).decode()
+
+
+def drawn(seed, count, package, root, equivalent):
+    """Mutants of a package in random order: each line of code that commands reach is as likely as any other"""
+    files = sorted(file for file in sources(root / "pipelines" / "cli.py", root) if root / package in file.parents)
+    skipped = equivalent.get("files", {})
+    lines = {}
+    for file in files:
+        name = str(file.relative_to(root))
+        if any(fnmatch(name, pattern) for pattern in skipped):
+            continue
+        source = file.read_text(encoding="utf-8")
+        for operator, line, first, last, after, function in faults(source):
+            text = source.encode()[first:last].decode()
+            row = {
+                "file": name,
+                "line": line,
+                "function": function,
+                "operator": operator,
+                "before": text,
+                "after": after,
+            }
+            lines.setdefault((name, line), []).append(row | {"first": first, "last": last})
+    draw = random.Random(f"{seed} {package}")
+    places = sorted(lines)
+    draw.shuffle(places)
+    rows = [draw.choice(lines[place]) for place in places]
+    known = {(row["file"], row["before"], row["after"]) for row in equivalent.get("mutant", ())}
+    return [row for row in rows if (row["file"], row["before"], row["after"].strip("()")) not in known][:count]
+
+
+class Clone:
+    """The last commit in a folder of its own, where faults are put in"""
+
+    def __init__(self, folder, quick):
+        self.root = folder / "clone"
+        if not self.root.exists():
+            subprocess.run(["git", "clone", "-q", "--shared", str(ROOT), str(self.root)], check=True)
+        commit = subprocess.run(
+            ["git", "rev-parse", "HEAD"], cwd=ROOT, check=True, capture_output=True, text=True
+        ).stdout
+        for words in (["checkout", "-q", "--", "."], ["checkout", "-q", "--detach", commit.strip()]):
+            subprocess.run(["git", *words], cwd=self.root, check=True)
+        modules = [file for package in PACKAGES for file in (self.root / package).rglob("*.py")]
+        self.sound = {cache_folder(file, self.root).name for file in modules if "@kernel" in file.read_text("utf-8")}
+        self.kernels = folder / "kernels"
+        self.environment = os.environ | {
+            "HAKOBUNE_CACHE": str(self.kernels),
+            "PYTHONPATH": os.pathsep.join((str(self.root), str(self.root / "tests"))),
+            "PYTHONDONTWRITEBYTECODE": "1",  # a file may change twice in a second, which is all that Python looks at
+            "OPENBLAS_NUM_THREADS": "1",
+            "OMP_NUM_THREADS": "1",
+        }
+        if quick:
+            self.environment["NUMBA_DISABLE_JIT"] = "1"
+
+    def tests(self, files, seconds):
+        """(status, last lines, seconds) of tests run up to the first that fails; status None if they hang"""
+        words = [
+            sys.executable,
+            "-m",
+            "pytest",
+            "-x",
+            "-q",
+            "--tb=no",
+            "-rf",
+            "--seconds",
+            f"{seconds:g}",
+            *map(str, files),
+        ]
+        start = time.monotonic()
+        run = subprocess.Popen(
+            words,
+            cwd=self.root,
+            env=self.environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            start_new_session=True,
+        )
+        try:
+            output, status = run.communicate(timeout=3 * seconds + 60)[0], run.returncode
+        except subprocess.TimeoutExpired:
+            os.killpg(run.pid, signal.SIGKILL)
+            output, status = run.communicate()[0], None
+        return status, output.splitlines()[-6:], time.monotonic() - start
+
+    def with_fault(self, row, files, seconds):
+        path = self.root / row["file"]
+        before, stamp = path.read_text(encoding="utf-8"), path.stat()
+        path.write_text(changed(before, row["first"], row["last"], row["after"]), encoding="utf-8")
+        try:
+            return self.tests(files, seconds)
+        finally:
+            path.write_text(before, encoding="utf-8")
+            os.utime(path, ns=(stamp.st_atime_ns, stamp.st_mtime_ns))  # numba looks at it
+            self._forget()
+
+    def _forget(self):
+        """Remove what was compiled of a fault"""
+        for folder in self.kernels.glob("*"):
+            if folder.name not in self.sound:
+                shutil.rmtree(folder)
+
+
+def judged(clone, row, given, sound):
+    """A row with its verdict: `noticed` by a test that passes without the fault, or `lived`"""
+    names = (row["function"], Path(row["file"]).stem)
+    files = [f.relative_to(clone.root) for f in nearest([clone.root / row["file"]], names, clone.root)]
+    spent = 0.0
+    for seconds in (given.timeout, given.wider):
+        if not seconds:
+            continue
+        status, tail, took = clone.with_fault(row, files, seconds)
+        spent += took
+        if status == 0 or status == 5:
+            continue
+        failed = [line.split(" ", 1)[1].split(" - ")[0] for line in tail if line.startswith(("FAILED ", "ERROR "))]
+        by = failed[0] if failed else ("it hangs" if status is None else "it does not import")
+        if failed and by not in sound:
+            sound[by] = clone.tests([by], given.timeout)[0] == 0
+        verdict = "noticed" if sound.get(by, True) else "unsound test"
+        return row | {"verdict": verdict, "by": by, "seconds": round(spent, 1)}
+    return row | {"verdict": "lived", "by": "", "seconds": round(spent, 1)}
+
+
+def told(row):
+    before, after = (" ".join(row[name].split()) for name in ("before", "after"))
+    return f"{row['file']}:{row['line']} {row['function']}: {row['operator']}: {before or '…'} → {after}"
+
+
+def kept(path):
+    return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()] if path.exists() else []
+
+
+def summary(rows):
+    for package in PACKAGES:
+        own = [row for row in rows if row["file"].startswith(package + "/")]
+        noticed = sum(row["verdict"] == "noticed" for row in own)
+        if own:
+            print(f"{package}: {noticed} of {len(own)} noticed, {100 * noticed / len(own):.0f} %")
+    for row in rows:
+        if row["verdict"] != "noticed":
+            print(f"{row['verdict']}: {told(row)}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--count", type=int, default=10, help="mutants of each package")
+    parser.add_argument("--package", choices=PACKAGES, action="append", help="one or several; all without it")
+    parser.add_argument("--timeout", type=float, default=40, help="seconds of near tests a mutant")
+    parser.add_argument("--wider", type=float, default=0, help="seconds for another try of what lived; 0: none")
+    parser.add_argument("--quick", action="store_true", help="kernels as plain Python")
+    parser.add_argument("--folder", type=Path, default=Path(tempfile.gettempdir()) / "hakobune_mutants")
+    parser.add_argument("--results", type=Path, help="lines of JSON; in --folder without it")
+    parser.add_argument("--again", action="store_true", help="try again what lived, and nothing else")
+    parser.add_argument("--list", action="store_true", help="only print what is drawn")
+    given = parser.parse_args()
+    given.folder.mkdir(parents=True, exist_ok=True)
+    path = given.results or given.folder / f"seed_{given.seed}.jsonl"
+    equivalent = tomllib.loads((Path(__file__).parent / "mutants_equivalent.toml").read_text(encoding="utf-8"))
+    clone = Clone(given.folder, given.quick)
+    rows, sound = kept(path), {}
+    if given.again:
+        waiting = [row for row in rows if row["verdict"] == "lived"]
+        rows = [row for row in rows if row["verdict"] != "lived"]
+        waiting = [now for row in waiting if (now := found_again(row, clone.root))]
+    else:
+        done = {(row["file"], row["before"], row["after"], row["function"]) for row in rows}
+        waiting = [
+            row
+            for package in given.package or PACKAGES
+            for row in drawn(given.seed, given.count, package, clone.root, equivalent)
+            if (row["file"], row["before"], row["after"], row["function"]) not in done
+        ]
+    if given.list:
+        print("\n".join(map(told, waiting)))
+        return
+    if given.again:
+        path.write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
+    for row in waiting:
+        row = judged(clone, row, given, sound)
+        rows.append(row)
+        with path.open("a", encoding="utf-8") as file:
+            file.write(json.dumps(row, ensure_ascii=False) + "\n")
+        print(f"{row['verdict']} ({row['seconds']:.0f} s): {told(row)}  {row['by']}", flush=True)
+    summary(rows)
+
+
+def found_again(row, root):
+    """A row with its place in the file as it is now, None if that text is no longer there"""
+    source = (root / row["file"]).read_text(encoding="utf-8")
+    for operator, line, first, last, after, function in faults(source):
+        same = (operator, after, function) == (row["operator"], row["after"], row["function"])
+        if same and source.encode()[first:last].decode() == row["before"]:
+            return row | {"line": line, "first": first, "last": last}
+    return None
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+"""Faults that the campaign puts in, and the tests it takes first."""
+
+import ast
+import fnmatch
+import tomllib
+
+from bench.mutants import changed, drawn, faults
+from near import PACKAGES, ROOT, distances, nearest
+
+SOURCE = '''
+def area(x, y, n):
+    """a * b"""
+    if n < 1:
+        return 0.0
+    total = 0.0
+    for i in range(n):
+        total += x[0] * y[i] ** 2 - 0.5
+    print(f"{2 * total:.1f} – m²")
+    return -total
+'''
+
+
+def operators():
+    return {(operator, before, after) for operator, _, before, after in _told()}
+
+
+def _told():
+    for operator, line, first, last, after, _ in faults(SOURCE):
+        yield operator, line, SOURCE.encode()[first:last].decode(), after
+
+
+def test_each_kind_of_fault_is_found_where_it_stands():
+    found = operators()
+    assert ("comparison", "n < 1", "(n > 1)") in found
+    assert ("early return dropped", "return 0.0", "pass") in found
+    assert ("index", "x[0]", "(x[1])") in found
+    assert ("index", "y[i]", "(y[i - 1])") in found
+    assert ("power", "y[i] ** 2", "(y[i] ** 3)") in found
+    assert ("term dropped", "x[0] * y[i] ** 2 - 0.5", "(0.5)") in found
+    assert ("sign", "-total", "(total)") in found
+    assert any(name == "early end" and after.endswith("\n        break") for name, _, after in found)
+    assert any(name == "factor 2" and "2 * (2 * total)" in after for name, _, after in found)
+
+
+def test_a_fault_changes_the_code_and_leaves_it_one_that_python_reads():
+    sound = ast.dump(ast.parse(SOURCE))
+    for _, _, first, last, after, _ in faults(SOURCE):
+        assert ast.dump(ast.parse(changed(SOURCE, first, last, after))) != sound
+
+
+def test_the_draw_follows_from_its_seed_and_leaves_out_what_is_known_as_equivalent():
+    first = drawn(7, 5, "meshing", ROOT, {})
+    assert drawn(7, 5, "meshing", ROOT, {}) == first != drawn(8, 5, "meshing", ROOT, {})
+    known = {"mutant": [first[0] | {"after": first[0]["after"].strip("()")}], "files": {first[1]["file"]: "a reason"}}
+    left = drawn(7, 5, "meshing", ROOT, known)
+    assert first[0] not in left and not [row for row in left if row["file"] == first[1]["file"]]
+
+
+def test_all_that_is_left_out_is_there_and_has_a_reason():
+    known = tomllib.loads((ROOT / "tests" / "bench" / "mutants_equivalent.toml").read_text(encoding="utf-8"))
+    files = [str(file.relative_to(ROOT)) for package in PACKAGES for file in (ROOT / package).rglob("*.py")]
+    for pattern, reason in known["files"].items():
+        assert reason and fnmatch.filter(files, pattern), pattern
+    for row in known.get("mutant", ()):
+        assert row["reason"]
+        assert row["before"] in (ROOT / row["file"]).read_text(encoding="utf-8"), row
+
+
+def test_the_nearest_test_is_the_changed_one_and_then_the_one_that_imports_and_mirrors():
+    gusts = ROOT / "mooring" / "environment" / "gusts.py"
+    own, other = ROOT / "tests" / "mooring" / "environment" / "test_gusts.py", ROOT / "tests" / "test_layers.py"
+    assert nearest([gusts])[0] == own
+    assert nearest([gusts, other])[:2] == [other, own]
+    assert distances([gusts])[own] == 1
+
+
+def test_what_commands_import_is_reached_by_the_tests_of_commands():
+    reached = nearest([ROOT / "mooring" / "fenders" / "curves.py"])
+    assert ROOT / "tests" / "pipelines" / "fender" / "test_fender_command.py" in reached
