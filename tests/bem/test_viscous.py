@@ -15,6 +15,7 @@ from bem.viscous import (
     report_scale,
     yamashita_roll,
 )
+from bem.viscous_table import viscous_of_text
 
 ROLL = DOFS.index("Roll")
 INERTIA = np.diag([1e6, 1e6, 1e6, 2e8, 2e8, 2e8])
@@ -112,3 +113,23 @@ def test_a_motion_that_only_another_motion_brings_about_is_found():
     again = response(0.8, np.zeros((6, 6)), law.damping(0.8, np.abs(X[0])), force, inertia, stiffness)
     assert np.abs(X[0, 4]) > 0 and extra[0, 4, 4] > 0
     np.testing.assert_allclose(X, again, rtol=1e-8, atol=1e-12)
+
+
+def test_the_reports_normalisation_of_pitch_is_that_of_roll_with_length_and_beam_exchanged():
+    """Eq. 2.1.4.6 by hand: N = b ρ B d L √(B/2g) ω² B/2g √(2g/B) (B/2)² = b ρ L B d √(B/2g) (B/2)² ω² in roll; a box
+    that is turned a quarter pitches as it rolled, so L stands for B; heave has no lever."""
+    rho, g, d = 1000.0, 10.0, 3.0
+    L, B = 80.0, 20.0  # √(B/2g) = 1 s, √(L/2g) = 2 s
+    assert report_scale("Heave", L, B, d, rho, g) == pytest.approx(1000 * 80 * 20 * 3 * 1.0)
+    assert report_scale("Roll", L, B, d, rho, g) == pytest.approx(1000 * 80 * 20 * 3 * 1.0 * 10**2)
+    assert report_scale("Pitch", L, B, d, rho, g) == pytest.approx(1000 * 80 * 20 * 3 * 2.0 * 40**2)
+    # through the table that users write: b 0.02 at 2° of each
+    text = "[viscous]\nwave_height = 2.0\n" + "".join(
+        f"{mode} = {{ amplitudes{unit} = [2.0], b = [0.02] }}\n"
+        for mode, unit in (("heave", ""), ("roll", "_deg"), ("pitch", "_deg"))
+    )
+    viscous = viscous_of_text(text, {"length": L, "beam": B, "draft": d}, rho, g)
+    damping = viscous.damping(0.5, np.array([0, 0, 1.0, np.radians(2), np.radians(1), 0]))
+    hand = 4.8e6 * 0.25 * np.array([0.01, 0.02 * 100, 0.01 * 2 * 1600])
+    assert np.diag(damping)[2:5] == pytest.approx(hand)
+    assert viscous.wave_amplitude == 1.0

@@ -8,7 +8,7 @@ import pytest
 from bem.frequency import solve_frequency
 from bem.methods.panel_problem import PanelProblem, prepare
 from bem.sections.coefficients import section
-from bem.sections.quay import floating, force_before_wall, magnification, motions_before_wall
+from bem.sections.quay import Floating, floating, force_before_wall, magnification, motions_before_wall
 from bem.waves import group_factor
 from meshing.lid import lid
 from meshing.shapes import box
@@ -122,3 +122,36 @@ def test_the_reports_factor_is_that_of_a_single_reflection_on_heave():
         single = motions_before_wall(body, distance, repeated=False)
         assert magnification(body, distance) == pytest.approx(abs(single[1] / body.motions[1]), rel=1e-12)
         assert magnification(body, distance) <= 1 + abs(body.transmission) + 1e-12
+
+
+def transparent(k=0.05):
+    """A body so small and light that waves pass it whole, and that goes with the water: heave η, sway iη of its
+    particles in deep water, roll ∂η/∂y = ikη"""
+    return Floating(k, np.array([1j, 1.0, 1j * k]), 1.0, 0.0)
+
+
+def test_what_goes_with_the_water_before_a_wall_has_its_motions_in_a_standing_wave():
+    """η = e^{iky} + e^{2ikP} e^{−iky}: at a crest of it (kP = π) heave is twice that of the wave and nothing sways or
+    rolls; at a node (kP = π/2) nothing heaves, and slope and sway are twice those of the wave."""
+    body = transparent()
+    at_crest = motions_before_wall(body, np.pi / body.k)
+    assert at_crest == pytest.approx([0.0, 2.0, 0.0], abs=1e-12)
+    at_node = motions_before_wall(body, 0.5 * np.pi / body.k)
+    assert at_node == pytest.approx([2j, 0.0, 2j * body.k], abs=1e-12)
+
+
+@pytest.mark.parametrize("distance", [40.0, 77.0])
+def test_forces_before_a_wall_are_of_waves_from_both_sides_of_which_one_is_mirrored(distance):
+    """Waves from the wall press a symmetric section as its mirror image: sway and roll change their sign.
+
+    Its own far field gives both forces: F = ±2iρg (n/k) η of what it radiates towards either side (Haskind)."""
+    part = section(50.0, 10.0, DEPTH, 0.5)
+    turn = np.exp(2j * part.k * distance)
+    returned = part.transmission * turn
+    for _ in range(400):  # every reflection, one after the other
+        returned = turn * (part.transmission + part.reflection * returned)
+    size = 2j * part.density * part.gravity * float(group_factor(part.k, DEPTH)) / part.k
+    of_waves_ahead, of_waves_back = -size * part.radiated_back, -size * part.radiated
+    assert of_waves_ahead == pytest.approx(part.excitation, rel=1e-4)
+    both = of_waves_ahead + returned * of_waves_back
+    assert force_before_wall(part, distance) == pytest.approx(both, rel=1e-4)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from mooring.lines.catenary.flat_bed import asinh_ratio_less_one
 from mooring.lines.catenary.free_piece import asinh_excess
 from mooring.lines.catenary.solve import profile, solve_lines, span_at_tension
 from mooring.lines.catenary.state import LineError, State
@@ -292,6 +293,18 @@ def test_asinh_excess_follows_its_series_on_both_sides_of_the_switch():
     assert np.allclose([asinh_excess(v) for v in s[:4]], [series(v) for v in s[:4]], rtol=1e-12, atol=0)
     assert np.isclose(asinh_excess(s[4]), np.arcsinh(3.0) - 3 / np.sqrt(10), rtol=1e-15)
     assert np.isclose(asinh_excess(s[5]), np.log(2e9) - 1, rtol=1e-12)
+
+
+@pytest.mark.parametrize("u", [1e-6, 0.01, 0.05, 0.0999, 0.1001, 2.0])
+def test_series_of_short_pieces_are_their_integrals_to_the_last_digits(u):
+    """asinh u − u/√(1+u²) = ∫ t²/(1+t²)^{3/2} dt and asinh u − u = −∫ t²/(√(1+t²)(1+√(1+t²))) dt, by Gauss's rule on
+    positive integrands, which loses nothing: the last coefficient of either series counts 1e-12 at u = 0.1."""
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    t, w = 0.5 * u * (1 + nodes), 0.5 * u * weights
+    root = np.sqrt(1 + t * t)
+    digits = 2e-14 if u < 0.1 else 2e-13  # beyond, the difference itself loses that
+    assert asinh_excess(u) == pytest.approx(w @ (t**2 / root**3), rel=digits, abs=0)
+    assert asinh_ratio_less_one(u) == pytest.approx(-w @ (t**2 / (root * (1 + root))) / u, rel=1e-13, abs=0)
 
 
 def slopes_that_do_not_hold(count, seed):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from mooring.lines.catenary.solve import solve_lines
 from mooring.lines.regimes import Regime, catenary_stiffness, centroid_height, harmonic_tension
@@ -57,3 +58,56 @@ def test_a_line_without_a_part_on_the_bed_is_refused():
         harmonic_tension(295.5, 50.0, 300.0, amplitude=(0.1, 2e-15), period=10.0, **CHAIN)
     with pytest.raises(ValueError, match="period is 0"):
         harmonic_tension(280.0, 50.0, 300.0, amplitude=(0.1, 0.0), period=0.0, **CHAIN)
+
+
+def test_the_simplified_tension_is_that_of_the_report_by_hand():
+    """SR179 report (1982), eq. 3.2.1 to 3.2.11, of an inextensible catenary built from its horizontal tension:
+
+    F₁ = ω² (m + C_A ρ π D²/4) S₀ Z_m,  F₂ = 4 ρ C_d D S₀ cos³θ_m Z_m² ω² / 3π,  tan θ_m = z / span,
+    T_v = V + (C_xz X + C_zz Z − F₁) cos ωt − F₂ sin ωt,  horizontal parts H/V of it,
+    Z_m from the height of the centroid, ∫ y ds / S₀, at rest and outermost."""
+    w, m, D, rho, cd, ca, T = 979.3, 114.94, 0.1368, 1025.0, 1.2, 1.0, 9.0
+    H0, span = 1.6e5, 160.0
+    c = H0 / w
+    z = c * (np.cosh(span / c) - 1)
+    S0 = c * np.sinh(span / c)
+    lying = 120.0
+    x, length = lying + span, lying + S0
+    out, up = 0.9, -0.3
+
+    def hanging(c, z):
+        return c * np.arccosh(1 + z / c)  # horizontal length
+
+    def reach(c, z):  # of the whole line at tension w c, touching the bed
+        l = hanging(c, z)
+        return length - c * np.sinh(l / c) + l
+
+    def centroid(c, z):
+        s = np.linspace(0.0, c * np.sinh(hanging(c, z) / c), 20001)
+        return np.trapezoid(np.sqrt(c * c + s * s) - c, s) / s[-1]
+
+    far = brentq(lambda c: reach(c, z + up) - x - out, 0.5 * c, 5 * c, xtol=1e-12)
+    rise = abs(centroid(far, z + up) - centroid(c, z))
+    step = 1e-4
+    V = [
+        w * k * np.sinh(hanging(k, z + b) / k)
+        for a, b in ((step, 0), (-step, 0), (0, step), (0, -step))
+        for k in [brentq(lambda c, a=a, b=b: reach(c, z + b) - x - a, 0.5 * c, 5 * c, xtol=1e-13)]
+    ]
+    static = (V[0] - V[1]) / (2 * step) * out + (V[2] - V[3]) / (2 * step) * up
+    omega, water = 2 * np.pi / T, rho * np.pi / 4 * D**2
+    F1 = omega**2 * (m + ca * water) * S0 * rise
+    cos = span / np.hypot(span, z)
+    F2 = 4 * rho * cd * D * S0 * cos**3 * rise**2 * omega**2 / (3 * np.pi)
+    found = harmonic_tension(x, z, length, w, m, D, (out, up), T, drag=cd, added_mass=ca, density=rho, gravity=9.81)
+    assert found.mean == pytest.approx([H0, w * S0], rel=1e-6)
+    assert found.cosine[1] == pytest.approx(static - F1, rel=1e-4)
+    assert found.sine[1] == pytest.approx(F2, rel=1e-4)
+    assert found.cosine[0] / found.cosine[1] == pytest.approx(H0 / (w * S0), rel=1e-6)
+    largest = np.hypot(H0, w * S0) * (1 + np.hypot(static - F1, F2) / (w * S0))
+    assert found.largest == pytest.approx(largest, rel=1e-4)
+    # α and its boundaries, 3.2.9 and 3.2.10
+    assert found.acceleration == pytest.approx(omega**2 * rise / 9.81, rel=1e-4)
+    assert found.harmonic == pytest.approx(2 * abs(static) / (9.81 * (m + ca * water) * S0), rel=1e-4)
+    alone = np.hypot(1 + ca * water / m, F2 / omega**2 / (m * S0 * rise))
+    assert found.slack == pytest.approx(w / (m * 9.81) / alone, rel=1e-4)

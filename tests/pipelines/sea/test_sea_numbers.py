@@ -1,0 +1,74 @@
+"""The numbers that `hakobune sea` prints, against text-book formulas and records whose waves are known one by one."""
+
+import json
+import math
+from math import gamma, pi, sqrt
+
+import numpy as np
+import pytest
+
+from pipelines.cli import main
+
+
+def printed(words, capsys):
+    """{title: {row: [numbers]}} of the tables of a command"""
+    assert main([*words, "--json"]) == 0
+    tables = [json.loads(line) for line in capsys.readouterr().out.splitlines() if line.startswith("{")]
+    return {
+        table["title"]: {
+            row.pop(""): [float(v) if v not in (None, "–") else math.nan for v in row.values()] for row in table["rows"]
+        }
+        for table in tables
+    }
+
+
+def test_a_two_parameter_spectrum_has_the_moments_and_periods_of_its_closed_form(capsys):
+    """S = A ω⁻⁵ exp(−Bω⁻⁴): m_n = (A/4) B^{n/4−1} Γ(1 − n/4) (Bretschneider 1959; Price & Bishop 1974, ch. 7), and
+    Tp = 2π (4B/5)^{−1/4}.  One period sets B; m₀ = H²/16."""
+    found = printed(["sea", "--height", "3", "--mean-period", "8"], capsys)
+    T = {row.split(",")[0]: values[0] for row, values in found["periods"].items()}
+    B = 0.8**-1 * (2 * pi / T["Tp"]) ** 4  # 4B/5 = (2π/Tp)⁴
+    A = 4 * B * 3**2 / 16
+    m = {n: A / 4 * B ** (n / 4 - 1) * gamma(1 - n / 4) for n in (-1, 0, 1, 2, 3)}
+    moments = [values[0] for row, values in found["moments"].items() if row.startswith("m")]
+    assert moments == pytest.approx(list(m.values()), rel=2e-4)
+    assert T["T01"] == pytest.approx(2 * pi * m[0] / m[1], rel=2e-4)
+    assert T["T02"] == pytest.approx(2 * pi * sqrt(m[0] / m[2]), rel=2e-4)
+    assert T["Te"] == pytest.approx(2 * pi * m[-1] / m[0], rel=2e-4)
+    assert T["T01"] == pytest.approx(8.0, rel=3e-3)  # ISSC prints its constants 0.11 and 0.44 to two digits
+    width = found["moments"]["width √(m₀m₂/m₁² − 1)"][0]
+    assert width == pytest.approx(sqrt(m[0] * m[2] / m[1] ** 2 - 1), rel=2e-4)
+
+
+def test_heights_of_a_narrow_spectrum_are_those_of_rayleigh(capsys):
+    """Longuet-Higgins (1952), in 4√m₀ = 1: mean √(2π)/4 = 0.6267, H1/3 1.0011, H1/10 1.2727, and the expected highest
+    of 1000 √(2 ln N)/2 + γ/(2√(2 ln N)) = 1.9361 (he prints 1.53 √(2 ln N) H_rms for the first term)"""
+    heights = printed(["sea", "--height", "2", "--mean-period", "8"], capsys)["heights"]
+    found = {row.split(",")[0]: values[0] for row, values in heights.items()}
+    assert found["4√m₀"] == pytest.approx(2.0, rel=1e-4)
+    assert found["mean"] == pytest.approx(2 * 0.6267, rel=2e-4)
+    assert found["H1/3"] == pytest.approx(2 * 1.0011, rel=2e-4)
+    assert found["H1/10"] == pytest.approx(2 * 1.2727, rel=2e-4)
+    assert found["highest of 1000"] == pytest.approx(2 * 1.9361, rel=2e-4)
+
+
+def test_a_record_of_thirty_known_waves_has_the_means_of_its_highest_ten_and_three(tmp_path, capsys):
+    """Each wave is one whole sine of its own height and period, in mixed order: the mean of all, of the highest third
+    (ten) and of the highest tenth (three) are sums by hand, as is the mean period and that of the highest third."""
+    heights = 0.5 + 0.1 * np.array([(7 * i) % 30 for i in range(30)])  # 0.5 … 3.4 m, each once
+    lengths = np.where(heights > 2.35, 80, 60)  # values a wave: the highest ten are longer; step 0.1 s
+    waves = [0.5 * h * np.sin(2 * pi * np.arange(n) / n) for h, n in zip(heights, lengths, strict=True)]
+    record = np.concatenate([[-0.01], *waves, [0.01]])
+    path = tmp_path / "waves.csv"
+    rows = [f"{0.1 * i:.1f},{value:.9g}" for i, value in enumerate(record)]
+    path.write_text("\n".join(["time_s,elevation_m", *rows]), encoding="utf-8")
+    found = printed(["sea", str(path)], capsys)
+    height = {row.split(",")[0]: values[1] for row, values in found["heights"].items()}
+    period = {row.split(",")[0]: values[1] for row, values in found["periods"].items()}
+    inside = np.sort(heights)
+    assert height["mean"] == pytest.approx(inside.mean(), rel=0.01)
+    assert height["H1/3"] == pytest.approx(inside[-10:].mean(), rel=0.01)
+    assert height["H1/10"] == pytest.approx(inside[-3:].mean(), rel=0.01)
+    assert max(v for name, v in height.items() if name.startswith("highest")) == pytest.approx(3.4, rel=0.005)
+    assert period["T1/3"] == pytest.approx(8.0, rel=0.01)
+    assert period["T02"] == pytest.approx(lengths.mean() / 10, rel=0.02)
