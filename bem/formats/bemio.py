@@ -5,8 +5,9 @@
 
     impulse response of radiation  K/ρ = 2/π ∫ B̄ ω cos ωt dω,  of excitation  1/π ∫ (re cos ωt − im sin ωt) dω,
 
-by the trapezoidal rule between the lowest and the highest stored frequency, B̄ and X interpolated linearly: they are
-WEC-Sim's start, no better than the band.  Layout: WEC-Sim documentation, "BEMIO", and its writeBEMIOH5.
+Forces, motions and coefficients are about the centre of gravity, where WEC-Sim has the origin of its bodies.  Impulse
+responses are by the trapezoidal rule between the lowest and the highest stored frequency, B̄ and X interpolated
+linearly: WEC-Sim's start, no better than the band.  Layout: WEC-Sim documentation, "BEMIO", and its writeBEMIOH5.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ import numpy as np
 from meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
-from .values import FormatError, Values
+from .values import FormatError, Values, about
 
 FORCES = {
     "excitation": "excitation_force",
@@ -31,7 +32,9 @@ TIMES, POINTS = 100.0, 1001  # s and samples of impulse responses
 
 
 def write(values, place):
-    """Write NAME.h5.  Returns its path."""
+    """Write NAME.h5.  Returns its path.  Raises FormatError without the centre of mass, which all is about."""
+    (center,) = values.need("center_of_mass")
+    values = about(values, center)
     A, B = values.need("added_mass", "radiation_damping")
     place = Path(place)
     with h5py.File(place, "w", driver="core", backing_store=False) as file:
@@ -188,4 +191,4 @@ def _read(file, name):
         "displaced_volume": float(np.ravel(own["disp_vol"][()])[0]),
         "hydrostatic_stiffness": rho * g * hydro["linear_restoring_stiffness"][()],
     }
-    return Values(omega, np.radians(degrees), depth, rho, g, quantities, known, name=name)
+    return Values(omega, np.radians(degrees), depth, rho, g, quantities, known, known["center_of_mass"], name=name)

@@ -1,7 +1,8 @@
 """A project of HAMS: Input/ControlFile.in, HullMesh.pnl, Hydrostatic.in, and Output/Wamit_format/Buoy.1 .3 …
 
-The results are in the files of WAMIT (`wamit`) with its time factor, and the frequency in rad/s where
-Output_frequency_type is 3; here it is 4, the period, as WAMIT has it.  HAMS of Y. Liu (2019), J. Mar. Sci. Eng. 7(3).
+The results are in the files of WAMIT (`wamit`) with its time factor, made dimensionless by Reference_body_length, with
+a first column as Output_frequency_type says (`PERIOD_KINDS`); here it is written as 4, the period.  HAMS of Y. Liu
+(2019), J. Mar. Sci. Eng. 7(3).
 """
 
 from __future__ import annotations
@@ -14,10 +15,11 @@ import numpy as np
 from meshing.whole_files import write_whole
 
 from . import wamit
-from .values import FormatError
+from .values import FormatError, numbers_of
 
 RESULTS = Path("Output", "Wamit_format", "Buoy")
 WATER = ("density", "gravity")
+PERIOD_KINDS = {1: "deep wavenumber", 2: "wavenumber", 3: "frequency", 4: "period", 5: "wavelength"}
 
 
 def write(values, place):
@@ -93,22 +95,51 @@ def read(place, known):
     """The Values of a project; known : {"density", "gravity"}, the depth is in ControlFile.in.  Raises FormatError."""
     place = Path(place)
     control = place / "Input" / "ControlFile.in"
-    try:
-        words = [line.split() for line in control.read_text(encoding="utf-8", errors="replace").splitlines()]
-    except OSError as error:
-        raise FormatError(f"{control}: {error.strerror}") from None
-    said = {line[0]: line[1] for line in words if len(line) > 1}
-    about = next((line[1:4] for line in words if line and line[0] == "Reference_body_center"), ["0"] * 3)
-    if said.get("Output_frequency_type") != "4":
+    said = _control_of(control)
+    depth, length = (_one(control, said, key) for key in ("Waterdepth", "Reference_body_length"))
+    number = int(_one(control, said, "Output_frequency_type"))
+    if number not in PERIOD_KINDS:
         raise FormatError(
-            f"{control}: Output_frequency_type is {said.get('Output_frequency_type')}; allowed: 4, the period"
+            f"{control}: Output_frequency_type is {number}; allowed: "
+            + ", ".join(f"{key} ({name})" for key, name in PERIOD_KINDS.items())
         )
-    depth = float(said["Waterdepth"].upper().removesuffix("D0"))
     known = {"water_depth": depth if depth > 0 else np.inf} | {name: known[name] for name in WATER}
-    found = wamit.read(place / RESULTS, known)
-    body, rows = dict(found.body), (place / "Input" / "Hydrostatic.in").read_text(encoding="utf-8").splitlines()
-    body["center_of_mass"] = np.array([float(x) for x in rows[1].split()])
-    mass = np.array([[float(x) for x in row.split()] for row in rows[3:9]])
-    if mass.any():
-        body |= {"inertia_matrix": mass, "mass": mass[0, 0]}
-    return replace(found, body=body, rotation_center=np.array(about, float), name=place.name)
+    about = numbers_of(said.get("Reference_body_center", "0 0 0"))[:3]
+    inputs = {"length_unit": length, "rotation_center": about, "period_kind": PERIOD_KINDS[number]}
+    found = wamit.read(place / RESULTS, known | inputs)
+    return replace(found, body=dict(found.body) | _hydrostatic_of(place / "Input" / "Hydrostatic.in"), name=place.name)
+
+
+def _text(path):
+    try:
+        return path.read_text(encoding="utf-8", errors="replace").splitlines()
+    except OSError as error:
+        raise FormatError(f"{path}: {error.strerror}") from None
+
+
+def _control_of(path):
+    """{key: rest of its line} up to the line that ends the file for HAMS; what follows it explains the keys"""
+    said = {}
+    for line in _text(path):
+        if "End HAMS Control file" in line:
+            break
+        key, _, rest = line.strip().partition(" ")
+        said.setdefault(key, rest)
+    return said
+
+
+def _one(path, said, key):
+    numbers = numbers_of(said.get(key, ""))
+    if not numbers:
+        raise FormatError(f"{path} has no number for {key}; allowed: {key} and its value on one line")
+    return numbers[0]
+
+
+def _hydrostatic_of(path):
+    """Centre of mass and inertia of Hydrostatic.in: three numbers and six rows of six, after their titles"""
+    rows = [numbers for line in _text(path) if (numbers := numbers_of(line))]
+    if len(rows) < 7 or len(rows[0]) < 3 or any(len(row) < 6 for row in rows[1:7]):
+        raise FormatError(f"{path}: allowed: the centre of gravity, then six rows of six of the body's mass")
+    mass = np.array([row[:6] for row in rows[1:7]])
+    body = {"center_of_mass": np.array(rows[0][:3])}
+    return body | {"inertia_matrix": mass, "mass": mass[0, 0]} if mass.any() else body

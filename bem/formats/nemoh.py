@@ -148,7 +148,8 @@ def hull_of(place):
             found = place
             for part in (*(folders or ["Mesh"]), name):
                 found = _inside(found, part)
-            return found if found.is_file() else None
+            there = [found, _inside(place, name)]
+            return next((path for path in there if path.is_file()), None)
     return None
 
 

@@ -1,7 +1,8 @@
 """The vessel type of OrcaFlex as its text data file, NAME.yml (OrcaFlex help, "Text data files", "Vessel types").
 
-    t, kN, m; rad/s; forces in kN, kN m, motions in m, ° for each metre of wave amplitude; phases in degrees that lag
-    the crest, those of ours;
+    units as UnitsSystem of General says: SI (t, kN, m), US (kip, kip, ft), or User with LengthUnits, MassUnits and
+    ForceUnits; here SI is written: rad/s; forces in kN, kN m, motions in m, ° for each metre of wave amplitude; phases
+    in degrees that lag the crest, those of ours;
     surge forward, sway to port, heave up, and rotations right-handed about them: roll starboard down, pitch bow down,
     yaw bow to port; directions that the waves travel to
 
@@ -14,6 +15,7 @@ Matrices are written symmetric, which OrcaFlex demands: (A + Aᵀ)/2.  A model h
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -50,6 +52,13 @@ RESPONSES_OF = {
     "LoadRAOs": ("excitation_force", np.full(6, 1e3)),
     "DisplacementRAOs": ("rao", np.array([1.0] * 3 + [np.pi / 180] * 3)),
 }
+LENGTHS = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "ft": 0.3048, "in": 0.0254}
+MASSES = {"te": 1e3, "t": 1e3, "kg": 1.0, "kip": 453.59237, "kips": 453.59237, "klb": 453.59237, "lb": 0.45359237,
+          "slug": 14.593903}  # fmt: skip
+FORCES = {"kN": 1e3, "N": 1.0, "MN": 1e6, "te": 9806.65, "tef": 9806.65, "kgf": 9.80665, "kip": 4448.2216152605,
+          "kips": 4448.2216152605, "klbf": 4448.2216152605, "lbf": 4.4482216152605}  # fmt: skip
+SYSTEMS = {"SI": ("m", "te", "kN"), "US": ("ft", "kips", "kips")}
+ROTATIONS = np.array([0, 0, 0, 1, 1, 1])
 LAG_OF_ORIGIN = {"crest": 0.0, "trough": np.pi, "zero down-crossing": np.pi / 2, "zero up-crossing": 1.5 * np.pi}
 TO_OMEGA = {
     "frequency (rad/s)": lambda x: x,
@@ -57,6 +66,8 @@ TO_OMEGA = {
     "period (s)": lambda x: 2 * np.pi / x,
 }
 DEEP = 1e5  # m, written for water without end, which the file cannot say, and read as that
+CENTRE = ("CentreOfMass", "CentreOfGravity")  # of OrcaFlex 11, and before it
+WHAT = ("Length", "Mass", "Force")
 HEAVE_ROLL_PITCH = np.ix_((2, 3, 4), (2, 3, 4))
 
 
@@ -92,7 +103,7 @@ def _draught(values):
         yield f"Mass: {float(mass) / 1e3!r}"
         yield f"{INERTIA_COLUMNS}:"
         yield from ("  - " + _row(row) for row in _about_center(values)[3:, 3:] / 1e3)
-        yield f"CentreOfGravity: {_row(values.get('center_of_mass'))}"
+        yield f"CentreOfMass: {_row(values.get('center_of_mass'))}"
     about = _row(values.rotation_center)
     for group, (quantity, unit) in RESPONSES_OF.items():
         if values.get(quantity) is not None:
@@ -177,33 +188,65 @@ def read(place, known):
         raise FormatError(f"{place} is no model of OrcaFlex: {error}") from None
 
 
+class Units(NamedTuple):
+    """m, kg and N in a unit of length, mass and force of a model"""
+
+    length: float
+    mass: float
+    force: float
+
+
+def _units(general, place):
+    """Units of the section General.  Raises FormatError for a unit that is not known here."""
+    system = general.get("UnitsSystem", "SI")
+    names = SYSTEMS.get(system)
+    if system == "User":
+        names = (general.get(f"{what}Units", own) for what, own in zip(WHAT, SYSTEMS["SI"], strict=True))
+        names = tuple("N" if name is False else name for name in names)  # N without quotes is "no" in YAML 1.1
+    if names is None:
+        raise FormatError(f"{place}: UnitsSystem is {system!r}; allowed: SI, US or User")
+    for what, name, known in zip(WHAT, names, (LENGTHS, MASSES, FORCES), strict=True):
+        if name not in known:
+            raise FormatError(f"{place}: {what}Units is {name!r}; allowed: {', '.join(known)}")
+    return Units(LENGTHS[names[0]], MASSES[names[1]], FORCES[names[2]])
+
+
 def _read(model, place, known):
-    vessel, water = model["VesselTypes"][0], model["Environment"]
+    vessel, water, units = model["VesselTypes"][0], model["Environment"], _units(model.get("General") or {}, place)
     _check_signs(vessel, place)
-    depth = float(water["WaterDepth"])
+    depth = units.length * float(water["WaterDepth"])
     depth = np.inf if depth >= DEEP else depth
     to_omega = TO_OMEGA[vessel["WavesReferredToBy"]]
     draught = vessel["Draughts"][0]
-    about = np.array(draught["ReferenceOrigin"], float)
-    quantities = _read_matrices(draught, to_omega)
+    about = units.length * np.array(draught["ReferenceOrigin"], float)
+    quantities = _read_matrices(draught, to_omega, units)
     order = quantities.pop("omega")
     headings = np.zeros(0)
-    for group, (quantity, unit) in RESPONSES_OF.items():
+    for group, (quantity, _) in RESPONSES_OF.items():
         if draught.get(group, {}).get("RAOs"):
             found, headings, X = _read_responses(draught[group], vessel, place, to_omega)
             if not np.array_equal(np.argsort(found), np.arange(len(order))) or not np.allclose(found, order, rtol=1e-9):
                 raise FormatError(f"{place}: {group} has other frequencies than the added mass; allowed: the same")
-            X = X * _crest(draught[group], wavenumber(order, depth, known["gravity"]), headings)
-            if np.any(np.abs(np.array(draught[group]["RAOOrigin"], float) - about) > 1e-9):
+            k = wavenumber(order, depth, known["gravity"])
+            X = X * _crest(draught[group], units.length * k, headings)
+            origin = units.length * np.array(draught[group]["RAOOrigin"], float)
+            if np.any(np.abs(origin - about) > 1e-9):
                 raise FormatError(f"{place}: RAOOrigin of {group} is not ReferenceOrigin; allowed: one point for both")
-            radians = group == "DisplacementRAOs" and vessel["RAOResponseUnits"] == "radians"
-            quantities[quantity] = X * (1.0 if radians else unit)
-    density = 1e3 * float(water["Density"])
-    body = _read_body(draught, about, known["gravity"])
+            quantities[quantity] = X * _response_unit(group, vessel, units)
+    density = units.mass / units.length**3 * float(water["Density"])
+    body = _read_body(draught, about, known["gravity"], units)
     return Values(
         order, headings, depth, density, known["gravity"], quantities, body, about,
         name=str(vessel["Name"]),
     )  # fmt: skip
+
+
+def _response_unit(group, vessel, units):
+    """(6,) of loads, N and N m, or motions, m and rad, for each metre of wave amplitude"""
+    if group == "LoadRAOs":
+        return units.force / units.length * units.length**ROTATIONS
+    turn = 1.0 if vessel["RAOResponseUnits"] == "radians" else np.pi / 180
+    return np.where(ROTATIONS, turn / units.length, 1.0)
 
 
 def _check_signs(vessel, place):
@@ -215,11 +258,12 @@ def _check_signs(vessel, place):
         raise FormatError(f"{place}: RAOWaveUnit is {vessel['RAOWaveUnit']}; allowed here: amplitude")
 
 
-def _read_matrices(draught, to_omega):
+def _read_matrices(draught, to_omega, units):
     rows = draught["FrequencyDependentAddedMassAndDamping"]
     at = np.array([to_omega(float(row["AMDPeriodOrFrequency"])) for row in rows])
-    A = 1e3 * np.array([row[MASS_COLUMNS] for row in rows], float)
-    B = 1e3 * np.array([row[DAMPING_COLUMNS] for row in rows], float)
+    arms = units.length ** (ROTATIONS + ROTATIONS[:, None])
+    A = units.mass * arms * np.array([row[MASS_COLUMNS] for row in rows], float)
+    B = units.force / units.length * arms * np.array([row[DAMPING_COLUMNS] for row in rows], float)
     order = np.argsort(at)
     finite = order[np.isfinite(at[order]) & (at[order] > 0)]
     found = {"omega": at[finite], "added_mass": A[finite], "radiation_damping": B[finite]}
@@ -252,24 +296,25 @@ def _crest(group, k, headings):
     return np.exp(1j * k[:, None] * (x * np.cos(headings) + y * np.sin(headings)))[..., None]
 
 
-def _read_body(draught, about, gravity):
+def _read_body(draught, about, gravity, units):
     body = {}
     if "DisplacedVolume" in draught:
-        body["displaced_volume"] = float(draught["DisplacedVolume"])
+        body["displaced_volume"] = units.length**3 * float(draught["DisplacedVolume"])
     if "CentreOfBuoyancy" in draught:
-        body["center_of_buoyancy"] = np.array(draught["CentreOfBuoyancy"], float)
-    mass = 1e3 * float(draught["Mass"]) if "Mass" in draught else None
+        body["center_of_buoyancy"] = units.length * np.array(draught["CentreOfBuoyancy"], float)
+    mass = units.mass * float(draught["Mass"]) if "Mass" in draught else None
     if mass is not None and INERTIA_COLUMNS in draught:
-        center = np.array(draught["CentreOfGravity"], float)
-        inertia = np.zeros((6, 6))
-        inertia[:3, :3], inertia[3:, 3:] = mass * np.eye(3), 1e3 * np.array(draught[INERTIA_COLUMNS], float)
+        center = units.length * np.array(draught[next((key for key in CENTRE if key in draught), CENTRE[0])], float)
+        inertia, tensor = np.zeros((6, 6)), np.array(draught[INERTIA_COLUMNS], float)
+        inertia[:3, :3], inertia[3:, 3:] = mass * np.eye(3), units.mass * units.length**2 * tensor
         arm = center - about
         cross = np.array([[0, -arm[2], arm[1]], [arm[2], 0, -arm[0]], [-arm[1], arm[0], 0]])
         inertia[3:, :3], inertia[:3, 3:] = mass * cross, mass * cross.T
         body |= {"mass": mass, "center_of_mass": center, "inertia_matrix": inertia + _steiner(mass, arm)}
     if STIFFNESS_COLUMNS in draught:
-        stiffness = np.zeros((6, 6))
-        stiffness[HEAVE_ROLL_PITCH] = 1e3 * np.array(draught[STIFFNESS_COLUMNS], float)
+        stiffness, arms = np.zeros((6, 6)), units.length ** (ROTATIONS + ROTATIONS[:, None])
+        table = np.array(draught[STIFFNESS_COLUMNS], float)
+        stiffness[HEAVE_ROLL_PITCH] = units.force / units.length * arms[HEAVE_ROLL_PITCH] * table
         arm = body["center_of_mass"][2] - about[2] if "mass" in body else 0.0
         stiffness[3, 3] -= (mass or 0.0) * gravity * arm
         stiffness[4, 4] -= (mass or 0.0) * gravity * arm

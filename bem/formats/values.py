@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ..database.schema import BODY, LIMITS, QUANTITIES
 
 CARRIED = tuple(name for name in QUANTITIES if not name.startswith("kochin") and name != "pressure")
+SAME_HEADING = 1e-3  # of the largest value, between two lists of one heading: files print four digits or more
 EVEN = 1e-6  # relative to the step, of numbers that are one step apart
 
 
@@ -43,8 +44,44 @@ class Values:
         """The quantities.  Raises FormatError naming those that are not there."""
         missing = [name for name in names if self.get(name) is None]
         if missing:
-            raise FormatError(f"{', '.join(missing)} is not in the database; allowed: one with it, by --only")
+            way = "give it by --only"
+            if any(name in BODY for name in missing):
+                way = "give --gyration and --center-of-gravity where it is solved or imported"
+            raise FormatError(f"{', '.join(missing)} is not in the database; {way}")
         return [self.get(name) for name in names]
+
+
+def about(values, point):
+    """The same Values with rotations and moments about another point (3,) m.
+
+    x_old = T x_new,  F_new = Tᵀ F_old,  A_new = Tᵀ A_old T,    T = [[1, −r×], [0, 1]],  r from the new to the old
+
+    Limits that are not finite everywhere, as heave at ω = 0 in finite depth, are left out.
+    """
+    r = np.asarray(values.rotation_center, float) - np.asarray(point, float)
+    if not r.any():
+        return values
+    T = np.eye(6)
+    T[:3, 3:] = -np.array([[0, -r[2], r[1]], [r[2], 0, -r[0]], [-r[1], r[0], 0]])
+    moved = {}
+    for name, data in values.quantities.items():
+        axes = QUANTITIES[name][0]
+        if name in LIMITS and not np.all(np.isfinite(data)):
+            continue
+        if axes[-2:] == ("influenced_dof", "radiating_dof"):
+            moved[name] = T.T @ data @ T
+        elif axes[-1] == "influenced_dof":
+            moved[name] = data @ T
+        elif axes[-1] == "radiating_dof":
+            moved[name] = data @ np.linalg.inv(T).T
+        else:  # mean drift: surge, sway, yaw
+            moved[name] = data.copy()
+            moved[name][..., 2] += r[0] * data[..., 1] - r[1] * data[..., 0]
+    body = dict(values.body)
+    for name in ("inertia_matrix", "hydrostatic_stiffness"):
+        if name in body:
+            body[name] = T.T @ body[name] @ T
+    return replace(values, quantities=moved, body=body, rotation_center=np.array(point, float))
 
 
 def values_of(db):
@@ -105,19 +142,91 @@ def table_of(path, columns, separator=None):
     return np.array(rows)
 
 
-def gridded(path, coordinates, values):
+def gridded(path, coordinates, values, modes=()):
     """Rising coordinates and values on their grid.  Raises FormatError where a place is empty or filled twice.
 
     coordinates : list of (k,); values : (k, …); returns : list of (n_i,), array (n_0, n_1, …, …)
+    modes : for each of the last coordinates all numbers that it may have; what of them is nowhere in the table is 0,
+        as programs leave out what symmetry makes 0 (WAMIT user manual, version 7.4, chapter 5)
     """
+    free = len(coordinates) - len(modes)
     axes, places = zip(*(np.unique(axis, return_inverse=True) for axis in coordinates), strict=True)
-    shape = tuple(map(len, axes))
+    axes, places = list(axes), list(places)
+    for i, allowed in enumerate(modes, free):
+        allowed = np.asarray(allowed, float)
+        strange = np.setdiff1d(axes[i], allowed)
+        if len(strange):
+            raise FormatError(
+                f"{path} has mode {strange[0]:g}; allowed: {', '.join(f'{n:g}' for n in allowed)}, of one rigid body"
+            )
+        axes[i], places[i] = allowed, np.searchsorted(allowed, axes[i])[places[i]]
+    places, shape = tuple(places), tuple(map(len, axes))
     counts = np.zeros(shape, int)
     np.add.at(counts, places, 1)
+    if modes:
+        counts += counts.sum(axis=tuple(range(free)), keepdims=True) == 0
     if not np.all(counts == 1):
         where = np.argwhere(counts != 1)[0]
         said = ", ".join(f"{axis[i]:.6g}" for axis, i in zip(axes, where, strict=True))
         raise FormatError(f"{path}: {counts[tuple(where)]} values for {said}; allowed: one for each, of a full table")
     grid = np.zeros(shape + values.shape[1:], values.dtype)
     grid[places] = values
-    return list(axes), grid
+    return axes, grid
+
+
+def numbers_of(line):
+    """The numbers that a line begins with, as Fortran reads a list: 1.D0 and 1, 2 count; a word ends it"""
+    found = []
+    for word in line.replace(",", " ").split():
+        try:
+            found.append(float(word.upper().replace("D", "E")))
+        except ValueError:
+            break
+    return found
+
+
+def omega_of(column, kind, depth, gravity):
+    """(n,) rad/s of numbers that say a frequency, 0 and infinity among them
+
+    kind : "period", s, whose 0 is ω = ∞ and −1 ω = 0; "frequency", rad/s, "wavenumber" or "deep wavenumber", rad/m,
+        and "wavelength", m: of the first three 0 is ω = 0 and −1 ω = ∞
+    """
+    x = np.asarray(column, float)
+    limits = {"period": (-1.0, 0.0), "wavelength": (-1.0, 0.0)}.get(kind, (0.0, -1.0))
+    zero, endless = (np.isclose(x, limit, atol=1e-9) if limit <= 0 else x < 0 for limit in limits)
+    y = np.where(zero | endless, 1.0, x)
+    k = 2 * np.pi / y if kind == "wavelength" else y
+    if kind in ("wavenumber", "wavelength"):
+        omega = np.sqrt(gravity * k * np.tanh(np.minimum(k * depth, 50.0)))
+    else:
+        omega = {"period": 2 * np.pi / y, "frequency": y, "deep wavenumber": np.sqrt(gravity * y)}[kind]
+    return np.where(zero, 0.0, np.where(endless, np.inf, omega))
+
+
+def with_headings_once(values):
+    """Values whose headings are each there once: those that differ by whole turns are one where they agree.
+
+    Programs list −180 and 180, or 0 and 360.  Raises FormatError where the two differ by more than `SAME_HEADING` of
+    the largest value of their quantity.
+    """
+    turned = np.mod(values.wave_direction, 2 * np.pi)
+    turned = np.where(turned > 2 * np.pi - 1e-6, 0.0, turned)
+    order = np.argsort(turned, kind="stable")
+    later = order[1:][np.diff(turned[order]) < 1e-6]
+    if not len(later):
+        return values
+    kept = np.setdiff1d(np.arange(len(turned)), later)
+    partner = [next(j for j in kept if abs(turned[j] - turned[i]) < 1e-6) for i in later]
+    quantities = {}
+    for name, data in values.quantities.items():
+        if "wave_direction" in QUANTITIES[name][0]:
+            off = np.abs(data[:, later] - data[:, partner]).max(initial=0.0)
+            if off > SAME_HEADING * np.abs(data).max(initial=0.0):
+                one, two = (np.degrees(values.wave_direction[i]) for i in (partner[0], later[0]))
+                raise FormatError(
+                    f"{name} differs by {off:.3g} between headings {one:g}° and {two:g}°, which are one; allowed: "
+                    f"{100 * SAME_HEADING:g} % of its largest value; leave one of them out"
+                )
+            data = data[:, kept]
+        quantities[name] = data
+    return replace(values, wave_direction=values.wave_direction[kept], quantities=quantities)

@@ -1,14 +1,16 @@
 """Numeric output files of WAMIT (user manual, version 7.4, chapters 3 and 5): NAME.1 .3 .3fk .3sc .4 .8 .hst
 
-    .1            PER I J Ā B̄          A = ρ Ā,  B = ρω B̄; PER = −1 at ω = 0 and 0 at ω = ∞, without B̄
-    .3 .3fk .3sc  PER BETA I Mod Pha Re Im           X = ρg X̄ for each metre of wave amplitude
-    .4            the same                           ξ = ξ̄, rad for each metre of rotations
-    .8            PER BETA BETA I Mod Pha Re Im      F = ρg F̄, of the mean drift by momentum, I = 1, 2, 6
-    .hst          I J C̄                              C = ρg C̄
+    .1            PER I J Ā B̄          A = ρ L^a Ā,  B = ρω L^a B̄, a = 3 + p_I + p_J;  at ω = 0 and ∞ without B̄
+    .3 .3fk .3sc  PER BETA I Mod Pha Re Im           X = ρg L^(2 + p_I) X̄ for each metre of wave amplitude
+    .4            the same                           ξ = ξ̄ L^(−p_I), rad for each metre of rotations
+    .8            PER BETA BETA I Mod Pha Re Im      F = ρg L^(1 + p_I) F̄, of the mean drift by momentum, I = 1, 2, 6
+    .hst          I J C̄                              C = ρg L^(2 + p_I + p_J) C̄
 
-with ULEN = 1 m, PER in s, BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of
-ours.  The .8 file is of the free body where motions are stored, which a .4 file beside it tells, else of the fixed one.
-Neither depth, density, gravity nor hull is in these files.
+with p = 0 for translations and 1 for rotations, L = ULEN; PER as IPEROUT says, by default the period in s, −1 at ω = 0
+and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.  Pairs
+I, J and modes I that symmetry makes 0 are left out.  Written with L = 1 m.  The .8 file is of the free body where
+motions are stored, which a .4 file beside it tells, else of the fixed one.  Neither depth, density, gravity nor hull is
+in these files; ULEN and the point that moments are about are in the inputs beside them (`wamit_inputs`).
 """
 
 from __future__ import annotations
@@ -20,10 +22,14 @@ import numpy as np
 from meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
-from .values import FormatError, Values, gridded, table_of
+from .values import FormatError, Values, gridded, omega_of, table_of
+from .wamit_inputs import Inputs, beside, inputs_beside
 
 FORCES = {".3": "excitation_force", ".3fk": "Froude_Krylov_force", ".3sc": "diffraction_force", ".4": "rao"}
 LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
+LIMITS_AT = {0.0: "added_mass_zero", np.inf: "added_mass_infinity"}
+SIX = range(1, 7)
+POWER = np.array([0, 0, 0, 1, 1, 1])  # of ULEN, beyond that of translations
 SAME_PERIOD = 1e-5  # of it: programs print six digits, some the first of them as 0.1
 DRIFT_INDEX = [DOFS.index(name) + 1 for name in DRIFT_DOFS]
 
@@ -76,52 +82,88 @@ def _forces(values, X, index=range(1, 7), twice=False):
 
 
 def read(place, known):
-    """The Values of NAME.1 and what lies beside it; known : {"water_depth", "density", "gravity"}.
+    """The Values of NAME.1 and what lies beside it (`wamit_inputs`).
 
+    known : {"water_depth", "density", "gravity"}, and "length_unit" m and "rotation_center" (3,) m where they are given
     Raises FormatError.
     """
-    place = Path(place).with_suffix(".1")
+    place, (length, about, kind, _) = Path(place).with_suffix(".1"), inputs_of(place, known)
     rho, rho_g = known["density"], known["density"] * known["gravity"]
-    table = table_of(place, (4, 5))
-    quantities, solved = {}, table[:, 0] > 0
-    for period, name in LIMIT_PERIODS.items():
-        part = table[np.isclose(table[:, 0], period)] if period <= 0 else table[:0]
-        if len(part):
-            quantities[name] = rho * gridded(place, [part[:, 1], part[:, 2]], part[:, 3])[1]
-    rows = table[solved]
-    if not len(rows):
-        raise FormatError(f"{place} has no frequency between 0 and infinity")
-    omega = 2 * np.pi / rows[:, 0]
-    (omega, dofs, _), both = gridded(place, [omega, rows[:, 1], rows[:, 2]], rows[:, 3:5])
-    if len(dofs) != 6 or not np.all(np.isfinite(both)):
-        raise FormatError(f"{place} has {len(dofs)} modes, or lacks damping; allowed: six, of one body")
-    quantities |= {"added_mass": rho * both[..., 0], "radiation_damping": rho * omega[:, None, None] * both[..., 1]}
+    quantities, omega = _read_radiation(place, rho, length, kind, known)
     headings = np.zeros(0)
     for suffix, name in FORCES.items():
         if place.with_suffix(suffix).exists():
-            headings, X = _read_forces(place.with_suffix(suffix), omega, headings)
-            quantities[name] = np.conj(X) * (1.0 if name == "rao" else rho_g)
+            headings, X = _read_forces(place.with_suffix(suffix), omega, headings, kind, known)
+            quantities[name] = np.conj(X) * (length**-POWER if name == "rao" else rho_g * length ** (2 + POWER))
     if place.with_suffix(".8").exists():
-        headings, F = _read_forces(place.with_suffix(".8"), omega, headings, DRIFT_INDEX)
-        quantities["drift_force" if "rao" in quantities else "drift_force_fixed"] = F.real * rho_g
+        headings, F = _read_forces(place.with_suffix(".8"), omega, headings, kind, known, DRIFT_INDEX)
+        F = F.real * rho_g * length ** (1 + POWER[np.array(DRIFT_INDEX) - 1])
+        quantities["drift_force" if "rao" in quantities else "drift_force_fixed"] = F
     body = {}
     if place.with_suffix(".hst").exists():
         rows = table_of(place.with_suffix(".hst"), (3,))
-        body["hydrostatic_stiffness"] = rho_g * gridded(place.with_suffix(".hst"), rows.T[:2], rows[:, 2])[1]
-    return Values(omega, headings, quantities=quantities, body=body, name=place.stem, **known)
+        C = gridded(place.with_suffix(".hst"), rows.T[:2], rows[:, 2], modes=(SIX, SIX))[1]
+        body["hydrostatic_stiffness"] = rho_g * C * length ** (2 + POWER + POWER[:, None])
+    water = {name: known[name] for name in ("water_depth", "density", "gravity")}
+    return Values(omega, headings, quantities=quantities, body=body, name=place.stem, **water,
+                  rotation_center=np.array(about, float))  # fmt: skip
 
 
-def _read_forces(path, omega, headings, index=range(1, 7)):
+def inputs_of(place, known):
+    """`Inputs` of the files beside NAME.1; what is given in `known` goes before them"""
+    said = inputs_beside(Path(place).with_suffix(".1"))
+    length, about, kind = (known.get(name) for name in ("length_unit", "rotation_center", "period_kind"))
+    return Inputs(
+        said.length if length is None else length,
+        said.about if about is None else tuple(about),
+        kind or said.period_kind,
+        said.said if length is None and about is None else (),
+    )
+
+
+def hull_of(place):
+    """The .gdf beside NAME.1; None where it is not there"""
+    return beside(Path(place), ".gdf")
+
+
+def hull_moved(place, known):
+    """(3,) m that the hull of NAME.gdf is moved by: it is in the body's axes, whose origin is XBODY"""
+    return np.array(inputs_of(place, known).about, float)
+
+
+def _read_radiation(path, rho, length, kind, known):
+    """{quantity: array} of added mass, damping and limits, and ω (n,) rad/s"""
+    table = table_of(path, (4, 5))
+    at = omega_of(table[:, 0], kind, known["water_depth"], known["gravity"])
+    size = rho * length ** (3 + POWER + POWER[:, None])
+    quantities = {}
+    for limit, name in LIMITS_AT.items():
+        part = table[at == limit]
+        if len(part):
+            quantities[name] = size * gridded(path, [part[:, 1], part[:, 2]], part[:, 3], modes=(SIX, SIX))[1]
+    between = (at > 0) & np.isfinite(at)
+    rows = table[between]
+    if not len(rows):
+        raise FormatError(f"{path} has no frequency between 0 and infinity")
+    (omega, *_), both = gridded(path, [at[between], rows[:, 1], rows[:, 2]], rows[:, 3:5], modes=(SIX, SIX))
+    if np.isnan(both[..., 1]).any():
+        raise FormatError(f"{path} lacks damping; allowed: five numbers a line of a period between 0 and infinity")
+    damping = size * omega[:, None, None] * both[..., 1]
+    return quantities | {"added_mass": size * both[..., 0], "radiation_damping": damping}, omega
+
+
+def _read_forces(path, omega, headings, kind, known, index=SIX):
     """Headings (m,) rad and complex values (n, m, modes)"""
     table = table_of(path, (7,) if len(index) == 6 else (8,))
     extra = table.shape[1] - 7
-    if extra and not np.array_equal(table[:, 1], table[:, 2]):
-        raise FormatError(f"{path} has drift of two headings at once; allowed: of one")
-    coordinates = [2 * np.pi / table[:, 0], np.radians(table[:, 1]), table[:, 2 + extra]]
-    (found, own, modes), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1])
+    if extra:  # of the mean drift of two headings, what each does alone
+        table = table[table[:, 1] == table[:, 2]]
+    at = omega_of(table[:, 0], kind, known["water_depth"], known["gravity"])
+    coordinates = [at, np.radians(table[:, 1]), table[:, 2 + extra]]
+    if not len(table):
+        raise FormatError(f"{path} has drift of two different headings alone; allowed: that of each heading")
+    (found, own, _), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1], modes=(index,))
     same = len(found) == len(omega) and np.allclose(found, omega, rtol=SAME_PERIOD)
     if not same or (len(headings) and not (len(own) == len(headings) and np.allclose(own, headings, atol=1e-6))):
         raise FormatError(f"{path} has other periods or headings than the files beside it; allowed: the same")
-    if list(modes) != list(index):
-        raise FormatError(f"{path} has modes {[int(m) for m in modes]}; allowed: {list(index)}")
     return own, X

@@ -3,8 +3,9 @@
     PER₁ PER₂ BETA₁ BETA₂ I Mod Pha Re Im        F(t) = Re Σᵢ Σⱼ Aᵢ Āⱼ ρg F̄_ij exp{+i(ωᵢ − ωⱼ)t}    of .12d
                                                  F(t) = Re Σᵢ Σⱼ Aᵢ Aⱼ ρg F̄_ij exp{+i(ωᵢ + ωⱼ)t}    of .12s
 
-with ULEN = 1 m, periods in s, headings in degrees that the waves travel to, phases in degrees: the conjugates of ours.
-Pairs of the other order have the conjugate, in .12s the same; the files have those with PER₁ ≤ PER₂.
+with F̄ multiplied by ULEN for forces and by its square for moments; periods in s, headings in degrees that waves
+travel to, phases in degrees: the conjugates of ours.  Pairs of the other order have the conjugate, in .12s the same;
+the files have those with PER₁ ≤ PER₂.
 """
 
 from __future__ import annotations
@@ -40,10 +41,11 @@ def write_pairs(forces, place, weight):
     return path
 
 
-def read_pairs(place, weight, kind=DIFFERENCE):
+def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
     """`QuadraticForces` of NAME.12d or .12s, all of it as squares, since the file does not tell its parts; None without
     one
 
+    weight : ρg, N/m³; length : m, ULEN
     raises : FormatError for uneven frequencies, pairs of a difference or sum that are missing
     """
     path, second = Path(place).with_suffix(SUFFIXES[kind]), kind.second
@@ -51,11 +53,12 @@ def read_pairs(place, weight, kind=DIFFERENCE):
         return None
     table = table_of(path, (9,))
     one, two = 2 * np.pi / table[:, 0], 2 * np.pi / table[:, 1]
-    value = weight * (table[:, 7] - 1j * table[:, 8])
+    value = weight * length ** (1 + (table[:, 4] > 3)) * (table[:, 7] - 1j * table[:, 8])
     omega, step = _even(path, np.concatenate([one, two]))
     n, l = (np.rint((w - omega[0]) / step).astype(int) for w in (one, two))
-    degrees = np.unique(np.round(table[:, 2:4], 6))
-    a, b = (np.searchsorted(degrees, np.round(table[:, column], 6)) for column in (2, 3))
+    turned = np.round(np.mod(table[:, 2:4] + 180, 360) - 180, 6)  # −180° and 180° are one
+    degrees = np.unique(turned)
+    a, b = (np.searchsorted(degrees, turned[:, column]) for column in (0, 1))
     swapped = n < l
     value = np.where(swapped, second(value), value)
     n, l, a, b = (np.where(swapped, y, x) for x, y in ((n, l), (l, n), (a, b), (b, a)))

@@ -37,12 +37,43 @@ def import_(
     depth: Annotated[float | None, Parameter(help="m or inf, of files that do not say it")] = None,
     density: Annotated[float, Parameter(help="kg/m³, of files that do not say it")] = 1025.0,
     gravity: Annotated[float, Parameter(help="m/s², of files that do not say it")] = 9.80665,
+    length_unit: Annotated[float | None, Parameter(help="m, ULEN of WAMIT [of the .gdf beside it]")] = None,
+    about: Annotated[
+        str | None,
+        Parameter(help="m, x,y,z of the point that moments are about [what the files say]", allow_leading_hyphen=True),
+    ] = None,
+    mass: Annotated[float | None, Parameter(help="kg [of the files, else displaced]")] = None,
+    center_of_gravity: Annotated[
+        str | None, Parameter(help="m, x,y,z [of the files, else 0,0,0]", allow_leading_hyphen=True)
+    ] = None,
+    gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration; motions follow")] = None,
     output: Annotated[Path | None, Parameter(help="the database [beside it, .h5]")] = None,
+    fresh: Annotated[bool, Parameter(help="replace what is there", negative="")] = False,
 ):
     """Read results of another program into a database; a file, or the folder of Nemoh or HAMS.
 
-    hakobune import barge.1 --from wamit --mesh barge.gdf --depth 20
+    hakobune import barge.1 --from wamit --depth 20 --gyration 6,12,13 --center-of-gravity 0,0,1
     """
-    from .command import import_
+    from bem.formats.afloat import Weight
 
-    return import_(place, from_, mesh, {"water_depth": depth, "density": density, "gravity": gravity}, output)
+    from .importing import import_
+
+    points = {"--about": about, "--center-of-gravity": center_of_gravity, "--gyration": gyration}
+    about, center, radii = (_three(flag, text) for flag, text in points.items())
+    known = {"water_depth": depth, "density": density, "gravity": gravity}
+    known |= {"length_unit": length_unit, "rotation_center": about}
+    return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh)
+
+
+def _three(flag, text):
+    """(3,) finite numbers of a flag, or None.  Raises ValueError."""
+    from math import isfinite
+
+    from ..scene.scene import numbers
+
+    if text is None:
+        return None
+    values = numbers(flag, text)
+    if not isinstance(values, list) or len(values) != 3 or not all(map(isfinite, values)):
+        raise ValueError(f"{flag} is {text!r}; allowed: three numbers in m, as 0,0,1")
+    return tuple(values)

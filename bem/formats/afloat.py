@@ -1,0 +1,142 @@
+"""What a file of another program says of a body, held against the hull that it is of.
+
+    C₃₃ = ρ g A_w,    V,    m = ρ V        of the hull in its water; a length in a wrong unit shows in each of them
+
+With mass, centre of mass and radii of gyration that the file does not say, the motions follow as those of a solved
+body: inertia about the rotation centre, stiffness of the hull with the weight.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from meshing.hydrostatics import hydrostatics, inertia_matrix
+
+from ..motions import response
+from .values import FormatError
+
+SAME_VOLUME = 0.02  # of the volume, between results and hull
+SAME_STIFFNESS = 0.05  # of C₃₃: a waterline of few panels loses some per cent of its area
+FAR_MASS = 3.0  # times the displaced mass, or a third of it, which no lines hold down or up
+NEEDED = ("added_mass", "radiation_damping", "excitation_force")
+
+
+class Weight(NamedTuple):
+    """mass : kg, by default the displaced; center : (3,) m, by default the file's, else 0; gyration : (3,) m
+
+    Each is None where it is not given.
+    """
+
+    mass: float | None = None
+    center: tuple | None = None
+    gyration: tuple | None = None
+
+    @property
+    def given(self):
+        return any(part is not None for part in self)
+
+
+def on_hull(values, mesh, weight=Weight()):  # noqa: B008 - a frozen value
+    """Values whose body has the geometry of a hull (PanelMesh in its water), and lines on what was done.
+
+    weight : what is given in place of what the file says.  Raises FormatError where file and hull contradict.
+    """
+    body, remarks = dict(values.body), []
+    if weight.center is not None:
+        body["center_of_mass"] = np.array(weight.center, float)
+    if weight.given:
+        body.setdefault("center_of_mass", np.zeros(3))
+    if weight.mass is not None:
+        body["mass"] = float(weight.mass)
+    still = _still(values, mesh, body)
+    _check(values, still)
+    geometry = {
+        "displaced_volume": still.volume,
+        "wetted_area": still.wetted_area,
+        "center_of_buoyancy": still.center_of_buoyancy,
+        "waterplane_area": still.waterplane_area,
+    }
+    body = geometry | body
+    remarks += _about_mass(values, still, body)
+    if weight.given:
+        remarks += _with_weight(body, values, still, weight)
+    if "hydrostatic_stiffness" not in body:
+        body["hydrostatic_stiffness"] = still.stiffness
+        remarks.append("hydrostatic stiffness is that of the hull, with the weight at its centre of mass")
+    return _with_motions(replace(values, body=body)), remarks
+
+
+def _still(values, mesh, body):
+    water = {"density": values.density, "gravity": values.gravity, "rotation_center": values.rotation_center}
+    return hydrostatics(mesh, center_of_mass=body.get("center_of_mass", np.zeros(3)), mass=body.get("mass"), **water)
+
+
+def _check(values, still):
+    """Raise FormatError where the files are of another hull, in another water or unit"""
+    volume, C = values.body.get("displaced_volume"), values.body.get("hydrostatic_stiffness")
+    if volume is not None and abs(volume / still.volume - 1) > SAME_VOLUME:
+        raise FormatError(
+            f"the mesh displaces {still.volume:.4g} m³, the results are of {volume:.4g} m³; "
+            f"allowed: within {100 * SAME_VOLUME:g} %; give the mesh they were made with"
+        )
+    expected = values.density * values.gravity * still.waterplane_area
+    if C is None or not C[2, 2] > 0 or not expected > 0 or abs(C[2, 2] / expected - 1) <= SAME_STIFFNESS:
+        return
+    ratio = C[2, 2] / expected
+    raise FormatError(
+        f"heave stiffness is {C[2, 2]:.5g} N/m in the files, ρ g times the waterplane of the hull {expected:.5g} N/m, "
+        f"{ratio:.3g} times; allowed: within {100 * SAME_STIFFNESS:g} %; either the files are made dimensionless by a "
+        f"length {ratio**-0.5:.4g} times as large (--length-unit), or hull (--mesh), --density or --gravity are others"
+    )
+
+
+def _with_weight(body, values, still, weight):
+    """Put mass, inertia and the stiffness with the weight into a body; lines on what was taken.  Raises ValueError."""
+    body["mass"] = still.mass
+    if weight.gyration is not None:
+        center = body["center_of_mass"]
+        body["inertia_matrix"] = inertia_matrix(still.mass, center, weight.gyration, values.rotation_center)
+    old, body["hydrostatic_stiffness"] = values.body.get("hydrostatic_stiffness"), still.stiffness
+    if old is None:
+        return []
+    return [f"hydrostatic stiffness: {_about_weight(old, still, values)}; that of the hull with the weight is stored"]
+
+
+def _about_mass(values, still, body):
+    """A line on a mass that is not the displaced one.  Raises FormatError for one that is another unit."""
+    displaced = values.density * still.volume
+    ratio = body.get("mass", displaced) / displaced
+    if not 1 / FAR_MASS < ratio < FAR_MASS:
+        raise FormatError(
+            f"mass is {body['mass']:.6g} kg, the hull displaces {displaced:.6g} kg; allowed: {1 / FAR_MASS:.2g} to "
+            f"{FAR_MASS:g} times as much, with lines; check its unit (--mass, kg), the hull and the density"
+        )
+    if abs(ratio - 1) > 0.01:
+        yield f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; allowed where lines carry the rest"
+
+
+def _about_weight(C, still, values):
+    """In words whether the weight is in a hydrostatic stiffness, by its roll and pitch"""
+    arm = still.mass * values.gravity * (still.center_of_mass[2] - values.rotation_center[2])
+    off = [abs(C[i, i] - still.stiffness[i, i]) for i in (3, 4)]
+    bare = [abs(C[i, i] - still.stiffness[i, i] - arm) for i in (3, 4)]
+    size = 0.02 * max(abs(still.stiffness[3, 3]), abs(still.stiffness[4, 4]))
+    if max(off) <= size:
+        return "that of the files has the weight in it"
+    if max(bare) <= size:
+        return "that of the files is without the weight"
+    return "that of the files is neither with this weight nor without any"
+
+
+def _with_motions(values):
+    """Values with the motions of the free body, where all that they follow from is there"""
+    M, C = (values.body.get(name) for name in ("inertia_matrix", "hydrostatic_stiffness"))
+    terms = [values.quantities.get(name) for name in NEEDED]
+    if "rao" in values.quantities or M is None or any(term is None for term in terms):
+        return values
+    rows = zip(values.omega, *terms, strict=True)
+    rao = np.array([response(omega, A, B, X, M, C) for omega, A, B, X in rows])
+    return replace(values, quantities=values.quantities | {"rao": rao})

@@ -1,0 +1,177 @@
+"""Results of another program into a database; nothing of them is believed that the hull can contradict."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from importlib import import_module
+
+import numpy as np
+
+from bem.database import append, append_limit, create, open_database, writing
+from bem.database.file import Header, check_place
+from bem.database.schema import DOFS, LIMITS
+from bem.formats.afloat import on_hull
+from bem.formats.values import FormatError, with_headings_once
+from meshing.files import read_mesh
+from meshing.quality import findings
+
+from ..common.outputs import DATABASE, check_ending
+from .command import format_of
+
+
+def import_(place, kind_name, mesh, known, weight, output, fresh=False):
+    """Make the database and say what is in it; 1 where a frequency could not be stored.  Raises ValueError.
+
+    known : water_depth, density, gravity, and length_unit, rotation_center, each None where it is not given
+    weight : `bem.formats.afloat.Weight`
+    """
+    kind = format_of("from", kind_name)
+    if not place.exists():
+        raise ValueError(f"{place} does not exist")
+    output = place.with_name(place.stem + "_imported.h5") if output is None else output
+    _check(kind, known, output, fresh, place)
+    module = import_module(f"bem.formats.{kind.module}")
+    of_module = {name: known[name] for name in kind.silent}
+    values = with_headings_once(module.read(place, of_module))
+    if known["rotation_center"] is not None:
+        values = replace(values, rotation_center=np.array(known["rotation_center"], float))
+    panels = _hull(place, kind, module, mesh, of_module)
+    values, left_out = _finite(values)
+    for name, omega in left_out.items():
+        _warn(f"{name} is not finite at {omega} rad/s, left out with all else there")
+    pairs = _pairs_of(place, kind_name, values, of_module)
+    draft = -float(panels.points[:, 2].min())
+    if not draft < values.water_depth:
+        raise ValueError(
+            f"the water is {values.water_depth:g} m deep and {panels.name} draws {draft:g} m; allowed: deeper water"
+        )
+    values, remarks = on_hull(values, panels, weight)
+    for line in (*remarks, *_remarks(module, place, of_module, values)):
+        _warn(line)
+    _store(values, panels, output, f"{kind_name}: {place}", fresh)
+    groups = _store_pairs(output, pairs, values)
+    print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
+    print(", ".join([*values.quantities, *groups]))
+    stored = open_database(output).rows
+    if not stored.all():
+        print(f"fails: {stored.sum()} of {len(stored)} frequencies could be stored in {output}", file=sys.stderr)
+    return int(not stored.all())
+
+
+def _warn(line):
+    print(f"warning: {line}", file=sys.stderr)
+
+
+def _check(kind, known, output, fresh, place):
+    """Raise ValueError for flags that are missing or impossible, and for a place that is taken"""
+    if "water_depth" in kind.silent and known["water_depth"] is None:
+        raise ValueError("--depth is missing; files of WAMIT do not say it; allowed: above 0 m, or inf")
+    for name in kind.silent:
+        if name in ("water_depth", "density", "gravity") and not known[name] > 0:
+            raise ValueError(f"{name} is {known[name]:g}; allowed: above 0")
+    length = known["length_unit"]
+    if length is not None and not 0 < length < np.inf:
+        raise ValueError(f"--length-unit is {length:g} m; allowed: above 0")
+    if length is not None and "length_unit" not in kind.silent:
+        raise ValueError("--length-unit is given, and these files say their units; allowed: with --from wamit")
+    check_place(output)
+    check_ending(output, DATABASE)
+    if output.exists() and (not fresh or output.resolve() == place.resolve()):
+        raise ValueError(f"{output} is there already; give --fresh to replace it, or another name by --output")
+
+
+def _hull(place, kind, module, mesh, known):
+    """The hull in its water, of --mesh, or of the file that lies with the results.  Raises ValueError."""
+    path = mesh or (place / kind.hull.format(stem=place.stem) if kind.hull else None)
+    if path is None and hasattr(module, "hull_of"):
+        path = module.hull_of(place)
+    if path is None or not path.resolve().is_file():
+        raise ValueError(f"the hull is missing; give its mesh by --mesh{f', {path} is not there' if path else ''}")
+    panels = read_mesh(path.resolve())
+    if mesh is None and hasattr(module, "hull_moved"):
+        shift = module.hull_moved(place, known)
+        panels = panels.moved(*shift) if np.any(shift) else panels
+    for finding in findings(panels):
+        print(f"{path}: {finding}", file=sys.stderr)
+    return panels
+
+
+def _remarks(module, place, known, values):
+    if hasattr(module, "inputs_of"):
+        for said in module.inputs_of(place, known).said:
+            if said != "ULEN 1 m of " + place.with_suffix(".gdf").name:
+                yield f"{said} is taken"
+    idle = [name for name, size in zip(DOFS, _sizes(values), strict=True) if size == 0]
+    if idle:
+        yield f"{', '.join(idle)} has no added mass in the files, which is stored as 0: the motion is not in them"
+    if values.get("inertia_matrix") is None:
+        yield (
+            "no inertia_matrix in it: no motions follow from this database; give --gyration kxx,kyy,kzz, "
+            "--center-of-gravity x,y,z and --mass, with --fresh"
+        )
+
+
+def _sizes(values):
+    """(6,) largest added mass of each motion"""
+    return np.abs(np.diagonal(values.get("added_mass"), axis1=1, axis2=2)).max(axis=0)
+
+
+def _pairs_of(place, kind_name, values, known):
+    if kind_name != "wamit":
+        return []
+    from bem.formats.wamit import inputs_of
+    from bem.formats.wamit_pairs import SUFFIXES, read_pairs
+
+    length = inputs_of(place, known).length
+    found = (read_pairs(place, values.density * values.gravity, kind, length) for kind in SUFFIXES)
+    return [forces for forces in found if forces is not None]
+
+
+def _store_pairs(output, pairs, values):
+    """Names of the groups that forces of pairs are stored in"""
+    if not pairs:
+        return []
+    from bem.second_order.stored import GROUPS, Held, StoredForces, write_forces
+
+    for forces in pairs:
+        write_forces(output, StoredForces(forces, Held("rao" in values.quantities)))
+    return [GROUPS[forces.kind] for forces in pairs]
+
+
+def _finite(values):
+    """Values at the frequencies at which all of them are finite, and {name: frequencies, as text} of the others
+
+    Raises FormatError where none is left.
+    """
+    names = [name for name in values.quantities if name not in LIMITS]
+    whole = {name: np.isfinite(values.quantities[name].reshape(len(values.omega), -1)).all(axis=1) for name in names}
+    kept = np.all([*whole.values()], axis=0)
+    if not kept.any():
+        raise FormatError(
+            f"no frequency has only finite numbers: {', '.join(n for n, ok in whole.items() if not ok.all())}"
+        )
+    left = {name: ", ".join(f"{w:g}" for w in values.omega[~ok]) for name, ok in whole.items() if not ok.all()}
+    if kept.all():
+        return values, {}
+    some = {name: part if name in LIMITS else part[kept] for name, part in values.quantities.items()}
+    return replace(values, omega=values.omega[kept], quantities=some), left
+
+
+def _store(values, mesh, output, source, fresh):
+    angles = np.linspace(0, 2 * np.pi, 4, endpoint=False)
+    header = Header(
+        mesh, None, values.water_depth, values.density, values.gravity, values.rotation_center, angles, values.body,
+        attributes={"imported": source},
+    )  # fmt: skip
+    headings = values.wave_direction if len(values.wave_direction) else np.zeros(1)
+    if fresh:
+        output.unlink(missing_ok=True)
+    create(output, header, values.omega, headings, tuple(values.quantities))
+    rows = {name: value for name, value in values.quantities.items() if name not in LIMITS}
+    with writing(output) as file:
+        for i, omega in enumerate(values.omega):
+            append(file, omega, headings, {name: value[i] for name, value in rows.items()})
+        for name in LIMITS:
+            if name in values.quantities:
+                append_limit(file, name, values.quantities[name])

@@ -1,0 +1,257 @@
+"""Files as other programs write them, not as this one does; each number by the formula of that program's manual."""
+
+import json
+import shutil
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bem.database import open_database
+from bem.formats import hams, orcaflex, wamit
+from bem.formats.afloat import Weight, on_hull
+from bem.formats.values import FormatError, omega_of, values_of, with_headings_once
+from meshing.files import write_mesh
+from pipelines import cli
+from pipelines.scene.scene import make_scene
+from pipelines.solve.run import solve
+
+RHO, G, DEPTH = 1025.0, 9.80665, 20.0
+WATER = {"water_depth": DEPTH, "density": RHO, "gravity": G}
+MODES = np.array([0, 0, 0, 1, 1, 1])
+
+
+@pytest.fixture(scope="module")
+def values(tmp_path_factory):
+    """A box of 20 x 10 x 4 m about its middle in the waterplane, so that symmetry makes 26 of 36 pairs zero"""
+    path = tmp_path_factory.mktemp("others") / "box.h5"
+    raw = {
+        "water": {"depth": DEPTH},
+        "bodies": [{"shape": "box", "length": 20.0, "beam": 10.0, "draft": 4.0, "gyration": [3, 6, 6]}],
+        "waves": {"omegas": [0.6, 1.0], "headings_deg": [0, 90]},
+    }
+    solve(make_scene(raw), path)
+    return values_of(open_database(path))
+
+
+@pytest.fixture
+def written(values, tmp_path):
+    """NAME of the files of WAMIT of the box, with its hull beside"""
+    wamit.write(values, tmp_path / "box")
+    write_mesh(values.mesh, tmp_path / "box.gdf")
+    return tmp_path / "box.1"
+
+
+def rewritten(path, change):
+    """A file of numbers whose rows are changed or left out (None)"""
+    rows = [change([float(word) for word in line.split()]) for line in path.read_text().splitlines()]
+    path.write_text("\n".join(" ".join(f"{x:.9E}" for x in row) for row in rows if row is not None))
+
+
+def test_pairs_that_symmetry_makes_zero_may_be_left_out(values, written):
+    allowed = {(1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (1, 5), (5, 1), (2, 4), (4, 2)}
+    rewritten(written, lambda row: row if (int(row[1]), int(row[2])) in allowed else None)
+    rewritten(written.with_suffix(".3"), lambda row: row if row[2] != 6 else None)
+    found = wamit.read(written, WATER)
+    A, size = values.get("added_mass"), np.abs(values.get("added_mass")).max()
+    assert np.allclose(found.get("added_mass"), A, atol=1e-6 * size)
+    assert np.count_nonzero(found.get("added_mass")[0]) == 10
+    X = found.get("excitation_force")
+    assert np.allclose(X[..., :5], values.get("excitation_force")[..., :5], rtol=1e-5, atol=1.0) and not X[..., 5].any()
+
+
+def test_a_pair_that_is_there_at_some_frequencies_alone_is_a_damaged_file(written):
+    lines = written.read_text().splitlines()
+    written.write_text("\n".join(line for line in lines[:-1]))
+    with pytest.raises(FormatError, match="0 values for"):
+        wamit.read(written, WATER)
+
+
+def test_a_seventh_mode_is_of_no_rigid_body(written):
+    lines = written.read_text().splitlines()
+    written.write_text("\n".join([*lines, *(line.replace("     1     1 ", "     7     7 ") for line in lines)]))
+    with pytest.raises(FormatError, match="has mode 7; allowed: 1, 2"):
+        wamit.read(written, WATER)
+
+
+def test_results_are_made_dimensionless_by_ulen(values, written):
+    """A = ρ L^(3 + p + q) Ā, X = ρ g L^(2 + p) X̄, C = ρ g L^(2 + p + q) C̄, motions ξ̄ L^(−p); WAMIT manual, chapter 3"""
+    L = 10.0
+    power = {number: MODES[number - 1] for number in range(1, 7)}
+    rewritten(
+        written,
+        lambda row: [*row[:3], *(x / L ** (3 + power[int(row[1])] + power[int(row[2])]) for x in row[3:])],
+    )
+    for suffix, exponent in ((".3", 2), (".4", None)):
+        rewritten(
+            written.with_suffix(suffix),
+            lambda row, e=exponent: [
+                *row[:3], row[3], row[4],
+                *(x * (L ** power[int(row[2])] if e is None else L ** -(e + power[int(row[2])])) for x in row[5:]),
+            ],
+        )  # fmt: skip
+    rewritten(
+        written.with_suffix(".hst"),
+        lambda row: [*row[:2], row[2] / L ** (2 + power[int(row[0])] + power[int(row[1])])],
+    )
+    for suffix in (".3fk", ".3sc", ".8"):
+        written.with_suffix(suffix).unlink(missing_ok=True)
+    gdf = written.with_suffix(".gdf")
+    gdf.write_text(gdf.read_text().replace("1.0 9.80665 ULEN", "10.0 9.80665 ULEN"))
+    found = wamit.read(written, WATER)
+    for name in ("added_mass", "radiation_damping", "excitation_force", "rao"):
+        true = values.get(name)
+        assert np.allclose(found.get(name), true, rtol=2e-6, atol=2e-6 * np.abs(true).max()), name
+    C = values.get("hydrostatic_stiffness")
+    assert np.allclose(found.get("hydrostatic_stiffness"), C, rtol=1e-5, atol=1e-6 * C.max())
+    # taken with the wrong length, the hull tells
+    wrong = wamit.read(written, WATER | {"length_unit": 1.0})
+    with pytest.raises(FormatError, match=r"a length 10 times as large \(--length-unit\)"):
+        on_hull(wrong, values.mesh)
+
+
+def test_xbody_is_the_point_of_moments_and_moves_the_hull(written, tmp_path, capsys):
+    pot = "h\n20.0 HBOT\n1 1 IRAD IDIFF\n-2 NPER\n0.6 0.4\n2\n0.0\n90.0 BETA\n1\nbox.gdf\n0.0 0.0 -2.0 0.0 XBODY\n"
+    written.with_suffix(".pot").write_text(pot)
+    assert wamit.inputs_of(written, WATER).about == (0.0, 0.0, -2.0)
+    for suffix in (".hst", ".4", ".8"):
+        written.with_suffix(suffix).unlink()
+    words = ["mesh", str(written.with_suffix(".gdf")), "--move", "0,0,2", "--output", str(tmp_path / "own.gdf")]
+    assert cli.main(words) in (0, 1)  # the hull in the body's axes stands out of the water
+    shutil.move(tmp_path / "own.gdf", written.with_suffix(".gdf"))
+    output = tmp_path / "x.h5"
+    assert cli.main(["import", str(written), "--from", "wamit", "--depth", "20", "--output", str(output)]) == 0
+    assert "XBODY 0, 0, -2 m of box.pot is taken" in capsys.readouterr().err
+    db = open_database(output)
+    assert list(db.rotation_center) == [0, 0, -2]
+    assert db.header.body["center_of_buoyancy"][2] == pytest.approx(-2.0)  # half of the draft
+    pot = pot.replace("-2.0 0.0 XBODY", "-2.0 30.0 XBODY")
+    written.with_suffix(".pot").write_text(pot)
+    with pytest.raises(FormatError, match=r"XBODY\(4\) turns the body by 30°"):
+        wamit.read(written, WATER)
+
+
+def test_headings_a_turn_apart_are_one(values):
+    X = values.get("excitation_force")
+    both = np.concatenate([X, X[:, :1]], axis=1)
+    ends = np.array([-np.pi, 0.0, np.pi])
+    twice = replace(values, wave_direction=ends, quantities={"excitation_force": both})
+    once = with_headings_once(twice)
+    assert np.allclose(once.wave_direction, [-np.pi, 0.0])
+    assert np.array_equal(once.get("excitation_force"), X)
+    other = replace(twice, quantities={"excitation_force": both * np.array([1, 1, 1.01])[:, None]})
+    with pytest.raises(FormatError, match="between headings -180° and 180°, which are one"):
+        with_headings_once(other)
+
+
+@pytest.mark.parametrize(
+    ("kind", "column"),
+    [
+        ("period", lambda w, k: 2 * np.pi / w),
+        ("frequency", lambda w, k: w),
+        ("wavenumber", lambda w, k: k),
+        ("deep wavenumber", lambda w, k: w**2 / G),
+        ("wavelength", lambda w, k: 2 * np.pi / k),
+    ],
+)
+def test_any_first_column_of_results_is_the_same_frequency(kind, column):
+    k = np.array([0.05, 0.2, 1.0])
+    w = np.sqrt(G * k * np.tanh(k * DEPTH))
+    assert np.allclose(omega_of(column(w, k), kind, DEPTH, G), w, rtol=1e-12)
+    limits = omega_of(np.array([-1.0, 0.0]), kind, DEPTH, G)
+    assert set(limits) == {0.0, np.inf}
+    assert (limits[0] == 0.0) == (kind in ("period", "wavelength"))
+
+
+def test_a_control_file_of_hams_ends_at_its_last_line(values, tmp_path):
+    hams.write(values, tmp_path)
+    control = tmp_path / "Input" / "ControlFile.in"
+    text = control.read_text()
+    assert "Output_frequency_type   4" in text
+    control.write_text(
+        text.replace("Waterdepth  20.000000D0", "Waterdepth  20.D0   (a negative value denotes the infinite depth)")
+        + "\n   Output_frequency_type options: same as Input_frequency_type options\n   Waterdepth 7.D0\n"
+    )
+    found = hams.read(tmp_path, WATER)
+    assert found.water_depth == DEPTH and np.allclose(found.omega, values.omega)
+
+
+def test_a_model_of_orcaflex_in_kg_and_newton_or_in_feet_and_kips_is_that_in_tonnes(values, tmp_path):
+    """1 kip is 453.59237 kg or 4448.2216 N, 1 ft 0.3048 m"""
+    orcaflex.write(values, tmp_path / "si.yml")
+    text = (tmp_path / "si.yml").read_text()
+    assert "CentreOfMass" in text and "CentreOfGravity" not in text
+    true = orcaflex.read(tmp_path / "si.yml", {"gravity": G})
+    (tmp_path / "old.yml").write_text(text.replace("CentreOfMass", "CentreOfGravity"))
+    assert np.array_equal(orcaflex.read(tmp_path / "old.yml", {"gravity": G}).get("center_of_mass"), [0, 0, 0])
+    for name, general, m, kg, N in (
+        ("user", "UnitsSystem: User\n  LengthUnits: m\n  MassUnits: kg\n  ForceUnits: N", 1.0, 1.0, 1.0),
+        ("us", "UnitsSystem: US", 0.3048, 453.59237, 4448.2216152605),
+    ):
+        found = read_in_units(text.replace("UnitsSystem: SI", general), m, kg, N, tmp_path / f"{name}.yml")
+        assert found.density == pytest.approx(RHO) and found.water_depth == pytest.approx(DEPTH)
+        for quantity in ("added_mass", "radiation_damping", "excitation_force", "rao"):
+            assert np.allclose(found.get(quantity), true.get(quantity), rtol=1e-12), quantity
+        for part in ("mass", "inertia_matrix", "hydrostatic_stiffness", "displaced_volume"):
+            assert np.allclose(found.get(part), true.get(part), rtol=1e-9), part
+    (tmp_path / "odd.yml").write_text(text.replace("UnitsSystem: SI", "UnitsSystem: User\n  MassUnits: stone"))
+    with pytest.raises(FormatError, match="MassUnits is 'stone'; allowed: te, t, kg"):
+        orcaflex.read(tmp_path / "odd.yml", {"gravity": G})
+
+
+def read_in_units(text, m, kg, N, path):
+    """The model of a text in t, kN, m, each number written anew in other units by its key"""
+    from ruamel.yaml import YAML
+
+    model = YAML(typ="safe", pure=True).load(text)
+    mass, force, arm = 1e3 / kg, 1e3 / N, (1 / m) ** (MODES + MODES[:, None])
+    model["Environment"]["Density"] *= mass * m**3
+    model["Environment"]["WaterDepth"] /= m
+    (draught,) = model["VesselTypes"][0]["Draughts"]
+    draught["Mass"] *= mass
+    draught["DisplacedVolume"] /= m**3
+    for key in ("CentreOfMass", "CentreOfBuoyancy", "ReferenceOrigin"):
+        draught[key] = (np.array(draught[key]) / m).tolist()
+    scaled(draught, orcaflex.INERTIA_COLUMNS, mass / m**2)
+    scaled(draught, orcaflex.STIFFNESS_COLUMNS, force * m * arm[2:5, 2:5])
+    for row in draught["FrequencyDependentAddedMassAndDamping"]:
+        scaled(row, orcaflex.MASS_COLUMNS, mass * arm)
+        scaled(row, orcaflex.DAMPING_COLUMNS, force * m * arm)
+    for group, size in (("LoadRAOs", force * m * m ** -MODES.astype(float)), ("DisplacementRAOs", m**MODES)):
+        for heading in draught[group]["RAOs"]:
+            factors = np.ones(13)
+            factors[1::2] = size
+            scaled(heading, orcaflex.RAO_COLUMNS, factors)
+    text = json.dumps(model, default=str).replace('"ForceUnits": "N"', '"ForceUnits": N')  # as OrcaFlex writes it
+    path.write_text(f"%YAML 1.1\n---\n{text}\n")
+    return orcaflex.read(path, {"gravity": G})
+
+
+def scaled(table, key, factor):
+    table[key] = (np.array(table[key], float) * factor).tolist()
+
+
+def test_an_import_without_mass_is_given_one_and_has_the_motions_of_the_solved_body(values, written, tmp_path, capsys):
+    written.with_suffix(".4").unlink()
+    written.with_suffix(".8").unlink()
+    output = tmp_path / "given.h5"
+    words = ["import", str(written), "--from", "wamit", "--depth", "20", "--output", str(output)]
+    assert cli.main(words) == 0
+    assert "give --gyration" in capsys.readouterr().err
+    assert cli.main([*words, "--fresh", "--gyration", "3,6,6"]) == 0
+    assert "that of the files has the weight in it" in capsys.readouterr().err
+    db = open_database(output)
+    assert np.allclose(db["rao"], values.get("rao"), rtol=1e-4, atol=1e-5)
+    assert db.header.body["mass"] == pytest.approx(RHO * 800)
+    assert cli.main([*words, "--fresh", "--gyration", "3,6,6", "--mass", "820"]) == 2
+    assert "mass is 820 kg, the hull displaces 820000 kg" in capsys.readouterr().err
+
+
+def test_a_stiffness_without_the_weight_is_known_by_its_roll_and_pitch(values):
+    C = np.array(values.get("hydrostatic_stiffness"))  # of a weight at the rotation centre, which has no arm
+    mass = values.get("mass")
+    still = replace(values, body={"hydrostatic_stiffness": C})
+    raised, remarks = on_hull(still, values.mesh, Weight(center=(0.0, 0.0, 1.0), gyration=(3, 6, 6)))
+    assert "that of the files is without the weight" in remarks[0]
+    lowered = raised.get("hydrostatic_stiffness")[3, 3] - C[3, 3]
+    assert lowered == pytest.approx(-mass * G * 1.0, rel=1e-6)  # −m g z_G
