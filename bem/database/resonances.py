@@ -35,7 +35,7 @@ class Resonance:
     """A peak of one motion, `mode` 0 … 5, at omega rad/s in waves towards `heading` rad.
 
     peak : m/m or rad/m; error : its estimated error between stored frequencies; damping : ratio ζ
-    viscous : whether damping beside that of waves is in it
+    viscous : whether damping of this motion beside that of waves is in it
     """
 
     mode: int
@@ -164,11 +164,13 @@ def _resonance(body, mode, omega, q):
     kind = next(kind for kind in KINDS if mode in range(6)[kind])
     if peak <= QUIET * np.abs(body.motions(body.omega))[:, :, kind].max():
         return None
-    extra = body.viscous.damping(at, body.viscous.wave_amplitude * X[i, m]) if body.viscous else 0.0
+    extra = np.zeros((6, 6))
+    if body.viscous:
+        extra = body.viscous.damping(at, body.viscous.wave_amplitude * X[i, m])
     error = body.at([at], "rao")[1][0, m, mode]
     return Resonance(
         mode, float(at), _ratio(body, omega, q, extra), peak, float(error), float(body.headings[m]),
-        bool(np.any(extra)) or bool(body.damping.any()),
+        bool(extra[mode, mode] + body.damping[mode, mode] > 0),
     )  # fmt: skip
 
 

@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
+from ..environment.sea import Sea
+from ..environment.spectra import issc
+from ..seas.systems import Systems
+
 DYNAMIC_WATER = ("still", "sea")
 SLOW_DRIFT = ("newman", "half-waves", "mean", "none")
 MOST_ELEMENTS = 1000
@@ -36,6 +42,21 @@ class Weather:
     beside_newman: object = None
     components: object = None
     on_hull: object = None
+
+    @property
+    def waves(self):
+        """All waves as a study in the frequency domain takes them: a Sea, `Systems`, regular `Waves`; None for none
+
+        Of components it is the ISSC spectrum of their energy, mean frequency and mean direction.
+        """
+        if self.seas:
+            return self.seas[0] if len(self.seas) == 1 else Systems(self.seas)
+        if self.components is None:
+            return self.regular
+        omega, amplitude, _, direction = self.components
+        energy = 0.5 * np.square(amplitude)
+        spectrum = issc(4 * np.sqrt(energy.sum()), mean_period=2 * np.pi * energy.sum() / (energy @ omega))
+        return Sea(spectrum, float(np.angle(energy @ np.exp(1j * np.asarray(direction)))))
 
     def __post_init__(self):
         object.__setattr__(self, "seas", tuple(self.seas))

@@ -4,14 +4,20 @@ A law of `bem.viscous` gives the linear damping that dissipates as much in a reg
 irregular motion with standard deviations σ and σ_v it is taken at ω = σ_v/σ and a = 1.88 σ, which for quadratic drag
 N₂ is √(8/π) σ_v N₂: the least mean square difference of a Gaussian motion (Borgman 1969).  Motion and damping
 depend on each other and are found by the secant rule.
+
+Every study takes the laws of a database's scene here: in a sea (`in_sea`), in regular waves (`in_regular_waves`, the
+damping that takes as much out of a cycle of the motion in them), in time (`in_time`, where a drag stays one).
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import NamedTuple
+
 import numpy as np
 
 from bem import DOFS
-from bem.viscous import EQUIVALENT_AMPLITUDE
+from bem.viscous import EQUIVALENT_AMPLITUDE, Quadratic, linearised_response
 
 from .linear import frequencies, moments, response_spectrum
 from .seas import directions, heading_step
@@ -19,6 +25,67 @@ from .seas import directions, heading_step
 FIRST = 0.05  # m, rad, of the first guess
 CLOSE = 1e-6
 MOST = 60
+
+
+class InTime(NamedTuple):
+    """A body's viscous damping in time, beside radiation
+
+    quadratic : (6,) N₂ of laws that are a drag; damping : (6, 6) of the other laws, linearised in the waves
+    body : `bem.database.reader.Reader`, floating, that drifts as the body damped in these waves does
+    """
+
+    quadratic: np.ndarray
+    damping: np.ndarray
+    body: object
+
+
+def laws_of(reader):
+    """{degree of freedom: law} of the scene of a `bem.database.reader.Reader`, {} for none"""
+    return {} if reader.viscous is None else reader.viscous.laws
+
+
+def in_sea(reader, sea, laws=None, held=None):
+    """A `Reader`, floating, with viscous damping linearised in a Sea, and that damping (6, 6).
+
+    laws : in place of those of its scene; held : the floating Reader as it is restrained, None for free
+    raises : as `linearised` and `Reader.floating`
+    """
+    laws, body = laws_of(reader) if laws is None else laws, reader.floating() if held is None else held
+    return linearised(body, sea, laws) if laws else (body, np.zeros((6, 6)))
+
+
+def in_regular_waves(reader, omega, amplitude, direction):
+    """A `Reader`, floating, with the viscous damping of its scene at its motion in regular waves; that damping (6, 6).
+
+    omega : rad/s; amplitude : m; direction : rad, travelled to
+    """
+    laws, body = laws_of(reader), reader.floating()
+    if not laws:
+        return body, np.zeros((6, 6))
+    (A,), (B,) = body.coefficients(np.array([omega]))
+    force = body.forces(np.array([omega]), np.array([direction]))[0]
+    viscous = replace(reader.viscous, wave_amplitude=amplitude)
+    _, (damping,) = linearised_response(omega, A, B + body.damping, force, body.inertia, body.stiffness, viscous)
+    return body.restrained(damping=damping), damping
+
+
+def in_time(reader, waves=None):
+    """`InTime` of a `Reader` in waves: a Sea, `mooring.studies.conditions.Waves` that are regular, or None for none,
+    in which only laws that are a drag damp."""
+    laws = laws_of(reader)
+    if waves is None:
+        body, damping = reader.floating(), np.zeros((6, 6))
+    elif hasattr(waves, "spectrum"):
+        body, damping = in_sea(reader, waves)
+    else:
+        body, damping = in_regular_waves(reader, waves.omega, 0.5 * waves.height, waves.direction)
+    if not reader.rebuilds_drift:  # what is stored is all that is known of it, at the scene's own waves
+        body = replace(reader, viscous=None)
+    damping, quadratic = damping.copy(), np.zeros(6)
+    for i, dof in enumerate(DOFS):
+        if isinstance(laws.get(dof), Quadratic):
+            quadratic[i], damping[i, i] = laws[dof].drag, 0.0
+    return InTime(quadratic, damping, body)
 
 
 def linearised(body, sea, laws):

@@ -77,10 +77,11 @@ def on_hull(point: SinglePoint, slow_added_mass, drift=True) -> OnHull:
 
 
 def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None, rope=None, end_z=0.0,
-            memory=None) -> Moored:  # fmt: skip
+            memory=None, sea=None) -> Moored:  # fmt: skip
     """Moored at a state (6,) beside an Equilibrium (`slewing.turned_state`), the hawser as long as its pull makes it.
 
-    db : opened database, None for the plane; memory : of its water; end_z : m, of the attachment over the water
+    db : opened database, None for the plane; memory : of its water; sea : that its viscous damping is linearised in
+    end_z : m, of the attachment over the water
     buoy, rope : BuoyBody and RopePart of the hawsers, of a mooring with hawsers
     raises : SinglePointError, ValueError of `moored`
     """
@@ -90,7 +91,7 @@ def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None
         raise SinglePointError("a hawser needs the buoy's mass and the rope's strength; give buoy and rope")
     if contact and buoy is not None:
         raise SinglePointError("a contact buoy moves with the body; a buoy of its own needs a hawser")
-    body = planar(point) if db is None else moored(db, memory=memory)
+    body = planar(point) if db is None else moored(db, memory=memory, linearised_in=sea)
     center = np.asarray(body.reader.rotation_center, float)
     out, state = np.zeros(3), np.asarray(state, float)
     if not contact:

@@ -72,15 +72,15 @@ def wave_body(reader, components, lever) -> WaveBody:
     """WaveBody of a `bem.database.reader.Reader` with the coefficients of the mean frequency of its Components"""
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     mean = mean_frequency(omega, amplitude)
-    body = reader.floating()
+    body = reader.floating()  # with the linear damping that it has beside radiation
     A, B = body.coefficients(np.array([mean]))
     order = np.argsort(omega)
     force = np.empty((len(omega), RING, 6), complex)
     force[order] = body.forces(omega[order], headings())
     number = wavenumber(omega, reader.depth, reader.gravity)
     center = np.asarray(reader.rotation_center, float)[:2]
-    return WaveBody(body.inertia + A[0], B[0], body.stiffness, force, omega, amplitude, phase, direction, number,
-                    lever, center, mean)  # fmt: skip
+    return WaveBody(body.inertia + A[0], B[0] + body.damping, body.stiffness, force, omega, amplitude, phase, direction,
+                    number, lever, center, mean)  # fmt: skip
 
 
 def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = None, wind_speed=None) -> Record:

@@ -22,6 +22,7 @@ from ..loads.box_current import current_force
 from ..loads.box_drag import about
 from ..motion.streams import turning_drag
 from ..response.sea_state import sea_state
+from ..response.viscous import in_sea
 from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum, wave_spectrum
 from .wave_effects import sea_of
 
@@ -47,8 +48,9 @@ class LongPeriod(NamedTuple):
 
 def long_period(db, hull, result, gusts=None):
     """`LongPeriod` of a MultiPoint result in irregular waves; hull : ExposedBox; gusts : GustSpectrum, or None"""
-    conditions, body = result.conditions, db.reader.floating()
+    conditions = result.conditions
     sea = sea_of(conditions)
+    body, _ = in_sea(db.reader, sea)
     state = sea_state(body, sea, conditions.duration)
     split = float(sea.spectrum.quantile(LOWEST))
     omega = np.linspace(0.0, split, 2001)[1:]

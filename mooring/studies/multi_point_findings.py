@@ -33,10 +33,8 @@ def findings(result, db):
         yield from _of_the_sea(result) if irregular else _uncertain(db.reader, waves)
         yield from large_rotations(dict(zip(DOFS[3:], np.degrees(result.amplitudes[3:]), strict=True)))
         yield from resonances(result, waves.period)
-        if db.has_viscous_motions and irregular:
-            yield "motions and drift hold the viscous damping of the database's scene, linearised in this sea"
-        elif db.has_viscous_motions:
-            yield "motions and drift hold the viscous damping of the wave height in the database's scene"
+        if db.has_viscous_motions:
+            yield "motions and drift hold the viscous damping of the database's scene, linearised in these waves"
         else:
             yield from _undamped(result, db, waves)
         yield from _stiff_modes(result, np.asarray(db.hydrostatic_stiffness, float))

@@ -19,7 +19,7 @@ from bem.database.between_frequencies import BetweenError
 from ..environment.sea import Sea
 from ..environment.spectra import issc
 from ..response.sea_state import sea_state
-from ..response.viscous import linearised
+from ..response.viscous import in_regular_waves, in_sea
 
 METHODS = ("irregular", "regular_wave")
 ROUNDING = 1e-9
@@ -63,11 +63,9 @@ def _irregular(db, conditions):
     if not db.reader.knows_drift:
         raise BetweenError("drift_force must be stored for waves; run its command again with --only drift,kochin,rao")
     try:
-        body = db.reader.floating()
+        body, _ = in_sea(db.reader, sea)
     except BetweenError as error:
         raise BetweenError(f'{error}, or say method = "regular_wave"') from None
-    if db.has_viscous_motions:
-        body, _ = linearised(body, sea, db.reader.viscous.laws)
     state = sea_state(body, sea, conditions.duration)
     return WaveEffects(
         _cleared(state.slow.drift), state.expected_maximum[:6], _cleared(state.slow.sigma), state.warnings
@@ -75,8 +73,10 @@ def _irregular(db, conditions):
 
 
 def _regular(db, conditions):
-    w, body = conditions.waves, db.reader
-    amplitude = 0.5 * w.height
+    w, amplitude = conditions.waves, 0.5 * conditions.waves.height
+    body = db.reader
+    if body.viscous is not None and body.viscous.wave_amplitude != amplitude:
+        body, _ = in_regular_waves(body, w.omega, amplitude, w.direction)
     drift = body.drift([w.omega], [w.direction])[0, 0] * amplitude**2
     X = np.abs(body.motions([w.omega], [w.direction])[0, 0])
     return WaveEffects(_cleared(drift), np.concatenate([_cleared(X[:3]), _cleared(X[3:])]) * amplitude)

@@ -80,6 +80,8 @@ def lee(breakwater, db):
     ratio, rest = np.sqrt(power[: len(places[0])]), np.sqrt(power[len(places[0]) :]).reshape(-1, 41)
     behind = list(zip(told, np.sqrt(np.mean(rest**2, axis=1)), strict=True))
     warned = list(_remarks(breakwater, asked, missed))
+    if moved is not None and reader.viscous is not None:
+        warned.append("the viscous damping of the database's scene is left out of the waves behind the units")
     tension = None if lines is None else np.sqrt(tension)
     return Lee(x, y, ratio.reshape(len(y), len(x)), middles, half, behind, words, warned, lines, tension)
 

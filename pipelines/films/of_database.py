@@ -36,11 +36,14 @@ def film_of_database(path, output, period=None, omega=None, heading=180.0, heigh
     check_film(output, (path,))
     if field not in (None, "pressure"):
         raise ValueError(f"--field is {field!r}; allowed: pressure")
+    if height is not None and not 0 < height < np.inf:
+        raise ValueError(f"--height is {height:g} m; allowed: above 0, finite")
     db = open_database(path)
-    around = around_body(db, frequency(period, omega), math.radians(heading), fixed)
+    given = None if height is None else height / 2
+    around = around_body(db, frequency(period, omega), math.radians(heading), fixed, given)
     amplitude = _amplitude(around, height)
     coloured = None if field is None else _pressure(db, path, around)
-    for line in remarks(around):
+    for line in remarks(around, db, given):
         print(line)
     write_film(output, _frames(db, around, amplitude, coloured), FRAMES)
     return FRAMES
@@ -48,8 +51,6 @@ def film_of_database(path, output, period=None, omega=None, heading=180.0, heigh
 
 def _amplitude(around, height):
     """m.  Raises ValueError."""
-    if height is not None and not 0 < height < np.inf:
-        raise ValueError(f"--height is {height:g} m; allowed: above 0, finite")
     amplitude = (2 * np.pi / around.k * STEEPNESS if height is None else height) / 2
     angle = 0.0 if around.motion is None else float(np.abs(around.motion[3:]).max())
     if angle * amplitude > MOST:

@@ -46,18 +46,13 @@ def response(
     body = db.reader.floating() if moored else read.restrained(db.reader.floating())
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        if db.has_viscous_motions and read.body.viscous is None:
-            warnings.warn(
-                "viscous damping of the database's scene is that of one regular wave and is left out here; "
-                "give it to the study as body.viscous", stacklevel=2
-            )  # fmt: skip
         try:
             if moored is not None:
                 held = _moored(read, db, points, study, moored)
                 result = held.motion.fast
             else:
                 held = None
-                result = _in_sea(read, body, db, points, study) if read.sea else _in_climate(read, body, points, study)
+                result, body = (_in_sea if read.sea else _in_climate)(read, body, db, points, study)
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
     warned = list(
@@ -81,31 +76,23 @@ def gap_of(db):
 
 
 def _in_sea(read, body, db, points, study):
-    from bem import DOFS
-    from bem.viscous_table import laws_of
+    """SeaState, and the body with its viscous damping in it"""
     from mooring.response.pair_levels import beside_newman
     from mooring.response.sea_state import sea_state
-    from mooring.response.viscous import linearised
+    from mooring.response.viscous import in_sea
 
     from ..common.quantities import level_of, positive
-    from .study import sea_of
+    from .study import sea_of, viscous_laws, viscous_words
 
-    sea = sea_of(read.sea, study, db.water_depth)
-    if read.body.viscous is not None:
-        box = db.dimensions if "beam" in db.dimensions else {}
-        laws = laws_of("body.viscous", read.body.viscous, box, db.density, db.gravity)
-        body, damping = linearised(body, sea, laws)
-        for dof in laws:
-            i = DOFS.index(dof)
-            share = damping[i, i] / body.critical_damping(i)
-            warnings.warn(
-                f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical", stacklevel=2
-            )
+    sea, laws = sea_of(read.sea, study, db.water_depth), viscous_laws(read, db)
+    body, damping = in_sea(db.reader, sea, laws, body)
+    for line in viscous_words(body, laws, damping):
+        warnings.warn(line, stacklevel=2)
     level_of("sea.qtf", read.sea.qtf)
     bound, said = beside_newman(db, sea, read.sea.qtf, spread=True)
     for line in said:
         warnings.warn(line, stacklevel=2)
-    return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points, bound)
+    return sea_state(body, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points, bound), body
 
 
 def _moored(read, db, points, study, path):
@@ -119,11 +106,16 @@ def _moored(read, db, points, study, path):
     return moored(path, read, db, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
 
 
-def _in_climate(read, body, points, study):
+def _in_climate(read, body, db, points, study):
     from ..common.quantities import StudyError
 
     if read.body.viscous is not None:
         raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a climate")
+    if db.has_viscous_motions:
+        warnings.warn(
+            "viscous damping of the database's scene is left out in a climate, whose seas would have one each: motions "
+            "near resonance are too large; give body.damping_ratio", stacklevel=2
+        )  # fmt: skip
     from mooring.response.climate import climate
 
     from .effort import check_effort
@@ -131,7 +123,7 @@ def _in_climate(read, body, points, study):
 
     given = climate_of(read.climate, study, body.depth)
     check_effort(read, given["scatter"])
-    return climate(body, **given, points=points)
+    return climate(body, **given, points=points), body
 
 
 def _write(read, result, radius, points, said, text, database, output, plot, held=None):

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..common.quantities import StudyError
 from ..moor.gusts import gusts_of
 
 COLUMNS = {
@@ -45,6 +44,7 @@ class Moored(NamedTuple):
 
 def moored(path, read, db, sea, duration, points):
     """`Moored` of the mooring study at `path` and a ResponseStudy.  Raises ValueError, one line."""
+    from mooring.response.viscous import in_sea
     from mooring.studies.conditions import Waves
     from mooring.studies.long_period import long_period
     from mooring.studies.multi_point import multi_point
@@ -52,6 +52,7 @@ def moored(path, read, db, sea, duration, points):
     from mooring.studies.slow_spectrum import PLANE
 
     from ..moor.study import read_study
+    from .study import viscous_laws, viscous_words
 
     study, _ = read_study(path)
     hull = study.without_berth("response --moored").hull_of(db.dimensions)
@@ -60,10 +61,9 @@ def moored(path, read, db, sea, duration, points):
     waves = Waves(spectrum.significant_height, spectrum.T01, sea.direction)
     conditions = replace(given, waves=waves, sea=sea, method="irregular", duration=duration)
     statics = multi_point(db, system, hull, conditions, study.allowable)
-    free = db.reader.floating()
-    if read.body.viscous is not None:
-        raise StudyError("body.viscous is linearised for a free body; give damping_ratio with --moored")
-    held = read.restrained(free.restrained(stiffness=statics.equilibrium.stiffness))
+    laws = viscous_laws(read, db)
+    held = read.restrained(db.reader.floating().restrained(stiffness=statics.equilibrium.stiffness))
+    (free, _), (held, damping) = in_sea(db.reader, sea, laws), in_sea(db.reader, sea, laws, held)
     gusts = gusts_of(study.wind)
     gust = None if gusts is None else (gusts, statics.loads["wind"])
     alone = long_period(db, hull, statics, gusts)
@@ -81,7 +81,7 @@ def moored(path, read, db, sea, duration, points):
         notes.append(f"waves of {path} are left out: those of the response study are taken")
     if np.isfinite(db.water_depth):
         notes += _of_bound_waves(spectrum, db)
-    return Moored(found, tuple(notes))
+    return Moored(found, (*notes, *viscous_words(held, laws, damping)))
 
 
 def _of_bound_waves(spectrum, db):

@@ -146,7 +146,7 @@ class KeelTable(Table):
 class BodyTable(Table):
     """What acts on the body beside the waves
 
-    viscous : damping that grows with the motion, linearised in the sea
+    viscous : damping that grows with the motion, linearised in the sea, in place of that of the database's scene
     damping_ratio : {motion = share of critical}, beyond radiation
     damping : 6 × 6 in SI units, added
     stiffness : 6 × 6 in SI units, added
@@ -192,6 +192,25 @@ class ResponseStudy(Table):
                 positive(f"points[{i}].clearance", point.clearance)
         points = [Point(point.name, point.position, point.clearance) for point in self.points]
         return points + (keel_points(self.keel, db) if self.keel else [])
+
+
+def viscous_laws(study, db):
+    """{degree of freedom: law} of a ResponseStudy, those of the database's scene where it gives none"""
+    from bem.viscous_table import laws_of
+    from mooring.response import viscous
+
+    if study.body.viscous is None:
+        return viscous.laws_of(db.reader)
+    box = db.dimensions if "beam" in db.dimensions else {}
+    return laws_of("body.viscous", study.body.viscous, box, db.density, db.gravity)
+
+
+def viscous_words(body, laws, damping):
+    """A line on the viscous damping (6, 6) that each of the laws has in a sea"""
+    for dof in laws:
+        i = DOFS.index(dof)
+        share = damping[i, i] / body.critical_damping(i)
+        yield f"viscous damping of {dof.lower()} in this sea: {100 * share:.2g} % of critical"
 
 
 def keel_points(table, db):

@@ -75,6 +75,7 @@ def by_design_spectrum(study, db, body, hull, fenders):
     fenders : sequence of `QuayFender`, of which those count that the steady loads across push to
     """
     from mooring.dolphins.design_spectrum import STATIC, TOTAL, Dolphins, beam_of, limit_height, strains
+    from mooring.response.viscous import in_sea
     from mooring.studies.steady_loads import steady_loads, with_coefficients
 
     from ..common.seas import family_of, shape_of
@@ -84,7 +85,7 @@ def by_design_spectrum(study, db, body, hull, fenders):
         return ""
     steady = with_coefficients(conditions, hull, study.water.depth)
     across = sum(load[1] for load in steady_loads(db, hull, steady, study.water.depth).values())
-    beam = beam_of(body.floating(), conditions.waves.direction)
+    beam = beam_of(in_sea(body, conditions.sea)[0], conditions.waves.direction)
     density = conditions.sea.spectrum.density(beam.omega)
     side = np.sign(across + 2 * np.trapezoid(beam.drift * density, beam.omega)) or 1.0
     met = [one for one in fenders if one.normal[1] * side > 0.5]

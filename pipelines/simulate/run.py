@@ -261,7 +261,8 @@ def _fill(file, task, plan, console, executor, findings):
         executor.shutdown(wait=False, cancel_futures=True)
     there = int((whole_rows(file) & asked).sum())
     told = {line for one in file["findings"][asked] for line in bytes(one).decode().split("\n") if line}
-    return Outcome(made, there, int(asked.sum()), tuple(failures), stop.asked, (*findings, *sorted(told)))
+    said = tuple(dict.fromkeys((*findings, *sorted(told))))
+    return Outcome(made, there, int(asked.sum()), tuple(failures), stop.asked, said)
 
 
 def _calls(executor, task, file, rows, progress):

@@ -49,6 +49,7 @@ def prepared(task):
         from bem.time_domain.memory import no_memory
         from mooring.motion.moving_lines.prepare import moving_of
         from mooring.motion.simulation import moored, with_lines_chosen
+        from mooring.response.viscous import in_time
 
         study, db = make_study(tomllib.loads(task.study)), open_database(task.database)
         plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
@@ -61,11 +62,17 @@ def prepared(task):
             raise StudyError(f"simulation.lines_lost: there is no line {unknown[0]!r}; allowed: {known}")
         reader, of_quay = body_of(study, db)
         memory = no_memory(reader) if of_quay and task.memory is None else task.memory
-        extra = damping(study, reader.floating())
+        extra, drag = damping(study, reader.floating()), quadratic(study)
+        if of_quay and reader.viscous is None:  # made of the database's by the far field
+            viscous = in_time(db.reader, plan.weather.waves)
+            extra, drag = extra + viscous.damping, drag + viscous.quadratic
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             berth = study.berth(hull, db.rotation_center)
-            body = moored(reader, system, hull, memory=memory, damping=extra, quadratic=quadratic(study), berth=berth)
+            body = moored(
+                reader, system, hull, memory=memory, damping=extra, quadratic=drag, berth=berth,
+                linearised_in=plan.weather.waves,
+            )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
                 body = _remembering(body, db, plan.settings.memory)
             plan, left = _with_pairs(plan, study, db, reader)

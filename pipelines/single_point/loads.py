@@ -17,6 +17,7 @@ from mooring.motion.streams import turning_drag
 from mooring.motion.wave_loads import wave_forces
 from mooring.response.findings import UNSURE
 from mooring.response.linear import frequencies
+from mooring.response.viscous import in_sea
 from mooring.single_point.loads import (
     DriftLoad,
     Loads,
@@ -164,7 +165,8 @@ def _drift(study, db, center, findings):
         raise StudyError("waves.period is missing; allowed: s, mean, for the drift of a database")
     if not db.reader.knows_drift:
         raise StudyError('the database holds no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2')
-    body, sea = db.reader.floating(), sea_of("waves", w, to, db.water_depth)
+    sea = sea_of("waves", w, to, db.water_depth)
+    body, _ = in_sea(db.reader, sea)
     findings += _between_waves(body, sea)
     return DriftLoad(mean_drift(wave_forces(body), sea))
 

@@ -15,6 +15,7 @@ import numpy as np
 from mooring.environment.gusts import MissingVariance, gust_record
 from mooring.lines.ropes import RopePart
 from mooring.motion.buoy import BuoyBody
+from mooring.response.viscous import in_sea
 from mooring.single_point.equilibria import Equilibrium
 from mooring.single_point.history import Cycle, Record, cycle, line_tensions, settled_after, watch_circle
 from mooring.single_point.one_equation import body_at, run_in_one
@@ -99,7 +100,7 @@ def _slow(study, point, steady, step):
 
 def _wave_body(study, db):
     lever = study.attachment.z - float(db.rotation_center[2])
-    return wave_body(db.reader, _components(study, db, study.slewing), lever)
+    return wave_body(in_sea(db.reader, _sea(study, db))[0], _components(study, db, study.slewing), lever)
 
 
 def _in_one(study, point, steady, db, waves):
@@ -110,7 +111,8 @@ def _in_one(study, point, steady, db, waves):
     state = turned_state(point, steady.state, np.radians(s.offset_deg))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        moved = body_at(steady, state, db, buoy=body, rope=rope, end_z=study.attachment.z)
+        sea = _sea(study, db) if waves else None
+        moved = body_at(steady, state, db, buoy=body, rope=rope, end_z=study.attachment.z, sea=sea)
     components = _components(study, db, s) if waves else None
     mean = waves and study.waves.drift_tonf_per_m2 is None
     grown = None
@@ -287,8 +289,12 @@ def _wind(point, s):
     return lambda at: float(np.interp(at, t, record))
 
 
+def _sea(study, db):
+    return sea_of("waves", study.waves, direction("waves", study.waves), db.water_depth)
+
+
 def _components(study, db, s):
-    sea = sea_of("waves", study.waves, direction("waves", study.waves), db.water_depth)
+    sea = _sea(study, db)
     ends = sea.spectrum.quantile((1e-4, 1 - 1e-3))
     low, high = np.clip(ends, db.reader.omega[0], db.reader.omega[-1])
     missed = 1 - sea.spectrum.moment(0, low, high) / sea.spectrum.moment(0)

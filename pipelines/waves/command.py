@@ -49,7 +49,7 @@ def waves(database, period, omega, heading, fixed, width, at, output):
     console.print(_summary(found))
     if spots:
         console.print(_told(around, spots))
-    for line in remarks(around):
+    for line in remarks(around, db):
         print(line)
     if output is not None:
         print(output)
@@ -66,15 +66,23 @@ def frequency(period, omega):
     return omega if period is None else 2 * np.pi / period
 
 
-def around_body(db, omega, beta, fixed):
-    """`WavesAround` of a database's body.  Raises ValueError for waves that it does not have, in words of the user."""
+def around_body(db, omega, beta, fixed, amplitude=None):
+    """`WavesAround` of a database's body.  Raises ValueError for waves that it does not have, in words of the user.
+
+    amplitude : m, of the waves that its viscous damping is of, None for those of its scene
+    """
     from bem.database.between_frequencies import KOCHIN
     from bem.wave_field.around import waves_around
 
     if not math.isfinite(beta):
         raise ValueError("--heading is not a number; allowed: degrees")
     db.require(*KOCHIN)
-    return waves_around(db.reader, omega, beta, fixed)
+    reader = db.reader
+    if amplitude is not None and reader.viscous is not None:
+        from mooring.response.viscous import in_regular_waves
+
+        reader, _ = in_regular_waves(reader, omega, amplitude, beta)
+    return waves_around(reader, omega, beta, fixed)
 
 
 def half_width(around, width):
@@ -95,8 +103,11 @@ def mapped(around, half, points):
     return Map(x, y, elevation.reshape(points, points), around)
 
 
-def remarks(around):
-    """One line each on what the waves leave out"""
+def remarks(around, db, amplitude=None):
+    """One line each on what the waves leave out or hang on; amplitude : as of `around_body`"""
+    if around.motion is not None and db.reader.viscous is not None:
+        height = 2 * (db.reader.viscous.wave_amplitude if amplitude is None else amplitude)
+        yield f"note: the body's motion has its viscous damping in waves of {height:.3g} m"
     if around.missed > MISSED:
         yield f"warning: the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}"
     if around.pierces:

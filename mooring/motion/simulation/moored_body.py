@@ -9,8 +9,10 @@ import numpy as np
 
 from bem import DOFS
 from bem.database.reader import Reader
+from bem.viscous import Quadratic
 
 from ...lines.system.equilibrium import rest
+from ...response.viscous import in_time, laws_of
 from ..contacts import at_rest, berth_stiffness, no_berth
 from ..force_tables import TOLERANCE
 from ..line_loads import body_lines, line_loads, line_work, tables_of
@@ -62,21 +64,26 @@ class Moored:
 
 
 def moored(
-    db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None, waves=None
-):
+    db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None, waves=None,
+    linearised_in=None,
+):  # fmt: skip
     """`Moored` of an opened database or `Reader`, a `System` of one body, its axes at the rotation centre, and its hull
 
     hull : ExposedBox; the drag of the water on it is that of the box tests where they reach
     berth : `contacts.Berth`, fenders and ropes
     waves : WaveForces, memory : a Memory, by default those of the database
-    spring, damping : (6, 6) SI; quadratic : (6,) N s²/m² …
+    spring, damping : (6, 6) SI; quadratic : (6,) N s²/m² …; both beside the viscous damping of the database's scene
+    linearised_in : waves as of `response.viscous.in_time`, for what of that is no drag, and for the drift
     raises : ValueError naming what is missing or does not fit
     """
-    body, findings = (db if isinstance(db, Reader) else db.reader).floating(), ()
+    reader, findings = db if isinstance(db, Reader) else db.reader, ()
+    body, viscous = reader.floating(), in_time(reader, linearised_in)
     if memory is None:
         memory, findings = fitted_memory(body)
     spring, damping = (np.zeros((6, 6)) if m is None else np.asarray(m, float) for m in (spring, damping))
-    quadratic = np.zeros(6) if quadratic is None else np.asarray(quadratic, float)
+    quadratic = viscous.quadratic + (0.0 if quadratic is None else np.asarray(quadratic, float))
+    damping = damping + viscous.damping
+    findings = (*findings, *_of_viscous(reader, linearised_in))
     start, stiffness, tables = np.zeros(6), body.stiffness + spring, ((), ())
     if system is not None:
         _check_place(system, body)
@@ -88,8 +95,20 @@ def moored(
         start = _rest_at_berth(berth, system, tables, body, spring, start)
         stiffness = stiffness + berth_stiffness(berth, start)
     slow = body.held_added_mass(0.0)[0]
-    rest_of_it = waves or wave_forces(body), tables, findings, berth
+    rest_of_it = waves or wave_forces(viscous.body), tables, findings, berth
     return Moored(body, system, hull, memory, start, spring, damping, quadratic, stiffness, slow, *rest_of_it)
+
+
+def _of_viscous(reader, waves):
+    """A finding on the viscous damping of the scene of a Reader"""
+    laws = laws_of(reader)
+    drags = [dof.lower() for dof, law in laws.items() if isinstance(law, Quadratic)]
+    others = [dof.lower() for dof in laws if dof.lower() not in drags]
+    how = [f"of {' and '.join(drags)} as drag"] if drags else []
+    how += [f"of {' and '.join(others)} " + ("left out without waves" if waves is None else "linearised in these waves")
+            ] if others else []  # fmt: skip
+    if how:
+        yield f"the viscous damping of the database's scene is in the run, {', '.join(how)}; what the study gives adds"
 
 
 def with_memory(moored):

@@ -7,6 +7,7 @@ import pytest
 
 from bem.time_domain.fast_states import slow_memory
 from bem.time_domain.memory import MemoryArrays
+from bem.viscous import Quadratic, Viscous
 from mooring.environment.sea import Components, Sea
 from mooring.environment.spectra import issc, jonswap
 from mooring.lines.system.bodies import rotation
@@ -15,7 +16,7 @@ from mooring.lines.system.hawser import Hawser, pull_of_points
 from mooring.lines.system.moored_body import Leg, moored_body
 from mooring.motion.expected import expected_motion
 from mooring.motion.given_forces import GivenForce, drift_of_half_waves
-from mooring.motion.simulation import SimulationError, simulate, wave_components
+from mooring.motion.simulation import SimulationError, moored, simulate, wave_components
 from mooring.motion.simulation import run as simulation_run
 from mooring.motion.simulation.body import FASTEST
 from mooring.motion.simulation.realisation import doubt_of, with_error
@@ -59,6 +60,24 @@ def test_regular_waves_give_the_motions_of_the_frequency_domain(on_springs, omeg
     assert np.all(np.abs(found - wanted) <= 1e-4 * kind)
     fit = on_springs.memory.error.max() + on_springs.memory.deviation.max()
     assert np.all(np.abs(wanted - stored) <= 10 * fit * kind)  # least damping ratio in these waves is about 0.1
+
+
+def test_viscous_damping_of_a_scene_is_a_drag_in_time(database, on_springs):
+    """Roll in regular waves is that of the linear damping 8/(3π) ω a N₂, a the amplitude it leaves; third harmonics of
+    |v| v, a fifth of the first, move a body well above its resonance by a hundredth of that"""
+    omega, direction, amplitude, drag = 0.62, 0.5 * np.pi, 2.0, 2e10
+    reader = replace(database.reader, viscous=Viscous({"Roll": Quadratic(drag)}, 1.0))
+    body = moored(reader, spring=on_springs.spring, memory=on_springs.memory)
+    run = simulate(body, Weather(regular=Waves(2 * amplitude, 2 * np.pi / omega, direction)), LINEAR)
+    found = np.abs(harmonic(run, omega, LINEAR.ramp))
+    free, Z = frequency_answer(on_springs, omega, direction, on_springs.memory)
+    force, X = Z @ free * amplitude, free * amplitude
+    for _ in range(100):
+        extra = np.zeros((6, 6))
+        extra[3, 3] = 8 / (3 * np.pi) * omega * abs(X[3]) * drag
+        X = 0.5 * (X + np.linalg.solve(Z - 1j * omega * extra, force))
+    assert abs(X[3]) < 0.8 * amplitude * abs(free[3])
+    assert found[3] == pytest.approx(abs(X[3]), rel=0.01)
 
 
 def test_states_that_decay_at_once_change_the_memory_by_their_speed_squared(on_springs):
