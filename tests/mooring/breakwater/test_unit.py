@@ -9,7 +9,7 @@ from bem.sections.coefficients import section
 from mooring.breakwater import unit
 from mooring.breakwater.elastic import stiffness_of
 from mooring.breakwater.exact import taut_exact
-from mooring.breakwater.taut import TautRectangle
+from mooring.breakwater.taut import TautRectangle, added_inertia
 
 BODY = TautRectangle(
     half=5.0, draft=5.0, free_draft=3.4, depth=10.0, z0=-1.6, inertia=6e5, angle=np.radians(60), attachment=5.0,
@@ -43,3 +43,31 @@ def test_what_the_lines_pull_on_a_long_unit_comes_to_the_section_like_one_over_i
         misses.append([abs(front[0] - taut.front), abs(back[0] - taut.back)])
     orders = np.log2(np.divide(misses[:-1], misses[1:]))
     assert np.all(abs(orders - 1) < 0.1), orders
+
+
+def test_the_inertia_of_a_unit_is_that_of_its_section_drawn_out_along_it():
+    """M = Σ m [[1, −R], [R, −R R]] of points at r, R r× : four in each section that have its mass, its centre of mass
+    and the same radius of gyration about both axes, spread over the length by Gauss's rule.
+
+    Breadth and height of the four are equal, so each axis in the plane has half of the polar moment."""
+    length, center = 60.0, -3.0
+    arm = np.sqrt(BODY.inertia / BODY.mass / 2)  # of points at (±a, z₀ ± a): polar moment 2 a² m
+    x, w = np.polynomial.legendre.leggauss(4)
+    M = np.zeros((6, 6))
+    for place, share in zip(0.5 * length * x, 0.5 * length * w, strict=True):
+        for y, z in ((arm, arm), (arm, -arm), (-arm, arm), (-arm, -arm)):
+            r = np.array([place, y, BODY.z0 + z - center])
+            R = np.array([[0, -r[2], r[1]], [r[2], 0, -r[0]], [-r[1], r[0], 0]])
+            M += BODY.mass * share / 4 * np.block([[np.eye(3), -R], [R, -R @ R]])
+    assert unit.inertia(BODY, length, center) == pytest.approx(M, rel=1e-12, abs=1e-6 * M[0, 0])
+
+
+def test_water_under_a_rolling_keel_has_the_inertia_of_its_flow():
+    """Long waves: under a keel that rolls with θ̇ the water flows with q(y) = θ̇ (l²/6 − y²/2), continuity with
+    the same pressure at both edges, and rises with θ̇ y ζ/s over the gap s: twice the kinetic energy over θ̇²."""
+    l, s, rho = BODY.half, BODY.depth - BODY.draft, BODY.density
+    y, w = np.polynomial.legendre.leggauss(20)
+    y, w = l * y, l * w
+    along = w @ (l**2 / 6 - y**2 / 2) ** 2 / s
+    upright = w @ y**2 * s / 3
+    assert added_inertia(BODY) == pytest.approx(rho * (along + upright), rel=1e-12)

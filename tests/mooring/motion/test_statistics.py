@@ -6,7 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.motion.statistics import CONFIDENCE, expected_extreme, over_runs, record_statistics, slow_part
+from mooring.motion.statistics import (
+    CONFIDENCE,
+    expected_extreme,
+    highest_mean,
+    over_runs,
+    parts,
+    record_statistics,
+    slow_part,
+)
 from mooring.response.extremes import EULER, expected_maximum, mean_of_highest
 
 STEP = 0.5
@@ -100,3 +108,30 @@ def test_printed_rows_keep_the_relations_between_their_own_columns():
         sigma, zero, epsilon = (float(row[key]) for key in ("sigma", "T_zero_s", "eps"))
         assert np.isclose(expected_maximum(sigma, 1000 * 10.0, zero), float(row["X_1000"]), rtol=0.02)
         assert np.isclose(mean_of_highest(1 / 3, epsilon) * sigma, float(row["significant_amp"]), rtol=0.04)
+
+
+@pytest.mark.parametrize("n", [1000, 1001])
+def test_every_frequency_of_a_record_counts_twice_but_the_mean_and_that_of_alternating_values(n):
+    """Parseval for real values: σ² = 2 Σ |X_k|²/n² over 0 < k < n/2, and |X_{n/2}|²/n² of an even record alone.  A
+    record at the last frequency of either length has all its variance in it."""
+    k = n // 2
+    record = np.cos(2 * np.pi * k * np.arange(n) / n + (0.7 if n % 2 else 0.0))
+    slow, wave = parts(record - record.mean(), 0.5, 3.0)
+    assert slow == pytest.approx(0.0, abs=1e-9)
+    assert wave == pytest.approx(np.sqrt(np.mean(record**2)), rel=1e-9)
+    assert wave == pytest.approx(1 / np.sqrt(2) if n % 2 else 1.0, rel=1e-9)
+
+
+def test_the_highest_third_and_tenth_of_thirty_maxima_are_sums_by_hand():
+    """Maxima 1 … 30: (21 + … + 30)/10 = 25.5 and (28 + 29 + 30)/3 = 29; of four the tenth is the largest alone"""
+    falling = np.arange(30.0, 0.0, -1.0)
+    assert (highest_mean(falling, 1 / 3), highest_mean(falling, 1 / 10)) == (25.5, 29.0)
+    assert highest_mean(np.array([4.0, 3.0, 2.0, 1.0]), 1 / 10) == 4.0
+
+
+def test_the_extreme_of_a_duration_follows_the_number_of_its_waves():
+    """Cartwright & Longuet-Higgins (1956): σ(√(2 ln N) + γ/√(2 ln N)); 1000 waves 3.872 σ, 100 waves 3.225 σ"""
+    t = STEP * np.arange(24 * 600)
+    record = np.sqrt(2) * np.cos(SINE * t)
+    for waves, factor in ((1000, 3.872), (100, 3.225)):
+        assert record_statistics(record, STEP, 0.3, duration=waves * 12.0).extreme == pytest.approx(factor, rel=2e-3)

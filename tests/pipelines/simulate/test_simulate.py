@@ -32,8 +32,9 @@ from pipelines.films.of_run import film_of_run, surface
 from pipelines.moor.study import make_study, read_study
 from pipelines.simulate import run as runs
 from pipelines.simulate import work
-from pipelines.simulate.file import opened, whole_rows
+from pipelines.simulate.file import SUMMARY, opened, whole_rows
 from pipelines.simulate.pictures import draw, spectrum
+from pipelines.simulate.report import notes, used
 from pipelines.simulate.study import plan_of
 
 MOOR = Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml"
@@ -386,3 +387,37 @@ def test_a_file_of_something_else_is_not_replaced(folder, capsys):
     Path("run.h5").write_bytes(b"something")
     assert main(["simulate", "study.toml", "--database", "box.h5", "--output", "run.h5"]) == 2
     assert "not a simulation" in capsys.readouterr().err
+
+
+def test_the_extreme_of_few_runs_is_that_of_a_thousand_waves(folder):
+    """SR179 report (1982), eq. 3.5.1.5: mean + σ(s + γ/s), s = √(2 ln n), n the zero crossings of 1000 mean periods of
+    the waves.  The sine of the oscillator has T = 2π/0.6 s and σ = a/√2, a of heave 0.03 of a wave of about 1 m."""
+    simulate(seeds=1)
+    with opened("run.h5") as file:
+        period = float(file.attrs["mean_period"])
+        names = list(file["quantity"].asstr()[()])
+        row = dict(zip(SUMMARY, file["summary"][names.index("heave")], strict=True))
+        amplitude, said = file["motion"][0, :, 2].max(), " ".join(notes(file))
+    assert f"1000 mean wave periods ({1000 * period:.5g} s)" in said
+    s = np.sqrt(2 * np.log(1000 * period / (2 * np.pi / 0.6)))
+    assert row["upper_value"] - row["mean"] == pytest.approx(amplitude / np.sqrt(2) * (s + 0.5772 / s), rel=2e-3)
+    assert row["lower_value"] - row["mean"] == pytest.approx(-amplitude / np.sqrt(2) * (s + 0.5772 / s), rel=2e-3)
+
+
+@pytest.mark.parametrize("share, told", [(0.99, False), (1.01, True)])
+def test_a_line_beyond_what_it_may_carry_is_told(folder, share, told):
+    """The expected extreme against the allowable share of the breaking load, on either side of it"""
+    simulate(seeds=1)
+    with opened("run.h5") as file:
+        names = list(file["quantity"].asstr()[()])
+        line = str(file["line"].asstr()[0])
+        row = dict(zip(SUMMARY, file["summary"][names.index(f"tension {line}")], strict=True))
+        allowable = float(file.attrs["allowable"])
+    with h5py.File("run.h5", "r+") as file:
+        loads = np.full(len(file["line"]), np.inf)
+        loads[0] = max(row["upper_value"], row["largest"]) / allowable / share
+        file.attrs["breaking_load"] = loads
+    with h5py.File("run.h5") as file:  # whose seal is broken now
+        said = list(used(file))
+    assert len(said) == told
+    assert not told or (f"{line} pulls up to" in said[0] and f"{100 * share * allowable:.3g} % of its" in said[0])

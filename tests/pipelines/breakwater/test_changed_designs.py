@@ -1,0 +1,47 @@
+"""What an optimisation changes of a breakwater, by hand."""
+
+import pytest
+
+from pipelines.breakwater.pareto import changed
+from pipelines.breakwater.study import read_breakwater
+
+TEXT = """
+holdings = ["taut"]
+[water]
+depth = 12.0
+[section]
+shape = "rectangle"
+beam = 10.0
+height = 6.0
+draft = 4.0
+[body]
+mass_t_per_m = 30.0
+center_of_gravity = 3.0
+gyration = 4.0
+[lines]
+angle_deg = 45.0
+attachment = 5.0
+attachment_height = 1.0
+[waves]
+height = 1.0
+periods = [6.0]
+"""
+
+
+def test_a_wider_and_deeper_rectangle_is_the_same_body_stretched_across_and_upright(tmp_path):
+    """A stretch of 1.2 across and 1.5 upright takes the area, and so the mass of the same material, times 1.8; heights
+    above the keel go with 1.5, what is measured across with 1.2."""
+    path = tmp_path / "study.toml"
+    path.write_text(TEXT)
+    study, _ = read_breakwater(path)
+    made = changed(study, {"draft": 6.0, "width": 12.0, "angle_deg": 60.0})
+    assert (made.section.beam, made.section.height, made.section.draft) == pytest.approx((12.0, 9.0, 6.0))
+    assert made.body.mass_t_per_m == pytest.approx(54.0)
+    assert (made.body.center_of_gravity, made.body.gyration) == pytest.approx((4.5, 4.8))
+    assert (made.lines.attachment, made.lines.attachment_height) == pytest.approx((6.0, 1.5))
+    assert made.lines.angle_deg == 60.0
+    path.write_text(TEXT.replace("mass_t_per_m = 30.0", "free_draft = 3.0"))
+    study, _ = read_breakwater(path)
+    assert changed(study, {"draft": 6.0}).body.free_draft == pytest.approx(4.5)
+    same = changed(study, {"angle_deg": 30.0})
+    assert (same.section, same.body) == (study.section, study.body)

@@ -1,0 +1,56 @@
+"""Sums of a design over its levels and cases, by hand."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from pipelines.design.fatigue import fatigue
+from pipelines.design.kinds.in_time import cycles_of
+from pipelines.design.kinds.needs import SCOPE
+from pipelines.design.running import given_parts
+
+LIFE = 25.0  # years
+
+
+def project(**more):
+    base = {"values": [], "levels": {}, "project": SimpleNamespace(service_life=LIFE), "fatigue": None, "states": []}
+    return SimpleNamespace(**base | more)
+
+
+@pytest.mark.parametrize(
+    ("levels", "range_of_tide"),
+    [({}, 0.0), ({"high": 2.0}, 2.0), ({"low": -1.5}, 1.5), ({"high": 2.0, "low": -1.5}, 3.5)],
+)
+def test_lines_are_laid_out_over_five_depths_and_the_tide_from_low_to_high_water(levels, range_of_tide):
+    """Port facility standard (1979): length at least five depths and the tidal range; the study's depth is the mean"""
+    read = SimpleNamespace(project=project(levels=levels), study={"water": {"depth": 30.0}})
+    numbers = SimpleNamespace(
+        names=("A", "B", "hawser"), hawsers=("hawser",), types=(("chain",), ("chain",), ("nylon",)),
+        length=np.array([300.0, 150.0, 40.0]), parts={},
+    )  # fmt: skip
+    found = given_parts(read, SimpleNamespace(kind="storm", lines="intact", apart=False, name="one"), numbers)
+    by_hand = {name: length / (5 * 30.0 + range_of_tide) for name, length in (("A", 300.0), ("B", 150.0))}
+    assert found[SCOPE] == pytest.approx(by_hand)
+
+
+def test_the_time_of_a_state_is_shared_by_its_directions_and_levels():
+    """Miner's sum is linear in time: a state of 20 % of 25 years in four cases has 5 % in each.  Chain of 76 mm, DNV
+    studless N = 6e10 s⁻³, cycles of 10 s and one range a case; 60 cycles whose ends count as halves."""
+    states = [SimpleNamespace(name="work", share=0.2), SimpleNamespace(name="calm", share=0.0)]
+    own = SimpleNamespace(curve="DNV studless chain", factor=3.0)
+    study = {"types": {"chain": {"catalogue": "R3 studless 76 mm"}}}
+    read = SimpleNamespace(project=project(states=states, fatigue=own), study=study)
+    t, ranges = np.arange(0.0, 600.5, 0.5), (0.8e6, 1.0e6, 1.2e6, 1.4e6)
+    ran = []
+    for i, size in enumerate((*ranges, 3e6, 3e6)):
+        tension = (3e6 + 0.5 * size * np.cos(0.2 * np.pi * t))[None, :, None]
+        state, lost = ("work", "") if i < 4 else ("calm", "") if i == 4 else ("work", "a line")
+        case = SimpleNamespace(state=state, lost=lost, factor=1, name=f"{state} {i}")
+        numbers = SimpleNamespace(names=("one",), types=(("chain",),), breaking=np.array([6e6]))
+        ran.append(SimpleNamespace(case=case, numbers=numbers, runs={"cycles": cycles_of(tension, 0.5)}))
+    seconds, area = LIFE * 365.25 * 86400, 2 * np.pi / 4 * 76.0**2
+    each = [0.2 / 4 * seconds / 10.0 / 6e10 * (size / area) ** 3 for size in ranges]
+    found = fatigue(read, ran).governing
+    assert found.value == pytest.approx(3.0 * sum(each), rel=1e-6)
+    assert found.case == "work 3"  # whose cycles are the largest
