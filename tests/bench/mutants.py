@@ -262,6 +262,9 @@ class Clone:
             f"{seconds:g}",
             *map(str, files),
         ]
+        seconds *= max(1.0, os.getloadavg()[0] / os.cpu_count())  # of a machine that others use
+        words = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-rf", "--seconds", f"{seconds:g}"]
+        words += map(str, files)
         start = time.monotonic()
         run = subprocess.Popen(
             words,

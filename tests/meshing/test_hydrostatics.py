@@ -155,6 +155,8 @@ def test_a_submerged_body_has_no_waterplane():
         (lambda: hydrostatics(box(10, 6, 4), density=0), "density is 0"),
         (lambda: hydrostatics(box(10, 6, 4), mass=-1), "mass is -1"),
         (lambda: hydrostatics(box(10, 6, 4), center_of_mass=(0, 0)), "center_of_mass is"),
+        (lambda: hydrostatics(box(10, 6, 4), center_of_mass=(0, 0, np.nan)), "center_of_mass is"),
+        (lambda: hydrostatics(box(10, 6, 4), rotation_center=(np.inf, 0, 0)), "rotation_center is"),
         (lambda: inertia_matrix(1, (0, 0, 0), (1, -1, 1)), "gyration is"),
     ],
 )
