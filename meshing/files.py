@@ -51,7 +51,8 @@ def read_mesh(path):
     """Panels of the wetted hull in a file, as PanelMesh.
 
     Points closer than 1e-6 of the mesh's size are one.  Panels in z = 0 whose normal points up, a lid or a deck,
-    have no water on them and are left out.  Nothing else is changed: look at `meshing.quality.findings`.
+    have no water on them and are left out.  A half or quarter on the negative side of its mirror plane is put on the
+    other.  Nothing else is changed: look at `meshing.quality.findings`.
     Raises ValueError naming the file and what is wrong with it, FileNotFoundError if there is none.
     """
     path = Path(path)
@@ -70,7 +71,7 @@ def read_mesh(path):
         raise ValueError(f"{path}: no panels in it")
     if not np.all(np.isfinite(mesh.points)):
         raise ValueError(f"{path}: a coordinate is not a finite number")
-    return replace(_wetted(mesh).merged(SAME_POINT), name=path.stem)
+    return replace(_on_positive_side(_wetted(mesh)).merged(SAME_POINT), name=path.stem)
 
 
 def write_mesh(mesh, path, lid=None, fields=None):
@@ -106,6 +107,18 @@ def _wetted(mesh):
     dry = flat & (mesh.area_vectors[:, 2] > 0)
     used, corners = np.unique(mesh.corners[~dry], return_inverse=True)
     return replace(mesh, points=mesh.points[used], corners=corners.reshape(-1, 4))
+
+
+def _on_positive_side(mesh):
+    """The same hull by the half that has x ≥ 0, y ≥ 0, where the file has the other"""
+    size = float(np.ptp(mesh.points, axis=0).max())
+    for axis in mesh.symmetry:
+        side = mesh.points[:, "xy".index(axis)]
+        if side.max() <= SAME_POINT * size and side.min() < 0:
+            points = mesh.points.copy()
+            points[:, "xy".index(axis)] *= -1
+            mesh = replace(mesh, points=points, corners=mesh.corners[:, ::-1])
+    return mesh
 
 
 def _check_head(path):

@@ -1,17 +1,20 @@
 """Errors and warnings about a mesh: findings, not exceptions, one line for each kind.
 
 Of a closed hull every edge belongs to two panels, which run along it in opposite directions; an edge with one
-panel lies in the water surface, on a mirror plane, or on the sea bed under a body that stands on it.
+panel lies in the water surface, on a mirror plane, on the sea bed under a body that stands on it, or on a seam, where
+panels meet side to side without sharing corners (`seams`).
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from .overlap import connected, overlaps
+from .seams import rings
 
 WELD = 1e-6  # of the hull's size: points closer than that are one
 AT_SURFACE = 1e-6  # of the draft
@@ -19,6 +22,7 @@ NO_AREA = 1e-9  # of the square of the longest edge
 LONGEST_ASPECT = 100.0
 LARGEST_WARP = 0.1  # distance of a corner from the panel's mean plane, of the longest edge
 PANELS_PER_WAVE = 3  # of two by two nodes each: six nodes a wave
+OPEN_AREA = 1e-3  # of the wetted area, of holes that a solution does not notice: pipes that end on a wall
 LID_AREA = 0.1  # relative difference between lid and waterplane
 
 
@@ -53,7 +57,7 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
         *_position(mesh),
         *_shapes(mesh),
         *_duplicates(welded),
-        *_holes(edges),
+        *_holes(edges, float(mesh.areas.sum())),
         *_orientation(welded, edges),
         *_overlaps(mesh),
         *_clearance(mesh, depth, edges),
@@ -71,6 +75,7 @@ class _Edges:
         panel = np.repeat(np.arange(len(mesh)), 4).reshape(-1, 4)
         real = a != b
         start, end, self.panel = a[real], b[real], panel[real]
+        self.start, self.end = start, end
         ends = np.stack([np.minimum(start, end), np.maximum(start, end)], axis=1)
         self.ends, self.number = np.unique(ends, axis=0, return_inverse=True)
         self.number = self.number.reshape(-1)
@@ -78,7 +83,7 @@ class _Edges:
         self.balance = np.bincount(
             self.number, np.where(start < end, 1, -1), minlength=len(self.ends)
         )  # 0 where two panels run in opposite directions
-        self.points = mesh.points
+        self.points, self.symmetry = mesh.points, mesh.symmetry
         reach = _reach(mesh)
         both = mesh.points[self.ends]  # (e, 2, 3)
         self.at_surface = (np.abs(both[..., 2]) <= AT_SURFACE * max(mesh.draft, 0.0)).all(axis=1)
@@ -86,6 +91,21 @@ class _Edges:
         self.on_plane = np.zeros(len(self.ends), bool)
         for axis in mesh.symmetry:
             self.on_plane |= (np.abs(both[..., "xy".index(axis)]) <= reach).all(axis=1)
+
+    @cached_property
+    def free(self):
+        """(e,) edges with one panel where there should be two"""
+        return (self.uses == 1) & ~(self.at_surface | self.on_plane | self.at_bed)
+
+    @cached_property
+    def rings(self):
+        """`seams.Rings` of the free edges, in the order of `free_sides`"""
+        return rings(self.points, self.start[self.free_sides], self.end[self.free_sides], self.symmetry)
+
+    @cached_property
+    def free_sides(self):
+        """Numbers of the sides of panels that are free edges"""
+        return np.flatnonzero(self.free[self.number])
 
     def middle(self, which):
         """Where the first of some edges is, in words"""
@@ -176,15 +196,31 @@ def _duplicates(mesh):
         )
 
 
-def _holes(edges):
-    free = (edges.uses == 1) & ~(edges.at_surface | edges.on_plane | edges.at_bed)
-    if free.any():
-        lengths = np.linalg.norm(np.diff(edges.points[edges.ends[free]], axis=1), axis=2)
-        yield Finding(
-            "error",
-            f"the hull is open along {free.sum()} edges, {lengths.sum():.4g} m in all, the first near "
-            f"{edges.middle(free)}; close it, and let panels meet corner to corner",
-        )
+def _holes(edges, area):
+    """area : m², of the mesh"""
+    rings, sides = edges.rings, edges.free_sides
+    for kind in (~rings.seam, rings.seam):
+        if not kind.any():
+            continue
+        which = np.zeros(len(edges.ends), bool)
+        which[edges.number[sides[kind[rings.number]]]] = True
+        length, open_area, place = rings.length[kind].sum(), rings.area[kind].sum(), edges.middle(which)
+        along = f"along {which.sum()} edges, {length:.4g} m in all, the first near {place}"
+        if rings.seam[kind].all():
+            yield Finding(
+                "warning",
+                f"panels meet without sharing corners along {which.sum()} edges, {0.5 * length:.4g} m in all, up to "
+                f"{rings.widest:.2g} m apart, the first near {place}: closed for the water, less accurate there; let "
+                "panels meet corner to corner where it matters",
+            )
+        elif open_area <= OPEN_AREA * area:
+            yield Finding(
+                "warning",
+                f"the hull is open {along}: {open_area:.3g} m² of {area:.5g} m², limit {100 * OPEN_AREA:g} %; it is "
+                "solved as it is",
+            )
+        else:
+            yield Finding("error", f"the hull is open {along}; close it")
     crowded = edges.uses > 2
     if crowded.any():
         yield Finding(
@@ -203,10 +239,10 @@ def _orientation(mesh, edges):
             "turn the panels on one side of them",
         )
         return
-    part, volume = _parts(mesh, edges)
+    part, volume, closed = _parts(mesh, edges)
     standing = np.zeros(len(volume), bool)
     standing[part[edges.panel[edges.at_bed[edges.number]]]] = True  # its sign may be that of a moonpool
-    inward = (volume < 0) & ~standing
+    inward = (volume < 0) & ~standing & closed
     if standing.any() and volume[standing].sum() < 0:
         inward |= standing
     if inward.any():
@@ -219,12 +255,19 @@ def _orientation(mesh, edges):
 
 
 def _parts(mesh, edges):
-    """Number of the connected part of each panel (n,), and the volumes of the parts with their images in m³"""
-    n, e = len(mesh), len(edges.ends)
-    part = connected(edges.panel, n + edges.number, n + e)
+    """Number of the part of each panel (n,), volumes of the parts with their images in m³, and whether each is closed
+
+    Panels of a part share edges or a seam.  The volume of an open part depends on where the origin is.
+    """
+    n, e, sides = len(mesh), len(edges.ends), edges.free_sides
+    seam = n + e + edges.rings.joint[edges.rings.number]
+    a, b = np.concatenate([edges.panel, edges.panel[sides]]), np.concatenate([n + edges.number, seam])
+    part = connected(a, b, n + e + edges.rings.joint.max(initial=-1) + 1)
     _, part = np.unique(part[:n], return_inverse=True)
     share = np.einsum("ni,ni->n", mesh.centroids, mesh.area_vectors) / 3
-    return part, mesh.copies * np.bincount(part, share)
+    closed = np.ones(part.max() + 1, bool)
+    closed[part[edges.panel[sides[~edges.rings.seam[edges.rings.number]]]]] = False
+    return part, mesh.copies * np.bincount(part, share), closed
 
 
 def _overlaps(mesh):

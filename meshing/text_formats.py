@@ -33,8 +33,8 @@ def read_gdf(path):
     if len(lines[3].split()) > 1 and _is_number(lines[3].split()[1]):
         raise ValueError(f"{path}, line 4: {lines[3].strip()!r} is a higher-order file; allowed: flat panels")
     values = _all_numbers(path, lines, 5)
-    if len(values) != 12 * panels:
-        raise ValueError(f"{path}: {len(values)} coordinates after line 4; {panels:g} panels have {12 * panels:g}")
+    if values is None or len(values) != 12 * panels:
+        values = _panel_by_panel(path, lines, int(panels))
     points = unit * np.reshape(values, (-1, 3))
     return PanelMesh(points, np.arange(len(points)).reshape(-1, 4), symmetry)
 
@@ -217,14 +217,40 @@ def _numbers(path, k, line, count):
 
 
 def _all_numbers(path, lines, first):
-    """Numbers of all words from line `first` on, counted from 1, as `_number` has them, in a fifth of its time"""
+    """Numbers of all words from line `first` on, counted from 1; None where a word is none"""
     try:
         values = [float(word) for line in lines[first - 1 :] for word in line.split()]
-        if np.all(np.isfinite(values)):
-            return values
     except ValueError:
-        pass
-    return [_number(path, k, word) for k, line in enumerate(lines[first - 1 :], first) for word in line.split()]
+        return None
+    return values if np.all(np.isfinite(values)) else None
+
+
+def _panel_by_panel(path, lines, panels):
+    """Twelve numbers of each panel, as WAMIT reads them: each from a new line, on as many lines as they take
+
+    What follows the twelfth on its line is a remark, and so is what follows the last panel, but for dipole panels.
+    """
+    values, k = [], 4
+    for number in range(1, panels + 1):
+        wanted = 12
+        while wanted:
+            if k >= len(lines):
+                raise ValueError(
+                    f"{path}: {len(values)} coordinates after line 4; {panels} panels have {12 * panels}, and panel "
+                    f"{number} is not whole"
+                )
+            words, k = lines[k].replace(",", " ").split(), k + 1
+            values += [_number(path, k, word) for word in words[:wanted]]
+            wanted -= min(wanted, len(words))
+    for i, line in enumerate(lines[k:], k + 1):
+        words = line.split()
+        if words and _is_number(words[0]) and float(words[0]) > 0:
+            raise ValueError(
+                f"{path}, line {i}: {line.strip()!r} after {panels} panels: dipole panels (NPAND) or a wrong NPAN; "
+                "allowed: bodies with a volume, and NPAN as many as there are"
+            )
+        break
+    return values
 
 
 def _number(path, k, word):

@@ -1,0 +1,145 @@
+"""Hulls whose panels lie side to side without sharing corners: closed, as their volumes say."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from meshing.files import read_mesh, write_mesh
+from meshing.hydrostatics import hydrostatics
+from meshing.panels import PanelMesh, joined, structured
+from meshing.quality import findings
+from meshing.shapes import box, buoy
+
+
+def plate(corners, n, m):
+    """n x m panels of a plane quadrilateral (4, 3), counter-clockwise seen from the water"""
+    u, v = np.linspace(0, 1, n + 1)[:, None, None], np.linspace(0, 1, m + 1)[None, :, None]
+    a, b, c, d = np.asarray(corners, float)
+    return structured((1 - u) * (1 - v) * a + u * (1 - v) * b + u * v * c + (1 - u) * v * d)
+
+
+def five_faces(counts, shift=0.0):
+    """A box of 20 x 10 x 4 m from five plates, each with its own counts of panels"""
+    x, y, z = 10.0, 5.0, -4.0
+    low = [(x, y, z), (x, -y, z), (-x, -y, z), (-x, y, z)]
+    faces = [low]
+    for one, two in zip(low, low[1:] + low[:1], strict=True):
+        faces.append([two, one, (*one[:2], 0.0), (*two[:2], 0.0)])
+    made = []
+    for face, (n, m) in zip(faces, counts, strict=True):
+        part = plate(face, n, m)
+        out = part.centroids[0] - np.array([0, 0, -2.0])
+        made.append(part if part.normals[0] @ out > 0 else part.flipped())
+    return joined(made).moved(shift)
+
+
+COUNTS = [(7, 5), (3, 2), (6, 3), (4, 2), (5, 1)]
+
+
+@pytest.mark.parametrize("shift", [0.0, 40.0])
+def test_a_box_of_plates_with_different_panels_is_closed_wherever_it_lies(shift):
+    hull = five_faces(COUNTS, shift)
+    still = hydrostatics(hull)
+    assert still.volumes == pytest.approx([800.0] * 3)
+    (found,) = findings(hull)
+    assert found.severity == "warning" and "without sharing corners along" in found.text
+    # all edges of the bottom, 2 (20 + 10) m, and of the upright ones of 4 m all but one, between 2 and 2 panels
+    assert " m in all, up to" in found.text and float(found.text.split(" edges, ")[1].split(" m")[0]) <= 76
+
+
+def test_one_panel_that_is_missing_is_a_hole_beside_the_seams():
+    hull = five_faces(COUNTS)
+    holed = replace(hull, corners=hull.corners[1:])
+    said = [str(finding) for finding in findings(holed)]
+    assert said[0].startswith("error: the hull is open along")
+
+
+def test_plates_turned_inside_out_are_told_and_plates_that_are_right_are_not():
+    hull = five_faces(COUNTS, 40.0)
+    assert "normals" not in " ".join(map(str, findings(hull)))
+    assert "the normals of 72 of 72 panels" in str(findings(hull.flipped())[0])
+
+
+def test_chords_of_unequal_length_leave_their_sagittas_and_no_hole():
+    """Bottom of 12 sides, wall of 24: 12 slits, each R(1 − cos 15°) wide in its middle, 3.4 % of R"""
+    fine, coarse = np.arange(25) * np.pi / 12, np.arange(13) * np.pi / 6
+    ring = np.stack([10 * np.cos(fine), 10 * np.sin(fine), 0 * fine], axis=1)
+    wall = structured(np.stack([ring + [0, 0, -4], ring], axis=1))
+    rim = np.stack([10 * np.cos(coarse), 10 * np.sin(coarse), 0 * coarse - 4], axis=1)
+    bottom = structured(np.stack([0.5 * rim * [1, 1, 0] + [0, 0, -4], rim], axis=1))
+    inner = structured(np.stack([0 * rim + [0, 0, -4], 0.5 * rim * [1, 1, 0] + [0, 0, -4]], axis=1))
+    parts = [part if part.normals[0] @ side > 0 else part.flipped()
+             for part, side in ((wall, ring[0]), (bottom, (0, 0, -1)), (inner, (0, 0, -1)))]  # fmt: skip
+    hull = joined(parts).merged(1e-9)
+    errors = [finding for finding in findings(hull) if "open" in finding.text or "normals" in finding.text]
+    assert not errors
+    assert any("without sharing corners" in finding.text for finding in findings(hull))
+
+
+def test_rims_of_12_and_15_sides_with_no_corner_in_common_are_a_seam_and_an_open_tube_is_not():
+    def rim(sides, turn=0.0):
+        angle = np.arange(sides + 1) * 2 * np.pi / sides + turn
+        return np.stack([10 * np.cos(angle), 10 * np.sin(angle), 0 * angle], axis=1)
+
+    wall = structured(np.stack([rim(15, 0.1) + [0, 0, -4], rim(15, 0.1)], axis=1))
+    bottom = structured(np.stack([0 * rim(12) + [0, 0, -4], rim(12) + [0, 0, -4]], axis=1))
+    wall = wall if wall.normals[0] @ wall.centroids[0] > 0 else wall.flipped()
+    bottom = bottom if bottom.normals[0, 2] < 0 else bottom.flipped()
+    closed = [str(finding) for finding in findings(joined([wall, bottom]).merged(1e-9))]
+    assert any("without sharing corners along 27 edges" in text for text in closed)
+    assert not any(text.startswith("error") for text in closed)
+    tube = [str(finding) for finding in findings(wall.merged(1e-9))]
+    assert tube[0].startswith("error: the hull is open along 15 edges")
+
+
+def test_a_seam_across_a_mirror_plane_is_closed_by_its_image():
+    """The half y ≥ 0 of a box, its bottom finer than its sides"""
+    bottom = plate([(10, 5, -4), (10, 0, -4), (-10, 0, -4), (-10, 5, -4)], 3, 7)
+    side = plate([(-10, 5, -4), (10, 5, -4), (10, 5, 0), (-10, 5, 0)], 4, 2)
+    ends = [plate([(s * 10, 0, -4), (s * 10, 5, -4), (s * 10, 5, 0), (s * 10, 0, 0)], 2, 2) for s in (-1, 1)]
+    parts = [part if part.normals[0] @ (part.centroids[0] - [0, 0, -2]) > 0 else part.flipped()
+             for part in (bottom, side, *ends)]  # fmt: skip
+    half = replace(joined(parts), symmetry="y")
+    assert hydrostatics(half).volume == pytest.approx(800.0)
+    assert [finding.severity for finding in findings(half)] == ["warning"]
+
+
+@pytest.mark.parametrize("symmetry", ["y", "xy"])
+@pytest.mark.parametrize("ending", [".gdf", ".pnl"])
+def test_a_half_on_the_negative_side_is_the_same_hull(ending, symmetry, tmp_path):
+    hull = box(20, 10, 4, panels=60)
+    half = PanelMesh(hull.points, hull.corners, "x").whole() if symmetry == "y" else hull
+    half = PanelMesh(half.points, half.corners, symmetry)
+    mirrored = half.points.copy()
+    for axis in symmetry:
+        mirrored[:, "xy".index(axis)] *= -1
+    turned = half.corners if len(symmetry) == 2 else half.corners[:, ::-1]
+    write_mesh(PanelMesh(mirrored, turned, symmetry), tmp_path / f"other{ending}")
+    found = read_mesh(tmp_path / f"other{ending}")
+    assert found.volume == pytest.approx(800.0) and not findings(found)
+
+
+def gdf(hull, remark="", tail=""):
+    lines = ["a hull", "1.0 9.80665 ULEN GRAV", "1 1 ISX ISY", f"{len(hull)} NPAN"]
+    for number, panel in enumerate(hull.vertices, 1):
+        rows = [" ".join(f"{x:.6f}" for x in corner) for corner in panel]
+        rows[-1] += remark.format(number)
+        lines += rows
+    return "\n".join([*lines, tail])
+
+
+@pytest.mark.parametrize(
+    ("remark", "tail"), [("   {}", "0   NPAND"), ("", "0"), ("  panel {}", ""), ("", "end of the file")]
+)
+def test_a_gdf_is_read_as_fortran_reads_lists(remark, tail, tmp_path):
+    hull = buoy(5, 3, panels=40)
+    (tmp_path / "a.gdf").write_text(gdf(hull, remark, tail))
+    found = read_mesh(tmp_path / "a.gdf")
+    assert found.volume == pytest.approx(hull.volume, rel=1e-5) and len(found) == len(hull)
+
+
+def test_dipole_panels_are_refused_by_name(tmp_path):
+    (tmp_path / "a.gdf").write_text(gdf(buoy(5, 3, panels=40), tail="3 NPAND\n0 0 0 1 0 0 1 1 0 0 1 0"))
+    with pytest.raises(ValueError, match=r"dipole panels \(NPAND\)"):
+        read_mesh(tmp_path / "a.gdf")
