@@ -1,4 +1,7 @@
-"""Tables of numbers from text files: lines with `#` are comments, the first row may hold names."""
+"""Tables of numbers from text files: lines with `#` are comments, the first row may hold names and units.
+
+Where columns are separated by semicolons a comma is the decimal mark of its number, as in the files of loggers.
+"""
 
 from __future__ import annotations
 
@@ -22,6 +25,7 @@ def read_table(path, blank=None):
     """
     path = Path(path)
     text = read_text(path, TableError)
+    text = _decimal_points(text)
     lines = [line for line in text.splitlines() if _has_data(line)]
     if not lines:
         raise TableError(f"{path} has no rows; allowed: rows of numbers")
@@ -31,6 +35,33 @@ def read_table(path, blank=None):
     width = len(names or _split(lines[0]))
     values = _all_numbers(lines, width)
     return names, _row_by_row(path, text, names is not None, width, blank) if values is None else values
+
+
+def _decimal_points(text):
+    """A text whose decimal commas, between two digits, are points, where semicolons separate its columns"""
+    first = next((line for line in text.splitlines() if _has_data(line) and not line.strip()[0].isalpha()), "")
+    return re.sub(r"(?<=\d),(?=\d)", ".", text) if ";" in first else text
+
+
+UNITS = {  # in m and s
+    "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "dm": 0.1, "km": 1e3, "ft": 0.3048, "in": 0.0254, "feet": 0.3048},
+    "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "hr": 3600.0, "hours": 3600.0},
+}
+
+
+def unit_of(path, name, kind):
+    """What one of a column is in m or s, by the unit its name ends with, "eta (mm)", "Time [ms]", "eta_cm"; 1 without
+
+    kind : "length" or "time".  Raises TableError for a unit in brackets that is not known.
+    """
+    known = UNITS[kind]
+    bracket = re.search(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$", name)
+    if bracket and bracket[1]:
+        if bracket[1] not in known:
+            raise TableError(f"{path}: column {name!r} has the unit {bracket[1]!r}; allowed: {', '.join(known)}")
+        return known[bracket[1]]
+    ending = re.search(r"[_ ,/]\s*([A-Za-z]+)\s*$", name)
+    return known.get(ending[1], 1.0) if ending else 1.0
 
 
 def _all_numbers(lines, width):

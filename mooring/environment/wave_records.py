@@ -16,7 +16,7 @@ from bem.waves import wavenumber
 from meshing.seals import write_sealed
 
 from .allowed import positive, row_of_numbers
-from .tables import TableError, column_of, fault_of_steps, read_table
+from .tables import TableError, column_of, fault_of_steps, read_table, unit_of
 
 UNEVEN = 0.01  # of a step, that a time in a file may lie off
 FAINT = 1e-6  # of the largest amplitude, of components that are left out
@@ -80,6 +80,7 @@ def write_record(path, record, comment=""):
 def read_record(path, step=None, column=None):
     """Record of a text file: times and elevations in columns, or elevations alone.
 
+    Units in the names of columns, as "eta (mm)" and "Time (ms)", count.
     step : s, where the file has no column of times, which otherwise is its first
     column : name of the column of elevations, by default the second (the only one)
     Raises TableError for what is no table, for times that do not step evenly, for a step given twice or not at all.
@@ -93,9 +94,11 @@ def read_record(path, step=None, column=None):
         raise TableError(f"{path} has a column of times; a step of {step:g} s is given too; leave it out")
     if not timed and step is None:
         raise TableError(f"{path} has one column and no times; give the step (s), or times in a first column")
+    elevation = values[:, place] * (unit_of(path, names[place], "length") if names else 1.0)
     if timed:
-        return Record(values[:, place], *_even_steps(path, values[:, 0]))
-    return Record(values[:, place], positive("step", step, "s"))
+        clock = unit_of(path, names[0], "time") if names else 1.0
+        return Record(elevation, *(clock * part for part in _even_steps(path, values[:, 0])))
+    return Record(elevation, positive("step", step, "s"))
 
 
 def components_of(record, direction, shortest=0.0):

@@ -1,8 +1,9 @@
-"""What is wrong with a measured record before its waves are counted: spikes, and a level that moves.
+"""What is wrong with a measured record before its waves are counted: spikes, a level that moves, units.
 
 A Gaussian record of a day has crests of 5 σ, steep waves perhaps 6; a value beyond 8 robust deviations (1.4826 times
 the median distance from the median) is no wave.  Means over stretches of 20 waves have a few thousandths of the
 variance of waves; more is tide, trend or drift of the instrument, and it is in the heights and the longest periods.
+No wave is steeper than H/L = 1/7, L = gT²/2π (Michell, 1893): heights and periods beyond it are in other units.
 """
 
 from __future__ import annotations
@@ -11,11 +12,19 @@ import numpy as np
 
 LARGEST = 8.0  # robust deviations
 LEVEL = 0.02  # share of the variance in means of stretches
+STEEPEST = 1 / 7  # height over length
 WAVES = 20  # of a stretch
 
 
-def faults(record, step, mean_period):
+def faults(record, step, mean_period, gravity=9.80665):
     """Lines on a record (n,) m of `step` s and waves of mean_period s"""
+    height, length = 4 * float(np.std(record)), gravity * mean_period**2 / (2 * np.pi)
+    if height > STEEPEST * length:
+        yield (
+            f"significant height {height:.4g} m at {mean_period:.3g} s: waves of {length:.3g} m are at most "
+            f"{STEEPEST * length:.3g} m high; are elevations in m and times in s? name their units in the head, as "
+            '"eta (mm)"'
+        )
     middle = np.median(record)
     deviation = 1.4826 * np.median(np.abs(record - middle))
     wild = np.flatnonzero(np.abs(record - middle) > LARGEST * deviation) if deviation > 0 else []

@@ -2,7 +2,8 @@
 
     SWAN standard spectral file (.spc, .sp1, .sp2): AFREQ or RFREQ, NDIR or CDIR, VaDens or EnDens; 1-D with mean
     direction and spread, or 2-D with FACTOR, ZERO, NODATA (SWAN user manual, appendix D)
-    NDBC spectral wave density (swden): a head "#YY MM DD hh mm .0200 .0325 …" and rows of m²/Hz, 999 for none
+    NDBC spectral wave density (swden): a head "#YY MM DD hh mm .0200 .0325 …" and rows of m²/Hz, 999 for none;
+    of the last days (data_spec): rows "YY MM DD hh mm Sep_Freq spec_1 (freq_1) …"
     WAVEWATCH III transfer file of spectra (`wavewatch`)
 
 Nautical directions are where waves come from, clockwise from north; with the x axis of the body towards ψ of the
@@ -133,15 +134,14 @@ class _Swan:
         return int(word)
 
     def numbers(self, count, thing):
-        """(count,) numbers from as many lines as they take"""
+        """(count,) numbers from as many lines as they take; SWAN writes remarks behind those of a line"""
         found = []
         while len(found) < count:
-            words = self.words()
-            try:
-                found += [float(word) for word in words]
-            except ValueError:
+            row = leading_numbers(self.words())
+            if not row:
                 self.at -= 1
-                raise self.fault(f"numbers, {thing}") from None
+                raise self.fault(f"numbers, {thing}")
+            found += row
         return np.array(found[:count])
 
     def sea(self, x_axis, time, location):
@@ -253,15 +253,15 @@ class _Swan:
 
 def _ndbc(path, text, time):
     """Sea of the row of `time` ("YYYY MM DD hh mm") of a file of densities, or of its only row"""
+    if "(" in text.splitlines()[-1]:
+        return _ndbc_of_last_days(path, text, time)
     lines = [line.split() for line in text.splitlines() if line.strip()]
     head = [word for word in lines[0] if re.fullmatch(r"\d*\.\d+", word)]
     first = len([word for word in lines[0] if word != "#"]) - len(head)
     rows = [row for row in lines[1:] if not row[0].startswith("#")]
     if time is not None:
         rows = [row for row in rows if row[:first] == str(time).split()]
-    if len(rows) != 1:
-        state = f"{len(rows)} rows" if time is None else f"{len(rows)} rows of time {time}"
-        raise TableError(f"{path} has {state}; allowed: one; say which with time = 'YYYY MM DD hh mm'")
+    _check_one(path, rows, time)
     try:
         density = np.array([float(word) for word in rows[0][first:]])
         if len(density) != len(head) or len(head) < 3:
@@ -270,6 +270,37 @@ def _ndbc(path, text, time):
         return Sea(tabulated(2 * np.pi * np.array([float(w) for w in head]), density / (2 * np.pi), path.stem))
     except ValueError as error:
         raise TableError(f"{path}: {error}") from None
+
+
+def _check_one(path, rows, time):
+    if len(rows) != 1:
+        state = f"{len(rows)} rows" if time is None else f"{len(rows)} rows of time {time}"
+        raise TableError(f"{path} has {state}; allowed: one; say which with time = 'YYYY MM DD hh mm'")
+
+
+def _ndbc_of_last_days(path, text, time):
+    """Sea of one row of pairs m²/Hz (Hz), after the time and the frequency that separates swell from wind sea"""
+    rows = [line.split() for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    rows = [row for row in rows if time is None or row[:5] == str(time).split()]
+    _check_one(path, rows, time)
+    pairs = re.findall(r"([-+.\deE]+)\s*\(\s*([-+.\deE]+)\s*\)", " ".join(rows[0][5:]))
+    try:
+        density, frequency = np.array(pairs, float).reshape(-1, 2).T
+        density = np.where(density >= MISSING, 0.0, density)
+        return Sea(tabulated(2 * np.pi * frequency, density / (2 * np.pi), path.stem))
+    except ValueError as error:
+        raise TableError(f"{path}: {error}") from None
+
+
+def leading_numbers(words):
+    """The numbers that a list of words begins with, as floats"""
+    found = []
+    for word in words:
+        try:
+            found.append(float(word))
+        except ValueError:
+            break
+    return found
 
 
 def _place(rows, values):

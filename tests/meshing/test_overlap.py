@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from meshing.overlap import connected, overlaps
 from meshing.panels import joined
 from meshing.quality import findings
+from meshing.quality.overlap import connected, overlaps
 from meshing.shapes import box, buoy
 
 PONTOON = box(40, 10, 5, panels=120).whole()

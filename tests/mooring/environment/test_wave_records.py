@@ -142,6 +142,30 @@ def test_columns_may_be_parted_by_any_usual_mark(tmp_path, text):
     assert read.step == 2.0 and read.elevation.tolist() == [1, 3, 1]
 
 
+@pytest.mark.parametrize(
+    ("head", "time", "height"),
+    [("Time (s),eta (mm)", 1.0, 1e-3), ("Time (ms),eta [cm]", 1e-3, 1e-2), ("t [min],probe_ft", 60.0, 0.3048),
+     ("time_s,elevation_m", 1.0, 1.0), ("t,eta", 1.0, 1.0), ("t, WP1 mm", 1.0, 1e-3)],
+)  # fmt: skip
+def test_units_in_the_head_of_a_record_count(tmp_path, head, time, height):
+    (tmp_path / "a.csv").write_text(f"{head}\n0,10\n2,30\n4,10\n", encoding="utf-8")
+    read = read_record(tmp_path / "a.csv")
+    assert read.step == pytest.approx(2 * time)
+    assert read.elevation == pytest.approx([10 * height, 30 * height, 10 * height])
+
+
+def test_a_unit_that_is_not_known_is_named_with_its_column(tmp_path):
+    (tmp_path / "a.csv").write_text("t (s),eta (furlong)\n0,1\n1,2\n", encoding="utf-8")
+    with pytest.raises(TableError, match=r"column 'eta \(furlong\)' has the unit 'furlong'; allowed: m, mm"):
+        read_record(tmp_path / "a.csv")
+
+
+def test_a_comma_is_a_decimal_mark_where_semicolons_separate_columns(tmp_path):
+    (tmp_path / "a.csv").write_text("Zeit [s];WP1 [m]\n0,0000;-0,0452\n0,0500;-0,0551\n", encoding="utf-8")
+    read = read_record(tmp_path / "a.csv")
+    assert read.step == pytest.approx(0.05) and read.elevation == pytest.approx([-0.0452, -0.0551])
+
+
 def test_a_column_is_found_by_its_name_and_a_lone_one_needs_its_step(tmp_path):
     (tmp_path / "a.csv").write_text("t,heave,eta\n0,9,1\n1,9,3\n2,9,1\n", encoding="utf-8")
     assert read_record(tmp_path / "a.csv", column="eta").elevation.tolist() == [1, 3, 1]

@@ -9,9 +9,11 @@ from scipy.integrate import quad
 from bem.waves import wavenumber
 from mooring.environment.spectra import issc, jonswap, jonswap_fetch
 from mooring.environment.spectrum import Peaked
+from mooring.environment.tables import TableError
 from mooring.seas.breaking import BreakingError, breaking_height, too_high
 from mooring.seas.record_faults import faults
 from mooring.seas.shallow import limited, tma, tma_fetch
+from mooring.seas.spectra_files import read_sea
 from mooring.seas.two_peaks import OneSystem, ochi_hubble, torsethaugen
 
 G = 9.80665
@@ -127,3 +129,59 @@ def test_what_is_no_wave_in_a_record_is_named(spoilt, said):
     assert not list(faults(record, 0.5, 5.5))
     (line,) = faults(spoilt(record, t), 0.5, 5.5)
     assert said in line
+
+
+SWAN = """\
+SWAN   1                                Swan standard spectral file, version
+LOCATIONS                               locations in x-y-space
+     1                                  number of locations
+      0.00      0.00
+AFREQ                                   absolute frequencies in Hz
+     4                                  number of frequencies
+    0.0800
+    0.1000
+    0.1250
+    0.1600
+QUANT
+     1                                  number of quantities in table
+VaDens                                  variance densities in m2/Hz
+m2/Hz                                   unit
+   -0.9900E+02                          exception value
+LOCATION     1
+    0.50
+    4.00
+    2.00
+    0.60
+"""
+
+
+def test_a_file_of_swan_has_remarks_behind_its_numbers(tmp_path):
+    """m₀ by the trapezoidal rule over the four frequencies by hand; straight lines beyond their ends add nothing"""
+    (tmp_path / "a.sp1").write_text(SWAN)
+    m0 = 0.5 * (0.02 * (0.5 + 4) + 0.025 * (4 + 2) + 0.035 * (2 + 0.6))
+    assert read_sea(tmp_path / "a.sp1").spectrum.significant_height == pytest.approx(4 * m0**0.5, rel=0.01)
+
+
+def test_a_file_of_the_last_days_of_ndbc_has_pairs(tmp_path):
+    head = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) spec_3 (freq_3) ... >\n"
+    rows = (
+        "2018 04 18 20 00 0.172 0.5 (0.080) 4.0 (0.100) 2.0 (0.125) 0.6 (0.160)",
+        "2018 04 18 19 00 9.999 0.1 (0.080) 1.0 (0.100) 999.0 (0.125) 0.6 (0.160)",
+    )
+    (tmp_path / "a.data_spec").write_text(head + "\n".join(rows) + "\n")
+    (tmp_path / "a.sp1").write_text(SWAN)
+    found = read_sea(tmp_path / "a.data_spec", time="2018 04 18 20 00")
+    assert found.spectrum.significant_height == pytest.approx(
+        read_sea(tmp_path / "a.sp1").spectrum.significant_height, rel=1e-12
+    )
+    with pytest.raises(TableError, match="has 2 rows; allowed: one; say which with time"):
+        read_sea(tmp_path / "a.data_spec")
+
+
+def test_a_record_steeper_than_any_wave_is_asked_for_its_unit():
+    """H/L = 1/7 is the steepest wave; 0.395 m at 1.1 s is H/L = 0.21, 395 m is 1000 times that"""
+    t = np.arange(0, 110, 0.05)
+    wave = 0.395 / 4 * np.sqrt(2) * np.sin(2 * np.pi * t / 1.1)
+    gentle = list(faults(0.5 * wave, 0.05, 1.1))
+    (said,) = faults(1000 * wave, 0.05, 1.1)
+    assert not gentle and "significant height 395 m at 1.1 s: waves of 1.89 m are at most 0.27 m high" in said
