@@ -21,7 +21,8 @@ from .box_drag import check_positive, stream_pressure
 from .smooth import smooth
 
 LARGEST = 8  # MB
-SIZES = ("area_x", "area_y", "area_n", "length")
+SIZES = ("area_x", "area_y", "area_n", "length", "height")
+OPTIONAL = ("area_n", "height")
 COLUMNS = (("angle", "CX", "CY", "CN"), ("angle", "CX", "CYA", "CYF"))
 
 
@@ -30,6 +31,7 @@ class HullCoefficients:
     """angle (n,) rad from 0 to π or to 2π, x, y, n (n,) coefficients; areas m² and length m they refer to.
 
     Given to π, the hull is the same on both sides: C_x even in the angle, C_y and C_n odd.
+    height : m above still water of where the force acts, None where it is not known
     """
 
     angle: np.ndarray
@@ -40,6 +42,7 @@ class HullCoefficients:
     area_y: float
     area_n: float
     length: float
+    height: float | None = None
 
     @cached_property
     def curve(self):
@@ -53,7 +56,7 @@ class HullCoefficients:
         return smooth(angle, np.concatenate([values[before], values, values[after]]))
 
 
-def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None):
+def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None, height=None):
     """Checked HullCoefficients; area_n, of the moment, is area_y where it is not given.  Raises ValueError."""
     columns = [np.asarray(v, float) for v in (angle, x, y, n)]
     sizes = [v.shape for v in columns]
@@ -63,9 +66,11 @@ def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None):
         raise ValueError("hull coefficients are not all finite numbers")
     area_n = area_y if area_n is None else area_n
     check_positive(area_x=area_x, area_y=area_y, area_n=area_n, length=length)
+    if height is not None and not np.isfinite(height):
+        raise ValueError(f"height is {height:g}; allowed: finite, m above still water")
     columns = [v[np.argsort(columns[0])] for v in columns]
     _check_angles(columns)
-    return HullCoefficients(*columns, float(area_x), float(area_y), float(area_n), float(length))
+    return HullCoefficients(*columns, float(area_x), float(area_y), float(area_n), float(length), height)
 
 
 def hull_force(coefficients, speed, direction, density):
@@ -95,7 +100,8 @@ def read_hull_coefficients(path):
     """HullCoefficients of a CSV file.
 
     Lines `# name = number` give area_x, area_y, length and, where the moment has another area, area_n, in m² and m;
-    other lines that begin with # are remarks.  Then a header and rows, the angle in degrees, 0 to 180 or 0 to 360:
+    `# height = number` is of where the force acts, m above still water.  Other lines that begin with # are remarks.
+    Then a header and rows, the angle in degrees, 0 to 180 or 0 to 360:
 
         angle,CX,CY,CN          yaw moment on area_n·length; CXY is another name for CN
         angle,CX,CYA,CYF        OCIMF: lateral force at the aft and forward perpendicular, `length` apart
@@ -126,7 +132,7 @@ def _check_angles(columns):
             raise ValueError(
                 f"hull coefficient {name} is {values[0]:g} at 0°, {values[-1]:g} at 180°; allowed: 0, or angles to 360°"
             )
-    if whole and any(v[0] != v[-1] for v in columns[1:]):
+    if whole and any(abs(v[0] - v[-1]) > 1e-9 for v in columns[1:]):
         raise ValueError("hull coefficients at 0° and 360° differ; allowed: the same")
 
 
@@ -137,7 +143,7 @@ def _sizes(lines):
         name, equals, value = (part.strip() for part in line.lstrip("# ").partition("="))
         if line.startswith("#") and equals and name in SIZES:
             sizes[name] = _number(number, value)
-    missing = [name for name in SIZES if name not in sizes and name != "area_n"]
+    missing = [name for name in SIZES if name not in sizes and name not in OPTIONAL]
     if missing:
         raise ValueError(f"{missing[0]} is not given; allowed: a line `# {missing[0]} = 818.0`, in m² or m")
     return sizes

@@ -204,7 +204,10 @@ def load(body, wind, current, hull, t, y, rate, work):
     if hull is not None:
         work.moving[0], work.moving[1], work.moving[2], work.moving[3] = y[5], y[6], y[7], y[11]
         hull_water_force(hull, ramp(t, body.ramp), work.moving, work.weights, work.powers, work.stream, work.arm)
-        add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_CURRENT)
+        x, across, lever = work.stream[0], work.stream[1], hull.lever
+        work.part[0], work.part[1], work.part[2] = x, across, 0.0
+        work.part[3], work.part[4], work.part[5] = lever * across, -lever * x, work.stream[2]
+        give(work.force, y, rate, work.part, 6, BY_CURRENT)
         add_horizontal(work, y, rate, work.arm[0], work.arm[1], work.arm[2], BY_DRIFT)
     if body.given.shape[1] > 1:
         between_samples(body.given, t / body.given_step, work.weights, work.part)
@@ -213,10 +216,10 @@ def load(body, wind, current, hull, t, y, rate, work):
             work.part[j] *= share
         give(work.force, y, rate, work.part, 6, BY_GIVEN)
     share = ramp(t, body.ramp)
-    stream_force(wind, t, share, y[5:8], work.weights, work.stream, work.value)
-    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_WIND)
-    stream_force(current, t, share, y[5:8], work.weights, work.stream, work.value)
-    add_horizontal(work, y, rate, work.stream[0], work.stream[1], work.stream[2], BY_CURRENT)
+    stream_force(wind, t, share, y[5:8], work.weights, work.part, work.value)
+    give(work.force, y, rate, work.part, 6, BY_WIND)
+    stream_force(current, t, share, y[5:8], work.weights, work.part, work.value)
+    give(work.force, y, rate, work.part, 6, BY_CURRENT)
 
 
 @kernel()

@@ -2,9 +2,7 @@
 
     F = c(α) |U|²,    U = U∞ (1 + u′/|U∞|) − (u, v) in the body's axes, α its angle
 
-A body that turns meets the water along its length at r x; the moment of this cross flow on a body at rest is
-
-    M = −¼ ρ C_y(90°) d (L/2)⁴ r|r|        SR179 report (1982), guideline 3.6.5 (its "+" between factors is a product)
+F has six components: forces act at a height of their own (`loads.on_hull`; SR179 report, 1982, eq. 3.7.1.8).
 """
 
 from __future__ import annotations
@@ -18,9 +16,7 @@ from bem.kernels.jit import kernel
 
 from ..environment.gusts import MissingVariance, gust_components
 from ..environment.wave_records import real_sum
-from ..loads.box_current import box_table, current_force
-from ..loads.box_drag import about
-from ..loads.box_wind import wind_force
+from ..loads.on_hull import current_on, wind_on
 from .tables.interpolation import between_samples, on_ring, ring_table
 
 RING = 720  # angles of a table of coefficients
@@ -31,7 +27,7 @@ GUST_STEP, GUSTS = 0.2, 400  # s, number of components
 class Stream(NamedTuple):
     """Wind or current as the kernels read it.
 
-    table : (RING + 3, 3) N s²/m², N m s²/m² of unit speed at equal angles; velocity : (2,) m/s in space
+    table : (RING + 3, 6) N s²/m², N s² of unit speed at equal angles; velocity : (2,) m/s in space
     gusts : (1, n) m/s along the mean, from `first` s on in steps of GUST_STEP; one column where there are none
     """
 
@@ -43,15 +39,13 @@ class Stream(NamedTuple):
 
 def calm():
     """A Stream that exerts no force"""
-    return Stream(np.zeros((RING + 3, 3)), np.zeros(2), np.zeros((1, 1)), 0.0)
+    return Stream(np.zeros((RING + 3, 6)), np.zeros(2), np.zeros((1, 1)), 0.0)
 
 
 def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
     """The Stream of a `Wind` on an `ExposedBox`, with gusts of a `GustSpectrum` from `start` to `end` s."""
-    speed, direction, density, table = wind.speed, wind.direction, wind.density, wind.table
-    angles = np.arange(RING) * (2 * np.pi / RING)
-    unit = wind_force(np.ones(RING), angles, hull.length, hull.beam, hull.freeboard, density, table)
-    return stream_of(about(unit, (0.0, 0.0), center), speed, direction, gusts, seed, start, end)
+    unit = wind_on(wind, hull).about(_around(), center)
+    return stream_of(unit, wind.speed, wind.direction, gusts, seed, start, end)
 
 
 def stream_of(unit, speed, direction, gusts=None, seed=0, start=0.0, end=0.0):
@@ -69,24 +63,19 @@ def stream_of(unit, speed, direction, gusts=None, seed=0, start=0.0, end=0.0):
 
 def current_stream(current, hull, center, density, depth):
     """The Stream of a `Current` (None: water at rest) on an `ExposedBox`; raises ValueError without coefficients."""
-    table = current.table if current is not None and current.table is not None else None
-    if table is None:
-        table = box_table(hull.length, hull.beam, hull.draft, depth)
-    angles = np.arange(RING) * (2 * np.pi / RING)
-    unit = current_force(np.ones(RING), angles, hull.length, hull.beam, hull.draft, density, table)
+    unit = current_on(current, hull, density, depth).about(_around(), center)
     velocity = np.zeros(2) if current is None else _vector(current.speed, current.direction)
-    return Stream(ring_table(about(unit, (0.0, 0.0), center)), velocity, np.zeros((1, 1)), 0.0)
+    return Stream(ring_table(unit), velocity, np.zeros((1, 1)), 0.0)
 
 
-def turning_drag(hull, density, depth, table=None):
-    """N₂ of yaw, N m s²: cross flow on a box that turns at rest."""
-    table = box_table(hull.length, hull.beam, hull.draft, depth) if table is None else table
-    return 0.25 * density * float(table.curve(np.pi / 2)[1]) * hull.draft * (0.5 * hull.length) ** 4
+def _around():
+    """(RING,) rad"""
+    return np.arange(RING) * (2 * np.pi / RING)
 
 
 @kernel(inline=True)
 def stream_force(stream, t, share, moving, weights, out, value):
-    """out (3,) N, N, N m in the body's axes of a stream that has grown to `share` of its speed.
+    """out (6,) N, N m in the body's axes of a stream that has grown to `share` of its speed.
 
     moving : (3,) heading, velocities along and across it, rad and m/s
     weights (6,), value (1,) : room for work
@@ -102,7 +91,7 @@ def stream_force(stream, t, share, moving, weights, out, value):
     along, across = cos * x + sin * y - u, -sin * x + cos * y - v
     square = along * along + across * across
     on_ring(stream.table, np.arctan2(across, along), weights, out)
-    for j in range(3):
+    for j in range(6):
         out[j] *= square
 
 

@@ -31,12 +31,14 @@ class WindLoad:
     """table : (count, 3) N s²/m², N m s²/m² of unit speed against the angle that the wind blows to, from the bow
 
     speed : m/s; direction : rad, blown to, in space; gusts : `GustSpectrum`, None for a steady wind
+    height : (2,) m above still water at which forces along and across the body act
     """
 
     table: np.ndarray
     speed: float
     direction: float
     gusts: GustSpectrum | None = None
+    height: tuple[float, float] = (0.0, 0.0)
 
     @cached_property
     def ring(self):
@@ -52,6 +54,7 @@ class WaterLoad:
     length : m, of r'; turning : whether the table is of turning tests, whose inertia it then contains
     speed : m/s; direction : rad the current flows to, in space
     quadratic : N₂ of yaw, N m s²; linear : (3, 3) damping, N s/m …
+    height : m above still water at which it acts
     """
 
     table: np.ndarray
@@ -61,6 +64,7 @@ class WaterLoad:
     direction: float = 0.0
     quadratic: float = 0.0
     linear: np.ndarray | None = None
+    height: float = 0.0
 
     @cached_property
     def ring(self):

@@ -15,6 +15,7 @@ import numpy as np
 from bem.time_domain.memory import Memory, MemoryArrays
 
 from ..lines.system.parts import Fairlead
+from ..loads.on_hull import heeling
 from ..loads.turning import LARGEST_TURN
 from ..motion.buoy import BuoyBody, BuoyOnLines, buoy_arrays
 from ..motion.line_loads import tables_of
@@ -67,13 +68,18 @@ def planar(point: SinglePoint) -> Moored:
                   free=PLANE)  # fmt: skip
 
 
-def on_hull(point: SinglePoint, slow_added_mass, drift=True) -> OnHull:
-    """OnHull of the loads of a SinglePoint; slow_added_mass : (6, 6); drift : whether their mean drift pushes"""
+def on_hull(point: SinglePoint, slow_added_mass, drift=True, up=0.0) -> OnHull:
+    """OnHull of the loads of a SinglePoint; slow_added_mass : (6, 6); drift : whether their mean drift pushes
+
+    up : m above still water of the point that motions are about
+    """
     loads, water = point.loads, point.loads.water
     mass = point.mass if water.turning else slow_added_mass[np.ix_(PLANE, PLANE)]
     held = loads.drift.table if drift and loads.drift is not None else None
-    found = hull_water(water.table, water.length, LARGEST_TURN, water.velocity, water.linear, mass, water.turning, held)
-    return OnHull(None if loads.wind is None else loads.wind.table, found, bool(water.turning), water.quadratic)
+    found = hull_water(water.table, water.length, LARGEST_TURN, water.velocity, water.linear, mass, water.turning, held,
+                       up - water.height)  # fmt: skip
+    wind = None if loads.wind is None else heeling(loads.wind.table, loads.wind.height, up)
+    return OnHull(wind, found, bool(water.turning), water.quadratic)
 
 
 def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None, rope=None, end_z=0.0,
@@ -127,7 +133,7 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
     """
     loads = steady.point.loads
     wind = None if loads.wind is None else Wind(loads.wind.speed, loads.wind.direction)
-    held = on_hull(steady.point, body.slow_added_mass, drift)
+    held = on_hull(steady.point, body.slow_added_mass, drift, body.reader.rotation_center[2])
     weather = Weather(wind=wind, gusts=gusts, on_hull=held, components=components)
     kind = "none" if drift or components is None else "newman"
     settings = Settings(duration, 0.0, step, tolerance, slow_drift=kind, wave_ramp=wave_ramp)

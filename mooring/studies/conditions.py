@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from ..environment.sea import Sea
 from ..loads.box_drag import DragTable
 from ..loads.box_wind import AIR_DENSITY, BOX
+from ..loads.coefficients import HullCoefficients
 
 
 @dataclass(frozen=True)
@@ -16,31 +18,46 @@ class ExposedBox:
     """The box that wind and current act on, its middle at x = y = 0.
 
     length, beam, draft, freeboard (depth of the hull less draft) : m
+    front_area, side_area : m², of superstructures from ahead and from abeam
+    superstructure_z : m, their middle above still water, None for half their height on the deck, all along the hull
     """
 
     length: float
     beam: float
     draft: float
     freeboard: float
+    front_area: float = 0.0
+    side_area: float = 0.0
+    superstructure_z: float | None = None
 
 
 @dataclass(frozen=True)
 class Wind:
-    """speed m/s, direction rad blown to, density kg/m³"""
+    """speed m/s, direction rad blown to, density kg/m³
+
+    table : coefficients of a box, of a hull, or a function (ExposedBox) → those of a hull
+    height : m above still water at which it acts, None for the middle of what it meets (`loads.on_hull`)
+    """
 
     speed: float
     direction: float
     density: float = AIR_DENSITY
-    table: DragTable = BOX
+    table: DragTable | HullCoefficients | Callable = BOX
+    height: float | None = None
 
 
 @dataclass(frozen=True)
 class Current:
-    """speed m/s, direction rad it flows to; table : drag coefficients, None for those of the SR179 box tests"""
+    """speed m/s, direction rad it flows to
+
+    table : coefficients as of a Wind, None for the SR179 box tests
+    height : m above still water at which it acts, None for half the draft below it
+    """
 
     speed: float
     direction: float
-    table: DragTable | None = None
+    table: DragTable | HullCoefficients | Callable | None = None
+    height: float | None = None
 
 
 @dataclass(frozen=True)

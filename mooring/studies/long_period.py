@@ -18,9 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..loads.box_current import current_force
-from ..loads.box_drag import about
-from ..motion.streams import turning_drag
+from ..loads.on_hull import current_on, turning_drag
 from ..response.sea_state import sea_state
 from ..response.viscous import in_sea
 from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum, wave_spectrum
@@ -56,7 +54,7 @@ def long_period(db, hull, result, gusts=None):
     omega = np.linspace(0.0, split, 2001)[1:]
     both = drift_of_sea(body, sea).slow_spectrum(omega)
     if gusts is not None:
-        both += gust_spectrum(gusts, result.loads["wind"], omega)
+        both += gust_spectrum(gusts, result.loads["wind"][PLANE], omega)
     force = np.einsum("dii->di", both) + wave_spectrum(body, sea, omega)
     waves = np.sqrt(np.trapezoid(state.omega[:, None] ** 2 * state.spectrum[:, PLANE], state.omega, axis=0))
     K = np.diag(result.equilibrium.stiffness)[PLANE]
@@ -68,7 +66,7 @@ def long_period(db, hull, result, gusts=None):
         rows.append(_one(body, K[j], PLANE[j], omega, force[:, j], waves[j], lambda s, j=j: drag(j, s), other))
     period, damping, spread = np.array(rows).T
     with np.errstate(divide="ignore", invalid="ignore"):
-        static = np.where(K > 0, np.abs(result.loads["drift"]) / K, np.nan)
+        static = np.where(K > 0, np.abs(result.loads["drift"][PLANE]) / K, np.nan)
         quick = static / (2 * damping)
     return LongPeriod(period, damping, static, quick, spread, split)
 
@@ -97,21 +95,21 @@ def _one(body, K, mode, omega, force, waves, drag, other):
 
 def _drag_of(current, hull, db):
     """Function (motion 0 to 2, σ of its velocity) → E[∂F/∂ẋ] of the water's drag, N s/m or N m s"""
-    table = None if current is None else current.table
+    water = current_on(current, hull, db.density, db.water_depth)
     speed, direction = (0.0, 0.0) if current is None else (current.speed, current.direction)
     stream = speed * np.array([np.cos(direction), np.sin(direction)])
     nodes, weights = np.polynomial.hermite_e.hermegauss(24)
     weights = weights / weights.sum()
+    turning = turning_drag(water, hull.length)
 
     def drag(mode, sigma):
         if mode == 2:
-            return np.sqrt(8 / np.pi) * turning_drag(hull, db.density, db.water_depth, table) * sigma
+            return np.sqrt(8 / np.pi) * turning * sigma
         sigma = max(sigma, STILL)
         past = np.tile(stream, (len(nodes), 1))
         past[:, mode] -= sigma * nodes
-        size, towards = np.hypot(*past.T), np.arctan2(past[:, 1], past[:, 0])
-        sizes = hull.length, hull.beam, hull.draft
-        force = about(current_force(size, towards, *sizes, db.density, table, db.water_depth), (0.0, 0.0), (0.0, 0.0))
-        return -float(weights @ (force[:, mode] * nodes)) / sigma
+        x, y = past.T
+        force = (x * x + y * y) * water.unit(np.arctan2(y, x))[:, mode]
+        return -float(weights @ (force * nodes)) / sigma
 
     return drag

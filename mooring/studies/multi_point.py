@@ -1,10 +1,11 @@
 """Multi-point mooring by the simplified method of the SR179 report (1982), section 5.1.1.
 
 Natural periods come first: the method is not on the safe side where one of them lies near the wave period.
-Then steady forces of wind, current and wave drift, the position in which the lines balance them, and there the
-largest motions of the freely floating body: in irregular waves, or by the report's regular wave of significant height
-(`wave_effects`).  All modes are taken in phase, with the signs, per line, that pull the fairlead outward and up;
-statics give the tension.  The body is small-angled throughout: loads and motions are those of its heading at rest.
+Then steady forces of wind, current and wave drift, the position and heel in which lines and water balance them (of the
+body trimmed at rest, so that the weight of the lines there heels nothing), and there the largest motions of the freely
+floating body: in irregular waves, or by the report's regular wave of significant height (`wave_effects`).  All modes
+are taken in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension.
+The body is small-angled throughout: loads and motions are those of its heading at rest.
 Motions of slow drift are not in the method.
 """
 
@@ -15,6 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
+from bem import DOFS
 from bem.database.natural_periods import NaturalPeriods, natural_periods
 
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
@@ -34,7 +36,7 @@ class MultiPoint:
     """Result of a study; per-line arrays follow the lines of the system.
 
     at_rest, at_equilibrium : natural periods without and with the steady forces
-    loads : {"wind", "current", "drift": (3,)} N, N, N m about the rotation centre
+    loads : {"wind", "current", "drift": (6,)} N, N m about the rotation centre
     rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : lines at their largest
     waves : {method: `WaveEffects`}, that of the conditions and the other where it is possible; empty without waves
     amplitudes : (6,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
@@ -65,13 +67,18 @@ class MultiPoint:
 
     @cached_property
     def steady_force(self):
-        """(3,) N, N, N m, sum of the steady loads"""
-        return sum(self.loads.values(), np.zeros(3))
+        """(6,) N, N m, sum of the steady loads"""
+        return sum(self.loads.values(), np.zeros(6))
 
     @cached_property
     def displacement(self):
         """(3,) m, m, rad: surge, sway and yaw of the body under the steady forces"""
         return (self.equilibrium.position - self.rest.position)[0, PLANE]
+
+    @cached_property
+    def heel(self):
+        """(2,) rad: roll and pitch of the body under the steady forces"""
+        return (self.equilibrium.position - self.rest.position)[0, 3:5]
 
     @cached_property
     def tension(self):
@@ -99,8 +106,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
     waves = wave_effects(db, conditions) if conditions.waves else {}
     effects = waves.get(conditions.method, WaveEffects(None, np.zeros(6)))
     loads = steady_loads(db, hull, conditions, system.depth, effects.drift)
-    x, y, turn = sum(loads.values(), np.zeros(3))
-    equilibrium = rest(system.with_loads({body: (x, y, 0.0, 0.0, 0.0, turn)}))
+    equilibrium = _heeled(system, at_rest, db.hydrostatic_stiffness, sum(loads.values(), np.zeros(6)))
     outward, upward = fairlead_displacements(equilibrium, conditions.motion_factor * effects.amplitudes)
     anchors, fairleads = line_ends(equilibrium)
     moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
@@ -121,6 +127,19 @@ def multi_point(db, system, hull, conditions, allowable=0.4) -> MultiPoint:
         (),
     )
     return replace(result, warnings=(*place_findings(system, hull), *findings(result, db)))
+
+
+def _heeled(system, at_rest, hydrostatic, load):
+    """SystemEquilibrium of a body that floats, under a load (6,); its stiffness is that of the lines alone.
+
+    What the lines pull down and heel at rest, which its ballast is for, is taken off.
+    """
+    (body,), trim = system.bodies, np.array([0, 0, 1, 1, 1, 0])
+    balanced = load - trim * np.asarray(at_rest.force)[:6]
+    afloat = replace(body, freedom=DOFS, hydrostatic_stiffness=np.asarray(hydrostatic, float), load=tuple(balanced))
+    found = rest(replace(system, bodies=(afloat,)))
+    lines = rest(held_at(system, {body.name: found.position[0]}))
+    return replace(found, stiffness=lines.stiffness)
 
 
 def line_ends(state):

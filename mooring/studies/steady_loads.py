@@ -4,27 +4,26 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ..loads.box_current import box_table, current_force
-from ..loads.box_drag import about
-from ..loads.box_wind import wind_force
+import numpy as np
+
+from ..loads.box_current import box_table
+from ..loads.on_hull import current_on, wind_on
 
 
 def steady_loads(db, hull, conditions, depth, drift=None):
-    """{"wind", "current", "drift"} of the conditions that are given, each (3,) N, N, N m about the rotation centre.
+    """{"wind", "current", "drift"} of the conditions that are given, each (6,) N and N m about the rotation centre.
 
-    Wind and current are taken at the heading of the body at rest; drift : (3,) of the waves, None without
+    Wind and current are taken at the heading of the body at rest, with the moments of the heights they act at; drift :
+    (3,) surge, sway and yaw of the waves, None without
     """
-    loads, middle = {}, (0.0, 0.0)
-    if conditions.wind:
-        w = conditions.wind
-        force = wind_force(w.speed, w.direction, hull.length, hull.beam, hull.freeboard, w.density, w.table)
-        loads["wind"] = about(force, middle, db.rotation_center)
-    if conditions.current:
-        c = conditions.current
-        force = current_force(c.speed, c.direction, hull.length, hull.beam, hull.draft, db.density, c.table, depth)
-        loads["current"] = about(force, middle, db.rotation_center)
+    loads, center, wind, current = {}, db.rotation_center, conditions.wind, conditions.current
+    if wind:
+        loads["wind"] = wind.speed**2 * wind_on(wind, hull).about(wind.direction, center)
+    if current:
+        unit = current_on(current, hull, db.density, depth).about(current.direction, center)
+        loads["current"] = current.speed**2 * unit
     if drift is not None:
-        loads["drift"] = drift
+        loads["drift"] = np.array([*drift[:2], 0.0, 0.0, 0.0, drift[2]])
     return loads
 
 

@@ -14,7 +14,7 @@ from mooring.breakwater.loss import GAUSSIAN
 from mooring.breakwater.transmission import Cells, equal_cells, greatest_of, slack_share
 
 from ..common.quantities import StudyError, positive
-from ..common.seas import family_of, shape_of, spreading_of
+from ..common.weather.seas import family_of, shape_of, spreading_of
 from .build import KN
 from .curves import Curve, curves, response, sections
 from .study import MOST_OBLIQUE, periods

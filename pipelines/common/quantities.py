@@ -75,6 +75,9 @@ def force(where, table, name, required=False):
 
 
 def speed(where, table):
+    """m/s, at least 0"""
+    if table.speed == 0 and table.speed_knots is None:
+        return 0.0
     return one_of(where, table, {"speed": 1.0, "speed_knots": KNOT}, required=True)
 
 

@@ -42,6 +42,7 @@ Paths are from the folder of the project.  Every fault is one line that names ke
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 
@@ -56,6 +57,7 @@ from mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, WORN
 
 from ..common.quantities import StudyError, positive, speed
 from ..common.typed import read_toml, typed
+from ..common.weather.streams import coefficients_of, wind_table, with_files
 from ..site.link import laid_in, named, site_file
 from .kinds.choose import kind_of
 from .kinds.needs import SCOPE
@@ -90,7 +92,7 @@ def read_project(path):
     """The Read of a TOML file.  Raises StudyError, or the one line of the study, the rules or a table in it."""
     path = Path(path)
     raw, text = read_toml(path, "a project", StudyError)
-    raw = _at_site(raw, path.parent)
+    raw = _with_files(_at_site(raw, path.parent), path)
     project = typed(raw, Project, StudyError)
     own = project.project
     if (own.probability is None) != (own.service_life is None):
@@ -152,6 +154,14 @@ def _at_site(raw, folder):
     return {**raw, "project": {**own, **life}, "states": laid, **({"levels": levels} if levels else {})}
 
 
+def _with_files(raw, path):
+    """Tables of a project with the numbers of the files of coefficients that its states name.  Raises StudyError."""
+    states = raw.get("states")
+    if not isinstance(states, list):
+        return raw
+    return {**raw, "states": [with_files(one, "", path)[0] if isinstance(one, dict) else one for one in states]}
+
+
 def worn_diameters(project, study):
     """{type: (diameter in mm, mm lost)} of the types of the study that wear; empty without wear"""
     wear = project.wear
@@ -194,11 +204,20 @@ def _check_states(project):
             given = [name for name in DIRECTION_KEYS if table is not None and getattr(table, name) is not None]
             if given:
                 raise StudyError(f"{where}.{key}.{given[0]} is given; allowed: directions in {where}.incidence_deg")
-        for key in ("wind", "current"):
-            if getattr(state, key) is not None:
-                speed(f"{where}.{key}", getattr(state, key))
+        _check_streams(where, state)
         for key in ("height", "period") if state.waves is not None else ():
             positive(f"{where}.waves.{key}", getattr(state.waves, key))
+
+
+def _check_streams(where, state):
+    """Raises StudyError for wind or current that no case could take"""
+    for key, made in (("wind", wind_table), ("current", partial(coefficients_of, "current"))):
+        if (table := getattr(state, key)) is not None:
+            speed(f"{where}.{key}", table)
+            try:
+                made(table)
+            except StudyError as error:
+                raise StudyError(f"{where}.{error}") from None
 
 
 def _check_wear(project, study):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import msgspec
 
 from ..common.quantities import Table
-from ..moor.tables import SimulationTable, StreamTable, WavesTable, WindTable
+from ..common.weather.streams import StreamTable, WindTable
+from ..moor.tables import SimulationTable, WavesTable
 
 MEAN = "mean"  # the level of the study's own water
 

@@ -11,8 +11,8 @@ import msgspec
 
 from ..common.line_tables import AttachedTable, MaterialTable, SegmentTable
 from ..common.quantities import StudyError, Table
-from ..common.seas import SeaTable
 from ..common.typed import read_toml, typed
+from ..common.weather.seas import SeaTable
 
 
 class WaterTable(Table):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -64,7 +65,8 @@ def studied(study, db):
     """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
     hull = study.without_berth("moor").hull_of(db.dimensions)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)
-    return multi_point(db, system, hull, study.conditions(), study.allowable), hull
+    result = multi_point(db, system, hull, study.conditions(), study.allowable)
+    return replace(result, warnings=(*study.remarks(hull, db), *result.warnings)), hull
 
 
 def _checked_output(output, *inputs):
@@ -87,11 +89,12 @@ def write_result(output, result, text, database):
         file.attrs["motion_factor"] = result.conditions.motion_factor
         file.attrs["warnings"] = "\n".join(result.warnings)
         _put(file, "equilibrium", result.displacement, "m, m, rad")
+        _put(file, "heel", result.heel, "rad, rad")
         _put(file, "residual", result.equilibrium.residual[PLANE], "N, N, N m")
         _put(file, "mooring_stiffness", result.equilibrium.stiffness, "N/m, N/rad, N m/m, N m/rad")
         _put(file, "motion_amplitude", result.amplitudes, "m, m, m, rad, rad, rad")
         for name, load in result.loads.items():
-            _put(file, f"loads/{name}", load, "N, N, N m")
+            _put(file, f"loads/{name}", load, "N, N, N, N m, N m, N m")
         for method, effects in result.waves.items():
             _put(file, f"waves/{method}/drift", effects.drift, "N, N, N m")
             _put(file, f"waves/{method}/motion_amplitude", effects.amplitudes, "m, m, m, rad, rad, rad")
@@ -120,7 +123,13 @@ def _show(result, resonant, output):
     console.print(_periods_table(result))
     console.print(_lines_table(result))
     x, y, turn = result.displacement
-    console.print(f"equilibrium: x {x:.3f} m, y {y:.3f} m, yaw {np.degrees(turn):.3f}°", highlight=False)
+    roll, pitch = np.degrees(result.heel)
+    console.print(
+        f"equilibrium: x {x:.3f} m, y {y:.3f} m, yaw {np.degrees(turn):.3f}°; heel: roll {roll:.3f}°, pitch "
+        f"{pitch:.3f}°",
+        highlight=False,
+        soft_wrap=True,
+    )
     for line in _waves(result):
         console.print(line, highlight=False, soft_wrap=True)
     worst = int(np.argmax(result.tension))
@@ -184,10 +193,10 @@ def _table(title, *columns):
 
 
 def _loads_table(result):
-    table = _table("steady forces", "load", "Fx kN", "Fy kN", "Mz kN m")
+    table = _table("steady forces", "load", "Fx kN", "Fy kN", "Mx kN m", "My kN m", "Mz kN m")
     total = result.steady_force
     for name, load in [*result.loads.items(), ("sum", total)]:
-        table.add_row(name, *(f"{value / KN:.1f}" for value in load))
+        table.add_row(name, *(f"{value / KN:.1f}" for value in np.delete(load, 2)))
     return table
 
 

@@ -17,15 +17,15 @@ import msgspec
 import numpy as np
 
 from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
-from mooring.loads.box_drag import drag_table
-from mooring.studies.conditions import Conditions, Current, ExposedBox, Waves, Wind
+from mooring.studies.conditions import Conditions, ExposedBox, Waves
 from mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import TypeTable, hawser_at_tension, line_of
-from ..common.quantities import StudyError, Table, below, direction, force, positive, speed, water_depth
+from ..common.quantities import StudyError, Table, below, direction, force, positive, water_depth
 from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
-from ..common.seas import sea_of
 from ..common.typed import typed
+from ..common.weather.seas import sea_of
+from ..common.weather.streams import StreamTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
 from ..site.link import SiteLink, read_study_at_site
 from .tables import (
     HarbourTable,
@@ -34,10 +34,8 @@ from .tables import (
     QuayTable,
     SimulationTable,
     Spread,
-    StreamTable,
     WaterTable,
     WavesTable,
-    WindTable,
 )
 
 MOST_LINES = 500  # of a study; they take three seconds
@@ -68,13 +66,7 @@ class Study(Table):
 
     def conditions(self):
         """Conditions in SI units"""
-        wind, current, waves = self.wind, self.current, self.waves
-        if wind:
-            extra = {} if wind.coefficients is None else {"table": coefficients_of("wind", wind)}
-            wind = Wind(speed("wind", wind), direction("wind", wind), **extra)
-        if current:
-            table = None if current.coefficients is None else coefficients_of("current", current)
-            current = Current(speed("current", current), direction("current", current), table)
+        wind, current, waves = wind_of(self.wind), current_of(self.current), self.waves
         if waves is None:
             return Conditions(wind, current)
         regular = Waves(
@@ -97,7 +89,13 @@ class Study(Table):
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(f"hull.{key} is {own:g} m, the database is for {stored:g} m")
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
-        return ExposedBox(**sizes, freeboard=positive("hull.freeboard", self.hull.freeboard))
+        freeboard = positive("hull.freeboard", self.hull.freeboard)
+        return ExposedBox(**sizes, freeboard=freeboard, **superstructures(self.hull))
+
+    def remarks(self, hull, db):
+        """What comes first of what a reader has to know of an `ExposedBox` and the database of its hull, a line each"""
+        volume = db.displaced_volume
+        return [] if volume is None else no_box(volume / (hull.length * hull.beam * hull.draft), hull, self)
 
     @property
     def at_berth(self):
@@ -175,8 +173,13 @@ class Study(Table):
 
 def read_study(path):
     """The Study of a TOML file and its text.  Raises StudyError."""
-    raw, text = read_study_at_site(Path(path), "a study")
+    raw, text = read_raw(path)
     return make_study(raw), text
+
+
+def read_raw(path):
+    """Nested dictionaries and text of a TOML file, with what it takes of a site and of files.  Raises StudyError."""
+    return with_files(*read_study_at_site(Path(path), "a study"), path)
 
 
 def make_study(raw):
@@ -196,12 +199,3 @@ def _corner_headings(where, degrees):
         shown = f"{wrong[0]:g}" if wrong else "empty"
         raise StudyError(f"{where}.corner_headings_deg is {shown}; allowed: 0 to 90, at least one")
     return np.radians(degrees)
-
-
-def coefficients_of(where, table):
-    """The DragTable of a StreamTable.  Raises StudyError."""
-    c = table.coefficients
-    try:
-        return drag_table(np.radians(c.angles_deg), c.x, c.y, c.lever)
-    except ValueError as error:
-        raise StudyError(f"{where}.coefficients: {error}") from None

@@ -6,7 +6,8 @@ import msgspec
 
 from ..common.line_tables import LineTable
 from ..common.quantities import Table
-from ..common.seas import SeaTable
+from ..common.weather.seas import SeaTable
+from ..common.weather.streams import SuperstructureTable
 
 
 class WaterTable(Table):
@@ -18,7 +19,7 @@ class WaterTable(Table):
     depth: float
 
 
-class HullTable(Table):
+class HullTable(SuperstructureTable, kw_only=True):
     """The hull as wind and current meet it
 
     freeboard : m, depth of the hull less draft
@@ -31,51 +32,6 @@ class HullTable(Table):
     length: float | None = None
     beam: float | None = None
     draft: float | None = None
-
-
-class Coefficients(Table):
-    """Drag coefficients of a box
-
-    angles_deg : 0 to 90, between stream and x axis
-    x : of the force along x, on the front
-    y : of the force along y, on the side
-    lever : of the moment, over the length
-    """
-
-    angles_deg: list[float]
-    x: list[float]
-    y: list[float]
-    lever: list[float] | None = None
-
-
-class StreamTable(Table):
-    """A uniform stream
-
-    speed : m/s; or speed_knots
-    """
-
-    speed: float | None = None
-    speed_knots: float | None = None
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
-    coefficients: Coefficients | None = None
-
-
-class WindTable(StreamTable):
-    """Wind, at 10 m
-
-    gusts : davenport, hino, npd or kaimal, about the mean wind, for simulate
-    surface_drag : K, where the gusts have it
-    gust_height : m, where the gusts have it
-    gust_exponent : of the profile, where the gusts have it
-    gust_intensity : of turbulence, where the gusts have it
-    """
-
-    gusts: str | None = None
-    surface_drag: float | None = None
-    gust_height: float | None = None
-    gust_exponent: float | None = None
-    gust_intensity: float | None = None
 
 
 class WavesTable(Table):

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..moor.gusts import gusts_of
+from ..common.weather.gusts import gusts_of
 
 COLUMNS = {
     "mean_offset": "mean",
@@ -65,7 +65,7 @@ def moored(path, read, db, sea, duration, points):
     held = read.restrained(db.reader.floating().restrained(stiffness=statics.equilibrium.stiffness))
     (free, _), (held, damping) = in_sea(db.reader, sea, laws), in_sea(db.reader, sea, laws, held)
     gusts = gusts_of(study.wind)
-    gust = None if gusts is None else (gusts, statics.loads["wind"])
+    gust = None if gusts is None else (gusts, statics.loads["wind"][PLANE])
     alone = long_period(db, hull, statics, gusts)
     K = np.diag(statics.equilibrium.stiffness)[PLANE]
     water = np.where(np.isfinite(alone.period), alone.damping * K * alone.period / (2 * np.pi), 0.0)  # ν√(mK)
@@ -73,7 +73,7 @@ def moored(path, read, db, sea, duration, points):
     found = slow_motion(free, held, sea, duration, loads, points)
     notes = [
         f"moored by {len(system.lines)} lines of {path}: steady forces Fx {statics.steady_force[0] / 1e3:.4g}, "
-        f"Fy {statics.steady_force[1] / 1e3:.4g} kN, Mz {statics.steady_force[2] / 1e3:.4g} kN m; "
+        f"Fy {statics.steady_force[1] / 1e3:.4g} kN, Mz {statics.steady_force[5] / 1e3:.4g} kN m; "
         "slow drift by Newman's rule" + ("" if gust is None else f", gusts of {gusts.name}") + "; drag of the hull "
         "linearised, that of the lines left to body.damping_ratio"
     ]

@@ -45,8 +45,8 @@ from bem import DOFS
 from bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive
-from ..common.seas import family_of, shape_of, spreading_of
 from ..common.typed import typed
+from ..common.weather.seas import family_of, shape_of, spreading_of
 from ..site.link import RESPONSE, SiteLink, read_study_at_site
 
 

@@ -201,7 +201,7 @@ def _record(spectrum, flags):
     from mooring.environment.sea import Sea
     from mooring.environment.wave_records import Record, elevation
 
-    from ..common.seas import spreading
+    from ..common.weather.seas import spreading
 
     step, duration = _positive("step", flags.step, 0.5), _positive("duration", flags.duration, 3600.0)
     count = round(duration / step)

@@ -8,7 +8,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from ..common.seas import SPREADINGS
+from ..common.weather.seas import SPREADINGS
 from ..scene.flags import _flag
 
 

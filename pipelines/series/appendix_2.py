@@ -168,7 +168,7 @@ def study_of(row, scheme=None, seed=1):
 def computed(row, db, seed=1) -> Outcome:
     """Outcome of a test; seed : of its waves"""
     study = make_study(study_of(row, seed=seed))
-    point = make(study, None, db).point
+    point = make(study, db).point
     best = max(equilibria(point), key=lambda one: np.cos(one.heading))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

@@ -18,8 +18,8 @@ from mooring.single_point.scope import length_without_uplift, peak, significant
 
 from ..common.outputs import check_folder, check_output, opening
 from ..common.quantities import StudyError
-from ..common.seas import sea_of
 from ..common.units import TONF
+from ..common.weather.seas import sea_of
 from ..single_point.report import preferred
 from ..single_point.running import run
 from ..single_point.study import make
@@ -98,7 +98,7 @@ def computed(case, db, seeds=1) -> Result:
     f, n = FLOATERS[case.floater], case.together
     try:
         study = study_of(case, drift=drift_of(case, db))
-        point = make(make_study(study), None, db).point
+        point = make(make_study(study), db).point
         best = lying(equilibria(point))
     except ValueError as error:
         return Result(case, *[np.nan] * 7, " ".join(str(error).split()))

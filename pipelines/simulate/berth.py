@@ -78,7 +78,7 @@ def by_design_spectrum(study, db, body, hull, fenders):
     from mooring.response.viscous import in_sea
     from mooring.studies.steady_loads import steady_loads, with_coefficients
 
-    from ..common.seas import family_of, shape_of
+    from ..common.weather.seas import family_of, shape_of
 
     conditions = study.conditions()
     if study.rope or study.lines or study.spreads or study.simulation.record or conditions.sea is None:

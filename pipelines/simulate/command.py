@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from ..common.quantities import StudyError
+from ..common.weather.gusts import gusts_of
 from ..executors.choice import executor_of
-from ..moor.gusts import gusts_of
 from ..moor.quay import body_of
 from ..moor.study import read_study
 from . import berth, report

@@ -25,7 +25,7 @@ from mooring.motion.weather import Settings, Weather
 from mooring.response.seas import energy_outside
 
 from ..common.quantities import StudyError, direction, positive
-from ..moor.gusts import gusts_of
+from ..common.weather.gusts import gusts_of
 from ..moor.tables import SimulationTable
 from ..response.study import damping_of
 from .berth import check_harbour

@@ -83,7 +83,8 @@ def prepared(task):
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         reader.between.forget()
         give_back()
-        _prepared[key] = body, plan, study, (*of_quay, *(str(w.message) for w in caught), *left)
+        first = study.remarks(hull, db)
+        _prepared[key] = body, plan, study, (*first, *of_quay, *(str(w.message) for w in caught), *left)
     return _prepared[key]
 
 

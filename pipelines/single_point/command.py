@@ -36,10 +36,9 @@ def single_point(study_path, database, output, picture):
     if picture is not None:
         check_picture(picture, PLOTS)
     db = None if database is None else open_database(database)
-    folder = Path(study_path).resolve().parent
     if study.slewing is not None:
         running.check(study, db)
-    made = make(study, folder, db)
+    made = make(study, db)
     found = equilibria(made.point)
     for one in found:
         check_buoy(made, one)
@@ -63,7 +62,7 @@ def single_point(study_path, database, output, picture):
     if output is not None:
         write_result(output, text, found, made_run, cycle, sizes_of(study, made.point))
         written.append(output)
-    maps = _maps(study, raw, folder, db, (study_path, output), console)
+    maps = _maps(study, raw, db, (study_path, output), console)
     written += maps
     for line in findings(study, made, found):
         console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
@@ -72,13 +71,13 @@ def single_point(study_path, database, output, picture):
     return 0
 
 
-def _maps(study, raw, folder, db, names, console):
+def _maps(study, raw, db, names, console):
     """Draw the maps of a study beside it; their paths"""
     from .maps import computed, draw
 
     paths = []
     for i, _ in enumerate(study.maps):
-        found = computed(raw, i, folder, db)
+        found = computed(raw, i, db)
         number = f"_{i + 1}" if len(study.maps) > 1 else ""
         paths.append(_beside(*names, f"slewing{number}"))
         draw(found, paths[-1])

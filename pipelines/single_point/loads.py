@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 
-from mooring.loads.box_current import current_force
 from mooring.loads.box_drag import about
-from mooring.loads.box_wind import AIR_DENSITY, BOX, wind_force
-from mooring.loads.coefficients import hull_force, read_hull_coefficients
+from mooring.loads.on_hull import current_on, turning_drag, wind_on
 from mooring.loads.ship_derivatives import by_yaw_rate, clarke
 from mooring.loads.turning import OutsideTests, turning_coefficients
-from mooring.motion.streams import turning_drag
 from mooring.motion.wave_loads import wave_forces
 from mooring.response.findings import UNSURE
 from mooring.response.linear import frequencies
@@ -32,47 +28,43 @@ from mooring.single_point.stored import mean_drift
 from mooring.studies.conditions import ExposedBox
 
 from ..common.quantities import StudyError, direction, positive, speed
-from ..common.seas import sea_of
 from ..common.units import TONF
-from ..moor.gusts import gusts_of
-from ..moor.study import coefficients_of
+from ..common.weather.gusts import gusts_of
+from ..common.weather.seas import sea_of
+from ..common.weather.streams import current_of, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
 ONE_OF = "allowed: one of turning, coefficients, file"
 PROPORTIONS = {"L/B": "length_over_beam = 2", "B/d": "beam_over_draft = 10", "H/d": "depth_over_draft = 8"}  # tested
 
 
-def loads_of(study, folder, db, density, center, mass):
+def loads_of(study, db, density, center, mass):
     """Loads of a Study about its centre of mass (2,) m, and findings; mass : (3, 3) kg …, with added mass"""
-    findings = []
-    water = _water(study, folder, density, center, mass, findings)
-    return Loads(water, _wind(study, folder, center), _drift(study, db, center, findings)), findings
+    h = study.hull
+    hull = ExposedBox(h.length, h.beam, h.draft, h.freeboard, **superstructures(h))
+    findings = no_box(_block(h, density), hull, study)
+    water = _water(study, hull, density, center, mass, findings)
+    return Loads(water, _wind(study, hull, center), _drift(study, db, center, findings)), findings
 
 
-def _wind(study, folder, center):
-    w, h = study.wind, study.hull
-    if w is None:
+def _wind(study, hull, center):
+    wind = wind_of(study.wind)
+    if wind is None:
         return None
-    if w.file is not None and w.coefficients is not None:
-        raise StudyError("wind: coefficients and file are given; allowed: one of them")
-    around = angles()
-    if w.file is not None:
-        unit = hull_force(_file(w.file, folder), np.ones(len(around)), around, AIR_DENSITY)
-    else:
-        if h.freeboard is None:
-            raise StudyError("hull.freeboard is missing; wind acts on it; give it, or wind.file")
-        table = BOX if w.coefficients is None else coefficients_of("wind", w)
-        unit = wind_force(np.ones(len(around)), around, h.length, h.beam, h.freeboard, AIR_DENSITY, table)
-    value = speed("wind", w)
-    return WindLoad(about(unit, MIDDLE, center), value, direction("wind", w), gusts_of(w))
+    try:
+        found = wind_on(wind, hull)
+    except ValueError as error:
+        raise StudyError(str(error)) from None
+    unit = about(found.unit(angles()), MIDDLE, center)
+    return WindLoad(unit, wind.speed, wind.direction, gusts_of(study.wind), found.height)
 
 
-def _water(study, folder, density, center, mass, findings):
+def _water(study, hull, density, center, mass, findings):
     c, h = study.current, study.hull
     if c is None:
         table = _turning(study, None, density, center, findings)
-        return WaterLoad(table, h.length, True)
-    ways = [name for name in ("turning", "coefficients", "file") if getattr(c, name) is not None]
+        return WaterLoad(table, h.length, True, height=-0.5 * h.draft)
+    ways = [name for name in ("turning", "coefficients") if getattr(c, name) is not None]
     if len(ways) > 1:
         raise StudyError(f"current: {' and '.join(ways)} are given, which both hold its force; {ONE_OF}")
     stream = speed("current", c), direction("current", c)
@@ -82,33 +74,34 @@ def _water(study, folder, density, center, mass, findings):
             raise StudyError(
                 f"current.{own[0]} is given beside turning tests, which contain it; allowed: with {ONE_OF}"
             )
-        return WaterLoad(_turning(study, c.turning, density, center, findings), h.length, True, *stream)
-    around = angles()
-    if ways == ["file"]:
-        coefficients = _file(c.file, folder)
-        unit = hull_force(coefficients, np.ones(len(around)), around, density)
-        crosswise = abs(float(coefficients.curve(0.5 * np.pi)[1])) * coefficients.area_y / (h.length * h.draft)
-        drag = 0.25 * density * crosswise * h.draft * (0.5 * h.length) ** 4
-    else:
-        table = coefficients_of("current", c)
-        unit = current_force(np.ones(len(around)), around, h.length, h.beam, h.draft, density, table)
-        drag = turning_drag(ExposedBox(h.length, h.beam, h.draft, 1.0), density, study.water.depth, table)
-    drag = drag if c.yaw_drag is None else 1e3 * c.yaw_drag
+        height = -0.5 * h.draft if c.center_z is None else c.center_z
+        table = _turning(study, c.turning, density, center, findings)
+        return WaterLoad(table, h.length, True, *stream, height=height)
+    water = current_on(current_of(c), hull, density, study.water.depth)
+    drag = turning_drag(water, h.length) if c.yaw_drag is None else 1e3 * c.yaw_drag
     for key, value in (("yaw_drag", drag), ("sway_damping", c.sway_damping), ("yaw_damping", c.yaw_damping)):
         if not 0 <= value < math.inf:
             raise StudyError(f"current.{key} is {value:g}; allowed: at least 0, finite")
     linear = 1e3 * np.diag([0.0, c.sway_damping, c.yaw_damping]) if c.sway_damping or c.yaw_damping else None
-    table = still_table(about(unit, MIDDLE, center))
+    table = still_table(about(water.unit(angles()), MIDDLE, center))
     if c.yaw_rate is not None:
         table[:, 1] = _by_yaw_rate(study, c.yaw_rate, density, mass)
-    return WaterLoad(table, h.length, False, *stream, drag, linear)
+    return WaterLoad(table, h.length, False, *stream, drag, linear, water.height[1])
+
+
+def _own_mass(h, density):
+    """kg, of a box where no displacement is given"""
+    return density * h.length * h.beam * h.draft if h.displacement is None else 1e3 * h.displacement
+
+
+def _block(h, density):
+    return _own_mass(h, density) / (density * h.length * h.beam * h.draft)
 
 
 def _by_yaw_rate(study, given, density, mass):
     """(count, 3) of a WaterLoad over V (rL), of derivatives that are given or those of Clarke et al. (1983)"""
     h = study.hull
-    own = density * h.length * h.beam * h.draft if h.displacement is None else 1e3 * h.displacement
-    block = own / (density * h.length * h.beam * h.draft)
+    own, block = _own_mass(h, density), _block(h, density)
     if not block <= 1 + 1e-9:
         raise StudyError(f"hull.displacement fills {block:.3g} of length, beam and draft; allowed: at most 1")
     found = clarke(h.length, h.beam, h.draft, min(block, 1.0))
@@ -182,7 +175,3 @@ def _between_waves(body, sea):
             f"mean drift of the waves is uncertain by {100 * unsure / mean:.2g} % between stored waves; limit "
             f"{100 * UNSURE:g} %; add frequencies to the database, or give waves.drift_tonf_per_m2"
         )
-
-
-def _file(name, folder):
-    return read_hull_coefficients(Path(folder or ".") / name)

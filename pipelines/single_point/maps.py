@@ -42,7 +42,7 @@ class Map(NamedTuple):
     reason: str
 
 
-def computed(raw, number, folder, db):
+def computed(raw, number, db):
     """Map number `number` of a study given as nested dictionaries.  Raises StudyError."""
     table = make_study(raw).maps[number]
     axes = [table.x] if table.y is None else [table.x, table.y]
@@ -60,7 +60,7 @@ def computed(raw, number, folder, db):
         if len(axes) == 2:
             changed = with_value(changed, axes[1].key, float(y[i]))
         try:
-            best = preferred(equilibria(make(make_study(changed), folder, db).point))
+            best = preferred(equilibria(make(make_study(changed), db).point))
             growth[i, j], period[i, j] = best.slewing.growth, best.slewing.period
             heading[i, j] = np.degrees(best.heading)
         except ValueError as error:

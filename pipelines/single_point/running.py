@@ -25,8 +25,8 @@ from mooring.single_point.two_scale import Steps, two_scale, wave_body
 from mooring.single_point.waves import GROWS, mean_frequency
 
 from ..common.quantities import StudyError, direction, force, positive
-from ..common.seas import sea_of
 from ..common.units import KN
+from ..common.weather.seas import sea_of
 
 SCHEMES = ("slow", "two_scale", "full")
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components

@@ -33,8 +33,8 @@ class Made(NamedTuple):
     findings: tuple[str, ...]
 
 
-def make(study, folder=None, db=None) -> Made:
-    """The SinglePoint of a Study; db : an opened database, for masses and drift; folder : of files it names
+def make(study, db=None) -> Made:
+    """The SinglePoint of a Study; db : an opened database, for masses and drift
 
     raises : StudyError or SinglePointError, one line
     """
@@ -44,7 +44,7 @@ def make(study, folder=None, db=None) -> Made:
         _check_database(study.hull, depth, db)
     density = DENSITY if db is None else db.density
     mass, center = _mass(study, db, density)
-    loads, findings = loads_of(study, folder, db, density, center, mass)
+    loads, findings = loads_of(study, db, density, center, mass)
     ends, lengths = _hawsers(study, center)
     system, left = system_of(study, depth, density)
     try:

@@ -27,11 +27,12 @@ import msgspec
 from ..common.line_tables import LineTable, TypeTable
 from ..common.quantities import StudyError, Table
 from ..common.typed import typed
-from ..moor.tables import Coefficients, WaterTable, WindTable
+from ..common.weather.streams import StreamTable, SuperstructureTable, WindTable, with_files
+from ..moor.tables import WaterTable
 from ..site.link import SiteLink, read_study_at_site
 
 
-class HullTable(Table):
+class HullTable(SuperstructureTable, kw_only=True):
     """The hull
 
     length : m
@@ -137,15 +138,6 @@ class MooringTable(LineTable, kw_only=True):
     top_tension_kN: float | None = None
 
 
-class WindOfHull(WindTable):
-    """Wind on the hull, at 10 m
-
-    file : CSV of coefficients of a hull, beside the study, in place of those of a box
-    """
-
-    file: str | None = None
-
-
 class TurningTable(Table):
     """Turning tests of a box; proportions in place of the hull's own
 
@@ -170,23 +162,15 @@ class YawRateTable(Table):
     N_r: float | None = None
 
 
-class CurrentTable(Table):
+class CurrentTable(StreamTable):
     """Current on the hull, by one of turning, coefficients and file
 
-    speed : m/s; or speed_knots
-    file : CSV of coefficients of a hull, beside the study
     yaw_drag : kN m s², N₂, by default that of the cross flow on a box; turning tests contain it
     sway_damping : kN s/m, beside coefficients or file alone
     yaw_damping : kN m s, beside coefficients or file alone
     """
 
-    speed: float | None = None
-    speed_knots: float | None = None
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
     turning: TurningTable | None = None
-    coefficients: Coefficients | None = None
-    file: str | None = None
     yaw_rate: YawRateTable | None = None
     yaw_drag: float | None = None
     sway_damping: float = 0.0
@@ -275,7 +259,7 @@ class Study(Table):
     buoy: BuoyTable
     mass: MassTable | None = None
     hawser: HawserTable | None = None
-    wind: WindOfHull | None = None
+    wind: WindTable | None = None
     current: CurrentTable | None = None
     waves: WavesTable | None = None
     site: SiteLink | None = None
@@ -286,7 +270,7 @@ class Study(Table):
 
 def read_study(path):
     """The Study of a TOML file, its nested dictionaries and its text.  Raises StudyError."""
-    raw, text = read_study_at_site(Path(path), "a study")
+    raw, text = with_files(*read_study_at_site(Path(path), "a study"), path)
     return make_study(raw), raw, text
 
 

@@ -87,7 +87,7 @@ def extreme_state(study, wind_10, waves, climate, profile):
 
 def _mean_period(study, climate, height):
     """T01 of the median period of the joint law in seas of a height"""
-    from ..common.seas import family_of
+    from ..common.weather.seas import family_of
 
     family = family_of("climate", _Family(study.climate.spectrum), study.site.depth)
     period = float(np.exp(climate.law.log_period(height)[0]))

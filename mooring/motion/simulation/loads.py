@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...environment.sea import Components, joined
+from ...loads.on_hull import current_on, turning_drag
 from ...response.bound_wave_drift import record as pair_record
 from ..given_forces import GivenForce, drift_of_half_waves
-from ..streams import calm, current_stream, stream_of, turning_drag, wind_stream
+from ..streams import calm, current_stream, stream_of, wind_stream
 from ..wave_loads import drift_of
 from .failures import SimulationError
 
@@ -66,8 +67,8 @@ def streams(moored, weather, seed, end):
         wind = wind_stream(weather.wind, hull, reader.rotation_center, weather.gusts, seed + GUSTS, 0.0, end)
     try:
         current = current_stream(weather.current, hull, reader.rotation_center, reader.density, reader.depth)
-        table = None if weather.current is None else weather.current.table
-        return wind, current, turning_drag(hull, reader.density, reader.depth, table), ()
+        water = current_on(weather.current, hull, reader.density, reader.depth)
+        return wind, current, turning_drag(water, hull.length), ()
     except ValueError as error:
         if weather.current:
             raise SimulationError(str(error)) from None

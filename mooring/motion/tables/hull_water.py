@@ -27,7 +27,7 @@ class HullWater(NamedTuple):
     """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces; length : m
 
     largest : rL/V; velocity : (2,) m/s of the current; linear : (3, 3) D; carried : (3,) kg, kg, kg m
-    drift : (m + 3, 3) N, N, N m over headings
+    drift : (m + 3, 3) N, N, N m over headings; lever : m, from where the water pushes up to the centre of the motion
     """
 
     water: np.ndarray
@@ -37,12 +37,13 @@ class HullWater(NamedTuple):
     linear: np.ndarray
     carried: np.ndarray
     drift: np.ndarray
+    lever: float
 
 
 class OnHull(NamedTuple):
     """Coefficients of a hull all the way round, about the centre of its motion, in place of those of a box.
 
-    wind : (n, 3) N s²/m², N m s²/m² of unit speed over the angle that the wind blows to, None for none
+    wind : (n, 6) N s²/m², N s² of unit speed over the angle that the wind blows to, None for none
     water : HullWater; turning : whether it is of turning tests, which hold the inertia of the turn
     quadratic : N₂ of yaw, N m s²
     """
@@ -53,7 +54,7 @@ class OnHull(NamedTuple):
     quadratic: float
 
 
-def hull_water(table, length, largest, velocity, linear, mass, turning, drift=None):
+def hull_water(table, length, largest, velocity, linear, mass, turning, drift=None, lever=0.0):
     """HullWater of a table (n, 5, 3) N … over the angle the water flows to.
 
     mass : (3, 3) kg …, T of slow surge, sway and yaw with turning tests, else the added mass; linear : (3, 3) or None
@@ -65,7 +66,7 @@ def hull_water(table, length, largest, velocity, linear, mass, turning, drift=No
     return HullWater(
         ring_table(np.reshape(table, (len(table), 15))), float(length), float(largest), np.asarray(velocity, float),
         np.zeros((3, 3)) if linear is None else np.asarray(linear, float), carried,
-        np.zeros((4, 3)) if drift is None else ring_table(drift),
+        np.zeros((4, 3)) if drift is None else ring_table(drift), float(lever),
     )  # fmt: skip
 
 

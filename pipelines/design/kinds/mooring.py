@@ -21,8 +21,8 @@ from mooring.lines.system.hawser import Hawser
 from mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
 
 from ...common.quantities import StudyError
-from ...moor.study import make_study
-from ...site.link import read_study_at_site
+from ...common.weather.streams import OF_HULL, STREAMS, with_hull
+from ...moor.study import make_study, read_raw
 from .needs import COEFFICIENT, DOLPHIN, OF_FENDERS, Need, of_lines
 from .numbers import Numbers
 from .stored import numbers_of
@@ -57,7 +57,7 @@ KEPT = ("hull", "types", "allowable", "fender", "dolphin", "rope", "harbour")
 
 def read(path):
     """Raw tables and text of a study.  Raises StudyError."""
-    raw, text = read_study_at_site(Path(path), "a mooring study")
+    raw, text = read_raw(path)
     make_study(raw)
     return raw, text
 
@@ -73,12 +73,15 @@ def check(project, raw):
 def base(raw, db):
     """Tables of a study with its lines by fairlead and anchor; db : of the water they are laid in"""
     kept = {key: deepcopy(value) for key, value in raw.items() if key in KEPT}
-    return {**kept, "water": deepcopy(raw["water"]), "lines": laid_lines(raw, db)}
+    of_hull = {where: {key: raw[where][key] for key in OF_HULL if key in raw.get(where, {})} for where in STREAMS}
+    return {**kept, "water": deepcopy(raw["water"]), "lines": laid_lines(raw, db), "of_hull": of_hull}
 
 
 def at(base, depth, weather):
     """Tables of a load case in `depth` m of water, on which the body rises past bollards and fenders"""
     study, rise = {**deepcopy(base), "water": {"depth": depth}, **weather}, depth - base["water"]["depth"]
+    of_hull = study.pop("of_hull")
+    study |= {where: with_hull(study[where], of_hull[where]) for where in STREAMS if where in study}
     for key, place in STILL:
         for table in study.get(key, ()) if rise else ():
             if place in table:

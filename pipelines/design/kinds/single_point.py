@@ -15,15 +15,17 @@ import tomli_w
 from meshing.whole_files import write_whole
 
 from ...common.quantities import StudyError, force
+from ...common.weather.streams import OF_HULL, with_hull
 from ...single_point.tables import make_study, read_study
 from .needs import of_lines
 from .numbers import Numbers
 from .stored import numbers_of
 
 NAME, DATABASE, MOVED = "single-point study", "allowed", False
-OF_HULL = {
-    "wind": ("coefficients", "gusts", "surface_drag", "gust_height", "gust_exponent", "gust_intensity"),
-    "current": ("coefficients", "turning", "yaw_drag", "sway_damping", "yaw_damping"),
+GUSTS = ("gusts", "surface_drag", "gust_height", "gust_exponent", "gust_intensity")
+BELONGING = {
+    "wind": (*OF_HULL, *GUSTS),
+    "current": (*OF_HULL, "turning", "yaw_rate", "yaw_drag", "sway_damping", "yaw_damping"),
     "waves": ("drift_tonf_per_m2", "spectrum", "gamma", "spreading"),
 }
 LEFT_OUT = ("wind", "current", "waves", "maps", "site")
@@ -52,16 +54,13 @@ def check(project, raw):
         raise StudyError("simulation is given; a single-point study runs in time by its own [slewing]")
     if project.database_with_levels:
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
-    for key in ("wind", "current"):
-        if "file" in raw.get(key, {}):
-            raise StudyError(f"{key}.file of the study is not carried into load cases; give {key}.coefficients")
 
 
 def base(raw, db):
     """Tables of a study with a heading for each line"""
     tables = {key: deepcopy(value) for key, value in raw.items() if key not in LEFT_OUT}
     of_hull = {
-        key: {name: raw[key][name] for name in names if name in raw.get(key, {})} for key, names in OF_HULL.items()
+        key: {name: raw[key][name] for name in names if name in raw.get(key, {})} for key, names in BELONGING.items()
     }
     mooring = tables["mooring"]
     if "headings_deg" not in mooring:
@@ -77,7 +76,7 @@ def at(base, depth, weather):
     if depth != laid:
         study["mooring"] = _laid_again(study, depth)
         study["water"] = {**study["water"], "depth": depth}
-    return {**study, **{key: {**of_hull[key], **table} for key, table in weather.items()}}
+    return {**study, **{key: with_hull(table, of_hull[key]) for key, table in weather.items()}}
 
 
 def words(_, raw):
@@ -134,7 +133,7 @@ def _made(raw, database):
     from ...single_point.study import check_buoy, make
 
     study = make_study(raw)
-    made = make(study, None, None if database is None else open_database(database))
+    made = make(study, None if database is None else open_database(database))
     found = equilibria(made.point)
     for one in found:
         check_buoy(made, one)
@@ -158,7 +157,7 @@ def _found(raw, database, path):
     write_whole(path.with_suffix(".toml"), text)
     write_result(path, text, found, ran)
     names = [*(f"hawser {i + 1}" for i in range(len(best.hawser)))] if study.hawser is not None else []
-    told = tuple(findings(study, make(study, None, db), found))
+    told = tuple(findings(study, make(study, db), found))
     stable = sum(one.slewing.stable for one in found)
     return _numbers(
         study, best, stable, ran, names, lost(raw), (*told, *(running.words(ran) if ran is not None else ()))

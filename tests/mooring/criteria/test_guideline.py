@@ -15,7 +15,7 @@ from mooring.criteria.strength import SOCIETIES, equipment_number, smallest
 from mooring.environment.wind_profile import speed_at
 from mooring.lines.catalogue import line_type
 from mooring.loads.members import C_D
-from mooring.motion.streams import turning_drag
+from mooring.loads.on_hull import current_on, turning_drag
 from mooring.response.return_period import return_period
 from mooring.studies.conditions import ExposedBox
 
@@ -98,5 +98,5 @@ def test_resistance_to_turning_is_the_cross_flow_along_the_hull():
     hull = ExposedBox(100.0, 50.0, 10.0, 10.0)
     C = float(box_table(100.0, 50.0, 10.0, 20.0).curve(np.pi / 2)[1])
     strip = quad(lambda x: 0.5 * 1025 * C * 10.0 * abs(x) * x * x, -50.0, 50.0, points=[0.0])[0]
-    assert turning_drag(hull, 1025.0, 20.0) == pytest.approx(strip, rel=1e-9)
+    assert turning_drag(current_on(None, hull, 1025.0, 20.0), hull.length) == pytest.approx(strip, rel=1e-9)
     assert strip == pytest.approx(0.125 * 1025 * C * 10.0 * 2 * 50.0**4, rel=1e-9)

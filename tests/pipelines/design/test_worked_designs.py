@@ -185,7 +185,7 @@ def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, 
     assert len(lost.numbers.names) == len(intact.numbers.names) - 1
     # the case's own file, by its door
     study, _, _ = read_study(out / "cases" / "extreme_30_deg_current_+30.toml")
-    best = preferred(equilibria(make(study, None, open_database(out / "databases" / "mean.h5")).point))
+    best = preferred(equilibria(make(study, open_database(out / "databases" / "mean.h5")).point))
     np.testing.assert_allclose(intact.numbers.static, [*best.hawser, *best.lines.tension], rtol=1e-9)
     with h5py.File(intact.path) as file:  # waves without their slow drift, for which the report (3.6) adds a fifth
         pulled = file["run/line_tension"][()].max(axis=0)

@@ -44,7 +44,7 @@ def test_no_sea_of_any_period_pitches_the_free_model_as_far_as_was_measured_on_a
 
 def test_drift_that_stored_waves_do_not_tell_well_is_told_of(folder):
     (given,) = read_rows("WC3")
-    made = make(make_study(study_of(given)), None, open_database(folder / "M3B_Bd10.h5"))
+    made = make(make_study(study_of(given)), open_database(folder / "M3B_Bd10.h5"))
     assert [line for line in made.findings if line.startswith("mean drift of the waves is uncertain by ")]
 
 

@@ -10,6 +10,7 @@ import pytest
 
 from mooring.single_point.equilibria import equilibria
 from pipelines import cli
+from pipelines.common.weather.streams import with_files
 from pipelines.single_point.maps import _named, with_value
 from pipelines.single_point.report import bow, preferred
 from pipelines.single_point.study import make
@@ -138,10 +139,10 @@ def test_the_tanker_of_the_scenes_stands_at_its_hawser_and_its_criteria_are_told
     said = " ".join(capsys.readouterr().out.split())
     assert "slewing: stable" in said and "running free it does not keep a straight line" in said
     first = float(said.split("effective lines of ")[1].split()[0])
-    raw = tomllib.loads(text)
+    raw, _ = with_files(tomllib.loads(text), text, tmp_path / "study.toml")
     for share, stable in ((0.95, True), (1.05, False)):
         raw["hawser"]["length"] = share * first
-        assert preferred(equilibria(make(make_study(raw), tmp_path).point)).slewing.stable is stable
+        assert preferred(equilibria(make(make_study(raw)).point)).slewing.stable is stable
 
 
 TANKER = """# area_x = 6000.0

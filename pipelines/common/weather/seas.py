@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .quantities import StudyError, Table, direction, positive
+from ..quantities import StudyError, Table, direction, positive
 
 SPREADINGS = "cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES"
 

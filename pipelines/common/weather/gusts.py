@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mooring.environment import gusts
 
-from ..common.quantities import StudyError, speed
+from ..quantities import StudyError, speed
 
 GUSTS = {"davenport": ("surface_drag",), "hino": ("surface_drag", "gust_height", "gust_exponent"),
          "npd": ("gust_height",), "kaimal": ("gust_height", "gust_intensity")}  # fmt: skip

@@ -1,0 +1,102 @@
+"""Wind and current on a hull: six components, from coefficients all the way round and the height they act at.
+
+    F = |U|² c(α),    E₄ = −E₂ Z,    E₅ = E₁ Z,    E₃ = 0            SR179 report (1982), eq. 3.7.1.8
+
+Z : height of the centre of pressure above the point that moments are about.  Wind on a box acts at half the height of
+what it meets, on superstructures at their middle.  The report gives a current no moment of heel (eq. 3.7.1.10), as if
+it acted at the centre of gravity; a uniform one presses on the whole draft alike and acts at half of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from .box_current import box_table, current_force
+from .box_drag import about
+from .box_wind import wind_force
+from .coefficients import HullCoefficients, hull_force
+
+
+@dataclass(frozen=True, eq=False)
+class StreamOnHull:
+    """Force of a stream over the angle it travels to, rad from the bow.
+
+    unit : (…) rad → (…, 3) N s²/m², N s²/m², N s² amidships, at 1 m/s; height : (2,) m above still water, of F_x, F_y
+    """
+
+    unit: Callable
+    height: tuple[float, float]
+
+    def about(self, angle, center):
+        """(…, 6) N s²/m² and N s² of 1 m/s about `center` (3,) m; middle of the hull and still water are 0"""
+        return heeling(about(self.unit(angle), (0.0, 0.0), center), self.height, center[2])
+
+
+def heeling(load, height, up=0.0):
+    """(…, 6) of a load (…, 3) N, N, N m whose forces along and across act at heights (2,) m, about one `up` m high"""
+    x, y, turn = np.moveaxis(load, -1, 0)
+    return np.stack([x, y, 0 * x, (up - height[1]) * y, (height[0] - up) * x, turn], axis=-1)
+
+
+def wind_on(wind, hull):
+    """StreamOnHull of a `Wind` on an `ExposedBox`; raises ValueError for a hull whose freeboard is not known"""
+    table = _of(wind.table, hull)
+    if isinstance(table, HullCoefficients):
+        middle = 0.5 * table.area_y / table.length
+        unit = lambda angle: hull_force(table, 1.0, angle, wind.density)  # noqa: E731
+        return StreamOnHull(unit, (_first(wind.height, table.height, middle),) * 2)
+    areas = {"front_area": hull.front_area, "side_area": hull.side_area}
+    (_, along), (_, across) = silhouettes(hull)
+    sizes = hull.length, hull.beam, hull.freeboard, wind.density, table
+    return StreamOnHull(
+        lambda angle: wind_force(1.0, angle, *sizes, **areas), (_first(wind.height, along), _first(wind.height, across))
+    )
+
+
+def current_on(current, hull, density, depth):
+    """StreamOnHull of a `Current` (None: water at rest) on an `ExposedBox`; water depth m, density kg/m³"""
+    table, height = (None, None) if current is None else (_of(current.table, hull), current.height)
+    if isinstance(table, HullCoefficients):
+        unit = lambda angle: hull_force(table, 1.0, angle, density)  # noqa: E731
+        return StreamOnHull(unit, (_first(height, table.height, -0.5 * hull.draft),) * 2)
+    sizes = hull.length, hull.beam, hull.draft
+    table = box_table(*sizes, depth) if table is None else table
+    unit = lambda angle: current_force(1.0, angle, *sizes, density, table)  # noqa: E731
+    return StreamOnHull(unit, (_first(height, -0.5 * hull.draft),) * 2)
+
+
+def _of(table, hull):
+    """Coefficients; those that wait for their hull are made for it"""
+    return table(hull) if callable(table) else table
+
+
+def _first(*values):
+    """The first that is known"""
+    return next(value for value in values if value is not None)
+
+
+def silhouettes(hull):
+    """((A_f, z), (A_s, z)) m², m above still water: a box with superstructures from ahead and from abeam, their middles
+
+    Without a height of their own superstructures stand on the deck, all along the hull.
+    raises : ValueError for a hull whose freeboard is not known
+    """
+    if hull.freeboard is None:
+        raise ValueError("hull.freeboard is missing; wind acts on it; give it, or wind.file")
+    on_deck = 0.5 * max(hull.front_area / hull.beam, hull.side_area / hull.length)
+    middle = hull.freeboard + on_deck if hull.superstructure_z is None else hull.superstructure_z
+    boxes = (
+        (width * hull.freeboard, more) for width, more in ((hull.beam, hull.front_area), (hull.length, hull.side_area))
+    )
+    return tuple((box + more, (0.5 * box * hull.freeboard + more * middle) / (box + more)) for box, more in boxes)
+
+
+def turning_drag(water, length):
+    """N₂ of yaw, N m s²: cross flow on a hull of `length` m that turns at rest; water : StreamOnHull of the current
+
+    M = −¼ ρ C_y(90°) d (L/2)⁴ r|r|      SR179 report (1982), guideline 3.6.5 (its "+" between factors is a product)
+    """
+    return 0.5 * abs(float(water.unit(0.5 * np.pi)[1])) / length * (0.5 * length) ** 4

@@ -1,0 +1,1 @@
+"""Weather of a study: seas, wind and current, gusts."""

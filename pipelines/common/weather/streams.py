@@ -1,0 +1,278 @@
+"""Wind and current of a study: what stands in [wind], [current] and [hull], and the loads it means.
+
+One table for every study of a hull.  Coefficients are those of a box, of the numbers given, of a file in the form of
+OCIMF's, or, of wind, of a type of ship.  A file is read where its study is, and stands in the study from then on as
+the numbers it holds: a state of a design has them, and a result tells them.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from pathlib import Path
+
+from ..quantities import StudyError, Table, direction, speed
+
+STREAMS = ("wind", "current")
+WAYS = ("coefficients", "ship")  # of the hull, one of them
+OF_HULL = (*WAYS, "center_z")  # keys that belong to the hull, whatever the weather
+BOXY = 0.95  # of length, beam and draft, that the displacement of a box fills
+AREAS = ("area_x", "area_y", "area_n", "length")
+
+
+class SuperstructureTable(Table):
+    """What stands on the deck, for the wind
+
+    superstructure_front : m², area of superstructures seen from ahead
+    superstructure_side : m², area of superstructures seen from abeam
+    superstructure_z : m, middle of these areas above still water, by default on the deck, spread all along the hull
+    """
+
+    superstructure_front: float = 0.0
+    superstructure_side: float = 0.0
+    superstructure_z: float | None = None
+
+
+class Coefficients(Table):
+    """Coefficients of a stream on a hull
+
+    angles_deg : 0 to 90, between stream and x axis, for a box; or of where the stream goes, from the bow towards port,
+        0 to 180 for a hull that is alike on both sides, or 0 to 360
+    x : of the force along x, on the front
+    y : of the force along y, on the side
+    lever : of the moment over the length, with angles to 90
+    n : of the moment about z on side times length, with angles to 180 or 360
+    area_x : m², by default the front of the hull that the stream meets
+    area_y : m², by default the side
+    area_n : m², of the moment, by default area_y
+    length : m, by default that of the hull
+    height : m above still water where the force acts, where it is known
+    """
+
+    angles_deg: list[float]
+    x: list[float]
+    y: list[float]
+    lever: list[float] | None = None
+    n: list[float] | None = None
+    area_x: float | None = None
+    area_y: float | None = None
+    area_n: float | None = None
+    length: float | None = None
+    height: float | None = None
+
+
+class StreamTable(Table):
+    """A uniform stream
+
+    speed : m/s; or speed_knots
+    file : CSV of coefficients over 0 to 180° or 360°, in the form of OCIMF's, beside this file
+    center_z : m above still water where it acts, by default the middle of what it meets
+    """
+
+    speed: float | None = None
+    speed_knots: float | None = None
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    coefficients: Coefficients | None = None
+    file: str | None = None
+    center_z: float | None = None
+
+
+class WindTable(StreamTable):
+    """Wind, at 10 m
+
+    ship : type of a ship whose coefficients are taken (Blendermann 1994), as "tanker, loaded"
+    gusts : davenport, hino, npd or kaimal, about the mean wind, for simulate
+    surface_drag : K, where the gusts have it
+    gust_height : m, where the gusts have it
+    gust_exponent : of the profile, where the gusts have it
+    gust_intensity : of turbulence, where the gusts have it
+    """
+
+    ship: str | None = None
+    gusts: str | None = None
+    surface_drag: float | None = None
+    gust_height: float | None = None
+    gust_exponent: float | None = None
+    gust_intensity: float | None = None
+
+
+def wind_of(table):
+    """`mooring.studies.conditions.Wind` of a WindTable, None for None.  Raises StudyError."""
+    from mooring.studies.conditions import Wind
+
+    if table is None:
+        return None
+    given = {} if (found := wind_table(table)) is None else {"table": found}
+    return Wind(speed("wind", table), direction("wind", table), height=_height("wind", table), **given)
+
+
+def current_of(table):
+    """`mooring.studies.conditions.Current` of a StreamTable, None for None.  Raises StudyError."""
+    from mooring.studies.conditions import Current
+
+    if table is None:
+        return None
+    found = coefficients_of("current", table)
+    return Current(speed("current", table), direction("current", table), found, _height("current", table))
+
+
+def wind_table(table):
+    """Coefficients of a WindTable as `coefficients_of`, or of its ship.  Raises StudyError."""
+    from mooring.loads.ship_wind import ships
+
+    if table.ship is None:
+        return coefficients_of("wind", table)
+    if table.coefficients is not None or table.file is not None:
+        raise StudyError("wind: ship and coefficients are given; allowed: one of them")
+    if table.ship not in ships():
+        raise StudyError(
+            f"wind.ship is {table.ship!r}; allowed: {'; '.join(ships())} (Blendermann 1994); those of others, as "
+            "of OCIMF, which are not public, come by wind.file"
+        )
+    return partial(_of_ship, table.ship)
+
+
+def coefficients_of(where, table):
+    """Coefficients of a StreamTable as `mooring.loads.on_hull` takes them, None where none are given.
+
+    raises : StudyError
+    """
+    import numpy as np
+
+    from mooring.loads.box_drag import drag_table
+
+    if table.file is not None:
+        raise StudyError(f"{where}.file is given to tables without a file; allowed: in a study file")
+    c = table.coefficients
+    if c is None:
+        return None
+    angles, whole = np.radians(c.angles_deg), len(c.angles_deg) > 0 and max(c.angles_deg) > 90
+    wrong = [key for key in ("lever",) if whole and c.lever is not None]
+    wrong += [key for key in ("n", *AREAS) if not whole and getattr(c, key) is not None]
+    if wrong:
+        ends = "180 or 360" if wrong[0] != "lever" else "90"
+        raise StudyError(f"{where}.coefficients.{wrong[0]} is given; allowed: with angles_deg to {ends}")
+    try:
+        if not whole:
+            return drag_table(angles, c.x, c.y, c.lever)
+        made = partial(_of_hull, where, c, angles)
+        made(None)
+        return made
+    except ValueError as error:
+        raise StudyError(f"{where}.coefficients: {error}") from None
+
+
+def _of_hull(where, c, angles, hull):
+    """HullCoefficients of numbers; hull : `ExposedBox` of areas that are not given, None to check the others"""
+    from mooring.loads.coefficients import hull_coefficients
+
+    sizes = {key: getattr(c, key) for key in (*AREAS, "height") if getattr(c, key) is not None}
+    if hull is None:
+        sizes = {"area_x": 1.0, "area_y": 1.0, "length": 1.0} | sizes
+    elif "area_x" not in sizes or "area_y" not in sizes:
+        sizes = dict(zip(("area_x", "area_y"), _areas(where, hull), strict=True)) | sizes
+    if "length" not in sizes:
+        sizes["length"] = hull.length
+    return hull_coefficients(angles, c.x, c.y, [0.0] * len(angles) if c.n is None else c.n, **sizes)
+
+
+def _areas(where, hull):
+    """m² that the stream meets from ahead and from abeam"""
+    if where == "current":
+        return hull.beam * hull.draft, hull.length * hull.draft
+    from mooring.loads.on_hull import silhouettes
+
+    return tuple(area for area, _ in silhouettes(hull))
+
+
+def _of_ship(ship, hull):
+    from mooring.loads.on_hull import silhouettes
+    from mooring.loads.ship_wind import blendermann
+
+    (front, _), (side, height) = silhouettes(hull)
+    return blendermann(ship, hull.length, front, side, height)
+
+
+def _height(where, table):
+    z = table.center_z
+    if z is not None and not math.isfinite(z):
+        raise StudyError(f"{where}.center_z is {z:g}; allowed: m, finite")
+    return z
+
+
+def superstructures(hull):
+    """Arguments of an `ExposedBox` from a SuperstructureTable.  Raises StudyError."""
+    for key in ("superstructure_front", "superstructure_side"):
+        if not 0 <= getattr(hull, key) < math.inf:
+            raise StudyError(f"hull.{key} is {getattr(hull, key):g}; allowed: m², at least 0")
+    z = hull.superstructure_z
+    if z is not None and not 0 < z < math.inf:
+        raise StudyError(f"hull.superstructure_z is {z:g}; allowed: m above still water, above 0")
+    return {"front_area": hull.superstructure_front, "side_area": hull.superstructure_side, "superstructure_z": z}
+
+
+def with_hull(table, of_hull):
+    """A raw table of wind or current with what it lacks of those keys of the study that belong to its hull"""
+    own = any(way in table for way in WAYS)
+    return {key: value for key, value in of_hull.items() if not (own and key in (*WAYS, "turning"))} | table
+
+
+def with_files(raw, text, path):
+    """Nested dictionaries and text of a study at `path`, with the numbers of the files of its wind and current.
+
+    raises : StudyError
+    """
+    import tomli_w
+
+    found = {}
+    for where in STREAMS:
+        table = raw.get(where)
+        if isinstance(table, dict) and isinstance(table.get("file"), str):
+            found[where] = _with_numbers(where, table, Path(path).parent)
+    if not found:
+        return raw, text
+    named = ", ".join(f"{where} of {raw[where]['file']}" for where in found)
+    raw = {**raw, **found}
+    return raw, f"# {Path(path).name} with coefficients: {named}\n{tomli_w.dumps(raw)}"
+
+
+def _with_numbers(where, table, folder):
+    """A raw table with the coefficients of its file in the place of its name"""
+    import numpy as np
+
+    from mooring.loads.coefficients import read_hull_coefficients
+
+    other = [way for way in ("coefficients", "ship", "turning") if way in table]
+    if other:
+        raise StudyError(f"{where}: {other[0]} and file are given, which both hold its force; allowed: one of them")
+    try:
+        c = read_hull_coefficients(folder / table["file"])
+    except ValueError as error:
+        raise StudyError(f"{where}.file: {error}") from None
+    numbers = {"angles_deg": np.round(np.degrees(c.angle), 9), "x": c.x, "y": c.y, "n": c.n}
+    sizes = {key: getattr(c, key) for key in (*AREAS, "height") if getattr(c, key) is not None}
+    coefficients = {key: values.tolist() for key, values in numbers.items()} | sizes
+    return {key: value for key, value in table.items() if key != "file"} | {"coefficients": coefficients}
+
+
+def no_box(block, hull, study):
+    """A line where wind and current on a hull that is no box are taken as on one; [] where they are not.
+
+    block : displacement over length, beam and draft; study : with wind and current
+    """
+    boxed = [
+        where
+        for where in STREAMS
+        if (table := getattr(study, where)) is not None
+        and table.coefficients is None
+        and all(getattr(table, way, None) is None for way in ("ship", "turning"))
+    ]
+    if not boxed or block > BOXY:
+        return []
+    ways = {"wind": 'wind.ship = "…" or wind.file', "current": "current.file"}
+    act, give = "act" if len(boxed) > 1 else "acts", ", and ".join(ways[where] for where in boxed)
+    return [
+        f"{' and '.join(boxed)} {act} as on a box of {hull.length:g} by {hull.beam:g} m, which the hull is not: it "
+        f"fills {100 * block:.3g} % of length, beam and draft; give {give}"
+    ]

@@ -1,0 +1,83 @@
+"""Six components of wind and current on a hull: heights, superstructures, coefficients of ships."""
+
+import numpy as np
+import pytest
+
+from mooring.loads.on_hull import current_on, silhouettes, turning_drag, wind_on
+from mooring.loads.ship_wind import blendermann, ships
+from mooring.studies.conditions import Current, ExposedBox, Wind
+
+BARE = ExposedBox(100.0, 50.0, 10.0, 10.0)
+HOUSE = ExposedBox(100.0, 50.0, 10.0, 10.0, 200.0, 500.0, 18.0)
+
+
+def test_moments_are_those_of_the_force_at_its_height():
+    """E₄ = −E₂ Z, E₅ = E₁ Z (SR179 report, eq. 3.7.1.8), Z from the centre to half the freeboard"""
+    q = 0.5 * 1.226
+    for degrees, x, y in ((0, 1.0, 0.0), (90, 0.0, 1.0), (180, -1.0, 0.0), (270, 0.0, -1.0)):
+        F = wind_on(Wind(1.0, 0.0), BARE).about(np.radians(degrees), (0.0, 0.0, -2.0))
+        wanted = np.array([x * 500, y * 1000, 0.0, -7 * y * 1000, 7 * x * 500, 0.0]) * q
+        assert pytest.approx(wanted, abs=1e-9) == F
+
+
+def test_the_moment_about_any_centre_is_that_of_one_force_in_space():
+    F = wind_on(Wind(1.0, 0.0), BARE)
+    at_origin, elsewhere = F.about(1.0, (0, 0, 0)), F.about(1.0, (3.0, -2.0, 4.0))
+    assert elsewhere[3:] == pytest.approx(at_origin[3:] - np.cross((3.0, -2.0, 4.0), at_origin[:3]), rel=1e-12)
+
+
+def test_superstructures_add_their_area_where_they_are():
+    (front, low), (side, high) = silhouettes(HOUSE)
+    assert (front, side) == (700.0, 1500.0)
+    assert low == pytest.approx((500 * 5 + 200 * 18) / 700) and high == pytest.approx((1000 * 5 + 500 * 18) / 1500)
+    F = wind_on(Wind(1.0, 0.0), HOUSE).about(np.pi / 2, (0, 0, 0))
+    assert F[3] / F[1] == pytest.approx(-high)
+    on_deck = ExposedBox(100.0, 50.0, 10.0, 10.0, 0.0, 500.0)  # 5 m high all along the deck
+    assert silhouettes(on_deck)[1][1] == pytest.approx((1000 * 5 + 500 * 12.5) / 1500)
+
+
+def test_a_height_that_is_given_comes_before_all_others():
+    F = wind_on(Wind(1.0, 0.0, height=30.0), HOUSE).about(np.pi / 2, (0, 0, 0))
+    assert F[3] / F[1] == pytest.approx(-30.0)
+
+
+def test_a_current_acts_at_half_the_draft():
+    F = current_on(Current(1.0, 0.0), BARE, 1025.0, 20.0).about(np.pi / 2, (0, 0, 0))
+    assert F[3] / F[1] == pytest.approx(5.0)
+
+
+def test_turning_drag_is_the_cross_flow_of_slices_of_the_hull():
+    """∫ ½ρ C_y d (r x)² |x| dx over the length, for r = 1"""
+    water = current_on(None, BARE, 1025.0, 20.0)
+    x = np.linspace(-50, 50, 20001)
+    slices = np.trapezoid(float(water.unit(np.pi / 2)[1]) / 100.0 * np.abs(x) ** 3, x)
+    assert turning_drag(water, 100.0) == pytest.approx(slices, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("ship", "across", "ahead", "astern"),
+    [("tanker, loaded", 0.70, 0.90, 0.55), ("car carrier", 0.95, 0.55, 0.60), ("gas tanker", 0.70, 0.60, 0.65)],
+)
+def test_ships_have_the_printed_coefficients_ahead_abeam_and_astern(ship, across, ahead, astern):
+    """Blendermann (1994), as in Fossen (2021), table of section 10.1.2"""
+    c = blendermann(ship, 200.0, 600.0, 2500.0, 6.0)
+    from_ahead, abeam, from_astern = c.curve(np.array([np.pi, np.pi / 2, 0.0]))
+    assert from_ahead == pytest.approx([-ahead, 0, 0], abs=1e-9)
+    assert from_astern == pytest.approx([astern, 0, 0], abs=1e-9)
+    assert abeam == pytest.approx([0, across, 0], abs=1e-9)
+
+
+def test_quartering_wind_on_a_ship_follows_the_formula():
+    """By hand: loaded cargo vessel, wind from 45° off the bow: C_l = 0.65·600/2500, N = 1 − 0.2 (1 − C_l/0.85)"""
+    c = blendermann("cargo vessel, loaded", 200.0, 600.0, 2500.0, 6.0)
+    below = 1 - 0.5 * 0.40 * (1 - 0.65 * 600 / 2500 / 0.85)
+    y = 0.85 * np.sqrt(0.5) / below
+    wanted = [-0.65 * np.sqrt(0.5) / below, y, 0.18 * np.pi / 4 * y]
+    assert c.curve(np.radians(135.0)) == pytest.approx(wanted, rel=1e-9)  # blown to 135°, from ahead and starboard
+    assert c.height == pytest.approx(1.7 * 6.0)
+
+
+def test_a_ship_there_is_no_curve_of_is_refused_with_those_there_are():
+    with pytest.raises(ValueError, match="no wind coefficients of a 'VLCC'; allowed: car carrier; "):
+        blendermann("VLCC", 200.0, 600.0, 2500.0, 6.0)
+    assert len(ships()) == 17
