@@ -11,6 +11,7 @@ from __future__ import annotations
 import csv
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 
 import numpy as np
 
@@ -97,7 +98,7 @@ def fender_of_file(path, height, **marks):
         )
     x = _column(path, rows, along) * (height if along == "strain" else 1.0)
     down = 1e3 * _column(path, rows, "unloading_kN") if "unloading_kN" in columns else None
-    return fender_of_points(str(path), height, x, 1e3 * _column(path, rows, "reaction_kN"), down, **marks)
+    return fender_of_points(Path(path).name, height, x, 1e3 * _column(path, rows, "reaction_kN"), down, **marks)
 
 
 def _column(path, rows, key):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -58,6 +59,20 @@ class FenderTable(Table):
     dolphin: float | None = None
     dolphin_yield: float | None = None
     dolphin_beyond: float | None = None
+
+
+def with_tables_in(raw, folder):
+    """Nested dictionaries of a study whose fenders have their tables in a folder, with the whole path of each"""
+
+    def placed(one):
+        return one | {"table": str(Path(folder) / one["table"])} if isinstance(one.get("table"), str) else one
+
+    given = raw.get("fender")
+    if isinstance(given, dict):
+        return raw | {"fender": placed(given)}
+    if isinstance(given, list):
+        return raw | {"fender": [placed(one) if isinstance(one, dict) else one for one in given]}
+    return raw
 
 
 def fender_of(table, where="fender"):

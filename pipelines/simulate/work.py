@@ -13,6 +13,7 @@ import numpy as np
 from bem import DOFS
 from mooring.motion.statistics import record_statistics
 
+from ..common.fender_tables import with_tables_in
 from ..common.quantities import StudyError, level_of
 from ..executors.memory import give_back
 from ..moor.quay import body_of
@@ -51,7 +52,8 @@ def prepared(task):
         from mooring.motion.simulation import moored, with_lines_chosen
         from mooring.response.viscous import in_time
 
-        study, db = make_study(tomllib.loads(task.study)), open_database(task.database)
+        raw, db = with_tables_in(tomllib.loads(task.study), task.folder), open_database(task.database)
+        study = make_study(raw)
         plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
         hull = study.hull_of(db.dimensions)
         system = study.system(hull, db.rotation_center, db.density, db.gravity)

@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import msgspec
 
+from ..common.fender_tables import with_tables_in
 from ..common.quantities import StudyError, Table
 from ..common.typed import read_toml, typed
 
@@ -79,8 +80,14 @@ class _SiteFile(msgspec.Struct):
 def read_study_at_site(path, what, taken=MOORED):
     """Nested dictionaries and text of a study (TOML), with what it takes of its [site] laid in.
 
+    Tables of fenders that lie beside the study have their whole paths in the dictionaries, not in the text.
     raises : StudyError where the site lacks what is asked for, or study and site give the same
     """
+    raw, text = _laid(path, what, taken)
+    return with_tables_in(raw, path.parent), text
+
+
+def _laid(path, what, taken):
     raw, text = read_toml(path, what, StudyError)
     if "site" not in raw:
         return raw, text

@@ -78,3 +78,41 @@ def test_a_wrong_record_is_one_line_and_status_2(text, flags, says, tmp_path, ca
     assert cli.main(["damping", str(path), *flags]) == 2
     told = capsys.readouterr()
     assert says in told.err and told.err.count("\n") == 1 and not told.out
+
+
+def test_a_decay_by_its_equation_of_motion_has_its_coefficients_and_its_extinction(tmp_path, capsys):
+    """ẍ + β₁ẋ + β₂ẋ|ẋ| + Ω²x = 0 by Runge and Kutta; a half cycle of amplitude X takes (π/2)(β₁/Ω) X + (4/3) β₂ X²
+    (Froude 1874: energies π/2 β₁ΩX² and 4/3 β₂Ω²X³ of ½·2 Ω²XΔX)"""
+    linear, quadratic, x, v, h = 0.008, 0.12, 1.5, 0.0, 0.05
+    record = []
+
+    def rate(x, v):
+        return v, -linear * v - quadratic * v * abs(v) - OMEGA**2 * x
+
+    for _ in range(8001):
+        record.append(x)
+        k1 = rate(x, v)
+        k2 = rate(x + h / 2 * k1[0], v + h / 2 * k1[1])
+        k3 = rate(x + h / 2 * k2[0], v + h / 2 * k2[1])
+        k4 = rate(x + h * k3[0], v + h * k3[1])
+        x += h / 6 * (k1[0] + 2 * k2[0] + 2 * k3[0] + k4[0])
+        v += h / 6 * (k1[1] + 2 * k2[1] + 2 * k3[1] + k4[1])
+    path = written(tmp_path / "decay.csv", time_s=T, motion_m=np.array(record)[:-1:20])
+    rows = values(path, capsys, "--mass", "2000")
+    assert [rows["B1/M"], rows["B2/M"]] == pytest.approx([linear, quadratic], rel=0.01)
+    assert [rows["B1"], rows["B2"]] == pytest.approx([2000 * linear, 2000 * quadratic], rel=0.01)
+    assert rows["a"] == pytest.approx(np.pi / 2 * linear / OMEGA, rel=0.1)
+    assert rows["b"] == pytest.approx(4 / 3 * quadratic, rel=0.1)
+    assert rows["natural period"] == pytest.approx(50.0, rel=1e-3) and rows["motion not explained"] < 0.1
+
+
+def test_linear_dampings_of_a_forced_oscillation_take_its_energy_or_its_largest_force(tmp_path, capsys):
+    """B₁ + (8/3π) B₂ v and B₁ + B₂ v, v = aω the largest velocity"""
+    v = 3.0 * OMEGA * np.cos(OMEGA * T)
+    force = 1500 * 3.0 * OMEGA**2 * np.sin(OMEGA * T) - 40.0 * v - 25.0 * v * np.abs(v)
+    path = written(tmp_path / "forced.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=force)
+    rows, most = values(path, capsys), 3.0 * OMEGA
+    assert [rows["amplitude"], rows["period"]] == pytest.approx([3.0, 50.0], rel=1e-3)
+    assert rows["linear damping of the same energy"] == pytest.approx(40 + 8 / (3 * np.pi) * 25 * most, rel=1e-3)
+    assert rows["linear damping of the same largest force"] == pytest.approx(40 + 25 * most, rel=1e-3)
+    assert rows["force not explained"] < 0.1
