@@ -4,9 +4,9 @@
 
 A fault (mutant) is a changed source file in a clone of the last commit, in a temporary folder with compiled kernels of
 its own; the checkout is not touched.  Tests nearest to the file run first (`tests/near.py`), up to the first that
-fails; none begins after --timeout seconds, and what has not ended after three times as long counts as noticed: it
-hangs.  Tests that failed are run once without any fault, so that none counts that fails anyway.  What lives through
-the near ones is tried again with --wider seconds.
+fails; none begins after --timeout seconds (more where others use the machine), and what has not ended after three
+times as long counts as noticed: it hangs.  Tests that failed are run once without any fault, so that none counts that
+fails anyway.  What lives through the near ones is tried again with --wider seconds.
 
 Results are lines of JSON, one a mutant; a second call with the same file goes on where the first stopped.  Mutants
 that change nothing a test could notice are in `mutants_equivalent.toml`, with the reason.
@@ -59,6 +59,7 @@ TWINS += (
 TWIN = {a: b for pair in TWINS for a, b in (pair.split(), pair.split()[::-1])}
 FLIPPED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.GtE, ast.GtE: ast.LtE, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
 SIGN = {ast.Add: ast.Sub, ast.Sub: ast.Add}
+BUSIEST = 4.0  # times as long, on a machine that others use
 NEAR, WIDER = 12, 60  # files of tests, all of which are collected before any runs: 150 take 20 s
 SILENT = (ast.Raise, ast.Import, ast.ImportFrom, ast.arguments, ast.Assert)  # what is inside is not drawn
 
@@ -262,7 +263,7 @@ class Clone:
             f"{seconds:g}",
             *map(str, files),
         ]
-        seconds *= max(1.0, os.getloadavg()[0] / os.cpu_count())  # of a machine that others use
+        seconds *= min(BUSIEST, max(1.0, os.getloadavg()[0] / os.cpu_count()))
         words = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-rf", "--seconds", f"{seconds:g}"]
         words += map(str, files)
         start = time.monotonic()
