@@ -9,6 +9,12 @@ L/B = 1.2 with B/d = 10, H/d from 1.05, and 15 in deep water (2.2.3.1, 2.2.3.4).
 where C_x(0°), C_y(90°) over B/d and H/d are interpolated along their crest (see `crest`) and the shapes S between the
 three depths at which all angles were tested.  A sea deeper than the tank is taken as deep as the tank.
 The moment is not tabulated; the report's text gives the lever 0.09 (sin 2χ)^1.2 of the length for L/B = 2.
+
+Beyond the tests coefficients are led on, and a note says so: longer boxes, narrower and wider ones over the draft have
+those of the nearest proportion; L/B < 2 with an untested B/d has the trend of L/B = 2 over B/d; and in water shallower
+than the tests C_y grows as that of ships (UFC 4-159-03, Design: Moorings, 2005, eq. 11), to 3.2 abeam aground:
+
+    C = C₁ + (3.2 − C₁) ((d/H)² − (d/H₁)²) / (1 − (d/H₁)²),    C₁ of the shallowest test H₁
 """
 
 from __future__ import annotations
@@ -27,28 +33,38 @@ DEGREES = ("0", "15", "30", "45", "60", "75", "90")
 ANGLES = np.deg2rad([float(a) for a in DEGREES])
 TANK = {1.2: 1.4, 2.0: 1.8}  # depth of the tank in beams, for each L/B
 SAME = 0.025  # of L/B or B/d: nearer to a tested proportion it counts as that proportion
+REACH = {"L/B": (1.0, 12.0), "B/d": (2.0, 60.0), "H/d": (1.02, np.inf)}  # how far tests are led on
+SHALLOWEST = {1.2: 1.05, 2.0: 1.2}  # H/d of the tests, by L/B
+GROUNDED = 3.2  # C_y abeam of ships that ground
 
 
 def box_table(length, beam, draft, depth):
     """DragTable of a box, sizes in m.
 
-    Its `notes` name uncertain values: printed ones that break the trend of their neighbours, a length/beam between
-    those tested, and the moment of anything but L/B = 2, where the lever is taken 0.09 (L/B − 1) (sin 2χ)^1.2: 0 for a
-    square, which has no long side, and the report's value at 2; its turning tests give 0.058 at 1.5 and 0.091 at 2.
-    raises : ValueError outside the tests, where coefficients have to be given
+    Its `notes` name uncertain values: printed ones that break the trend of their neighbours, proportions beyond or
+    between those tested, and the moment of anything but L/B = 2, where the lever is taken 0.09 (L/B − 1) (sin 2χ)^1.2,
+    at most that of L/B = 2: 0 for a square, which has no long side; its turning tests give 0.058 at 1.5 and 0.091 at 2.
+    raises : ValueError far outside the tests (REACH), where coefficients have to be given
     """
     check_positive(length=length, beam=beam, draft=draft)
     if not depth > 0:
         raise ValueError(f"depth is {depth:g}; allowed: above 0")
-    slender, wide, relative = length / beam, beam / draft, depth / draft
-    _require("L/B", slender, 1.2 * (1 - SAME), 2.0 * (1 + SAME))
+    if beam > length:
+        return _across(box_table(beam, length, draft, depth), beam / length)
+    given = {"L/B": length / beam, "B/d": beam / draft, "H/d": depth / draft}
+    for name, value in given.items():
+        _require(name, value, *REACH[name])
+    slender, wide = min(max(given["L/B"], 1.2), 2.0), min(max(given["B/d"], 5.0), 20.0)
     slender = next((s for s in TANK if abs(slender / s - 1) <= SAME), slender)
     share = (slender - 1.2) / 0.8
     series = {1.2: 1 - share, 2.0: share}
-    x, y = sum(part * np.array(SERIES[ratio](wide, relative)) for ratio, part in series.items() if part > 0)
-    lever = 0.09 * (slender - 1) * np.maximum(np.sin(2 * ANGLES), 0.0) ** 1.2
-    notes = [note for ratio, part in series.items() if part > 0 for note in _suspects(ratio, wide, relative)]
-    return DragTable(ANGLES, x, y, lever, (*notes, *_guesses(slender)))
+    parts = [(part, _tested(ratio, wide, given["H/d"])) for ratio, part in series.items() if part > 0]
+    x, y = (sum(part * found[i] for part, found in parts) for i in range(2))
+    lever = 0.09 * (min(given["L/B"], 2.0) - 1) * np.maximum(np.sin(2 * ANGLES), 0.0) ** 1.2
+    notes = [note for ratio, part in series.items() if part > 0 for note in _suspects(ratio, wide, given["H/d"])]
+    led_on = dict.fromkeys(note for _, found in parts for note in found[2])
+    beyond = [_beyond(name, given[name], at) for name, at in (("L/B", slender), ("B/d", wide))]
+    return DragTable(ANGLES, x, y, lever, (*notes, *filter(None, beyond), *led_on, *_guesses(slender, given["L/B"])))
 
 
 def current_force(speed, direction, length, beam, draft, density=1025.0, table=None, depth=np.inf):
@@ -66,35 +82,62 @@ def current_force(speed, direction, length, beam, draft, density=1025.0, table=N
     return box_drag(direction, pressure, beam * draft, length * draft, length, table)
 
 
-def _require(name, value, low, high, where=""):
+def _require(name, value, low, high):
     if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
-        span = f"{low:g} to {high:g}" if high > low else f"{low:g}"
+        span = f"{low:g} to {high:g}" if high < np.inf else f"from {low:g} on"
         raise ValueError(
-            f"{name} = {value:.4g} is outside the current force tests{where} ({span}); give current coefficients"
+            f"{name} = {value:.4g} is too far outside the current force tests to lead them on ({span}); give current "
+            "coefficients"
         )
+
+
+def _across(table, ratio):
+    """The DragTable of a box whose sides are the ends of another, `ratio` times as long as itself"""
+    return DragTable(ANGLES, table.y[::-1], table.x[::-1], -ratio * table.lever[::-1], table.notes)
+
+
+def _beyond(name, value, taken):
+    """A note where tests of the nearest proportion are taken, "" within them"""
+    if abs(value / taken - 1) <= SAME:
+        return ""
+    more = "; narrower sections drag more, a square one of B/d = 2 by about half" if name == "B/d" and value < 5 else ""
+    return f"current force: {name} = {value:.4g} is outside the tests and taken as {taken:g}{more}"
+
+
+def _tested(slender, wide, relative):
+    """C_x, C_y (7,) of a tested L/B at any B/d from 5 to 20 and H/d, and notes on what is led on"""
+    edge = SHALLOWEST[slender]
+    if slender == 2.0:
+        x, y, notes = *_slender(wide, max(relative, edge)), ()
+    else:
+        x, y, notes = _broad(wide, max(relative, edge))
+    if relative >= edge * (1 - 1e-9):
+        return x, y, notes
+    rise = ((1 / relative) ** 2 - (1 / edge) ** 2) / (1 - (1 / edge) ** 2)
+    y = y * (1 + max(GROUNDED / y[-1] - 1, 0.0) * rise)
+    told = (
+        f"current force: H/d = {relative:.4g} is below the tests of L/B = {slender:g} ({edge:g}); C_y grows on to 3.2"
+    )
+    return x, y, (*notes, told)
 
 
 def _slender(wide, relative):
     """C_x, C_y (7,) of L/B = 2"""
-    _require("B/d", wide, 5.0, 20.0)
-    _require("H/d", relative, 1.2, np.inf)
     deepest = min(relative, TANK[2.0] * wide)
     return [_crest(name)(wide, deepest) * _shape(name, wide, relative) for name in ("C_x", "C_y")]
 
 
 def _broad(wide, relative):
-    """C_x, C_y (7,) of L/B = 1.2"""
-    where = " of L/B = 1.2"
+    """C_x, C_y (7,) of L/B = 1.2, and notes"""
     if abs(wide / 10.0 - 1) <= SAME:
-        _require("H/d", relative, 1.05, np.inf, where)
-        return [_over_depth(name, relative) for name in ("C_x", "C_y")]
-    _require("B/d", wide, 10.0, 15.0, where)
-    _require("H/d", relative, TANK[1.2] * wide, np.inf, f"{where} with B/d above 10")
-    deep = [[_rows(name, 1.2)[b, TANK[1.2] * b] for b in (10.0, 15.0)] for name in ("C_x", "C_y")]
-    return [smooth([10.0, 15.0], values)(wide) for values in deep]
-
-
-SERIES = {1.2: _broad, 2.0: _slender}
+        return *(_over_depth(name, relative) for name in ("C_x", "C_y")), ()
+    if 10.0 <= wide <= 15.0 and relative >= TANK[1.2] * wide * (1 - 1e-9):
+        deep = [[_rows(name, 1.2)[b, TANK[1.2] * b] for b in (10.0, 15.0)] for name in ("C_x", "C_y")]
+        return *(smooth([10.0, 15.0], values)(wide) for values in deep), ()
+    known, low = [_over_depth(name, relative) for name in ("C_x", "C_y")], max(relative, SHALLOWEST[2.0])
+    trend = [a[i] / b[i] for a, b, i in zip(_slender(wide, low), _slender(10.0, low), (0, -1), strict=True)]
+    note = f"current force: B/d = {wide:.4g} is not tested with L/B = 1.2, the trend of L/B = 2 is taken"
+    return known[0] * trend[0], known[1] * trend[1], (note,)
 
 
 def _over_depth(name, relative):
@@ -164,12 +207,11 @@ def _next_to(value, node, nodes):
     return not any(low <= n <= high for n in nodes - {node})
 
 
-def _guesses(slender):
-    if slender == 2.0:
-        return
-    if slender > 1.2:
+def _guesses(slender, given):
+    if 1.2 < slender < 2.0:
         yield f"current force: L/B = {slender:.4g} lies between the tested 1.2 and 2; a linear guess"
-    yield (
-        f"current moment of L/B = {slender:.4g} is a guess, lever {0.09 * (slender - 1):.2g} L at 45°; "
-        "only that of L/B = 2 is printed; give current coefficients"
-    )
+    if slender != 2.0 or given > 2.0 * (1 + SAME):
+        yield (
+            f"current moment of L/B = {given:.4g} is a guess, lever {0.09 * (min(given, 2.0) - 1):.2g} L at 45°; "
+            "only that of L/B = 2 is printed; give current coefficients"
+        )

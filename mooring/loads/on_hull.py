@@ -25,10 +25,12 @@ class StreamOnHull:
     """Force of a stream over the angle it travels to, rad from the bow.
 
     unit : (…) rad → (…, 3) N s²/m², N s²/m², N s² amidships, at 1 m/s; height : (2,) m above still water, of F_x, F_y
+    notes : on the origin of the numbers, one line each
     """
 
     unit: Callable
     height: tuple[float, float]
+    notes: tuple[str, ...] = ()
 
     def about(self, angle, center):
         """(…, 6) N s²/m² and N s² of 1 m/s about `center` (3,) m; middle of the hull and still water are 0"""
@@ -65,7 +67,7 @@ def current_on(current, hull, density, depth):
     sizes = hull.length, hull.beam, hull.draft
     table = box_table(*sizes, depth) if table is None else table
     unit = lambda angle: current_force(1.0, angle, *sizes, density, table)  # noqa: E731
-    return StreamOnHull(unit, (_first(height, -0.5 * hull.draft),) * 2)
+    return StreamOnHull(unit, (_first(height, -0.5 * hull.draft),) * 2, table.notes)
 
 
 def _of(table, hull):

@@ -27,7 +27,7 @@ def findings(result, db):
     """What a reader of the result has to know: one line each, with the number and its limit."""
     waves, current = result.conditions.waves, result.conditions.current
     if current:
-        yield from current.table.notes
+        yield from getattr(current.table, "notes", ())
     if waves:
         irregular = result.conditions.method == "irregular"
         yield from _of_the_sea(result) if irregular else _uncertain(db.reader, waves)

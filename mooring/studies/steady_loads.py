@@ -28,8 +28,8 @@ def steady_loads(db, hull, conditions, depth, drift=None):
 
 
 def with_coefficients(conditions, hull, depth):
-    """The same conditions; a current without coefficients gets those of the box tests."""
-    if conditions.current is None or conditions.current.table is not None:
+    """The same conditions; a current without coefficients gets those of the box tests, as far as they are led on"""
+    current = conditions.current
+    if current is None or callable(current.table) or current.table is not None:
         return conditions
-    table = box_table(hull.length, hull.beam, hull.draft, depth)
-    return replace(conditions, current=replace(conditions.current, table=table))
+    return replace(conditions, current=replace(current, table=box_table(hull.length, hull.beam, hull.draft, depth)))

@@ -51,13 +51,15 @@ def moor(study_path, database_path, output_path=None, quiet=False):
     db = open_database(database_path)
     output = None if output_path is None else _checked_output(Path(output_path), study_path, database_path)
     result, hull = studied(study, db)
+    first = study.remarks(hull, db)
     if output is not None:
         write_result(output, result, text, Path(database_path))
         from .plan_picture import draw_plan
 
         draw_plan(result, hull, output.with_name(output.stem + "_plan.png"))
     if not quiet:
-        _show(result, resonance_lines(resonances(db.reader)) if result.conditions.waves else [], output)
+        resonant = resonance_lines(resonances(db.reader)) if result.conditions.waves else []
+        _show(result, first, resonant, output)
     return result
 
 
@@ -115,10 +117,12 @@ def _put(file, name, value, unit):
     file.create_dataset(name, data=np.asarray(value, float)).attrs["units"] = unit
 
 
-def _show(result, resonant, output):
+def _show(result, first, resonant, output):
     from ..printing.console import new_console
 
     console = new_console()
+    for text in first:
+        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
     console.print(_loads_table(result))
     console.print(_periods_table(result))
     console.print(_lines_table(result))
@@ -139,7 +143,7 @@ def _show(result, resonant, output):
         highlight=False,
         soft_wrap=True,
     )
-    for text in result.warnings:
+    for text in result.warnings[len(first) :]:
         console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
     if output is not None:
         console.print(f"written: {output}, {output.stem}_plan.png", highlight=False, soft_wrap=True)

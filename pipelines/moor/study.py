@@ -17,6 +17,7 @@ import msgspec
 import numpy as np
 
 from mooring.lines.system.moored_body import Leg, corner_legs, leg_at_tension, moored_body
+from mooring.loads.on_hull import current_on, wind_on
 from mooring.studies.conditions import Conditions, ExposedBox, Waves
 from mooring.studies.wave_effects import METHODS
 
@@ -93,8 +94,18 @@ class Study(Table):
         return ExposedBox(**sizes, freeboard=freeboard, **superstructures(self.hull))
 
     def remarks(self, hull, db):
-        """What comes first of what a reader has to know of an `ExposedBox` and the database of its hull, a line each"""
-        volume = db.displaced_volume
+        """What comes first of what a reader has to know of an `ExposedBox` and the database of its hull, a line each
+
+        raises : StudyError where wind or current have no coefficients for such a hull, before anything is run
+        """
+        given, volume = self.conditions(), db.displaced_volume
+        try:
+            if given.wind:
+                wind_on(given.wind, hull)
+            if given.current:
+                current_on(given.current, hull, db.density, self.water.depth)
+        except ValueError as error:
+            raise StudyError(str(error)) from None
         return [] if volume is None else no_box(volume / (hull.length * hull.beam * hull.draft), hull, self)
 
     @property

@@ -84,6 +84,8 @@ def simulate(
     todo = _missing(output, identity, plan, fresh)
     findings = plan.findings
     if todo:
+        for line in study.remarks(study.hull_of(db.dimensions), db) if console else ():
+            console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
         task, more = _with_memory(task)
         findings += more
         header = _header(task, db, study, plan, identity)

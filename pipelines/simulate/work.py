@@ -56,6 +56,7 @@ def prepared(task):
         study = make_study(raw)
         plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
         hull = study.hull_of(db.dimensions)
+        first = study.remarks(hull, db)
         system = study.system(hull, db.rotation_center, db.density, db.gravity)
         names = () if system is None else system.line_names
         unknown = [name for name, _ in plan.settings.lines_lost if name not in names]
@@ -85,7 +86,6 @@ def prepared(task):
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         reader.between.forget()
         give_back()
-        first = study.remarks(hull, db)
         _prepared[key] = body, plan, study, (*first, *of_quay, *(str(w.message) for w in caught), *left)
     return _prepared[key]
 

@@ -68,7 +68,7 @@ def streams(moored, weather, seed, end):
     try:
         current = current_stream(weather.current, hull, reader.rotation_center, reader.density, reader.depth)
         water = current_on(weather.current, hull, reader.density, reader.depth)
-        return wind, current, turning_drag(water, hull.length), ()
+        return wind, current, turning_drag(water, hull.length), water.notes if weather.current else ()
     except ValueError as error:
         if weather.current:
             raise SimulationError(str(error)) from None

@@ -81,17 +81,54 @@ def test_current_table_lies_between_its_neighbours():
 @pytest.mark.parametrize(
     ("sizes", "message"),
     [
-        ((100, 40, 10, 20), "L/B = 2.5 .* give current coefficients"),
-        ((100, 80, 10, 20), r"B/d = 8 .* of L/B = 1.2 \(10 to 15\); give current coefficients"),
-        ((120, 100, 8, 80), r"H/d = 10 .* of L/B = 1.2 with B/d above 10 \(17.5 to inf\)"),
-        ((120, 100, 10, 10.2), "H/d = 1.02 .* of L/B = 1.2"),
-        ((100, 50, 20, 40), "B/d = 2.5"),
-        ((100, 50, 10, 11), "H/d = 1.1"),
+        ((100, 5, 1, 20), "L/B = 20 .* give current coefficients"),
+        ((100, 50, 50, 100), "B/d = 1 .*give current coefficients"),
+        ((100, 50, 0.5, 10), "B/d = 100 .*give current coefficients"),
+        ((100, 50, 10, 10.1), "H/d = 1.01"),
     ],
 )
-def test_current_outside_the_tests_is_refused(sizes, message):
+def test_current_far_outside_the_tests_is_refused(sizes, message):
     with pytest.raises(ValueError, match=message):
         box_table(*sizes)
+
+
+def test_a_longer_pontoon_has_the_coefficients_of_the_longest_tested_and_says_so():
+    longer, tested = box_table(150, 50, 5.0, 20.0), box_table(100, 50, 5.0, 20.0)
+    assert np.allclose(longer.x, tested.x) and np.allclose(longer.y, tested.y)
+    assert np.allclose(longer.lever, tested.lever)  # no more than that of L/B = 2
+    assert any(note.startswith("current force: L/B = 3 is outside the tests and taken as 2") for note in longer.notes)
+    assert any("current moment of L/B = 3 is a guess, lever 0.09 L" in note for note in longer.notes)
+
+
+@pytest.mark.parametrize("relative", [1.2, 1.3, 1.6, 3.0, 10.0, 17.9])
+def test_coefficients_go_on_without_a_jump_where_the_tests_end(relative):
+    """Across the ends of L/B, B/d and H/d, and where a broad box leaves B/d = 10 for the trend of L/B = 2"""
+    near = 1e-7
+    for name, at in (("wide", 5.0), ("wide", 20.0), ("slender", 2.0), ("slender", 1.2)):
+        for other in (1.2, 1.6, 2.0) if name == "wide" else (5.0, 10.0, 20.0):
+            sizes = [
+                (at * (1 + s * near), other) if name == "slender" else (other, at * (1 + s * near)) for s in (-1, 1)
+            ]
+            low, high = (box_table(slender * wide * 5, wide * 5, 5.0, relative * 5) for slender, wide in sizes)
+            assert np.allclose(low.x, high.x, atol=1e-5) and np.allclose(low.y, high.y, atol=1e-5)
+
+
+def test_shallower_than_the_tests_the_side_force_grows_to_that_of_a_ship_that_grounds():
+    """UFC 4-159-03 (2005), eq. 11, through the shallowest test: between it and 3.2 in (d/H)²"""
+    edge, shallow = box_table(100, 50, 5.0, 6.0), box_table(100, 50, 5.0, 5.5)
+    wanted = edge.y[-1] + (3.2 - edge.y[-1]) * (1 / 1.1**2 - 1 / 1.2**2) / (1 - 1 / 1.2**2)
+    assert shallow.y[-1] == pytest.approx(wanted) and np.allclose(shallow.x, edge.x)
+    assert np.allclose(shallow.y / shallow.y[-1], edge.y / edge.y[-1])
+    assert any("H/d = 1.1 is below the tests of L/B = 2 (1.2)" in note for note in shallow.notes)
+
+
+def test_a_box_across_is_the_same_box_turned():
+    """Length and beam change places: forces along and across too, and the moment turns the longer side broadside"""
+    way = np.radians(np.arange(0.0, 360.0, 10.0))
+    along = current_force(1.0, way, 100.0, 50.0, 5.0, table=box_table(100.0, 50.0, 5.0, 20.0))
+    across = current_force(1.0, way + np.pi / 2, 50.0, 100.0, 5.0, table=box_table(50.0, 100.0, 5.0, 20.0))
+    turned = np.column_stack([-along[:, 1], along[:, 0], along[:, 2]])
+    assert np.allclose(across, turned, atol=1e-9 * np.abs(along).max())
 
 
 def test_given_coefficients_are_used_instead():

@@ -60,7 +60,10 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "study.toml").write_text(MOOR.read_text() + TABLE)
     (tmp_path / "box.h5").write_bytes(b"a database")
     reader = SimpleNamespace(omega=WIDE)
-    db = SimpleNamespace(reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0)
+    db = SimpleNamespace(
+        reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0, dimensions={},
+        displaced_volume=None,
+    )  # fmt: skip
     study = read_study("study.toml")[0]
     hull = study.hull_of({})
     system = study.system(hull, np.zeros(3))
