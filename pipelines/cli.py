@@ -181,11 +181,15 @@ def plot(
     from bem.database import open_database
 
     from .common.picture import PLOTS, check_picture
+    from .view.gaps import gaps_of
     from .view.plots import plot
 
     output = output or file.with_suffix(".png")
     check_picture(output, PLOTS)
-    plot(open_database(file), output)
+    db = open_database(file)
+    plot(db, output)
+    for words in gaps_of(db).words():
+        print(f"warning: {words}")
     print(output)
     return 0
 

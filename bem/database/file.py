@@ -18,7 +18,7 @@ from meshing.whole_files import NotWritten, write_whole
 
 from ..waves import wavenumber
 from .integrity import MARK, ROWS, DamagedError, DatabaseError, check_schema
-from .results import OURS, check_seal, named, seal_of
+from .results import OURS, check_database_version, check_seal, named, seal_of
 from .schema import (
     BODY,
     CHECKS,
@@ -130,7 +130,11 @@ def opened(path, mode="r", checked=False):
     if not path.is_file():
         raise DatabaseError(f"{path} does not exist" if not path.exists() else f"{path} is not a file")
     if not checked:
-        check_seal(path, REMEDY)
+        try:
+            check_seal(path, REMEDY)
+        except DamagedError:
+            check_database_version(path)
+            raise
     try:
         foreign = not h5py.is_hdf5(path)
         file = None if foreign else h5py.File(path, mode)
@@ -144,11 +148,7 @@ def opened(path, mode="r", checked=False):
             own = str(file.attrs.get("schema", ""))
             what = f"a file of {named(own)}" if own.startswith(OURS) else "an HDF5 file of another program"
             raise DatabaseError(f"{path} is {what}, not a hakobune database")
-        version = int(file.attrs.get("schema_version", 0))
-        if version != SCHEMA_VERSION:
-            raise DatabaseError(
-                f"{path} has schema version {version}, this program reads {SCHEMA_VERSION}; make it anew"
-            )
+        check_database_version(path, int(file.attrs.get("schema_version", 0)))
         with damage_named(path):
             if not (checked or file.userblock_size):  # nothing in a file that is sealed can have changed
                 check_schema(file)

@@ -30,6 +30,10 @@ class DamagedError(DatabaseError):
     """The file is a database, but no longer what was written."""
 
 
+class VersionError(DatabaseError):
+    """The file is whole, or may be, and of another version of its schema."""
+
+
 def crc(*parts):
     """CRC-32 of arrays, one after another; never 0, which means that nothing is there"""
     value = 0

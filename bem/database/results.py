@@ -6,16 +6,35 @@ Their attribute `schema` is "hakobune", what they are, and a version; databases 
 from __future__ import annotations
 
 import contextlib
+import mmap
 import os
+import re
+import struct
 from pathlib import Path
 
 import h5py
+import numpy as np
 
 from meshing import seals
 
-from .integrity import DamagedError, DatabaseError
+from .integrity import DamagedError, DatabaseError, VersionError
+from .schema import FORMAT, SCHEMA_VERSION
 
 OURS = "hakobune "
+MAKES = {  # commands, by what they make
+    FORMAT: "solve SCENE --output {} --fresh",
+    "mooring study": "moor STUDY --database DATABASE --output {}",
+    "response study": "response STUDY --database DATABASE --output {}",
+    "simulation": "simulate STUDY --database DATABASE --output {} --fresh",
+    "single point": "single-point STUDY --output {}",
+    "breakwater study": "breakwater STUDY --output {}",
+    "sections": "sections --output {}",
+    "channels": "line-dynamics STUDY --output {}",
+    "sweep": "sweep SWEEP --output {} --fresh",
+}
+# the name of the attribute, its type and its space as HDF5 writes them, and the number
+NUMBER = re.compile(rb"schema_version\0.{25}(.{8})", re.DOTALL)
+HIGHEST = 1000  # version that may be one; more is damage
 STATUS = (
     20,
     4,
@@ -50,8 +69,49 @@ def check_seal(path, remedy=seals.REMEDY):
 
 
 def has_schema(path, schema):
-    """Whether a file is HDF5 with this attribute `schema`; raises DatabaseError for one whose seal is broken"""
-    return schema_of(path) == schema
+    """Whether a file is HDF5 of this kind, of whatever version; raises DatabaseError for one whose seal is broken"""
+    return named(schema_of(path)) == named(schema)
+
+
+def check_version(path, schema, found=None):
+    """Raise VersionError for a file of the kind of a `schema` that is of another version, its seal broken or not.
+
+    found : the attribute of the file; None to look for it in the bytes, where HDF5 is not to be trusted with them
+    """
+    kind, version = named(schema), schema.rsplit(" ", 1)[1]
+    if found is None:
+        pattern = re.compile(re.escape(OURS + kind).encode() + rb" (\d{1,3})(?!\d)")
+        others = [part.decode() for part in _numbers(path, pattern)]
+    else:
+        others = [found.rsplit(" ", 1)[1]] if named(found) == kind else []
+    others = [other for other in others if other != version]
+    if others:
+        raise VersionError(another_version(path, f"a file of {kind}", others[-1], version, MAKES.get(kind)))
+
+
+def check_database_version(path, found=None):
+    """As `check_version`, of a database; found : its number, None to look for it in the bytes"""
+    if found is None:
+        found = [struct.unpack("<q", part)[0] for part in _numbers(path, NUMBER)]
+        found = [one for one in found if 0 <= one <= HIGHEST and one != SCHEMA_VERSION][-1:]
+    for one in (one for one in np.atleast_1d(found) if one != SCHEMA_VERSION):
+        raise VersionError(another_version(path, "a database", one, SCHEMA_VERSION, MAKES[FORMAT]))
+
+
+def another_version(path, what, found, ours, makes):
+    """What is said of a file of another version of its schema"""
+    again = f"make it again by 'hakobune {makes.format(path)}'" if makes else "make it again"
+    return f"{path} is {what} of schema version {found}, this program reads {ours}; {again}, or read it with its own"
+
+
+def _numbers(path, pattern):
+    """What a pattern of bytes has in its brackets, of every place in a file; [] for one that cannot be read"""
+    try:
+        with Path(path).open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as image:
+            found = [match[1] for match in pattern.finditer(image)]
+    except (OSError, ValueError):  # an empty file has no map
+        return []
+    return found
 
 
 def schema_of(path):
@@ -72,7 +132,13 @@ def opened_result(path, schema):
     path = Path(path)
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")
-    if schema_of(path) != schema:
+    try:
+        found = schema_of(path)
+    except DamagedError:
+        check_version(path, schema)
+        raise
+    check_version(path, schema, found)
+    if found != schema:
         raise DatabaseError(f"{path} is no file of {named(schema)}")
     with h5py.File(path) as file:
         yield file

@@ -180,6 +180,12 @@ class Database:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to go on")
 
     @cached_property
+    def asked(self):
+        """(all,) rad/s, of the frequencies that the file is for"""
+        with self.opened() as file:
+            return file["omega"][()]
+
+    @cached_property
     def has_viscous_motions(self):
         """Whether stored motions and drift of the free body hold viscous damping, which belongs to one wave height"""
         return "viscous" in self._scene

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import tomllib
 
-import h5py
 import numpy as np
 
+from bem.database.results import opened_result
 from mooring.lines.system.bodies import rotation
 
+from ..single_point.command import SCHEMA
 from ..single_point.study import system_of
 from ..single_point.tables import make_study
 from .gif import check_film, write_film
@@ -25,7 +26,7 @@ FRAMES = 150  # of a film whose step is not asked for
 def film_of_single_point(path, output, start=None, length=None, step=None):
     """Write the film, by default of the whole run in FRAMES frames; returns their number.  Raises ValueError."""
     check_film(output, (path,))
-    with h5py.File(path) as file:
+    with opened_result(path, SCHEMA) as file:
         if "run" not in file:
             raise ValueError(f"{path} has no run; give its study [slewing]")
         if "hull" not in file["run"].attrs:

@@ -19,7 +19,7 @@ import bem
 from bem import DOFS
 from bem.database.file import beside
 from bem.database.integrity import DatabaseError, crc
-from bem.database.results import check_seal
+from bem.database.results import check_seal, check_version, named
 from meshing.seals import kind_filled_in
 from meshing.whole_files import keep_room
 from mooring.motion.statistics import Extreme, RecordStatistics
@@ -143,7 +143,12 @@ def opened(path, mode="r"):
         raise DatabaseError(f"{path} does not exist")
     if not is_run(path):
         raise DatabaseError(f"{path} is no file of a simulation")
-    check_seal(path, "copy it again, or simulate again with --fresh")
+    check_version(path, SCHEMA, kind_filled_in(path))
+    try:
+        check_seal(path, "copy it again, or simulate again with --fresh")
+    except DatabaseError:
+        check_version(path, SCHEMA)
+        raise
     if mode != "r":
         keep_room(path)
     with h5py.File(path, mode) as file:
@@ -151,8 +156,8 @@ def opened(path, mode="r"):
 
 
 def is_run(path):
-    """Whether a file is that of a simulation, damaged or not; devices and pipes are not opened"""
-    return Path(path).is_file() and kind_filled_in(path) == SCHEMA
+    """Whether a file is that of a simulation, of whatever version, damaged or not; devices and pipes are not opened"""
+    return Path(path).is_file() and named(kind_filled_in(path)) == named(SCHEMA)
 
 
 def row_values(file, row):

@@ -12,6 +12,7 @@ import h5py
 import numpy as np
 
 from bem import __version__
+from bem.database.results import named
 from bem.database.schema import DOFS, DRIFT_DOFS
 
 SCHEMA = "hakobune sweep 1"
@@ -23,7 +24,7 @@ def is_sweep(path):
     if not (path.is_file() and h5py.is_hdf5(path)):
         return False
     with h5py.File(path) as file:
-        return file.attrs.get("schema") == SCHEMA
+        return named(str(file.attrs.get("schema", ""))) == named(SCHEMA)
 
 
 def create(path, keys, values, texts):

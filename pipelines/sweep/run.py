@@ -11,6 +11,8 @@ import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
+from bem.database.results import check_version
+
 from . import file
 from .solved import solved
 from .study import SOLVE, StudyError, cases, check_keys, varied
@@ -97,6 +99,7 @@ def _check_same(output, texts):
     import h5py
 
     with h5py.File(output) as stored:
+        check_version(output, file.SCHEMA, str(stored.attrs["schema"]))
         for name, text in texts.items():
             if stored.attrs[name] != text:
                 raise StudyError(f"{output} is of another {name}; give --fresh to replace it, or another name")

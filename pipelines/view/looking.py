@@ -12,6 +12,7 @@ from meshing.quality import findings
 from ..common.bounds import told
 from ..common.picture import VIEWS, check_display, check_picture, font_file
 from ..scene.scene import Scene, SceneError, make_scene, read_scene
+from .gaps import gaps_of
 
 FIELDS = {
     "area": ("panel area, m²", lambda mesh: mesh.areas),
@@ -51,6 +52,9 @@ def look(path, screenshot=None, field=None, omega=None, heading=None, page=None)
         told(f"{path}: {len(source)} panels take", len(source) * A_PANEL)
         for finding in findings(source):
             print(f"{path}: {finding}")
+    elif not isinstance(source, Scene):
+        for line in gaps_of(source).words():
+            print(f"warning: {line}")
     if screenshot is not None:
         check_picture(screenshot, VIEWS)
     if page is not None:
@@ -149,6 +153,10 @@ def _pressure(db, path, omega, heading):
     i, j = _nearest(db, omega), _stored(db, heading)
     if abs(db.omega[i] - omega) > 1e-9 * omega:
         print(f"note: omega {omega:g} rad/s is not stored; shown is the nearest, {db.omega[i]:.4g} rad/s")
+    if not np.any(np.isfinite(amplitude[i, j])):
+        raise SceneError(
+            f"the pressure at {db.omega[i]:.4g} rad/s is not a number on any panel; solve it anew with --fresh"
+        )
     state = "fixed" if db.inertia_matrix is None else "floating freely"
     place = f"omega {db.omega[i]:.4g} rad/s, heading {np.degrees(db.wave_direction[j]):.4g}°"  # VTK has no Greek
     title = f"dynamic pressure in Pa per m of wave, {place}: {db.mesh.name}, {state}"

@@ -17,6 +17,7 @@ from bem.database.resonances import about, resonances
 from bem.database.schema import DRIFT_DOFS, QUANTITIES
 
 from ..common.picture import save
+from .gaps import gaps_of
 
 PREFIXES = ((1e9, "G", "10⁹ "), (1e6, "M", "10⁶ "), (1e3, "k", "10³ "))
 QUIET = 1e-6  # of the largest curve of its kind: below lies rounding, and symmetry makes it zero
@@ -43,9 +44,13 @@ ROWS = {
 
 
 class Curves:
-    """A database at frequencies `omega` (q,) rad/s that show all it knows; `stored` (n,) numbers of the stored ones"""
+    """A database at frequencies `omega` (q,) rad/s that show all it knows; `stored` (n,) numbers of the stored ones
 
-    def __init__(self, db):
+    gaps : `gaps.Gaps` of it, in which there are no values
+    """
+
+    def __init__(self, db, gaps):
+        self.gaps = gaps
         self.db, self.mesh, self.names, self.wave_direction = db, db.mesh, db.names, db.wave_direction
         if len(db.omega) >= FEWEST:
             low, high = db.omega[[0, -1]]
@@ -53,14 +58,24 @@ class Curves:
             self.omega = np.unique(np.concatenate([np.linspace(low, high, PLACES)[1:-1], db.omega, sharp]))
         else:
             self.omega = db.omega
+        broken = [0.5 * (low + high) for low, high in gaps.spans if db.omega[0] <= low and high <= db.omega[-1]]
+        self.omega = np.union1d(self.omega, broken)
         self.stored = np.searchsorted(self.omega, db.omega)
 
     def __getitem__(self, name):
         """Values (q, …) of the reader; where it knows none between the stored ones, those on straight lines"""
+        value = np.array(self._value(name))
+        for low, high in self.gaps.spans:
+            value[(self.omega > low) & (self.omega < high)] = np.nan
+        return value
+
+    def _value(self, name):
         stored, body = self.db[name], getattr(self.db, "reader", None)
         if len(self.omega) == len(self.db.omega):
             return stored
         try:
+            if body is None or not np.all(np.isfinite(stored)):
+                raise BetweenError(name)
             if name == "rao":
                 return body.motions(self.omega)
             if name in DRIFT and body.rebuilds_drift:
@@ -92,14 +107,15 @@ def plot(db, output, size=SIZE):
 
     rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
     if not rows or not len(db.omega):
-        raise DatabaseError(f"{db.path} has no solved curve to draw; run its command again to go on")
+        again = f"'hakobune solve SCENE --output {db.path}', or the command that made it, goes on"
+        raise DatabaseError(f"{db.path} has no solved curve to draw; {again}")
     with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
         figure, grid = _page(Figure, len(rows), *size)
-        curves = Curves(db)
-        _same_frequencies(grid[0, 0], curves.omega)
+        curves = Curves(db, gaps_of(db))
+        _same_frequencies(grid[0, 0], curves.gaps.asked)
         for name, axes in zip(rows, grid, strict=True):
             DRAW[name](curves, axes)
-        _dress(db, figure, grid)
+        _dress(db, figure, grid, curves.gaps)
         save(figure, output, 130)
     return figure
 
@@ -146,7 +162,7 @@ def _coefficients(db, axes):
         curves["A", "-"] = np.einsum("wii->wi", db["added_mass"])
     if "radiation_damping" in db.names:
         curves["B/ω", "--"] = np.einsum("wii->wi", db["radiation_damping"]) / db.omega[:, None]
-    size = np.max([np.abs(curve).max(axis=0) for curve in curves.values()], axis=0)
+    size = np.max([_most(np.abs(curve), 0) for curve in curves.values()], axis=0)
     shown = size > QUIET * _largest_of_kind(size, _length(db) ** 2)
     for columns, unit in ((FORCES, "kg"), (MOMENTS, "kg m²")):
         scale, _, power = _prefix(size[columns].max())
@@ -165,7 +181,7 @@ def _excitation(db, axes):
 def _phases(db, axes):
     force = db["excitation_force"]
     size = np.abs(force)
-    shown = _above_rounding(size, _length(db)) & (size.max(axis=0) > FAINT * size.max(axis=(0, 1)))
+    shown = _above_rounding(size, _length(db)) & (_most(size, 0) > FAINT * _most(size, (0, 1)))
     for i, axis in enumerate(axes):
         for j, color in enumerate(heading_colors(len(db.wave_direction))):
             if shown[j, i]:
@@ -184,10 +200,10 @@ def _responses(db, axes):
 
 def _cut(axis, peaks, omega, size):
     """Leave a peak that would dwarf all else out of sight, and write it with the resonance that it is of"""
-    at = omega[size.max(axis=1).argmax()]
+    at = omega[_most(size, 1).argmax()]
     one = min(peaks, key=lambda one: abs(np.log(one.omega / at)))
     near = np.abs(omega / one.omega - 1) < max(0.1, 2 * one.damping)
-    highest, top = size[near].max(), HIGH * size[~near].max(initial=0.0)
+    highest, top = _most(size[near], None), HIGH * _most(size[~near], None)
     if axis.lines and 0 < top < highest:
         axis.set_ylim(0, top)
         axis.annotate(
@@ -200,7 +216,7 @@ def _drift(db, axes):
     styles = {"drift_force": "-", "drift_force_fixed": "--"}
     drift = {name: db[name] for name in styles if name in db.names}
     places = {name: DOFS.index(name) for name in DRIFT_DOFS}
-    size = np.max([np.abs(value).max(axis=(0, 1)) for value in drift.values()], axis=0)
+    size = np.max([_most(np.abs(value), (0, 1)) for value in drift.values()], axis=0)
     forces, moment = size[:2].max(), size[2]
     for part, dof in enumerate(places):
         largest = forces if dof != "Yaw" else moment
@@ -209,7 +225,7 @@ def _drift(db, axes):
         axis = axes[places[dof]]
         for name, value in drift.items():
             for j, color in enumerate(heading_colors(len(db.wave_direction))):
-                if np.abs(value[:, j, part]).max() > floor:
+                if _most(np.abs(value[:, j, part]), None) > floor:
                     _curve(axis, db, value[:, j, part] / scale, styles[name], color)
         if axis.lines:
             axis.axhline(0, color="0.6", linewidth=0.6)
@@ -221,6 +237,11 @@ def _drift(db, axes):
 
 
 DRAW = dict(zip(ROWS, (_coefficients, _excitation, _phases, _responses, _drift), strict=True))
+
+
+def _most(size, axis):
+    """Largest of values that are known, 0 where none is"""
+    return np.where(np.isfinite(size), size, 0.0).max(axis=axis, initial=0.0)
 
 
 def _length(db):
@@ -236,13 +257,13 @@ def _largest_of_kind(size, lever):
 
 def _above_rounding(size, lever):
     """(m, 6) whether a curve of `size` (n, m, 6) is more than rounding"""
-    return size.max(axis=0) > QUIET * _largest_of_kind(size, lever)
+    return _most(size, 0) > QUIET * _largest_of_kind(_most(size, (0, 1)), lever)
 
 
 def _amplitudes(db, axes, size, units, lever, prefixes=True):
     shown = _above_rounding(size, lever)
     for columns, unit in zip((FORCES, MOMENTS), units, strict=True):
-        scale, prefix, _ = _prefix(size[:, :, columns].max()) if prefixes else (1.0, "", "")
+        scale, prefix, _ = _prefix(_most(size[:, :, columns], None)) if prefixes else (1.0, "", "")
         for i in range(6)[columns]:
             for j, color in enumerate(heading_colors(len(db.wave_direction))):
                 if shown[j, i]:
@@ -266,11 +287,12 @@ def _prefix(largest):
 
 def _broken_at_jumps(degrees):
     degrees = degrees.copy()
-    degrees[1:][np.abs(np.diff(degrees)) > 180] = np.nan
+    with np.errstate(invalid="ignore"):
+        degrees[1:][np.abs(np.diff(degrees)) > 180] = np.nan
     return degrees
 
 
-def _dress(db, figure, grid):
+def _dress(db, figure, grid, gaps):
     rows = [row for row, names in ROWS.items() if any(name in db.names for name in names)]
     for axis, dof in zip(grid[0], DOFS, strict=True):
         axis.set_title(dof, fontweight="bold", y=1.0)
@@ -279,12 +301,15 @@ def _dress(db, figure, grid):
     for i, (axes, row) in enumerate(zip(grid, rows, strict=True)):
         above = 1.08 if narrow and i == 0 else 1.0
         axes[0].set_title(row, loc="left", fontweight="bold", color="0.35", y=above)
-    for axis in grid.flat:
+    for (i, j), axis in np.ndenumerate(grid):
         axis.spines[["top", "right"]].set_visible(False)
         if axis.lines:
             axis.grid(True, axis="y", **GRID)
+            _mark(axis, gaps)
         elif axis.axison:
-            axis.text(0.5, 0.5, "zero by symmetry", transform=axis.transAxes, ha="center", color="0.5")
+            unknown = any(DOFS[j] in gaps.unknown.get(name, ()) for name in ROWS[rows[i]])
+            word = "not solved" if unknown else "zero by symmetry"
+            axis.text(0.5, 0.5, word, transform=axis.transAxes, ha="center", color="0.5")
             axis.set_yticks([])
     for axis in grid[-1]:
         axis.set_xlabel("ω  rad/s")
@@ -294,6 +319,14 @@ def _dress(db, figure, grid):
     figure.suptitle(
         f"{db.mesh.name or db.path.stem}, {depth}", x=0.01, y=1 - 0.1 / figure.get_figheight(), ha="left", fontsize=12
     )
+
+
+def _mark(axis, gaps):
+    """Shade the frequencies that are not solved"""
+    for n, (low, high) in enumerate(gaps.spans):
+        axis.axvspan(low, high, color="C3", alpha=0.12, lw=0, label="not solved" if n == 0 else None)
+    if gaps.spans and axis.get_legend() is not None:
+        axis.legend(frameon=False)
 
 
 def _share_ticks(grid, spaces):

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from bem.database import DatabaseError, Header, append, append_limit, create, extend, open_database, pending, writing
-from bem.database.file import BLOCK, check_replaceable
+from bem.database.file import BLOCK, beside, check_replaceable
+from bem.database.results import has_schema, opened_result
 from bem.database.schema import CHECKS, DRIFT_DOFS, ERROR, ESTIMATES, QUANTITIES
 from bem.waves import wavenumber
 from meshing.panels import PanelMesh
@@ -303,6 +304,12 @@ def other_version(path):
         file.attrs["schema_version"] = 99
 
 
+def other_version_in_its_seal(path):
+    create(path, header(), OMEGAS, HEADINGS, NAMES)
+    with h5py.File(path, "r+") as file:
+        file.attrs["schema_version"] = 2
+
+
 @pytest.mark.parametrize(
     ("make", "says"),
     [
@@ -310,7 +317,8 @@ def other_version(path):
         (lambda path: path.write_bytes(b""), "is not an HDF5 file"),
         (foreign_netcdf, "HDF5 file of another program"),
         (study, "is a file of mooring study, not a hakobune database"),
-        (other_version, "schema version 99"),
+        (other_version, "a database of schema version 99, this program reads 1; make it again by 'hakobune solve"),
+        (other_version_in_its_seal, "schema version 2, this program reads 1"),
         (lambda path: path.mkdir(), "is not a file"),
         (lambda path: None, "does not exist"),
     ],
@@ -406,3 +414,24 @@ def test_an_open_file_is_read_and_widened_as_by_its_name(tmp_path):
     with writing(path) as file:
         assert extend(file, omega=[1.7])
     assert 1.7 in [row.omega for row in pending(path).rows]
+
+
+@pytest.mark.parametrize(("version", "says"), [(1, None), (7, "schema version 7, this program reads 1; make it again")])
+@pytest.mark.parametrize("sealed", [True, False])
+def test_a_result_of_another_version_is_told_as_that_and_may_be_replaced(tmp_path, version, says, sealed):
+    """Written by a program of that version, or its attribute changed behind its seal"""
+    path, ours = tmp_path / "study.h5", "hakobune mooring study 1"
+    with beside(path) as file:
+        file.attrs["schema"] = f"hakobune mooring study {version}" if sealed else ours
+    if not sealed:
+        with h5py.File(path, "r+") as file:
+            file.attrs["schema"] = f"hakobune mooring study {version}"
+    if sealed:
+        assert has_schema(path, ours) and not has_schema(path, "hakobune response study 1")
+    if says is None and sealed:
+        with opened_result(path, ours) as file:
+            assert file.attrs["schema"] == ours
+        return
+    with pytest.raises(DatabaseError, match=says or "is damaged") as fault, opened_result(path, ours):
+        pass
+    assert ("damaged" in str(fault.value)) == (says is None) and "\n" not in str(fault.value)

@@ -6,6 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from bem.database import extend, writing
+from bem.database.integrity import crc
 from meshing.files import write_mesh
 from meshing.lid import lid
 from meshing.shapes import box, buoy
@@ -121,3 +123,24 @@ def test_a_page_is_whole_or_says_what_it_needs(tmp_path, capsys):
         assert status == 2 and "pip install 'hakobune[page]'" in capsys.readouterr().err and not page.exists()
     assert main(["look", str(tmp_path / "box.gdf"), "--page", str(tmp_path / "box.txt")]) == 2
     assert "allowed: .html" in capsys.readouterr().err
+
+
+def test_what_a_database_lacks_is_said_of_it_and_a_field_without_a_number_is_refused(tmp_path, capsys):
+    pytest.importorskip("pyvista")
+    path, picture = tmp_path / "box.h5", tmp_path / "box.png"
+    words = (
+        "box --length 20 --beam 10 --draft 3 --depth 12 --panels 60 --omega 0.8 --heading 0 --only pressure,added_mass"
+    )
+    assert main([*words.split(), "--output", str(path)]) == 0
+    with writing(path) as file:
+        file["pressure"][...] = np.nan  # none is stored by us: a file of another program
+        file["stored/pressure"][0, 0] = crc(file["pressure"][0, 0])
+    capsys.readouterr()
+    look = ["look", str(path), "--screenshot", str(picture)]
+    assert main(look) == 0
+    assert "warning: " in (said := capsys.readouterr().out) and "pressure is not a number at all frequencies" in said
+    assert main([*look, "--field", "pressure", "--omega", "0.8", "--heading", "0"]) == 2
+    assert "is not a number on any panel" in capsys.readouterr().err
+    extend(path, omega=(1.0,))
+    assert main(look) == 0
+    assert "1 of 2 frequencies are not solved, 1 rad/s" in capsys.readouterr().out

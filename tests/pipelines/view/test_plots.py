@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from bem import DOFS
 from bem.database.resonances import Resonance
 from meshing.shapes import buoy
+from pipelines.view.gaps import gaps_of
 from pipelines.view.plots import _cut, plot
 
 ZERO = "zero by symmetry"
@@ -20,10 +22,11 @@ class Results(SimpleNamespace):
     """As much of a database as a page takes: a buoy with rounding where symmetry makes zero"""
 
     omega, wave_direction = np.array([0.3, 0.6, 0.9]), np.zeros(1)
+    asked, rows, radiating_dof = omega, np.ones(3, bool), DOFS
     mesh, water_depth, path = buoy(10, 8, panels=60), 12.0, Path("buoy.h5")
 
     def __getitem__(self, name):
-        return self.values[name]
+        return self.radiating_dof if name.endswith("_dof") else self.values[name]
 
     @property
     def names(self):
@@ -34,8 +37,8 @@ class Results(SimpleNamespace):
 def page(tmp_path):
     """Draws values and returns ({row of the page: axes}, figure)"""
 
-    def draw(**values):
-        figure = plot(Results(values=values), tmp_path / "page.png")
+    def draw(more=(), **values):
+        figure = plot(Results(values=values, **dict(more)), tmp_path / "page.png")
         return np.reshape(figure.axes[: 6 * (len(figure.axes) // 6)], (-1, 6)), figure
 
     return draw
@@ -55,6 +58,29 @@ def test_coefficients_that_are_rounding_are_zero_by_symmetry(page):
     )
     assert [ZERO in words(axis) for axis in axes] == 5 * [False] + [True]
     assert [len(axis.lines) for axis in axes] == 5 * [2] + [0]
+
+
+def test_frequencies_that_are_not_solved_are_a_gap_in_every_curve(page):
+    """Five asked for, the fourth not solved: no curve has a value between the third and the fifth"""
+    asked, rows = np.array([0.2, 0.3, 0.6, 0.7, 0.9]), np.array([False, True, True, False, True])
+    (axes,), _ = page({"asked": asked, "rows": rows}, added_mass=coefficients(2e6, (4e7, 4e7, 4e7)))
+    at, curve = axes[0].lines[0].get_data()
+    inside = (at > 0.6) & (at < 0.9)
+    assert inside.any() and np.all(np.isnan(curve[inside])) and np.isfinite(curve[~inside]).all()
+    assert len(axes[0].patches) == 2 and axes[0].get_xlim()[0] < 0.2
+    made = Results(values={"added_mass": coefficients(2e6, (4e7, 4e7, 4e7))}, asked=asked, rows=rows)
+    (line,) = gaps_of(made).words()
+    assert "2 of 5 frequencies are not solved, 0.2 to 0.7 rad/s; 'hakobune solve SCENE --output buoy.h5'" in line
+
+
+def test_numbers_that_are_not_known_are_no_zeros_of_symmetry(page):
+    """NaN of one motion: said, and the other curves are drawn"""
+    values = coefficients(2e6, (4e7, 4e7, 4e7))
+    values[:, ROLL, ROLL] = np.nan
+    (axes,), _ = page(added_mass=values)
+    assert words(axes[ROLL]) == ["not solved"] and [len(axis.lines) for axis in axes] == [1, 1, 1, 0, 1, 1]
+    (line,) = gaps_of(Results(values={"added_mass": values})).words()
+    assert "added_mass of roll is not a number at all frequencies" in line
 
 
 def test_a_body_that_turns_without_moving_water_has_no_curves_of_moments(page):
