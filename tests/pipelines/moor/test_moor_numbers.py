@@ -124,7 +124,8 @@ def test_the_period_of_surge_is_that_of_the_mass_on_both_chains(printed):
 
 
 def test_the_file_has_the_numbers_of_the_print_and_the_ends_of_the_chains(printed):
-    """A chain that lies on the bed pulls its anchor with H less friction and does not lift it; what lies is L − √(h(h + 2H/w))"""
+    """A chain that lies on the bed pulls its anchor with H less friction and does not lift it; what lies is
+    L − √(h(h + 2H/w))"""
     tables, said, _, path = printed
     x, _, _, _, pitch = pose(said)
     lines = tables["lines, tension at the fairlead"]
