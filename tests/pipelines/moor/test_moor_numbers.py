@@ -140,7 +140,7 @@ def test_the_file_has_the_numbers_of_the_print_and_the_ends_of_the_chains(printe
         lying = LENGTH - np.sqrt(h * (h + 2 * H / WEIGHT))
         by_hand = {
             "pretension": 1e3 * rest, "horizontal_pretension": PRETENSION, "static_tension": 1e3 * steady,
-            "maximum_tension": 1e3 * largest, "utilisation": used / 100, 
+            "maximum_tension": 1e3 * largest, "utilisation": used / 100,
             "maximum_horizontal_anchor_force": H - FRICTION * WEIGHT * lying,
             "maximum_vertical_anchor_force": 0.0, "breaking_load": BREAKING, "length": LENGTH,
             "grounded_length_at_rest": LENGTH - np.sqrt(DEPTH * (DEPTH + 2 * PRETENSION / WEIGHT)),
