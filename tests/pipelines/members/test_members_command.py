@@ -1,5 +1,6 @@
 """`hakobune members`: piles whose forces are known in closed form, growth, wind, and faults."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,7 @@ from bem.waves import wavenumber
 from mooring.loads.morison import circular
 from mooring.loads.regular_wave import RegularWave
 from pipelines.cli import main
-from pipelines.members.command import course, totals, wet_part
+from pipelines.members.command import course, remarks, totals, wet_part
 from pipelines.members.study import Placed
 
 SCENE = Path(pipelines.__file__).parent / "scenes" / "members_dolphin.toml"
@@ -111,3 +112,61 @@ def test_what_cannot_be_is_one_line(change, message, tmp_path, capsys):
     assert main(["members", str(path)]) == 2
     said = capsys.readouterr().err
     assert message in said and said.count("\n") == 1
+
+
+BY_HAND = """
+[water]
+depth = 16.0
+[current]
+speed = 1.5
+direction_deg = 90
+[wind]
+speed = 30.0
+exponent = 0.125
+direction_deg = 180
+[[members]]
+name = "pile"
+shape = "circular"
+width = 0.9
+start = [2.0, 1.0, -16.0]
+end = [2.0, 1.0, 4.0]
+drag = 1.1
+growth = 0.05
+[[wind_members]]
+name = "box"
+drag = 1.3
+area = 12.0
+position = [2.0, 1.0, 20.0]
+"""
+
+
+def test_forces_and_moments_of_a_pile_and_a_box_are_those_of_a_hand_calculation(tmp_path, capsys):
+    """½ρ C_D (D + 2t) h U² half-way down the pile, about its foot; ½ρ C A U₁₀² (z/10)^2α of the wind with
+    ρ = 0.125 kgf s²/m⁴; of all about the bed under the origin, Σ r × F with r from there"""
+    path = tmp_path / "study.toml"
+    path.write_text(BY_HAND)
+    assert main(["members", str(path), "--json"]) == 0
+    rows = {row.pop(""): row for row in json.loads(capsys.readouterr().out)["rows"]}
+    water = np.array([0.0, 0.5 * 1025 * 1.1 * 1.0 * 16 * 1.5**2, 0.0]) / 1e3
+    wind = np.array([-0.5 * 0.125 * 9.80665 * 1.3 * 12 * 30.0**2 * 2**0.25, 0.0, 0.0]) / 1e3
+    bed = np.array([0.0, 0.0, -16.0])
+    moments = np.cross(np.array([2.0, 1.0, -8.0]) - bed, water), np.cross(np.array([2.0, 1.0, 20.0]) - bed, wind)
+    for name, force, moment in (
+        ("pile", water, np.cross([0.0, 0.0, 8.0], water)),
+        ("all in the water", water, moments[0]),
+        ("box, wind", wind, moments[1]),
+        ("all", water + wind, moments[0] + moments[1]),
+    ):
+        found = [float(rows[name][key]) for key in ("Fx kN", "Fy kN", "Fz kN")]
+        assert found == pytest.approx(force, rel=1e-3, abs=1e-3)
+        assert float(rows[name]["force kN"]) == pytest.approx(np.linalg.norm(force), rel=1e-3)
+        assert float(rows[name]["moment kN m"]) == pytest.approx(np.linalg.norm(moment), rel=1e-3)
+
+
+@pytest.mark.parametrize("share, told", [(0.19, False), (0.21, True)])
+def test_a_member_wider_than_a_fifth_of_the_wave_is_told_to_scatter_it(share, told):
+    """Morison's formula is for D/λ below 0.2 (DNV-RP-C205, 6.1)"""
+    wave = RegularWave(1.0, 0.8, 0.0, 12.0)
+    wide = pile(1.0, width=share * 2 * np.pi / float(wavenumber(0.8, 12.0)))
+    said = [line for line in remarks([wide], [course(wide, wave, PHASES[:2], 1025.0)], wave) if "scatters" in line]
+    assert bool(said) is told

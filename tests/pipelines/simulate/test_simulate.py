@@ -1,6 +1,7 @@
 """`hakobune simulate` from study to file, its engine and the preparation of the body replaced by an oscillator."""
 
 import io
+import json
 import shutil
 import signal
 from concurrent.futures import Future
@@ -30,11 +31,12 @@ from pipelines.common.units import KGF
 from pipelines.executors.choice import Here
 from pipelines.films.of_run import film_of_run, surface
 from pipelines.moor.study import make_study, read_study
+from pipelines.printing.console import new_console, tables_as
 from pipelines.simulate import run as runs
 from pipelines.simulate import work
 from pipelines.simulate.file import SUMMARY, opened, whole_rows
 from pipelines.simulate.pictures import draw, spectrum
-from pipelines.simulate.report import notes, used
+from pipelines.simulate.report import notes, statistics_table, used
 from pipelines.simulate.study import plan_of
 
 MOOR = Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml"
@@ -424,3 +426,29 @@ def test_a_line_beyond_what_it_may_carry_is_told(folder, share, told):
         said = list(used(file))
     assert len(said) == told
     assert not told or (f"{line} pulls up to" in said[0] and f"{100 * share * allowable:.3g} % of its" in said[0])
+
+
+def test_the_table_of_statistics_has_degrees_kilonewtons_and_seconds(folder, capsys):
+    """One seed of the oscillator: a sine a sin 0.6t with a = 0.01 j w of motion j, tensions 1000 kN ± 100 kN w, w the
+    amplitude of its wave; σ = a/√2, all maxima a, T = 2π/0.6 s, no bandwidth; angles times 180/π"""
+    simulate(seeds=1)
+    with opened("run.h5") as file:
+        w = float(np.abs(file["wave"][0]).max()) if "wave" in file else file["motion"][0, :, 0].max() / 0.01
+        with tables_as("json"):
+            new_console().print(statistics_table(file, "one"))
+    rows = {row.pop(""): row for row in json.loads(capsys.readouterr().out)["rows"]}
+    lines = [name for name in rows if name.startswith("tension")]
+    sines = {"heave, m": (0.0, 0.03 * w), "roll, °": (0.0, np.degrees(0.04 * w)), "yaw, °": (0.0, np.degrees(0.06 * w))}
+    sines |= {lines[0]: (1000.0, 100 * w), lines[-1]: (1000.0, 100 * w)}
+    for name, (mean, amplitude) in sines.items():
+        row = {key: float(str(value).replace("–", "nan")) for key, value in rows[name].items() if "interval" not in key}
+        assert row["mean"] == pytest.approx(mean, abs=0.02 * amplitude)
+        assert row["σ"] == pytest.approx(amplitude / np.sqrt(2), rel=0.01)
+        assert row["X 1/3"] == pytest.approx(amplitude, rel=0.01) and row["X 1/10"] == pytest.approx(
+            amplitude, rel=0.01
+        )
+        assert row["largest"] == pytest.approx(mean + amplitude, rel=0.01)
+        assert row["smallest"] == pytest.approx(mean - amplitude, rel=0.01)
+        assert [row["T_zero s"], row["T_pp s"]] == pytest.approx([2 * np.pi / 0.6] * 2, rel=0.01)
+        assert np.hypot(row["σ slow"], row["σ wave"]) == pytest.approx(row["σ"], rel=0.01)
+        assert row["extreme"] > row["largest"] * (1 - 1e-9) and row["ε"] < 0.1
