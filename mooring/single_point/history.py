@@ -17,7 +17,7 @@ SETTLED = np.radians(0.2)  # of a heading that has come to rest
 class Record(NamedTuple):
     """A body at a single point in time: time : (n,) s; place : (n, 2) m and heading : (n,) rad of the slow motion
 
-    wave : (n, 6) m, rad beside it
+    wave : (n, 6) m, rad beside it, along x, y, z
     buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N of both together; wind_speed : (n,) m/s
     """
 
@@ -85,6 +85,20 @@ def cycle(time, heading) -> Cycle:
         period = float(np.mean(np.diff(places)))
     stays = bool(amplitude > STAYS and growing > KEPT and np.isfinite(period))
     return Cycle(float(amplitude), period, float(growing), stays)
+
+
+def wave_deviations(record, after):
+    """(6,) m, rad: standard deviations of surge, sway, heave, roll, pitch and yaw in waves, from `after` s on
+
+    Surge and sway are along and across the hull at its slow heading; nan where the record ends before
+    """
+    late = record.time >= after
+    if not late.any():
+        return np.full(6, np.nan)
+    motion, cos, sin = record.wave[late].copy(), np.cos(record.heading[late]), np.sin(record.heading[late])
+    x, y = motion[:, 0].copy(), motion[:, 1].copy()
+    motion[:, 0], motion[:, 1] = cos * x + sin * y, cos * y - sin * x
+    return motion.std(axis=0)
 
 
 def settled_after(time, heading, final):

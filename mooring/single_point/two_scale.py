@@ -161,4 +161,5 @@ class _Newmark:
             a, b, c, d = b, c, d, now.buoy
             z = self.moved @ z + waves + self.by_pull @ (now.force - before)
             wave[i], buoy[i], hawser[i] = z[:6], d, now.tension
+            wave[i, 0], wave[i, 1] = cos * z[0] - sin * z[1], sin * z[0] + cos * z[1]
         self.z, self.past = z, (a, b, c, d)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave motion
+ORDER, PADDED = 8, 3  # of the filter at the split, run forwards and back; periods of it beyond either end
 RING = 72  # headings of the forces or motions of a component
 GROWS = 2  # mean periods in which waves grow to their height
 
@@ -16,6 +18,25 @@ def headings():
 def mean_frequency(omega, amplitude):
     """rad/s of components (n,), weighted with their energy"""
     return float(omega @ amplitude**2 / (amplitude @ amplitude))
+
+
+def split_frequency(omega, amplitude):
+    """rad/s of components (n,), below which only LOWEST of their energy is: slower motion is slow motion"""
+    order = np.argsort(omega)
+    energy = np.cumsum(np.square(amplitude)[order])
+    return float(omega[order][np.searchsorted(energy, LOWEST * energy[-1])])
+
+
+def slow_part(motion, step, split):
+    """What is slower than `split`, rad/s, of a record (n, …) at equal steps, s, without delay: |H|² = 1/(1 + (ω/ω_s)¹⁶)
+
+    A filter that follows the motion as it runs is late, and what it is late by would be taken for motion in waves.
+    """
+    from scipy.signal import butter, sosfiltfilt
+
+    wide = min(split * step / np.pi, 0.99)
+    padded = min(int(PADDED * 2 * np.pi / (split * step)), len(motion) - 1)
+    return sosfiltfilt(butter(ORDER, wide, output="sos"), motion, axis=0, padlen=padded)
 
 
 def share_of_height(time, after, mean_omega):

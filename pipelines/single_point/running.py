@@ -17,12 +17,20 @@ from mooring.lines.ropes import RopePart
 from mooring.motion.buoy import BuoyBody
 from mooring.response.viscous import in_sea
 from mooring.single_point.equilibria import Equilibrium
-from mooring.single_point.history import Cycle, Record, cycle, line_tensions, settled_after, watch_circle
+from mooring.single_point.history import (
+    Cycle,
+    Record,
+    cycle,
+    line_tensions,
+    settled_after,
+    watch_circle,
+    wave_deviations,
+)
 from mooring.single_point.one_equation import body_at, run_in_one
 from mooring.single_point.scope import significant
 from mooring.single_point.slewing import slew, turned_state
 from mooring.single_point.two_scale import Steps, two_scale, wave_body
-from mooring.single_point.waves import GROWS, mean_frequency
+from mooring.single_point.waves import GROWS, mean_frequency, slow_part, split_frequency
 
 from ..common.quantities import StudyError, direction, force, positive
 from ..common.units import KN
@@ -47,6 +55,7 @@ class Run(NamedTuple):
 
     cycle : of its last part; settled : s, nan where the heading does not come to rest; radius : m of the watch circle
     drifts : whether slow drift is in the run; findings : one line each
+    full_waves : s, from which on waves have their height, inf without
     """
 
     record: Record
@@ -56,6 +65,7 @@ class Run(NamedTuple):
     radius: float
     drifts: bool = False
     findings: tuple[str, ...] = ()
+    full_waves: float = np.inf
 
 
 def check(study, db=None):
@@ -71,13 +81,14 @@ def check(study, db=None):
 def run(study, point, steady, db=None) -> Run:
     """Run of a Study from beside one of its equilibria.  Raises StudyError or SinglePointError."""
     check(study, db)
-    s, waves, extra = study.slewing, _with_waves(study, db), ()
+    s, waves, extra, full = study.slewing, _with_waves(study, db), (False, ()), np.inf
     if s.scheme == "full":
-        record, extra = _in_one(study, point, steady, db, waves)
+        record, extra, full = _in_one(study, point, steady, db, waves)
     elif waves:
         start, body = turned_state(point, steady.state, np.radians(s.offset_deg)), _wave_body(study, db)
         fast = 2 * np.pi / body.mean_omega / 30 if s.step is None else s.step
         record = two_scale(point, start, Steps(s.duration, s.slow_step, fast, s.waves_after), body, _wind(point, s))
+        full = s.waves_after + GROWS * 2 * np.pi / body.mean_omega
     else:
         slow = _slow(study, point, steady, 1.0 if s.step is None else s.step)
         lines = line_tensions(point, slow.buoy)
@@ -85,7 +96,7 @@ def run(study, point, steady, db=None) -> Run:
         record = Record(slow.time, slow.place, slow.heading, still, slow.buoy, slow.hawser, lines, slow.wind_speed)
     settled = settled_after(record.time, record.heading, steady.heading)
     radius = watch_circle(record.place, point.origin)
-    return Run(record, steady, cycle(record.time, record.heading), settled, radius, *extra)
+    return Run(record, steady, cycle(record.time, record.heading), settled, radius, *extra, full)
 
 
 def _with_waves(study, db):
@@ -104,7 +115,7 @@ def _wave_body(study, db):
 
 
 def _in_one(study, point, steady, db, waves):
-    """Record of body, waves and buoy in one equation, and (whether slow drift is in it, findings)"""
+    """Record of body, waves and buoy in one equation, (whether slow drift is in it, findings), s of full waves"""
     s = study.slewing
     contact = point.lengths[0] == 0.0
     body, rope = (None, None) if contact else _buoy_and_rope(study)
@@ -123,7 +134,10 @@ def _in_one(study, point, steady, db, waves):
                        wave_ramp=grown, gusts=None if wind is None else wind.gusts, tolerance=s.tolerance, seed=s.seed,
                        drift=not mean)  # fmt: skip
     center = np.asarray(moved.reader.rotation_center, float)[:2]
-    slow = found.slow if waves else found.motion[:, [0, 1, 5]]
+    slow = found.motion[:, [0, 1, 5]]
+    if waves:
+        split = split_frequency(components.omega, components.amplitude)
+        slow = slow_part(slow, FULL_STEP if s.step is None else s.step, split)
     wave = found.motion.copy()
     wave[:, [0, 1, 5]] -= slow
     buoy, hawser, lines = _of_contact(point, found, center) if contact else (
@@ -133,7 +147,7 @@ def _in_one(study, point, steady, db, waves):
         left = ("waves push with their mean drift alone; give --database for the motion that they make",)
     told = dict.fromkeys((*(str(one.message) for one in caught), *moved.findings, *left, *found.findings))
     record = Record(found.time, slow[:, :2] + center, slow[:, 2], wave, buoy, hawser, lines, found.wind_speed)
-    return record, (bool(mean), tuple(told))
+    return record, (bool(mean), tuple(told)), sum(grown) if waves else np.inf
 
 
 def _of_contact(point, found, center):
@@ -190,8 +204,8 @@ def words(run: Run):
         yield f"the heading decays from {first:.2g}° to within 0.2° of rest in {run.settled:.0f} s"
     else:
         yield f"the heading is still {np.degrees(c.amplitude):.2g}° about its mean at the end of the run"
-    wave = run.record.wave.std(axis=0)
-    if wave.any():
+    wave = wave_deviations(run.record, run.full_waves)
+    if np.any(wave > 0):
         names = "surge", "sway", "heave", "roll", "pitch", "yaw"
         shown = [f"{name} {value:.2g} m" for name, value in zip(names[:3], wave[:3], strict=True)]
         shown += [f"{name} {np.degrees(value):.2g}°" for name, value in zip(names[3:], wave[3:], strict=True)]

@@ -8,11 +8,12 @@ from boxes import floater_A, turning_water
 
 from mooring.single_point.body import SinglePointError
 from mooring.single_point.equilibria import equilibria
-from mooring.single_point.history import cycle, line_tensions, settled_after
+from mooring.single_point.history import Record, cycle, line_tensions, settled_after, wave_deviations
 from mooring.single_point.loads import Loads, WaterLoad
 from mooring.single_point.scope import highest_third, peak, significant
 from mooring.single_point.slewing import slew, turned_state
 from mooring.single_point.two_scale import RING, Steps, WaveBody, two_scale
+from mooring.single_point.waves import slow_part, split_frequency
 
 FREE = 1e4  # m of hawser: nothing holds the body
 
@@ -44,6 +45,28 @@ def test_a_body_without_water_forces_keeps_its_momentum():
     cos, sin = np.cos(found.heading), np.sin(found.heading)
     in_space = np.stack([cos * own[:, 0] - sin * own[:, 1], sin * own[:, 0] + cos * own[:, 1]])
     assert np.abs(in_space - in_space[:, :1]).max() < 1e-7 * np.abs(in_space).max()
+
+
+def test_waves_on_a_slow_motion_two_hundred_times_as_large_are_told_apart_without_delay():
+    """10 cm in waves of 8 s on a swing of 20 m in 300 s that decays: σ of the waves is 10/√2 cm within 1 %"""
+    t, heading = np.arange(0.0, 1500.0, 0.5), 0.4
+    slow = 20 * np.exp(-t / 900) * np.cos(2 * np.pi * t / 300)
+    motion = np.stack([slow, 0.5 * slow, 0.01 * slow], axis=1)
+    surge = 0.1 * np.cos(2 * np.pi * t / 8)
+    motion[:, 0] += np.cos(heading) * surge
+    motion[:, 1] += np.sin(heading) * surge
+    omega = 2 * np.pi / np.linspace(6.0, 12.0, 50)
+    split = split_frequency(omega, np.ones(50))
+    assert split == pytest.approx(2 * np.pi / 12.0)
+    found = slow_part(motion, 0.5, split)
+    wave = np.zeros((len(t), 6))
+    wave[:, [0, 1, 5]] = motion - found
+    nothing = np.zeros((len(t), 1))
+    record = Record(t, found[:, :2], np.full(len(t), heading), wave, nothing, nothing, nothing, t)
+    sigma = wave_deviations(record, 100.0)
+    assert sigma[0] == pytest.approx(0.1 / np.sqrt(2), rel=0.01)
+    assert sigma[1] < 1e-3 and sigma[5] < 1e-5  # m, rad
+    assert np.all(np.isnan(wave_deviations(record, np.inf)))
 
 
 @pytest.mark.parametrize("hawser", [0.0, 25.0])
