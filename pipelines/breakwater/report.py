@@ -53,7 +53,7 @@ def _tables(study, found):
             [one.name, f"{one.needed:.4g} {one.unit}", one.note, _or(one.provided, ".4g"), _or(one.utilisation, ".0%")]
             for one in found.anchors
         ]
-        yield _table("anchors", ["", "needed", "", "provided", "used"], rows)
+        yield _table("anchors", ["", "needed", "size", "provided", "used"], rows)
 
     if found.front is not None:
         yield _front_table(study, found.front)

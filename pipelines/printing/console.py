@@ -82,8 +82,13 @@ def _kind():
 def _cells(table):
     """Names of the columns of a rich table, and its rows, as texts and numbers"""
     columns = [[_value(cell) for cell in column.cells] for column in table.columns]
-    names = [_plain(column.header) for column in table.columns]
+    names = _distinct([_plain(column.header) for column in table.columns])
     return names, list(zip(*columns, strict=True))
+
+
+def _distinct(names):
+    """Names of columns of which those alike have that of the column before them in front: a row by names keeps all"""
+    return [f"{names[i - 1]} {name}".strip() if i and names.count(name) > 1 else name for i, name in enumerate(names)]
 
 
 def _value(cell):

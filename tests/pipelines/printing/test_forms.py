@@ -49,6 +49,17 @@ def test_what_is_not_finite_is_a_dash_and_nothing_in_files(capsys):
     assert significant(math.nan) == "–"
 
 
+def test_columns_of_one_name_are_all_in_a_row_by_names(capsys):
+    from rich.table import Table
+
+    table = Table("", "force kN", "at s", "moment kN m", "at s")
+    table.add_row("pile", "1", "2", "3", "4")
+    with tables_as("json"):
+        new_console().print(table)
+    (row,) = json.loads(capsys.readouterr().out)["rows"]
+    assert row == {"": "pile", "force kN": "1", "force kN at s": "2", "moment kN m": "3", "moment kN m at s": "4"}
+
+
 @pytest.mark.parametrize(
     ("value", "text"),
     [(0.0132345, "0.01323"), (13.2345, "13.23"), (132345.6, "132346"), (-0.0, "0"), (1.5e-9, "1.5e-09")],
