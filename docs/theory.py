@@ -72,6 +72,7 @@ CHAPTERS = {
         "mooring/motion/integrator.py",
         "mooring/motion/wave_loads.py",
         "mooring/motion/contact_loads.py",
+        "mooring/motion/extremes.py",
         "mooring/studies/long_period.py",
     ),
     "Fenders, berthing, dolphins": (

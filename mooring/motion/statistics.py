@@ -8,8 +8,8 @@ extreme of a duration D is the mean plus
 
     X = σ {s + γ/s},   s = √(2 ln(n√(1−ε²))),   n = D/T_peak,   γ = 0.5772                      (3.5.1.5, 3.5.1.6)
 
-with D of 1000 mean wave periods in the report.  Runs with several seeds need no formula: Gumbel's distribution is
-fitted to the largest values of the runs, and its mean has an interval of confidence.
+with D of 1000 mean wave periods in the report, for Gaussian records: kept beside the report's tables, and no more.
+What is said of the largest values of runs is in `extremes`.
 """
 
 from __future__ import annotations
@@ -19,11 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..environment.crossings import local_maxima
-from ..response.extremes import EULER, expected_maximum
-from ..response.return_period import FEWEST, fit_gumbel
+from ..response.extremes import expected_maximum
 
-RUNS_OF_MEAN = 1 / (1 - np.exp(-np.exp(-EULER)))  # return period, in runs, of the mean of Gumbel's distribution
-CONFIDENCE = 0.9
 FEWEST_WAVES = 3  # zero crossings below which a record has no extreme
 STEADY = 1e-9  # σ over the largest value of a record that does not vary
 
@@ -32,7 +29,7 @@ class RecordStatistics(NamedTuple):
     """Of one record, in its unit; periods in s.
 
     slow, wave : standard deviations of its two parts; mean_third, mean_tenth : of the highest maxima, from the mean
-    largest, smallest : values; extreme : amplitude expected to be the largest, of the formula
+    largest, smallest : values; extreme : amplitude expected to be the largest, of the formula, or nan
     """
 
     mean: float
@@ -47,18 +44,6 @@ class RecordStatistics(NamedTuple):
     largest: float
     smallest: float
     extreme: float
-
-
-class Extreme(NamedTuple):
-    """Expected largest (or smallest) value of one run, its interval of CONFIDENCE, and how many runs it stands on.
-
-    runs : 0 where it is the formula for one run, which has no interval (nan)
-    """
-
-    value: float
-    low: float
-    high: float
-    runs: int
 
 
 def record_statistics(record, step, split, duration=None):
@@ -118,17 +103,3 @@ def highest_mean(falling, share):
 def over_runs(values):
     """Root mean square, over the runs, of standard deviations (runs, …), as of one record as long as all of them"""
     return np.sqrt(np.mean(np.square(values), axis=0))
-
-
-def expected_extreme(largest, means, amplitudes):
-    """`Extreme` of the largest values of runs (n,), which differ in their seed alone.
-
-    means, amplitudes : (n,) mean and `extreme` of each run, for fewer runs than a distribution needs (5)
-    For the smallest values give all three with the other sign, and turn the result.
-    """
-    largest = np.asarray(largest, float)
-    if len(largest) < FEWEST or np.ptp(largest) <= STEADY * np.abs(largest).max():
-        return Extreme(float(np.mean(means) + np.mean(amplitudes)), np.nan, np.nan, 0)
-    gumbel = fit_gumbel(largest)
-    low, high = gumbel.interval(RUNS_OF_MEAN, CONFIDENCE)
-    return Extreme(float(gumbel.value(RUNS_OF_MEAN)), float(low), float(high), len(largest))

@@ -195,7 +195,7 @@ def _slow_motion(raw, database):
 def _of_runs(path):
     """Largest tension, mean + X_1000 and mean, N; σ of the slow part and of all of surge, sway and yaw, (3,)"""
     from ..simulate.file import SUMMARY, opened
-    from ..simulate.report import largest_tension, line_values
+    from ..simulate.report import line_values
 
     with opened(path) as file:
         lines = [line_values(file, name) for name in file["line"].asstr()[()]]
@@ -203,7 +203,7 @@ def _of_runs(path):
         rows = file["summary"][()][[names.index(mode) for mode in MODES]]
     slow, total = (rows[:, SUMMARY.index(key)] for key in ("slow", "sigma"))
     gaussian = max(one["mean"] + one["extreme"] for one in lines)
-    return (max(map(largest_tension, lines)), gaussian, max(one["mean"] for one in lines)), slow, total
+    return (max(one["largest"] for one in lines), gaussian, max(one["mean"] for one in lines)), slow, total
 
 
 def table_text(results, hours, seeds):

@@ -51,8 +51,7 @@ def lines_on_fenders(file, fenders):
     names, strained = list(file["quantity"].asstr()[()]), []
     for one in fenders:
         row = dict(zip(SUMMARY, file["summary"][names.index(f"deflection {one.name}")], strict=True))
-        expected = row["upper_value"] if np.isfinite(row["upper_value"]) else row["largest"]
-        strained.append((max(expected, row["largest"]) / one.fender.height, one))
+        strained.append((row["largest"] / one.fender.height, one))
     if not strained:
         return "", []
     share, most = max(strained, key=lambda pair: pair[0] / pair[1].fender.allowable)

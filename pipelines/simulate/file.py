@@ -22,7 +22,8 @@ from bem.database.integrity import DatabaseError, crc
 from bem.database.results import check_seal, check_version, named
 from meshing.seals import kind_filled_in
 from meshing.whole_files import keep_room
-from mooring.motion.statistics import Extreme, RecordStatistics
+from mooring.motion.extremes import Extreme
+from mooring.motion.statistics import RecordStatistics
 
 SCHEMA = "hakobune simulation 1"
 STATISTICS = RecordStatistics._fields
@@ -201,3 +202,11 @@ def put_summary(file, summary):
 def summary_is_whole(file):
     """Whether the summary is there and what was stored"""
     return file["summary_checksum"][()] == crc(file["summary"][()])
+
+
+def summary_is_of_today(path):
+    """Whether a file, if it is there, has the statistics over all runs that are told today; older ones have others"""
+    if not Path(path).exists():
+        return True
+    with opened(path) as file:
+        return tuple(file["summary_statistic"].asstr()[()]) == SUMMARY

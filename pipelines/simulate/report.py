@@ -7,10 +7,11 @@ import json
 import numpy as np
 
 from bem import DOFS
-from mooring.motion.statistics import CONFIDENCE
+from mooring.motion.extremes import CONFIDENCE
 
 from ..common.units import KN
 from .file import SUMMARY, whole_rows
+from .over_runs import notes, overloads, rare_findings, used_in_runs
 
 UNITS = {"m": (1.0, "m"), "rad": (180 / np.pi, "°"), "m/s": (1.0, "m/s"), "N": (1 / KN, "kN")}
 COLUMNS = {
@@ -18,7 +19,6 @@ COLUMNS = {
     "epsilon": "ε", "mean_third": "X 1/3", "mean_tenth": "X 1/10", "smallest": "smallest", "largest": "largest",
 }  # fmt: skip
 SCALED = {"mean", "sigma", "slow", "wave", "mean_third", "mean_tenth", "smallest", "largest"}
-UNLIKELY = 1.3  # largest simulated over the expected; the largest of a Gaussian record scatters by a tenth
 WHOLE = 1e4  # from which numbers are told to the unit, where four digits would take a power of ten
 SMALL = 50.0  # m, length of a hull that is none of the report's floaters
 FAR, NOTABLE = 2.0, 0.5  # times the spectral σ of slow motion; of the σ of motion with the waves
@@ -31,11 +31,11 @@ def show(console, file, beside, findings):
     hours = float(file.attrs["duration"]) / 3600
     title = f"{told} seed{'s' * (told != 1)} of {hours:.4g} h; amplitudes of maxima from the mean"
     console.print(statistics_table(file, title))
-    if beside is not None:
+    if len(file["line"]):
         console.print(lines_table(file, beside))
-    else:
-        findings = [*findings, *used(file)]
-    for text in (*notes(file), *(f"warning: {line}" for line in findings)):
+    findings = [*findings, *overloads(file)]
+    split = f"σ slow and σ wave lie below and above {file.attrs['split_frequency']:.4g} rad/s"
+    for text in (*notes(file), split, *(f"warning: {line}" for line in findings)):
         console.print(text, style="yellow" * text.startswith("warning"), highlight=False, soft_wrap=True, markup=False)
 
 
@@ -43,7 +43,7 @@ def statistics_table(file, title):
     from rich.table import Table
 
     table = Table(title=title, title_justify="left")
-    for i, name in enumerate(("", *COLUMNS.values(), "extreme", f"{100 * CONFIDENCE:.0f} % interval")):
+    for i, name in enumerate(("", *COLUMNS.values(), "median extreme", f"{100 * CONFIDENCE:.0f} % interval")):
         table.add_column(name, justify="right" if i else "left", no_wrap=True)
     units = json.loads(file["quantity"].attrs["quantity_units"])
     for name, unit, row in zip(file["quantity"].asstr()[()], units, file["summary"][()], strict=True):
@@ -55,29 +55,36 @@ def statistics_table(file, title):
 
 
 def _extreme(value, factor):
-    """The end of a motion that lies further from zero"""
-    upper = not abs(value["lower_value"]) > abs(value["upper_value"])
-    end = "upper" if upper else "lower"
+    """Median extreme and its interval, of the end of a motion that lies further from zero"""
+    end = "lower" if abs(value["lower_median"]) > abs(value["upper_median"]) else "upper"
     low, high = value[f"{end}_low"] * factor, value[f"{end}_high"] * factor
-    interval = f"{_number(low)} to {_number(high)}" if np.isfinite(low) else "–"
-    return _number(value[f"{end}_value"] * factor), interval
+    interval = f"{_number(low)} to {_number(high)}" if low < high else "–"
+    return _number(value[f"{end}_median"] * factor), interval
 
 
 def lines_table(file, beside):
-    """Largest tension of each line by both methods, and what both use of the breaking load"""
+    """Largest tension of each line in all runs and what it uses of the breaking load, beside the simplified method
+
+    beside : MultiPoint, or None to leave that out
+    """
     from rich.table import Table
 
-    table = Table(title="largest tension, kN: simulation beside the simplified method", title_justify="left")
-    for i, name in enumerate(("line", "mean", "σ", "simulated", "simplified", "ratio", "used %", "simplified %")):
+    title = "largest tension, kN: simulation beside the simplified method" if beside else "largest tension, kN"
+    table = Table(title=title, title_justify="left")
+    more = ("simplified", "ratio") if beside else ()
+    for i, name in enumerate(
+        ("line", "mean", "σ", "simulated", *more, "used %", *(["simplified %"] if beside else ()))
+    ):
         table.add_column(name, justify="right" if i else "left", no_wrap=True)
+    used = used_in_runs(file).max(axis=0)
     for i, line in enumerate(file["line"].asstr()[()]):
         value = line_values(file, line)
-        load, simple, largest = file.attrs["breaking_load"][i], beside.tension[i], largest_tension(value)
-        share = 100 * largest / load if np.isfinite(load) else np.nan
-        numbers = [value["mean"], value["sigma"], largest, simple]
-        cells = [*(_number(n / KN) for n in numbers), f"{largest / simple:.2f}"]
-        style = "red" if share > 100 * file.attrs["allowable"] else None
-        table.add_row(line, *cells, _share(share), _share(100 * beside.utilisation[i]), style=style)
+        cells = [_number(value[key] / KN) for key in ("mean", "sigma", "largest")]
+        if beside:
+            cells += [_number(beside.tension[i] / KN), f"{value['largest'] / beside.tension[i]:.2f}"]
+        shares = [used[i], *([beside.utilisation[i]] if beside else ())]
+        style = "red" if used[i] > file.attrs["allowable"] else None
+        table.add_row(line, *cells, *(_share(100 * share) for share in shares), style=style)
     return table
 
 
@@ -85,23 +92,6 @@ def line_values(file, line):
     """{statistic: N} over all runs of the tension of a line"""
     place = list(file["quantity"].asstr()[()]).index(f"tension {line}")
     return dict(zip(SUMMARY, file["summary"][place], strict=True))
-
-
-def largest_tension(value):
-    """N, of `line_values`: the expected extreme, without a distribution at least what was simulated"""
-    return value["upper_value"] if value["upper_runs"] else max(value["upper_value"], value["largest"])
-
-
-def used(file):
-    """Findings on lines and ropes beyond what they may carry, where the simplified method does not tell"""
-    allowable = float(file.attrs["allowable"])
-    for line, load in zip(file["line"].asstr()[()], file.attrs["breaking_load"], strict=True):
-        largest = largest_tension(line_values(file, line))
-        if largest > allowable * load:
-            yield (
-                f"{line} pulls up to {largest / KN:.4g} kN, {100 * largest / load:.3g} % of its breaking load; "
-                f"allowed: {100 * allowable:g} %"
-            )
 
 
 def slow_findings(file, spectral):
@@ -122,31 +112,11 @@ def slow_findings(file, spectral):
             )
 
 
-def notes(file):
-    """How the columns are to be read"""
-    runs = int(np.nanmax(file["summary"][:, SUMMARY.index("upper_runs")]))
-    period = float(file.attrs["mean_period"])
-    if runs:
-        yield f"extreme: mean of Gumbel's distribution fitted to the largest values of {runs} runs, with its interval"
-    else:
-        of = f"1000 mean wave periods ({1000 * period:.5g} s)" if np.isfinite(period) else "a run"
-        yield f"extreme: mean + σ(s + γ/s) of {of}, a formula for Gaussian records; from 5 seeds on Gumbel's is fitted"
-    yield f"σ slow and σ wave lie below and above {file.attrs['split_frequency']:.4g} rad/s"
-
-
 def findings(file, moored_periods, wave_period):
     """What holds of all runs: their length, and which method applies.  moored_periods : {mode: s}; wave_period : s"""
     slow = max((value for value in moored_periods.values() if np.isfinite(value)), default=0.0)
-    duration, table = float(file.attrs["duration"]), file["summary"][()]
-    tensions = [name.startswith("tension") for name in file["quantity"].asstr()[()]]
-    formula = table[~(table[:, SUMMARY.index("upper_runs")] > 0) & np.array(tensions, bool)]
-    upper = formula[:, SUMMARY.index("upper_value")]
-    beyond = np.max(formula[upper > 0, SUMMARY.index("largest")] / upper[upper > 0], initial=0.0)
-    if beyond > UNLIKELY:
-        yield (
-            f"tensions up to {beyond:.2g} times the extreme of the formula were simulated: they are not Gaussian; "
-            "give 5 seeds or more"
-        )
+    duration = float(file.attrs["duration"])
+    yield from rare_findings(file)
     if duration < LONG * slow:
         share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
         yield (

@@ -12,7 +12,8 @@ import msgspec
 import numpy as np
 
 from bem.database.integrity import DatabaseError
-from mooring.motion.statistics import expected_extreme, over_runs
+from mooring.motion.extremes import median_extreme
+from mooring.motion.statistics import over_runs
 
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
@@ -29,6 +30,7 @@ from .file import (
     opened,
     put,
     put_summary,
+    summary_is_of_today,
     summary_is_whole,
     whole_rows,
 )
@@ -83,7 +85,7 @@ def simulate(
             console.print(_made_again(shorter, plan.settings.duration), highlight=False, soft_wrap=True)
     todo = _missing(output, identity, plan, fresh)
     findings = plan.findings
-    if todo:
+    if todo or not summary_is_of_today(output):
         for line in study.remarks(study.hull_of(db.dimensions), db) if console else ():
             console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
         task, more = _with_memory(task)
@@ -109,10 +111,8 @@ def summary(file):
         out[:, at[name]] = over_runs(rows[:, :, at[name]])
     out[:, at["largest"]], out[:, at["smallest"]] = rows[:, :, at["largest"]].max(0), rows[:, :, at["smallest"]].min(0)
     for q, row in enumerate(rows.transpose(1, 2, 0)):
-        mean, amplitude = row[at["mean"]], np.nan_to_num(row[at["extreme"]])
-        upper = expected_extreme(row[at["largest"]], mean, amplitude)
-        lower = expected_extreme(-row[at["smallest"]], -mean, amplitude)
-        lower = lower._replace(value=-lower.value, low=-lower.high, high=-lower.low)
+        upper, lower = median_extreme(row[at["largest"]]), median_extreme(-row[at["smallest"]])
+        lower = lower._replace(median=-lower.median, low=-lower.high, high=-lower.low)
         out[q, len(STATISTICS) :] = [*upper, *lower]
     return out
 
@@ -237,7 +237,7 @@ def _make_room(output, header, plan, fresh):
     with opened(output) as old:
         there = old["seed"][()].tolist()
         more = [seed for seed in plan.seeds if seed not in there]
-        if more:
+        if more or not summary_is_of_today(output):
             create(output, header, [*there, *more], max(plan.keep_series, len(old["kept_seed"])), old)
 
 

@@ -134,7 +134,7 @@ def simulate_seed(task, seed, kept, progress=None):
         warnings.simplefilter("always")  # the energy outside the stored frequencies is told once, by the plan
         run = simulate(body, plan.weather, plan.settings, seed, progress)
     late = run.time >= -1e-9
-    extreme = 1000 * plan.mean_period if plan.mean_period else None
+    extreme = 0.0 if plan.weather.regular is not None else 1000 * plan.mean_period if plan.mean_period else None
     statistics = partial(record_statistics, step=plan.settings.step, split=plan.split, duration=extreme)
     run = run._replace(tension=np.column_stack([run.tension, run.pull]))
     met = [column for pair in zip(run.deflection.T, run.reaction.T, strict=True) for column in pair]

@@ -1,6 +1,6 @@
 """What runs in time at a berth give: strains, energy and reaction of fenders beside tensions of ropes and lines.
 
-strain, total    expected extreme of the runs, of the fender alone where it stands on a dolphin, over its height
+strain, total    largest of all runs, of the fender alone where it stands on a dolphin, over its height
 strain, steady   largest mean of ten minutes in the kept records (the report's limit is of "periods of 10 min and
                  longer", SR179 1982, chapter 4, 3.2.5)
 """
@@ -94,7 +94,7 @@ def _of_fenders(file, made, berth):
     out = {TOTAL: {}, SLOW: {}, OF_ALLOWABLE: {}, OF_ENERGY: {}, DOLPHIN: {}}
     for i, (table, one) in enumerate(zip(made.fender, berth.fenders, strict=True)):
         row = dict(zip(SUMMARY, file["summary"][names.index(f"deflection {one.name}")], strict=True))
-        largest = float(np.nanmax([row["upper_value"], row["largest"], 0.0]))
+        largest = max(float(row["largest"]), 0.0)
         steady = _longest_mean(file["deflection"][()][..., i].astype(float), step)
         fender, yields = fender_of(table), dolphin_of(table, dolphins)
         alone = [of_fender(fender, bilinear(*yields), y) if yields else y for y in (largest, steady)]
@@ -103,7 +103,7 @@ def _of_fenders(file, made, berth):
         try:
             out[OF_ENERGY][one.name] = float(fender.energy(alone[0])) / fender.rated_energy
             reaction = one.fender.largest_reaction(largest)
-        except FenderError:  # the expected extreme is beyond the table, which the runs were not
+        except FenderError:  # beyond the table
             out[OF_ENERGY][one.name], reaction = np.inf, np.inf
         if yields and np.isfinite(yields[1]) and reaction > 0:
             out[DOLPHIN][one.name] = yields[1] / reaction

@@ -1,7 +1,8 @@
-"""A load case in time: its runs by `hakobune simulate`, and what criteria ask of them.
+"""A load case in time: its runs by `hakobune simulate`, and what criteria ask of them: the largest of all runs.
 
 Some rules take the tension at a multiple of the dynamic displacement: there the body is moved from its mean by the
-multiple of where it is at the largest tension of a line, in each run that is kept, and statics give the tension.
+multiple of where it is at the largest tension of a line, in each run that is kept, and statics give the tension, times
+what the largest simulated is over that of statics at the displacement itself.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ READ = {  # what of JSON is not an array
 
 def _simulated(study, database, path, factors):
     from ...simulate.file import opened
-    from ...simulate.report import largest_tension, line_values
+    from ...simulate.report import line_values
 
     outcome = _run(study, database, path)
     if outcome.made:  # what the preparation of the first run tells, the next does not
@@ -62,12 +63,12 @@ def _simulated(study, database, path, factors):
         rows = [line_values(file, name) for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
         motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
-    largest = {1.0: np.array([largest_tension(row) for row in rows])}
+    largest = {1.0: np.array([row["largest"] for row in rows])}
+    held, along, up = _moved(study, database, motion, tension, 1.0)
+    more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # of runs that are not kept, and of lines in motion
     for factor in factors:
         if factor != 1:
-            largest[factor] = _moved(study, database, motion, tension, factor)[0]
-    held, along, up = _moved(study, database, motion, tension, 1.0)
-    more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # the extreme is beyond what the records have
+            largest[factor] = more * _moved(study, database, motion, tension, factor)[0]
     return {
         "mean": np.array([row["mean"] for row in rows]),
         "largest": largest,
@@ -102,7 +103,7 @@ def _run(study, database, path):
 
 
 def _largest_motions(file):
-    """(6,) m, rad: extremes of the motions from their means, whichever side is larger"""
+    """(6,) m, rad: largest motions of all runs from their means, whichever side is larger"""
     from bem import DOFS
 
     from ...simulate.file import SUMMARY
@@ -110,15 +111,14 @@ def _largest_motions(file):
     names, out = list(file["quantity"].asstr()[()]), []
     for name in DOFS:
         row = dict(zip(SUMMARY, file["summary"][names.index(name.lower())], strict=True))
-        ends = [row[key] for key in ("upper_value", "lower_value", "largest", "smallest")]
-        out.append(np.nanmax(np.abs(np.array(ends) - row["mean"])))
+        out.append(max(row["largest"] - row["mean"], row["mean"] - row["smallest"]))
     return np.array(out)
 
 
 def _moved(study, database, motion, tension, factor):
     """(3, n) N: static tension of each line and rope, its horizontal pull on the anchor or bollard and its pull upwards
-    there, with the body at `factor` times its displacement from the mean at the largest tension of the line, the mean
-    over the runs
+    there, with the body at `factor` times its displacement from the mean at the largest tension of the line, the
+    largest over the runs
 
     motion : (runs, t, 6); tension : (runs, t, n)
     """
@@ -134,7 +134,7 @@ def _moved(study, database, motion, tension, factor):
         for line in range(out.shape[1]):
             place = mean + factor * (moved[pulled[:, line].argmax()] - mean)
             held = _held_line(system, line, place) if line < count else _held_rope(berth, db, line - count, place)
-            out[:, line] += np.array(held) / len(motion)
+            out[:, line] = np.maximum(out[:, line], held)
     return out
 
 

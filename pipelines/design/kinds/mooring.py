@@ -42,13 +42,13 @@ IN_TIME = (
     "run beside them for the place under steady forces; its findings are of it alone."
 )
 AT_BERTH = (
-    "Tensions, strains and motions are expected extremes of simulations in time; forces at anchors and bollards are "
+    "Tensions, strains and motions are the largest of all simulations in time; forces at anchors and bollards are "
     "static ones where the body is at the largest tension. A steady strain is the largest mean of ten minutes. Ropes "
     "are tended to their pretension at every water level."
 )
 SOURCES = "Tensions are lines/maximum_tension of its file, offsets equilibrium, motions motion_amplitude."
 IN_TIME_SOURCES = (
-    "Tensions, motions and forces at the anchor are the extremes of its runs (NAME_runs.h5), kept as values.largest, "
+    "Tensions, motions and forces at the anchor are the largest of its runs (NAME_runs.h5), kept as values.largest, "
     "motions, horizontal and uplift of NAME_runs_extremes.json; offset and yaw are under steady forces, in NAME.h5."
 )
 BERTH_SOURCES = "Tensions, strains and motions are of the summary in the file of its runs; offsets are their means."

@@ -1,0 +1,83 @@
+"""The largest value of a run, told from runs that differ in their seed alone, whatever law it follows.
+
+Of n independent runs let x₁ ≤ … ≤ xₙ be their largest values, and m the median of the largest value of such a run: half
+of them go beyond it.
+
+    P(x_d ≤ m ≤ x_{n+1−d}) = 1 − 2 P(B < d),   B binomial (n, ½)                                   (1)
+    the largest of n is gone beyond by at most a share 1 − (1−c)^(1/n) of such runs, with confidence c   (2)
+
+The interval of CONFIDENCE lies between those of two neighbouring d and is interpolated between them (Hettmansperger and
+Sheather 1986, Statistics & Probability Letters 4, 75-79).  No law is fitted: lines that snap in few runs have largest
+values of two populations, and slow motion has peaks in clusters (what laws do there: tests/bench/extremes_coverage.py).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+CONFIDENCE = 0.9
+FEWEST = 5  # runs: an interval of CONFIDENCE is within the largest and smallest of them, 1 − 2^(1−n)
+RARE = 2.0  # times the median of the largest values of runs, beyond which one is of few runs
+
+
+class Extreme(NamedTuple):
+    """Median of the largest (or smallest) value of a run, its interval of CONFIDENCE, and the number of runs
+
+    nan with fewer than FEWEST runs, which have no such interval
+    """
+
+    median: float
+    low: float
+    high: float
+    runs: int
+
+
+def median_extreme(largest):
+    """`Extreme` of the largest values (n,) of independent runs.
+
+    For the smallest values give them with the other sign, and turn the result.
+    """
+    x = np.sort(np.asarray(largest, float))
+    n = len(x)
+    if n < FEWEST:
+        return Extreme(np.nan, np.nan, np.nan, n)
+    d, share = _order(n)
+    low = (1 - share) * x[d - 1] + share * x[d]
+    high = (1 - share) * x[n - d] + share * x[n - d - 1]
+    return Extreme(float(np.median(x)), float(low), float(high), n)
+
+
+def _order(n):
+    """d of eq. (1) with at least CONFIDENCE, and the share of the way to the next order statistic inwards"""
+    from scipy.special import bdtr
+
+    d = 1
+    while 1 - 2 * bdtr(d, n, 0.5) >= CONFIDENCE:
+        d += 1
+    at, inside = (1 - 2 * bdtr(k, n, 0.5) for k in (d - 1, d))
+    given = (at - CONFIDENCE) / (at - inside)
+    return d, (n - d) * given / (d + (n - 2 * d) * given)
+
+
+def share_beyond(runs):
+    """Share of runs that goes beyond the largest of `runs` of them at most, with CONFIDENCE: eq. (2)"""
+    return -np.expm1(np.log1p(-CONFIDENCE) / runs)
+
+
+def rare(largest):
+    """(q,) number of runs whose largest value is beyond RARE times the median of them; largest : (runs, q), above 0
+
+    0 with fewer than FEWEST runs.  Where it is not, a line snaps in few runs, or a fender is met in few: one more run
+    may go far beyond all of them.
+    """
+    largest = np.asarray(largest, float)
+    if len(largest) < FEWEST:
+        return np.zeros(largest.shape[1], int)
+    return np.sum(largest > RARE * np.median(largest, axis=0), axis=0)
+
+
+def beyond(used, limit):
+    """(q,) number of runs in which a share used (runs, q) is above the limit; nan is not"""
+    return np.sum(np.asarray(used, float) > limit, axis=0)

@@ -1,0 +1,85 @@
+"""What all runs of a simulation say together: the largest of all, what it uses, in how many runs, how sure it is."""
+
+from __future__ import annotations
+
+import tomllib
+
+import numpy as np
+
+from mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
+from mooring.response.findings import LINES_NAMED, some
+
+from ..moor.study import make_study
+from .file import STATISTICS, whole_rows
+
+HELP = "give a stronger type, a longer line or less pretension"
+
+
+def largest_in_runs(file, kind):
+    """(runs, q) largest in each run of the quantities of a kind, as "tension", and the (q,) names of what has them"""
+    names = [name.partition(" ") for name in file["quantity"].asstr()[()]]
+    chosen = [i for i, (word, _, _) in enumerate(names) if word == kind]
+    rows = file["statistics"][()][whole_rows(file)]
+    return rows[:, chosen, STATISTICS.index("largest")], [names[i][2] for i in chosen]
+
+
+def used_in_runs(file):
+    """(runs, lines) largest share of the breaking load in each run, nan where none is known"""
+    load = np.asarray(file.attrs["breaking_load"], float)
+    return largest_in_runs(file, "tension")[0] / np.where(np.isfinite(load), load, np.nan)
+
+
+def overloads(file):
+    """Lines and ropes that part, or use more than is allowable, in any run, with the number of such runs"""
+    used, allowable = used_in_runs(file), float(file.attrs["allowable"])
+    names, most = file["line"].asstr()[()], used.max(axis=0)
+    allowed = f"above the allowable {100 * allowable:g} % of the breaking load"
+    for chosen, limit, text in (
+        (most > 1, 1.0, "beyond the breaking load, limit 100 %, where they part"),
+        ((most > allowable) & (most <= 1), allowable, allowed),
+    ):
+        counts, order = beyond(used, limit), [i for i in np.argsort(-most, kind="stable") if chosen[i]]
+        named = [f"{names[i]} {100 * most[i]:.4g} % in {counts[i]} of {len(used)} runs" for i in order]
+        if named:
+            yield f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {HELP}"
+
+
+def notes(file):
+    """How the largest values are to be read"""
+    runs = int(whole_rows(file).sum())
+    further = f"up to {100 * share_beyond(runs):.2g} % of such runs go beyond it (confidence {100 * CONFIDENCE:.0f} %)"
+    if not differ(file):
+        yield "no waves or gusts differ between seeds: the largest and smallest values are those of every run"
+    elif runs < FEWEST:
+        yield (
+            f"largest: what was simulated in {runs} run{'s' * (runs != 1)}; {further}; give {FEWEST} seeds for a "
+            "median extreme with its interval"
+        )
+    else:
+        yield (
+            "median extreme: half of such runs go beyond it; its interval holds whatever the law of the largest values"
+            f"; largest: what was simulated in {runs} runs; {further}"
+        )
+
+
+def differ(file):
+    """Whether seeds make runs differ: by irregular waves or gusts"""
+    study = make_study(tomllib.loads(file.attrs["study"]))
+    conditions, gusts = study.conditions(), study.wind is not None and study.wind.gusts is not None
+    return gusts or (conditions.sea is not None and conditions.method != "regular_wave")
+
+
+def rare_findings(file):
+    """Lines that snap, and fenders that are met, in few of the runs"""
+    for kind, what, way_out in (
+        ("tension", "lines that snap taut", "longer lines or more pretension end it"),
+        ("deflection", "fenders that are met", "more seeds tell how often"),
+    ):
+        largest, names = largest_in_runs(file, kind)
+        found = [(name, n) for name, n in zip(names, rare(largest), strict=True) if n]
+        if found:
+            named = some([f"{name} in {n} of {len(largest)}" for name, n in found], LINES_NAMED)
+            yield (
+                f"{what} in few runs: their largest {kind} is more than {RARE:g} times its median over all runs in "
+                f"some ({named}): two populations; the next run may go far beyond what was simulated; {way_out}"
+            )
