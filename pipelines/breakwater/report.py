@@ -110,7 +110,10 @@ def _lines(study, found):
         yield from _pretension_lines(study, found.pretension)
     if found.snapping is not None:
         level, period, snap = found.snapping
-        front, back = (f"{P / KN:.4g} kN/m, slack {share:.2g}" for P, share in zip(snap.peaks, snap.slack, strict=True))
+        front, back = (
+            f"{most / KN:.4g} kN/m (mean of the cycles {P / KN:.4g}), slack {share:.2g}"
+            for most, P, share in zip(snap.largest, snap.peaks, snap.slack, strict=True)
+        )
         yield f"in time, {period:.4g} s at {level} water: front snaps to {front} of the time; back to {back}"
 
 

@@ -29,11 +29,13 @@ SIDES = (-1, 1)  # of the front and the back line: waves travel to +y
 PROVIDED = {"capacity_kN", "weight_kN_per_m", "spacing"}  # of an anchor that the study has
 HOURS = 3.0  # of a sea, where the study has none
 SOURCES = (
-    "Tensions are pretension and expected greatest amplitude in the sea, of a line; NAME.h5 has the curves behind them."
+    "Tensions are pretension and expected greatest amplitude in the sea, of a line, or the largest of it in time where "
+    "it goes slack; NAME.h5 has the curves behind them."
 )
 METHOD = (
-    "Linear motion in two dimensions. A line that goes slack snaps: its tension is then told in time by hakobune "
-    "breakwater. Anchors are sized by regular waves as high as the highest of the sea."
+    "Linear motion in two dimensions. A line that goes slack snaps: its tension is then the largest in time, in the "
+    "regular waves of the study, where that is more. Anchors are sized by regular waves as high as the highest of the "
+    "sea."
 )
 
 
@@ -161,7 +163,8 @@ def _numbers(asked, found):
     names = () if held is None else ("front", "back")
     count, lines = len(names), study.lines
     spacing = 0.0 if lines is None else lines.spacing
-    largest = np.array([] if held is None else [spacing * one for one in sea.tension])
+    snaps = (0.0, 0.0) if found.snapping is None else found.snapping.found.largest
+    largest = np.array([] if held is None else spacing * np.maximum(sea.tension, snaps))
     if count:
         parts[SLACK] = dict(zip(names, map(float, sea.slack), strict=True))
         if lines.allowable_kN is not None:

@@ -83,7 +83,7 @@ def test_lines_without_enough_pretension_are_said_to_go_slack(tmp_path, capsys):
     text = RECTANGLE.replace("free_draft = 3.4", "free_draft = 4.9").replace("1e5", "1e3")
     assert run(tmp_path, text) == 1
     said = capsys.readouterr().out
-    assert "LINES GO SLACK: front at mean water" in said and "front snaps to" in said
+    assert "LINES GO SLACK: front at mean water" in said and "front snaps to" in said and "mean of the cycles" in said
 
 
 def test_lines_that_the_sea_takes_slack_and_a_sinker_up_to_the_keel_are_told(tmp_path, capsys):

@@ -4,6 +4,7 @@ import csv
 import tomllib
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import h5py
 import msgspec
@@ -15,6 +16,7 @@ import pipelines
 from bem.time_domain.memory import no_memory
 from pipelines.common.quantities import StudyError
 from pipelines.design.command import made
+from pipelines.design.kinds.breakwater import _numbers as breakwater_numbers
 from pipelines.design.project import read_project
 from pipelines.executors.choice import Here
 
@@ -282,7 +284,7 @@ def marina(tmp_path_factory):
 def test_a_breakwater_is_judged_by_what_passes_it(marina):
     """A case by its own door; the highest of N waves of Rayleigh's law, whose most probable value is H₁/₃ √(½ ln N)"""
     from pipelines.breakwater.build import Breakwater
-    from pipelines.breakwater.results import results
+    from pipelines.breakwater.results import Snapping, results
     from pipelines.breakwater.study import read_breakwater
 
     out = marina.parent / "out"
@@ -299,6 +301,10 @@ def test_a_breakwater_is_judged_by_what_passes_it(marina):
     assert waves * above == pytest.approx(1.0, rel=1e-9)
     (passed,) = [one for one in verdict.judged if one.criterion.quantity == "transmitted wave height"]
     assert passed.governing.case == "working, 0 deg"  # the limit is of normal states
+    snap = SimpleNamespace(largest=(1e6, 0.0))  # N/m in time, of the front line; of the back line less than in the sea
+    snaps = breakwater_numbers(Breakwater(study), found._replace(snapping=Snapping("mean", 6.0, snap)))
+    in_sea = study.lines.spacing * np.array(found.sea.tension)
+    assert np.allclose(snaps.largest, [1e6 * study.lines.spacing, in_sea[1]], rtol=1e-12)
 
 
 @pytest.mark.parametrize(
