@@ -11,7 +11,7 @@ from mooring.motion.extremes import CONFIDENCE
 
 from ..common.units import KN
 from .file import SUMMARY, whole_rows
-from .over_runs import notes, overloads, rare_findings, used_in_runs
+from .over_runs import differ, notes, overloads, rare_findings, used_in_runs
 
 UNITS = {"m": (1.0, "m"), "rad": (180 / np.pi, "°"), "m/s": (1.0, "m/s"), "N": (1 / KN, "kN")}
 COLUMNS = {
@@ -117,7 +117,7 @@ def findings(file, moored_periods, wave_period):
     slow = max((value for value in moored_periods.values() if np.isfinite(value)), default=0.0)
     duration = float(file.attrs["duration"])
     yield from rare_findings(file)
-    if duration < LONG * slow:
+    if duration < LONG * slow and differ(file):
         share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
         yield (
             f"a run of {duration:g} s holds {duration / slow:.2g} of the slowest natural periods ({slow:.3g} s), "
