@@ -29,9 +29,12 @@ def used_in_runs(file):
     return largest_in_runs(file, "tension")[0] / np.where(np.isfinite(load), load, np.nan)
 
 
-def overloads(file):
-    """Lines and ropes that part, or use more than is allowable, in any run, with the number of such runs"""
-    used, allowable = used_in_runs(file), float(file.attrs["allowable"])
+def overloads(file, allowable=None):
+    """Lines and ropes that part, or use more than is allowable, in any run, with the number of such runs
+
+    allowable : share of the breaking load in place of the study's, 1 where others judge what lines use
+    """
+    used, allowable = used_in_runs(file), float(file.attrs["allowable"] if allowable is None else allowable)
     names, most = file["line"].asstr()[()], used.max(axis=0)
     allowed = f"above the allowable {100 * allowable:g} % of the breaking load"
     for chosen, limit, text in (

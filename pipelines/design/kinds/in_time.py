@@ -50,6 +50,7 @@ READ = {  # what of JSON is not an array
 
 def _simulated(study, database, path, factors):
     from ...simulate.file import opened
+    from ...simulate.over_runs import overloads, rare_findings
     from ...simulate.report import line_values
 
     outcome = _run(study, database, path)
@@ -63,6 +64,7 @@ def _simulated(study, database, path, factors):
         rows = [line_values(file, name) for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
         motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
+        told = (*overloads(file, 1.0), *rare_findings(file))
     largest = {1.0: np.array([row["largest"] for row in rows])}
     held, along, up = _moved(study, database, motion, tension, 1.0)
     more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # of runs that are not kept, and of lines in motion
@@ -76,7 +78,7 @@ def _simulated(study, database, path, factors):
         "uplift": up * more,
         "cycles": cycles_of(tension, step),
         "motions": motions,
-        "findings": outcome.findings,
+        "findings": (*outcome.findings, *told),
     }
 
 

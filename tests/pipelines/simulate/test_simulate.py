@@ -417,6 +417,8 @@ def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(fold
     largest, smallest = rows[:, :, STATISTICS.index("largest")], rows[:, :, STATISTICS.index("smallest")]
     assert np.array_equal(found["largest"][1.0], largest[:, 8:].max(axis=0)) and found["largest"][1.0][0] == 2e7
     assert found["largest"][1.5][0] == pytest.approx(2e6 * 2e7 / 1.5e6)
+    broken, snaps = found["findings"]
+    assert "part: fore port 1 " in broken and "in 1 of 6 runs" in broken and "fore port 1 in 1 of 6" in snaps
     mean = rows[:, :, STATISTICS.index("mean")].mean(axis=0)
     away = np.maximum(largest.max(axis=0) - mean, mean - smallest.min(axis=0))[:6]
     assert found["motions"] == pytest.approx(away, rel=1e-12)
