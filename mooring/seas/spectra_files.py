@@ -134,11 +134,16 @@ class _Swan:
         return int(word)
 
     def numbers(self, count, thing):
-        """(count,) numbers from as many lines as they take; SWAN writes remarks behind those of a line"""
+        """(count,) numbers from as many lines as they take
+
+        SWAN writes remarks behind a single number, none among many: there a word is a fault, or the line after it,
+        which may be a time, would be taken for what it stands in the place of.
+        """
         found = []
         while len(found) < count:
-            row = leading_numbers(self.words())
-            if not row:
+            words = self.words()
+            row = leading_numbers(words)
+            if not row or (count > 1 and len(row) < len(words)):
                 self.at -= 1
                 raise self.fault(f"numbers, {thing}")
             found += row

@@ -160,6 +160,10 @@ def test_directions_of_a_wavewatch_file_are_where_waves_travel_clockwise_from_no
         (SWAN.format(kind="NDIR"), "directions are nautical; say what the x axis heads"),
         (SWAN.format(kind="CDIR").replace("4 0 2 0", "4 0 x 0"), "line 30 .* wanted: numbers, densities"),
         (SWAN.format(kind="CDIR")[:-20], "more lines, the file ends"),
+        (  # the time of the next block is no density
+            SWAN.format(kind="CDIR").rstrip("0123456789 \n") + " x\n20260101.060000\nNODATA\nNODATA\n",
+            "wanted: numbers, densities",
+        ),
     ],
 )
 def test_a_spoilt_file_is_named_with_its_line(tmp_path, text, said):
