@@ -127,7 +127,8 @@ def test_a_berth_at_high_water_has_its_bollards_and_fenders_lower_on_the_hull(ta
     from pipelines.design.kinds import mooring
 
     read = read_project(tanker)
-    base = {key: value for key, value in read.study.items() if key != "waves"} | {"lines": []}
+    base = {key: value for key, value in read.study.items() if key != "waves"}
+    base |= {"lines": [], "of_hull": {"wind": {}, "current": {}}}
     study = mooring.at(base, 24.0, {})
     assert study["rope"][0]["bollard"][2] == base["rope"][0]["bollard"][2] - 2.0
     assert study["fender"][0]["position"][2] == base["fender"][0]["position"][2] - 2.0
