@@ -1,12 +1,15 @@
 """Memory of a box in shallow water: near its database, passive whatever the motion, the same as convolution."""
 
+import re
+import warnings
+
 import numpy as np
 import pytest
 
 from bem.database import open_database
 from bem.database.reader import reader
 from bem.time_domain.convolution import convolution
-from bem.time_domain.memory import memory_of_database
+from bem.time_domain.memory import CLOSE, _check_deviation, memory_of_database
 from bem.time_domain.memory_kernels import memory_force, memory_rate
 from bem.time_domain.retardation import from_database
 from pipelines.scene.scene import make_scene
@@ -147,3 +150,24 @@ def test_bands_and_tolerances_that_cannot_do_are_refused(box, tmp_path):
     few = database(tmp_path / "few.h5", {"omegas": [0.3, 0.6, 0.9]})
     with pytest.raises(ValueError, match="memory needs radiation at 8 frequencies at least, 3 are stored"):
         memory_of_database(few)
+
+
+@pytest.mark.parametrize("share, told", [(0.9, ""), (1.1, "warned"), (9.9, "warned"), (10.1, "refused")])
+def test_coefficients_that_contradict_each_other_are_told_and_then_refused(share, told):
+    """By more than what is good, and by more than what is allowed; the pair and its damping at both ends are named"""
+    good, allowed = CLOSE
+    worst = share * good if share < 5 else share / 10 * allowed
+    deviation, size = np.zeros((6, 6)), np.ones(6)
+    deviation[0, 4] = worst
+    damping = np.stack([np.diag([0.25, 1, 1, 1, 1, 1.0]), np.diag([0.5, 1, 1, 1, 1, 1.0])])
+    call = lambda: _check_deviation(deviation, (0.2, 1.5), damping, size)  # noqa: E731
+    words = "from 0.2 to 1.5 rad/s contradict each other by .*surge–pitch.*surge is 0.25 of the largest .* and 0.5 at"
+    if told == "refused":
+        with pytest.raises(ValueError, match=words):
+            call()
+        return
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        call()
+    assert len(caught) == (told == "warned")
+    assert not caught or re.search(words, str(caught[0].message))

@@ -3,7 +3,8 @@
 import pytest
 
 from pipelines.breakwater.pareto import changed
-from pipelines.breakwater.study import read_breakwater
+from pipelines.breakwater.study import MOST_OBLIQUE, read_breakwater
+from pipelines.common.quantities import StudyError
 
 TEXT = """
 holdings = ["taut"]
@@ -45,3 +46,17 @@ def test_a_wider_and_deeper_rectangle_is_the_same_body_stretched_across_and_upri
     assert changed(study, {"draft": 6.0}).body.free_draft == pytest.approx(4.5)
     same = changed(study, {"angle_deg": 30.0})
     assert (same.section, same.body) == (study.section, study.body)
+
+
+@pytest.mark.parametrize("key", ["waves", "sea"])
+@pytest.mark.parametrize("degrees, refused", [(MOST_OBLIQUE - 1, False), (MOST_OBLIQUE + 1, True), (-90, True)])
+def test_waves_and_sea_come_within_the_obliquity_that_is_solved(key, degrees, refused, tmp_path):
+    path = tmp_path / "study.toml"
+    sea = "[sea]\nspectrum = 'bretschneider'\nheight = 1.0\nsignificant_period = 6.0\n"
+    text = TEXT.replace('holdings = ["taut"]', 'holdings = ["fixed"]') + sea
+    path.write_text(text.replace(f"[{key}]", f"[{key}]\nobliquity_deg = {degrees}"))
+    if refused:
+        with pytest.raises(StudyError, match=rf"{key}.obliquity_deg is {degrees}; allowed: -{MOST_OBLIQUE} to"):
+            read_breakwater(path)
+    else:
+        assert getattr(read_breakwater(path)[0], key).obliquity_deg == degrees

@@ -45,7 +45,7 @@ def test_reactions_to_rule_and_spectrum_are_those_of_one_mass_on_a_spring(tmp_pa
     rows, said = tables(tmp_path, capsys)
     T, ratio = 2 * math.pi * math.sqrt((M + A) / K), N / (2 * math.sqrt(K * (M + A)))
     S = np.interp(T, [10.0, 30.0], [0.1, 0.01]) * math.sqrt(0.10 / (0.05 + ratio))
-    assert f"period {T:.1f} s (first slope)" in said
+    assert f"sway: {M:.0f} t, 3 × linear.csv on each side, 0 m off; period {T:.1f} s (first slope)" in said
     period, damping, acceleration, reaction, share, deflection, strain = (float(x) for x in rows["response spectrum"])
     assert period == pytest.approx(T, abs=0.06) and damping == pytest.approx(100 * ratio, abs=0.06)
     assert acceleration == pytest.approx(S, rel=0.01) and reaction == pytest.approx((M + A) * S, rel=2e-3)
