@@ -1,0 +1,38 @@
+"""What the report of a design says of its body and the checks of its databases, from numbers that are made up."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from pipelines.design.report import _body_words, _checks, _whole
+
+
+def test_every_check_that_fails_is_told_with_its_number_and_limit(monkeypatch):
+    checks = [
+        SimpleNamespace(name="energy", passed=False, largest=0.034, omega=0.512, limit=0.01),
+        SimpleNamespace(name="Haskind", passed=True, largest=0.001, omega=0.5, limit=0.01),
+        SimpleNamespace(name="residual", passed=False, largest=2e-3, omega=1.25, limit=1e-3),
+    ]
+    monkeypatch.setattr("bem.database.open_database", lambda path: path)
+    monkeypatch.setattr("pipelines.solve.report.checked", lambda db: checks if db == "a.h5" else checks[1:2])
+    told = list(_checks({"mean": "a.h5", "high": "b.h5"}))
+    assert [one["text"] for one in told if one["css"] == "fails"] == [
+        "mean: energy is 0.034 at ω 0.512 rad/s; limit 0.01",
+        "mean: residual is 0.002 at ω 1.25 rad/s; limit 0.001",
+    ]
+    assert told[-1]["css"] == "source"
+
+
+def test_a_body_is_told_in_tonnes_metres_and_seconds():
+    """A box of 100 × 50 × 10 m displaces 1025 · 50 000 kg = 51 250 t; ω from 0.25π to 0.5π is 4 to 8 s"""
+    db = SimpleNamespace(
+        dimensions={"length": 100.0, "beam": 50.0, "draft": 10.0}, density=1025.0, displaced_volume=50_000.0,
+        center_of_mass=(1.0, -2.0, 0.5), omega=np.array([0.25, 0.3, 0.5]) * np.pi, wave_direction=np.zeros(5),
+        mesh=SimpleNamespace(total=244),
+    )  # fmt: skip
+    assert _body_words(db) == (
+        "length 100 m, beam 50 m, draft 10 m; displacement 51 250 t, centre of gravity 1, -2, 0.5 m (z up from the "
+        "water). 244 panels; 3 periods from 4 to 8 s, 5 headings."
+    )
+    assert _body_words(SimpleNamespace(**vars(db) | {"dimensions": {}})).startswith("A body from a mesh file; ")
+    assert (_whole(1234567.0), _whole(999.4)) == ("1 235 000", "999")
