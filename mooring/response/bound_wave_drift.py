@@ -31,6 +31,9 @@ SLOW = (0.4, 0.6)  # of the mean frequency: differences below have the whole for
 SHALLOW = 1.5  # kh at the mean period, below which what is left out is estimated
 PLACES, FOURTH = 161, 4  # frequencies of an estimate; every fourth of the differences
 WORTH_NAMING = 0.2  # of the slow force by Newman's approximation
+NOTHING = 1e-6  # of the body's weight: a force that moves it by no more than a millionth of what carries it
+RATIO = 10.0  # times Newman's force, above which that is as good as none and says nothing of the size of the other
+STOKES = 40.0  # Ursell number H λ²/h³ up to which waves are a sum of first and second order (Hedges 1995)
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,12 +173,24 @@ def left_out(body, sea):
 
     body : `bem.database.reader.Reader` that knows drift and inertia; sea : its mean direction is taken for all waves
     """
-    ratio, kh = bound_to_newman(body, sea), depth_in_waves(body, sea)
-    if ratio is None or ratio <= WORTH_NAMING or kh >= SHALLOW:
+    found, kh = _slow_forces(body, sea), depth_in_waves(body, sea)
+    if found is None or kh >= SHALLOW:
         return
+    bound, newman = found
+    if bound <= WORTH_NAMING * newman or bound <= NOTHING * body.inertia[0, 0] * body.gravity:
+        return
+    ursell = sea.spectrum.significant_height * (2 * np.pi / kh) ** 2 / body.depth
+    if ursell > STOKES:
+        yield (
+            f"kh is {kh:.2g} at the mean wave period, and Hλ²/h³ {ursell:.3g}, allowed: {STOKES:g}: waves so long and "
+            "high are no sum of first and second order; the slow force of their bound waves is not known and left out"
+        )
+        return
+    size = f"{bound / newman:.1f} times the slow force by Newman's approximation"
+    if bound > RATIO * newman:
+        size = f"σ {bound / 1e3:.3g} kN, where Newman's approximation has {newman / 1e3:.2g} kN"
     yield (
-        f"kh is {kh:.2f} at the mean wave period: bound long waves, left out, push slowly with about "
-        f"{ratio:.1f} times the slow force by Newman's approximation; "
+        f"kh is {kh:.2f} at the mean wave period: bound long waves, left out, push slowly with about {size}; "
         'qtf = "bound-wave" or "body" of a response study or a simulation adds them'
     )
 
@@ -187,6 +202,12 @@ def bound_to_newman(body, sea):
     On boxes of 60 and 100 m in 12 to 20 m of water, head and beam seas, kh of the peak from 0.3 to 2, it is 0.95 to 1.3
     times what is solved for (`tests/bench/bound_to_newman.py`).  Arguments as of `left_out`
     """
+    found = _slow_forces(body, sea)
+    return None if found is None else found[0] / max(found[1], 1e-300)
+
+
+def _slow_forces(body, sea):
+    """N, of bound waves and by Newman's approximation, as `bound_to_newman` has their ratio; None likewise"""
     spectrum = sea.spectrum
     if not body.knows_drift or body.inertia is None:
         return None
@@ -200,8 +221,7 @@ def bound_to_newman(body, sea):
 
     alone = force_spectrum_with(bound, spectrum, omega, np.zeros_like(D), step)
     parts = alone, force_spectrum(spectrum, omega, D, step)
-    power, newman = (np.trapezoid(part[:, :2].sum(axis=1), step) for part in parts)
-    return float(np.sqrt(power / max(newman, 1e-300)))
+    return tuple(float(np.sqrt(np.trapezoid(part[:, :2].sum(axis=1), step))) for part in parts)
 
 
 def depth_in_waves(body, sea):

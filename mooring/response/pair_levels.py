@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..environment.sea import Sea, linear_weights
-from .bound_wave_drift import SHALLOW, bound_to_newman, depth_in_waves, of_sea, slow_share
+from .bound_wave_drift import RATIO, SHALLOW, bound_to_newman, depth_in_waves, of_sea, slow_share
 from .slow_drift import HORIZONTAL
 
 if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should not wait
@@ -166,9 +166,8 @@ def beside_newman(db, sea, level, spread=False):
         if ratio is not None:
             size = f"the push is {100 * ratio:.2g} % of its slow force"
         return None, (f'qtf = "auto" takes newman: of bound long waves {size}',)
-    why = (
-        f'qtf = "auto" takes {{}}: bound long waves push with about {ratio:.2g} times the slow force of Newman\'s rule'
-    )
+    size = f"about {ratio:.2g} times the slow force of" if ratio <= RATIO else "a slow force that is next to none by"
+    why = f'qtf = "auto" takes {{}}: bound long waves push with {size} Newman\'s rule'
     try:
         found = stored_pairs(db, sea, "auto", spread)
         return found, (why.format(found.level), *_surface_left_out(db, found.level))

@@ -8,7 +8,7 @@ from mooring.environment.spectra import jonswap
 from mooring.motion.given_forces import GivenForce
 from mooring.motion.simulation import simulate, wave_components
 from mooring.motion.weather import Settings, Weather
-from mooring.response.bound_wave_drift import bound_to_newman, left_out, of_sea, record
+from mooring.response.bound_wave_drift import bound_to_newman, depth_in_waves, left_out, of_sea, record
 from mooring.response.slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond
 
 SWELL = Sea(jonswap(0.5, peak_period=14.0), 0.4)
@@ -34,6 +34,22 @@ def test_what_is_left_out_is_said_of_swell_and_not_of_short_waves(database):
     said = list(left_out(body, SWELL))
     assert len(said) == 1 and said[0].startswith("kh is 0.8") and 'qtf = "bound-wave"' in said[0]
     assert not list(left_out(body, Sea(jonswap(0.5, peak_period=6.0), 0.4)))
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_beside_next_to_no_drift_a_force_is_told_and_no_ratio_and_of_waves_beyond_second_order_nothing(database):
+    """Waves of 36 s: the drift vanishes like ω⁴ and more, the slope of the long waves stays.  On either side of
+    Hλ²/h³ = 40, λ = 2πh/kh, one line or the other; a sea of a tenth of a millimetre has no line at all"""
+    body = database.reader.floating()
+    kh = depth_in_waves(body, Sea(jonswap(1.0, peak_period=36.0)))
+    limit = 40 * 20.0 * (kh / (2 * np.pi)) ** 2
+    (below,) = left_out(body, Sea(jonswap(0.95 * limit, peak_period=36.0)))
+    (above,) = left_out(body, Sea(jonswap(1.05 * limit, peak_period=36.0)))
+    assert "σ " in below and "where Newman's approximation has" in below and "times" not in below
+    assert "not known and left out" in above
+    ratio = bound_to_newman(body, Sea(jonswap(0.95 * limit, peak_period=36.0)))
+    assert ratio > 10
+    assert not list(left_out(body, Sea(jonswap(1e-4, peak_period=36.0))))
 
 
 @pytest.mark.parametrize("period", [6.0, 12.0])
