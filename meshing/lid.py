@@ -17,6 +17,7 @@ from .gmsh_session import filled, graded_patches
 from .panels import PanelMesh, joined, structured
 
 STRAIGHT = 1e-6  # sine of the turn up to which two waterline edges are one line
+OFF = 0.1  # of the width of a lid, that a chord may leave its ring
 AT_SURFACE = 1e-6  # of the draft: points this close to z = 0 belong to the waterline
 
 
@@ -177,6 +178,38 @@ def _spaced(place, first, last, size):
     return np.unique(near)
 
 
+def _true(ring, others, size):
+    """`_simplified` with edges so short that they leave the ring by no more than `OFF` of the width of the lid there
+
+    others : rings that bound the same lid.  A long chord cuts across a bay, a moonpool or a narrow ring.
+    """
+    width = _width(ring, others)
+    while True:
+        plan = _simplified(ring, size)
+        if len(plan) >= len(ring) or np.all(_distance(ring, plan) <= OFF * width):
+            return plan
+        size *= 0.7
+
+
+def _width(ring, others):
+    """(k,) m from each corner of a ring across the lid: to other rings, and to its own where it comes back on itself"""
+    side = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
+    place = np.cumsum(side) - side
+    along = np.abs(place[:, None] - place)
+    along = np.minimum(along, side.sum() - along)
+    apart = np.linalg.norm(ring[:, None] - ring, axis=2)
+    own = np.where(along > 1.5 * apart, apart, np.inf).min(axis=1)
+    return np.min([own, *(_distance(ring, other) for other in others)], axis=0)
+
+
+def _distance(points, ring):
+    """(k,) m of points (k, 3) from the sides of a polygon"""
+    start, side = ring, np.roll(ring, -1, axis=0) - ring
+    ahead = points[:, None] - start
+    share = np.clip(np.einsum("ijk,jk->ij", ahead, side) / np.einsum("jk,jk->j", side, side), 0, 1)
+    return np.linalg.norm(ahead - share[..., None] * side, axis=2).min(axis=1)
+
+
 def _filled(ring, holes, size, symmetry):
     """Panels of about the area size² inside a ring and outside its holes."""
     plan = _simplified(ring, size)
@@ -184,7 +217,9 @@ def _filled(ring, holes, size, symmetry):
         return _grid(plan, size, symmetry)
     wanted = (_area(ring) + sum(_area(hole) for hole in holes)) / size**2
     for _ in range(3):  # gmsh rounds edges up to whole panels and makes up to twice as many as asked for
-        made = filled(_simplified(ring, size), [_simplified(h, size) for h in holes], size, symmetry, "lid")
+        rings = [ring, *holes]
+        plans = [_true(one, [other for other in rings if other is not one], size) for one in rings]
+        made = filled(plans[0], plans[1:], size, symmetry, "lid")
         if len(made) <= 1.2 * wanted:
             break
         size *= math.sqrt(len(made) / wanted)

@@ -139,3 +139,51 @@ def test_a_waterline_that_cannot_be_covered_is_named(hull, words):
 def test_a_lid_needs_a_size():
     with pytest.raises(ValueError, match="size is 0"):
         lid(box(10, 5, 2), size=0)
+
+
+def ring_hull(outer, inner, draft=5.0, sides=48):
+    """Walls between two closed curves of the angle, without a bottom: what a lid sees of a hull with a moonpool"""
+    angle = np.arange(sides + 1) * 2 * np.pi / sides
+    rims = [np.stack([r(angle)[0], r(angle)[1], 0 * angle], axis=1) for r in (outer, inner)]
+    walls = [structured(np.stack([rim - [0, 0, draft], rim], axis=1)) for rim in rims]
+    walls = [walls[0], walls[1].flipped()]
+    walls = walls if walls[0].normals[0] @ rims[0][0] > 0 else [wall.flipped() for wall in walls]
+    return joined(walls).merged(1e-9)
+
+
+def curve(radius, bulge=0.0, waves=0, x=0.0, y=0.0):
+    def at(angle):
+        r = radius + bulge * np.cos(waves * angle)
+        return x + r * np.cos(angle), y + r * np.sin(angle)
+
+    return at
+
+
+@pytest.mark.parametrize(
+    ("outer", "inner"),
+    [
+        (curve(10), curve(5, x=2)),
+        (curve(10, 1, 3), curve(5, 1, 3)),
+        (curve(10), curve(6, 0.8, 4)),
+        (curve(10), curve(8, x=0.7)),
+    ],
+    ids=["beside the middle", "wavy", "wavy pool", "narrow"],
+)
+@pytest.mark.parametrize("size", [6.0, 3.0])
+def test_a_lid_lies_inside_its_ring_and_outside_its_pool_however_long_its_edges(outer, inner, size):
+    """Corners and middles of its sides are between the two curves, but for a tenth of the width; so is its area."""
+    cover = lid(ring_hull(outer, inner), size)
+    corners = cover.vertices
+    places = np.concatenate([corners, 0.5 * (corners + np.roll(corners, -1, axis=1))], axis=1).reshape(-1, 3)
+    fine = np.linspace(0, 2 * np.pi, 2001)
+    sides = [np.stack(one(fine), axis=1) for one in (outer, inner)]
+    gap = min(np.linalg.norm(sides[0][::20, None] - sides[1][None, ::20], axis=2).min(axis=1))
+    for rim, sign in zip(sides, (1, -1), strict=True):
+        away = np.linalg.norm(places[:, None, :2] - rim[None, ::10], axis=2)
+        nearest = rim[::10][away.argmin(axis=1)]
+        centre = rim.mean(axis=0)
+        out = sign * (np.linalg.norm(places[:, :2] - centre, axis=1) - np.linalg.norm(nearest - centre, axis=1))
+        assert out.max() < 0.25 * gap + 0.15
+    exact = sum(s * 0.5 * np.sum(r[:-1, 0] * np.diff(r[:, 1]) - r[:-1, 1] * np.diff(r[:, 0]))
+                for s, r in zip((1, -1), sides, strict=True))  # fmt: skip
+    assert total_area(cover) == pytest.approx(exact, rel=0.05)
