@@ -118,6 +118,10 @@ def test_a_row_of_a_buoy_is_its_spectrum(tmp_path):
     assert np.isclose(read_sea(path, time="2026 01 01 00 40").spectrum.moment(0), 2.0 * 0.05)
     with pytest.raises(TableError, match="2 rows; allowed: one"):
         read_sea(path)
+    path.write_text(
+        "#YY MM DD hh mm .0500 .1000 .1500\n#yr mo dy hr mn m2/Hz m2/Hz m2/Hz\n2026 01 01 00 40 0.0 2.0 0.0\n"
+    )
+    assert np.isclose(read_sea(path).spectrum.moment(0), 2.0 * 0.05)  # a line of units is no row
 
 
 def wavewatch(density, place="'one' 50.0 -2.0 20.0 10.0 270.0 0.1 90.0"):
