@@ -116,7 +116,7 @@ def faults(found, sliding=True):
             out.note("length", abs(p[1] - down - below[1]) / far)
             aside = 0.0 if heap[i + 1] or heap[i] else abs(place[0] - below[3])
             out.note("broken", max(aside, abs(place[1] - below[4])) / far)
-            meet(line, found, p, below, [k for k, place in enumerate(nearest) if place == i], far, force, out)
+            meet(line, found, p, below, [k for k, place in enumerate(nearest) if place == i], sliding, far, force, out)
     end = pieces[-1]
     out.note("length", abs(end[1] - end[2]) / far if not found.slack else 0.0)
     held = np.array([found.horizontal_anchor, found.vertical_anchor])
@@ -164,7 +164,7 @@ def in_water(line, p, segment, far, out):
     return x - dx[0], z - dz[0]
 
 
-def meet(line, found, above, below, nearest, far, force, out):
+def meet(line, found, above, below, nearest, sliding, far, force, out):
     """Balance where two parts meet; nearest : numbers of the loads of which no other such place is nearer"""
     s, x, z = below[1], below[3], below[4]
     upper, lower = pull(above, above[2]), pull(below, 0.0)
@@ -187,5 +187,26 @@ def meet(line, found, above, below, nearest, far, force, out):
     if line.bed is None or abs(z - bed_height(line, x)) > far:
         out.note("balance", size / force)
         return
-    presses = [reaction @ [-np.sin(beta), np.cos(beta)] for beta in slopes_at(line, x, far)]
-    out.note("sucked to the bed", -max(presses) / force)
+    lies = (idle(above, force) and idle(below, force)) or (found.slack and x <= far)
+    if lies and not sliding:
+        return
+    slopes, friction = slopes_at(line, x, far), line.bed.friction
+    out.note("out of the cone of friction", outside_cone(reaction, slopes, friction) / force)
+    if not loads:
+        tensions = np.sort([np.hypot(*upper), np.hypot(*lower)])
+        turned = np.arctan2(abs(upper[0] * lower[1] - upper[1] * lower[0]), upper @ lower)
+        out.note("capstan", (np.diff(tensions)[0] - np.expm1(friction * turned) * tensions[0]) / force)
+
+
+def idle(piece, force):
+    """Whether a part lies on the bed without tension"""
+    return piece[0] == 1 and max(piece[5], piece[5] - piece[6] * piece[2]) <= force
+
+
+def outside_cone(reaction, slopes, friction):
+    """Distance, N, of a reaction from the cone in which the bed can push: normals of its facets, widened by friction"""
+    normals = slopes + 0.5 * np.pi
+    middle, half = 0.5 * (normals.max() + normals.min()), 0.5 * np.ptp(normals) + np.arctan(friction)
+    angle = np.arctan2(*reaction[::-1]) - middle
+    beyond = abs((angle + np.pi) % (2 * np.pi) - np.pi) - half
+    return np.hypot(*reaction) * np.sin(np.clip(beyond, 0.0, 0.5 * np.pi))

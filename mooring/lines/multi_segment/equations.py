@@ -128,7 +128,7 @@ def march_span(line, e, facet, load, target, unknown, rows):
     mix(g, END, 0.0, S, 0.0, S)
     if unknown >= 0:
         g[END, unknown] = 1.0
-    for _ in range(10_000):
+    for _ in range(rows.shape[0]):  # and no longer, in a trial without numbers
         weight = line.segments[at[0], 1]
         row, ds = free_table_row(line, q, at[0])
         stop, is_load = next_stop(line, at)

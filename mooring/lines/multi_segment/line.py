@@ -15,8 +15,8 @@ lifted out of it by a fairlead that stands above.  On a slope steeper than frict
 down: into a heap above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where
 the first facet falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of
 the fairlead with all that it can give; where a line that does so has no equilibrium, because a span that lands behind
-a ridge would jump to its front, friction holds with a part of that.  What is found in none of these ways comes to
-rest without friction (`at_rest`): in several heaps, folds and bights, also beyond the foot of its fairlead.
+a ridge would jump to its front, friction holds with a part of that.  What is found in none of these ways is refused:
+slack lines with sinkers or buoys in several heaps, folds and bights, on beds steeper than their friction holds.
 Bending, current on the line and the weight of the line above water are neglected.
 """
 
@@ -38,10 +38,9 @@ FLAT = Bed.sloping()
 LEAST = 1e-11  # of the line's weight: horizontal tension below which a line is called slack
 RESIDUAL = 1e-10  # of the line length, on every equation
 SOFT = 1e-7  # of the line length: height over which a buoy emerges while its state is sought
-SOFTER = (1e-5, 1e-3)  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
-AT_REST = None  # a way to seek a line: without friction, by a chain that falls to rest
+SOFTER = 1e-5  # the same where that finds nothing: of two buoys in the surface one moves with the other's lift
 WORDS = ("submerged", "floating", "emerged")  # of the states of point loads
-MOBILISED = (0.8, 0.6, 0.4, 0.2, 0.05, 0.0)  # of the friction, the largest first, where all of it has no equilibrium
+MOBILISED = (0.5, 0.2, 0.0)  # of the friction, where all of it has no equilibrium
 
 
 @cache
@@ -154,43 +153,23 @@ class StaticLine:
         return found, status, pieces, loads
 
     def _once(self, way, x, z, tolerances):
-        """Row of `newton.store`, state, pieces and states of the loads at one position; way : LineData, or AT_REST"""
+        """Row of `newton.store`, state, pieces and states of the point loads at one position"""
         search = _search()
-        if way is AT_REST:
-            from .at_rest.solve import come_to_rest
-
-            row = come_to_rest(self, float(x[0]), float(z[0]), self._bears_out)
-            return (None, search.LOST, None, None) if row is None else (row[0], search.SOLVED, *row[1:])
         guess = self._like_a_uniform_line(float(x[0]), float(z[0]))
         found, status, pieces, loads = search.solve_positions(way, x, z, guess, self._capacity(way), tolerances)
         return found[0], status[0], pieces, loads
 
-    def _bears_out(self, pieces, states):
-        """Whether pieces (n, 11) are in equilibrium: `verdict`"""
-        from .verdict import stands
-
-        q, below, none = np.zeros(7), np.zeros(7), np.empty((11, 0))
-        return stands(self._data, pieces, len(pieces), states, False, q, below, none)
-
     def _further_tries(self, data):
         """Pairs of LineData and tolerances by which a line is sought that is not found at once, the quickest first"""
-        search = _search()
-        ways = [data, data._replace(to_place=not data.to_place)]
-        tries = [(ways[0], search.CLOSER), (ways[1], search.QUICK), (ways[1], search.EXACT)]
-        rests = [] if len(data.kept) else [(AT_REST, None)]
-        if data.friction == 0:
-            tries, rests = tries + rests, []
-        told = []
-        if self.loads and self._steep:
-            ways, told = ([way._replace(held=held) for way in ways] for held in (1, 2))
-            tries += [(way, how) for how in (search.QUICK, search.EXACT) for way in ways]
-        parts = [share * data.friction for share in MOBILISED] if data.friction > 0 else []
-        less = [(way._replace(friction=part), search.COARSE) for part in parts for way in ways]
+        search, other = _search(), data._replace(to_place=not data.to_place)
+        tries = [(data, search.CLOSER), (other, search.QUICK), (other, search.EXACT)]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
-            softer = [ways[0]._replace(soft=soft * self.length) for soft in SOFTER]
-            ways += [way._replace(to_place=to) for to in (data.to_place, not data.to_place) for way in softer]
-        tries += [(way, search.COARSE) for way in ways[2:]] + [(way, search.FINE) for way in ways] + less
-        return tries + [(way, how) for how in (search.QUICK, search.EXACT, search.FINE) for way in told] + rests
+            tries += [(way._replace(soft=SOFTER * self.length), search.COARSE) for way in (data, other)]
+        if data.friction > 0:
+            tries += [(data._replace(friction=share * data.friction), search.COARSE) for share in MOBILISED]
+        if self.loads and self._steep:
+            tries += [(way._replace(held=held), search.ROUGH) for held in (1, 2) for way in (data, other)]
+        return tries
 
     @cached_property
     def _mirrored(self):
@@ -282,13 +261,22 @@ class StaticLine:
             i = int(np.argmax(wrong))
             beyond = status[i] == BEYOND_REACH
             what = "cannot be reached by" if beyond else "is in reach, but no equilibrium was found for"
-            what += f" a line of {self.length:g} m"
-            if not beyond and self._steep:
-                what += f" (a slack line may slide: part of the bed is steeper than its friction {self.bed.friction:g})"
+            what += f" a line of {self.length:g} m{'' if beyond else self._way_out}"
             count = f"{np.count_nonzero(wrong)} of {x.size} positions: " if x.size > 1 else ""
             raise (BeyondReachError if beyond else LineError)(
                 f"{count}fairlead at x = {x.flat[i]:.6g} m, z = {z.flat[i]:.6g} m {what}"
             )
+
+    @property
+    def _way_out(self):
+        """End of the message for a line that was not found"""
+        if not self._steep:
+            return "; give another length, or move the fairlead or a load a little"
+        steepest = np.abs(self.bed.slopes).max()
+        return (
+            f": on its bed, with slopes up to {steepest:.3g} and friction {self.bed.friction:g}, it may slide; "
+            f"give a friction of at least {steepest:.3g}, a shorter line, or no loads where it lies"
+        )
 
     def _capacity(self, data):
         parts = len(data.segments) + len(data.loads) + len(data.kept) + len(data.strain_table)

@@ -23,9 +23,9 @@ from .traverse import traverse
 # at the bed vertex to which the line slides
 SOLVED, LOST, SLIDES = -1, -2, -3
 # of the length, left over at the anchor by a search: that of a single position to begin with, those where it finds
-# nothing, and those where these find nothing, which take ten times as long
-QUICK, CLOSER, EXACT, COARSE = np.array([1e-2]), np.array([1e-4, 1e-6]), np.array([1e-6]), np.array([1e-3, 1e-6])
-FINE = np.array([1e-3, 1e-6, 1e-9, 1e-12, 1e-15])
+# nothing, one and the other way, those where these find nothing, and those of many positions
+QUICK, CLOSER, EXACT, ROUGH = np.array([1e-2]), np.array([1e-4, 1e-6]), np.array([1e-6]), np.array([1e-3])
+COARSE = np.array([1e-3, 1e-6])
 CLOSE = 1e-7  # of the starts of spans in the coarsest searches
 
 
@@ -90,7 +90,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
 def solve_positions(line, x, z, guess, capacity, tolerances):
     """Positions (n,) one after another.
 
-    guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `QUICK` to `FINE`
+    guess : H to begin with, N; capacity : most pieces that the line can have; tolerances : `QUICK` to `COARSE`
     returns : results (n, 11), see `newton.store`; states (n,); pieces, states of the point loads at the last position
     """
     found, status = np.zeros((x.size, 11)), np.full(x.size, LOST)

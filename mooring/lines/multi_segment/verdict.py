@@ -5,8 +5,10 @@ each piece ends where the next one begins, the last one at the anchor, and where
 
     R = (H₋ − H₊, V₋ − V₊ + f),   + above the place, − below it, f the weight of the point load there,
 
-is nothing off the bed; on it R points out of the bed, and on a facet T jumps at loads alone, but for what a slack line
-has laid out at its anchor.  A buoy is under water, or out of it, or in the surface with a weight between both.
+is nothing off the bed.  On it R, with which the bed pushes, lies in its cone of friction: so a sinker on a slope pulls
+with what friction does not hold, and T jumps on a facet at loads alone; over a vertex it changes no more than that of a
+rope over a bollard.  What lies without tension is exempt; `StaticSolution.slides` tells of it.
+A buoy is under water, or out of it, or in the surface with a weight between both.
 """
 
 from __future__ import annotations
@@ -97,10 +99,17 @@ def lies_well(line, piece, far, stray):
 
 
 @kernel()
-def balanced(line, q, below, load, states, slack, far, stray):
+def is_idle(piece, stray):
+    """Whether a piece lies on the bed without tension."""
+    return piece[0] == 1 and max(piece[5], piece[5] - piece[6] * piece[2]) <= stray
+
+
+@kernel()
+def balanced(line, q, below, load, states, slack, idle, far, stray):
     """Whether forces balance where the pieces above and below meet: q below the one, `below` above the other.
 
     slack : whether what lies beyond the anchor's place is a heap there (`free_span.tangent_beyond`)
+    idle : whether both lie, without tension or in the heap at the anchor
     """
     weight = 0.0
     if load >= 0:
@@ -117,15 +126,28 @@ def balanced(line, q, below, load, states, slack, far, stray):
         return True
     if line.no_bed or abs(height_over_bed(line, q[X], q[Z])) > far:
         return False
-    # against the normal of the facets on both sides, of which one is enough at a vertex
+    if idle:
+        return True
+    if load < 0:  # over a vertex
+        upper, lower = math.hypot(q[H], q[V]), math.hypot(below[H], below[V])
+        turn = math.atan2(abs(q[H] * below[V] - q[V] * below[H]), q[H] * below[H] + q[V] * below[V])
+        if abs(upper - lower) > math.expm1(line.friction * turn) * min(upper, lower) + stray:
+            return False
+    return pushed(line, q[X], across, up, far, stray)
+
+
+@kernel()
+def pushed(line, x, across, up, far, stray):
+    """Whether the bed at x, m, can push with a force: the normals of the facets there, widened by the friction."""
+    low, high = math.inf, -math.inf
     for facet in range(line.bed.shape[0]):
         right = line.bed[facet + 1, 0] if facet + 1 < line.bed.shape[0] else math.inf
         left = line.bed[facet, 0] if facet > 0 else -math.inf
-        if left - far <= q[X] <= right + far:
-            beta = line.bed[facet, 2]
-            if up * math.cos(beta) - across * math.sin(beta) >= -stray:
-                return True
-    return False
+        if left - far <= x <= right + far:
+            low, high = min(low, line.bed[facet, 2]), max(high, line.bed[facet, 2])
+    away = abs(math.atan2(-across, up) - 0.5 * (low + high))
+    beyond = min(away, 2 * math.pi - away) - 0.5 * (high - low) - math.atan(line.friction)
+    return math.hypot(across, up) * math.sin(min(max(beyond, 0.0), 0.5 * math.pi)) <= stray
 
 
 @kernel()
@@ -169,10 +191,9 @@ def stands(line, rows, count, states, slack, q, below, g):
                 return False
             q[X], q[Z] = below[X], below[Z]
             at_load = load >= 0 and abs(line.loads[load, 0] - below[S]) <= 1e-14 * line.length
-            if not balanced(line, q, below, load if at_load else -1, states, slack, far, stray):
-                return False
-            flat = piece[0] == 1 and rows[i + 1, 0] == 1 and piece[10] == rows[i + 1, 10]
-            if flat and not slack and not at_load and abs(q[T] - rows[i + 1, 5]) > stray:
+            idle = is_idle(piece, stray) and is_idle(rows[i + 1], stray)
+            idle = idle or (slack and q[X] <= line.bed[0, 0] + far)
+            if not balanced(line, q, below, load if at_load else -1, states, slack, idle, far, stray):
                 return False
             load -= 1 if at_load else 0
     if slack:

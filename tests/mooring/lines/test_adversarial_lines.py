@@ -1,20 +1,28 @@
 """Lines that nobody would hang, judged by quadrature and balances of forces: what is answered is an equilibrium."""
 
+import time
 from collections import Counter
 
 import numpy as np
 import pytest
 from bench.adversarial_lines import random_line, verdict
+from bench.usual_lines import usual_line
 from exact.static_line import faults
 
-from mooring.lines.multi_segment.at_rest.solve import come_to_rest
+from mooring.lines.catenary.state import LineError
 from mooring.lines.multi_segment.line import Bed, PointLoad, Segment, StaticLine
 
 
-def test_no_adversarial_line_is_wrong_and_none_is_refused_that_its_bed_holds():
+def test_no_adversarial_line_is_wrong_and_hardly_one_is_refused():
     words = Counter(verdict(11, number)[0] for number in range(300))
-    assert words["wrong"] == words["refused"] == 0, words
+    assert words["wrong"] == 0 and words["refused"] <= 2, words  # of 0.5 expected
     assert words["answered"] > 200, words
+
+
+def test_no_line_that_one_does_hang_is_wrong_or_refused():
+    words = Counter(verdict(12, number, usual_line)[0] for number in range(300))
+    assert words["wrong"] == words["refused"] == words["slides"] == 0, words
+    assert words["answered"] > 250, words
 
 
 def test_a_line_with_a_gap_or_that_ends_beside_its_anchor_is_no_answer():
@@ -37,9 +45,9 @@ def test_friction_holds_with_a_part_where_all_of_it_has_no_equilibrium():
     assert all(verdict(1101, number)[0] == "answered" for number in (7801, 10727, 13581, 15160, 38880))
 
 
-def test_slack_lines_with_buoys_on_steep_slopes_come_to_rest_without_friction_and_are_told_with_it():
+def test_slack_lines_with_buoys_on_steep_slopes_are_told_of():
     """Sinkers on a slope that falls from the anchor, and a leg below a buoy on one that rises from it, slide."""
-    assert all(verdict(1101, number)[0] == "answered" for number in (193, 14847, 20761, 22742, 29330))
+    assert all(verdict(1101, number)[0] == "slides" for number in (14847, 20761))
     assert verdict(1101, 647)[0] == "slides"  # friction 0.4: what is left over is a heap at the anchor
 
 
@@ -48,55 +56,41 @@ def test_a_sinker_in_a_hollow_and_a_heap_above_a_buoy_are_in_equilibrium():
     assert all(verdict(1101, number)[0] == "answered" for number in (27293, 30437, 59958))
 
 
-def test_lines_that_no_traversal_finds_come_to_rest():
-    """Two heaps of which one drains into the other, folds past the fairlead's foot, buoys that stand over a heap."""
-    numbers = (671, 1422, 1913, 4707, 7898, 13800, 26213, 32847, 34004, 38742)
-    words = {number: verdict(1101, number)[0] for number in numbers}
-    assert set(words.values()) == {"answered"}, words
-
-
-def test_contacts_shorter_than_the_links_of_a_chain_are_found_where_it_is_made_finer():
-    """A buoy at the crest of a ridge, spans and heaps of a thousandth of the line, a sinker where a span lands."""
-    cases = ((31, 1708), (31, 96999), (31, 220439), (31, 449724), (32, 130930), (32, 416154))
-    words = {case: verdict(*case)[0] for case in cases}
-    assert set(words.values()) == {"answered"}, words
-
-
-def test_a_load_at_a_vertex_is_not_joined_to_the_line_by_a_span_of_no_length():
-    """Such a span, and the load on either side of it, would be counted twice: 1e-8 of the line beside a buoy."""
-    cases = ((31, 473387), (31, 63185), (52, 80779))
-    words = {case: verdict(*case)[0] for case in cases}
-    assert set(words.values()) == {"answered"}, words
-    for case in cases:
+def test_lines_that_no_traversal_finds_are_refused_in_one_line_at_once():
+    """Two heaps of which one drains into the other, folds past the fairlead's foot, a buoy at the crest of a ridge."""
+    for case in ((1101, 671), (1101, 13800), (1101, 38742), (31, 1708), (31, 100529)):
         line, x, z = random_line(np.random.default_rng(case))
-        lengths = line.solve(x, z).pieces[:, 2] / line.length
-        assert not np.any((lengths > 1e-14) & (lengths < 1e-7)), (case, lengths)
+        line.solve(x, max(z, 0.5 * line.length))  # loads the kernels
+        start = time.process_time()
+        with pytest.raises(LineError, match="it may slide; give a friction of at least") as caught:
+            line.solve(x, z)
+        assert time.process_time() - start < 0.1, case
+        assert "\n" not in str(caught.value) and f"friction {line.bed.friction:g}" in str(caught.value)
 
 
-def test_a_sinker_is_held_down_in_a_hollow_by_buoys_that_stand_plumb_beside_it():
-    words = {case: verdict(*case)[0] for case in ((31, 100529), (32, 124765), (32, 443879))}
-    assert set(words.values()) == {"answered"}, words
+def test_a_sinker_on_a_slope_without_friction_pulls_along_it():
+    """Lines in which one hung at a fold or a ridge, and legs without tension, held a sinker or a buoy by nothing."""
+    numbers = (2072, 2154, 2564, 8587, 14508, 14702, 15230, 18544, 18698, 19954)
+    words = {number: verdict(7001, number)[0] for number in numbers}
+    assert "wrong" not in words.values(), words
 
 
-def test_a_line_without_a_bed_hangs_plumb_in_a_bight_below_its_fairlead():
-    """Fairlead over the anchor: with a sinker lowest, with a stretch of 40 %, with two buoys under water."""
-    words = {case: verdict(*case)[0] for case in ((31, 12738), (31, 160770), (32, 357520))}
-    assert set(words.values()) == {"answered"}, words
+def test_the_judge_sees_a_sinker_that_its_bed_does_not_hold():
+    """Pulled out over a slope of 1 to 10 a sinker of 500 N takes f (sin β + μ cos β) of the tension."""
+    segments, sinker, slope = [Segment(100.0, 10.0, 1e7)], [PointLoad(20.0, 500.0)], np.arctan(0.1)
+    found = StaticLine(segments, sinker, Bed.sloping(slope, 0.2)).solve(94.4, 24.0)
+    assert not faults(found)
+    i = int(np.argmin(np.abs(found.pieces[:, 1] - 20.0)))
+    above, below = found.pieces[i - 1], found.pieces[i]
+    assert above[0] == below[0] == 1
+    assert above[5] - above[6] * above[2] - below[5] == pytest.approx(500 * (np.sin(slope) + 0.2 * np.cos(slope)))
+    object.__setattr__(found, "line", StaticLine(segments, sinker, Bed.sloping(slope, 0.1)))
+    assert faults(found)["out of the cone of friction"] > 1e3
 
 
 def test_what_is_heaped_at_the_anchor_does_not_hang_below_the_bed():
     """Between a buoy over the anchor and the anchor, five times the depth of line lies in a heap."""
     assert verdict(31, 193226)[0] == "answered"
-
-
-def test_a_line_at_rest_has_the_stiffness_of_its_forces():
-    """Central differences over 1e-5 of the length, whose own error is of second order."""
-    line, x, z = random_line(np.random.default_rng([1101, 671]))
-    row, step = come_to_rest(line, x, z, line._bears_out)[0], 1e-5 * line.length
-    for column, (dx, dz) in enumerate(((step, 0.0), (0.0, step))):
-        ahead, behind = (come_to_rest(line, x + way * dx, z + way * dz, line._bears_out)[0] for way in (1, -1))
-        slope = (ahead[:2] - behind[:2]) / (2 * step)
-        assert np.allclose(slope, row[[5 + column, 7 + column]], rtol=1e-4)
 
 
 def test_the_residual_sees_a_wrong_tension_a_broken_line_and_a_buoy_above_the_sea():
