@@ -4,6 +4,7 @@ import io
 import json
 import shutil
 import signal
+import tomllib
 from concurrent.futures import Future
 from pathlib import Path
 from types import SimpleNamespace
@@ -36,9 +37,11 @@ from pipelines.printing.console import new_console, tables_as
 from pipelines.simulate import file as of_runs
 from pipelines.simulate import over_runs, report, work
 from pipelines.simulate import run as runs
+from pipelines.simulate.berth import lines_on_fenders
 from pipelines.simulate.file import STATISTICS, SUMMARY, opened, whole_rows
 from pipelines.simulate.pictures import draw, spectrum
 from pipelines.simulate.study import plan_of
+from pipelines.sweep.run import one_case
 
 MOOR = Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml"
 TABLE = "\n[simulation]\nduration = 600.0\nramp = 50.0\nseeds = 3\nkeep_series = 2\n"
@@ -422,6 +425,32 @@ def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(fold
     mean = rows[:, :, STATISTICS.index("mean")].mean(axis=0)
     away = np.maximum(largest.max(axis=0) - mean, mean - smallest.min(axis=0))[:6]
     assert found["motions"] == pytest.approx(away, rel=1e-12)
+
+
+def test_a_sweep_keeps_what_lines_use_in_the_worst_of_all_runs(folder, monkeypatch):
+    monkeypatch.setattr(engine, "simulate", snapping)
+    monkeypatch.setattr("pipelines.simulate.command.draw", lambda file, output: [])
+    monkeypatch.setattr("pipelines.simulate.command.beside_of", lambda *given: (None, ()))
+    words = ("--database", "box.h5", "--output", "run.h5", "--seeds", "6")
+    tables = one_case(main, "simulate", tomllib.loads(Path("study.toml").read_text()), "study.toml", words)[2]
+    (used,) = (table["rows"] for table in tables if table["title"].startswith("largest tension"))
+    with opened("run.h5") as file:
+        load = file.attrs["breaking_load"]
+        largest = file["statistics"][:, 8:, STATISTICS.index("largest")].max(axis=0)
+    assert [float(row["used %"]) for row in used] == pytest.approx(100 * largest / load, abs=0.05)
+
+
+def test_a_fender_is_as_strained_as_in_the_worst_of_all_runs():
+    names = SimpleNamespace(asstr=lambda: {(): np.array(["deflection A", "deflection B"])})
+    summary = np.full((2, len(SUMMARY)), np.nan)
+    summary[:, SUMMARY.index("largest")] = 0.9, 1.1
+    summary[:, SUMMARY.index("upper_median")] = 0.5, 0.4
+    rubber = SimpleNamespace(height=2.0, allowable=0.5, own_allowable=0.5, own=lambda y: y)
+    fenders = [SimpleNamespace(name=name, fender=rubber) for name in "AB"]
+    told, beyond = lines_on_fenders({"quantity": names, "summary": summary}, fenders)
+    assert (
+        "B is strained most, to 55 % of its height" in told and len(beyond) == 1 and "B is pressed to 55 %" in beyond[0]
+    )
 
 
 def test_a_single_run_tells_what_was_simulated_and_asks_for_seeds(folder):

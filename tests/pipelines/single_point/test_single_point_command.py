@@ -13,6 +13,7 @@ from pipelines import cli
 from pipelines.common.weather.streams import with_files
 from pipelines.single_point.maps import _named, with_value
 from pipelines.single_point.report import bow, preferred
+from pipelines.single_point.running import table_of
 from pipelines.single_point.study import make
 from pipelines.single_point.tables import make_study
 
@@ -200,3 +201,20 @@ def test_a_tanker_is_held_to_the_published_criteria_of_yaw(tmp_path, monkeypatch
         assert float(one.split(lever)[1].split()[0]) == pytest.approx(0.12 / 0.35 * 300, rel=0.02)
     assert run(tmp_path, own.replace("-0.05", "0.05"), monkeypatch=monkeypatch) == 2
     assert "current.yaw_rate.N_r is 0.05; allowed: finite, N_r at most 0" in capsys.readouterr().err
+
+
+def test_the_largest_tension_of_a_run_is_that_of_its_record():
+    """One sample of 5 MN in a record of 1 MN; the report's significant value is 1 + ⅔ · 4 MN"""
+    hawser, lines = np.full((50, 1), 1e6), np.full((50, 2), 2e6)
+    hawser[7], lines[30, 1] = 5e6, 3e6
+    still = SimpleNamespace(
+        hawser=np.array([1e6]),
+        lines=SimpleNamespace(tension=np.array([2e6, 2e6])),
+        point=SimpleNamespace(system=SimpleNamespace(line_names=["a", "b"])),
+    )
+    rows = {
+        row[0]: row
+        for row in table_of(SimpleNamespace(record=SimpleNamespace(hawser=hawser, lines=lines), steady=still))
+    }
+    assert [rows[name][4] for name in ("hawser 1", "a", "b")] == [5e6, 2e6, 3e6]
+    assert rows["hawser 1"][3] == pytest.approx(1e6 + 4e6 * 2 / 3, rel=1e-3)
