@@ -8,7 +8,7 @@ berth   the box of `simulate_quay.toml` on 12 ropes and 4 fenders (with an overl
 
 Each trial is 20 seeds, the truth that of all seeds.  median: of `mooring.motion.extremes`, as `simulate` tells it; 50
 trials scatter by 4 % for one quantity, so drawn: the same of 4 000 trials drawn from all seeds.
-Beside it, what was tried: the mean of Gumbel's law by maximum likelihood with its interval, and the median of the
+Beside it, what was tried: the mean of Gumbel's law by maximum likelihood with its exact interval, and the median of the
 largest of a run by peaks over a threshold (largest between upward crossings of the mean; generalised Pareto by
 probability-weighted moments, Hosking and Wallis 1987; bootstrap over seeds).  beyond: share of trials in which more of
 all runs than `share_beyond(20)` go beyond the largest of the trial, which is to be a tenth.
@@ -29,7 +29,7 @@ ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT)]
 
 from mooring.motion.extremes import median_extreme, share_beyond
-from mooring.response.return_period import fit_gumbel
+from mooring.site.extremes import fit_extremes
 
 SCENES = ROOT / "pipelines" / "scenes"
 TRIAL, PEAKS, OVER, DRAWS = 20, 20, 10, 200  # seeds, kept peaks of a run, of them over the threshold, bootstrap
@@ -116,7 +116,7 @@ def row_of(peaks, rng):
     """Shares of trials that hold the truth (drawn, median, Gumbel, threshold), and of those with too much beyond"""
     largest, held = peaks[:, 0], []
     for trial in np.split(peaks, len(peaks) // TRIAL):
-        own, gumbel = median_extreme(trial[:, 0]), fit_gumbel(trial[:, 0]).interval(RUNS_OF_MEAN)
+        own, gumbel = median_extreme(trial[:, 0]), fit_extremes(trial[:, 0]).interval(RUNS_OF_MEAN)
         pot, middle = over_threshold(trial, rng), np.median(largest)
         held.append(
             [

@@ -21,7 +21,7 @@ from mooring.response.extremes import (
     significant_factor,
 )
 from mooring.response.long_term import YEAR, long_term
-from mooring.response.return_period import fit_gumbel, probability_not_exceeded, return_period
+from mooring.response.return_period import probability_not_exceeded, return_period
 
 TABLE = Path(__file__).parents[2] / "published" / "simulation_statistics.csv"
 DURATION = 1000 * 10.0  # s, 1000 mean wave periods
@@ -107,7 +107,6 @@ def test_thousand_waves_have_the_factor_of_the_report():
         (lambda: fit_weibull(np.arange(1.0, 11.0)), "10 peaks above 0; allowed: at least 30"),
         (lambda: fit_weibull(np.ones(50)), "all peaks are equal"),
         (lambda: record_peaks([1.0, np.nan]), "one row of finite numbers"),
-        (lambda: fit_gumbel([1.0, 2.0, 3.0]), "3 yearly maxima; allowed: at least 5"),
         (lambda: return_period(20, 1.0), "probability is 1.0; allowed"),
         (lambda: probability_not_exceeded(20, 1.0), "return period is 1.0 years; allowed: above 1"),
         (lambda: long_term([1.0], [1.0], [1.2]), "shares of time sum to 1.2"),
@@ -149,31 +148,6 @@ def test_return_periods_of_the_guideline():
     assert np.isclose(return_period(20, 0.5), 29.36, atol=0.005)
     assert np.isclose(return_period(50, np.exp(-1)), 1 / (1 - np.exp(-1 / 50)))
     assert np.allclose(probability_not_exceeded(20, return_period(20, [0.1, 0.5, 0.99])), [0.1, 0.5, 0.99])
-
-
-def test_gumbels_distribution_is_found_again_and_its_interval_holds_the_truth_nine_times_in_ten():
-    rng, inside, n = np.random.default_rng(3), 0, 300
-    truth = 20.0 - 4.0 * np.log(-np.log(1 - 1 / 100))
-    for _ in range(n):
-        fit = fit_gumbel(rng.gumbel(20.0, 4.0, 60))
-        low, high = fit.interval(100)
-        inside += low < truth < high
-    # 60 years are few for a normal interval: a per cent or two is missing
-    assert abs(inside / n - 0.9) < 3 * np.sqrt(0.9 * 0.1 / n) + 0.02
-    assert np.isclose(fit.not_exceeded(fit.value(100)), 0.99)
-
-
-def test_gumbel_fit_is_where_the_likelihood_is_largest():
-    x = np.random.default_rng(4).gumbel(10.0, 2.0, 30)
-
-    def likelihood(b, s):
-        y = (x - b) / s
-        return -len(x) * np.log(s) - np.sum(y + np.exp(-y))
-
-    fit = fit_gumbel(x)
-    best = likelihood(fit.location, fit.scale)
-    for db, ds in ((1e-3, 0), (-1e-3, 0), (0, 1e-3), (0, -1e-3)):
-        assert likelihood(fit.location + db, fit.scale + ds) < best
 
 
 def test_one_sea_state_all_the_time_is_the_short_term():
