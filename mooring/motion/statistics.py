@@ -23,6 +23,10 @@ from ..response.extremes import expected_maximum
 
 FEWEST_WAVES = 3  # zero crossings below which a record has no extreme
 STEADY = 1e-9  # σ over the largest value of a record that does not vary
+# of the largest σ of all motions or all forces, below which one is what rounding and the tolerance of the steps leave
+# of what symmetry makes zero; of the hull's length and weight, where nothing moves
+ROUNDING, NOTHING = 1e-6, 1e-9
+FEW = 8.0  # frequencies in a record, below which it has lines and no spectrum, and its maxima no distribution
 
 
 class RecordStatistics(NamedTuple):
@@ -44,6 +48,37 @@ class RecordStatistics(NamedTuple):
     largest: float
     smallest: float
     extreme: float
+
+
+def stillness(sigma, units, length, weight):
+    """(q,) σ up to which quantities do not vary, against what else moves and pulls, and the hull.
+
+    sigma, units : (q,) of "m", "rad", "N" or another; length : m; weight : N.  An angle moves an end of the hull by
+    half the length times it.
+    """
+    sigma, units = np.asarray(sigma, float), np.asarray(units)
+    lever = np.where(units == "rad", 0.5 * length, 1.0)
+    moves, out = np.isin(units, ("m", "rad")), np.zeros(len(sigma))
+    for which, least in ((moves, NOTHING * length), (units == "N", NOTHING * weight)):
+        size = ROUNDING * np.max((sigma * lever)[which], initial=0.0)
+        out[which] = max(size, least) / lever[which]
+    return out
+
+
+def frequencies_in(record):
+    """How many frequencies a record (n,) is of, (ΣE)²/ΣE² of the energies E of its Fourier terms: about 2 of one wave,
+    4 of two, and of a sea nearly as many as its band holds; 0 of one that does not vary"""
+    energy = np.abs(np.fft.rfft(np.asarray(record, float) - np.mean(record))[1:]) ** 2
+    total = energy.sum()
+    return float(total**2 / np.sum(energy**2)) if total > 0 else 0.0
+
+
+def without_rounding(found, still):
+    """`RecordStatistics` of a record whose σ is at most `still`: it does not vary, and ends that small are none"""
+    if not found.sigma <= still:
+        return found
+    mean, *ends = (0.0 if abs(value) <= 3 * still else value for value in (found.mean, found.largest, found.smallest))
+    return RecordStatistics(mean, *[0.0] * 3, *[np.nan] * 5, *ends, np.nan)
 
 
 def record_statistics(record, step, split, duration=None):

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mooring.motion.statistics import slow_part
+from mooring.motion.statistics import FEW, frequencies_in, slow_part
 
 from ..common.picture import save
 from ..common.units import KN
@@ -79,7 +79,7 @@ def _records(file, kept, path):
     axes[0].set_ylabel("wave, m")
     step, split = float(np.diff(time[:2])[0]), float(file.attrs["split_frequency"])
     for j, (name, factor, unit) in enumerate(MOTIONS):
-        motion = factor * file["motion"][row, :, j].astype(float)
+        motion = factor * (not _still(file, name)) * file["motion"][row, :, j].astype(float)
         axes[j + 1].plot(time[part], motion[part], color="0.25", lw=0.9)
         if j in PLANE:
             slow = slow_part(motion, step, split)[part]
@@ -120,6 +120,17 @@ def spectrum(records, step, widest=np.inf):
     return (part[1 : whole + 1].reshape(-1, count).mean(axis=1) for part in (omega, density))
 
 
+def _still(file, name):
+    """Whether a quantity does not vary in any run"""
+    at = list(file["quantity"].asstr()[()]).index(name)
+    return not file["statistics"][()][whole_rows(file)][:, at, STATISTICS.index("sigma")].any()
+
+
+def _has_spectrum(file, name, records):
+    """Whether a quantity varies, with so many frequencies that its spectrum and its maxima mean something"""
+    return not _still(file, name) and max(map(frequencies_in, records.astype(float))) > FEW
+
+
 def _spectra(file, kept, path):
     step, worst = float(np.diff(file["time"][:2])[0]), _worst(file)
     split = float(file.attrs["split_frequency"])
@@ -129,6 +140,11 @@ def _spectra(file, kept, path):
     columns += [(name, f, unit, file["motion"][kept, :, j]) for j, (name, f, unit) in enumerate(MOTIONS)]
     columns.append((f"{worst.kind} {worst.name}", worst.factor, worst.unit, file[worst.kind][kept, :, worst.at]))
     for one, (name, factor, unit, records) in zip(axes.flat, columns, strict=True):
+        if not _has_spectrum(file, name, records):
+            one.set(title=name, xticks=[], yticks=[])
+            still = _still(file, name)
+            one.text(0.5, 0.5, "does not vary" if still else "few frequencies:\nno spectrum", ha="center", va="center")
+            continue
         omega, density = spectrum(factor * records.astype(float), step, FINE * split)
         shown = omega < last
         one.plot(omega[shown], density[shown], lw=1.1)
@@ -141,7 +157,7 @@ def _spectra(file, kept, path):
 
 def _offsets(file, kept, path):
     """Watch circle, and the tension of the worst line against the offset along its pull"""
-    worst, motion = _worst(file), file["motion"][kept]
+    worst, motion = _worst(file), file["motion"][kept] * [not _still(file, name) for name, _, _ in MOTIONS]
     x, y = motion[..., 0].ravel(), motion[..., 1].ravel()
     step = max(1, len(x) // MOST_POINTS)
     figure, ((plan, curve),) = _figure(1, 2, (13, 6.2))
@@ -187,28 +203,33 @@ def _extremes(file, kept, path):
     least = 1.0
     for j, (name, _, _) in enumerate(MOTIONS):
         records = file["motion"][kept, :, j].astype(float)
-        if records.std() > 0:
+        if _has_spectrum(file, name, records):
             tops = _maxima(records, local_maxima) / records.std(axis=1).mean()
             if not len(tops):  # pushed one way by a given force, or too short a run
                 continue
             least = min(least, 0.3 / len(tops))
             left.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), lw=1.2, label=name)
     level = np.linspace(0, 5, 200)
-    left.semilogy(level, np.exp(-0.5 * level**2), "k--", lw=1, label="Rayleigh")
-    left.set(xlabel="maximum from the mean, standard deviations", ylabel="share of maxima above", ylim=(least, 1))
-    left.set_xlim(0, 6)
+    if left.lines:
+        left.semilogy(level, np.exp(-0.5 * level**2), "k--", lw=1, label="Rayleigh")
+    left.set(xlabel="maximum from the mean, standard deviations", ylabel="share of maxima above", xlim=(0, 6))
     worst = _worst(file)
     for i, name in enumerate(file["line" if worst.kind == "tension" else "fender"].asstr()[()]):
         records = file[worst.kind][kept, :, i].astype(float)
-        if not records.std() > 0:
+        if not _has_spectrum(file, f"{worst.kind} {name}", records):
             continue
         tops = worst.factor * _maxima(records, local_maxima, records.mean(axis=1, keepdims=True))
         style = ("-", "--", ":")[i // 10 % 3]  # there are ten colours
         right.semilogy(tops, (np.arange(len(tops)) + 0.5) / len(tops), style, lw=1.2, label=name)
-    right.set(xlabel=f"maximum of the {worst.kind}, {worst.unit}", ylim=(least, 1), xlim=(0, None))
+    right.set(xlabel=f"maximum of the {worst.kind}, {worst.unit}", xlim=(0, None))
     for one in (left, right):
-        one.grid(alpha=0.3, which="both")
-        one.legend(frameon=False, fontsize=8)
+        if one.lines:
+            one.set_ylim(least, 1)
+            one.grid(alpha=0.3, which="both")
+            one.legend(frameon=False, fontsize=8)
+        else:
+            words = "still, or of few frequencies:\nmaxima have no distribution"
+            one.text(0.5, 0.5, words, ha="center", va="center", transform=one.transAxes)
     save(figure, path, 120)
 
 

@@ -11,7 +11,7 @@ from functools import partial
 import numpy as np
 
 from bem import DOFS
-from mooring.motion.statistics import record_statistics
+from mooring.motion.statistics import record_statistics, stillness, without_rounding
 
 from ..common.fender_tables import with_tables_in
 from ..common.quantities import StudyError, level_of
@@ -141,8 +141,12 @@ def simulate_seed(task, seed, kept, progress=None):
     columns = np.column_stack([run.motion, run.wave, run.wind_speed, run.tension, *met])[late]
     if not np.all(np.isfinite(columns)):
         raise ValueError("the run has numbers that are not finite")
+    found = [statistics(column) for column in columns.T]
+    names = run.tension.shape[1], run.deflection.shape[1]
+    units, reader = quantities_of(*(("",) * n for n in names))[1], body.reader
+    still = stillness([one.sigma for one in found], units, 2 * reader.radius, reader.inertia[0, 0] * reader.gravity)
     row = {
-        "statistics": np.array([statistics(column) for column in columns.T]),
+        "statistics": np.array([without_rounding(*pair) for pair in zip(found, still, strict=True)]),
         "estimated_error": run.estimated_error,
         "steps": float(run.steps),
         "findings": np.bytes_("\n".join(run.findings).encode()[:LONGEST].decode(errors="ignore").encode()),

@@ -6,7 +6,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mooring.motion.statistics import highest_mean, over_runs, parts, record_statistics, slow_part
+from mooring.motion.statistics import (
+    FEW,
+    frequencies_in,
+    highest_mean,
+    over_runs,
+    parts,
+    record_statistics,
+    slow_part,
+    stillness,
+    without_rounding,
+)
 from mooring.response.extremes import expected_maximum, mean_of_highest
 
 STEP = 0.5
@@ -112,3 +122,28 @@ def test_the_extreme_of_a_duration_follows_the_number_of_its_waves():
     record = np.sqrt(2) * np.cos(SINE * t)
     for waves, factor in ((1000, 3.872), (100, 3.225)):
         assert record_statistics(record, STEP, 0.3, duration=waves * 12.0).extreme == pytest.approx(factor, rel=2e-3)
+
+
+def test_what_is_rounding_beside_the_hull_and_what_else_moves_does_not_vary():
+    """A hull of 100 m and 5e8 N: surge of 7e-16 m where nothing moves; beside heave of 1 m a millionth of it is none
+    and two millionths are some; roll counts by what it moves an end, tensions by the largest of them"""
+    units = ["m", "m", "rad", "N", "N"]
+    nothing = stillness([7e-16, 1e-12, 1e-15, 0.0, 0.1], units, 100.0, 5e8)
+    assert np.allclose(nothing, [1e-7, 1e-7, 2e-9, 0.5, 0.5])
+    moving = stillness([1e-6, 1.0, 1e-9, 1e5, 2e-1], units, 100.0, 5e8)
+    assert np.allclose(moving, [1e-6, 1e-6, 2e-8, 0.5, 0.5])
+    t = STEP * np.arange(4000)
+    for amplitude, varies in ((0.9e-6, False), (2.0e-6, True)):
+        found = record_statistics(amplitude * np.sqrt(2) * np.sin(SINE * t), STEP, 0.3)
+        told = without_rounding(found, moving[0])
+        assert np.isfinite(told.T_zero) == varies and (told.sigma > 0) == varies and (told.largest > 0) == varies
+    steady = without_rounding(record_statistics(4e5 + 0.3 * np.sin(SINE * t), STEP, 0.3), moving[3])
+    assert steady.mean == pytest.approx(4e5) and steady.sigma == 0 and steady.largest > 0
+
+
+def test_waves_of_one_and_two_frequencies_are_told_from_a_sea():
+    t = STEP * np.arange(1200)  # ten minutes
+    one, two = np.sin(SINE * t), np.sin(SINE * t) + np.sin(0.61 * t + 1.0)
+    assert 1 <= frequencies_in(one) < frequencies_in(two) < FEW
+    sea = gaussian(0.4, 1.2, 4, hours=1 / 6)
+    assert frequencies_in(sea) > 3 * FEW and frequencies_in(np.ones(100)) == 0
