@@ -54,6 +54,8 @@ CHAPTERS = {
     "Response of a free body": (
         "mooring/response/slow_drift.py",
         "mooring/response/wave_drift_damping.py",
+        "mooring/on_current/waves.py",
+        "mooring/on_current/body.py",
         "mooring/response/extremes.py",
         "mooring/response/viscous.py",
     ),

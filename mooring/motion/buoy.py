@@ -340,9 +340,9 @@ def water_rows(table: WaveTable, buoy, place, start, rows):
     """
     c, h, z = table.omega.size, buoy.depth, -0.5 * buoy.draft
     for i in range(c):
-        kx, ky, w = table.number[0, i], table.number[1, i], table.omega[i]
+        kx, ky, w = table.number[0, i], table.number[1, i], table.own[i]  # a current moves water and waves along
         k = np.sqrt(kx * kx + ky * ky)
-        turn = kx * place[0] + ky * place[1] + table.phase[i] - w * start
+        turn = kx * place[0] + ky * place[1] + table.phase[i] - table.omega[i] * start
         a, b = table.amplitude[i] * np.cos(turn), table.amplitude[i] * np.sin(turn)
         over = np.exp(k * z) / (1.0 - np.exp(-2.0 * k * h))
         ch, sh = over * (1.0 + np.exp(-2.0 * k * (z + h))), over * (1.0 - np.exp(-2.0 * k * (z + h)))

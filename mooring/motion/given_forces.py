@@ -14,7 +14,10 @@ from warnings import warn
 import numpy as np
 
 from ..environment.tables import TableError, fault_of_steps, line_of, read_table
-from ..environment.wave_records import UNEVEN, elevation
+from ..environment.wave_records import UNEVEN, real_sum
+from ..on_current.body import carrier_of_body
+from ..on_current.waves import absolute_frequency
+from ..response.sea_state import drift_on_current
 from ..response.slow_drift import half_wave_drift, half_waves
 
 COLUMNS = ("t", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
@@ -70,15 +73,24 @@ def read_force(path):
 def drift_of_half_waves(reader, components, heading, ramp, duration):
     """`GivenForce` of the drift by half waves at a body that lies at a heading, rad.  Raises ValueError for no waves.
 
-    reader : `bem.database.reader.Reader` that knows its drift; components : of waves, which come from their mean
-    direction; ramp, duration : s
+    reader : `bem.database.reader.Reader` that knows its drift, on a current in its axes where there is one
+    components : of waves, which come from their mean direction, at intrinsic frequencies; ramp, duration : s
     """
     t = SURFACE_STEP * np.arange(int(np.ceil((ramp + duration) / SURFACE_STEP)) + 2)
-    waves = half_waves(elevation(components, t, depth=reader.depth, gravity=reader.gravity), SURFACE_STEP)
-    energy = components.amplitude**2
+    energy, carrier = components.amplitude**2, carrier_of_body(reader)
     towards = np.arctan2(*(energy @ f(components.direction) for f in (np.sin, np.cos)))
     omega = np.linspace(reader.omega[0], reader.omega[-1], FREQUENCIES)
-    drift = reader.drift(omega, [towards - heading])[:, 0]
+    if carrier is None:
+        drift, met = reader.drift(omega, [towards - heading])[:, 0], components.omega
+    else:
+        drift = drift_on_current(reader, omega, [towards - heading])[0][:, 0]
+        own, turned = np.concatenate([components.omega, omega]), components.direction - heading
+        along = carrier.along(np.concatenate([turned, np.full(FREQUENCIES, towards - heading)]))
+        met, omega = np.split(absolute_frequency(own, along, reader.depth, reader.gravity), [len(turned)])
+        last = int(np.argmax(omega)) + 1  # beyond it the current blocks them
+        drift, omega = drift[:last], omega[:last]
+    surface = real_sum(components.amplitude * np.exp(1j * np.asarray(components.phase)), met, t)
+    waves = half_waves(surface, SURFACE_STEP)
     ends = np.append(waves.start, waves.end)
     wide = np.minimum(0.25 * np.diff(ends), 0.5 * PASSING)
     times = np.stack([ends[:-1] + wide, ends[1:] - wide], axis=1).ravel()

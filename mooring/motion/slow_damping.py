@@ -10,11 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from bem.waves import wavenumber
-
-from ..response.wave_drift_damping import from_slopes
 from .tables.interpolation import ring_table
-from .wave_loads import HEADINGS
+from .wave_loads import HEADINGS, drift_damping
 
 PLANE = ((0, "surge"), (1, "sway"), (5, "yaw"))
 SLOW = 0.5  # of the mean frequency of the waves, below which a natural frequency is slow
@@ -25,14 +22,11 @@ LIGHT = 0.02  # of critical
 def drift_damping_ring(forces, weather, depth, gravity):
     """(HEADINGS + 3, 6) B over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; N s/m …
 
-    Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.
+    Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.  It
+    acts on the slow velocity over ground: what a current adds at rest, B V, is in the drift of `wave_loads.wave_table`.
     """
     headings, omega = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), forces.omega
-    by_omega = forces.curves[1](omega, 1)
-    around = np.concatenate([forces.drift[:, -1:], forces.drift, forces.drift[:, :1]], axis=1)
-    by_heading = (around[:, 2:] - around[:, :-2]) * (HEADINGS / (4 * np.pi))
-    k = wavenumber(omega, depth, gravity)
-    B = from_slopes(omega, headings, k, depth, forces.drift, by_omega, by_heading).reshape(len(omega), HEADINGS, 6)
+    B = drift_damping(forces, omega, depth, gravity)[1].reshape(len(omega), HEADINGS, 6)
     if weather.regular is not None:
         w = weather.regular
         place = np.clip(w.omega, omega[0], omega[-1])

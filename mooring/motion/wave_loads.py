@@ -2,12 +2,13 @@
 
     F(t) = Re Σ aᵢ X(ωᵢ, βᵢ − ψ) exp{i(kᵢ·r + εᵢ − ωᵢt)},    D(t) = |Σ aᵢ √D⁺ᵢ e^{…}|² − |Σ aᵢ √D⁻ᵢ e^{…}|²
 
-in axes that turn with the slow heading ψ; r is where the origin of the database's axes lies in its slow position.  The
-drift is Newman's with the root of both diagonals (`mooring.response.slow_drift`).  Time is cut into windows.  A slow
-pose is foreseen for the end of each window, and forces pass linearly from those of the pose at its begin to those of
-that at its end, so that they are continuous whatever the body does.  Within a window exp(−iωt) at equal steps is
-always the same matrix: a window costs two products of small real matrices.  Between the steps forces are polynomials
-of fifth degree through six of them.
+in axes that turn with the slow heading ψ; r is where the origin of the database's axes lies in its slow position. The
+drift is Newman's with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves pass a place
+at rest with ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is cut
+into windows. A slow pose is foreseen for the end of each window, and forces pass linearly from those of the pose at
+its begin to those of that at its end, so that they are continuous whatever the body does. Within a window exp(−iωt)
+at equal steps is always the same matrix: a window costs two products of small real matrices. Between the steps forces
+are polynomials of fifth degree through six of them.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from bem.kernels.jit import kernel
 from bem.waves import wavenumber
 
 from ..response.linear import frequencies
+from ..response.wave_drift_damping import from_slopes
 from .tables.interpolation import EDGE, lagrange_weights
 
 HEADINGS = 120  # of the ring on which forces are tabulated; 3° apart, polynomials of fifth degree between
@@ -34,7 +36,8 @@ ROWS = 10  # six forces, three of drift, the elevation
 class WaveTable(NamedTuple):
     """Components and the forces of each on a ring of headings, as the kernels read them.
 
-    omega, amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
+    omega : (c,) rad/s at which a place at rest meets them; own : (c,) rad/s, in the water, which a current moves along
+    amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
     force : (c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift per square metre, of
     which a window reads two megabytes.  Single precision takes 7 % less time of a run, but rounds the forces of every
     pose anew: a lightly damped buoy at a tolerance of 1e-4 was four times that off, and no nearer at 1e-7
@@ -43,6 +46,7 @@ class WaveTable(NamedTuple):
     """
 
     omega: np.ndarray
+    own: np.ndarray
     number: np.ndarray
     amplitude: np.ndarray
     phase: np.ndarray
@@ -112,7 +116,7 @@ def wave_forces(body):
 
 
 def drift_of(forces, components, heading):
-    """(c, 3) drift of wave components by themselves on a body turned to `heading` rad, as runs take it"""
+    """(c, 3) drift, in still water, of wave components alone on a body turned to `heading` rad, as runs take it"""
     table = forces.curves[1](np.clip(components.omega, forces.omega[0], forces.omega[-1]))
     place = (np.asarray(components.direction) - heading) * (HEADINGS / (2 * np.pi))
     whole, weights, out = np.floor(place), np.empty(6), np.empty((len(place), 3))
@@ -131,11 +135,35 @@ def forces_towards(forces, direction):
     return parts[:, :6] + 1j * parts[:, 6:]
 
 
-def wave_table(forces, components, depth, center, gravity, drift=True):
+def drift_damping(forces, omega, depth, gravity):
+    """D (q, HEADINGS, 3) at omega (q,) rad/s, and B (q, HEADINGS, 3, 2) of velocities along x and y of the body"""
+    drift = forces.curves[1](omega)
+    around = np.concatenate([drift[:, -1:], drift, drift[:, :1]], axis=1)
+    by_heading = (around[:, 2:] - around[:, :-2]) * (HEADINGS / (4 * np.pi))
+    ring, k = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), wavenumber(omega, depth, gravity)
+    return drift, from_slopes(omega, ring, k, depth, drift, forces.curves[1](omega, 1), by_heading)
+
+
+def drift_on_current(forces, omega, direction, velocity, depth, gravity):
+    """(q, HEADINGS, 3) D + B V of waves of omega (q,) rad/s towards `direction` (q,) rad, V (2,) m/s, all in space
+
+    over headings of the waves in the body's axes, to which the current is turned with them
+    """
+    drift, B = drift_damping(forces, omega, depth, gravity)
+    towards = np.arctan2(velocity[1], velocity[0]) - np.asarray(direction)[:, None]
+    towards = towards + np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
+    return drift + np.hypot(*velocity) * (
+        B[..., 0] * np.cos(towards)[..., None] + B[..., 1] * np.sin(towards)[..., None]
+    )
+
+
+def wave_table(forces, components, depth, center, gravity, drift=True, carrier=None):
     """`WaveTable` of `WaveForces` in wave components (`mooring.environment.sea.Components`).
 
     Components outside the stored frequencies exert no force, and the drift of the nearest stored one.
     center : (3,) m, rotation centre; drift : whether it is wanted
+    carrier : `mooring.on_current.waves.Carrier`, whatever it says the components have their intrinsic frequencies; None
+        for still water
     """
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     held = np.clip(omega, forces.omega[0], forces.omega[-1])
@@ -143,17 +171,21 @@ def wave_table(forces, components, depth, center, gravity, drift=True):
     force = np.zeros((len(omega), HEADINGS, 15))
     force[:, :, :12] = of_force(held)
     force[held != omega] = 0.0
-    if drift and of_drift is not None:
+    if drift and of_drift is not None and carrier is None:
         force[:, :, 12:] = of_drift(held)
-    step = PHASE[len(omega) > FEW] / omega.max()
+    elif drift and of_drift is not None:
+        force[:, :, 12:] = drift_on_current(forces, held, direction, carrier.velocity, depth, gravity)
+    number = wavenumber(omega, depth, gravity) * np.stack([np.cos(direction), np.sin(direction)])
+    own, omega = omega, omega if carrier is None else omega + np.asarray(carrier.velocity) @ number
+    step = PHASE[len(omega) > FEW] / np.abs(omega).max()
     count = max(2, int(np.ceil(WINDOW / step)))
     times = step * (np.arange(count + 1 + 2 * EDGE) - EDGE)
     turn = np.multiply.outer(omega, np.stack([times, times - step * count]))
     factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
     factor = np.ascontiguousarray(factor.swapaxes(0, 1))
-    number = wavenumber(omega, depth, gravity) * np.stack([np.cos(direction), np.sin(direction)])
+    middle = np.asarray(center, float)[:2]
     return WaveTable(
-        omega, number, amplitude, phase, direction, force, factor, np.asarray(center, float)[:2], step, step * count,
+        omega, own, number, amplitude, phase, direction, force, factor, middle, step, step * count,
     )  # fmt: skip
 
 
@@ -162,7 +194,7 @@ def no_waves(window=WINDOW):
     none = np.zeros(0)
     count = max(2, int(window))
     shape = np.zeros((0, HEADINGS, 15)), np.zeros((2, 0, count + 1 + 2 * EDGE))
-    return WaveTable(none, np.zeros((2, 0)), none, none, none, *shape, np.zeros(2), window / count, float(window))
+    return WaveTable(none, none, np.zeros((2, 0)), none, none, none, *shape, np.zeros(2), window / count, float(window))
 
 
 @kernel()

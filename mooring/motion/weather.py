@@ -8,6 +8,7 @@ import numpy as np
 
 from ..environment.sea import Sea
 from ..environment.spectra import issc
+from ..on_current.waves import carrier_of
 from ..seas.systems import Systems
 
 DYNAMIC_WATER = ("still", "sea")
@@ -28,9 +29,8 @@ class Weather:
         push on the body at its place and heading at rest
     on_hull : `mooring.motion.tables.hull_water.OnHull`, with its current, in place of the hull and current of a box
     components : `mooring.environment.sea.Components` in place of seas, alike for every seed, as of a measured record;
-        time is counted from the begin of the ramp
-
-    The current carries the body; lengths and frequencies of waves are those in water at rest.
+        time is counted from the begin of the ramp, frequencies are those in the water
+    carrier : `mooring.on_current.waves.Carrier` that carries the waves, by default that of the current
     """
 
     seas: tuple = ()
@@ -42,6 +42,7 @@ class Weather:
     beside_newman: object = None
     components: object = None
     on_hull: object = None
+    carrier: object = None
 
     @property
     def waves(self):
@@ -59,6 +60,8 @@ class Weather:
         return Sea(spectrum, float(np.angle(energy @ np.exp(1j * np.asarray(direction)))))
 
     def __post_init__(self):
+        if self.carrier is None:
+            object.__setattr__(self, "carrier", carrier_of(self.current))
         object.__setattr__(self, "seas", tuple(self.seas))
         object.__setattr__(self, "forces", tuple(self.forces))
         if sum((bool(self.seas), self.regular is not None, self.components is not None)) > 1:

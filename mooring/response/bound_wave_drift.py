@@ -146,14 +146,15 @@ def problem_of(db):
     )
 
 
-def record(forces, components, duration, drift=None):
+def record(forces, components, duration, drift=None, met=None):
     """Times (n,) s from 0 and the force (n, 6) of pairs in a record of waves, about its mean.
 
     forces : `BoundWaveForces` or of `pair_levels`; components : `mooring.environment.sea.Components`, of the directions
         that the forces know; drift : (n, 3) mean drift of each, of which Newman's rule already makes a force
+    met : (n,) rad/s at which the body meets them on a current, None in still water
     The matrix T_ij is Hermitian: the force is a sum of squares |Σ aᵢ u_i exp{i(εᵢ − ωᵢt)}|², one for every eigenvalue.
     """
-    omega = np.asarray(components.omega, float)
+    omega = np.asarray(components.omega if met is None else met, float)
     count = int(np.ceil(duration * forces.highest / (2 * np.pi) * SAMPLES)) + 2
     t = np.linspace(0.0, duration, count)
     T = forces.of_components(components, drift)

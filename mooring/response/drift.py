@@ -21,25 +21,26 @@ FEWEST_STEPS = 72  # of the circle, whose Fourier series stands for drift
 TURN = np.deg2rad(0.25)  # either side, for the slope over the headings
 
 
-def drift_slopes(body, omega, heading):
+def drift_slopes(body, omega, heading, fixed=False):
     """(q, p, 3) drift and its derivatives ∂D/∂ω and ∂D/∂β per rad; omega rising, close enough to differentiate.
 
+    fixed : of the fixed body, in place of the one that floats
     Where headings (p,) are steps of the circle, no more than 5°, D is known on all of it and ∂D/∂β is that of its
     Fourier series, to the harmonics 2kR that D has; else it is a difference quotient.
     """
     heading = np.atleast_1d(heading)
-    found = _round_the_circle(body, omega, heading) or _by_differences(body, omega, heading)
+    found = _round_the_circle(body, omega, heading, fixed) or _by_differences(body, omega, heading, fixed)
     return found[0], np.gradient(found[0], omega, axis=0, edge_order=2), found[1]
 
 
-def _round_the_circle(body, omega, heading):
+def _round_the_circle(body, omega, heading, fixed):
     """D and ∂D/∂β, None where headings are no steps of the circle or the database does not hold all of it"""
     count = round(2 * np.pi / np.diff(heading).min()) if len(heading) > 1 and np.all(np.diff(heading) > 0) else 0
     place = heading * count / (2 * np.pi)
     if count < FEWEST_STEPS or np.abs(place - np.round(place)).max() > 1e-6:
         return None
     try:
-        D = body.drift(omega, np.arange(count) * (2 * np.pi / count))
+        D = body.drift(omega, np.arange(count) * (2 * np.pi / count), fixed)
     except BetweenError:
         return None
     orders = np.fft.fftfreq(count, 1 / count)
@@ -48,9 +49,9 @@ def _round_the_circle(body, omega, heading):
     return D[:, place], slope[:, place]
 
 
-def _by_differences(body, omega, heading):
+def _by_differences(body, omega, heading, fixed):
     turned = np.add.outer([-TURN, 0.0, TURN], heading)
-    before, value, after = np.split(body.drift(omega, turned.ravel()), 3, axis=1)
+    before, value, after = np.split(body.drift(omega, turned.ravel(), fixed), 3, axis=1)
     return value, (after - before) / (2 * TURN)
 
 

@@ -20,6 +20,7 @@ UNSURE = 0.05  # estimated error of a result between stored waves that is warned
 LEVER = 0.05  # of the radius of the hull: a moment of the drift force on a shorter arm is none
 LARGEST_ROTATION = 15.0  # degrees; there sines leave angles, and restoring its line, by a few per cent
 OF_MOTION, OF_MOMENT = 4.0, 1.5  # deviations with which nine and a half of ten seas are within what is said
+ACROSS = 0.02  # of a current, that is named where it is left out
 PLACES = 48  # frequencies at which it is estimated
 
 
@@ -138,6 +139,19 @@ def drift_outside(body, inside, beyond):
         yield (
             f"{100 * share:.1f} % of the mean drift force is from waves beyond the stored frequencies, with drift held "
             f"at its value at {body.omega[-1]:.3g} rad/s; add frequencies to the scene and solve again"
+        )
+
+
+def current_along_waves(carrier, heading, weights, damping):
+    """What a current across waves changes in their drift is not known where the slope over the headings is not"""
+    if carrier is None or damping is not None:
+        return  # `damping` is of the slope over the headings
+    share = np.mean(np.atleast_2d(weights), axis=0)
+    across = float(share @ np.abs(carrier.velocity[1] * np.cos(heading) - carrier.velocity[0] * np.sin(heading)))
+    if across > ACROSS * np.hypot(*carrier.velocity):
+        yield (
+            f"the current runs at {across:.2g} m/s across the waves: what that changes in their drift is left out, for "
+            f"which the database needs headings on both sides of {np.rad2deg(heading[0]):.4g}°; add them to the scene"
         )
 
 

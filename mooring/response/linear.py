@@ -15,8 +15,11 @@ import numpy as np
 from bem import DOFS
 from bem.database.resonances import about, resonances
 
+from ..on_current.body import carrier_of_body
+
 COARSE = 64  # steps over the band to begin with, at least one between two stored frequencies and at most four
 CONVERGED = 1e-3  # of the largest integral of |X|² of its mode
+NEAREST = 1e-4, 2e-3  # of the highest frequency, between places that show resonances, of one heading and of many
 FINEST = 256  # steps between two stored frequencies
 
 
@@ -29,22 +32,27 @@ class Moments(NamedTuple):
     m4: np.ndarray
 
 
-def frequencies(body, density=None):
+def frequencies(body, density=None, headings=None):
     """(q,) rad/s from the lowest to the highest stored frequency, close enough for every resonance between them.
 
     body : `bem.database.reader.Reader`; density : function of omega (q,), the waves that matter; None for all alike
+    headings : (p,) rad of the waves, of a body that a current shows its resonances at other frequencies of each
     Steps between stored frequencies, and places about resonances (`bem.database.resonances`), are halved, all once and
     then where it counts, until ∫ |X|² S dω of every mode and stored heading is known to 1e-3 of the largest of its
     mode.  Raises ValueError where 256 steps are not enough: a mode without damping.
     """
     coarse = int(np.clip(np.ceil(COARSE / max(len(body.omega) - 1, 1)), 1, 4))
-    omega = np.union1d(subdivided(body.omega, coarse), about(body, resonances(body)))
-    power, steps = _power(body, omega, density), np.full(len(omega) - 1, coarse)
+    carried = carrier_of_body(body) is not None
+    headings = (body.headings if headings is None else headings) if carried else None
+    steps = subdivided(body.omega, coarse)
+    peaks = _apart(body.resonant(headings), steps, len(headings)) if carried else about(body, resonances(body))
+    omega = np.union1d(steps, peaks)
+    power, steps = _power(body, omega, density, headings), np.full(len(omega) - 1, coarse)
     open_ = np.ones(len(steps), bool)
     while True:
         rough = np.flatnonzero(open_)
         middle = 0.5 * (omega[rough] + omega[rough + 1])
-        found = _power(body, middle, density)
+        found = _power(body, middle, density, headings)
         width = (omega[rough + 1] - omega[rough])[:, None, None]
         change = np.abs(0.5 * width * (found - 0.5 * (power[rough] + power[rough + 1])))
         first = steps.max() == coarse
@@ -66,9 +74,20 @@ def frequencies(body, density=None):
         open_[halved] = np.repeat(again, 2)
 
 
-def _power(body, omega, density):
-    """(q, m, 6) |X|² S at stored headings"""
-    power = np.abs(body.motions(omega)) ** 2
+def _apart(peaks, steps, count):
+    """Places of resonances, of many headings, less those too near to one before or to a step to tell slopes between"""
+    least, kept = NEAREST[count > 1] * steps[-1], []
+    near = np.abs(steps[np.clip(np.searchsorted(steps, peaks), 0, len(steps) - 1)] - peaks)
+    near = np.minimum(near, np.abs(steps[np.clip(np.searchsorted(steps, peaks) - 1, 0, None)] - peaks))
+    for place in peaks[near > least]:
+        if not kept or place - kept[-1] > least:
+            kept.append(place)
+    return np.array(kept)
+
+
+def _power(body, omega, density, headings):
+    """(q, m, 6) |X|² S at headings, None for those stored"""
+    power = np.abs(body.motions(omega, headings)) ** 2
     return power if density is None else power * density(omega)[:, None, None]
 
 
@@ -92,6 +111,15 @@ def response_spectrum(transfer, density, weights=(1.0,)):
     """
     power = over_headings(np.abs(transfer) ** 2, weights)
     return power * np.reshape(density, (-1,) + (1,) * (power.ndim - 1))
+
+
+def moments_met(omega, met, transfer, density, weights=(1.0,)) -> Moments:
+    """Moments of responses (q, p, …) per m to waves met at `met` (q, p) rad/s; the rest as of `response_spectrum`"""
+    power = np.abs(transfer) ** 2
+    column = np.reshape(met, met.shape + (1,) * (power.ndim - 2))
+    rows = (over_headings(power * column**n, weights) for n in (0, 1, 2, 4))
+    density = np.reshape(density, (-1,) + (1,) * (power.ndim - 2))
+    return Moments(*(np.trapezoid(row * density, omega, axis=0) for row in rows))
 
 
 def moments(omega, spectrum) -> Moments:

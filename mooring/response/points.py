@@ -23,6 +23,8 @@ import numpy as np
 from bem import DOFS
 from bem.waves import wavenumber
 
+from ..on_current.body import carrier_of_body
+
 FLAT = 0.05  # of the draft: what is deeper than the rest of the hull by less belongs to the bottom
 MOST = 12
 
@@ -48,6 +50,7 @@ class Transfer(NamedTuple):
 
     names, units : (c,); omega : (q,) rad/s; heading : (p,) rad; value : (q, p, c) complex
     missed : share of the far field that is not in the waves at points; None where these are the incident ones alone
+    met : (q, p) rad/s at which a body on a current meets these waves, None in still water
     """
 
     names: tuple[str, ...]
@@ -56,6 +59,7 @@ class Transfer(NamedTuple):
     heading: np.ndarray
     value: np.ndarray
     missed: float | None = None
+    met: np.ndarray | None = None
 
 
 def transfer_functions(body, omega, heading, points=()) -> Transfer:
@@ -66,9 +70,11 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
     """
     heading = np.atleast_1d(heading)
     motion = body.motions(omega, heading)
+    met = None if carrier_of_body(body) is None else body.encounter(omega, heading)
+    omega, given = omega if met is None else met, np.asarray(omega, float)
     names, units, values = [name.lower() for name in DOFS], ["m"] * 3 + ["rad"] * 3, [motion]
     dry = [point.position[:2] for point in points if isinstance(point, Point)]
-    water, missed = elevations(body, omega, heading, motion, dry)
+    water, missed = elevations(body, given, heading, motion, dry)
     levels = iter(np.moveaxis(water, -1, 0))
     for point in points:
         d = displacement(motion, point.position, body.rotation_center)
@@ -89,8 +95,7 @@ def transfer_functions(body, omega, heading, points=()) -> Transfer:
         units += ["m/s²"] * 2 + ["m"]
         values.append(felt_acceleration(omega, d, motion, body.gravity))
         values.append((next(levels) - d[..., 2])[..., None])
-    omega, values = np.asarray(omega, float), np.concatenate(values, axis=-1)
-    return Transfer(tuple(names), tuple(units), omega, heading, values, missed)
+    return Transfer(tuple(names), tuple(units), given, heading, np.concatenate(values, axis=-1), missed, met)
 
 
 def relative_name(point):
@@ -154,7 +159,7 @@ def _plane_waves(k, heading, places):
 
 
 def _column(omega, values):
-    return np.reshape(omega, (-1,) + (1,) * (np.ndim(values) - 1))
+    return np.reshape(omega, np.shape(omega) + (1,) * (np.ndim(values) - np.ndim(omega)))
 
 
 def corners_of_bottom(points):

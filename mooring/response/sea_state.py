@@ -12,16 +12,18 @@ import numpy as np
 
 from bem.database.between_frequencies import BetweenError
 
+from ..on_current.body import carrier_of_body
+from ..on_current.waves import check_blocked
 from ..seas.breaking import too_high
 from . import drift as drifts
 from . import findings
 from .bound_wave_drift import left_out
 from .extremes import bandwidth, expected_maximum, maximum_not_exceeded, significant_factor
-from .linear import Moments, frequencies, moments, response_spectrum
+from .linear import Moments, frequencies, moments, moments_met, response_spectrum
 from .points import KeelPoint, Point, keel_name, relative_name, transfer_functions
 from .seas import check_coverage, directions, heading_step
-from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, signed_means
-from .wave_drift_damping import drift_and_damping, mean_damping
+from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, signed, slow_parts
+from .wave_drift_damping import along_waves, drift_and_damping, mean_damping, of_current
 
 TINY = 1e-6  # of the largest standard deviation of its unit: rounding of what symmetry makes zero
 
@@ -36,6 +38,7 @@ class SlowForces:
     where it was not asked for
     damping : (3, 2) N s/m, N s: wave drift damping of velocities along x and y, waves within the stored band;
     None where drift has no slope over the headings, because the direction has no stored neighbours
+    by_current : (3,) of the mean drift, what the current adds, None in still water
     """
 
     drift: np.ndarray
@@ -45,6 +48,7 @@ class SlowForces:
     damping: np.ndarray | None
     of_pairs: np.ndarray | None = None
     level: str = "newman"
+    by_current: np.ndarray | None = None
 
     @property
     def sigma_of_pairs(self):
@@ -165,7 +169,9 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
         raise ValueError(f"duration is {duration:g} s; allowed: above 0, finite")
     check_coverage(body, sea.spectrum)
     broken = list(too_high(sea.spectrum, body.depth, body.gravity))
-    omega = frequencies(body, sea.spectrum.density)
+    carrier = carrier_of_body(body)
+    broken += check_blocked(carrier, sea, body.depth, body.gravity)
+    omega = frequencies(body, sea.spectrum.density, None if carrier is None else directions(sea, body.omega)[0])
     step = heading_step(body, sea, omega)
     heading, weights = directions(sea, omega, step)
     transfer = transfer_functions(body, omega, heading, points)
@@ -181,6 +187,7 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
     if body.knows_drift:
         slow = slow_forces(body, sea, omega, heading, weights, bound)
         warnings += left_out(body, sea) if bound is None else ()
+        warnings += findings.current_along_waves(carrier, heading, weights, slow.damping)
         inside = slow.drift - slow.beyond.sum(axis=0)
         warnings += findings.drift_outside(body, inside, slow.beyond)
     errors = findings.errors_between(body, sea, omega, found.m0[:6], inside, slow and slow.damping)
@@ -193,8 +200,11 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
 
 def linear_response(sea, transfer, weights):
     """Spectrum (q, c) of every response, unit² s/rad, and its Moments; weights (p,) or (q, p) of the headings"""
-    spectrum = response_spectrum(transfer.value, sea.spectrum.density(transfer.omega), weights)
-    return spectrum, moments(transfer.omega, spectrum)
+    density = sea.spectrum.density(transfer.omega)
+    spectrum = response_spectrum(transfer.value, density, weights)
+    if transfer.met is None:
+        return spectrum, moments(transfer.omega, spectrum)
+    return spectrum, moments_met(transfer.omega, transfer.met, transfer.value, density, weights)
 
 
 def mean_drift(body, sea, omega, drift, weights):
@@ -209,28 +219,54 @@ def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
 
     bound : of `pair_levels.beside_newman`, in a spread sea with its `spectrum`
     """
-    try:
-        value, coefficients = drift_and_damping(body, omega, heading)
-        damping = mean_damping(omega, coefficients, sea.spectrum.density(omega), weights)
-    except BetweenError:
-        value, damping = body.drift(omega, heading), None
+    value, coefficients, known = drift_on_current(body, omega, heading)
+    damping = mean_damping(omega, coefficients, sea.spectrum.density(omega), weights) if known else None
     inside, beyond = mean_drift(body, sea, omega, value, weights)
+    carrier, by_current = carrier_of_body(body), None
+    if carrier is not None:
+        still = mean_drift(body, sea, omega, value - of_current(body, coefficients), weights)
+        by_current = inside - still[0] + (beyond - still[1]).sum(axis=0)
     difference, with_bound = differences(body), None
     if bound is not None:
         held = held_beyond(omega, value[:, 0], sea.spectrum)
         if sea.spreading is None:
-            with_bound = force_spectrum_with(bound, sea.spectrum, *held, difference)
+            with_bound = force_spectrum_with(bound, sea.spectrum, *held, difference, _met_of(body, heading))
         else:
             with_bound = bound.spectrum(held[0], difference)
     return SlowForces(
         inside + beyond.sum(axis=0),
         beyond,
         difference,
-        force_spectrum(sea.spectrum, *held_beyond(omega, signed_means(value, weights), sea.spectrum), difference),
+        force_spectrum(*slow_parts(body, sea.spectrum, omega, heading, signed(value), weights), difference),
         damping,
         with_bound,
         "newman" if bound is None else bound.level,
+        by_current,
     )
+
+
+def drift_on_current(body, omega, heading):
+    """D (q, p, 3) on the current of the body, if any, B (q, p, 3, 2), and whether B knows how D changes over headings
+
+    B is None in still water where that is not known
+    """
+    try:
+        value, coefficients = drift_and_damping(body, omega, heading)
+        known = True
+    except BetweenError:
+        if carrier_of_body(body) is None:
+            return body.drift(omega, heading), None, False
+        value, coefficients = along_waves(body, omega, heading)
+        known = False
+    return value + of_current(body, coefficients), coefficients, known
+
+
+def _met_of(body, heading):
+    """Function of frequencies (q,) → (q,) rad/s at which the body meets long-crested waves; None in still water"""
+    carrier = carrier_of_body(body)
+    if carrier is None:
+        return None
+    return lambda omega: carrier.met(omega, float(heading[0]), body.depth, body.gravity)
 
 
 def _without_rounding(found, units):

@@ -42,6 +42,8 @@ FINE = np.deg2rad(5.0)  # between directions for which drift of short-crested wa
 HORIZONTAL = [0, 1, 5]  # surge, sway and yaw of six degrees of freedom
 SLOWEST = 0.2, 100.0  # rad/s to which the spectrum of the slow force goes, of a hull of that length, m
 STEPS = 80
+SLOWEST_SLOPE, MOST_MET = 0.05, 3000  # of the frequency of encounter over that of the waves, which a current blocks
+# below; frequencies at which waves of several headings are summed
 ROWS = 256  # times or components handled at once: 256 × 500 complex numbers stay in the cache
 
 
@@ -115,7 +117,12 @@ def signed_means(drift, weights=(1.0,)):
 
     drift : (q, p, 3); weights : (p,) or (q, p) shares of the energy per heading
     """
-    return np.stack([over_headings(np.maximum(sign * drift, 0.0), weights) for sign in (1, -1)], axis=1)
+    return over_headings(signed(drift), weights)
+
+
+def signed(drift):
+    """(q, p, 2, 3) drift (q, p, 3) where it is positive, and less it where it is negative"""
+    return np.stack([np.maximum(sign * drift, 0.0) for sign in (1, -1)], axis=2)
 
 
 def force_spectrum(spectrum, omega, drift, difference):
@@ -136,9 +143,47 @@ def signed_products(drift, weights=(1.0,)):
 
     In the order ++, +−, −+, −−; drift : (q, p, 3); weights : (p,) or (q, p) shares of the energy per heading
     """
-    roots = [np.sqrt(np.maximum(sign * drift, 0.0)) for sign in (1, -1)]
-    pairs = [np.einsum("qpa,qpb->qpab", a, b) for a in roots for b in roots]
-    return np.stack([over_headings(pair, weights) for pair in pairs], axis=1)
+    return over_headings(signed_pairs(drift), weights)
+
+
+def signed_pairs(drift):
+    """(q, p, 4, 3, 3) √(D_a D_b) of the parts of drift (q, p, 3) of either sign, as in `signed_products`"""
+    roots = np.moveaxis(np.sqrt(signed(drift)), 2, 0)
+    return np.stack([np.einsum("qpa,qpb->qpab", a, b) for a in roots for b in roots], axis=2)
+
+
+class _Met(NamedTuple):
+    """A spectrum whose energy is in what is summed"""
+
+    def density(self, omega):
+        return np.ones(np.shape(omega))
+
+
+def slow_parts(body, spectrum, omega, heading, parts, weights):
+    """Spectrum, frequencies (g,) and means over the headings (g, …) of drift parts (q, p, …), as `force_spectrum` and
+    `cross_spectrum` take them.
+
+    On a current two waves beat at the difference of the frequencies at which the body meets them, whatever their
+    headings: parts, with the energy, are summed over the headings at equal ones of these.
+    """
+    carrier = getattr(body, "carrier", None)
+    if carrier is None or carrier.absolute:
+        return spectrum, *held_beyond(omega, over_headings(parts, weights), spectrum)
+    count = len(omega)
+    omega, parts = held_beyond(omega, parts, spectrum)
+    weights = np.broadcast_to(weights, (count, parts.shape[1]))
+    weights = np.concatenate([weights, np.repeat(weights[-1:], len(omega) - count, axis=0)])
+    met = carrier.met(omega[:, None], np.atleast_1d(heading)[None], body.depth, body.gravity)
+    slope = np.gradient(met, omega, axis=0)
+    last = [int(np.argmax(np.append(slope[:, p], -1.0) < SLOWEST_SLOPE)) for p in range(met.shape[1])]
+    grid = np.unique(np.concatenate([met[:end, p] for p, end in enumerate(last)]))
+    grid = grid[np.unique(np.linspace(0, len(grid) - 1, MOST_MET).astype(int))]
+    flat = parts.reshape(*met.shape, -1) * (weights * np.asarray(spectrum.density(omega))[:, None] / slope)[..., None]
+    total = np.zeros((len(grid), flat.shape[-1]))
+    for p, end in enumerate(last):
+        for c in range(flat.shape[-1]):
+            total[:, c] += np.interp(grid, met[:end, p], flat[:end, p, c], left=0.0, right=0.0)
+    return _Met(), grid, total.reshape(len(grid), *parts.shape[2:])
 
 
 def cross_spectrum(spectrum, omega, products, difference):
@@ -163,18 +208,23 @@ def _over_pairs(spectrum, omega, values, difference):
     return result
 
 
-def force_spectrum_with(bound, spectrum, omega, drift, difference):
+def force_spectrum_with(bound, spectrum, omega, drift, difference, met=None):
     """(d, 6) as `force_spectrum` of long-crested waves, with the force of their bound waves: 8 ∫ S S |T|² dω
 
     bound : T of them as a function of two frequencies, `bound_wave_drift.BoundWaveForces`; drift : (q, 3), in surge,
-    sway and yaw, to which Newman's part belongs
+    sway and yaw, to which Newman's part belongs; met : frequency at which a body on a current meets waves, a function
+    of theirs, whose differences those are then; None in still water
     """
     omega, drift = np.asarray(omega, float), np.asarray(drift, float)
     density = np.asarray(spectrum.density(omega))
+    seen = omega if met is None else np.maximum.accumulate(met(omega))
+    wide = 1.0 if met is None else 1 / np.maximum(np.gradient(seen, omega), SLOWEST_SLOPE)
     result = np.zeros((len(np.atleast_1d(difference)), 6))
     for i, step in enumerate(np.atleast_1d(difference)):
-        other = omega + step
+        other = omega + step if met is None else np.interp(seen + step, seen, omega, right=2 * omega[-1])
         second = np.where(other <= omega[-1], spectrum.density(other), 0.0)
+        if met is not None:
+            second = second * np.interp(other, omega, wide)
         D = np.stack([np.interp(other, omega, column) for column in drift.T], axis=-1)
         T = bound(other, omega)
         T[:, HORIZONTAL] += np.where(drift * D > 0, np.sign(D) * np.sqrt(np.abs(drift * D)), 0.0)

@@ -19,7 +19,8 @@ import numpy as np
 from bem import DOFS
 from bem.viscous import EQUIVALENT_AMPLITUDE, Quadratic, linearised_response
 
-from .linear import frequencies, moments, response_spectrum
+from ..on_current.body import carrier_of_body
+from .linear import frequencies, moments, moments_met, response_spectrum
 from .seas import directions, heading_step
 
 FIRST = 0.05  # m, rad, of the first guess
@@ -124,8 +125,11 @@ def _damping(body, sea, laws, step):
     """(6,) damping at the motion of a body that has some already; step : degrees between directions"""
     omega = frequencies(body, sea.spectrum.density)
     heading, weights = directions(sea, omega, step)
-    spectrum = response_spectrum(body.motions(omega, heading), sea.spectrum.density(omega), weights)
-    found = moments(omega, spectrum)
+    X, density = body.motions(omega, heading), sea.spectrum.density(omega)
+    if carrier_of_body(body) is None:
+        found = moments(omega, response_spectrum(X, density, weights))
+    else:
+        found = moments_met(omega, body.encounter(omega, heading), X, density, weights)
     out = np.zeros(6)
     for i, dof in enumerate(DOFS):
         if dof in laws and found.m0[i] > 0:

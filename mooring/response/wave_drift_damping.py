@@ -10,8 +10,17 @@ frequency ω − kU_L and in the direction β − U_T/C_g, and its drift is
 In deep water n = ½ and 1/C_g = 2ω/g: the formula of Aranha (1994), ω²/g ∂D/∂ω + 4ω/g D along and 2ω/g ∂D/∂β across.
 In finite depth it follows from the same two balances, of wave action and momentum along rays; they give a totally
 reflecting wall, and a body that scatters evenly, {1 − 2U_L/C_g} of the drift at rest in any depth.  The long waves
-bound to wave groups, and currents, are not in it.  The yaw moment is treated as the forces are; nothing is said of a
-velocity of yaw.
+bound to wave groups are not in it.  The yaw moment is treated as the forces are; nothing is said of a velocity of yaw.
+
+On a current V the velocity through the water is U = ẋ − V: a body at rest feels, to first order,
+
+    D(V) = D + B V
+
+What is held fixed is the wave in the water: its intrinsic frequency ω, with it its length, its amplitude and the
+direction β of its crests.  A vertical cylinder on the bed (radius 10 m, depth 20 m) has (dD/dV)/D = 0.4464, 0.3598,
+0.4769 s/m at ka = 0.5, 1, 1.5.  Where the frequency at the place at rest is held in its stead (`on_current.waves`,
+"absolute") the intrinsic one falls by kV, which takes k ∂D/∂ω away: (2 − ω dn/dω)/C_g is left along the waves, 0.2512,
+0.4277, 0.5164 s/m of that cylinder.
 """
 
 from __future__ import annotations
@@ -20,19 +29,49 @@ import numpy as np
 
 from bem.waves import group_factor, wavenumber
 
+from ..on_current.body import carrier_of_body
 from .drift import drift_slopes
 from .linear import over_headings
 
+LEAST = 0.05  # of dσ/dω, where a current is about to block waves that are given in absolute frequencies
 
-def drift_and_damping(body, omega, heading):
+
+def drift_and_damping(body, omega, heading, fixed=False):
     """Mean drift D (q, p, 3) and B (q, p, 3, 2) per squared wave amplitude: of surge, sway, yaw against velocities
     along x and y, N s/m³ ….
 
     omega : (q,) rad/s rising and close enough to differentiate the drift, from `linear.frequencies`; heading : (p,) rad
+    fixed : of the fixed body, in place of the one that floats
     """
-    value, by_omega, by_heading = drift_slopes(body, omega, heading)
-    k = wavenumber(omega, body.depth, body.gravity)
-    return value, from_slopes(omega, heading, k, body.depth, value, by_omega, by_heading)
+    value, by_omega, by_heading = drift_slopes(body, omega, heading, fixed)
+    return value, _damping(body, omega, heading, value, by_omega, by_heading)
+
+
+def along_waves(body, omega, heading):
+    """As `drift_and_damping`, where drift is not known beside the headings: as if it were there what it is at them"""
+    value = body.drift(omega, heading)
+    return value, _damping(body, omega, heading, value, np.gradient(value, omega, axis=0, edge_order=2), 0 * value)
+
+
+def of_current(body, coefficients):
+    """(…, 3) B V of B (…, 3, 2) on the current of an `on_current.body.OnCurrent`, 0 in still water"""
+    carrier = carrier_of_body(body)
+    return coefficients @ np.array((0.0, 0.0) if carrier is None else carrier.velocity)
+
+
+def _damping(body, omega, heading, value, by_omega, by_heading):
+    carrier, heading = carrier_of_body(body), np.atleast_1d(heading)
+    if carrier is None or not carrier.absolute:
+        k = wavenumber(omega, body.depth, body.gravity)
+        return from_slopes(omega, heading, k, body.depth, value, by_omega, by_heading)
+    own = body.intrinsic(omega, heading)
+    by_own = by_omega / np.maximum(np.gradient(own, omega, axis=0), LEAST)[..., None]
+    rows = []
+    for p, beta in enumerate(heading):
+        k, one = wavenumber(own[:, p], body.depth, body.gravity), slice(p, p + 1)
+        slopes = value[:, one], by_own[:, one], by_heading[:, one]
+        rows.append(from_slopes(own[:, p], beta, k, body.depth, *slopes))
+    return np.concatenate(rows, axis=1)
 
 
 def from_slopes(omega, heading, k, depth, value, by_omega, by_heading):

@@ -124,17 +124,18 @@ def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None
 
 
 def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=None, wave_ramp=None, gusts=None,
-               tolerance=1e-3, seed=0, drift=True):  # fmt: skip
+               tolerance=1e-3, seed=0, drift=True, carrier=None):  # fmt: skip
     """`Realisation` of a body from `body_at`, in the wind, current and drift of its SinglePoint.
 
     duration, step : s; components : of waves, which grow over wave_ramp, (s, s) begin and length
     gusts : GustSpectrum of the wind; drift : whether the mean drift of the loads pushes, else that of the waves
+    carrier : `mooring.on_current.waves.Carrier` of the waves, whose frequencies are intrinsic; None in still water
     raises : SinglePointError
     """
     loads = steady.point.loads
     wind = None if loads.wind is None else Wind(loads.wind.speed, loads.wind.direction)
     held = on_hull(steady.point, body.slow_added_mass, drift, body.reader.rotation_center[2])
-    weather = Weather(wind=wind, gusts=gusts, on_hull=held, components=components)
+    weather = Weather(wind=wind, gusts=gusts, on_hull=held, components=components, carrier=carrier)
     kind = "none" if drift or components is None else "newman"
     settings = Settings(duration, 0.0, step, tolerance, slow_drift=kind, wave_ramp=wave_ramp)
     try:

@@ -18,6 +18,7 @@ import numpy as np
 
 from bem.waves import wavenumber
 
+from ..on_current.waves import met_by_a_place
 from .body import SinglePoint
 from .history import Record, line_tensions
 from .slewing import rates
@@ -68,10 +69,14 @@ class WaveBody:
         return np.real(np.exp(-1j * np.outer(times, self.omega)) @ value)
 
 
-def wave_body(reader, components, lever) -> WaveBody:
-    """WaveBody of a `bem.database.reader.Reader` with the coefficients of the mean frequency of its Components"""
+def wave_body(reader, components, lever, carrier=None) -> WaveBody:
+    """WaveBody of a `bem.database.reader.Reader` with the coefficients of the mean frequency of its Components
+
+    carrier : `mooring.on_current.waves.Carrier` of the waves, whose frequencies are intrinsic; None in still water
+    """
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
-    mean = mean_frequency(omega, amplitude)
+    met = met_by_a_place(components, carrier, reader.depth, reader.gravity)
+    mean = float(np.clip(mean_frequency(met, amplitude), *reader.between.span))
     body = reader.floating()  # with the linear damping that it has beside radiation
     A, B = body.coefficients(np.array([mean]))
     order = np.argsort(omega)
@@ -79,7 +84,7 @@ def wave_body(reader, components, lever) -> WaveBody:
     force[order] = body.forces(omega[order], headings())
     number = wavenumber(omega, reader.depth, reader.gravity)
     center = np.asarray(reader.rotation_center, float)[:2]
-    return WaveBody(body.inertia + A[0], B[0] + body.damping, body.stiffness, force, omega, amplitude, phase, direction,
+    return WaveBody(body.inertia + A[0], B[0] + body.damping, body.stiffness, force, met, amplitude, phase, direction,
                     number, lever, center, mean)  # fmt: skip
 
 

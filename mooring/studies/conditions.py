@@ -11,6 +11,7 @@ from ..environment.sea import Sea
 from ..loads.box_drag import DragTable
 from ..loads.box_wind import AIR_DENSITY, BOX
 from ..loads.coefficients import HullCoefficients
+from ..on_current.waves import SPECTRA
 
 
 @dataclass(frozen=True)
@@ -52,12 +53,19 @@ class Current:
 
     table : coefficients as of a Wind, None for the SR179 box tests
     height : m above still water at which it acts, None for half the draft below it
+    waves : of `mooring.on_current.waves.SPECTRA`, frequencies in which the waves are given that it carries:
+    "intrinsic", in the water that moves along, "absolute", at a place at rest; "still": waves that do not know of it
     """
 
     speed: float
     direction: float
     table: DragTable | HullCoefficients | Callable | None = None
     height: float | None = None
+    waves: str = "intrinsic"
+
+    def __post_init__(self):
+        if self.waves not in SPECTRA:
+            raise ValueError(f"waves of the current are {self.waves!r}; allowed: {', '.join(SPECTRA)}")
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..loads.on_hull import current_on, turning_drag
+from ..on_current.body import on_current
+from ..on_current.waves import carrier_of
 from ..response.sea_state import sea_state
 from ..response.viscous import in_sea
 from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum, wave_spectrum
@@ -48,7 +50,7 @@ def long_period(db, hull, result, gusts=None):
     """`LongPeriod` of a MultiPoint result in irregular waves; hull : ExposedBox; gusts : GustSpectrum, or None"""
     conditions = result.conditions
     sea = sea_of(conditions)
-    body, _ = in_sea(db.reader, sea)
+    body, _ = in_sea(on_current(db.reader, carrier_of(conditions.current)), sea)
     state = sea_state(body, sea, conditions.duration)
     split = float(sea.spectrum.quantile(LOWEST))
     omega = np.linspace(0.0, split, 2001)[1:]
@@ -56,7 +58,7 @@ def long_period(db, hull, result, gusts=None):
     if gusts is not None:
         both += gust_spectrum(gusts, result.loads["wind"][PLANE], omega)
     force = np.einsum("dii->di", both) + wave_spectrum(body, sea, omega)
-    waves = np.sqrt(np.trapezoid(state.omega[:, None] ** 2 * state.spectrum[:, PLANE], state.omega, axis=0))
+    waves = np.sqrt(state.moments.m2[PLANE])
     K = np.diag(result.equilibrium.stiffness)[PLANE]
     drag = _drag_of(conditions.current, hull, db)
     drift_damping = np.zeros((3, 2)) if state.slow.damping is None else state.slow.damping

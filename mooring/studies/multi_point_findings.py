@@ -31,6 +31,7 @@ def findings(result, db):
     if waves:
         irregular = result.conditions.method == "irregular"
         yield from _of_the_sea(result) if irregular else _uncertain(db.reader, waves)
+        yield from () if irregular else result.waves["regular_wave"].warnings
         yield from large_rotations(dict(zip(DOFS[3:], np.degrees(result.amplitudes[3:]), strict=True)))
         yield from resonances(result, waves.period)
         if db.has_viscous_motions:

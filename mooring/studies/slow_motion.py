@@ -179,12 +179,12 @@ def _places(held, modes):
 
 def _forms_of(drift, modes, mass, damping, stiffness):
     """(3, n) eigenvalues of the quadratic forms of the slow motion"""
-    wide, parts = drift.mean_parts()
+    spectrum, wide, parts = drift.mean_parts()
     finest = (2 * np.pi / modes.period * modes.ratio).min() / 2
     even = np.linspace(wide[0], wide[-1], int(np.clip(np.ptp(wide) / finest, FEWEST_WAVES, MOST_WAVES)))
     parts = np.stack([np.interp(even, wide, column) for column in parts.reshape(len(wide), -1).T], axis=-1)
     step = even[1] - even[0]
-    root = np.sqrt(2 * drift.spectrum.density(even)[:, None] * step * parts).reshape(len(even), 2, 3)
+    root = np.sqrt(2 * spectrum.density(even)[:, None] * step * parts).reshape(len(even), 2, 3)
     respond = _response(step * np.arange(len(even)), mass, damping, stiffness)
     return np.array([_eigenvalues(respond[:, mode], root) for mode in range(3)])
 

@@ -12,9 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..on_current.body import carrier_of_body
 from ..response.linear import frequencies, over_headings
+from ..response.sea_state import drift_on_current
 from ..response.seas import directions, heading_step
-from ..response.slow_drift import cross_spectrum, held_beyond, signed_means, signed_products
+from ..response.slow_drift import cross_spectrum, signed, signed_pairs, slow_parts
 
 PLANE = [0, 1, 5]
 COARSE = 121  # differences at which that of drift, which is smooth, is summed
@@ -27,24 +29,29 @@ class DriftOfSea(NamedTuple):
     omega: np.ndarray
     drift: np.ndarray
     weights: np.ndarray
+    body: object = None
+    heading: np.ndarray | None = None
 
     def slow_spectrum(self, difference):
         """(d, 3, 3) N² s/rad, of moments with N m: slow drift at rising differences (d,) rad/s"""
-        coarse, products = np.linspace(0.0, difference[-1], COARSE), signed_products(self.drift, self.weights)
-        found = cross_spectrum(self.spectrum, *held_beyond(self.omega, products, self.spectrum), coarse)
+        coarse, parts = np.linspace(0.0, difference[-1], COARSE), signed_pairs(self.drift)
+        of = self.body, self.spectrum, self.omega, self.heading, parts, self.weights
+        found = cross_spectrum(*slow_parts(*of), coarse)
         columns = [np.interp(difference, coarse, column) for column in found.reshape(COARSE, -1).T]
         return np.stack(columns, axis=-1).reshape(-1, 3, 3)
 
     def mean_parts(self):
-        """omega (q,) to where the waves end, and `signed_means` (q, 2, 3) of the drift there"""
-        return held_beyond(self.omega, signed_means(self.drift, self.weights), self.spectrum)
+        """Spectrum, omega (q,) to where the waves end, and `signed_means` (q, 2, 3) of the drift there"""
+        return slow_parts(self.body, self.spectrum, self.omega, self.heading, signed(self.drift), self.weights)
 
 
 def drift_of_sea(body, sea):
     """`DriftOfSea` of a `bem.database.reader.Reader`, `floating`.  raises : BetweenError outside what is stored"""
-    omega = frequencies(body, sea.spectrum.density)
+    around = None if carrier_of_body(body) is None else directions(sea, body.omega)[0]
+    omega = frequencies(body, sea.spectrum.density, around)
     heading, weights = directions(sea, omega, heading_step(body, sea, omega))
-    return DriftOfSea(sea.spectrum, omega, body.drift(omega, heading), weights)
+    drift = body.drift(omega, heading) if around is None else drift_on_current(body, omega, heading)[0]
+    return DriftOfSea(sea.spectrum, omega, drift, weights, body, heading)
 
 
 def gust_spectrum(spectrum, force, omega):

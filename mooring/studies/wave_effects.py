@@ -18,20 +18,29 @@ from bem.database.between_frequencies import BetweenError
 
 from ..environment.sea import Sea
 from ..environment.spectra import issc
-from ..response.sea_state import sea_state
+from ..on_current.body import on_current
+from ..on_current.waves import carrier_of, check_blocked
+from ..response.findings import current_along_waves
+from ..response.sea_state import drift_on_current, sea_state
 from ..response.viscous import in_regular_waves, in_sea
+from ..response.wave_drift_damping import of_current
 
 METHODS = ("irregular", "regular_wave")
 ROUNDING = 1e-9
+BESIDE = 1e-3  # of the frequency of a regular wave, for the slope of its drift
 
 
 class WaveEffects(NamedTuple):
-    """drift : (3,) N, N, N m; amplitudes : (6,) m, rad; slow : (3,) deviation of the slow drift, or None; warnings"""
+    """drift : (3,) N, N, N m; amplitudes : (6,) m, rad; slow : (3,) deviation of the slow drift, or None; warnings
+
+    by_current : (3,) of the drift, what a current that carries the waves adds; None in still water
+    """
 
     drift: np.ndarray
     amplitudes: np.ndarray
     slow: np.ndarray | None = None
     warnings: tuple[str, ...] = ()
+    by_current: np.ndarray | None = None
 
 
 def wave_effects(db, conditions):
@@ -63,23 +72,38 @@ def _irregular(db, conditions):
     if not db.reader.knows_drift:
         raise BetweenError("drift_force must be stored for waves; run its command again with --only drift,kochin,rao")
     try:
-        body, _ = in_sea(db.reader, sea)
+        body, _ = in_sea(on_current(db.reader, carrier_of(conditions.current)), sea)
     except BetweenError as error:
         raise BetweenError(f'{error}, or say method = "regular_wave"') from None
     state = sea_state(body, sea, conditions.duration)
+    slow = state.slow
     return WaveEffects(
-        _cleared(state.slow.drift), state.expected_maximum[:6], _cleared(state.slow.sigma), state.warnings
+        _cleared(slow.drift), state.expected_maximum[:6], _cleared(slow.sigma), state.warnings, slow.by_current
     )
 
 
 def _regular(db, conditions):
-    w, amplitude = conditions.waves, 0.5 * conditions.waves.height
-    body = db.reader
+    w, carrier, amplitude = conditions.waves, carrier_of(conditions.current), 0.5 * conditions.waves.height
+    body = on_current(db.reader, carrier)
     if body.viscous is not None and body.viscous.wave_amplitude != amplitude:
         body, _ = in_regular_waves(body, w.omega, amplitude, w.direction)
     drift = body.drift([w.omega], [w.direction])[0, 0] * amplitude**2
     X = np.abs(body.motions([w.omega], [w.direction])[0, 0])
-    return WaveEffects(_cleared(drift), np.concatenate([_cleared(X[:3]), _cleared(X[3:])]) * amplitude)
+    amplitudes = np.concatenate([_cleared(X[:3]), _cleared(X[3:])]) * amplitude
+    if carrier is None:
+        return WaveEffects(_cleared(drift), amplitudes)
+    warnings = tuple(check_blocked(carrier, w, body.depth, body.gravity))
+    if body.lacks_motions:
+        warnings += (
+            "motions on the current are those of still water: the database has no coefficients that they follow from; "
+            "run its command again with --only motions,radiation",
+        )
+    near = np.clip(w.omega * (1 + BESIDE * np.array([-1.0, 0.0, 1.0])), *body.between.span)
+    _, coefficients, known = drift_on_current(body, np.unique(near), [w.direction])
+    place = int(np.searchsorted(np.unique(near), w.omega))
+    added = of_current(body, coefficients)[place, 0] * amplitude**2
+    warnings += tuple(current_along_waves(carrier, np.array([w.direction]), np.ones(1), known or None))
+    return WaveEffects(_cleared(drift + added), amplitudes, None, warnings, added)
 
 
 def _cleared(values):

@@ -81,6 +81,15 @@ def speed(where, table):
     return one_of(where, table, {"speed": 1.0, "speed_knots": KNOT}, required=True)
 
 
+def waves_on(current):
+    """How the current of a table acts on waves.  Raises StudyError."""
+    from mooring.on_current.waves import SPECTRA
+
+    if current.waves not in SPECTRA:
+        raise StudyError(f"current.waves is {current.waves!r}; allowed: {', '.join(SPECTRA)}")
+    return current.waves
+
+
 def direction(where, table):
     """rad travelled to"""
     to, incidence = table.direction_deg, table.incidence_deg

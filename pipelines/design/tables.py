@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from ..common.quantities import Table
-from ..common.weather.streams import StreamTable, WindTable
+from ..common.weather.streams import CurrentTable, WindTable
 from ..moor.tables import SimulationTable, WavesTable
 
 MEAN = "mean"  # the level of the study's own water
@@ -60,7 +60,7 @@ class StateTable(Table):
     weather: str | None = None
     share: float = 0.0
     wind: WindTable | None = None
-    current: StreamTable | None = None
+    current: CurrentTable | None = None
     waves: WavesTable | None = None
 
 

@@ -100,6 +100,8 @@ def write_result(output, result, text, database):
         for method, effects in result.waves.items():
             _put(file, f"waves/{method}/drift", effects.drift, "N, N, N m")
             _put(file, f"waves/{method}/motion_amplitude", effects.amplitudes, "m, m, m, rad, rad, rad")
+            if effects.by_current is not None:
+                _put(file, f"waves/{method}/drift_by_current", effects.by_current, "N, N, N m")
         if result.waves:
             file["waves"].attrs["method"] = result.conditions.method
         for state in ("at_rest", "at_equilibrium"):
@@ -163,6 +165,8 @@ def _waves(result):
     largest = f"largest expected in {w.duration / 3600:.3g} h of irregular waves"
     words = {"irregular": largest, "regular_wave": "of a regular wave of significant height"}
     yield f"free motions, {words[w.method]}: {_motions(chosen.amplitudes)}"
+    if chosen.by_current is not None:
+        yield _by_current(w.current, chosen)
     if w.motion_factor != 1:
         yield f"lines are tightened by {w.motion_factor:g} times these motions"
     for method, other in result.waves.items():
@@ -172,6 +176,22 @@ def _waves(result):
                 f'not used (method = "{method}"), {words[method]}: drift Fx {x:.1f}, Fy {y:.1f} kN, '
                 f"Mz {turn:.1f} kN m; {_motions(other.amplitudes)}"
             )
+
+
+def _by_current(current, effects):
+    """What a current that carries the waves changes in their drift"""
+    still, names = effects.drift - effects.by_current, ("Fx", "Fy", "Mz")
+    size = np.array([*2 * [np.abs(still[:2]).max()], np.abs(still[2])])
+    parts = [
+        f"{name} {value / KN:+.4g} {unit}" + (f" ({100 * value / of:+.0f} %)" if abs(of) > SAME * most else "")
+        for name, value, of, most, unit in zip(
+            names, effects.by_current, still, size, ("kN", "kN", "kN m"), strict=True
+        )
+    ]
+    return (
+        f"the current of {current.speed:.3g} m/s changes the drift by {', '.join(parts)} of that in still water, which "
+        f'current.waves = "still" has; waves are given in {current.waves} frequencies'
+    )
 
 
 def _alike(one, other):

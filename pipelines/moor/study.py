@@ -26,7 +26,7 @@ from ..common.quantities import StudyError, Table, below, direction, force, posi
 from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
 from ..common.typed import typed
 from ..common.weather.seas import sea_of
-from ..common.weather.streams import StreamTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
+from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
 from ..site.link import SiteLink, read_study_at_site
 from .tables import (
     HarbourTable,
@@ -55,7 +55,7 @@ class Study(Table):
     spreads: list[Spread] = msgspec.field(default_factory=list)
     lines: list[OneLine] = msgspec.field(default_factory=list)
     wind: WindTable | None = None
-    current: StreamTable | None = None
+    current: CurrentTable | None = None
     waves: WavesTable | None = None
     simulation: SimulationTable | None = None
     fender: list[QuayFenderTable] = msgspec.field(default_factory=list)

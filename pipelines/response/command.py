@@ -36,6 +36,8 @@ def response(
     from .study import files_of, read_response_study
 
     read, text = read_response_study(study)
+    if read.current is not None and read.climate:
+        raise StudyError("[current] is given with [climate]; allowed: with [sea]")
     if moored is not None and read.climate:
         raise StudyError("--moored is given with [climate]; allowed: with [sea]")
     _check_places(output, plot, study, database, *files_of(read, study.parent), *([moored] if moored else []))
@@ -77,6 +79,8 @@ def gap_of(db):
 
 def _in_sea(read, body, db, points, study):
     """SeaState, and the body with its viscous damping in it"""
+    from mooring.on_current.body import on_current
+    from mooring.on_current.waves import carrier_of
     from mooring.response.pair_levels import beside_newman
     from mooring.response.sea_state import sea_state
     from mooring.response.viscous import in_sea
@@ -85,6 +89,7 @@ def _in_sea(read, body, db, points, study):
     from .study import sea_of, viscous_laws, viscous_words
 
     sea, laws = sea_of(read.sea, study, db.water_depth), viscous_laws(read, db)
+    body = on_current(body, carrier_of(read.stream()))
     body, damping = in_sea(db.reader, sea, laws, body)
     for line in viscous_words(body, laws, damping):
         warnings.warn(line, stacklevel=2)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..common.quantities import StudyError
 from ..common.weather.gusts import gusts_of
 
 COLUMNS = {
@@ -44,6 +45,8 @@ class Moored(NamedTuple):
 
 def moored(path, read, db, sea, duration, points):
     """`Moored` of the mooring study at `path` and a ResponseStudy.  Raises ValueError, one line."""
+    from mooring.on_current.body import on_current
+    from mooring.on_current.waves import carrier_of
     from mooring.response.viscous import in_sea
     from mooring.studies.conditions import Waves
     from mooring.studies.long_period import long_period
@@ -63,7 +66,12 @@ def moored(path, read, db, sea, duration, points):
     statics = multi_point(db, system, hull, conditions, study.allowable)
     laws = viscous_laws(read, db)
     held = read.restrained(db.reader.floating().restrained(stiffness=statics.equilibrium.stiffness))
-    (free, _), (held, damping) = in_sea(db.reader, sea, laws), in_sea(db.reader, sea, laws, held)
+    if read.current is not None:
+        raise StudyError(f"current is given with --moored; allowed: the current of {path} alone")
+    carrier = carrier_of(given.current)
+    (free, _), (held, damping) = (
+        in_sea(on_current(db.reader, carrier), sea, laws), in_sea(db.reader, sea, laws, on_current(held, carrier))
+    )  # fmt: skip
     gusts = gusts_of(study.wind)
     gust = None if gusts is None else (gusts, statics.loads["wind"][PLANE])
     alone = long_period(db, hull, statics, gusts)

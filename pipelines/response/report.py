@@ -163,6 +163,7 @@ def _drift_lines(slow, radius):
         return ["no drift: the database holds no drift_force"]
     lines = [
         f"mean drift: {_forces(slow.drift, radius)}",
+        *_by_current(slow, radius),
         f"standard deviation of slow drift, beats up to {slow.difference[-1]:g} rad/s: {_forces(slow.sigma, radius)}",
     ]
     if slow.of_pairs is not None:
@@ -171,6 +172,11 @@ def _drift_lines(slow, radius):
         return [*lines, "no wave drift damping: the direction has no stored neighbours to differentiate drift over"]
     along, across = slow.damping[0, 0] / KN, slow.damping[1, 1] / KN
     return [*lines, f"wave drift damping: surge {along:.4g}, sway {across:.4g} kN s/m"]
+
+
+def _by_current(slow, radius):
+    if slow.by_current is not None:
+        yield f'of it by the current: {_forces(slow.by_current, radius)}, which current.waves = "still" leaves out'
 
 
 def _forces(force, radius, among=None):

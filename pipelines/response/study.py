@@ -44,7 +44,7 @@ import numpy as np
 from bem import DOFS
 from bem.viscous_table import Laws
 
-from ..common.quantities import StudyError, Table, direction, positive
+from ..common.quantities import StudyError, Table, direction, positive, speed, waves_on
 from ..common.typed import typed
 from ..common.weather.seas import family_of, shape_of, spreading_of
 from ..site.link import RESPONSE, SiteLink, read_study_at_site
@@ -158,12 +158,27 @@ class BodyTable(Table):
     stiffness: list[list[float]] | None = None
 
 
+class CarryingTable(Table):
+    """A uniform current that carries the waves of [sea]; a mooring study has its force on the hull
+
+    speed : m/s; or speed_knots
+    waves : as in a mooring study: "intrinsic", "absolute" or "still"
+    """
+
+    speed: float | None = None
+    speed_knots: float | None = None
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+    waves: str = "intrinsic"
+
+
 class ResponseStudy(Table):
     """A body of a database in one sea, or in a climate"""
 
     site: SiteLink | None = None
     sea: SeaTable | None = None
     climate: ClimateTable | None = None
+    current: CarryingTable | None = None
     body: BodyTable = msgspec.field(default_factory=BodyTable)
     points: list[PointTable] = msgspec.field(default_factory=list)
     keel: KeelTable | None = None
@@ -177,6 +192,15 @@ class ResponseStudy(Table):
         if stiffness is not None:
             _check_stable(body.stiffness)
         return body.restrained(damping=damping_of("body", self.body.damping_ratio, body))
+
+    def stream(self):
+        """`mooring.studies.conditions.Current` of the study, None for none.  Raises StudyError."""
+        from mooring.studies.conditions import Current
+
+        if self.current is None:
+            return None
+        towards = speed("current", self.current), direction("current", self.current)
+        return Current(*towards, waves=waves_on(self.current))
 
     def places(self, db):
         """Points of the study, those of the bottom after the others; db : database"""

@@ -155,7 +155,7 @@ def study_of(row, scheme=None, seed=1):
             "length": 1.25, "count": 2, "spacing": 0.4, "breaking_load_kN": 4.0, "strain": 0.25, "exponent": 2.0,
         }  # fmt: skip
     if current > 0:
-        raw["current"] = {"speed": current, "incidence_deg": 0.0, "turning": {}}
+        raw["current"] = {"speed": current, "incidence_deg": 0.0, "turning": {}, "waves": "still"}
     if height > 0:
         raw["waves"] = {"height": height, "period": PERIOD, "incidence_deg": 0.0}
         raw["slewing"]["scheme"] = scheme or ("two_scale" if contact else "full")

@@ -144,7 +144,7 @@ def _weather(printed, variant):
         spectrum = mitsuyasu_bretschneider(height, significant_period=period)
     else:
         spectrum = bretschneider(height, significant_period=period / 0.9)
-    streams = Conditions(Wind(WIND, BEAM), Current(CURRENT * KNOT, BEAM))
+    streams = Conditions(Wind(WIND, BEAM), Current(CURRENT * KNOT, BEAM, waves="still"))
     streams = with_coefficients(streams, _hull(floater), CURRENT_DEPTH * FLOATERS[floater].draft)
     gusts = davenport(WIND, SURFACE_DRAG)
     return Weather((Sea(spectrum, BEAM),), wind=streams.wind, gusts=gusts, current=streams.current)

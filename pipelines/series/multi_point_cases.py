@@ -121,7 +121,7 @@ def study(case, hours, seeds):
         "types": {"chain": kind},
         "spreads": [spread | _line(case, f, times)],
         "wind": {"speed": case.wind, "gusts": "davenport", "surface_drag": 0.0015} | off,
-        "current": {"speed_knots": KNOTS} | off,
+        "current": {"speed_knots": KNOTS, "waves": "still"} | off,
         "waves": {"height": case.height, "period": OF_MEAN * case.period, "spectrum": "mitsuyasu_bretschneider"} | off,
         "simulation": {"duration_hours": hours, "seeds": seeds, "keep_series": 1},
     }

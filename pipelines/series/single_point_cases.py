@@ -130,6 +130,7 @@ def study_of(case, seed=1, drift=None):
         "current": {
             "speed_knots": v["current_kn"],
             "incidence_deg": case.current_deg,
+            "waves": "still",
             "turning": {"beam_over_draft": 10.0},
         },
         "waves": {

@@ -22,6 +22,7 @@ import numpy as np
 
 from bem import DOFS
 from mooring.motion.weather import Settings, Weather
+from mooring.on_current.waves import carrier_of, check_blocked, in_water
 from mooring.response.seas import energy_outside
 
 from ..common.quantities import StudyError, direction, positive
@@ -89,6 +90,9 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
             f"{2 * np.pi / omega[0]:.4g} s; solve them too"
         )
     streams = conditions.wind, gusts_of(study.wind), conditions.current
+    carrier = carrier_of(conditions.current)
+    for one in (*seas, *([] if waves is None else [waves])):
+        findings += tuple(check_blocked(carrier, one, study.water.depth, 9.80665))
     components, mean = None, None if study.waves is None else study.waves.period
     if table.record is not None:
         components, found = _record(study, table, settings, omega, folder)
@@ -134,6 +138,9 @@ def _record(study, table, settings, omega, folder):
         raise StudyError(f"{where} lasts {length:g} s; allowed: ramp and duration, {wanted:g} s, or longer")
     first = record._replace(elevation=record.elevation[: int(np.ceil(wanted / record.step)) + 1])
     found = components_of(first, towards, positive(f"{where}.shortest", table.record.shortest))
+    carrier = carrier_of(study.conditions().current)
+    if carrier is not None:  # a record at a place has the frequencies that are met there
+        found = in_water(found, carrier._replace(absolute=True), study.water.depth, 9.80665)
     if not len(found.omega):
         raise StudyError(f"{where} has no waves of {table.record.shortest:g} s and longer; allowed: some")
     if len(found.omega) > MOST_OF_RECORD:

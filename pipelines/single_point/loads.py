@@ -11,6 +11,7 @@ from mooring.loads.on_hull import current_on, turning_drag, wind_on
 from mooring.loads.ship_derivatives import by_yaw_rate, clarke
 from mooring.loads.turning import OutsideTests, turning_coefficients
 from mooring.motion.wave_loads import wave_forces
+from mooring.on_current.waves import carrier_of, check_blocked
 from mooring.response.findings import UNSURE
 from mooring.response.linear import frequencies
 from mooring.response.viscous import in_sea
@@ -161,7 +162,25 @@ def _drift(study, db, center, findings):
     sea = sea_of("waves", w, to, db.water_depth)
     body, _ = in_sea(db.reader, sea)
     findings += _between_waves(body, sea)
-    return DriftLoad(mean_drift(wave_forces(body), sea))
+    carrier, forces = waves_carrier(study), wave_forces(body)
+    findings += check_blocked(carrier, sea, body.depth, body.gravity)
+    drift = mean_drift(forces, sea, carrier, body.depth, body.gravity)
+    if carrier is not None:
+        findings.append(_by_current(drift, mean_drift(forces, sea), study.current))
+    return DriftLoad(drift)
+
+
+def waves_carrier(study):
+    """`Carrier` of the waves of a study, None where no current carries them.  Raises StudyError."""
+    return carrier_of(current_of(study.current))
+
+
+def _by_current(drift, still, current):
+    largest, before = (np.hypot(*of[:, :2].T).max() / 1e3 for of in (drift, still))
+    return (
+        f"on the current the mean drift of the waves is up to {largest:.4g} kN at any heading, {before:.4g} kN in "
+        f'still water, which current.waves = "still" has; waves are given in {current.waves} frequencies'
+    )
 
 
 def _between_waves(body, sea):

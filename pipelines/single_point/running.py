@@ -15,6 +15,7 @@ import numpy as np
 from mooring.environment.gusts import MissingVariance, gust_record
 from mooring.lines.ropes import RopePart
 from mooring.motion.buoy import BuoyBody
+from mooring.on_current.waves import in_water
 from mooring.response.viscous import in_sea
 from mooring.single_point.equilibria import Equilibrium
 from mooring.single_point.history import (
@@ -35,6 +36,7 @@ from mooring.single_point.waves import GROWS, mean_frequency, slow_part, split_f
 from ..common.quantities import StudyError, direction, force, positive
 from ..common.units import KN
 from ..common.weather.seas import sea_of
+from .loads import waves_carrier
 
 SCHEMES = ("slow", "two_scale", "full")
 GUSTS = 1e-3, 1.0, 400  # Hz, the report's band, and components
@@ -111,7 +113,8 @@ def _slow(study, point, steady, step):
 
 def _wave_body(study, db):
     lever = study.attachment.z - float(db.rotation_center[2])
-    return wave_body(in_sea(db.reader, _sea(study, db))[0], _components(study, db, study.slewing), lever)
+    body, _ = in_sea(db.reader, _sea(study, db))
+    return wave_body(body, _components(study, db, study.slewing), lever, waves_carrier(study))
 
 
 def _in_one(study, point, steady, db, waves):
@@ -132,7 +135,7 @@ def _in_one(study, point, steady, db, waves):
     wind = point.loads.wind
     found = run_in_one(steady, moved, s.duration, FULL_STEP if s.step is None else s.step, components=components,
                        wave_ramp=grown, gusts=None if wind is None else wind.gusts, tolerance=s.tolerance, seed=s.seed,
-                       drift=not mean)  # fmt: skip
+                       drift=not mean, carrier=waves_carrier(study))  # fmt: skip
     center = np.asarray(moved.reader.rotation_center, float)[:2]
     slow = found.motion[:, [0, 1, 5]]
     if waves:
@@ -319,4 +322,5 @@ def _components(study, db, s):
         )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # said above where it is more than the report's own spectrum leaves out
-        return sea.components(s.components, s.seed, low=float(low), high=float(high))
+        found = sea.components(s.components, s.seed, low=float(low), high=float(high))
+    return in_water(found, waves_carrier(study), db.water_depth, 9.80665)

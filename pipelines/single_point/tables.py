@@ -27,7 +27,8 @@ import msgspec
 from ..common.line_tables import LineTable, TypeTable
 from ..common.quantities import StudyError, Table
 from ..common.typed import typed
-from ..common.weather.streams import StreamTable, SuperstructureTable, WindTable, with_files
+from ..common.weather.streams import CurrentTable as UniformTable
+from ..common.weather.streams import SuperstructureTable, WindTable, with_files
 from ..moor.tables import WaterTable
 from ..site.link import SiteLink, read_study_at_site
 
@@ -162,7 +163,7 @@ class YawRateTable(Table):
     N_r: float | None = None
 
 
-class CurrentTable(StreamTable):
+class CurrentTable(UniformTable):
     """Current on the hull, by one of turning, coefficients and file
 
     yaw_drag : kN m s², N₂, by default that of the cross flow on a box; turning tests contain it

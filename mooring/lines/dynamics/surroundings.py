@@ -128,6 +128,7 @@ class WaveTrain:
 
     amplitude : m; period : s; direction : rad, travelled to; phase : rad, lag at the origin
     depth : m, may be inf; ramp : s, by default the longest period
+    carried : (2,) m/s, of the current that carries the waves: periods are those in the water that moves along
     """
 
     amplitude: np.ndarray
@@ -136,6 +137,7 @@ class WaveTrain:
     phase: np.ndarray | float = 0.0
     depth: float = np.inf
     ramp: float | None = None
+    carried: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self):
         given = (self.amplitude, self.period, self.direction, self.phase)
@@ -155,12 +157,13 @@ def water_arrays(current, waves, gravity):
     z, U = (none, pairs) if current is None else (current.z, current.velocity)
     untabled = 0.0, 0.0, np.zeros(0), np.zeros(0), np.zeros(2), np.zeros((2, 0))
     if waves is None:
-        return Water(z, U, none, none, none, pairs, none, np.inf, 0.0, *untabled)
+        return Water(z, U, none, none, none, pairs, none, np.inf, 0.0, *untabled, none, np.zeros(2))
     omega = 2 * np.pi / waves.period
     heading = np.stack([np.cos(waves.direction), np.sin(waves.direction)], axis=-1)
     k = np.asarray(wavenumber(omega, waves.depth, gravity), float)
-    depth, ramp = float(waves.depth), float(waves.ramp)
-    return Water(z, U, waves.amplitude, omega, k, heading, waves.phase, depth, ramp, *untabled)
+    depth, ramp, carried = float(waves.depth), float(waves.ramp), np.asarray(waves.carried, float)
+    met = omega + k * (heading @ carried)
+    return Water(z, U, waves.amplitude, omega, k, heading, waves.phase, depth, ramp, *untabled, met, carried)
 
 
 def _point(value):

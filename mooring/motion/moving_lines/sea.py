@@ -35,12 +35,13 @@ PHASE, FEW = (0.3, 0.6), 40  # rad of the quickest wave between two times, of fe
 class LineSea(NamedTuple):
     """What moves the water around lines.
 
-    waves : (9, c) wavenumbers along x and y, unit vector, wavenumber, aω over 1 − exp(−2kh), exp(−2kh), frequency and
-    phase
+    waves : (9, c) wavenumbers along x and y, unit vector, wavenumber, aσ over 1 − exp(−2kh), exp(−2kh), frequency ω at
+    a place at rest, which on a current is not that in the water, σ, and phase
     factor : (2c, SAMPLES) cos ωt and sin ωt of the times of a table; step : s between these
     farthest : m, that a node is foreseen to move until the middle of a table
     depth : m; ramp : (2,) s, begin of the waves and how long they grow
     current : (2,) m/s, over the whole depth, and current_ramp, s, in which it grows
+    carried : (2,) m/s, at which it carries the waves
     """
 
     waves: np.ndarray
@@ -51,27 +52,31 @@ class LineSea(NamedTuple):
     ramp: np.ndarray
     current: np.ndarray
     current_ramp: float
+    carried: np.ndarray
 
 
-def line_sea(components, number, depth, current, wave_ramp, ramp):
+def line_sea(components, number, depth, current, wave_ramp, ramp, carried=(0.0, 0.0)):
     """`LineSea` of wave components (`mooring.environment.sea.Components`), or of None
 
     number : (2, c) rad/m, their wavenumbers along x and y; depth : m; current : (2,) m/s or None
+    carried : (2,) m/s, at which the current carries the waves, none for those of still water
     wave_ramp : (2,) s, begin and length; ramp : s
     """
     velocity = np.zeros(2) if current is None else np.asarray(current, float)
     if components is None:
         none = np.zeros((9, 0)), np.zeros((0, SAMPLES), np.float32), 1.0, 0.0
-        return LineSea(*none, float(depth), np.array(wave_ramp, float), velocity, float(ramp))
+        return LineSea(*none, float(depth), np.array(wave_ramp, float), velocity, float(ramp), np.zeros(2))
     omega, amplitude, phase, _ = (np.asarray(part, float) for part in components)
     kx, ky = number
     k = np.hypot(kx, ky)
     deep = np.exp(-2 * k * depth)
-    waves = np.ascontiguousarray([kx, ky, kx / k, ky / k, k, amplitude * omega / (1 - deep), deep, omega, phase])
-    step = PHASE[len(omega) > FEW] / omega.max()
+    carried = np.asarray(carried, float)
+    met = omega + carried @ number
+    waves = np.ascontiguousarray([kx, ky, kx / k, ky / k, k, amplitude * omega / (1 - deep), deep, met, phase])
+    step, omega = PHASE[len(omega) > FEW] / np.abs(met).max(), met
     turn = np.multiply.outer(omega, step * np.arange(SAMPLES))
     factor = np.concatenate([np.cos(turn), np.sin(turn)]).astype(np.float32)
-    rest = float(depth), np.array(wave_ramp, float), velocity, float(ramp)
+    rest = float(depth), np.array(wave_ramp, float), velocity, float(ramp), carried
     return LineSea(waves, factor, step, 1 / k.max(), *rest)
 
 
@@ -90,6 +95,7 @@ def water_of(sea, count, most):
             weights=np.zeros((2, SAMPLES)),
             begin=float(sea.ramp[0]),
             ramp=float(sea.ramp[1]),
+            carried=sea.carried,
         )
     if np.any(sea.current):
         still = still._replace(level=np.zeros(1), current=sea.current[None], current_ramp=sea.current_ramp)
@@ -104,7 +110,8 @@ def line_water(water, first, last):
     return Water(
         water.level, water.current, water.amplitude, water.omega, water.wavenumber, water.heading, water.phase,
         water.depth, water.ramp, water.begin, water.current_ramp, water.table[begin:end],
-        water.place[min(3 * first, end) : min(3 * last, end)], water.clock, water.weights,
+        water.place[min(3 * first, end) : min(3 * last, end)], water.clock, water.weights, water.met,
+        water.carried,
     )  # fmt: skip
 
 

@@ -15,6 +15,7 @@ from ...lines.catenary.state import LineError
 from ...lines.dynamics.simulation import CurrentProfile, FairleadMotion, WaveTrain
 from ...lines.dynamics.simulation import simulate as drive
 from ...lines.system.parts import UniformLine
+from ...on_current.waves import met_by_a_place
 from .prepare import dynamic_line, ends_of
 
 BEFORE, AFTER, SETTLE = 60.0, 20.0, 20.0  # s of the course about the largest static tension, and of its begin, in which
@@ -30,12 +31,12 @@ class Trial(NamedTuple):
     refused: tuple[str, ...]
 
 
-def beside_static(system, run, courses, elements, components=None, current=None):
+def beside_static(system, run, courses, elements, components=None, current=None, carrier=None):
     """`Trial` of the uniform lines of a System along a `Realisation` with all lines in their static shape
 
     courses : for each line the places and velocities (2, n, 3) m, m/s of its fairlead
     components : of the waves (`mooring.environment.sea.Components`) and current : (2,) m/s, that move the water around
-    the lines, None for still water
+    the lines, None for still water; carrier : `mooring.on_current.waves.Carrier` of the waves, None for none
     """
     off, refused = {}, {}
     for number, line in enumerate(system.lines):
@@ -45,7 +46,9 @@ def beside_static(system, run, courses, elements, components=None, current=None)
             continue
         try:
             moving = dynamic_line(line, ends_of(line, system)[0].position, system, elements)
-            off[number] = _difference(moving, run, courses[number], number, (components, current, system.depth))
+            off[number] = _difference(
+                moving, run, courses[number], number, (components, current, carrier, system.depth)
+            )
         except (LineError, ValueError) as error:
             refused.setdefault(line.type.name, str(error))
     return Trial(off, tuple(refused.values()))
@@ -65,13 +68,14 @@ def _difference(line, run, course, number, water):
     return float(np.abs(pull - still)[late].max() / still.max())
 
 
-def _water(components, current, depth, begin):
+def _water(components, current, carrier, depth, begin):
     """Keywords of a run of a line for waves and current, from `begin` s of the waves on"""
     made = {}
     if components is not None:
         omega, amplitude, phase, direction = components
-        period = 2 * np.pi / omega
-        made["waves"] = WaveTrain(amplitude, period, direction, phase - omega * begin, depth, SETTLE)
+        period, moves = 2 * np.pi / omega, (0.0, 0.0) if carrier is None else carrier.velocity
+        later = phase - met_by_a_place(components, carrier, depth, 9.80665) * begin
+        made["waves"] = WaveTrain(amplitude, period, direction, later, depth, SETTLE, moves)
     if current is not None:
         made["current"] = CurrentProfile([0.0], [current])
     return made

@@ -30,7 +30,7 @@ def body_of(moored, weather, settings, components, drag, munk):
     quadratic[5] += drag
     added, damping, memory = _coefficients(moored, settings, components)
     try:
-        pushed = *pairs(moored, weather, settings, components), *half_waves(moored, settings, components)
+        pushed = *pairs(moored, weather, settings, components), *half_waves(moored, weather, settings, components)
         given = sampled((*weather.forces, *pushed), settings.ramp, settings.duration)
     except ValueError as error:
         raise SimulationError(str(error)) from None

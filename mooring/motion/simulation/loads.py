@@ -6,6 +6,8 @@ import numpy as np
 
 from ...environment.sea import Components, joined
 from ...loads.on_hull import current_on, turning_drag
+from ...on_current.body import on_current
+from ...on_current.waves import Carrier, in_water, met_by_a_place
 from ...response.bound_wave_drift import record as pair_record
 from ..given_forces import GivenForce, drift_of_half_waves
 from ..streams import calm, current_stream, stream_of, wind_stream
@@ -19,9 +21,11 @@ FEWEST, MOST = 200, 600  # wave components of a sea; at 600 their beats are clos
 
 def wave_components(moored, weather, settings, seed):
     """Components of the weather's waves, None for none; as many as the record needs not to repeat."""
+    place = weather.carrier, moored.reader.depth, moored.reader.gravity
     if weather.regular is not None:
         w = weather.regular
-        return Components(*(np.array([float(v)]) for v in (w.omega, 0.5 * w.height, 0.0, w.direction)))
+        one = Components(*(np.array([float(v)]) for v in (w.omega, 0.5 * w.height, 0.0, w.direction)))
+        return in_water(one, *place)
     if not weather.seas:
         return weather.components
     low, high = moored.reader.omega[0], moored.reader.omega[-1]
@@ -32,7 +36,7 @@ def wave_components(moored, weather, settings, seed):
         if count is None:
             count = int(np.clip(np.ptp(band) * settings.duration / (4 * np.pi), FEWEST, MOST))
         parts.append(sea.components(count, seed + NEXT_SEA * number, low=float(band[0]), high=float(band[1])))
-    return parts[0] if len(parts) == 1 else joined(*parts)
+    return in_water(parts[0] if len(parts) == 1 else joined(*parts), *place)
 
 
 def mean_frequency(components):
@@ -81,12 +85,18 @@ def pairs(moored, weather, settings, components):
         return ()
     known = moored.waves.drift is not None
     drift = drift_of(moored.waves, components, moored.start[5]) if known else None
-    t, force = pair_record(weather.beside_newman, components, settings.ramp + settings.duration, drift)
+    met = met_by_a_place(components, weather.carrier, moored.reader.depth, moored.reader.gravity)
+    t, force = pair_record(weather.beside_newman, components, settings.ramp + settings.duration, drift, met)
     return (GivenForce(t - settings.ramp, force),)
 
 
-def half_waves(moored, settings, components):
+def half_waves(moored, weather, settings, components):
     """The drift by half waves of a run, as a GivenForce, or nothing"""
     if settings.slow_drift != "half-waves" or components is None or not moored.reader.knows_drift:
         return ()
-    return (drift_of_half_waves(moored.reader, components, moored.start[5], settings.ramp, settings.duration),)
+    carrier, heading = weather.carrier, moored.start[5]
+    if carrier is not None:
+        cos, sin, (x, y) = np.cos(heading), np.sin(heading), carrier.velocity
+        carrier = Carrier((cos * x + sin * y, cos * y - sin * x))  # in the axes of the body
+    body = on_current(moored.reader, carrier)
+    return (drift_of_half_waves(body, components, heading, settings.ramp, settings.duration),)

@@ -8,7 +8,6 @@ import numpy as np
 
 from bem import DOFS
 
-from ...environment.sea import Components
 from ...lines.system.findings import beyond_tables
 from .. import integrator
 from ..contacts import courses
@@ -94,10 +93,9 @@ def _elevation(table, clocked, reader):
     """(n,) m at the origin, of a `WaveTable` at times (n,) s from its begin"""
     if not len(table.omega):
         return np.zeros(len(clocked))
-    from ...environment.wave_records import elevation
+    from ...environment.wave_records import real_sum
 
-    parts = Components(table.omega, table.amplitude, table.phase, table.direction)
-    return elevation(parts, clocked, 0.0, 0.0, reader.depth, reader.gravity)
+    return real_sum(table.amplitude * np.exp(1j * table.phase), table.omega, clocked)
 
 
 def _of_buoy(buoy, course):

@@ -89,7 +89,8 @@ def _again(moored, settings, moving):
 def _sea_of_lines(components, table, weather, settings, reader):
     """`LineSea` of a run with the wave components of its waves, None for none, and their `WaveTable`"""
     grown = (0.0, settings.ramp) if settings.wave_ramp is None else settings.wave_ramp
-    return line_sea(components, table.number, reader.depth, _current_at_lines(weather), grown, settings.ramp)
+    carried = (0.0, 0.0) if weather.carrier is None else weather.carrier.velocity
+    return line_sea(components, table.number, reader.depth, _current_at_lines(weather), grown, settings.ramp, carried)
 
 
 def _current_at_lines(weather):
@@ -108,7 +109,8 @@ def _begun(moored, weather, settings, seed):
     table = no_waves()
     if components is not None:
         wanted = settings.slow_drift in ("newman", "mean")
-        table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, wanted)
+        place = reader.depth, reader.rotation_center, reader.gravity
+        table = wave_table(moored.waves, components, *place, wanted, weather.carrier)
     wind, current, drag, findings = streams(moored, weather, seed, settings.ramp + settings.duration)
     sea = _sea_of_lines(components, table, weather, settings, reader) if settings.dynamic_water == "sea" else None
     moving = moving_of(moored, settings, sea)
@@ -142,7 +144,7 @@ def with_lines_chosen(moored, weather, settings):
     courses = [fairlead_course(lines, i, states) for i in range(len(moored.system.lines))]
     around = ()
     if settings.dynamic_water == "sea":
-        around = wave_components(moored, weather, still, 0), _current_at_lines(weather)
+        around = wave_components(moored, weather, still, 0), _current_at_lines(weather), weather.carrier
     tried = beside_static(moored.system, run, courses, settings.dynamic_elements, *around)
     names = moored.system.line_names
     moving = [i for i, off in tried.off.items() if off > NEGLIGIBLE]

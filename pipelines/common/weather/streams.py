@@ -11,7 +11,7 @@ import math
 from functools import partial
 from pathlib import Path
 
-from ..quantities import StudyError, Table, direction, speed
+from ..quantities import StudyError, Table, direction, speed, waves_on
 
 STREAMS = ("wind", "current")
 WAYS = ("coefficients", "ship")  # of the hull, one of them
@@ -78,6 +78,16 @@ class StreamTable(Table):
     center_z: float | None = None
 
 
+class CurrentTable(StreamTable):
+    """A uniform current
+
+    waves : frequencies in which the waves are given that it carries: "intrinsic", in the water that moves along, as
+        wave models do, or "absolute", at a place at rest, as a moored buoy does; "still": the waves do not know of it
+    """
+
+    waves: str = "intrinsic"
+
+
 class WindTable(StreamTable):
     """Wind, at 10 m
 
@@ -108,13 +118,14 @@ def wind_of(table):
 
 
 def current_of(table):
-    """`mooring.studies.conditions.Current` of a StreamTable, None for None.  Raises StudyError."""
+    """`mooring.studies.conditions.Current` of a CurrentTable, None for None.  Raises StudyError."""
     from mooring.studies.conditions import Current
 
     if table is None:
         return None
     found = coefficients_of("current", table)
-    return Current(speed("current", table), direction("current", table), found, _height("current", table))
+    towards = speed("current", table), direction("current", table)
+    return Current(*towards, found, _height("current", table), waves_on(table))
 
 
 def wind_table(table):

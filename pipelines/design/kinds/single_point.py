@@ -25,7 +25,7 @@ NAME, DATABASE, MOVED = "single-point study", "allowed", False
 GUSTS = ("gusts", "surface_drag", "gust_height", "gust_exponent", "gust_intensity")
 BELONGING = {
     "wind": (*OF_HULL, *GUSTS),
-    "current": (*OF_HULL, "turning", "yaw_rate", "yaw_drag", "sway_damping", "yaw_damping"),
+    "current": (*OF_HULL, "turning", "yaw_rate", "yaw_drag", "sway_damping", "yaw_damping", "waves"),
     "waves": ("drift_tonf_per_m2", "spectrum", "gamma", "spreading"),
 }
 LEFT_OUT = ("wind", "current", "waves", "maps", "site")

@@ -110,7 +110,7 @@ def test_a_line_in_a_regular_wave_on_a_current_pulls_as_the_same_line_driven_alo
     weather = Weather(regular=Waves(3.0, 8.0, 0.5), current=Current(0.8, 0.5 * np.pi))
     settings = replace(IN_SEA, dynamic_lines="all")
     run = simulate(replace(on_lines, hull=ExposedBox(100.0, 50.0, 10.0, 10.0)), weather, settings)
-    waves = WaveTrain(1.5, 8.0, 0.5, depth=on_lines.reader.depth, ramp=settings.ramp)
+    waves = WaveTrain(1.5, 8.0, 0.5, depth=on_lines.reader.depth, ramp=settings.ramp, carried=(0.0, 0.8))
     current = CurrentProfile([0.0], [[0.0, 0.8]])
     for number in (0, 3):
         pull, found = alone(on_lines, run, number, settings, waves=waves, current=current)

@@ -102,10 +102,14 @@ def moved_water(table, weights, part, n, j, d):
 
 @kernel()
 def tabled_water(water, q, nodes, t, R, R1, u, du):
-    """Add the water of the table at time t, with its ramp R and dR/dt, to u and du (3, w)."""
+    """Add the water of the table at time t, with its ramp R and dR/dt, to u and du (3, w).
+
+    A current carries the waves past the nodes: to what changes at a place it adds what they bring along, (V·∇)u.
+    """
     time_weights((t - water.clock[0]) / water.clock[1], water.weights)
     w, table, weights, slower = q.shape[1], address(water.table), address(water.weights), 1.0 / water.clock[1]
     at, place, velocity, change = address(q), address(water.place), address(u), address(du)
+    carried = water.carried[0] != 0.0 or water.carried[1] != 0.0
     for j in range(0, nodes, WIDTH):
         x, y, z = load_three(at, w, j)
         d = minus((x, y, less(z, repeated(0.0))), load_three(place, nodes, j))
@@ -113,6 +117,10 @@ def tabled_water(water, q, nodes, t, R, R1, u, du):
         store_three(velocity, w, j, combine(1.0, load_three(velocity, w, j), R, flow))
         gained = combine(R * slower, rate, R1, flow)
         store_three(change, w, j, combine(1.0, load_three(change, w, j), 1.0, gained))
+        if carried:
+            there = minus(d, (repeated(-water.carried[0]), repeated(-water.carried[1]), repeated(0.0)))
+            brought = minus(moved_water(table, weights, 0, nodes, j, there), flow)
+            store_three(change, w, j, combine(1.0, load_three(change, w, j), R, brought))
 
 
 @kernel()
@@ -139,7 +147,7 @@ def add_waves(water, q, nodes, t, R, R1, u, du):
         z = min(q[2, j], 0.0)
         for m in range(water.omega.size):
             w, k, c, s = water.omega[m], water.wavenumber[m], water.heading[m, 0], water.heading[m, 1]
-            theta = w * t - k * (c * q[0, j] + s * q[1, j]) - water.phase[m]
+            theta = water.met[m] * t - k * (c * q[0, j] + s * q[1, j]) - water.phase[m]
             rise, image = math.exp(k * z), math.exp(-k * (z + 2 * water.depth))
             scale = water.amplitude[m] * w / (1.0 - math.exp(-2 * k * water.depth))
             along, up = scale * (rise + image), scale * (rise - image)

@@ -71,6 +71,8 @@ class Water(NamedTuple):
     place: np.ndarray  # (3 n,) m, all x, y and z, and eight numbers more
     clock: np.ndarray  # (2,) s, first time and step
     weights: np.ndarray  # (2, 6) room for work
+    met: np.ndarray  # (w,) rad/s, frequency at which the waves pass a place at rest
+    carried: np.ndarray  # (2,) m/s, at which a current carries waves
 
 
 class Motion(NamedTuple):

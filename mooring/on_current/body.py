@@ -1,0 +1,123 @@
+"""The body of a database among waves that a current carries: it moves at the frequency at which it meets them.
+
+    {−ω²[M + A(ω)] − iω[B(ω) + B′] + [C + C′]} X = F(σ),    ω = σ + k·V
+
+The wave that comes in has the length and the pressure of its intrinsic frequency σ, and so F is taken; water and body
+answer at ω.  What the current does to F itself, of the order of V/C, is left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from functools import cached_property
+
+import numpy as np
+
+from bem.database.between_frequencies import RADIATION
+from bem.database.reader import Reader
+from bem.database.resonances import about, resonances
+
+from .waves import Carrier
+
+STEPS = 8  # between stored frequencies, of the splines of added mass and damping
+
+
+@dataclass(frozen=True, eq=False)
+class OnCurrent(Reader):
+    """A `Reader` whose `motions` are those on the current of a `Carrier`; all else, drift too, is of still water.
+
+    omega of its functions is that in which waves are given, absolute or intrinsic (`waves.Carrier`); forces, drift and
+    far field take the intrinsic one
+    """
+
+    carrier: Carrier | None = None
+
+    @cached_property
+    def still(self):
+        """`Reader` of the same body in still water"""
+        return Reader(**{one.name: getattr(self, one.name) for one in fields(Reader)})
+
+    def encounter(self, omega, headings=None):
+        """(q, p) rad/s at which the body meets waves"""
+        return self.carrier.met(*self._pairs(omega, headings), self.depth, self.gravity)
+
+    def intrinsic(self, omega, headings=None):
+        """(q, p) rad/s of waves in the water that moves along"""
+        return self.carrier.own(*self._pairs(omega, headings), self.depth, self.gravity)
+
+    def motions(self, omega, headings=None):
+        """(q, p, 6) as `Reader.motions`; of still water where the database has nothing that they follow from"""
+        if self.lacks_motions:
+            return self.still.motions(omega, headings)
+        self._check_inertia()
+        met, F = self.encounter(omega, headings), self.waves_of("forces", omega, headings)
+        A, B = self._coefficients(met.ravel())
+        found = self.still.solved(met.ravel(), A, B, F.reshape(-1, 1, 6))
+        return found.reshape(*met.shape, 6)
+
+    @property
+    def lacks_motions(self):
+        """Whether the motions are stored alone, without the coefficients that they follow from"""
+        return not {*RADIATION, "excitation_force"} <= set(self.between.quantities)
+
+    def drift(self, omega, headings=None, fixed=False):
+        """(q, p, 3) as `Reader.drift`, in still water: of waves as long as those given"""
+        return self.waves_of("drift", omega, headings, fixed=fixed)
+
+    def waves_of(self, name, omega, headings, **words):
+        """`forces` or `drift` (q, p, …) in still water of waves as long as those given"""
+        of = getattr(self.still, name)
+        if not self.carrier.absolute:
+            return of(omega, headings, **words)
+        headings = self.headings if headings is None else np.atleast_1d(headings)
+        own = np.clip(self.intrinsic(omega, headings), *self.between.span)
+        return np.concatenate([of(own[:, [p]].ravel(), [beta], **words) for p, beta in enumerate(headings)], axis=1)
+
+    def at(self, omega, name, headings=None):
+        """As `Reader.at`; the error is that of still water"""
+        value, error = self.still.at(omega, name, headings)
+        return (self.motions(omega, headings) if name == "rao" else value), error
+
+    def resonant(self, headings):
+        """(q,) rad/s, given frequencies of waves towards headings (p,) rad that show the resonances of the body"""
+        met = about(self.still, resonances(self.still))
+        low, high = self.between.span
+        rows = [met]
+        if not self.carrier.absolute and len(met):
+            back = Carrier(self.carrier.velocity, absolute=True)
+            rows = [back.own(met, beta, self.depth, self.gravity) for beta in np.atleast_1d(headings)]
+        found = np.unique(np.concatenate(rows))
+        return found[(found > low) & (found < high)]
+
+    def _pairs(self, omega, headings):
+        headings = self.headings if headings is None else np.atleast_1d(headings)
+        return np.asarray(omega, float)[:, None], headings[None]
+
+    @cached_property
+    def _splines(self):
+        from scipy.interpolate import CubicSpline
+
+        steps = np.arange((len(self.omega) - 1) * STEPS + 1) / STEPS
+        omega = np.interp(steps, np.arange(len(self.omega)), self.omega)
+        return tuple(CubicSpline(omega, of) for of in self.still.coefficients(omega))
+
+    def _coefficients(self, met):
+        """Added mass and damping (n, 6, 6) at rad/s (n,), held or by their limits beyond the stored frequencies"""
+        inside = np.clip(met, *self.between.span)
+        A, B = (spline(inside) for spline in self._splines)
+        beyond = inside != met
+        if beyond.any():
+            A[beyond] = self.held_added_mass(np.maximum(met[beyond], 0.0))
+        return A, B
+
+
+def on_current(body, carrier):
+    """A `Reader` on the current of a `Carrier`, as it is where there is none"""
+    if carrier is None:
+        return body
+    return OnCurrent(**{one.name: getattr(body, one.name) for one in fields(Reader)}, carrier=carrier)
+
+
+def carrier_of_body(body):
+    """`Carrier` of a body, None in still water"""
+    return getattr(body, "carrier", None)
