@@ -23,8 +23,9 @@ from mooring.breakwater import unit
 from mooring.breakwater.transmission import equal_cells
 
 from ..common.quantities import StudyError
+from ..common.weather.seas import spectrum_of
 from .build import KN
-from .results import design, spectrum_of, ways_of
+from .results import design, ways_of
 
 MOVING = ("added_mass", "radiation_damping", "excitation_force")
 SAME = 0.02  # by which the database's hull may differ from the study's section
@@ -130,7 +131,7 @@ def waves_of(study, reader):
             )
         at = f"regular waves of {asked.period:g} s at {study.waves.obliquity_deg:g}° with the normal"
         return omega, np.array([[np.pi / 2 - np.radians(study.waves.obliquity_deg)]]), np.ones(1), at
-    spectrum = spectrum_of(study.sea, study.water.depth)
+    spectrum = spectrum_of("sea", study.sea, study.water.depth)
     sea = equal_cells(spectrum, CELLS)
     inside = (sea.omega >= low) & (sea.omega <= high)
     part = sea.energy[inside].sum() / sea.energy.sum()

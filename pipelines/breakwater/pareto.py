@@ -17,9 +17,10 @@ from bem.sections.outline import OutlineError
 from mooring.breakwater.transmission import equal_cells
 
 from ..common.quantities import StudyError
+from ..common.weather.seas import spectrum_of
 from .build import Breakwater
 from .curves import Curve, response
-from .results import SEA_CELLS, WAYS, design, in_sea, pretension_of, spectrum_of, tides_of, ways_of
+from .results import SEA_CELLS, WAYS, design, in_sea, pretension_of, tides_of, ways_of
 from .study import periods
 
 KEYS = ("draft", "width", "angle_deg")
@@ -116,7 +117,7 @@ def objectives(study, values, few):
         return max(held.greatest), float(
             abs(response(breakwater, holding, theory, 0.0, 2 * np.pi / period).transmission).max()
         )
-    spectrum = spectrum_of(study.sea, study.water.depth)
+    spectrum = spectrum_of("sea", study.sea, study.water.depth)
     sea = equal_cells(spectrum, FEW_CELLS if few else SEA_CELLS)
     ways = ways_of(study, spectrum, sea.omega, FEW_WAYS if few else WAYS)
     found = in_sea(breakwater, Curve(holding, theory, "mean", None), 0.0, sea.omega, study.waves.height / 2, ways)

@@ -14,7 +14,7 @@ from mooring.breakwater.loss import GAUSSIAN
 from mooring.breakwater.transmission import Cells, equal_cells, greatest_of, slack_share
 
 from ..common.quantities import StudyError, positive
-from ..common.weather.seas import family_of, shape_of, spreading_of
+from ..common.weather.seas import spectrum_of, spreading_of
 from .build import KN
 from .curves import Curve, curves, response, sections
 from .study import MOST_OBLIQUE, periods
@@ -215,17 +215,9 @@ def _snapping(breakwater, tides, held):
     return Snapping(level, period, snap(body, waters, stiffness, omega, breakwater.study.waves.height / 2))
 
 
-def spectrum_of(table, depth):
-    """The spectrum of a SeaTable in water of `depth`, m.  Raises ValueError."""
-    from mooring.environment.periods import KINDS
-
-    given = {kind: getattr(table, kind) for kind in KINDS if getattr(table, kind) is not None}
-    return family_of("sea", table, depth)(positive("sea.height", table.height), **shape_of(table), **given)
-
-
 def _sea(breakwater, made, tides, held):
     study = breakwater.study
-    spectrum = spectrum_of(study.sea, study.water.depth)
+    spectrum = spectrum_of("sea", study.sea, study.water.depth)
     sea = equal_cells(spectrum, SEA_CELLS)
     amplitude, behind, ways = GAUSSIAN * sea.height / 4, {}, ways_of(study, spectrum, sea.omega)
     for curve in made:

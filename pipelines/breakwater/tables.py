@@ -54,6 +54,7 @@ from __future__ import annotations
 import msgspec
 
 from ..common.quantities import Table
+from ..common.weather.seas import SpectrumTable
 from ..site.link import SiteLink
 
 THEORIES = ("potential flow", "long waves")
@@ -150,25 +151,15 @@ class WavesTable(Table):
     obliquity_deg: float = 0.0
 
 
-class SeaTable(Table):
+class SeaTable(SpectrumTable):
     """An irregular sea; one period of it
 
-    height : m, significant
     obliquity_deg : of the mean direction with the normal
-    spreading : over directions: cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES
     duration_hours : of the largest tension
     """
 
-    height: float
     spectrum: str = "bretschneider"
-    mean_period: float | None = None
-    zero_crossing_period: float | None = None
-    energy_period: float | None = None
-    peak_period: float | None = None
-    significant_period: float | None = None
-    gamma: float | None = None
     obliquity_deg: float = 0.0
-    spreading: str | None = None
     duration_hours: float = 3.0
 
     @property

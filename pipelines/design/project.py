@@ -57,6 +57,7 @@ from mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, WORN
 
 from ..common.quantities import StudyError, positive, speed
 from ..common.typed import read_toml, typed
+from ..common.weather.seas import spectrum_of
 from ..common.weather.streams import coefficients_of, wind_table, with_files
 from ..site.link import laid_in, named, site_file
 from .kinds.choose import kind_of
@@ -101,7 +102,7 @@ def read_project(path):
     kind = kind_of(folder / own.study)
     study, study_text = kind.read(folder / own.study)
     _check_bodies(own, kind)
-    _check_states(project)
+    _check_states(project, study["water"]["depth"])
     kind.check(project, study)
     _check_wear(project, study)
     _check_fatigue(project, study)
@@ -175,7 +176,7 @@ def worn_diameters(project, study):
     return found
 
 
-def _check_states(project):
+def _check_states(project, depth):
     if not project.states:
         raise StudyError("the project has no states; allowed: at least one [[states]]")
     if not project.rules and not project.limits:
@@ -205,8 +206,15 @@ def _check_states(project):
             if given:
                 raise StudyError(f"{where}.{key}.{given[0]} is given; allowed: directions in {where}.incidence_deg")
         _check_streams(where, state)
-        for key in ("height", "period") if state.waves is not None else ():
-            positive(f"{where}.waves.{key}", getattr(state.waves, key))
+        if state.waves is not None:
+            _check_waves(f"{where}.waves", state.waves, depth)
+
+
+def _check_waves(where, waves, depth):
+    """Raises StudyError for waves that no case could take"""
+    spectrum_of(where, waves, depth)
+    for i, one in enumerate(waves.swell):
+        one.sea(f"{where}.swell[{i}]", depth)
 
 
 def _check_streams(where, state):

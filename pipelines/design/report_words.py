@@ -8,6 +8,7 @@ import numpy as np
 
 from mooring.criteria.rules import read_rules
 
+from ..common.weather.seas import period_of
 from .kinds.numbers import Numbers
 from .origins import OF_PROJECT
 from .report_tables import CASE_HEAD, WORDS, case_row
@@ -101,13 +102,19 @@ def time_words(read):
     return f"Each case is run in time {count} times, {hours:.3g} h each."
 
 
+def _system(waves):
+    """Words on one system of waves"""
+    ((kind, value),) = period_of("waves", waves).items()
+    return f"{waves.height:g} m, {value:g} s" + ("" if kind == "mean_period" else f" ({kind.replace('_', ' ')})")
+
+
 def state_row(state):
     def stream(table):
         if table is None:
             return "none"
         return f"{table.speed:g} m/s" if table.speed is not None else f"{table.speed_knots:g} knots"
 
-    waves = "none" if state.waves is None else f"{state.waves.height:g} m, {state.waves.period:g} s"
+    waves = "none" if state.waves is None else " and ".join(_system(one) for one in (state.waves, *state.waves.swell))
     angles = ", ".join(f"{angle:g}" for angle in state.incidence_deg)
     for name, offs in (("wind", state.wind_off_deg), ("current", state.current_off_deg)):
         if offs != [0.0]:

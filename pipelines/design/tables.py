@@ -5,8 +5,9 @@ from __future__ import annotations
 import msgspec
 
 from ..common.quantities import Table
+from ..common.weather.seas import WavesTable
 from ..common.weather.streams import CurrentTable, WindTable
-from ..moor.tables import SimulationTable, WavesTable
+from ..moor.tables import SimulationTable
 
 MEAN = "mean"  # the level of the study's own water
 

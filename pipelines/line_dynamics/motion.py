@@ -10,6 +10,7 @@ import numpy as np
 from meshing.text_files import read_text
 
 from ..common.quantities import StudyError, positive
+from ..common.weather.seas import spectrum_of
 
 LARGEST = 64  # MB of a table of positions
 CYCLES = 12  # of a harmonic run whose duration is not given
@@ -73,7 +74,7 @@ def _harmonic(study, kind):
     periods = [part.period for part in moving] + (
         [] if study.wave is None else [positive("wave.period", study.wave.period)]
     )
-    sea = [] if study.sea is None else [positive("sea.period", study.sea.period)]
+    sea = [] if study.sea is None else [float(spectrum_of("sea", study.sea, study.water.depth).T01)]
     if sea and study.duration is None:
         raise StudyError("duration is not given beside a sea, which does not repeat; allowed: above 0 s")
     longest = max(periods + sea, default=0.0)

@@ -11,6 +11,7 @@ import numpy as np
 from ..common.line_tables import attached, check_bed, line_type, of_types
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
+from ..common.weather.seas import spectrum_of
 from .strength import Strength
 from .study import BedTable
 
@@ -177,7 +178,8 @@ def wave_of(study, ramp):
     wave = study.wave
     if wave is None:
         return None
-    _check_breaking("wave", wave, study.water)
+    height, period = positive("wave.height", wave.height), positive("wave.period", wave.period)
+    _check_breaking("wave", height, period, study.water)
     towards, phase = direction("wave", wave), math.radians(wave.phase_deg)
     return WaveTrain(0.5 * wave.height, wave.period, towards, phase, depth, ramp)
 
@@ -185,17 +187,16 @@ def wave_of(study, ramp):
 def _components(study):
     """Components of the sea.  Raises StudyError."""
     sea = study.sea
-    _check_breaking("sea", sea, study.water)
+    _check_breaking("sea", sea.height, float(spectrum_of("sea", sea, study.water.depth).T01), study.water)
     for name, least, most in (("seed", 0, 2**32), ("components", FEWEST, MOST)):
         if not least <= getattr(sea, name) <= most:
             raise StudyError(f"sea.{name} is {getattr(sea, name)}; allowed: {least} to {most}")
     return sea.sea("sea", study.water.depth).components(sea.components, sea.seed)
 
 
-def _check_breaking(where, given, water):
+def _check_breaking(where, height, period, water):
     from bem.waves import wavenumber
 
-    height, period = positive(f"{where}.height", given.height), positive(f"{where}.period", given.period)
     k = float(wavenumber(2 * math.pi / period, water.depth, water.gravity))
     breaking = 0.142 * 2 * math.pi / k * math.tanh(min(k * water.depth, 20.0))
     if height > breaking:

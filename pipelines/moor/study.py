@@ -22,10 +22,10 @@ from mooring.studies.conditions import Conditions, ExposedBox, Waves
 from mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import TypeTable, hawser_at_tension, line_of
-from ..common.quantities import StudyError, Table, below, direction, force, positive, water_depth
+from ..common.quantities import StudyError, Table, below, force, positive, water_depth
 from ..common.quay_tables import DolphinTable, QuayFenderTable, RopeTable, berth_of_tables
 from ..common.typed import typed
-from ..common.weather.seas import sea_of
+from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
 from ..site.link import SiteLink, read_study_at_site
 from .tables import (
@@ -36,7 +36,6 @@ from .tables import (
     SimulationTable,
     Spread,
     WaterTable,
-    WavesTable,
 )
 
 MOST_LINES = 500  # of a study; they take three seconds
@@ -70,14 +69,14 @@ class Study(Table):
         wind, current, waves = wind_of(self.wind), current_of(self.current), self.waves
         if waves is None:
             return Conditions(wind, current)
-        regular = Waves(
-            positive("waves.height", waves.height), positive("waves.period", waves.period), direction("waves", waves)
-        )
         if waves.method not in METHODS:
             raise StudyError(f"waves.method is {waves.method!r}; allowed: {', '.join(METHODS)}")
+        if waves.swell and waves.method != "irregular":
+            raise StudyError(f'waves.swell is given with method = "{waves.method}"; allowed: with "irregular"')
+        sea = sea_with_swell("waves", waves, self.water.depth)
+        regular = Waves(*mean_wave(waves, sea.spectrum), sea.direction)
         duration = 3600 * positive("waves.duration_hours", waves.duration_hours)
         factor = below("waves.motion_factor", waves.motion_factor, 10.0)
-        sea = sea_of("waves", waves, regular.direction, self.water.depth)
         return Conditions(wind, current, regular, waves.method, sea, duration, factor)
 
     def hull_of(self, dimensions):

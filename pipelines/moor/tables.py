@@ -34,28 +34,6 @@ class HullTable(SuperstructureTable, kw_only=True):
     draft: float | None = None
 
 
-class WavesTable(Table):
-    """The sea, or a regular wave
-
-    height : m, significant
-    period : s, mean
-    method : "irregular", waves of a spectrum, or "regular_wave" of this height and period as in the SR179 report
-    duration_hours : of the largest motions
-    motion_factor : by which the motions are multiplied before lines are tightened by them, 1.5 in some rules
-    """
-
-    height: float
-    period: float
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
-    method: str = "irregular"
-    spectrum: str = "issc"
-    gamma: float | None = None
-    spreading: str | None = None
-    duration_hours: float = 3.0
-    motion_factor: float = 1.0
-
-
 class Spread(LineTable, kw_only=True):
     """Lines from the four corners of the hull
 

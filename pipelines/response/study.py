@@ -46,35 +46,24 @@ from bem.viscous_table import Laws
 
 from ..common.quantities import StudyError, Table, direction, positive, speed, waves_on
 from ..common.typed import typed
+from ..common.weather import seas as common
 from ..common.weather.seas import family_of, shape_of, spreading_of
 from ..site.link import RESPONSE, SiteLink, read_study_at_site
 
 
-class SystemTable(Table):
+class SystemTable(common.SeaTable):
     """One system of waves of a sea; a height and one period, or a file of a spectrum
 
-    height : m, significant
     file : of a spectrum (SWAN, NDBC, WAVEWATCH III, CSV) beside the study
     x_axis_compass_deg : what the x axis heads, for nautical directions of a file
     time : which of the spectra of a file
     location : which of the places of a file, from 1
     """
 
-    height: float | None = None
     file: str | None = None
     x_axis_compass_deg: float | None = None
     time: str | None = None
     location: int = 1
-    spectrum: str = "issc"
-    mean_period: float | None = None
-    zero_crossing_period: float | None = None
-    energy_period: float | None = None
-    peak_period: float | None = None
-    significant_period: float | None = None
-    gamma: float | None = None
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
-    spreading: str | None = None
 
 
 class SeaTable(SystemTable):
@@ -292,18 +281,12 @@ def sea_of(table, beside, depth):
 
 
 def _system(where, table, folder, depth):
-    from mooring.environment.periods import KINDS
-    from mooring.environment.sea import Sea
-
     if (table.height is None) == (table.file is None):
         state = "neither is given" if table.height is None else "both are given"
         raise StudyError(f"{where}: {state}; allowed: one of height, file")
     if table.file is not None:
         return _of_file(where, table, folder)
-    periods = {kind: getattr(table, kind) for kind in KINDS if getattr(table, kind) is not None}
-    family = family_of(where, table, depth)
-    spectrum = family(positive(f"{where}.height", table.height), **shape_of(table), **periods)
-    return Sea(spectrum, direction(where, table), spreading_of(where, table, spectrum))
+    return table.sea(where, depth)
 
 
 def _of_file(where, table, folder):

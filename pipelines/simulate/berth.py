@@ -82,6 +82,8 @@ def by_design_spectrum(study, db, body, hull, fenders):
     conditions = study.conditions()
     if study.rope or study.lines or study.spreads or study.simulation.record or conditions.sea is None:
         return ""
+    if study.waves.swell:  # the limit is that of a height of one system
+        return ""
     steady = with_coefficients(conditions, hull, study.water.depth)
     across = sum(load[1] for load in steady_loads(db, hull, steady, study.water.depth).values())
     beam = beam_of(in_sea(body, conditions.sea)[0], conditions.waves.direction)
@@ -100,7 +102,7 @@ def by_design_spectrum(study, db, body, hull, fenders):
     def sea(height, mean_period):
         return family(height, mean_period=mean_period, **shape_of(study.waves))
 
-    limit = limit_height(beam, dolphins, side * across, sea, study.waves.period)
+    limit = limit_height(beam, dolphins, side * across, sea, conditions.waves.period)
     return (
         f"design spectrum method, {len(met)} fenders: static {s.static:.3g} m ({100 * s.static_strain:.3g} %), "
         f"σ {s.sigma:.3g} m, largest {s.largest:.3g} m ({100 * s.strain:.3g} %); allowed: {100 * STATIC:g} and "

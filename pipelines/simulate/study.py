@@ -78,7 +78,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
     regular = conditions.method == "regular_wave"
     if more and (regular or conditions.sea is None):
         raise StudyError("simulation.sea is a further sea; allowed: beside [waves] with irregular waves")
-    seas = () if regular or conditions.sea is None else (conditions.sea, *more)
+    seas = () if regular or conditions.sea is None else (*getattr(conditions.sea, "systems", (conditions.sea,)), *more)
     if seas:
         waves = None
         findings = tuple(dict.fromkeys(line for one in seas for line in _outside(one.spectrum, omega)))
@@ -86,14 +86,14 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None):
             findings += ("the simplified method beside it has the waves of [waves] alone, without simulation.sea",)
     elif waves is not None and not omega[0] <= waves.omega <= omega[-1]:
         raise StudyError(
-            f"waves of {study.waves.period:g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
+            f"waves of {waves.period:.4g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
             f"{2 * np.pi / omega[0]:.4g} s; solve them too"
         )
     streams = conditions.wind, gusts_of(study.wind), conditions.current
     carrier = carrier_of(conditions.current)
     for one in (*seas, *([] if waves is None else [waves])):
         findings += tuple(check_blocked(carrier, one, study.water.depth, 9.80665))
-    components, mean = None, None if study.waves is None else study.waves.period
+    components, mean = None, None if conditions.waves is None else conditions.waves.period
     if table.record is not None:
         components, found = _record(study, table, settings, omega, folder)
         findings += found

@@ -148,6 +148,8 @@ def _drift(study, db, center, findings):
     if w is None:
         return None
     to = direction("waves", w)
+    if w.height is None:
+        raise StudyError("waves.height is missing; allowed: m, significant")
     positive("waves.height", w.height)
     if w.drift_tonf_per_m2 is not None:
         if not 0 <= w.drift_tonf_per_m2 < math.inf:
@@ -155,8 +157,6 @@ def _drift(study, db, center, findings):
         return isotropic_drift(w.drift_tonf_per_m2 * TONF * w.height**2, to, center, MIDDLE)
     if db is None:
         raise StudyError("waves: their drift is not known; give --database, or drift_tonf_per_m2")
-    if w.period is None:
-        raise StudyError("waves.period is missing; allowed: s, mean, for the drift of a database")
     if not db.reader.knows_drift:
         raise StudyError('the database holds no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2')
     sea = sea_of("waves", w, to, db.water_depth)

@@ -27,6 +27,7 @@ import msgspec
 from ..common.line_tables import LineTable, TypeTable
 from ..common.quantities import StudyError, Table
 from ..common.typed import typed
+from ..common.weather.seas import SeaTable
 from ..common.weather.streams import CurrentTable as UniformTable
 from ..common.weather.streams import SuperstructureTable, WindTable, with_files
 from ..moor.tables import WaterTable
@@ -178,21 +179,12 @@ class CurrentTable(UniformTable):
     yaw_damping: float = 0.0
 
 
-class WavesTable(Table):
-    """The sea
+class WavesTable(SeaTable):
+    """The sea, with one period where the drift is that of a database
 
-    height : m, significant
-    period : s, mean, with a database
     drift_tonf_per_m2 : of the square of the height, along the waves at every heading, in place of the database's drift
     """
 
-    height: float
-    period: float | None = None
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
-    spectrum: str = "issc"
-    gamma: float | None = None
-    spreading: str | None = None
     drift_tonf_per_m2: float | None = None
 
 

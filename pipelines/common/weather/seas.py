@@ -4,31 +4,99 @@ from __future__ import annotations
 
 import math
 
+import msgspec
+
 from ..quantities import StudyError, Table, direction, positive
 
 SPREADINGS = "cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES"
 
 
-class SeaTable(Table):
-    """A further sea beside [waves], as swell
+PERIODS = ("period", "mean_period", "zero_crossing_period", "energy_period", "peak_period", "significant_period")
+
+
+class SpectrumTable(Table):
+    """A sea of a height and one period of any kind
 
     height : m, significant
-    period : s, mean
+    period : s, mean, as mean_period
     """
 
-    height: float
-    period: float
-    direction_deg: float | None = None
-    incidence_deg: float | None = None
+    height: float | None = None
+    period: float | None = None
+    mean_period: float | None = None
+    zero_crossing_period: float | None = None
+    energy_period: float | None = None
+    peak_period: float | None = None
+    significant_period: float | None = None
     spectrum: str = "issc"
     gamma: float | None = None
     spreading: str | None = None
 
+
+class SeaTable(SpectrumTable):
+    """A sea of one system of waves, as swell"""
+
+    direction_deg: float | None = None
+    incidence_deg: float | None = None
+
     def sea(self, where, depth):
         """The Sea in water of `depth` m.  Raises StudyError."""
-        positive(f"{where}.height", self.height)
-        positive(f"{where}.period", self.period)
         return sea_of(where, self, direction(where, self), depth)
+
+
+class WavesTable(SeaTable):
+    """The sea, or a regular wave
+
+    swell : further systems of waves, each with a direction of its own
+    method : "irregular", waves of a spectrum, or "regular_wave" of this height and mean period as in the SR179 report
+    duration_hours : of the largest motions
+    motion_factor : by which the motions are multiplied before lines are tightened by them, 1.5 in some rules
+    """
+
+    swell: list[SeaTable] = msgspec.field(default_factory=list)
+    method: str = "irregular"
+    duration_hours: float = 3.0
+    motion_factor: float = 1.0
+
+
+def period_of(where, table):
+    """{kind: s} of the one period of a SpectrumTable, "period" as mean_period.  Raises StudyError."""
+    given = {kind: getattr(table, kind) for kind in PERIODS if getattr(table, kind) is not None}
+    if len(given) != 1:
+        state = " and ".join(given) + " are given" if given else "no period is given"
+        raise StudyError(f"{where}: {state}; allowed: one of {', '.join(PERIODS)}")
+    ((kind, value),) = given.items()
+    return {"mean_period" if kind == "period" else kind: positive(f"{where}.{kind}", value)}
+
+
+def spectrum_of(where, table, depth):
+    """The Spectrum of a SpectrumTable in `depth` m.  Raises StudyError."""
+    if table.height is None:
+        raise StudyError(f"{where}.height is missing; allowed: m, significant")
+    height, period = positive(f"{where}.height", table.height), period_of(where, table)
+    try:
+        return family_of(where, table, depth)(height, **period, **shape_of(table))
+    except StudyError:
+        raise
+    except ValueError as error:
+        raise StudyError(f"{where}: {error}") from None
+
+
+def mean_wave(waves, spectrum):
+    """Height m and mean period s of a WavesTable: as given, else those of its spectrum, with the swell"""
+    given = waves.period if waves.mean_period is None else waves.mean_period
+    if waves.swell:
+        return float(spectrum.significant_height), float(spectrum.T01)
+    return waves.height, float(spectrum.T01) if given is None else given
+
+
+def sea_with_swell(where, waves, depth):
+    """The Sea of a WavesTable, or Systems with its swell, in `depth` m.  Raises StudyError."""
+    from mooring.seas.systems import Systems
+
+    own = waves.sea(where, depth)
+    more = [one.sea(f"{where}.swell[{i}]", depth) for i, one in enumerate(waves.swell)]
+    return Systems((own, *more)) if more else own
 
 
 def family_of(where, table, depth):
@@ -50,7 +118,7 @@ def sea_of(where, waves, towards, depth):
     """
     from mooring.environment.sea import Sea
 
-    spectrum = family_of(where, waves, depth)(waves.height, mean_period=waves.period, **shape_of(waves))
+    spectrum = spectrum_of(where, waves, depth)
     return Sea(spectrum, towards, spreading_of(where, waves, spectrum))
 
 

@@ -17,6 +17,7 @@ from meshing.whole_files import write_whole
 
 from ...breakwater.study import make_breakwater, read_breakwater
 from ...common.quantities import StudyError
+from ...common.weather.seas import SpectrumTable, spectrum_of
 from .needs import Need
 from .numbers import Numbers
 from .stored import numbers_of
@@ -59,6 +60,8 @@ def check(project, raw):
                 raise StudyError(f"states[{i}].{key} is given; a breakwater stands waves alone")
         if state.waves is None:
             raise StudyError(f"states[{i}].waves is missing; allowed: height and period of the sea")
+        if state.waves.swell:
+            raise StudyError(f"states[{i}].waves.swell is given; a breakwater stands one system of waves")
         if state.lines != ["intact"]:
             raise StudyError(f"states[{i}].lines is {state.lines}; allowed: intact")
 
@@ -77,10 +80,14 @@ def at(base, depth, weather):
     """Tables of a load case"""
     study, given = deepcopy(base), dict(weather["waves"])
     periods, hours = study.pop("periods"), study.pop("duration_hours")
-    angle, period = given.pop("incidence_deg"), given.pop("period")
+    angle = given.pop("incidence_deg")
+    if "period" in given:
+        given["mean_period"] = given.pop("period")
+    own = {key: value for key, value in given.items() if key in SpectrumTable.__struct_fields__}
+    period = given.get("mean_period") or float(spectrum_of("waves", SpectrumTable(**own), depth).T01)
     count = max(3600.0 * hours / period, 2.0)
     highest = given["height"] * float(np.sqrt(0.5 * np.log(count)))
-    sea = {"spectrum": "issc", **given, "mean_period": period, "obliquity_deg": angle, "duration_hours": hours}
+    sea = {"spectrum": "issc", **given, "obliquity_deg": angle, "duration_hours": hours}
     waves = {"height": highest, "periods": periods, "obliquity_deg": angle}
     return {**study, "sea": sea, "waves": waves}
 

@@ -15,6 +15,7 @@ from mooring.criteria.verdict import OF_TENSIONS, SHARE
 from pipelines.common.picture import save
 from pipelines.common.quantities import StudyError
 from pipelines.design.advice import Advice, Tried, _smallest, advise
+from pipelines.design.cases import intact_cases
 from pipelines.design.command import made
 from pipelines.design.fatigue import QUANTITY as FATIGUE
 from pipelines.design.fatigue import fatigue
@@ -116,6 +117,25 @@ def test_the_intact_case_is_the_mooring_study_itself(folder, first):
     study = {**STUDY, "current": {"speed_knots": 1.0, "incidence_deg": 0.0}}
     result, _ = studied(make_study(study), open_database(folder / "box.h5"))
     np.testing.assert_allclose(work.numbers.largest, result.tension, rtol=1e-6)
+
+
+def test_every_case_of_a_ship_has_the_wind_of_its_file(folder, tmp_path):
+    """At 240°, which the file has: F_x = −0.6 q 800, F_y = −0.7 q 1500, M_z = −0.05 q 1500·90, 14 m above the water"""
+    from bem.database import open_database
+
+    rows = "0,1,0,0\n60,0.5,0.7,0.1\n120,-0.4,0.8,0\n180,-1,0,0\n240,-0.6,-0.7,-0.05\n300,0.5,-0.7,0.1\n360,1,0,0\n"
+    sizes = "# area_x = 800\n# area_y = 1500\n# length = 90\n# height = 14\n"
+    (tmp_path / "ship.csv").write_text(f"{sizes}angle,CX,CY,CN\n{rows}")
+    (tmp_path / "study.toml").write_text(tomli_w.dumps({**STUDY, "wind": {"file": "ship.csv"}}))
+    (tmp_path / "project.toml").write_text(
+        tomli_w.dumps({**PROJECT, "project": {**PROJECT["project"], "database": str(folder / "box.h5")}})
+    )
+    read, db = read_project(tmp_path / "project.toml"), open_database(folder / "box.h5")
+    storm = next(iter(intact_cases(read, mooring.base(read.study, db), (1.0,))))
+    load = studied(make_study(storm.study), db)[0].loads["wind"]
+    x, y, turn = np.array([-0.6 * 800, -0.7 * 1500, -0.05 * 1500 * 90]) * 0.5 * 1.226 * 30.0**2
+    lever = 14.0 - db.rotation_center[2]
+    np.testing.assert_allclose(load, [x, y, 0.0, -lever * y, lever * x, turn], rtol=1e-9)
 
 
 def test_every_case_asked_for_is_there_and_lost_lines_are_the_most_loaded(first):

@@ -1,0 +1,90 @@
+"""One table of seas for every study: five kinds of period, swell beside the sea, and who refuses what."""
+
+import tomllib
+
+import numpy as np
+import pytest
+from scipy.special import gamma
+
+from mooring.seas.systems import Systems
+from pipelines.common.quantities import StudyError
+from pipelines.common.typed import typed
+from pipelines.common.weather.seas import PERIODS, SeaTable
+from pipelines.design.tables import StateTable
+from pipelines.line_dynamics.study import LineSeaTable
+from pipelines.moor.study import make_study
+from pipelines.response.study import SystemTable
+from pipelines.simulate.study import plan_of
+from pipelines.single_point.tables import WavesTable as SinglePointWaves
+
+HEAD = "[water]\ndepth = 20.0\n[hull]\nfreeboard = 10.0\n[waves]\nheight = 3.0\nincidence_deg = 0.0\n"
+# of S = A ω⁻⁵ exp(−B ω⁻⁴), moments m_n = A B^(n/4 − 1) Γ(1 − n/4)/4 and a peak where ω⁴ = 4B/5, in units of 2π B^(−1/4)
+OF_B = {
+    "mean_period": 1 / gamma(3 / 4),
+    "zero_crossing_period": np.pi**-0.25,
+    "energy_period": gamma(5 / 4),
+    "peak_period": 1.25**0.25,
+}
+SWELL = "[[waves.swell]]\nheight = 4.0\npeak_period = 14.0\ndirection_deg = 60.0\n"
+
+
+def sea(text):
+    return make_study(tomllib.loads(HEAD + text)).conditions()
+
+
+@pytest.mark.parametrize("kind", OF_B)
+def test_every_kind_of_period_means_the_same_sea(kind):
+    """Periods of Bretschneider's shape stand to each other as gamma functions"""
+    wanted = 9.0 * OF_B["mean_period"]
+    found = sea(f'spectrum = "bretschneider"\n{kind} = {9.0 * OF_B[kind]}\n')
+    assert found.waves.height == 3.0 and found.waves.period == pytest.approx(wanted, rel=1e-3)
+    omega = np.array([0.5, 0.7, 1.0])
+    same = sea(f'spectrum = "bretschneider"\nperiod = {wanted}\n').sea.spectrum
+    assert found.sea.spectrum.density(omega) == pytest.approx(same.density(omega), rel=2e-3)
+
+
+@pytest.mark.parametrize("table", [SystemTable, SinglePointWaves, LineSeaTable, SeaTable])
+def test_every_study_knows_every_kind_of_period(table):
+    for kind in PERIODS:
+        raw = {"height": 3.0, kind: 9.0, "direction_deg": 30.0, "spectrum": "bretschneider"}
+        found = typed(raw, table, StudyError).sea("sea", 20.0)
+        assert found.spectrum.significant_height == pytest.approx(3.0, rel=1e-3)
+        assert found.direction == pytest.approx(np.radians(30.0))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "waves: no period is given; allowed: one of period, mean_period"),
+        ("period = 9.0\npeak_period = 12.0\n", "waves: period and peak_period are given; allowed: one of"),
+        ("peak_period = -1.0\n", "waves.peak_period is -1"),
+        (f'period = 9.0\nmethod = "regular_wave"\n{SWELL}', "waves.swell is given with method"),
+        ("period = 9.0\n[[waves.swell]]\nheight = 1.0\ndirection_deg = 0.0\n", r"waves.swell\[0\]: no period is given"),
+    ],
+)
+def test_a_fault_is_told_by_its_key(text, said):
+    with pytest.raises(StudyError, match=said):
+        sea(text)
+
+
+def test_swell_and_sea_add_their_energies():
+    """3 m and 4 m are 5 m; the mean direction is that of the energies, 9 to 16"""
+    found = sea(f"period = 8.0\n{SWELL}")
+    assert isinstance(found.sea, Systems)
+    assert found.waves.height == pytest.approx(5.0, rel=1e-3)
+    towards = np.angle(9 * np.exp(1j * np.pi) + 16 * np.exp(1j * np.pi / 3))
+    assert found.waves.direction == pytest.approx(towards, abs=1e-3)
+
+
+def test_a_simulation_has_a_sea_for_each_system():
+    text = f"period = 8.0\n{SWELL}[simulation]\nduration = 600.0\n"
+    plan = plan_of(make_study(tomllib.loads(HEAD + text)), np.linspace(0.1, 2.5, 60))
+    heights = [one.spectrum.significant_height for one in plan.weather.seas]
+    assert heights == pytest.approx([3.0, 4.0], rel=1e-3)
+
+
+def test_a_state_of_a_design_may_have_a_swell():
+    raw = {"name": "a", "state": "normal", "incidence_deg": [0.0]}
+    waves = {"height": 3.0, "peak_period": 9.0, "swell": [{"height": 1.0, "peak_period": 14.0, "direction_deg": 60.0}]}
+    state = typed(raw | {"waves": waves}, StateTable, StudyError)
+    assert state.waves.swell[0].sea("swell", 20.0).direction == pytest.approx(np.pi / 3)
