@@ -79,9 +79,10 @@ def findings(moored, body, mean, constant, dragged):
             if found[name] > TOO_MUCH * sum(parts)
         ]
         if much:
+            beside = ", beside the drag of the water" if dragged else ""
             yield (
-                f'memory = "constant" damps slow motion as waves of {mean:.3g} rad/s do: {", ".join(much)}'
-                f'{", beside the drag of the water" * bool(dragged)}; its σ comes out too small, give memory = "states"'
+                'left out: the memory of the water: memory = "constant" damps slow motion as waves of '
+                f'{mean:.3g} rad/s do: {", ".join(much)}{beside}; its σ comes out too small, give memory = "states"'
             )
         return
     still = dragged or np.any(body.quadratic[[i for i, _ in PLANE]] > 0)

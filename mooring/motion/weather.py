@@ -25,8 +25,8 @@ class Weather:
     regular : waves of one height, period and direction (`mooring.studies.conditions.Waves`), in place of seas
     wind, current : `mooring.studies.conditions.Wind` and `Current`; gusts : `mooring.environment.gusts.GustSpectrum`
     forces : tuple of `mooring.motion.given_forces.GivenForce`
-    beside_newman : of `mooring.response.pair_levels.beside_newman` in the one sea that there is: forces of pairs that
-        push on the body at its place and heading at rest
+    beside_newman : of `mooring.response.pair_levels.beside_newman` in each sea, None where Newman's rule is enough:
+        forces of pairs of waves of one sea, that push on the body at its place and heading at rest
     on_hull : `mooring.motion.tables.hull_water.OnHull`, with its current, in place of the hull and current of a box
     components : `mooring.environment.sea.Components` in place of seas, alike for every seed, as of a measured record;
         time is counted from the begin of the ramp, frequencies are those in the water
@@ -39,7 +39,7 @@ class Weather:
     gusts: object = None
     current: object = None
     forces: tuple = ()
-    beside_newman: object = None
+    beside_newman: tuple = ()
     components: object = None
     on_hull: object = None
     carrier: object = None
@@ -66,8 +66,12 @@ class Weather:
         object.__setattr__(self, "forces", tuple(self.forces))
         if sum((bool(self.seas), self.regular is not None, self.components is not None)) > 1:
             raise ValueError("weather has two of seas, a regular wave and a record; allowed: one of them")
-        if self.beside_newman is not None and len(self.seas) != 1:
-            raise ValueError("weather has forces of pairs beside Newman's; allowed: with one sea")
+        object.__setattr__(self, "beside_newman", tuple(self.beside_newman))
+        if self.beside_newman and len(self.beside_newman) != len(self.seas):
+            raise ValueError(
+                f"weather has {len(self.beside_newman)} forces of pairs beside Newman's and {len(self.seas)} seas; "
+                "allowed: one for each sea"
+            )
         if self.gusts is not None and self.wind is None:
             raise ValueError("weather has gusts and no wind; allowed: gusts about a mean wind")
 
@@ -84,8 +88,8 @@ class Settings:
     wave_drift_damping : whether slow velocities change the drift
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
     constant_period : s, of that frequency, None for the mean one of the waves
-    dynamic_lines : names of lines with a motion of their own, "all", or "auto" for those that need it by a trial; the
-        others hang in their static shape
+    dynamic_lines : names of lines with a motion of their own, "all", "none", or "auto" for all where a trial asks for
+        it; the others hang in their static shape
     dynamic_elements : of each of these
     dynamic_water : the water around these, "still", or "sea" for that of the waves and the current
     lines_lost : (name, s) of lines that break, counted from the end of the ramp

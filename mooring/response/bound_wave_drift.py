@@ -169,10 +169,11 @@ def record(forces, components, duration, drift=None, met=None):
     return t, out
 
 
-def left_out(body, sea):
+def left_out(body, sea, way='qtf = "auto" of a response study or a simulation adds what the database has of them'):
     """What leaving out bound waves costs, as lines of text: none from kh = SHALLOW on or where it is little.
 
     body : `bem.database.reader.Reader` that knows drift and inertia; sea : its mean direction is taken for all waves
+    way : out of it
     """
     found, kh = _slow_forces(body, sea), depth_in_waves(body, sea)
     if found is None or kh >= SHALLOW:
@@ -180,10 +181,9 @@ def left_out(body, sea):
     bound, newman = found
     if bound <= WORTH_NAMING * newman or bound <= NOTHING * body.inertia[0, 0] * body.gravity:
         return
-    ursell = sea.spectrum.significant_height * (2 * np.pi / kh) ** 2 / body.depth
-    if ursell > STOKES:
+    if (steep := ursell(body, sea)) > STOKES:
         yield (
-            f"kh is {kh:.2g} at the mean wave period, and Hλ²/h³ {ursell:.3g}, allowed: {STOKES:g}: waves so long and "
+            f"kh is {kh:.2g} at the mean wave period, and Hλ²/h³ {steep:.3g}, allowed: {STOKES:g}: waves so long and "
             "high are no sum of first and second order; the slow force of their bound waves is not known and left out"
         )
         return
@@ -191,8 +191,8 @@ def left_out(body, sea):
     if bound > RATIO * newman:
         size = f"σ {bound / 1e3:.3g} kN, where Newman's approximation has {newman / 1e3:.2g} kN"
     yield (
-        f"kh is {kh:.2f} at the mean wave period: bound long waves, left out, push slowly with about {size}; "
-        'qtf = "bound-wave" or "body" of a response study or a simulation adds them'
+        f"left out: bound long waves, which at kh = {kh:.2f} of the mean wave period push slowly with about {size}; "
+        f"{way}"
     )
 
 
@@ -223,6 +223,11 @@ def _slow_forces(body, sea):
     alone = force_spectrum_with(bound, spectrum, omega, np.zeros_like(D), step)
     parts = alone, force_spectrum(spectrum, omega, D, step)
     return tuple(float(np.sqrt(np.trapezoid(part[:, :2].sum(axis=1), step))) for part in parts)
+
+
+def ursell(body, sea):
+    """Hλ²/h³ of the significant height and mean frequency of a sea, beyond STOKES no sum of first and second order"""
+    return sea.spectrum.significant_height * (2 * np.pi / depth_in_waves(body, sea)) ** 2 / body.depth
 
 
 def depth_in_waves(body, sea):

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..environment.sea import Sea, linear_weights
-from .bound_wave_drift import RATIO, SHALLOW, bound_to_newman, depth_in_waves, of_sea, slow_share
+from .bound_wave_drift import RATIO, SHALLOW, STOKES, bound_to_newman, depth_in_waves, of_sea, slow_share, ursell
 from .slow_drift import HORIZONTAL
 
 if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should not wait
@@ -28,6 +28,9 @@ if TYPE_CHECKING:  # it loads the panel method, for which Newman's rule should n
 
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # of Newman's slow force: what "auto" leaves out
+OF_BOUND = (
+    ", without the rest of the force of pairs up to 1.5 times too large on a box in 12 and 20 m"  # docs/slow_forces.md
+)
 SAME = 1e-6  # rad, between headings that are one
 MOST_OUTSIDE = (
     0.05  # share of the energy of the waves beyond the stored pairs at either end, for which Newman's rule is left
@@ -160,6 +163,8 @@ def beside_newman(db, sea, level, spread=False):
         return stored_pairs(db, sea, level, spread), _surface_left_out(db, level)
     if level == "bound-wave":
         return of_sea(db, sea), ()
+    if (steep := ursell(db.reader, sea)) > STOKES:
+        return None, (f'qtf = "auto" takes newman: waves with Hλ²/h³ {steep:.3g} have no known forces of pairs',)
     ratio = bound_to_newman(db.reader.floating(), sea)
     if ratio is None or ratio < ENOUGH:
         size = "nothing is known without drift and inertia"
@@ -172,12 +177,15 @@ def beside_newman(db, sea, level, spread=False):
         found = stored_pairs(db, sea, "auto", spread)
         return found, (why.format(found.level), *_surface_left_out(db, found.level))
     except ValueError as missing:
-        if (kh := depth_in_waves(db.reader, sea)) < SHALLOW:
-            return of_sea(db, sea), (f"{why.format('bound-wave')}; not full: {missing}",)
-        return None, (
-            f"{why.format('newman')}, and at kh = {kh:.2g} other parts of the force of pairs take away what these add; "
-            f"not full: {missing}",
-        )
+        if (kh := depth_in_waves(db.reader, sea)) >= SHALLOW:
+            return None, (
+                f"{why.format('newman')}, and at kh = {kh:.2g} other parts of the force of pairs take away what these "
+                f"add; not full: {missing}",
+            )
+        try:
+            return of_sea(db, sea), (f"{why.format('bound-wave')}{OF_BOUND}; not full: {missing}",)
+        except ValueError as none:
+            return None, (f"{why.format('newman')} at kh = {kh:.2g}; not bound-wave: {none}; not full: {missing}",)
 
 
 def _surface_left_out(db, level):

@@ -114,11 +114,12 @@ class SimulationTable(Table):
     components : of each sea, by default chosen by duration and bandwidth
     slow_drift : "newman", "half-waves" of the SR179 report, "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift
-    qtf : slow force of pairs of waves: "newman", "bound-wave", "body", "full" or "auto", as in a response study
+    qtf : slow force of pairs of waves: "auto" for what the database has of it where Newman's rule is not enough,
+        "newman", "bound-wave", "body" or "full", as in a response study
     memory : "states", or "constant" for added mass and damping at one frequency
     constant_period : s, of that frequency, by default the mean one of the waves
-    dynamic_lines : names of lines with inertia, drag and a motion of their own, "all", or "auto" for those that pull
-        otherwise with it in a trial; the others hang in their static shape.  They are uniform, of a catalogue type
+    dynamic_lines : which lines have inertia, drag and a motion of their own: "auto" for all where a trial asks for it,
+        "all", "none", or names; the others hang in their static shape.  They are uniform, of a catalogue type
     dynamic_elements : of each of these
     dynamic_water : what moves the water around these: "still" for nothing, or "sea" for waves and current
     estimate_error : whether a second run to a tenth of the tolerance says how far the first is off, and a third to a
@@ -138,10 +139,10 @@ class SimulationTable(Table):
     components: int | None = None
     slow_drift: str = "newman"
     wave_drift_damping: bool = True
-    qtf: str = "newman"
+    qtf: str = "auto"
     memory: str = "states"
     constant_period: float | None = None
-    dynamic_lines: str | list[str] = msgspec.field(default_factory=list)
+    dynamic_lines: str | list[str] = "auto"
     dynamic_elements: int = 20
     dynamic_water: str = "still"
     estimate_error: bool = False

@@ -192,7 +192,7 @@ def simulation_of(row, variant, seeds):
     period, incidence = float(PERIOD * np.sqrt(size)), float(row["incidence_deg"])
     waves = {"height": 0.04 * _wave(row) * size, "period": period, "incidence_deg": incidence}
     simulation = {"duration_hours": HOURS, "seeds": seeds, "keep_series": 1, "memory": memory, "slow_drift": drift,
-                  "wave_drift_damping": variant == "full"}  # fmt: skip
+                  "wave_drift_damping": variant == "full", "dynamic_lines": "none", "qtf": "newman"}  # fmt: skip
     return study_of("M3B", row["line"]) | {"waves": waves, "simulation": simulation}
 
 

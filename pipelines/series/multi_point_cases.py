@@ -23,6 +23,7 @@ KINDS = ("chain", "buoy", "sinker")
 FREQUENCIES = {"from": 0.06, "to": 2.0, "count": 60}  # rad/s, of a database, close enough for the memory of the water
 INCIDENCE = 60.0  # degrees off the bow
 KNOTS = 3.0
+REPORTED = {"dynamic_lines": "none", "qtf": "newman"}  # how the report simulates: no motion of lines, no pairs of waves
 OF_MEAN = 1 / 1.1  # T₀₁ over T̄
 HEADINGS = [30, 45, 60]  # degrees off the x axis, of the lines of a corner
 WEIGHT, STIFFNESS, STRENGTH = 406.0, 221_700.0, 1700.0  # kg/m in water, tonf, tonf of chain 142 mm
@@ -123,7 +124,7 @@ def study(case, hours, seeds):
         "wind": {"speed": case.wind, "gusts": "davenport", "surface_drag": 0.0015} | off,
         "current": {"speed_knots": KNOTS, "waves": "still"} | off,
         "waves": {"height": case.height, "period": OF_MEAN * case.period, "spectrum": "mitsuyasu_bretschneider"} | off,
-        "simulation": {"duration_hours": hours, "seeds": seeds, "keep_series": 1},
+        "simulation": {"duration_hours": hours, "seeds": seeds, "keep_series": 1, **REPORTED},
     }
 
 

@@ -29,6 +29,7 @@ SCHEMA = "hakobune simulation 1"
 STATISTICS = RecordStatistics._fields
 SUMMARY = (*STATISTICS, *(f"{end}_{part}" for end in ("upper", "lower") for part in Extreme._fields))
 SLOW = ("Surge", "Sway", "Yaw")
+LEFT_OUT = "left out"  # with which a finding on it begins
 LONGEST = 1000  # bytes of the findings of a seed
 SERIES = {  # name: (axes, unit, long name)
     "motion": (("kept_seed", "time", "dof"), "m, m, m, rad, rad, rad", "displacement of the rotation centre from rest"),
@@ -190,6 +191,16 @@ def whole_rows(file):
     """(seeds,) whether a row is there and is what was stored"""
     marks = file["stored"][()]
     return np.array([bool(mark) and mark == _row_crc(file, row) for row, mark in enumerate(marks)], bool)
+
+
+def told(file):
+    """Lines of text on what was chosen for the runs of an open file, and what they leave out"""
+    return tuple(filter(None, str(file.attrs.get("told", "")).split("\n")))
+
+
+def first_what_is_left_out(findings):
+    """Findings, each once, those on what is left out first: they say what the others are worth"""
+    return tuple(sorted(dict.fromkeys(findings), key=lambda line: not line.startswith(LEFT_OUT)))
 
 
 def put_summary(file, summary):

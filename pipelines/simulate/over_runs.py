@@ -10,8 +10,12 @@ from mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, shar
 from mooring.response.findings import LINES_NAMED, some
 
 from ..moor.study import make_study
-from .file import STATISTICS, whole_rows
+from .file import STATISTICS, told, whole_rows
 
+OF_LINES = "left out: inertia and drag"  # what `mooring.motion.simulation.trial` says of lines in their static shape
+MOVE = (
+    "let the lines move first (dynamic_lines): snaps of static lines are no reason for a larger size or more pretension"
+)
 HELP = "give a stronger type, a longer line or less pretension"
 
 
@@ -44,7 +48,8 @@ def overloads(file, allowable=None):
         counts, order = beyond(used, limit), [i for i in np.argsort(-most, kind="stable") if chosen[i]]
         named = [f"{names[i]} {100 * most[i]:.4g} % in {counts[i]} of {len(used)} runs" for i in order]
         if named:
-            yield f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {HELP}"
+            way = MOVE if any(line.startswith(OF_LINES) for line in told(file)) else HELP
+            yield f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}"
 
 
 def notes(file):

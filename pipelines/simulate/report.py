@@ -10,7 +10,8 @@ from bem import DOFS
 from mooring.motion.extremes import CONFIDENCE
 
 from ..common.units import KN
-from .file import SUMMARY, whole_rows
+from .file import LEFT_OUT, SUMMARY, first_what_is_left_out, whole_rows
+from .file import told as file_told
 from .over_runs import differ, notes, overloads, rare_findings, used_in_runs
 
 UNITS = {"m": (1.0, "m"), "rad": (180 / np.pi, "°"), "m/s": (1.0, "m/s"), "N": (1 / KN, "kN")}
@@ -22,6 +23,7 @@ SCALED = {"mean", "sigma", "slow", "wave", "mean_third", "mean_tenth", "smallest
 WHOLE = 1e4  # from which numbers are told to the unit, where four digits would take a power of ten
 SMALL = 50.0  # m, length of a hull that is none of the report's floaters
 FAR, NOTABLE = 2.0, 0.5  # times the spectral σ of slow motion; of the σ of motion with the waves
+NOTHING = 1e-5  # of the hull's length, rad: slow motion that is none
 LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 report (1982), section 5.5.3
 
 
@@ -30,12 +32,18 @@ def show(console, file, beside, findings):
     told = int(whole_rows(file).sum())
     hours = float(file.attrs["duration"]) / 3600
     title = f"{told} seed{'s' * (told != 1)} of {hours:.4g} h; amplitudes of maxima from the mean"
+    findings = first_what_is_left_out((*file_told(file), *findings))
+    first = [line for line in findings if line.startswith(LEFT_OUT)]
+    for text in first:
+        console.print(text, style="yellow", highlight=False, soft_wrap=True, markup=False)
     console.print(statistics_table(file, title))
     if len(file["line"]):
         console.print(lines_table(file, beside))
     findings = [*findings, *overloads(file)]
     split = f"σ slow and σ wave lie below and above {file.attrs['split_frequency']:.4g} rad/s"
-    for text in (*notes(file), split, *(f"warning: {line}" for line in findings)):
+    chosen = [line for line in file_told(file) if line not in first]
+    warnings = (f"warning: {line}" for line in findings if line not in (*first, *chosen))
+    for text in (*notes(file), split, *chosen, *warnings):
         console.print(text, style="yellow" * text.startswith("warning"), highlight=False, soft_wrap=True, markup=False)
 
 
@@ -100,10 +108,12 @@ def slow_findings(file, spectral):
     spectral : (3,) m, m, rad, σ of slow surge, sway and yaw on springs as stiff as the lines under the mean loads
     """
     names = list(file["quantity"].asstr()[()])
+    hull = float(file.attrs["hull"][0])
     for mode, unit, expected in zip(("surge", "sway", "yaw"), ("m", "m", "rad"), spectral, strict=True):
+        length = 1.0 if unit == "rad" else hull
         value = dict(zip(SUMMARY, file["summary"][names.index(mode)], strict=True))
         slow = value["slow"]
-        if np.isfinite(expected) and slow > max(FAR * expected, NOTABLE * value["wave"]):
+        if np.isfinite(expected) and slow > max(FAR * expected, NOTABLE * value["wave"], NOTHING * length):
             factor, word = UNITS[unit]
             yield (
                 f"slow {mode} has σ {slow * factor:.3g} {word}, slow forces on springs as stiff as the lines under the "

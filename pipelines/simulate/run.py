@@ -26,15 +26,17 @@ from .file import (
     SUMMARY,
     Header,
     create,
+    first_what_is_left_out,
     is_run,
     opened,
     put,
     put_summary,
     summary_is_of_today,
     summary_is_whole,
+    told,
     whole_rows,
 )
-from .study import force_files, plan_of
+from .study import force_files, moving_lines, plan_of
 from .work import Task, prepared, quantities_of, sample_times, simulate_seed
 
 SPREADS = ("sigma", "slow", "wave")
@@ -88,11 +90,15 @@ def simulate(
     if todo or not summary_is_of_today(output):
         for line in study.remarks(study.hull_of(db.dimensions), db) if console else ():
             console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
-        task, more = _with_memory(task)
+        moving, before = (None, ()) if fresh else _of_lines(output)
+        task, ready, more = _made_once(task, moving)
+        ready = replace(ready, told=first_what_is_left_out((*before, *ready.told)))
         findings += more
-        header = _header(task, db, study, plan, identity)
+        _say_before(console, ready, len(todo), executor)
+        header = _header(task, db, study, plan, identity, ready)
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:
+        findings = (*told(file), *findings)
         outcome = _fill(file, task, plan, console, executor, findings)
         if outcome.made or (outcome.there and not summary_is_whole(file)):
             put_summary(file, summary(file))
@@ -132,11 +138,11 @@ def _identity(study, files, duration):
         "quadratic_damping",
         "record",
         "constant_period",
-        "dynamic_lines",
     ):  # files of studies without them keep their hash
         if not (words.get("simulation") or {}).get(name):
             (words.get("simulation") or {}).pop(name, None)
-    if "dynamic_lines" not in (words.get("simulation") or {}):
+    if not (study.simulation and moving_lines(study.simulation) and (study.spreads or study.lines)):
+        (words.get("simulation") or {}).pop("dynamic_lines", None)
         (words.get("simulation") or {}).pop("dynamic_elements", None)
     if (words.get("simulation") or {}).get("dynamic_water") == "still":
         words["simulation"].pop("dynamic_water")
@@ -185,13 +191,38 @@ def _made_again(shorter, longer):
     )
 
 
-def _with_memory(task):
-    """The Task with its memory, for all processes, and the findings of its preparation"""
-    body, _, _, warned = prepared(task)
-    return replace(task, memory=body.memory), (*warned, *body.findings)
+def _of_lines(output):
+    """Names of the lines that move in a file that is there, for more seeds of the same, and what it tells"""
+    if not output.exists():
+        return None, ()
+    with opened(output) as file:
+        names = file.attrs.get("moving_lines")
+        return None if names is None else tuple(filter(None, names.split("\n"))), told(file)
 
 
-def _header(task, db, study, plan, identity):
+def _made_once(task, moving):
+    """The Task with its memory and lines that move, for all processes, the Plan as prepared, and findings of that"""
+    body, plan, _, warned = prepared(replace(task, moving=moving))
+    task = replace(task, memory=body.memory, moving=plan.settings.dynamic_lines)
+    return task, plan, (*warned, *body.findings)
+
+
+def _say_before(console, plan, seeds, executor):
+    """What was chosen, what is left out, and what the seeds will take by a trial"""
+    if console is None:
+        return
+    length, lines, moves = plan.settings.ramp + plan.settings.duration, list(plan.told), plan.settings.dynamic_lines
+    static, moving = (length * pace for pace in plan.pace)
+    one = moving if moves else static
+    if np.isfinite(one):
+        rounds = -(-seeds // getattr(executor, "count", 1))
+        saved = f' (dynamic_lines = "none": {words_of(static)})' if moves else ""
+        lines.append(f"a seed takes about {words_of(one)}{saved}, {seeds} of them {words_of(rounds * one)}")
+    for line in lines:
+        console.print(line, highlight=False, markup=False, soft_wrap=True)
+
+
+def _header(task, db, study, plan, identity, ready):
     from mooring.motion.line_loads import body_lines
 
     body = prepared(task)[0]
@@ -203,8 +234,10 @@ def _header(task, db, study, plan, identity):
         "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": study.allowable,
         "rotation_center": np.asarray(db.rotation_center, float), "density": db.density, "gravity": db.gravity,
         "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
-        "memory_states": body.memory.states, "place_at_rest": body.start,
+        "memory_states": body.memory.states, "place_at_rest": body.start, "told": "\n".join(ready.told),
     }  # fmt: skip
+    if isinstance(ready.settings.dynamic_lines, tuple):
+        attributes["moving_lines"] = "\n".join(ready.settings.dynamic_lines)
     if body.berth.names:
         attributes["natural_period"] = natural_periods(body)
     lines = body_lines(body.system)

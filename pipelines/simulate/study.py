@@ -44,6 +44,8 @@ class Plan:
     """weather, settings : of `mooring.motion.weather`; seeds : of all runs; split : rad/s, of slow and wave part
 
     mean_period : s, of the waves, None without; findings : one line each
+    told : what was chosen and what is left out, one line each; pace : s of computing a simulated second, on static and
+        on moving lines, nan where it is not known: both once a body is prepared
     """
 
     weather: Weather
@@ -53,6 +55,8 @@ class Plan:
     split: float
     mean_period: float | None
     findings: tuple[str, ...]
+    told: tuple[str, ...] = ()
+    pace: tuple[float, float] = (math.nan, math.nan)
 
 
 def plan_of(study, omega, seeds=None, duration=None, folder=None):
@@ -124,8 +128,8 @@ def _record(study, table, settings, omega, folder):
     where, wanted = "simulation.record", settings.ramp + settings.duration
     if study.waves is not None or table.sea:
         raise StudyError(f"{where} is given with [waves] or simulation.sea; allowed: one of them")
-    if table.qtf != "newman":
-        raise StudyError(f'{where}: a record holds its bound waves; allowed: qtf = "newman"')
+    if table.qtf not in ("newman", "auto"):
+        raise StudyError(f'{where}: a record holds its bound waves; allowed: qtf = "newman", "auto"')
     towards = direction(where, table.record)
     if folder is None:
         return None, ()
@@ -206,10 +210,10 @@ def _duration(table, duration):
 def _settings(table, duration):
     names = ("ramp", "step", "tolerance", "components", "slow_drift", "wave_drift_damping", "memory",
              "constant_period", "dynamic_elements", "dynamic_water", "estimate_error")  # fmt: skip
-    dynamic = table.dynamic_lines if isinstance(table.dynamic_lines, str) else tuple(table.dynamic_lines)
+    dynamic = moving_lines(table)
     if table.components is not None and table.components > MOST_COMPONENTS:
         raise StudyError(f"simulation.components is {table.components}; allowed: 1 to {MOST_COMPONENTS}")
-    if table.dynamic_water != "still" and not table.dynamic_lines:
+    if table.dynamic_water != "still" and not dynamic:
         raise StudyError(
             f"simulation.dynamic_water is {table.dynamic_water!r} and no line moves by itself; allowed: with "
             "dynamic_lines"
@@ -231,6 +235,12 @@ def _settings(table, duration):
     if samples > MOST_SAMPLES:
         raise StudyError(f"simulation has {samples:.3g} samples; allowed: {MOST_SAMPLES}; give a longer step")
     return settings
+
+
+def moving_lines(table):
+    """dynamic_lines of a SimulationTable as settings have them: names, () for none, "all" or "auto" """
+    given = table.dynamic_lines
+    return () if given == "none" else given if isinstance(given, str) else tuple(given)
 
 
 def _seeds(table, count):

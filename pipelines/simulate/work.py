@@ -18,13 +18,17 @@ from ..common.quantities import StudyError, level_of
 from ..executors.memory import give_back
 from ..moor.quay import body_of
 from ..moor.study import make_study
-from .file import LONGEST, SERIES
+from .file import LONGEST, SERIES, first_what_is_left_out
 from .study import damping, plan_of, quadratic
 
 QUANTITY_UNITS = dict(zip(map(str.lower, DOFS), ("m", "m", "m", "rad", "rad", "rad"), strict=True)) | {
     "wave": "m",
     "wind speed": "m/s",
 }
+STATIC = (
+    'left out: inertia and drag of the lines (dynamic_lines = "none"), so that slow motion and snaps come out too '
+    'large; dynamic_lines = "auto" moves them where a trial asks for it'
+)
 _prepared = {}
 
 
@@ -33,6 +37,7 @@ class Task:
     """study : text; database : path; duration : s, or None for that of the study; memory : of the water, fitted
 
     folder : of the study, where the files lie that it names
+    moving : names of the lines that move, where that is decided
     """
 
     study: str
@@ -40,6 +45,7 @@ class Task:
     duration: float | None
     memory: object
     folder: str = "."
+    moving: tuple[str, ...] | None = None
 
 
 def prepared(task):
@@ -49,7 +55,7 @@ def prepared(task):
         from bem.database import open_database
         from bem.time_domain.memory import no_memory
         from mooring.motion.moving_lines.prepare import moving_of
-        from mooring.motion.simulation import moored, with_lines_chosen
+        from mooring.motion.simulation import moored
         from mooring.response.viscous import in_time
 
         raw, db = with_tables_in(tomllib.loads(task.study), task.folder), open_database(task.database)
@@ -79,15 +85,29 @@ def prepared(task):
             if of_quay and task.memory is None and plan.settings.memory != "constant":
                 body = _remembering(body, db, plan.settings.memory)
             plan, left = _with_pairs(plan, study, db, reader)
-            settings, chosen = with_lines_chosen(body, plan.weather, plan.settings)
-            moving_of(body, settings)  # refused here, before there is a file
-        plan, left = replace(plan, settings=settings), (*left, *chosen)
+            choice = _lines_chosen(task, body, plan)
+            moving_of(body, choice.settings)  # refused here, before there is a file
+        told = *choice.left_out, *left, *choice.words
+        plan = replace(plan, settings=choice.settings, pace=choice.pace, told=first_what_is_left_out(told))
         _prepared.clear()
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         reader.between.forget()
         give_back()
-        _prepared[key] = body, plan, study, (*first, *of_quay, *(str(w.message) for w in caught), *left)
+        _prepared[key] = body, plan, study, (*first, *of_quay, *(str(w.message) for w in caught))
     return _prepared[key]
+
+
+def _lines_chosen(task, body, plan):
+    """The Choice of lines that move: that of a Task, or by a trial where the study wants one"""
+    from mooring.motion.simulation import Choice, able_to_move, with_lines_chosen
+
+    settings = plan.settings
+    if task.moving is not None:
+        return Choice(replace(settings, dynamic_lines=task.moving))
+    if settings.dynamic_lines:
+        return with_lines_chosen(body, plan.weather, settings)
+    able, left_out = able_to_move(body.system, settings)
+    return Choice(settings, (), (*((STATIC,) if able else ()), *left_out))
 
 
 def _remembering(body, db, asked):
@@ -106,23 +126,42 @@ def _remembering(body, db, asked):
 
 
 def _with_pairs(plan, study, db, reader):
-    """The Plan with what the study's level of the force of pairs has beside Newman's rule, and remarks on it"""
+    """The Plan with what the study's level of the force of pairs has beside Newman's rule, and what is to be told of it
+
+    By default ("auto") it is what the database allows, beside Newman's rule alone.
+    """
     from mooring.response.bound_wave_drift import left_out
     from mooring.response.pair_levels import beside_newman
 
-    weather, level = plan.weather, level_of("simulation.qtf", study.simulation.qtf if study.simulation else "newman")
-    if level != "newman" and study.quay is not None:
-        raise StudyError(f'simulation.qtf is {level!r} before a quay; allowed: "newman"')
-    if level != "newman" and len(weather.seas) != 1:
-        raise StudyError(f"simulation.qtf is {level!r}; allowed: newman, or with one sea of irregular waves")
+    weather, drift = plan.weather, plan.settings.slow_drift
+    level = level_of("simulation.qtf", study.simulation.qtf if study.simulation else "newman")
+    if level not in ("newman", "auto") and study.quay is not None:
+        raise StudyError(f'simulation.qtf is {level!r} before a quay; allowed: "newman", "auto"')
+    if level not in ("newman", "auto") and not weather.seas:
+        raise StudyError(f"simulation.qtf is {level!r}; allowed: newman, auto, or with irregular waves")
+    if level == "auto" and (study.quay is not None or drift != "newman"):
+        level = "newman"
     try:
-        found, said = beside_newman(db, weather.seas[0], level, spread=True) if level != "newman" else (None, ())
+        found, notes = [], []
+        for sea in weather.seas:
+            forces, said = (None, ()) if level == "newman" else beside_newman(db, sea, level, spread=True)
+            found.append(forces)
+            if forces is not None and forces.level == "bound-wave" and level == "auto":
+                said = (f"left out: parts of the force of pairs of waves; {line}" for line in said)
+            notes += said
+            if forces is None and drift != "none":
+                notes += left_out(reader.floating(), sea, *_way(study, db, level))
     except ValueError as error:
         raise StudyError(f"simulation: {error}") from None
-    if found is None and plan.settings.slow_drift != "none":
-        body = reader.floating()
-        said = (*said, *(line for sea in weather.seas for line in left_out(body, sea)))
-    return replace(plan, weather=replace(weather, beside_newman=found)), tuple(said)
+    notes = tuple(dict.fromkeys(notes))
+    return replace(plan, weather=replace(weather, beside_newman=found)), notes
+
+
+def _way(study, db, level):
+    """What is to be done about pairs of waves that are left out, nothing where it is the key"""
+    if study.quay is not None:
+        return ("before a quay there is nothing beside Newman's rule",)
+    return (f"'hakobune qtf {db.path}' stores them, of several directions with --heading",) if level == "auto" else ()
 
 
 def simulate_seed(task, seed, kept, progress=None):

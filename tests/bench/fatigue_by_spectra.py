@@ -28,6 +28,7 @@ from mooring.criteria.fatigue import Curve, dirlik, miner, narrow_band, rainflow
 from pipelines.executors.choice import Here
 from pipelines.simulate.run import simulate
 
+STATIC = {"dynamic_lines": "none", "qtf": "newman"}
 TAUT = {"catalogue": "polyester 200 mm"}
 WEATHER = {  # m/s of wind, knots of current, m and s of the waves
     "mild": (10.0, 0.5, 1.0, 7.0),
@@ -44,7 +45,7 @@ def study(lines, weather, hours, seeds):
     wind, current, height, period = WEATHER[weather]
     raw["wind"]["speed"], raw["current"]["speed_knots"] = wind, current
     raw["waves"] |= {"height": height, "period": period}
-    raw["simulation"] |= {"duration_hours": hours, "seeds": seeds}
+    raw["simulation"] = {"duration_hours": hours, "seeds": seeds, "memory": "constant"} | STATIC
     if lines == "taut":
         raw["types"] = {"rope": TAUT}
         raw["spreads"] = [{**one, "type": "rope", "pretension_tonf": 150.0} for one in raw["spreads"]]

@@ -34,6 +34,8 @@ seeds = 2
 keep_series = 1
 tolerance = 1e-2
 memory = "constant"
+dynamic_lines = "none"
+qtf = "newman"
 """
 
 

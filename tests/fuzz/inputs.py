@@ -103,6 +103,8 @@ seeds = 1
 keep_series = 2
 tolerance = 1e-2
 memory = "constant"
+dynamic_lines = "none"
+qtf = "newman"
 damping_ratio = { roll = 0.05 }
 lines_lost = [{ line = "fore port 1", time = 30.0 }]
 """

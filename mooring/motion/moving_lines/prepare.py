@@ -25,7 +25,7 @@ def moving_of(moored, settings, sea=None, surface=True):
     surface : False for lines that count as under water all along, as their static shapes do
     raises : ValueError naming a line that cannot move by itself, and why
     """
-    system, names = moored.system, settings.dynamic_lines
+    system, names = moored.system, () if settings.dynamic_lines == "none" else settings.dynamic_lines
     if system is None or not names:
         if names:
             raise ValueError("dynamic_lines are given and the body has no lines; allowed: names of its lines")
@@ -33,7 +33,7 @@ def moving_of(moored, settings, sea=None, surface=True):
     whole = [i for i, line in enumerate(system.lines) if isinstance(line, UniformLine)]
     if isinstance(names, str):
         if names != "all":
-            raise ValueError(f'dynamic_lines is {names!r}; allowed: "all", "auto", or a list of names')
+            raise ValueError(f'dynamic_lines is {names!r}; allowed: "all", "auto", "none", or a list of names')
         numbers = whole
     else:
         unknown = [name for name in names if name not in system.line_names]

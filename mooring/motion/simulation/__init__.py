@@ -5,11 +5,14 @@ from .loads import wave_components
 from .moored_body import Moored, moored, with_memory
 from .realisation import Realisation
 from .run import simulate, with_lines_chosen
+from .trial import Choice, able_to_move
 
 __all__ = [
+    "Choice",
     "Moored",
     "Realisation",
     "SimulationError",
+    "able_to_move",
     "moored",
     "simulate",
     "wave_components",

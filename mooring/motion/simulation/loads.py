@@ -28,15 +28,20 @@ def wave_components(moored, weather, settings, seed):
         return in_water(one, *place)
     if not weather.seas:
         return weather.components
-    low, high = moored.reader.omega[0], moored.reader.omega[-1]
     parts = []
     for number, sea in enumerate(weather.seas):
-        band = np.clip(sea.spectrum.quantile((1e-5, 1 - 1e-3)), low, high)
-        count = settings.components
-        if count is None:
-            count = int(np.clip(np.ptp(band) * settings.duration / (4 * np.pi), FEWEST, MOST))
-        parts.append(sea.components(count, seed + NEXT_SEA * number, low=float(band[0]), high=float(band[1])))
+        low, high, count = _band(moored, sea, settings)
+        parts.append(sea.components(count, seed + NEXT_SEA * number, low=low, high=high))
     return in_water(parts[0] if len(parts) == 1 else joined(*parts), *place)
+
+
+def _band(moored, sea, settings):
+    """Lowest and highest frequency of the components of a sea, rad/s, and their number"""
+    band = np.clip(sea.spectrum.quantile((1e-5, 1 - 1e-3)), moored.reader.omega[0], moored.reader.omega[-1])
+    count = settings.components
+    if count is None:
+        count = int(np.clip(np.ptp(band) * settings.duration / (4 * np.pi), FEWEST, MOST))
+    return *map(float, band), count
 
 
 def mean_frequency(components):
@@ -80,14 +85,20 @@ def streams(moored, weather, seed, end):
 
 
 def pairs(moored, weather, settings, components):
-    """The force of pairs of waves beside Newman's, of a run, as a GivenForce, or nothing"""
-    if weather.beside_newman is None or components is None:
-        return ()
-    known = moored.waves.drift is not None
-    drift = drift_of(moored.waves, components, moored.start[5]) if known else None
-    met = met_by_a_place(components, weather.carrier, moored.reader.depth, moored.reader.gravity)
-    t, force = pair_record(weather.beside_newman, components, settings.ramp + settings.duration, drift, met)
-    return (GivenForce(t - settings.ramp, force),)
+    """The force of pairs of waves beside Newman's, of a run, as a GivenForce of each sea that has one
+
+    components : of all seas of the weather, one behind the other
+    """
+    known, first = moored.waves.drift is not None, 0
+    for sea, forces in zip(weather.seas, weather.beside_newman, strict=bool(weather.beside_newman)):
+        *_, count = _band(moored, sea, settings)
+        own, first = Components(*(part[first : first + count] for part in components)), first + count
+        if forces is None:
+            continue
+        drift = drift_of(moored.waves, own, moored.start[5]) if known else None
+        met = met_by_a_place(own, weather.carrier, moored.reader.depth, moored.reader.gravity)
+        t, force = pair_record(forces, own, settings.ramp + settings.duration, drift, met)
+        yield GivenForce(t - settings.ramp, force)
 
 
 def half_waves(moored, weather, settings, components):

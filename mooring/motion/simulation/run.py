@@ -1,4 +1,4 @@
-"""One seed of a moored body in time, and the choice of lines with a motion of their own, which takes one such run."""
+"""One seed of a moored body in time."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from ..buoy import buoy_of
 from ..contact_loads import contact_work
 from ..equation import FLOAT, MEMORY, SLOW, Scene, room
 from ..expected import expected_motion
-from ..line_loads import body_lines, fairlead_course, line_loads, line_work
+from ..line_loads import body_lines, line_loads, line_work
 from ..moving_lines.packed import moving_work, state_pull
 from ..moving_lines.prepare import moving_of
 from ..moving_lines.sea import line_sea
-from ..moving_lines.trial import beside_static
 from ..streams import calm
 from ..wave_loads import Waves, no_waves, wave_table, waves_of
 from .body import body_of
 from .failures import SimulationError, failure
 from .loads import frequency_of_coefficients, streams, wave_components
 from .realisation import Course, doubt_of, realisation_of, with_error
+from .trial import Choice, chosen
 
 STEPS_AT_ONCE = 2000, 200  # between reports of progress, without and with lines that move: 0.1 to 0.5 s
 FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
@@ -30,8 +30,6 @@ SHARE = 0.3  # of the tolerance that the errors of one such time may have
 FINER = 0.1  # of the tolerance, that of the run that estimates the error
 DOUBTED = 1 / 3  # of the tolerance, from where on a third run is made: of 2 000 random studies eight were beyond their
 # tolerance while the second run told 0.58 to 0.94 of it
-NEGLIGIBLE = 0.1  # of a line's largest tension, that its own motion may change
-TRIAL = 600.0  # s of the run that shows it
 COARSE = 0.01  # of its tension, by which elements may change a line at rest without a word
 
 
@@ -55,9 +53,9 @@ def simulate(moored, weather, settings, seed=0, progress=None):
     seed : whole number; the same gives the same bits.  progress : called with the share done
     raises : SimulationError where the motion cannot be followed
     """
-    settings, words = with_lines_chosen(moored, weather, settings)
+    settings, words, left_out, _ = with_lines_chosen(moored, weather, settings)
     begun = _begun(moored, weather, settings, seed)
-    begun = begun._replace(findings=(*moored.findings, *words, *begun.findings))
+    begun = begun._replace(findings=(*left_out, *moored.findings, *words, *begun.findings))
     found = realisation_of(moored, settings, seed, begun, _followed(moored, settings, begun, progress))
     if not settings.estimate_error:
         return found
@@ -130,32 +128,13 @@ def _begun(moored, weather, settings, seed):
 
 
 def with_lines_chosen(moored, weather, settings):
-    """Settings whose dynamic_lines are names, and findings on the choice, where it is "auto"; others as they are.
+    """`trial.Choice`: settings whose dynamic_lines are names, by a trial where they are "auto", else as they are.
 
-    The choice is by a trial, a run with all lines in their static shape, which is the same for every seed.
     raises : SimulationError as of `simulate`
     """
-    if settings.dynamic_lines != "auto" or moored.system is None:
-        return settings, ()
-    duration = min(settings.duration, TRIAL)
-    still = replace(settings, dynamic_lines=(), lines_lost=(), estimate_error=False, duration=duration)
-    run, lines = simulate(moored, weather, still), body_lines(moored.system)
-    states = np.hstack([run.motion, run.velocity])
-    courses = [fairlead_course(lines, i, states) for i in range(len(moored.system.lines))]
-    around = ()
-    if settings.dynamic_water == "sea":
-        around = wave_components(moored, weather, still, 0), _current_at_lines(weather), weather.carrier
-    tried = beside_static(moored.system, run, courses, settings.dynamic_elements, *around)
-    names = moored.system.line_names
-    moving = [i for i, off in tried.off.items() if off > NEGLIGIBLE]
-    told = ", ".join(f"{names[i]} {100 * tried.off[i]:.2g} %" for i in moving) or "none"
-    words = (
-        f'dynamic_lines = "auto": {len(moving)} of {len(names)} lines have a motion of their own, those that pull more '
-        f"than {100 * NEGLIGIBLE:g} % of their largest tension otherwise with it, on a course of {duration:g} s: "
-        f"{told}",
-        *tried.refused,
-    )
-    return replace(settings, dynamic_lines=tuple(names[i] for i in moving)), words
+    if settings.dynamic_lines != "auto":
+        return Choice(settings)
+    return chosen(simulate, moored, weather, settings)
 
 
 def _followed(moored, settings, begun, progress):

@@ -38,8 +38,9 @@ SIMPLIFIED = (
     "drift is not in the method. Where a natural period lies near the waves, give the project [simulation]."
 )
 IN_TIME = (
-    "Tensions and motions are those of simulations in time with lines in their static form. The simplified method was "
-    "run beside them for the place under steady forces; its findings are of it alone."
+    "Tensions and motions are those of simulations in time, in which lines move by themselves where dynamic_lines or "
+    "its trial asks for it. The simplified method was run beside them for the place under steady forces; its findings "
+    "are of it alone."
 )
 AT_BERTH = (
     "Tensions, strains and motions are the largest of all simulations in time; forces at anchors and bollards are "

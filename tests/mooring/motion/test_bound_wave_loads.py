@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from mooring.environment.sea import Sea
+from mooring.environment.sea import Components, Sea
 from mooring.environment.spectra import jonswap
 from mooring.motion.given_forces import GivenForce
 from mooring.motion.simulation import simulate, wave_components
+from mooring.motion.simulation.loads import pairs
 from mooring.motion.weather import Settings, Weather
 from mooring.response.bound_wave_drift import bound_to_newman, depth_in_waves, left_out, of_sea, record
 from mooring.response.slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond
@@ -18,10 +19,10 @@ def test_on_linear_springs_they_add_what_their_force_does_alone(database, on_spr
     """To the first order in what they add: waves are felt where the body slowly is, 16 µm beside with them"""
     low = Sea(jonswap(0.02, peak_period=14.0), 0.4)
     settings = Settings(duration=200.0, ramp=100.0, tolerance=1e-6, components=30, slow_drift="none")
-    with_them = Weather(seas=(low,), beside_newman=of_sea(database, low))
+    with_them = Weather(seas=(low,), beside_newman=(of_sea(database, low),))
     both, waves = (simulate(on_springs, weather, settings, 3) for weather in (with_them, Weather(seas=(low,))))
     parts = wave_components(on_springs, with_them, settings, 3)
-    t, force = record(with_them.beside_newman, parts, 300.0)
+    t, force = record(with_them.beside_newman[0], parts, 300.0)
     alone = simulate(on_springs, Weather(forces=(GivenForce(t - 100.0, force),)), settings)
     added = both.motion - waves.motion
     largest = np.abs(alone.motion).max(axis=0)[:3]
@@ -32,7 +33,11 @@ def test_on_linear_springs_they_add_what_their_force_does_alone(database, on_spr
 def test_what_is_left_out_is_said_of_swell_and_not_of_short_waves(database):
     body = database.reader.floating()
     said = list(left_out(body, SWELL))
-    assert len(said) == 1 and said[0].startswith("kh is 0.8") and 'qtf = "bound-wave"' in said[0]
+    assert (
+        len(said) == 1
+        and said[0].startswith("left out: bound long waves, which at kh = 0.8")
+        and 'qtf = "auto"' in said[0]
+    )
     assert not list(left_out(body, Sea(jonswap(0.5, peak_period=6.0), 0.4)))
 
 
@@ -64,10 +69,16 @@ def test_their_size_is_estimated_within_a_factor_of_two(database, period):
     assert 0.5 < bound_to_newman(body, sea) / np.sqrt(part / whole) < 2
 
 
-def test_several_seas_have_no_bound_waves(database):
-    bound = object()
-    with pytest.raises(ValueError, match="allowed: with one sea"):
-        Weather(seas=(SWELL, SWELL), beside_newman=bound)
+def test_each_of_several_seas_has_its_own_bound_waves_and_short_crests_have_none(database, on_springs):
+    with pytest.raises(ValueError, match="allowed: one for each sea"):
+        Weather(seas=(SWELL, SWELL), beside_newman=(object(),))
+    settings, ripples = Settings(100.0, ramp=50.0, components=30), Sea(jonswap(0.2, peak_period=7.0), 0.4)
+    bound = of_sea(database, SWELL)
+    both = Weather(seas=(ripples, SWELL), beside_newman=(None, bound))
+    components = wave_components(on_springs, both, settings, 3)
+    (found,) = pairs(on_springs, both, settings, components)
+    t, force = record(bound, Components(*(part[30:] for part in components)), 150.0)
+    assert np.array_equal(found.force, force) and np.array_equal(found.times, t - 50.0)
     from mooring.seas.systems import Systems
 
     with pytest.raises(ValueError, match="several directions"):

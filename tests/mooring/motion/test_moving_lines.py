@@ -1,6 +1,6 @@
 """Lines with a motion of their own on a body in time: as a line driven alone, and slowly as its static shape."""
 
-import warnings
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -19,7 +19,7 @@ from mooring.motion.moving_lines.packed import moving_work, state_pull
 from mooring.motion.moving_lines.polynomial import TERMS
 from mooring.motion.moving_lines.prepare import dynamic_line, moving_of
 from mooring.motion.moving_lines.steps import advance_lines, keep_lines
-from mooring.motion.simulation import simulate, with_lines_chosen
+from mooring.motion.simulation import able_to_move, simulate, with_lines_chosen
 from mooring.motion.weather import Settings, Weather
 
 ROUGH = Weather((Sea(jonswap(2.0, peak_period=9.0), np.pi),))
@@ -118,17 +118,39 @@ def _first(body, settings, surface):
     return moving, 0, states[0]
 
 
-def test_a_trial_finds_the_lines_that_need_a_motion_of_their_own(on_lines):
-    """In head waves those that are pulled at, and both sides alike; in ripples none; a run is that with these names"""
+def test_a_trial_lets_all_lines_move_where_that_changes_what_is_found(on_lines):
+    """In waves from ahead all do, in ripples none, without waves there is no trial; a run is that with these names"""
     asked = replace(WANTED, dynamic_lines="auto")
-    with warnings.catch_warnings():
-        warnings.filterwarnings("error", message="the fairlead starts")  # as its courses do
-        chosen, told = with_lines_chosen(on_lines, ROUGH, asked)
-    assert chosen.dynamic_lines == ("fore port 1", "fore starboard 1") and "2 of 4 lines" in told[0]
-    run, named = (simulate(on_lines, ROUGH, one, seed=2) for one in (asked, chosen))
-    assert np.array_equal(run.motion, named.motion) and told[0] in run.findings
+    chosen = with_lines_chosen(on_lines, ROUGH, asked)
+    assert chosen.settings.dynamic_lines == tuple(on_lines.system.line_names) and "4 of 4 lines have" in chosen.words[0]
+    run, named = (simulate(on_lines, ROUGH, one, seed=2) for one in (asked, chosen.settings))
+    assert np.array_equal(run.motion, named.motion) and chosen.words[0] in run.findings
     ripples = Weather((Sea(jonswap(0.1, peak_period=9.0), np.pi),))
-    assert with_lines_chosen(on_lines, ripples, asked)[0].dynamic_lines == ()
+    still = with_lines_chosen(on_lines, ripples, asked)
+    assert still.settings.dynamic_lines == () and "stay in their static shape" in still.words[0]
+    assert with_lines_chosen(on_lines, Weather(), asked).words == ()
+
+
+def test_lines_that_cannot_move_are_named_as_left_out_with_the_key_that_helps(on_lines):
+    plain = tuple(replace(line, type=replace(line.type, mass=None)) for line in on_lines.system.lines)
+    bare = replace(on_lines, system=replace(on_lines.system, lines=plain))
+    chosen = with_lines_chosen(bare, ROUGH, replace(WANTED, dynamic_lines="auto"))
+    told = chosen.left_out[0]
+    assert chosen.settings.dynamic_lines == () and told.startswith("left out: inertia and drag of line")
+    assert "has no mass; allowed: a type with a catalogue name" in told
+    mixed = replace(on_lines, system=replace(on_lines.system, lines=(plain[0], *on_lines.system.lines[1:])))
+    assert able_to_move(mixed.system, WANTED)[0] == tuple(on_lines.system.line_names[1:])
+
+
+def test_a_trial_sees_what_waves_from_abeam_keep_up_along_a_symmetric_body_on_static_chains(on_lines):
+    """No force acts along the body or turns it; a yaw that moving chains damp is kept up on chains that only stiffen"""
+    abeam = Weather((Sea(jonswap(2.5, peak_period=9.0), 0.5 * np.pi),))
+    asked = replace(WANTED, duration=300.0, ramp=100.0, step=0.5, dynamic_lines="auto")
+    (words,) = with_lines_chosen(on_lines, abeam, asked).words
+    static, moving = (float(x) for x in re.search("slow yaw has σ (.+) ° on static lines, (.+) ° on", words).groups())
+    assert static > 1.2 * moving > 0 and "4 of 4 lines have" in words
+    unprompted = simulate(on_lines, abeam, replace(asked, dynamic_lines=()))
+    assert np.abs(unprompted.motion[:, 5]).max() < 1e-3 * np.radians(static)
 
 
 def test_names_and_types_that_cannot_move_are_refused(on_lines):

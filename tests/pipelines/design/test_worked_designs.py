@@ -50,7 +50,7 @@ def reduced(folder, name, **states):
         scene = raw_of(own["scene"])
         put(folder, own["scene"], {**scene, "tolerance": 0.1, "waves": COARSE})
     if "simulation" in project:
-        project["simulation"] |= {"duration": 60.0, "ramp": 20.0, "seeds": 1}
+        project["simulation"] |= {"duration": 60.0, "ramp": 20.0, "seeds": 1, "dynamic_lines": "none", "qtf": "newman"}
         project["simulation"].pop("duration_hours", None)
     project["states"] = [state | states[state["name"]] for state in project["states"] if state["name"] in states]
     used = {level for state in project["states"] for level in state.get("levels", ())}

@@ -6,6 +6,7 @@ import shutil
 import signal
 import tomllib
 from concurrent.futures import Future
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -32,6 +33,8 @@ from pipelines.common.units import KGF
 from pipelines.design.kinds import in_time
 from pipelines.executors.choice import Here
 from pipelines.films.of_run import film_of_run, surface
+from pipelines.keys.beginning import commented
+from pipelines.keys.kinds import KINDS
 from pipelines.moor.study import make_study, read_study
 from pipelines.printing.console import new_console, tables_as
 from pipelines.simulate import file as of_runs
@@ -237,15 +240,47 @@ def test_a_force_of_a_file_beside_the_study_is_part_of_what_results_depend_on(fo
         simulate()
 
 
+def test_a_study_that_says_nothing_has_memory_pairs_of_waves_and_lines_that_move_where_they_have_to():
+    """So has what `hakobune new` writes; what the report did is asked for by name"""
+    table = make_study(tomllib.loads(MOOR.read_text() + TABLE)).simulation
+    assert (table.memory, table.dynamic_lines, table.qtf, table.slow_drift) == ("states", "auto", "auto", "newman")
+    for kind in KINDS:
+        asked = tomllib.loads(commented(kind)).get("simulation", {})
+        assert not {"memory", "dynamic_lines", "qtf"} & set(asked), kind
+
+
+def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is_there(folder, monkeypatch, capsys):
+    """The findings of seeds too; the trial is told before the run, with what a seed will take"""
+    left, trial = "left out: inertia and drag of the lines", "dynamic_lines: in a trial they move"
+    body, plan, study, _ = work.prepared(SimpleNamespace(duration=None))
+    plan = replace(plan, told=(left, trial), pace=(0.01, 0.1), settings=replace(plan.settings, dynamic_lines=("a",)))
+    monkeypatch.setattr(runs, "prepared", lambda task: (body, plan, study, ()))
+    said = io.StringIO()
+    runs.simulate("study.toml", "box.h5", "run.h5", Console(file=said, width=300), Here())
+    assert said.getvalue().split("\n")[:3] == [
+        left, trial, 'a seed takes about 1 min 05 s (dynamic_lines = "none": 6 s), 3 of them 3 min 15 s'
+    ]  # fmt: skip
+    again = runs.simulate("study.toml", "box.h5", "run.h5", None, Here())
+    assert again.made == 0 and again.findings[0] == left
+    with opened("run.h5") as file:
+        assert file.attrs["moving_lines"] == "a"
+        report.show(Console(width=300), file, None, ("left out: of a seed", "a finding", left))
+    told = capsys.readouterr().out.split("\n")
+    assert told[:2] == [left, "left out: of a seed"] and told.count(left) == 1 and trial in told
+
+
 def test_lines_that_move_are_part_of_what_results_depend_on_and_files_without_them_keep_their_hash(folder):
     """Elements of lines that there are not change nothing: a run made before there were any takes more seeds"""
     text = Path("study.toml").read_text()
+    Path("study.toml").write_text(text + "dynamic_lines = []\n")
     assert simulate().made == 3
-    Path("study.toml").write_text(text + 'dynamic_elements = 33\ndynamic_water = "still"\n')
+    still = 'dynamic_lines = "none"\ndynamic_elements = 33\ndynamic_water = "still"\n'
+    Path("study.toml").write_text(text + still)
     assert simulate(4).made == 1
-    Path("study.toml").write_text(text + 'dynamic_lines = "all"\n')
-    with pytest.raises(DatabaseError, match="another study"):
-        simulate()
+    for other in ("", 'dynamic_lines = "all"\n'):
+        Path("study.toml").write_text(text + other)
+        with pytest.raises(DatabaseError, match="another study"):
+            simulate()
 
 
 def test_the_file_is_labelled_for_xarray(folder):
@@ -258,8 +293,6 @@ def test_the_file_is_labelled_for_xarray(folder):
 
 
 def plan(text, omega=WIDE, **more):
-    import tomllib
-
     return plan_of(make_study(tomllib.loads(MOOR.read_text() + text)), omega, **more)
 
 
@@ -278,7 +311,10 @@ def plan(text, omega=WIDE, **more):
             "[simulation]\nduration = 10.0\ndynamic_lines = 'all'\ndynamic_water = 'wet'",
             "^simulation: dynamic_water is 'wet'; allowed: still, sea$",
         ),
-        ("[simulation]\nduration = 10.0\ndynamic_water = 'sea'", "no line moves by itself; allowed: with dynamic_l"),
+        (
+            "[simulation]\nduration = 10.0\ndynamic_lines = []\ndynamic_water = 'sea'",
+            "no line moves by itself; allowed: with dynamic_lines",
+        ),
         ("[simulation]\nduration = 10.0\nlines_lost = [{ line = 'a', time = -1.0 }]", "from 0 s on"),
     ],
 )

@@ -1,0 +1,181 @@
+"""Whether lines of a body may hang in their static shape: a short run with them so, beside one with lines that move.
+
+A line in its static shape has neither inertia nor drag.  It snaps where a line in water gives way, and takes no energy
+out of slow motion: chains in shallow water let a symmetric body surge and yaw by themselves under waves from abeam
+(Mathieu's instability of a spring that stiffens), which the drag of the same chains damps.  So both runs are of the
+whole body, in the same waves and gusts, and both begin a little off its place, since what grows by itself would take
+hours to grow out of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.
+
+The regimes of the simplified method (`mooring.lines.regimes`) were tried for this: of random chains, wires and ropes
+that they call quasi-static, every second pulled more than a tenth otherwise in a run (`tests/bench/line_regimes.py`).
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from ...lines.system.hawser import Hawser
+from ...lines.system.parts import UniformLine
+from ..line_loads import body_lines
+from ..moving_lines.prepare import dynamic_line, ends_of
+from .failures import SimulationError
+
+LONGEST = 600.0  # s of a trial
+# of the largest tension, of σ of a slow motion.  On chains in 14 and 20 m of water, from calm to storm, a trial saw
+# more than this wherever an hour changed by more than a fifth; tensions of an hour changed up to twice as much
+NEGLIGIBLE = 0.05
+NUDGE = 2e-3  # of the distance to the fairleads, by which both begin off the place at rest
+# of the largest slow motion, below which one is not compared, and none that is less than what it began with
+MINOR = 0.1
+FEW = 3  # names that are told
+
+
+class Choice(NamedTuple):
+    """settings : with dynamic_lines as names; words, left_out : what was seen, and what has no motion, one line each
+
+    pace : s of computing for each s simulated, of (static, moving) lines, nan where there was no trial
+    """
+
+    settings: object
+    words: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    pace: tuple[float, float] = (np.nan, np.nan)
+
+
+class Difference(NamedTuple):
+    """What moving changes: share, of what is largest with one of the two; words : it in numbers"""
+
+    share: float
+    words: str
+
+
+def chosen(run, moored, weather, settings):
+    """`Choice` of the lines of a `Moored` body by a trial, the same for every seed.
+
+    run : (moored, weather, settings, seed, progress) → `Realisation`
+    raises : SimulationError where neither run can be made
+    """
+    able, left_out = able_to_move(moored.system, settings)
+    still = replace(settings, dynamic_lines=(), lines_lost=(), estimate_error=False)
+    still = replace(still, duration=min(settings.duration, LONGEST))
+    if not able or not _drives(weather):
+        return Choice(replace(settings, dynamic_lines=()), (), left_out)
+    body, found, pace, failed = _nudged(moored), [], [], []
+    for names in ((), able):
+        clock = _Pace(still)
+        try:
+            found.append(run(body, weather, replace(still, dynamic_lines=names), 0, clock))
+        except SimulationError as error:
+            found.append(None)
+            failed.append(error)
+        pace.append(clock.seconds)
+    if len(failed) == 2:
+        raise failed[1]
+    static, moving = found
+    begin = f'dynamic_lines = "auto": in a trial of {still.duration:g} s'
+    if moving is None:
+        told = f"left out: the motion of the lines: {failed[0]}"
+        return Choice(replace(settings, dynamic_lines=()), (), (told, *left_out), tuple(pace))
+    some = f"{len(able)} of {len(moored.system.lines)}"
+    if static is None:
+        words = f"{begin} lines in their static shape fail ({failed[0]}): {some} move"
+        return Choice(replace(settings, dynamic_lines=able), (words,), left_out, tuple(pace))
+    changes = _of_tension(moored, static, moving), _of_slow_motion(moored, static, moving)
+    moves = max(one.share for one in changes) > NEGLIGIBLE
+    which = f"{some} lines have a motion of their own" if moves else "lines stay in their static shape"
+    words = f"{begin} {changes[0].words}, {changes[1].words}: {which}"
+    return Choice(replace(settings, dynamic_lines=able if moves else ()), (words,), left_out, tuple(pace))
+
+
+def able_to_move(system, settings):
+    """Names of the lines of a System, or None, that can move by themselves, and lines of text on those that cannot"""
+    able, kept = [], {}
+    for line in () if system is None else system.lines:
+        if isinstance(line, Hawser):  # without weight it is what it is
+            continue
+        if not isinstance(line, UniformLine):
+            kept.setdefault("it has segments; allowed: lines of one type", []).append(line.name)
+            continue
+        try:
+            dynamic_line(line, ends_of(line, system)[0].position, system, settings.dynamic_elements)
+            able.append(line.name)
+        except ValueError as error:
+            why = str(error).removeprefix("dynamic_lines: ").replace(f" of line {line.name}", "")
+            kept.setdefault(" ".join(why.split()), []).append(line.name)
+    return tuple(able), tuple(
+        f"left out: inertia and drag of {_named(names)} in static shape, so that slow motion and snaps come out too "
+        f"large: {why}"
+        for why, names in kept.items()
+    )
+
+
+def _named(names):
+    more = f" and {len(names) - FEW} more" if len(names) > FEW else ""
+    return f"line{'s' * (len(names) > 1)} {', '.join(names[:FEW])}{more}"
+
+
+def _drives(weather):
+    """Whether anything in a `Weather` changes with time"""
+    return bool(weather.seas or weather.forces) or not (
+        weather.regular is None and weather.components is None and weather.gusts is None
+    )
+
+
+def _nudged(moored):
+    """A `Moored` body that begins off its place; not at a berth, whose fenders know no half metres"""
+    if moored.berth.names:
+        return moored
+    off = NUDGE * _arm(moored)
+    return replace(moored, start=moored.start + [off, off, 0, 0, 0, NUDGE])
+
+
+def _arm(moored):
+    """m, to the fairlead that is farthest from the axis"""
+    return float(np.hypot(*body_lines(moored.system).fairlead[:, :2].T).max())
+
+
+def _of_tension(moored, static, moving):
+    """`Difference` of the line whose largest tension changes most"""
+    pulls = [run.tension[run.time >= 0].max(axis=0) for run in (static, moving)]
+    most = int(np.argmax(np.abs(pulls[0] - pulls[1])))
+    share = abs(pulls[0][most] - pulls[1][most]) / max(pulls[0].max(), pulls[1].max())
+    name, (one, other) = moored.system.line_names[most], (1e-3 * pull[most] for pull in pulls)
+    return Difference(share, f"{name} pulls up to {one:.4g} kN in its static shape, {other:.4g} kN moving")
+
+
+def _of_slow_motion(moored, static, moving):
+    """`Difference` of the slow motion whose σ changes most, of those that are not small beside the others"""
+    names, units = ("surge", "sway", "yaw"), (("m", 1.0), ("m", 1.0), ("°", 180 / np.pi))
+    sigma = np.array([run.slow[run.time >= 0].std(axis=0) for run in (static, moving)])
+    size = (sigma * [1.0, 1.0, _arm(moored)]).max(axis=0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        least = max(MINOR * size.max(), NUDGE * _arm(moored))
+        share = np.where(size > least, np.abs(sigma[0] - sigma[1]) / sigma.max(axis=0), 0.0)
+    most = int(np.argmax(share))
+    unit, factor = units[most]
+    one, other = factor * sigma[:, most]
+    return Difference(
+        float(share[most]), f"slow {names[most]} has σ {one:.3g} {unit} on static lines, {other:.3g} {unit} on moving"
+    )
+
+
+class _Pace:
+    """Called with the share done: seconds a simulated second takes, without what is compiled or loaded at the begin"""
+
+    def __init__(self, settings):
+        self.length, self.seen = settings.ramp + settings.duration, []
+
+    def __call__(self, share):
+        self.seen.append((share, time.perf_counter()))
+
+    @property
+    def seconds(self):
+        """nan where the run had too few steps"""
+        if len(self.seen) < 2 or self.seen[-1][0] <= self.seen[0][0]:
+            return np.nan
+        (first, begun), (last, ended) = self.seen[0], self.seen[-1]
+        return (ended - begun) / ((last - first) * self.length)
