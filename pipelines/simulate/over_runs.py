@@ -6,13 +6,13 @@ import tomllib
 
 import numpy as np
 
+from mooring.criteria.failing import fails
+from mooring.criteria.overuse import HELP
 from mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
 from mooring.response.findings import LINES_NAMED, some
 
 from ..moor.study import make_study
 from .file import STATISTICS, whole_rows
-
-HELP = "give a stronger type, a longer line or less pretension"
 
 
 def largest_in_runs(file, kind):
@@ -30,7 +30,7 @@ def used_in_runs(file):
 
 
 def overloads(file, allowable=None):
-    """Lines and ropes that part, or use more than is allowable, in any run, with the number of such runs
+    """What fails of lines and ropes: those that part, or use more than is allowable, in any run, and in how many
 
     allowable : share of the breaking load in place of the study's, 1 where others judge what lines use
     """
@@ -44,7 +44,7 @@ def overloads(file, allowable=None):
         counts, order = beyond(used, limit), [i for i in np.argsort(-most, kind="stable") if chosen[i]]
         named = [f"{names[i]} {100 * most[i]:.4g} % in {counts[i]} of {len(used)} runs" for i in order]
         if named:
-            yield f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {HELP}"
+            yield fails(f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {HELP}")
 
 
 def notes(file):
