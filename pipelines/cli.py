@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import math
 import os
 import re
@@ -14,7 +13,7 @@ from typing import Annotated
 from cyclopts import App, CycloptsError, Parameter
 
 from bem import __version__
-from meshing.whole_files import NotWritten
+from mooring.criteria.failing import fails
 
 from .bench.command import bench
 from .berth.flags import berth
@@ -33,6 +32,7 @@ from .lines.flags import line, lines
 from .members.flags import members
 from .printing import timing
 from .printing.console import new_console, tables_as, taken
+from .printing.verdict import status_of, tell
 from .qtf.command import qtf
 from .reports.compare_command import compare
 from .reports.sections_command import sections
@@ -46,7 +46,6 @@ from .site.command import site
 from .stress.command import stress
 from .waves.flags import waves
 
-FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # not the fault of the question
 OWN_FORMS = ("keys",)  # commands that write JSON of their own
 app = App(
     name="hakobune",
@@ -188,10 +187,9 @@ def plot(
     check_picture(output, PLOTS)
     db = open_database(file)
     plot(db, output)
-    for words in gaps_of(db).words():
-        print(f"warning: {words}")
+    status = tell(map(fails, gaps_of(db).words()))
     print(output)
-    return 0
+    return status
 
 
 @app.command
@@ -226,8 +224,7 @@ def moor(
     """Equilibrium, natural periods and line tensions of a mooring study on a database."""
     from .moor.command import moor
 
-    moor(study, database, output)
-    return 0
+    return status_of(moor(study, database, output).warnings)
 
 
 @app.command
@@ -298,10 +295,10 @@ def main(arguments=None):
         return 128 + signal.SIGPIPE
     except (CycloptsError, ValueError, OSError, ImportError) as error:
         print(f"{name}: {_one_line(error)}", file=sys.stderr)
-        return 1 if isinstance(error, NotWritten) or getattr(error, "errno", None) in FULL else 2
+        return 2
     except MemoryError as error:
         print(f"{name}: there is not enough memory: {error or 'more was asked for than is free'}", file=sys.stderr)
-        return 1
+        return 2
     except KeyboardInterrupt as stop:
         print(f"{name}: {str(stop) or interrupted(command, arguments)}", file=sys.stderr)
         return 130
@@ -337,19 +334,14 @@ def _run(scene, output, flags):
 
     console, executor = new_console(), executor_of(flags.executor)
     from .solve import run
-    from .solve.report import failed_laws, print_outcome
+    from .solve.report import gives_panels, print_outcome
 
     try:
         outcome = run.solve(scene, output, fresh=flags.fresh, executor=executor, console=console)
     finally:
         executor.shutdown(wait=False, cancel_futures=True)
     with timing.phase("report"):
-        db = open_database(output)
-        print_outcome(console, outcome, db)
-        failed = failed_laws(db, scene.panels is not None or scene.body.shape == "mesh") if outcome.stored else ""
-        if failed:
-            console.print(failed, highlight=False, markup=False, soft_wrap=True)
-    return outcome.exit_status or int(bool(failed))
+        return print_outcome(console, outcome, open_database(output), gives_panels(scene))
 
 
 def _write_mesh(raw, output):

@@ -5,6 +5,10 @@ from __future__ import annotations
 import os
 import platform
 
+from mooring.criteria.failing import fails
+
+from .printing.verdict import tell
+
 NEEDED = ("numpy", "scipy", "numba", "h5py", "gmsh", "meshio", "pyvista", "matplotlib", "msgspec", "cyclopts", "rich")
 OPTIONAL = {"xarray": "reads databases by their labels"}
 
@@ -30,8 +34,12 @@ def doctor():
     amiss += [said for said in (_gmsh(), _cache()) if said]
     print(f"  {'memory':<12}{available_memory() / 1e9:.1f} GB free")
     print(f"  {'processors':<12}{len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count()}")
-    print("\n".join(f"amiss: {line}" for line in amiss) if amiss else "nothing is amiss")
-    return int(bool(amiss))
+    if not amiss:
+        print("nothing is amiss")
+    if _version("rich") is None:  # which prints the others
+        print("\n".join(map(fails, amiss)))
+        return 1
+    return tell(map(fails, amiss))
 
 
 def _version(name):

@@ -9,10 +9,37 @@ fender's: at equal force the dolphin gives back all it took.
 
 from __future__ import annotations
 
+from dataclasses import dataclass, fields
+
 import numpy as np
 
 from .curves import straight
 from .fender import Fender, FenderError
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class OnDolphin(Fender):
+    """A fender and its dolphin as one; deflections, and strains with them, are of both over the fender's height.
+
+    strains : (2, n), of both and of the fender itself, on loading; own_allowable : strain, of the fender itself
+    """
+
+    strains: np.ndarray | None = None
+    own_allowable: float = 0.0
+
+    def own(self, deflection):
+        """m of a deflection of both, m, that is the fender's, by straight lines, which go on beyond the last"""
+        return self.height * _led_on(deflection / self.height, *self.strains)
+
+    def whole(self, own):
+        """m of the deflection of both where `own` m are the fender's"""
+        return self.height * _led_on(own / self.height, *self.strains[::-1])
+
+
+def _led_on(x, knots, values):
+    """Straight lines through values at rising knots, the last led on"""
+    slope = (values[-1] - values[-2]) / (knots[-1] - knots[-2])
+    return float(np.interp(x, knots, values) + slope * max(x - knots[-1], 0.0))
 
 
 def bilinear(stiffness, yield_force=np.inf, stiffness_beyond=None):
@@ -33,8 +60,8 @@ def bilinear(stiffness, yield_force=np.inf, stiffness_beyond=None):
 
 
 def in_series(fender, deflection_of, points=400):
-    """`Fender` of a fender and a dolphin whose deflection at a force is `deflection_of` (`bilinear`), in straight lines
-    between `points` and the fender's own.  Raises FenderError where it snaps through."""
+    """`OnDolphin` of a fender and a dolphin whose deflection at a force is `deflection_of` (`bilinear`), in straight
+    lines between `points` and the fender's own.  Raises FenderError where it snaps through."""
     y2 = _grid(fender, points)
     up, down = fender.loading(y2), fender.unloading(y2)
     y, back = (y2 + deflection_of(force) for force in (up, down))
@@ -51,7 +78,7 @@ def in_series(fender, deflection_of, points=400):
     stretch = float(fender.limit + deflection_of(fender.loading(fender.limit))) / fender.limit
     rated = fender.rated * fender.height
     rated = (rated + float(deflection_of(fender.loading(rated)))) / fender.height
-    return Fender(
+    made = Fender(
         f"{fender.name} on a dolphin",
         fender.height,
         straight(y, up),
@@ -62,13 +89,8 @@ def in_series(fender, deflection_of, points=400):
         stretch * fender.limit,
         None if fender.overload is None else float(straight(y, up).slope(y[-2])),
     )
-
-
-def of_fender(fender, deflection_of, deflection, points=400):
-    """m of a pair's deflection, m, that the fender has, on loading, by the straight lines of `in_series`"""
-    y2 = _grid(fender, points)
-    y = y2 + deflection_of(fender.loading(y2))
-    return float(np.interp(deflection, y, y2))
+    own = np.stack([y, y2]) / fender.height, fender.allowable
+    return OnDolphin(*(getattr(made, one.name) for one in fields(made)), *own)
 
 
 def _grid(fender, points):

@@ -41,7 +41,7 @@ class Fender:
     def __repr__(self):
         return (
             f"<Fender {self.name}, {self.height:g} m: {self.rated_reaction / 1e3:.4g} kN and "
-            f"{self.rated_energy / 1e3:.4g} kJ at {100 * self.rated:g} %>"
+            f"{self.rated_energy / 1e3:.4g} kJ at {100 * self.own(self.rated * self.height) / self.height:.4g} %>"
         )
 
     @property
@@ -101,6 +101,19 @@ class Fender:
         """N, largest on the way to a deflection, m: a buckling fender passes its peak"""
         self._check(deflection)
         return float(self.loading(self._grid(deflection)).max())
+
+    def own(self, deflection):
+        """m of a deflection, m, that is the fender's own: all of it, where it stands on nothing that yields"""
+        return float(deflection)
+
+    def whole(self, own):
+        """m of its deflection where `own` m are the fender's"""
+        return float(own)
+
+    @property
+    def own_allowable(self):
+        """Allowable strain of the fender itself"""
+        return self.allowable
 
     def times(self, factor, name=None):
         """The fender with all reactions times `factor`: grade, number side by side, 1 − γ"""

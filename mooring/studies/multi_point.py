@@ -41,6 +41,7 @@ class MultiPoint:
     waves : {method: `WaveEffects`}, that of the conditions and the other where it is possible; empty without waves
     amplitudes : (6,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
         the amplitudes
+    warnings : what a reader has to know, a line each; of what fails as `criteria.failing.fails` marks it
     """
 
     system: System

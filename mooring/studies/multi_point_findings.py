@@ -7,6 +7,8 @@ import numpy as np
 from bem import DOFS
 from bem.database.resonances import resonances as known_resonances
 
+from ..criteria.failing import fails
+from ..criteria.overuse import overused, shares
 from ..lines.catenary.state import State
 from ..lines.system.findings import LONGEST_STRAIN, beyond_tables, strains, unheld
 from ..response.findings import LINES_NAMED, large_rotations, some
@@ -40,6 +42,7 @@ def findings(result, db):
             yield from _undamped(result, db, waves)
         yield from _stiff_modes(result, np.asarray(db.hydrostatic_stiffness, float))
     yield from _held(result.at_rest)
+    yield from _unstable(result)
     yield from _outside_the_method(result, db.water_depth)
     yield from _line_findings(result)
 
@@ -119,9 +122,13 @@ def _held(periods):
     ]
     if held:
         yield f"natural periods outside the solved frequencies, with added mass of the nearest one: {', '.join(held)}"
-    unstable = [n for n, value in zip(periods.names, periods.period, strict=True) if np.isnan(value)]
-    if unstable:
-        yield f"unstable without waves: {', '.join(unstable)}; the body needs more restoring"
+
+
+def _unstable(result):
+    for where, periods in (("at rest", result.at_rest), ("under the steady forces", result.at_equilibrium)):
+        names = [name for name, value in zip(periods.names, periods.period, strict=True) if np.isnan(value)]
+        if names:
+            yield fails(f"unstable {where}, without waves: {', '.join(names)}; the body needs more restoring")
 
 
 def _outside_the_method(result, depth):
@@ -160,19 +167,28 @@ def _line_findings(result):
             np.isinf(result.system.breaking_load),
             "without a breaking load, how much of it they use is unknown: give breaking_load of their type",
         ),
-        (
-            strains(result.system, result.tension) > LONGEST_STRAIN,
-            f"stretched by more than {100 * LONGEST_STRAIN:g} % at the largest tension, where any rope parts: give a "
-            "longer line or a nearer anchor",
-        ),
-        (beyond, "beyond reach at the largest displacement: an inextensible line cannot follow, give its EA"),
-        ((result.utilisation > 1) & ~beyond, "beyond the breaking load"),
-        (
-            (result.utilisation > result.allowable) & (result.utilisation <= 1),
-            f"above the allowable {result.allowable:g} of the breaking load",
-        ),
     )
     for chosen, text in groups:
         if np.any(chosen):
             yield f"{chosen.sum()} of {len(names)} lines {text}: {some(list(names[chosen]), LINES_NAMED)}"
     yield from beyond_tables(result.system, result.tension)
+    yield from _broken(result, beyond)
+
+
+def _broken(result, beyond):
+    """Lines that part, or use more than is allowable; beyond : (n,) whether out of reach"""
+    names, strain = result.system.line_names, strains(result.system, result.tension)
+    if np.any(beyond):
+        named = some([names[i] for i in np.flatnonzero(beyond)], LINES_NAMED)
+        yield fails(
+            f"{beyond.sum()} of {len(names)} lines beyond reach at the largest displacement: an inextensible line "
+            f"cannot follow, give its EA or more length: {named}"
+        )
+    stretched = (strain > LONGEST_STRAIN) & ~beyond
+    if np.any(stretched):
+        yield fails(
+            f"{stretched.sum()} of {len(names)} lines at the largest tension stretched by more than "
+            f"{100 * LONGEST_STRAIN:g} % of their length, where any rope parts: "
+            f"{shares(names, np.where(stretched, strain, np.nan))}; give a longer line or a nearer anchor"
+        )
+    yield from overused(names, np.where(beyond, np.nan, result.utilisation), result.allowable, "at the largest tension")

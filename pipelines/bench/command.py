@@ -10,7 +10,10 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+from mooring.criteria.failing import fails
+
 from ..common.bounds import told
+from ..printing.verdict import tell
 from ..scene.flags import _flag
 
 SECONDS = 15.0  # of a job, about
@@ -58,9 +61,8 @@ def bench(
         return 130
     print(*(output / name for name in FILES), sep="\n")
     failed = sum(1 for row in rows if row.note)
-    if failed:
-        print(f"{failed} of {len(rows)} failed: they stand at the end of {output / FILES[1]}", file=sys.stderr)
-    return 1 if failed else 0
+    said = f"{failed} of {len(rows)} jobs have no answer: they stand at the end of {output / FILES[1]}"
+    return tell([fails(said)] if failed else [])
 
 
 def _peers(pythons):

@@ -8,12 +8,14 @@ import numpy as np
 
 from mooring.berthing.memory import berth as in_time
 from mooring.berthing.memory import ship_of_database, without_memory
+from mooring.criteria.failing import fails
 from mooring.fenders.fender import FenderError
 
 from ..common.fender_tables import softest_and_stiffest
 from ..common.outputs import check_output, opening
 from ..common.picture import PLOTS, check_picture
-from .report import MARK, draw, measured_lines, show, show_course, write_course
+from ..printing.verdict import tell
+from .report import MARK, draw, failures, measured_lines, show, show_course, write_course
 from .study import approach_of, read_berth
 
 MASS_DIFFERS = 0.02  # share, of the ship's mass from that of the water its database displaces
@@ -38,15 +40,13 @@ def berth(study_path, database, output, plot):
     course, refused = _course(ship, approach)
     written = () if course is None else _write(approach, course, output, plot)
     show(study, approach, first, bands)
-    for line in told:
-        print(f"warning: {line}")
-    if course is None:
-        print(f"in time: {refused}")
-        return 1
-    show_course(approach, course, database)
+    if course is not None:
+        show_course(approach, course, database)
+    in_vain = () if refused is None else (fails(f"in time: {refused}"),)
+    status = tell([*told, *failures(study, approach, course), *in_vain])
     for path in written:
         print(path)
-    return 0
+    return status
 
 
 def show_measured():

@@ -8,7 +8,17 @@ import numpy as np
 
 from mooring.berthing.field import compared, contacts
 from mooring.berthing.two_springs import TwoSprings
+from mooring.criteria.failing import fails
 
+from ..common.fender_tables import (
+    BATCH,
+    beyond_batch,
+    causes_of,
+    fender_of,
+    on_dolphin,
+    own_strain,
+    softest_and_stiffest,
+)
 from ..common.units import TONF
 
 KILO = 1e3
@@ -31,16 +41,21 @@ def show(study, approach, fender, bands):
     table = Table(
         title=f"{fender.name}: rated {fender.rated_energy / KILO:.0f} kJ, {fender.rated_reaction / KILO:.0f} kN"
     )
-    for name in ("virtual mass", "C_M", "energy kJ", "tonf m", "δ %", "reaction kN"):
+    behind = on_dolphin(fender)
+    columns = ("virtual mass", "C_M", "energy kJ", "tonf m", "fender %", *(["dolphin m"] * behind), "reaction kN")
+    for name in columns:
         table.add_column(name, justify="left" if name == "virtual mass" else "right", no_wrap=True)
     for method, (mass, energy) in approach.energies.items():
         at = _deflection(fender, energy)
-        met = ("beyond", "table") if at is None else (
-            f"{100 * at / fender.height:.1f}", f"{fender.largest_reaction(at) / KILO:.0f}"
-        )  # fmt: skip
+        met = ["beyond", *(["the"] * behind), "table"]
+        if at is not None:
+            own = fender.own(at)
+            met = [f"{100 * own / fender.height:.1f}", *([f"{at - own:.3f}"] * behind)]
+            met.append(f"{fender.largest_reaction(at) / KILO:.0f}")
         table.add_row(method, f"{mass:.3f}", f"{energy / KILO:.1f}", f"{energy / TONF:.1f}", *met)
     console.print(table)
-    print(_verdict(study, approach, fender, bands))
+    for line in _verdict(study, approach, fender, bands):
+        print(line)
     line = _two_springs(study.fender[approach.first], approach, fender)
     if line:
         print(line)
@@ -53,18 +68,55 @@ def _deflection(fender, energy):
 
 
 def _verdict(study, approach, fender, bands):
-    energy = approach.energy
-    words = [
+    energy, (soft, stiff), (low, high) = approach.energy, *_batch(study.fender[approach.first])
+    enough = "NOT enough" if any(_too_much(study, approach)) else "enough"
+    yield (
         f"C_M {approach.virtual_mass:.3f}, {energy / KILO:.0f} kJ: {100 * energy / fender.rated_energy:.0f} % of the "
-        f"rated energy, {'enough' if energy <= fender.rated_energy else 'NOT enough'}"
-    ]
+        f"rated energy, {100 * energy / soft.rated_energy:.0f} % of that at {low:g} of the reaction, {enough}"
+    )
+    at = _deflection(stiff, energy)
+    if at is not None:
+        yield f"at {high:g} of the reaction it pushes with {stiff.largest_reaction(at) / KILO:.0f} kN"
+    words = []
     for name, one in zip(("softest", "stiffest"), bands, strict=True):
         at = _deflection(one, energy)
         words.append(
             f"the {name} does not take it up" if at is None else
-            f"the {name} at {100 * at / one.height:.1f} % with {one.largest_reaction(at) / KILO:.0f} kN"
+            f"the {name} at {own_strain(one, at)} with {one.largest_reaction(at) / KILO:.0f} kN"
         )  # fmt: skip
-    return "; ".join(words)
+    yield f"by {', '.join(causes_of(study.fender[approach.first]))}: {'; '.join(words)}"
+
+
+def _batch(table):
+    return softest_and_stiffest(table, fender_of(table), BATCH)
+
+
+def _too_much(study, approach):
+    """What fails of the fender that is met first, by the kinetic-energy method, as Ueda (1981) judges, section 6"""
+    table = study.fender[approach.first]
+    yield from beyond_batch("energy of the berthing", approach.energy, table, fender_of(table))
+
+
+def failures(study, approach, course):
+    """What fails of fenders and dolphins: by the kinetic-energy method, and in the course in time, None without one"""
+    found = list(_too_much(study, approach))
+    yield from found
+    table, (_, stiff), (_, high) = study.fender[approach.first], *_batch(study.fender[approach.first])
+    at = _deflection(stiff, approach.energy)
+    if table.dolphin_yield is not None and at is not None:
+        reaction = stiff.largest_reaction(at) / KILO
+        if reaction > table.dolphin_yield:
+            yield fails(
+                f"at {high:g} of its reaction the fender pushes the dolphin with {reaction:.4g} kN, which yields at "
+                f"{table.dolphin_yield:.4g} kN; give a softer fender or a stronger dolphin"
+            )
+    given = study.approach
+    factors = given.softness * given.configuration * given.abnormal  # that the course in time knows nothing of
+    for k, (fender, x, _) in enumerate(approach.meetings if course is not None else ()):
+        if not (found and k == approach.first):
+            taken = factors * float(fender.energy(course.deflection[:, k].max()))
+            table = study.fender[k]
+            yield from beyond_batch(f"energy in time of the fender at x = {x:g} m", taken, table, fender_of(table))
 
 
 def _two_springs(table, approach, fender):
@@ -96,8 +148,7 @@ def show_course(approach, course, database):
     if len(peak) > 1:
         for k, (fender, x, _) in enumerate(approach.meetings):
             deep = course.deflection[:, k].max()
-            print(f"  {fender.name} at x = {x:g} m: {deep:.3f} m ({100 * deep / fender.height:.1f} %), "
-                  f"{peak[k] / KILO:.0f} kN")  # fmt: skip
+            print(f"  {fender.name} at x = {x:g} m: {deep:.3f} m ({own_strain(fender, deep)}), {peak[k] / KILO:.0f} kN")
 
 
 def write_course(path, course):

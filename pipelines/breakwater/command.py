@@ -24,7 +24,7 @@ def breakwater(
 
     With a database of a unit of finite length, the waves around a row of them.
 
-    Status 1 where a line goes slack, no pretension is allowed, or an anchor is too small.
+    Status 1 where a line goes slack, no pretension is allowed, an anchor is too small, or no design is good enough.
     """
     from rich.console import Console
 
@@ -70,8 +70,7 @@ def breakwater(
         from .map_picture import draw_map
 
         draw_map(map_plot, read.name, found.lee)
-    show(_wide(new_console()), read, found, [path for path in (output, plot, map_plot) if path is not None])
-    return int(_fails(found))
+    return show(_wide(new_console()), read, found, [path for path in (output, plot, map_plot) if path is not None])
 
 
 def _check_map(study, database, map_plot):
@@ -88,13 +87,3 @@ def _wide(console):
     from ..printing.console import new_console
 
     return console if console.is_terminal else new_console(width=WIDTH)
-
-
-def _fails(found):
-    held = found.pretension
-    if held is not None and (held.slack or (held.most is not None and held.most < max(held.least, held.used))):
-        return True
-    sea = found.sea
-    if held is not None and held.given is not None and sea is not None and (sea.least or 0.0) > held.given:
-        return True
-    return any(one.utilisation is not None and one.utilisation > 1 for one in found.anchors)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from mooring.criteria.failing import fails
+
+from ..printing.verdict import tell
 from .build import KN
 from .results import design
 
@@ -11,16 +14,59 @@ ROWS = 12  # periods that are printed
 
 
 def show(console, study, found, written):
-    """Print Results, warnings and the names of the files written."""
+    """Print Results, warnings, what fails and the names of the files written; returns the exit status."""
     console.print(study.name, highlight=False, soft_wrap=True)
     for table in _tables(study, found):
         console.print(table)
     for line in _lines(study, found):
         console.print(line, highlight=False, soft_wrap=True)
-    for text in found.warned:
-        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+    status = tell([*found.warned, *failures(study, found)], console)
     if written:
         console.print(f"written: {', '.join(map(str, written))}", highlight=False, soft_wrap=True)
+    return status
+
+
+def failures(study, found):
+    """What fails: lines that go slack, pretensions that cannot be, anchors that are too small, no design good enough"""
+    held, sea = found.pretension, found.sea
+    if held is not None:
+        yield from _of_pretension(held)
+    if held is not None and held.given is not None and sea is not None and (sea.least or 0.0) > held.given:
+        yield fails(
+            f"the pretension of {held.given / KN:.4g} kN/m is less than the {sea.least / KN:.4g} kN/m that keep lines "
+            "taut in the sea; give more"
+        )
+    for one in found.anchors:
+        if one.utilisation is not None and one.utilisation > 1:
+            yield fails(
+                f"anchor, {one.name}: {one.needed:.4g} {one.unit} are needed, {one.provided:.4g} provided, "
+                f"{100 * one.utilisation:.4g} % used; give a larger one"
+            )
+    wanted = None if study.optimisation is None or found.front is None else study.optimisation.behind
+    if wanted is not None and not np.any(found.front.behind <= wanted):
+        yield fails(
+            f"no design leaves {wanted:g} or less behind; the best leaves {found.front.behind.min():.4g}; give "
+            "wider or deeper ones"
+        )
+
+
+def _of_pretension(held):
+    if held.slack:
+        where = ", ".join(f"{end} at {level} water" for level, end in held.slack)
+        yield fails(
+            f"lines go slack: {where}; the linear tensions do not hold there, taut again they snap: give more "
+            f"pretension than {held.used / KN:.4g} kN/m"
+        )
+    if held.most is not None and held.most < held.least:
+        yield fails(
+            f"no pretension is both enough, {held.least / KN:.4g} kN/m, and allowed, {held.most / KN:.4g} kN/m; give "
+            "stronger lines, another angle or section"
+        )
+    elif held.most is not None and held.most < held.used:
+        yield fails(
+            f"the pretension of {held.used / KN:.4g} kN/m is above the {held.most / KN:.4g} kN/m within the allowable "
+            "tension; give less, or stronger lines"
+        )
 
 
 def _tables(study, found):
@@ -75,9 +121,7 @@ def _wanted(study, front):
     """The design with the least tension that leaves no more behind than is wanted"""
     wanted = study.optimisation.behind
     enough = [] if wanted is None else np.flatnonzero(front.behind <= wanted)
-    if wanted is not None and not len(enough):
-        yield f"NO DESIGN leaves {wanted:g} or less behind; the best leaves {front.behind.min():.4g}"
-    elif wanted is not None:
+    if len(enough):
         i = enough[0]
         sizes = ", ".join(f"{name} {x:.4g}" for name, x in zip(front.names, front.designs[i], strict=True))
         yield f"{wanted:g} or less behind takes at least {front.tension[i] / KN:.4g} kN/m: {sizes}"
@@ -129,11 +173,6 @@ def _pretension_lines(study, held):
     kind = "that is used" if held.given is None else "of the body"
     front, back = (one / KN for one in held.greatest)
     yield f"with {held.used / KN:.4g} kN/m {kind} the greatest tensions are {front:.4g} front, {back:.4g} back"
-    if held.slack:
-        where = ", ".join(f"{end} at {level} water" for level, end in held.slack)
-        yield f"LINES GO SLACK: {where}; the linear tensions do not hold there, taut again they snap"
-    if held.most is not None and held.most < held.least:
-        yield "NO PRETENSION is both enough and allowed; give stronger lines, another angle or section"
 
 
 def _at(value, period):

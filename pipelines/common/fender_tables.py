@@ -8,6 +8,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from mooring.criteria.failing import fails
 from mooring.fenders.dolphin import bilinear, in_series
 from mooring.fenders.families import fender_of_family, fender_of_file
 from mooring.fenders.inclined import inclined
@@ -18,6 +19,7 @@ from .quantities import StudyError, Table, below, positive
 LARGEST = 20.0  # m, a height or diameter
 WIDEST = 50.0  # m, of what an inclined face presses
 MOST = 1000  # fenders side by side
+BATCH = ("manufacture",)  # what fenders of one batch differ by: 0.9 to 1.1, Ueda (1981), section 6
 
 
 class FenderTable(Table):
@@ -125,10 +127,39 @@ def causes_of(table):
     return ["manufacture"] if table.family == "pneumatic" else list(bands())
 
 
-def softest_and_stiffest(table, fender):
-    """Two fenders at the ends of the bands of `mooring.fenders.variability`, on the dolphin, and their factors"""
-    factors = extremes(chosen(causes_of(table)))
+def softest_and_stiffest(table, fender, causes=None):
+    """Two fenders at the ends of the bands of `mooring.fenders.variability`, on the dolphin, and their factors
+
+    causes : names of the bands, by default all that the fender has
+    """
+    factors = extremes(chosen(causes or causes_of(table)))
     return tuple(pair_of(table, fender.times(factor)) for factor in factors), factors
+
+
+def own_strain(pair, deflection):
+    """Words on the strain of the fender itself at a deflection, m, of it and its dolphin"""
+    return f"{100 * pair.own(deflection) / pair.height:.1f} %"
+
+
+def on_dolphin(pair):
+    """Whether a fender stands on something that yields"""
+    return bool(pair.own(pair.limit) < pair.limit)
+
+
+def beyond_batch(what, energy, table, fender):
+    """A line where an energy, J, is more than the softest fender of a batch takes up at its rated strain
+
+    what : of the energy; fender : `fender_of` the table, without its dolphin
+    """
+    (soft, _), (factor, _) = softest_and_stiffest(table, fender, BATCH)
+    if energy > soft.rated_energy * (1 + 1e-9):
+        rated = pair_of(table, fender).rated_energy
+        yield fails(
+            f"{what}: {energy / 1e3:.4g} kJ are {100 * energy / soft.rated_energy:.4g} % of the "
+            f"{soft.rated_energy / 1e3:.4g} kJ that the softest fender of a batch takes up at its rated strain, with "
+            f"{factor:g} of the catalogue's reaction (Ueda 1981, section 6), and {100 * energy / rated:.4g} % of the "
+            "catalogue's; take a larger fender or more of them"
+        )
 
 
 def _kilo(value):

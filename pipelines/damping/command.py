@@ -7,7 +7,11 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-LEFT = 0.25  # of the record, that a fit may leave without a warning
+from mooring.criteria.failing import fails
+
+from ..printing.verdict import tell
+
+LEFT = 0.25  # of the record, that a fit may leave
 COLUMNS = ("time_s", "motion_m", "force_kN")
 
 
@@ -33,13 +37,15 @@ def damping(
     if "force_kN" in columns and mass is not None:
         raise ValueError("--mass is given with force_kN in the record; allowed: of a decay")
     try:
-        drawn = _forced(columns) if "force_kN" in columns else _decay(columns, mass)
+        drawn, failed = _forced(columns) if "force_kN" in columns else _decay(columns, mass)
     except ValueError as error:
         raise ValueError(f"{record}: {error}") from None
     if plot is not None:
         _draw(plot, *drawn)
+    status = tell(failed)
+    if plot is not None:
         print(plot)
-    return 0
+    return status
 
 
 def read_record(path):
@@ -79,16 +85,18 @@ def _forced(columns):
         ("force not explained", 100 * made.off, "%", ""),
     ]
     _show("forced oscillation", rows)
-    _warn_of_rest(made.off, "force", "a sine that moves a body with added mass and damping")
+    failed = [*_rest(made.off, "force", "a sine that moves a body with added mass and damping")]
     if made.same_energy < 0:
-        print(
-            f"warning: the damping is negative, {made.same_energy / 1e3:.5g} kN s/m of the same energy: the force "
-            "gives energy to the body; is force_kN that of what moves it? the water's reaction has the other sign"
+        failed.append(
+            fails(
+                f"the damping is negative, {made.same_energy / 1e3:.5g} kN s/m of the same energy, limit 0: the force "
+                "gives energy to the body; is force_kN that of what moves it? the water's reaction has the other sign"
+            )
         )
     theta = sine.omega * (time - time[0]) + sine.phase
     v, a = sine.omega * sine.amplitude * np.cos(theta), -(sine.omega**2) * sine.amplitude * np.sin(theta)
     fitted = -made.added_mass * a - made.linear * v - made.quadratic * v * np.abs(v)
-    return time, force - force.mean(), fitted / 1e3, "reaction, kN"
+    return (time, force - force.mean(), fitted / 1e3, "reaction, kN"), failed
 
 
 def _decay(columns, mass):
@@ -109,8 +117,7 @@ def _decay(columns, mass):
     if mass is not None:
         rows += [("B1", made.linear * mass, "kN s/m", ""), ("B2", made.quadratic * mass, "kN s²/m²", "")]
     _show("free decay", [*rows, ("motion not explained", 100 * made.off, "%", "")])
-    _warn_of_rest(made.off, "motion", "the free decay of one motion")
-    return time, motion, made.fitted, "motion, m"
+    return (time, motion, made.fitted, "motion, m"), _rest(made.off, "motion", "the free decay of one motion")
 
 
 def _show(title, rows):
@@ -120,9 +127,13 @@ def _show(title, rows):
     new_console().print(values_table(title, rows))
 
 
-def _warn_of_rest(off, what, kind):
+def _rest(off, what, kind):
+    """What fails of a fit that leaves too much"""
     if off > LEFT:
-        print(f"warning: {100 * off:.2g} % of the {what} is left over; this is no record of {kind}; look at --plot")
+        yield fails(
+            f"{100 * off:.2g} % of the {what} is left over, limit {100 * LEFT:g} %; this is no record of {kind}; look "
+            "at --plot"
+        )
 
 
 def _draw(path, time, measured, fitted, label):

@@ -7,6 +7,8 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+from mooring.criteria.failing import fails
+
 
 def design(
     project: Annotated[Path, Parameter(help="project (TOML)")],
@@ -18,7 +20,7 @@ def design(
 ):
     """A mooring through all load cases of a site, judged by rule sets, as one page.
 
-    Status 1 where a criterion is not met, is not judged, or a case could not be run.
+    Status 1 where a criterion is not met or not judged, a line parts, or a case could not be run.
     """
     from ..common.outputs import check_folder
     from ..executors.choice import executor_of
@@ -32,23 +34,20 @@ def design(
         verdict, names, change = made(read, output, workers, console, advice)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
-    _show(console, verdict, change, [output / name for name in names])
-    from .verdict import PASSES
-
-    return int(verdict.word != PASSES)
+    return _show(console, verdict, change, [output / name for name in names])
 
 
 def made(read, folder, workers, console, advice=True):
     """Verdict, names of the written files and advice (`advise`, None without) of a Read project, all in `folder`."""
     from .advice import advise
     from .report import write_report
-    from .running import databases, run_cases
+    from .running import databases, of_databases, run_cases
     from .verdict import judged_project, project_quantities
 
     folder.mkdir(parents=True, exist_ok=True)
     paths = databases(read, folder, workers, console)
     with _Counting(console) as step:
-        verdict = judged_project(read, run_cases(read, paths, folder, workers, step))
+        verdict = judged_project(read, run_cases(read, paths, folder, workers, step), of_databases(read, paths))
         change = None
         if advice:
             cases = {one.case.name: one.case for one in verdict.ran}
@@ -79,20 +78,25 @@ class _Counting:
 
 
 def _show(console, verdict, change, written):
+    """Print a Verdict and what was written; returns the exit status"""
+    from ..printing.verdict import tell
     from .report_tables import WORDS
     from .report_words import advice_words, percent, summary
 
+    failed = []
     for one in verdict.judged:
         c, use = one.criterion, one.governing
         found = f"{percent(use.utilisation)}, {use.item}, {use.case}" if use else one.missing
-        line = f"{WORDS[one.met]:>10}  {c.rule}: {c.quantity} {c.sense} {c.limit:.4g} {c.unit.strip('-')}: {found}"
-        console.print(line, highlight=False, markup=False, soft_wrap=True, style=None if one.met else "red")
-    for one in verdict.ran:
-        if one.numbers is None:
-            line = f"{one.case.name} could not be run: {one.fault}"
-            console.print(line, highlight=False, markup=False, soft_wrap=True)
+        line = f"{c.rule}: {c.quantity} {c.sense} {c.limit:.4g} {c.unit.strip('-')}: {found}"
+        if one.met:
+            console.print(f"{WORDS[True]:>10}  {line}", highlight=False, markup=False, soft_wrap=True)
+        else:
+            failed.append(fails(f"{WORDS[one.met]}, {line}"))
+    failed += [fails(f"{one.case.name} could not be run: {one.fault}") for one in verdict.ran if one.numbers is None]
+    status = tell([*failed, *verdict.broken], console)
     console.print(f"the mooring {verdict.word}{summary(verdict)}", highlight=False, markup=False, soft_wrap=True)
     for line in advice_words(change, verdict):
         console.print(line, highlight=False, markup=False, soft_wrap=True)
     words = ", ".join(map(str, written))
     console.print(f"written: {words}", highlight=False, markup=False, soft_wrap=True)
+    return status

@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 
+from mooring.criteria.failing import FAILS as MARKED
 from mooring.criteria.rules import read_rules
 
 from ..common.weather.seas import period_of
 from .kinds.numbers import Numbers
 from .origins import OF_PROJECT
 from .report_tables import CASE_HEAD, WORDS, case_row
-from .verdict import FAILS, OPEN
+from .verdict import FAILS, NUMBER, OPEN
 
 COUNTED = ("stable headings",)  # a number of things: where it is met, nothing of it is used
 THE_PROJECT = "the project"  # has what is of no load case
 WAYS = {"size": "larger sizes", "number": "more lines"}  # in words, where these are not the name itself
-NUMBER = re.compile(r"-?\d+(\.\d+)?(e[-+]?\d+)?")
 MARK = {True: "passes", False: "fails", None: "open"}
 
 
 def summary(verdict):
     """What governs, in a line after "the mooring passes" """
+    if verdict.broken:
+        more = f", and {len(verdict.broken) - 1} more" if len(verdict.broken) > 1 else ""
+        return f": {verdict.broken[0].removeprefix(MARKED)}{more}"
     worst = _worst(verdict)
     if verdict.word == OPEN:
         unknown = sum(one.met is None for one in verdict.judged)

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from mooring.criteria.failing import fails
 from mooring.criteria.strength import worn_breaking_load
 from mooring.criteria.verdict import Case, Tensions
 
@@ -70,6 +71,21 @@ def databases(read, folder, executor, console):
             where, reason = outcome.failures[0] if outcome.failures else ("", "not all frequencies are stored")
             raise StudyError(f"the database of level {level!r} is not whole: {where} {reason}")
     return found
+
+
+def of_databases(read, paths):
+    """What fails of the databases, a line each: laws, and the tolerance of those that were solved for the project"""
+    from bem.database import open_database
+
+    from ..solve.report import failed_laws, gives_panels, missed_tolerance
+
+    own = {level: gives_panels(scene) for level, scene in scenes(read).items()} if read.project.project.scene else {}
+    for level, path in paths.items():
+        if path is not None:
+            db, panels = open_database(path), own.get(level, True)
+            for text in (failed_laws(db, panels), "" if panels else missed_tolerance(db)):
+                if text:
+                    yield fails(f"database of level {level}: {text}")
 
 
 def run_cases(read, paths, folder, executor, step):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
+from mooring.criteria.failing import failing
 from mooring.criteria.verdict import judge
 from mooring.response.return_period import return_period
 
@@ -11,33 +13,49 @@ from .comparison import side_by_side
 from .fatigue import fatigue
 from .running import grouped, judged_case
 
+NUMBER = re.compile(r"-?\d+(\.\d+)?(e[-+]?\d+)?")
 PASSES, FAILS, OPEN = "passes", "fails", "cannot be signed"
 
 
 class Verdict(NamedTuple):
-    """ran : all Ran; judged : a Judged for each criterion; return_period : years, None where it is not given
+    """ran : all Ran; broken : what fails in a case or a database beside the criteria, a line each
+    judged : a Judged for each criterion; return_period : years, None where it is not given
 
     word : passes, fails, or cannot be signed where a criterion is not judged or a case could not be run
     rule_sets : of `comparison.side_by_side`
     """
 
     ran: list
+    broken: tuple
     judged: tuple
     return_period: float | None
     word: str
     rule_sets: tuple
 
 
-def judged_project(read, ran):
-    """The Verdict on all load cases of a project"""
+def judged_project(read, ran, of_databases=()):
+    """The Verdict on all load cases of a project; of_databases : what fails of its databases, a line each"""
     groups = grouped(ran)
     others = project_quantities(read)
     cases = [judged_case(read, group, others) for group in groups.values() if group[1.0].numbers is not None]
     worn_out = fatigue(read, ran)
     judged = (*judge(read.criteria, cases), *(() if worn_out is None else (worn_out,)))
     unknown = any(one.numbers is None for one in ran) or any(one.met is None for one in judged)
-    word = FAILS if any(one.met is False for one in judged) else OPEN if unknown else PASSES
-    return Verdict(ran, judged, others.get("return period"), word, side_by_side(read, cases))
+    broken = (*of_databases, *broken_in(ran))
+    word = FAILS if broken or any(one.met is False for one in judged) else OPEN if unknown else PASSES
+    return Verdict(ran, broken, judged, others.get("return period"), word, side_by_side(read, cases))
+
+
+def broken_in(ran):
+    """What the studies of load cases themselves say fails, lines that part or fenders beyond what they stand: a line
+    for each kind, of the first case in which it does; multiples of the motions, which rules ask for, break nothing"""
+    found = {}
+    for one in (one for one in ran if one.case.factor == 1):
+        for text in failing(one.numbers.warnings) if one.numbers is not None else ():
+            found.setdefault(NUMBER.sub("#", text), []).append(f"{text}; in {one.case.name}")
+    for texts in found.values():
+        more = f", and in {len(texts) - 1} more cases" if len(texts) > 1 else ""
+        yield texts[0] + more
 
 
 def project_quantities(read):

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mooring.criteria.failing import fails
 from mooring.dolphins.earthquake import by_spectrum, course, normalised_reaction, response_spectrum
 from mooring.fenders.fender import FenderError
 from mooring.site.seismic import seismic_force
@@ -14,6 +15,7 @@ from mooring.site.seismic import seismic_force
 from ..common.outputs import check_output, opening
 from ..common.picture import PLOTS, check_picture, save
 from ..common.quantities import StudyError
+from ..printing.verdict import tell
 from .study import quake_of, read_study
 
 MARK = "# course of a body in an earthquake"
@@ -51,11 +53,25 @@ def earthquake(study_path, database, output, plot):
             f"record: ground {largest:.3g} m/s², {way:.3g} m at most, the body {own:.3g} m in space; "
             f"{first:.2g} to {last:.2g} m/s² are added to it, so that it ends at rest"
         )
-    if output is not None:
-        print(output if run is not None else f"warning: {output} is not written: record in time has no course")
-    if plot is not None:
-        print(plot)
-    return 1 if any(row.reason and row.reaction is None for row in rows) else 0
+    unwritten = [f"{output} is not written: record in time has no course"] if output and run is None else []
+    status = tell([*failures(quake, rows), *unwritten])
+    for path in (output if run is not None else None, plot):
+        if path is not None:
+            print(path)
+    return status
+
+
+def failures(quake, rows):
+    """What fails of fenders by each `Method`"""
+    fender = quake.fenders.fender
+    for row in rows:
+        if row.reason:
+            yield fails(f"{row.name}: {row.reason}")
+        elif (strain := fender.own(row.deflection) / fender.height) > fender.own_allowable * (1 + 1e-9):
+            yield fails(
+                f"{row.name}: the fenders are pressed to {100 * strain:.4g} % of their height; allowable "
+                f"{100 * fender.own_allowable:.4g} %; take more or larger ones"
+            )
 
 
 class Method(NamedTuple):
@@ -147,7 +163,7 @@ def _show(quake, rows, stiffness):
     from ..printing.console import new_console
 
     console, floater, fenders = new_console(), quake.floater, quake.fenders
-    weight, height = floater.mass * GRAVITY, fenders.fender.height
+    weight, one = floater.mass * GRAVITY, fenders.fender
     periods = []
     for name, k in stiffness.items():
         omega = np.sqrt(k / (floater.mass + floater.added_mass))
@@ -161,7 +177,7 @@ def _show(quake, rows, stiffness):
                               "deflection m", "strain %")):  # fmt: skip
         table.add_column(name, justify="right" if i else "left", no_wrap=True)
     for row in rows:
-        strain = None if row.deflection is None else 100 * row.deflection / height
+        strain = None if row.deflection is None else 100 * one.own(row.deflection) / one.height
         weights = None if row.reaction is None else row.reaction / weight
         numbers = (
             (row.period, ".3g"), (None if row.ratio is None else 100 * row.ratio, ".1f"), (row.acceleration, ".3g"),
@@ -170,11 +186,6 @@ def _show(quake, rows, stiffness):
         )  # fmt: skip
         table.add_row(row.name, *("–" if value is None else format(value, form) for value, form in numbers))
     console.print(table)
-    for row in rows:
-        if row.reason:
-            print(f"warning: {row.name}: {row.reason}")
-        elif row.deflection > fenders.fender.allowable * height * (1 + 1e-9):
-            print(f"warning: {row.name}: beyond the allowable {100 * fenders.fender.allowable:.1f} %")
     print("reaction of springs over ω² y M, which is 1 for the seismic coefficient; y, ω of the ground, M in air:")
     table = Table()
     for name in ("period s", *stiffness):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -14,8 +13,11 @@ from bem.database.file import check_place
 from bem.database.schema import LIMITS
 from bem.database.widening import read_group
 from bem.formats.values import CARRIED, values_of
+from mooring.criteria.failing import fails
 
 from ..common.outputs import check_ending, check_folder
+from ..printing.console import new_console
+from ..printing.verdict import tell
 
 
 class Format(NamedTuple):
@@ -58,9 +60,7 @@ def export(database, to, output, fresh):
     if to == "wamit":
         made += _pairs_written(db, values, output)
     print("\n".join(map(str, made)))
-    for remark in _left_out(db, values, to):
-        print(f"warning: {remark}", file=sys.stderr)
-    return 0 if db.rows.all() else 1
+    return tell(_left_out(db, values, to), new_console(stderr=True))
 
 
 def _pairs_written(db, values, output):
@@ -96,7 +96,10 @@ def _check_place(output, kind, fresh, database):
 
 def _left_out(db, values, to):
     if not db.rows.all():
-        yield f"{db.path} has {db.rows.sum()} of {len(db.rows)} frequencies solved, which are written"
+        yield fails(
+            f"{db.path} has {db.rows.sum()} of {len(db.rows)} frequencies solved, which alone are written; run the "
+            "command that made it again, then this one with --fresh"
+        )
     lost = [name for name in db.names if name not in CARRIED]
     endless = [name for name in LIMITS if name in db.names and not np.all(np.isfinite(db[name]))] if db.complete else []
     if endless:

@@ -15,8 +15,11 @@ from bem.formats.afloat import on_hull
 from bem.formats.values import FormatError, with_headings_once
 from meshing.files import read_mesh
 from meshing.quality import findings
+from mooring.criteria.failing import fails
 
 from ..common.outputs import DATABASE, check_ending
+from ..printing.console import new_console
+from ..printing.verdict import tell
 from .command import format_of
 
 
@@ -38,8 +41,10 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False):
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
     panels = _hull(place, kind, module, mesh, of_module)
     values, left_out = _finite(values)
-    for name, omega in left_out.items():
-        _warn(f"{name} is not finite at {omega} rad/s, left out with all else there")
+    lost = [
+        fails(f"{name} is not finite at {omega} rad/s, left out with all else there; compute these frequencies again")
+        for name, omega in left_out.items()
+    ]
     pairs = _pairs_of(place, kind_name, values, of_module)
     draft = -float(panels.points[:, 2].min())
     if not draft < values.water_depth:
@@ -47,20 +52,16 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False):
             f"the water is {values.water_depth:g} m deep and {panels.name} draws {draft:g} m; allowed: deeper water"
         )
     values, remarks = on_hull(values, panels, weight)
-    for line in (*remarks, *_remarks(module, place, of_module, values)):
-        _warn(line)
+    remarks = (*remarks, *_remarks(module, place, of_module, values))
     _store(values, panels, output, f"{kind_name}: {place}", fresh)
     groups = _store_pairs(output, pairs, values)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
     print(", ".join([*values.quantities, *groups]))
     stored = open_database(output).rows
     if not stored.all():
-        print(f"fails: {stored.sum()} of {len(stored)} frequencies could be stored in {output}", file=sys.stderr)
-    return int(not stored.all())
-
-
-def _warn(line):
-    print(f"warning: {line}", file=sys.stderr)
+        lost.append(fails(f"{stored.sum()} of {len(stored)} frequencies could be stored in {output}"))
+    of_hull = (fails(f"{panels.name}: {one.text}") for one in findings(panels) if one.severity == "error")
+    return tell([*remarks, *of_hull, *lost], new_console(stderr=True))
 
 
 def _check(kind, known, output, fresh, place):
@@ -93,7 +94,8 @@ def _hull(place, kind, module, mesh, known):
         shift = module.hull_moved(place, known)
         panels = panels.moved(*shift) if np.any(shift) else panels
     for finding in findings(panels):
-        print(f"{path}: {finding}", file=sys.stderr)
+        if finding.severity != "error":
+            print(f"{path}: {finding}", file=sys.stderr)
     return panels
 
 

@@ -4,9 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..common.fender_tables import causes_of, fender_of, pair_of, softest_and_stiffest, upright
+from mooring.criteria.failing import fails
+
+from ..common.fender_tables import (
+    beyond_batch,
+    causes_of,
+    fender_of,
+    on_dolphin,
+    own_strain,
+    pair_of,
+    softest_and_stiffest,
+    upright,
+)
 from ..common.picture import PLOTS, check_picture, save
 from ..common.quantities import StudyError
+from ..printing.verdict import tell
 
 KILO = 1e3
 ROWS = 11
@@ -35,9 +47,10 @@ def fender(table, strain, deflection, energy, output):
         _tell_inclined(table, pair, straight)
     if at is not None:
         _tell(pair, bands, at)
+    status = tell(() if at is None else _failures(table, alone, pair, at, energy))
     if output is not None:
         print(output)
-    return 0
+    return status
 
 
 def _compression(pair, strain, deflection, energy):
@@ -47,7 +60,7 @@ def _compression(pair, strain, deflection, energy):
             raise StudyError(f"--{key} is {value:g}; allowed: above 0, finite")
     if energy is not None:
         return pair.deflection_at_energy(KILO * energy)
-    at = deflection if strain is None else strain * pair.height
+    at = deflection if strain is None else pair.whole(strain * pair.height)
     if at is not None:
         pair.reaction(at)  # raises beyond the table
     return at
@@ -66,17 +79,20 @@ def _show(pair, bands, factors, causes, straight):
     console = new_console()
     table = Table(title=repr(pair)[1:-1])
     beside = ("reaction ×", "energy ×") if straight else ()
-    for name in ("strain %", "deflection m", "reaction kN", "energy kJ", "returned kJ", *beside):
+    behind = ("dolphin m",) if on_dolphin(pair) else ()
+    for name in ("strain %", "deflection m", *behind, "reaction kN", "energy kJ", "returned kJ", *beside):
         table.add_column(name, justify="right", no_wrap=True)
     for x in np.linspace(0.0, pair.limit, ROWS):
-        values = 100 * x / pair.height, x, pair.loading(x) / KILO, pair.energy(x) / KILO, pair.returned(x) / KILO
-        row = [f"{value:.{digits}f}" for value, digits in zip(values, (1, 3, 1, 1, 1), strict=True)]
+        places = 100 * pair.own(x) / pair.height, x, *([x - pair.own(x)] if behind else [])
+        forces = pair.loading(x) / KILO, pair.energy(x) / KILO, pair.returned(x) / KILO
+        row = [f"{v:.{n}f}" for v, n in zip(places, (1, 3, 3), strict=False)] + [f"{v:.1f}" for v in forces]
         shares = [f"{share:.3f}" for share in _shares(pair, straight, x)] if straight and x > 0 else ["–"] * len(beside)
         table.add_row(*row, *shares)
     console.print(table)
     lines = [
-        f"rated: {100 * pair.rated:.1f} %, {pair.rated_reaction / KILO:.1f} kN, {pair.rated_energy / KILO:.1f} kJ; "
-        f"allowable: {100 * pair.allowable:.1f} %; table to {100 * pair.limit / pair.height:.1f} %"
+        f"rated: {own_strain(pair, pair.rated * pair.height)}, {pair.rated_reaction / KILO:.1f} kN, "
+        f"{pair.rated_energy / KILO:.1f} kJ; "
+        f"allowable: {100 * pair.own_allowable:.1f} %; table to {own_strain(pair, pair.limit)}"
         + (", then overload" if pair.overload else ""),
         f"by {', '.join(causes)}: reaction × {factors[0]:.3f} (softest) to × {factors[1]:.3f} (stiffest), "
         f"{bands[0].rated_reaction / KILO:.1f} to {bands[1].rated_reaction / KILO:.1f} kN",
@@ -98,19 +114,29 @@ def _tell_inclined(table, pair, straight):
 def _tell(pair, bands, at):
     energy = float(pair.energy(at))
     print(
-        f"at {at:.4g} m ({100 * at / pair.height:.1f} %): {float(pair.reaction(at)) / KILO:.1f} kN, largest on the way "
+        f"at {at:.4g} m ({own_strain(pair, at)}): {float(pair.reaction(at)) / KILO:.1f} kN, largest on the way "
         f"{pair.largest_reaction(at) / KILO:.1f} kN, {energy / KILO:.1f} kJ"
     )
-    if at > pair.allowable * pair.height * (1 + 1e-9):
-        print(f"warning: that is beyond the allowable {100 * pair.allowable:.1f} %")
     words = []
     for name, one in zip(("softest", "stiffest"), bands, strict=True):
         if one.overload is None and energy > one.energy(one.limit):
             words.append(f"the {name} does not take it up")
         else:
             x = one.deflection_at_energy(energy)
-            words.append(f"the {name} at {100 * x / one.height:.1f} % with {one.largest_reaction(x) / KILO:.1f} kN")
+            words.append(f"the {name} at {own_strain(one, x)} with {one.largest_reaction(x) / KILO:.1f} kN")
     print(f"the same energy: {'; '.join(words)}")
+
+
+def _failures(table, alone, pair, at, energy):
+    """What fails at a deflection, m; energy : kJ, where it was asked for"""
+    strain = pair.own(at) / pair.height
+    if strain > pair.own_allowable * (1 + 1e-9):
+        yield fails(
+            f"the fender is pressed to {100 * strain:.4g} % of its height; allowable {100 * pair.own_allowable:.4g} %; "
+            "take a larger one or more of them"
+        )
+    if energy is not None:
+        yield from beyond_batch("energy asked for", KILO * energy, table, alone)
 
 
 def _draw(pair, bands, at, straight, output):

@@ -34,9 +34,11 @@ def animate(
     """
     from bem.database.results import has_schema
 
+    from ..printing.verdict import tell
     from ..simulate.file import is_run
     from ..single_point.command import SCHEMA as SINGLE_POINT
 
+    findings = []
     of_run = {"seed": seed, "start": start, "length": length, "step": step}
     regular = {
         "period": period,
@@ -60,9 +62,9 @@ def animate(
         from .of_database import film_of_database
 
         _check_none(of_run, "a simulation", file, "a database")
-        frames = film_of_database(file, output, **_given(regular))
+        frames, findings = film_of_database(file, output, **_given(regular))
     print(f"{output}: {frames} frames")
-    return 0
+    return tell(findings, remark="note: ")
 
 
 def _given(flags):

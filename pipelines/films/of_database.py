@@ -43,10 +43,8 @@ def film_of_database(path, output, period=None, omega=None, heading=180.0, heigh
     around = around_body(db, frequency(period, omega), math.radians(heading), fixed, given)
     amplitude = _amplitude(around, height)
     coloured = None if field is None else _pressure(db, path, around)
-    for line in remarks(around, db, given):
-        print(line)
     write_film(output, _frames(db, around, amplitude, coloured), FRAMES)
-    return FRAMES
+    return FRAMES, list(remarks(around, db, given))
 
 
 def _amplitude(around, height):

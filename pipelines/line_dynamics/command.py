@@ -19,6 +19,7 @@ from ..common.picture import PLOTS, check_picture
 from ..common.progress import duration as spoken
 from ..common.quantities import StudyError
 from ..common.units import KN
+from ..printing.verdict import tell
 from .figures import figures, judged_by_regime
 from .in_air import warn_of_air
 from .motion import course_of
@@ -96,11 +97,10 @@ def _run(study, text, folder, output, picture):
     written = _write(study, text, course, result, found, line, strength, output, picture)
     show(console, study.name, found, course, result, strength, line)
     noted = findings(found, result, strength, line)
-    for warning in [*dict.fromkeys(str(w.message) for w in (*left_out, *said)), *noted]:
-        console.print(f"warning: {warning}", style="yellow", highlight=False, soft_wrap=True)
+    status = tell([*(str(w.message) for w in (*left_out, *said)), *noted], console)
     for path in written:
         console.print(f"written: {path}", highlight=False, soft_wrap=True)
-    return 0
+    return status
 
 
 def frames_of(study, course):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from mooring.criteria.failing import fails
+
 from ..common.units import KN
 from .figures import LOSSES
 
@@ -107,9 +109,10 @@ def findings(found, result, strength, line):
     anywhere = max(ends, result.largest_tension.max())
     used = strength.most_used(line, result)
     if used is not None and used.share > 1:
-        yield (
-            f"the tension{_of_segment(used, strength)} is {used.tension / KN:.0f} kN at t = {used.time:.2f} s, the "
-            f"breaking load {used.breaking / KN:.0f} kN: the line parts"
+        yield fails(
+            f"the tension{_of_segment(used, strength)} is {used.tension / KN:.0f} kN at t = {used.time:.2f} s, "
+            f"{100 * used.share:.4g} % of the breaking load {used.breaking / KN:.0f} kN: the line parts; give a "
+            "stronger type or a longer line"
         )
     if anywhere > (1 + INSIDE) * ends:
         when = result.time[np.argmax(result.largest_tension)]
@@ -127,7 +130,7 @@ def findings(found, result, strength, line):
         )
     if abs(found.imbalance) > BALANCE * found.exchanged > 0:
         share = abs(found.imbalance) / found.exchanged
-        yield (
+        yield fails(
             f"{share:.1%} of the work that goes in and out is neither lost nor stored, allowed {BALANCE:.0%}; give a "
             "smaller tolerance"
         )

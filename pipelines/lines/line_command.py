@@ -6,9 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mooring.criteria.failing import fails
+
 from ..common.picture import PLOTS, check_picture, save
 from ..common.quantities import DEEPEST, HEAVIEST, LONGEST, ROUGHEST, StudyError
 from ..common.units import KN, TONF
+from ..printing.verdict import tell
 from .overloads import LONGEST_STRAIN
 
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
@@ -118,9 +121,10 @@ def line(
     _show(one, span, found)
     if characteristic:
         _show_characteristic(one, span)
+    status = tell(_overloads(one, found))
     if output is not None:
         print(output)
-    return 0
+    return status
 
 
 def _check_flags(**given):
@@ -183,15 +187,19 @@ def _show(one, span, found):
         used = 100 * float(found.tension_fairlead) / kind.breaking_load
         rows += [("breaking load", kind.breaking_load / KN, "kN", ""), ("used of the breaking load", used, "%", "")]
     new_console().print(values_table(kind.name, rows))
-    largest = max(found.tension_fairlead, found.tension_anchor)
+
+
+def _overloads(one, found):
+    largest = float(max(found.tension_fairlead, found.tension_anchor))
     if largest > one.type.breaking_load:
-        print(
-            f"warning: the tension is {_kN(largest)}, the breaking load {_kN(one.type.breaking_load)}: the line parts"
+        yield fails(
+            f"the tension is {_kN(largest)}, {100 * largest / one.type.breaking_load:.4g} % of the breaking load "
+            f"{_kN(one.type.breaking_load)}: the line parts; give a stronger type, a longer line or a shorter span"
         )
-    strain = float(largest) / one.type.axial_stiffness
+    strain = largest / one.type.axial_stiffness
     if strain > LONGEST_STRAIN:
-        print(
-            f"warning: the line is {100 * strain:.3g} % longer than unstretched, limit {100 * LONGEST_STRAIN:g} %, "
+        yield fails(
+            f"the line is {100 * strain:.3g} % longer than unstretched, limit {100 * LONGEST_STRAIN:g} %, "
             "where any rope parts; give a longer line or a shorter span"
         )
 

@@ -11,12 +11,14 @@ import numpy as np
 
 from bem import DOFS
 from bem.database.file import check_place
+from mooring.criteria.failing import fails
 
 from ..common.bounds import MOST, Pace, check_seconds, told
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
 from ..common.quantities import StudyError
 from ..common.units import KN
+from ..printing.verdict import tell
 from .characteristic import percent, show_characteristic
 from .loose import check_alone, rests, show_loose, without_lines
 from .overloads import overloads
@@ -80,10 +82,7 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
         write_moordyn(exported, moordyn)
         written.append(moordyn)
     _show_rest(console, state)
-    for warning in said:
-        console.print(f"warning: {warning.message}", style="yellow", highlight=False, soft_wrap=True)
-    for text in (*lines_in_air(state), *overloads(state, curves, losses)):
-        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+    found = [*(str(warning.message) for warning in said), *lines_in_air(state), *overloads(state, curves, losses)]
     if name is not None:
         _show_stiffness(console, state, name)
     if curves:
@@ -95,12 +94,11 @@ def lines(file, body, force, depth, offset, directions, characteristic, broken, 
     if database is not None:
         from mooring.studies.places import off_the_mesh
 
-        for text in off_the_mesh(system, name, db.mesh):
-            console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
-        _show_periods(console, state, name, db)
+        found += [*off_the_mesh(system, name, db.mesh), *_show_periods(console, state, name, db)]
+    status = tell(found, console)
     for path in written:
         console.print(f"written: {path}", highlight=False, soft_wrap=True)
-    return 1 if any(isinstance(left, Exception) for left in losses.values()) else 0
+    return status
 
 
 @contextmanager
@@ -274,6 +272,7 @@ def _show_losses(console, state, losses, name):
 
 
 def _show_periods(console, state, name, db):
+    """Print them; a line where the body is unstable"""
     from mooring.studies.natural_periods import moored_periods
 
     periods = moored_periods(state, name, db)
@@ -281,6 +280,8 @@ def _show_periods(console, state, name, db):
     for mode, period in zip(periods.names, periods.period, strict=True):
         table.add_row(mode, f"{period:.2f}")
     console.print(table)
+    unstable = [mode for mode, period in zip(periods.names, periods.period, strict=True) if np.isnan(period)]
+    return [fails(f"unstable on its lines: {', '.join(unstable)}; the body needs more restoring")] if unstable else []
 
 
 def _moordyn_file(system, path, source):

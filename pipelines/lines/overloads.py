@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from mooring.criteria.failing import fails
 from mooring.lines.system.findings import LONGEST_STRAIN, beyond_tables, strains
 from mooring.response.findings import LINES_NAMED, some
 
 
 def overloads(state, curves=(), losses=None):
-    """Lines above their breaking load or table, or stretched by more than a half: at rest, at offsets, a line broken.
+    """What fails of lines, and remarks, at rest, at offsets, with a line broken: above the breaking load, stretched by
+    more than a half, without an equilibrium; beyond their table.
 
     state : SystemEquilibrium; curves : OffsetCurves of it
     losses : {line: SystemEquilibrium without it, or an exception}
@@ -21,7 +23,9 @@ def overloads(state, curves=(), losses=None):
         largest, used = np.fmax.reduce(curve.tension), np.fmax.reduce(curve.utilisation)
         yield from _of_one(where, state.system, largest, used)
     for lost, left in (losses or {}).items():
-        if not isinstance(left, Exception):
+        if isinstance(left, Exception):
+            yield fails(f"after the loss of {lost} there is no equilibrium: {left}")
+        else:
             yield from _of_one(f"after the loss of {lost}", left.system, left.tension, left.lines.utilisation)
 
 
@@ -29,7 +33,7 @@ def _missed(curve):
     """Of offsets without an equilibrium: which, and why at the nearest"""
     if curve.missed:
         nearest = min(curve.missed, key=abs)
-        yield (
+        yield fails(
             f"{curve.body} cannot be held at {len(curve.missed)} of {len(curve.offset)} offsets along "
             f"{np.degrees(curve.direction):g}°, the nearest {nearest:g} m: {curve.missed[nearest]}, or give a smaller "
             "--offset"
@@ -40,13 +44,13 @@ def _of_one(where, system, tension, used):
     """tension : (n,) N, the larger of both ends; used : (n,) share of the breaking load"""
     broken = _named(system, used, 1.0)
     if broken:
-        yield (
+        yield fails(
             f"{where}, tension in % of the breaking load: {broken}; limit 100 %, there a line parts; "
             "give a stronger type or a longer line"
         )
     stretched = _named(system, strains(system, tension), LONGEST_STRAIN)
     if stretched:
-        yield (
+        yield fails(
             f"{where}, stretched by: {stretched}; limit {100 * LONGEST_STRAIN:g} %, where any rope parts; "
             "give a longer line or a nearer anchor"
         )

@@ -6,10 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mooring.criteria.failing import fails
 from mooring.loads.morison import member_force
 
 from ..common.bounds import told
 from ..common.picture import PLOTS, check_picture, save
+from ..printing.verdict import tell
 from .study import placed, read_study, wave_of, wind_on
 
 PHASES = 360  # of a wave
@@ -29,7 +31,7 @@ class Course(NamedTuple):
 
 
 def members(path, plot):
-    """Print a study of members, draw it to `plot`; 0.  Raises ValueError, one line."""
+    """Print a study of members, draw it to `plot`; returns the exit status.  Raises ValueError, one line."""
     if plot is not None:
         check_picture(plot, PLOTS)
     study = read_study(path)
@@ -39,12 +41,12 @@ def members(path, plot):
     told(f"{len(standing)} members take", A_MEMBER * len(standing))
     courses = [course(one, wave, phases, study.water.density) for one in standing]
     _show(courses, wind, phases, wave)
-    for line in remarks(standing, courses, wave):
-        print(line)
     if plot is not None:
         _draw(courses, wind, phases, plot)
+    status = tell(remarks(standing, courses, wave), remark="")
+    if plot is not None:
         print(plot)
-    return 0
+    return status
 
 
 def course(member, wave, phases, density):
@@ -88,9 +90,10 @@ def remarks(standing, courses, wave):
         yield f"warning: {', '.join(dry)}: no force, or never in the water; z goes up from still water"
     wide = [one.name for one in standing if wave.amplitude > 0 and one.section.width > SLENDER * length]
     if wide:
-        yield (
-            f"warning: {', '.join(wide)}: wider than {SLENDER:g} of the wave's {length:.3g} m; it scatters the wave: "
-            "solve it by hakobune box or buoy"
+        widest = max(one.section.width for one in standing)
+        yield fails(
+            f"{', '.join(wide)}: {widest:.3g} m wide, limit {SLENDER:g} of the wave's {length:.3g} m; it scatters the "
+            "wave: solve it by hakobune box or buoy"
         )
     if wave.amplitude > 0:
         alone = "" if wave.current is None else ", as without the current"

@@ -121,6 +121,7 @@ def _put(file, name, value, unit):
 
 def _show(result, first, resonant, output):
     from ..printing.console import new_console
+    from ..printing.verdict import tell
 
     console = new_console()
     for text in first:
@@ -145,8 +146,7 @@ def _show(result, first, resonant, output):
         highlight=False,
         soft_wrap=True,
     )
-    for text in result.warnings[len(first) :]:
-        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+    tell(result.warnings[len(first) :], console)
     if output is not None:
         console.print(f"written: {output}, {output.stem}_plan.png", highlight=False, soft_wrap=True)
 

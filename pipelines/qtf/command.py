@@ -45,9 +45,10 @@ def qtf(
     from bem.second_order.stored import Held
 
     from ..common.picture import PLOTS, check_picture
+    from ..printing.verdict import tell
     from .problem import METHODS
     from .question import Question, waves_and_sums_of, waves_of
-    from .report import told
+    from .report import failures, told
 
     if plot is not None:
         check_picture(plot, PLOTS)
@@ -74,9 +75,10 @@ def qtf(
         draw(stored.forces, db, stored.held.floats, plot)
     for line in told(stored, db):
         print(line)
+    status = tell(failures(stored))
     if plot is not None:
         print(plot)
-    return 0
+    return status
 
 
 def _answer(db, question, moored, fresh):

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from bem.second_order.kinds import SUM
+from mooring.criteria.failing import fails
 
+APART = 0.05  # of the largest mean drift, that pressure and far field may differ by
 NAMES = ("surge", "sway", "yaw")
 MODES = [0, 1, 5]
 ALL = ("surge", "sway", "heave", "roll", "pitch", "yaw")
@@ -31,6 +33,16 @@ def diagonal_gap(forces):
     return float(np.abs(forces.added[:, h, h][..., :2]).max() / max(np.abs(drift).max(), 1e-300))
 
 
+def failures(stored):
+    """What fails of `StoredForces`: mean drift by pressure that is not that of the far field"""
+    gap = None if stored.forces.kind is SUM else diagonal_gap(stored.forces)
+    if gap is not None and gap > APART:
+        yield fails(
+            f"mean drift by pressure differs from that of the far field by {100 * gap:.2g} % of the largest, limit "
+            f"{100 * APART:g} %; more panels bring them together"
+        )
+
+
 def told(stored, db):
     """Lines of text about `StoredForces` of an opened database"""
     forces, share = stored.forces, stored.share
@@ -46,7 +58,7 @@ def told(stored, db):
     if gap is not None:
         yield (
             f"mean drift on the diagonal is that of the far field; by pressure it differs by {100 * gap:.2g} % of the "
-            "largest" + ("; more panels bring them together" if gap > 0.05 else "")
+            "largest"
         )
     yield "root mean square over frequencies, kN/m² (yaw MN m/m²), by Newman's rule and with each next part:"
     last = "" if forces.surface is None else "  + surface"

@@ -33,6 +33,7 @@ def response(
     from ..common.quantities import StudyError
     from ..common.resonances import resonance_lines, underdamped
     from .effort import check_effort
+    from .report import failures as response_failures
     from .study import files_of, read_response_study
 
     read, text = read_response_study(study)
@@ -68,8 +69,10 @@ def response(
     found = resonances(body)
     warned += resonance_lines([one for one in found if underdamped(one)])
     noted = resonance_lines([one for one in found if not underdamped(one)])
-    _write(read, result, body.radius, points, (noted, warned), text, database, output, plot, held)
-    return 0
+    stiffness = body.stiffness if held is None else held.stiffness
+    warned += () if held is None else held.failures
+    warned += response_failures(result, stiffness, read.climate and read.climate.years)
+    return _write(read, result, body.radius, points, (noted, warned), text, database, output, plot, held)
 
 
 def gap_of(db):
@@ -148,7 +151,7 @@ def _write(read, result, radius, points, said, text, database, output, plot, hel
         from .plot import draw
 
         draw(result, plot)
-    response_report.show(rows, points, lines, warned, [path for path in (output, plot) if path], held)
+    return response_report.show(rows, points, lines, warned, [path for path in (output, plot) if path], held)
 
 
 def _check_places(output, plot, *inputs):

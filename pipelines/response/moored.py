@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mooring.criteria.failing import failing
+
 from ..common.quantities import StudyError
 from ..common.weather.gusts import gusts_of
 
@@ -25,10 +27,13 @@ COLUMNS = {
 
 
 class Moored(NamedTuple):
-    """motion : `mooring.studies.slow_motion.SlowMotion`; notes : one line each"""
+    """motion : `mooring.studies.slow_motion.SlowMotion`; notes, failures : one line each, failures of lines and body by
+    the simplified method; stiffness : (6, 6) N/m … of water and lines"""
 
     motion: object
     notes: tuple[str, ...]
+    failures: tuple[str, ...]
+    stiffness: np.ndarray
 
     def csv(self):
         """Comment lines of a CSV file"""
@@ -89,7 +94,8 @@ def moored(path, read, db, sea, duration, points):
         notes.append(f"waves of {path} are left out: those of the response study are taken")
     if np.isfinite(db.water_depth):
         notes += _of_bound_waves(spectrum, db)
-    return Moored(found, (*notes, *viscous_words(held, laws, damping)))
+    told = (*notes, *viscous_words(held, laws, damping))
+    return Moored(found, told, tuple(failing(statics.warnings)), held.stiffness)
 
 
 def _of_bound_waves(spectrum, db):

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bem import DOFS
+from mooring.criteria.failing import fails
 from mooring.response.findings import large_rotations
 from mooring.response.long_term import YEAR
 from mooring.response.points import KeelPoint, Point, keel_name, relative_name
@@ -14,6 +15,7 @@ from mooring.response.return_period import probability_not_exceeded
 from mooring.response.sea_state import TINY
 
 from ..common.units import KN
+from ..printing.verdict import tell
 
 RAD = {"rad": ("°", 180 / np.pi)}
 FRACTILE = 0.9
@@ -72,6 +74,45 @@ def turned(rows):
     return large_rotations({name: value for name, unit, value in angles if name.upper() in MOTIONS and unit == "°"})
 
 
+def failures(result, stiffness, years=None):
+    """What fails of a SeaState, or of a Climate in `years`: a body that capsizes, water at a deck, a keel on the bed
+
+    stiffness : (6, 6) restoring of the body, N m/rad, with its mooring, or None
+    """
+    for mode in (3, 4):
+        if stiffness is not None and stiffness[mode, mode] < 0:
+            yield fails(
+                f"the body capsizes: its restoring in {DOFS[mode].lower()} is {stiffness[mode, mode] / KN:.4g} kN m/rad"
+                ", limit 0; lower its centre of gravity or make it wider"
+            )
+    for word, gaps, way_out in (
+        ("air gap at", _air_gaps(result, years), "give more freeboard"),
+        ("under keel, at", _keel_gaps(result, years), "give more water or less draft"),
+    ):
+        for name, (gap, left) in gaps.items():
+            if left < 0:
+                yield fails(f"{word} {name}: {left:.3g} of {gap:.3g} m are left, limit 0; {way_out}")
+
+
+def _air_gaps(result, years):
+    """{point: (clearance, m left)} by the largest rise expected, or once in `years`"""
+    if years is None:
+        return {name: found[:2] for name, found in result.air_gaps().items()}
+    points = [p for p in result.points if isinstance(p, Point) and p.clearance is not None]
+    return {p.name: _left_in_years(result, relative_name(p), p.clearance, years) for p in points}
+
+
+def _keel_gaps(result, years):
+    if years is None:
+        return {name: found[:2] for name, found in result.under_keel().items()}
+    points = [p for p in result.points if isinstance(p, KeelPoint)]
+    return {p.name: _left_in_years(result, keel_name(p), p.gap, years) for p in points}
+
+
+def _left_in_years(result, name, gap, years):
+    return gap, gap - result.long_term(name).level(years * YEAR)
+
+
 def notes(result, radius, years=None):
     """Lines on drift, air gap and duration, without markup; radius : m, of the hull, the lever of its forces"""
     if years is None:
@@ -88,7 +129,8 @@ def notes(result, radius, years=None):
 
 
 def show(rows, points, lines, warned, written, held=None):
-    """Print the table, that of a `moored.Moored`, lines of `notes`, warnings and the names of the files written."""
+    """Print the table, that of a `moored.Moored`, lines of `notes`, warnings, what fails and the names of the files
+    written; returns the exit status."""
     from rich.box import SIMPLE
     from rich.table import Table
 
@@ -107,10 +149,10 @@ def show(rows, points, lines, warned, written, held=None):
         held.show(console)
     for line in lines:
         console.print(line, highlight=False, soft_wrap=True)
-    for text in warned:
-        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+    status = tell(warned, console)
     if written:
         console.print(f"written: {', '.join(map(str, written))}", highlight=False, soft_wrap=True)
+    return status
 
 
 def _groups(names, points):

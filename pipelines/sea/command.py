@@ -12,6 +12,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from meshing.text_files import LARGEST
+from mooring.criteria.failing import fails
 
 from ..common.bounds import check_memory, check_seconds, told, whole_number
 from .flags import ReadingFlags, RecordFlags, SpectrumFlags
@@ -69,8 +70,7 @@ def sea(
         from .plot import draw
 
         draw(found, plot)
-    show(found, [str(w.message) for w in caught], [path for path in (record.record, output, plot) if path])
-    return 0
+    return show(found, [str(w.message) for w in caught], [path for path in (record.record, output, plot) if path])
 
 
 def _check_places(file, table, record, output, plot):
@@ -105,7 +105,7 @@ def _analysed(file, spectrum, record, reading):
     estimated = estimate(read.elevation, read.step, reading.segment)
     waves = zero_crossings(read.elevation, read.step)
     for line in faults(read.elevation, read.step, waves.mean_period):
-        warnings.warn(line, stacklevel=2)
+        warnings.warn(fails(line), stacklevel=2)
     title = f"{file}: {len(read.elevation)} values at {read.step:g} s, {len(waves)} waves"
     return Findings(title, estimated.spectrum(file.stem), read, waves, estimated, analysed=True)
 
@@ -255,8 +255,10 @@ def _warn_of_long_steps(spectrum, step):
     beyond = 1 - spectrum.moment(0, 0.0, np.pi / step) / spectrum.moment(0)
     if beyond > 0.01:
         warnings.warn(
-            f"step {step:g} s is longer than half the period of {100 * beyond:.1f} % of the energy; "
-            "allowed: 1 %; give a shorter --step",
+            fails(
+                f"step {step:g} s is longer than half the period of {100 * beyond:.1f} % of the energy; "
+                "allowed: 1 %; give a shorter --step"
+            ),
             stacklevel=2,
         )
 

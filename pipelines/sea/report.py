@@ -10,6 +10,7 @@ from mooring.environment.periods import KINDS, WORDS
 from mooring.environment.spectrum import Tabulated
 
 from ..common.outputs import opening
+from ..printing.verdict import tell
 
 WAVES = 1000  # whose expected maximum is printed for a spectrum without a record
 ROWS = 1000  # of a spectrum that is written
@@ -17,7 +18,7 @@ SHARES = (1e-6, 1 - 1e-4)  # of its energy that lie below the first and the last
 
 
 def show(found, warned, written):
-    """Print Findings, warnings and the names of the files written."""
+    """Print Findings, warnings, what fails and the names of the files written; returns the exit status."""
     from ..printing.console import new_console
 
     console = new_console()
@@ -26,10 +27,10 @@ def show(found, warned, written):
         console.print(line)
     for line in found.notes:
         console.print(line, highlight=False, soft_wrap=True)
-    for text in warned:
-        console.print(f"warning: {text}", style="yellow", highlight=False, soft_wrap=True)
+    status = tell(warned, console)
     if written:
         console.print(f"written: {', '.join(map(str, written))}", highlight=False, soft_wrap=True)
+    return status
 
 
 def write_spectrum(path, found):

@@ -40,6 +40,7 @@ from ..common.outputs import check_folder
 from ..common.quantities import StudyError
 from ..common.units import KGF
 from ..scene.scene import make_scene
+from .databases import whole_database
 
 TABLE = Path(__file__).parent / "appendix_1.csv"
 DEPTH, PERIOD, SPAN = 1.2, 2.19, 7.1  # m, s, m
@@ -336,17 +337,9 @@ def _is(one, variant, source):
 
 
 def _database(model, folder, fresh):
-    from ..solve.run import solve
-
-    path = folder / f"{model}.h5"
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of M3B's printed radius of gyration in yaw, larger than a body can have
-        outcome = solve(make_scene(scene_of(model)), path, fresh=fresh)
-    if outcome.interrupted:
-        raise KeyboardInterrupt
-    if outcome.exit_status:
-        raise StudyError(f"{path} is not whole: not all frequencies are stored; see hakobune check {path}")
-    return path
+        return whole_database(make_scene(scene_of(model)), folder / f"{model}.h5", fresh)
 
 
 def _of_rest(one):

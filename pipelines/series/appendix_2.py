@@ -40,7 +40,7 @@ from ..scene.scene import make_scene
 from ..single_point.running import run
 from ..single_point.study import make
 from ..single_point.tables import make_study
-from ..solve import run as solving
+from .databases import whole_database
 from .single_point import is_table
 
 TABLE = Path(__file__).parent / "appendix_2.csv"
@@ -279,11 +279,7 @@ def write_table(path, found):
 
 
 def _database(wide, folder, fresh):
-    path = folder / f"M3B_Bd{wide}.h5"
-    outcome = solving.solve(scene_of(wide), path, fresh=fresh)
-    if outcome.interrupted:
-        raise KeyboardInterrupt
-    return open_database(path)
+    return open_database(whole_database(scene_of(wide), folder / f"M3B_Bd{wide}.h5", fresh))
 
 
 def _hawser(record):

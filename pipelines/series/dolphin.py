@@ -31,8 +31,8 @@ from ..common.quantities import StudyError
 from ..common.units import KNOT, TONF
 from ..moor.quay import REFUSED, by_far_field
 from ..scene.scene import make_scene
-from ..solve import run as solving
 from . import dolphin_simulated
+from .databases import whole_database
 from .single_point_cases import FLOATERS
 
 DEPTHS = {"A": (12.0, 14.0, 20.0, 50.0), "B": (40.0, 100.0)}
@@ -80,11 +80,8 @@ def make_series(folder, fresh, gap=None):
         for depth in depths:
             wall = None if gap is None else 0.5 * FLOATERS[floater].beam + gap
             path = paths[floater, depth] = folder / f"{floater}_{depth:g}m_beam.h5"
-            outcome = solving.solve(scene_of(floater, depth), path, fresh=fresh)
-            if outcome.interrupted:
-                raise KeyboardInterrupt
-            console.print(f"{path}: {outcome.stored} of {outcome.total} frequencies", highlight=False, markup=False)
-            db = open_database(path)
+            db = open_database(whole_database(scene_of(floater, depth), path, fresh))
+            console.print(f"{path}: {len(db.omega)} frequencies", highlight=False, markup=False)
             rows += rows_of(floater, depth, db)
             if wall is not None:
                 body, told = by_far_field(db, wall)

@@ -11,12 +11,15 @@ import numpy as np
 import tomli_w
 
 from meshing.whole_files import write_whole
+from mooring.criteria.failing import fails
 
 from ..common.outputs import check_folder
 from ..common.quantities import StudyError
 from ..common.units import TONF
+from ..printing.verdict import tell
 from ..simulate.report import DEEP, SHALLOW
 from . import multi_point_statistics as statistics
+from .databases import whole_database
 from .multi_point_cases import FLOATERS, STRENGTH, cases, scene, study
 
 MOST_SEEDS, LONGEST = 100, 24.0  # h
@@ -104,8 +107,9 @@ def make_series(folder, only, seeds, hours, fresh):
             console.print(line, highlight=False, soft_wrap=True, markup=False)
     for line in statements(results):
         console.print(line, highlight=False, soft_wrap=True, markup=False)
+    status = tell((fails(f"{one.case.name}: {note}") for one in results for note in one.notes), console)
     console.print(f"written: {', '.join(map(str, written))}", highlight=False, soft_wrap=True, markup=False)
-    return int(any(one.notes for one in results))
+    return status
 
 
 def computed(case, database, folder, hours, seeds):
@@ -166,14 +170,8 @@ def _printed_table(chosen, databases, hours):
 def _solved(case, path, fresh):
     """The path of the database of a case, solved where it is not there"""
     from ..scene.scene import make_scene
-    from ..solve.run import solve
 
-    outcome = solve(make_scene(scene(case)), path, fresh=fresh)
-    if outcome.interrupted:
-        raise KeyboardInterrupt
-    if outcome.exit_status:
-        raise StudyError(f"{path} is not whole: not all frequencies are stored; see hakobune check {path}")
-    return path
+    return whole_database(make_scene(scene(case)), path, fresh)
 
 
 def _slow_motion(raw, database):

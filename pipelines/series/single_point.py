@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 
 from bem.database import open_database
 from meshing.whole_files import write_whole
+from mooring.criteria.failing import fails
 from mooring.single_point.equilibria import equilibria
 from mooring.single_point.scope import length_without_uplift, peak, significant
 
@@ -20,11 +21,12 @@ from ..common.outputs import check_folder, check_output, opening
 from ..common.quantities import StudyError
 from ..common.units import TONF
 from ..common.weather.seas import sea_of
+from ..printing.verdict import tell
 from ..single_point.report import preferred
 from ..single_point.running import run
 from ..single_point.study import make
 from ..single_point.tables import make_study
-from ..solve import run as solving
+from .databases import whole_database
 from .single_point_cases import FLOATERS, read_cases, scene_of, study_of
 from .single_point_charts import draw, statements, trends
 
@@ -74,9 +76,13 @@ def make_series(folder, cases_path, only, seeds, fresh):
     written += draw(results, folder)
     for line in (*statements(results), *trends(results)):
         console.print(line, highlight=False, soft_wrap=True, markup=False)
+    status = tell(
+        (fails(f"{one.case.name} has no static answer: {one.note}") for one in results if np.isnan(one.static_ton)),
+        console,
+    )
     for path in written:
         console.print(f"written: {path}", highlight=False, soft_wrap=True, markup=False)
-    return int(any(np.isnan(one.static_ton) for one in results))
+    return status
 
 
 def solved(cases, folder, fresh, console):
@@ -85,11 +91,9 @@ def solved(cases, folder, fresh, console):
     for case in cases:
         if case.database not in made:
             path = folder / f"{case.database}.h5"
-            outcome = solving.solve(scene_of(case), path, fresh=fresh)
-            if outcome.interrupted:
-                raise KeyboardInterrupt
-            made[case.database] = open_database(path)
-            console.print(f"{path}: {outcome.stored} of {outcome.total} frequencies", highlight=False, markup=False)
+            made[case.database] = open_database(whole_database(scene_of(case), path, fresh))
+            count = len(made[case.database].omega)
+            console.print(f"{path}: {count} frequencies", highlight=False, markup=False)
     return made
 
 

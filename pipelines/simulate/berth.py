@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from mooring.criteria.failing import fails
+
 from .file import SUMMARY
 
 PLANE = {"surge": 0, "sway": 1, "yaw": 5}
@@ -44,25 +46,29 @@ def lines_on_periods(periods, harbour):
 
 
 def lines_on_fenders(file, fenders):
-    """A line on the most strained fender, and findings on those beyond what they may be strained
+    """A line on the most strained fender, and what fails: those beyond what they may be strained
+
+    Strains are of the fenders themselves, without what a dolphin behind them yields.
 
     file : open, of a simulation; fenders : sequence of `mooring.motion.contacts.QuayFender`
     """
     names, strained = list(file["quantity"].asstr()[()]), []
     for one in fenders:
         row = dict(zip(SUMMARY, file["summary"][names.index(f"deflection {one.name}")], strict=True))
-        strained.append((row["largest"] / one.fender.height, one))
+        strained.append((one.fender.own(row["largest"]) / one.fender.height, one))
     if not strained:
         return "", []
-    share, most = max(strained, key=lambda pair: pair[0] / pair[1].fender.allowable)
+    share, most = max(strained, key=lambda pair: pair[0] / pair[1].fender.own_allowable)
     told = (
         f"fenders: {most.name} is strained most, to {100 * share:.3g} % of its height; allowed: "
-        f"{100 * most.fender.allowable:.3g} %"
+        f"{100 * most.fender.own_allowable:.3g} %"
     )
     return told, [
-        f"{one.name} is pressed to {100 * share:.3g} % of its height; allowed: {100 * one.fender.allowable:.3g} %; "
-        "take a larger one or more of them"
-        for share, one in strained if share > one.fender.allowable
+        fails(
+            f"{one.name} is pressed to {100 * share:.4g} % of its height; allowed: "
+            f"{100 * one.fender.own_allowable:.4g} %; take a larger one or more of them"
+        )
+        for share, one in strained if share > one.fender.own_allowable
     ]  # fmt: skip
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from bem.database.integrity import DatabaseError
+from mooring.criteria.failing import fails
 
 from .file import opened, summary_is_whole, whole_rows
 
@@ -16,13 +17,13 @@ def check_run(path, say):
             whole, marked, seeds = whole_rows(file), file["stored"][()] != 0, file["seed"][()]
             summed = summary_is_whole(file) or not whole.any()
     except DatabaseError as error:
-        say(str(error))
+        say(fails(str(error)))
         return 1
     say(f"{path}: {whole.sum()} of {len(seeds)} seeds are stored and are what was written, by their checksums")
     for chosen, text in ((marked & ~whole, "damaged"), (~marked, "missing")):
         if chosen.any():
             named = ", ".join(map(str, seeds[chosen][:10])) + (" …" if np.count_nonzero(chosen) > 10 else "")
-            say(f"{text}: seeds {named}; the command that made the file makes them again")
+            say(fails(f"{text}: seeds {named}; the command that made the file makes them again"))
     if not summed:
-        say("damaged: the statistics over all seeds; the command that made the file makes them again")
+        say(fails("damaged: the statistics over all seeds; the command that made the file makes them again"))
     return 0 if whole.all() and summed else 1

@@ -6,11 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
+from mooring.criteria.failing import fails
+
 from ..common.quantities import StudyError
 from ..common.weather.gusts import gusts_of
 from ..executors.choice import executor_of
 from ..moor.quay import body_of
 from ..moor.study import read_study
+from ..printing.verdict import tell
 from . import berth, report
 from .file import is_run, opened, whole_rows
 from .methods import methods_table
@@ -23,7 +26,7 @@ NOTHING = "interrupted before a seed was finished; nothing is stored yet, the sa
 
 def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local", windows=None,
              methods=False, division=None):  # fmt: skip
-    """Exit status of the command: 0, 1 with a seed that failed, 130 interrupted.  Raises ValueError before anything.
+    """Exit status: 0, 1 where a seed, a line or a fender fails, 130 interrupted.  Raises ValueError before anything.
 
     windows : s, of which the first record is told one by one
     methods, division : of `methods.methods_table`
@@ -45,19 +48,18 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
         workers.shutdown(wait=False, cancel_futures=True)
     if not outcome.made and not outcome.failures:
         console.print("nothing was left to do", highlight=False)
+    status = 0
     with opened(output) as file:
         if whole_rows(file).any():
             drawn = draw(file, Path(output))
-            _show(console, file, study, database, outcome.findings)
+            status = _show(console, file, study, database, outcome.findings)
             if windows is not None:
                 console.print(berth.windows_table(file, windows))
             if methods:
                 console.print(_methods(file, study, database, division))
             words = ", ".join([str(output), *drawn])
             console.print(f"written: {words}", highlight=False, soft_wrap=True, markup=False)
-    for seed, reason in outcome.failures:
-        console.print(f"seed {seed} failed: {reason}", highlight=False, soft_wrap=True, markup=False, style="red")
-    return 1 if outcome.failures else 0
+    return tell((fails(f"seed {seed}: {reason}") for seed, reason in outcome.failures), console) or status
 
 
 def _has_seeds(output):
@@ -97,8 +99,9 @@ def _show(console, file, study, database, findings):
     if beside is not None:
         state = beside.at_equilibrium
         periods = {n: v for n, v in zip(state.names, state.period, strict=True) if n in ("Surge", "Sway", "Yaw")}
-    whole = report.findings(file, periods, wave_period if np.isfinite(wave_period) else None)
-    report.show(console, file, beside, [*findings, *more, *whole, *_of_slow_motion(file, beside, study, database)])
+    whole = [*report.findings(file, periods, wave_period if np.isfinite(wave_period) else None)]
+    whole += _of_slow_motion(file, beside, study, database)
+    return report.show(console, file, beside, [*findings, *more, *whole])
 
 
 def _of_slow_motion(file, beside, study, database):

@@ -6,6 +6,8 @@ import tomllib
 
 import numpy as np
 
+from mooring.criteria.failing import fails
+from mooring.criteria.overuse import HELP
 from mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
 from mooring.response.findings import LINES_NAMED, some
 
@@ -16,8 +18,6 @@ OF_LINES = "left out: inertia and drag"  # what `mooring.motion.simulation.trial
 MOVE = (
     "let the lines move first (dynamic_lines): snaps of static lines are no reason for a larger size or more pretension"
 )
-HELP = "give a stronger type, a longer line or less pretension"
-
 
 def largest_in_runs(file, kind):
     """(runs, q) largest in each run of the quantities of a kind, as "tension", and the (q,) names of what has them"""
@@ -34,7 +34,7 @@ def used_in_runs(file):
 
 
 def overloads(file, allowable=None):
-    """Lines and ropes that part, or use more than is allowable, in any run, with the number of such runs
+    """What fails of lines and ropes: those that part, or use more than is allowable, in any run, and in how many
 
     allowable : share of the breaking load in place of the study's, 1 where others judge what lines use
     """
@@ -49,7 +49,7 @@ def overloads(file, allowable=None):
         named = [f"{names[i]} {100 * most[i]:.4g} % in {counts[i]} of {len(used)} runs" for i in order]
         if named:
             way = MOVE if any(line.startswith(OF_LINES) for line in told(file)) else HELP
-            yield f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}"
+            yield fails(f"{len(named)} of {len(names)} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}")
 
 
 def notes(file):

@@ -10,6 +10,7 @@ from bem import DOFS
 from mooring.motion.extremes import CONFIDENCE
 
 from ..common.units import KN
+from ..printing.verdict import tell
 from .file import LEFT_OUT, SUMMARY, first_what_is_left_out, whole_rows
 from .file import told as file_told
 from .over_runs import differ, notes, overloads, rare_findings, used_in_runs
@@ -28,7 +29,7 @@ LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 rep
 
 
 def show(console, file, beside, findings):
-    """Print the tables of an open file; beside : MultiPoint of the same study, or None"""
+    """Print the tables of an open file and findings; beside : MultiPoint of the same study, or None.  Exit status."""
     told = int(whole_rows(file).sum())
     hours = float(file.attrs["duration"]) / 3600
     title = f"{told} seed{'s' * (told != 1)} of {hours:.4g} h; amplitudes of maxima from the mean"
@@ -39,12 +40,12 @@ def show(console, file, beside, findings):
     console.print(statistics_table(file, title))
     if len(file["line"]):
         console.print(lines_table(file, beside))
-    findings = [*findings, *overloads(file)]
     split = f"σ slow and σ wave lie below and above {file.attrs['split_frequency']:.4g} rad/s"
     chosen = [line for line in file_told(file) if line not in first]
-    warnings = (f"warning: {line}" for line in findings if line not in (*first, *chosen))
-    for text in (*notes(file), split, *chosen, *warnings):
-        console.print(text, style="yellow" * text.startswith("warning"), highlight=False, soft_wrap=True, markup=False)
+    for text in (*notes(file), split, *chosen):
+        console.print(text, highlight=False, soft_wrap=True, markup=False)
+    warnings = [line for line in findings if line not in (*first, *chosen)]
+    return tell([*warnings, *overloads(file)], console)
 
 
 def statistics_table(file, title):

@@ -11,8 +11,9 @@ from mooring.single_point.equilibria import equilibria
 
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import PLOTS, check_picture
+from ..printing.verdict import tell
 from . import running
-from .report import cycle_of, findings, preferred, show
+from .report import cycle_of, findings, overloads, preferred, show
 from .study import check_buoy, make
 from .tables import read_study
 
@@ -62,20 +63,19 @@ def single_point(study_path, database, output, picture):
     if output is not None:
         write_result(output, text, found, made_run, cycle, sizes_of(study, made.point))
         written.append(output)
-    maps = _maps(study, raw, db, (study_path, output), console)
+    maps, lost = _maps(study, raw, db, (study_path, output), console)
     written += maps
-    for line in findings(study, made, found):
-        console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
+    status = tell([*findings(study, made, found), *overloads(study, preferred(found), cycle, made_run), *lost], console)
     for path in written:
         console.print(f"written: {path}", highlight=False, soft_wrap=True, markup=False)
-    return 0
+    return status
 
 
 def _maps(study, raw, db, names, console):
-    """Draw the maps of a study beside it; their paths"""
+    """Draw the maps of a study beside it; their paths, and a line on the places of each that have no answer"""
     from .maps import computed, draw
 
-    paths = []
+    paths, lost = [], []
     for i, _ in enumerate(study.maps):
         found = computed(raw, i, db)
         number = f"_{i + 1}" if len(study.maps) > 1 else ""
@@ -84,11 +84,11 @@ def _maps(study, raw, db, names, console):
         slews = np.mean(found.growth[~np.isnan(found.growth)] > 0)
         console.print(f"map over {' and '.join(found.keys)}: {100 * slews:.0f} % of it slews", highlight=False)
         if found.failed:
-            console.print(
-                f"warning: {found.failed} of {found.growth.size} places have no answer: {found.reason}",
-                style="yellow", highlight=False, soft_wrap=True, markup=False,
-            )  # fmt: skip
-    return paths
+            lost.append(
+                f"map over {' and '.join(found.keys)}: {found.failed} of {found.growth.size} places have no answer: "
+                f"{found.reason}"
+            )
+    return paths, lost
 
 
 def _beside(study_path, output, word):

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
+from mooring.criteria.overuse import overused
 from mooring.lines.system.parts import UniformLine
 from mooring.loads.turning import FITTED
-from mooring.response.findings import LINES_NAMED, some
 from mooring.single_point.body import SinglePointError
 from mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
 from mooring.single_point.limit_cycle import limit_cycle
 from mooring.single_point.scope import length_without_uplift
 from mooring.single_point.yaw_criteria import yaw_stability
 
+from ..common.quantities import force
 from ..common.units import KN
+from .running import largest_of
 
+HELP = "give a stronger type or more lines"
 REACH, LENGTHS = (0.02, 20.0), 200  # of the length of the line that its changes of stability are sought in
 
 
@@ -115,11 +118,24 @@ def findings(study, made, found):
     if len(stable) > 1:
         headings = ", ".join(f"{bow(one):.0f}°" for one in stable)
         yield f"{len(stable)} headings are stable ({headings}): the body lies at the one it comes to"
-    used = best.lines.lines.utilisation
-    over = [f"{n} {100 * u:.0f} %" for n, u in zip(made.point.system.line_names, used, strict=True)
-            if u > study.allowable]  # fmt: skip
-    if over:
-        yield f"steady tension above {100 * study.allowable:g} % of the breaking load: {some(over, LINES_NAMED)}"
+
+
+def overloads(study, best, cycle, run):
+    """What fails of hawsers and lines at rest in the Equilibrium `best`, in its LimitCycle and in a Run, either None"""
+    load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
+    count = 0 if study.hawser is None else len(best.hawser)
+    names = [*(f"hawser {i + 1}" for i in range(count)), *best.point.system.line_names]
+    breaking = np.array([*np.full(count, np.nan if load is None else load), *best.point.system.breaking_load])
+    breaking[~np.isfinite(breaking)] = np.nan
+    at_rest = [*best.hawser[:count] / breaking[:count], *best.lines.lines.utilisation]
+    yield from overused(names, at_rest, study.allowable, "at rest", HELP)
+    pulls = {}
+    if cycle is not None:
+        pulls["in the limit cycle"] = cycle.hawser.max(axis=0), cycle.lines.max(axis=0)
+    if run is not None:
+        pulls["in the run in time"] = largest_of(run, study.waves is not None)
+    for where, (hawser, lines) in pulls.items():
+        yield from overused(names, np.array([*hawser[:count], *lines]) / breaking, study.allowable, where, HELP)
 
 
 def _table(title, *columns):

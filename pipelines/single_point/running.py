@@ -189,6 +189,12 @@ def table_of(run: Run):
     yield from zip(names, steady, record.mean(axis=0), values, record.max(axis=0), SLOW_DRIFT * values, strict=True)
 
 
+def largest_of(run: Run, waves):
+    """Largest tensions of hawsers (k,) and lines (n,), N, with the report's fifth where `waves` lack slow drift"""
+    more = SLOW_DRIFT if waves and not run.drifts else 1.0
+    return more * run.record.hawser.max(axis=0), more * run.record.lines.max(axis=0)
+
+
 def words(run: Run):
     """Lines on a run"""
     c = run.cycle

@@ -20,6 +20,7 @@ from bem.database.between_frequencies import FORCES, RADIATION, between
 from bem.database.interpolant import Abscissa, abscissa, chosen
 from bem.database.resonances import resonances
 from bem.kernels.threads import blas_threads
+from mooring.criteria.failing import fails
 
 FIRST = 12  # frequencies before an error is estimated
 MOST = 120  # frequencies in a band; more means that the solver's own error is above the tolerance
@@ -53,8 +54,10 @@ def filled_band(scene, file, fill, wider, console):
         outcome = replace(after, solved=outcome.solved + after.solved, jobs=outcome.jobs + after.jobs)
     if outcome.exit_status:
         return outcome
-    left = "" if error <= scene.accuracy else "; the tolerance is not reached: ask for less, or solve more accurately"
-    return replace(outcome, remarks=(*outcome.remarks, _text(scene, db, error) + left))
+    said = _text(scene, db, error)
+    if error > scene.accuracy:
+        said = fails(f"{said}; the tolerance is not reached: ask for less, or solve more accurately")
+    return replace(outcome, remarks=(*outcome.remarks, said))
 
 
 def _missing(scene, db):

@@ -14,11 +14,13 @@ from bem.database.schema import LIMITS
 from bem.stored_laws import broken_laws
 from meshing.quality import Finding, findings
 from meshing.whole_files import keep_room
+from mooring.criteria.failing import fails
 
 from ..common.typed import typed
+from ..printing.verdict import tell
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
-from .report import checked, checks_table, resonances_of
+from .report import CHECKED, checked, checks_table, resonances_of
 from .result_files import check_result, is_result
 
 
@@ -39,20 +41,24 @@ def check(path, console, repair=False):
         found, checks = [*_findings(db), *_scene_findings(db)], checked(db) if len(db.omega) else []
         broken = _broken(db)
     except DamagedError as damage:
-        say(str(damage))
-        return 1
+        return tell([fails(str(damage))], console)
     if checks:
         console.print(checks_table(checks))
-    for finding in (*found, *broken):
-        say(f"{finding.severity}: {finding.text}")
-    for line in resonances_of(db):
-        say(f"note: {line}")
-    if not db.complete:
-        say(
-            f"incomplete: {int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run its command again to go on"
+    lines = [fails(f"{f.text}") if f.severity == "error" else f"{f.severity}: {f.text}" for f in (*found, *broken)]
+    lines += [f"note: {line}" for line in resonances_of(db)]
+    lines += [
+        fails(
+            f"{one.name}, {CHECKED[one.name]}, is {one.largest:.2g} at ω = {one.omega:.4g} rad/s, {one.exceeding} of "
+            f"{len(db.omega)} frequencies above {one.limit:g}; solve with more panels, or a coarser --tolerance"
         )
-    sound = all(part.passed for part in checks) and not any(f.severity == "error" for f in (*found, *broken))
-    return 0 if sound and db.complete else 1
+        for one in checks
+        if not one.passed
+    ]
+    if not db.complete:
+        lines.append(
+            fails(f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run its command again to go on")
+        )
+    return tell(lines, console, "")
 
 
 def _broken(db):

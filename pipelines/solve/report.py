@@ -10,8 +10,10 @@ from bem.database.between_frequencies import BetweenError
 from bem.database.natural_periods import natural_periods
 from bem.database.resonances import resonances
 from bem.stored_laws import damping_errors
+from mooring.criteria.failing import fails
 
 from ..common.resonances import resonance_lines
+from ..printing.verdict import tell
 
 CHECKED = {
     "reciprocity": "A and B symmetric",
@@ -47,11 +49,19 @@ class Check:
 
 def checked(db):
     """[Check] of a database against its own tolerance: what is stored, and damping by its own size"""
-    tolerance = float(db.attributes.get("tolerance", 0.01))
+    return [*stored_checks(db), _check("damping", damping_errors(db), db.omega, _tolerance(db))]
+
+
+def stored_checks(db):
+    """[Check] of what is stored of each frequency"""
     return [
-        _check(name, values, db.omega, RESIDUAL if name == "residual" else tolerance)
-        for name, values in {**db.checks(), "damping": damping_errors(db)}.items()
+        _check(name, values, db.omega, RESIDUAL if name == "residual" else _tolerance(db))
+        for name, values in db.checks().items()
     ]
+
+
+def _tolerance(db):
+    return float(db.attributes.get("tolerance", 0.01))
 
 
 def failed_laws(db, own_panels):
@@ -59,12 +69,44 @@ def failed_laws(db, own_panels):
 
     own_panels : panels were given, as a number or a mesh file, and no tolerance promised
     """
-    laws = [check for check in checked(db) if check.name not in ESTIMATED]
+    laws = [check for check in stored_checks(db) if check.name not in ESTIMATED]
     failed = [check for check in laws if check.largest > max(check.limit, own_panels * BROKEN)]
     said = ", ".join(
-        f"{check.name} is broken by {check.largest:.2g} at ω = {check.omega:.4g} rad/s" for check in failed
+        f"{check.name} is broken by {check.largest:.2g} at ω = {check.omega:.4g} rad/s, limit "
+        f"{max(check.limit, own_panels * BROKEN):.2g}"
+        for check in failed
     )
     return f"checks failed: {said}; the mesh or the method does not fit this body, look at both" if said else ""
+
+
+def missed_tolerance(db):
+    """One line on the estimated error of a database whose tolerance was asked for, "" where it is kept"""
+    (error,) = [check for check in stored_checks(db) if check.name == "estimated_error"] or [None]
+    if error is None or error.passed:
+        return ""
+    return (
+        f"the estimated error is {error.largest:.2g} at ω = {error.omega:.4g} rad/s, above the tolerance "
+        f"{error.limit:g} at {error.exceeding} of {len(db.omega)} frequencies; give --panels, another --method or a "
+        "coarser --tolerance"
+    )
+
+
+def gives_panels(scene):
+    """Whether a scene says which panels, as a number or a mesh file, so that no tolerance is promised"""
+    return scene.panels is not None or scene.body.shape == "mesh"
+
+
+def failures(outcome, db, own_panels):
+    """What fails of a run: frequencies without a result, laws, and the tolerance where one was asked for
+
+    outcome : `run.Outcome`; own_panels : of `gives_panels`
+    """
+    for where, reason in outcome.failures:
+        name = where if isinstance(where, str) else f"ω = {where:.6g} rad/s"
+        yield fails(f"{name} is not solved: {reason}")
+    if outcome.stored:
+        said = (failed_laws(db, own_panels), "" if own_panels else missed_tolerance(db))
+        yield from (fails(text) for text in said if text)
 
 
 def body_table(db):
@@ -101,24 +143,20 @@ def resonances_of(db):
     return resonance_lines(resonances(db.reader), db.omega, db["rao"])
 
 
-def print_outcome(console, outcome, db):
-    """The end of a run: body, checks, remarks, resonances, failures, and what is stored."""
+def print_outcome(console, outcome, db, own_panels):
+    """The end of a run: body, checks, remarks, resonances, what fails, and what is stored; returns the exit status.
+
+    own_panels : of `gives_panels`
+    """
     console.print(body_table(db))
     if outcome.stored:
         console.print(checks_table(checked(db)))
-    for remark in (*outcome.remarks, *resonances_of(db)):
-        _line(console, f"note: {remark}")
-    for where, reason in outcome.failures:
-        name = where if isinstance(where, str) else f"ω = {where:.6g} rad/s"
-        _line(console, f"failed: {name}: {reason}")
+    status = tell([*outcome.remarks, *resonances_of(db), *failures(outcome, db, own_panels)], console, "note: ")
     stored = f"{outcome.stored} of {outcome.total} frequencies stored in {outcome.path}"
     go_on = "" if outcome.exit_status == 0 else "; run the same command to go on"
     by = f"{outcome.solved} by this run" if outcome.jobs else "nothing was left to do"
-    _line(console, f"{stored}, {by}{go_on}")
-
-
-def _line(console, text):
-    console.print(text, highlight=False, markup=False, soft_wrap=True)
+    console.print(f"{stored}, {by}{go_on}", highlight=False, markup=False, soft_wrap=True)
+    return outcome.exit_status or status
 
 
 def _check(name, values, omega, limit):

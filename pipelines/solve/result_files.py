@@ -9,6 +9,7 @@ from bem.database import DatabaseError
 from bem.database.results import OURS, named, schema_of
 from meshing.seals import REMEDY, is_sealed, kind_filled_in, text_sealed
 from meshing.text_files import read_text
+from mooring.criteria.failing import fails
 
 TEXT = (".csv",)
 
@@ -33,10 +34,10 @@ def check_result(path, say, repair=False):
     except ValueError as damage:
         if not path.is_file():
             raise
-        say(str(damage))
+        say(fails(str(damage)))
         return 1
     if not sealed:
-        say(f"{path}: a {what} without a checksum: nothing tells whether it is what was written; make it anew")
+        say(fails(f"{path}: a {what} without a checksum: nothing tells whether it is what was written; make it anew"))
         return 1
     say(f"{path}: a {what}, as it was written")
     for remark in () if path.suffix.lower() in TEXT else _remarks(path):

@@ -7,8 +7,13 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
+from mooring.criteria.failing import fails
+
 from ..common.bounds import check_seconds, whole_number
+from ..printing.verdict import tell
 from ..scene.flags import _flag
+
+SHOWN = 5  # scenes that are named at the end
 
 
 def stress(
@@ -52,4 +57,6 @@ def stress(
             file=sys.stderr,
         )
         return 130
-    return 1 if any(row.verdict for row in rows) else 0
+    failed = [row for row in rows if row.verdict]
+    more = [f"{len(failed) - SHOWN} more of {len(rows)} scenes; {output} has their verdicts"] if failed[SHOWN:] else []
+    return tell(map(fails, [*(f"scene {row.number}: {row.verdict}; {row.command}" for row in failed[:SHOWN]), *more]))

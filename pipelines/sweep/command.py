@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import sys
 
+from mooring.criteria.failing import fails
+
 from ..common.outputs import DATABASE, check_output
 from ..executors.choice import executor_of
+from ..printing.verdict import tell
 from . import run
 from .file import is_sweep
 from .study import read_sweep
+
+SHOWN = 5  # cases that are named
 
 
 def sweep(study, output, executor, fresh, main):
@@ -25,8 +30,9 @@ def sweep(study, output, executor, fresh, main):
         workers.shutdown(wait=False, cancel_futures=True)
     failed, (lost, reason) = outcome.failed, outcome.lost
     print(f"{output}: {outcome.cases} cases, {len(failed)} of them with a status above 0")
-    for number, status, message in failed[:5]:
-        print(f"  case {number}: status {status}; {message}")
+    lines = [fails(f"case {number}: status {status}; {message}") for number, status, message in failed[:SHOWN]]
+    if len(failed) > SHOWN:
+        lines.append(fails(f"{len(failed) - SHOWN} more cases have a status above 0; {output} has their messages"))
     if lost:
-        print(f"{lost} cases were not done, {reason}; run the same command to go on", file=sys.stderr)
-    return int(bool(failed or lost))
+        lines.append(fails(f"{lost} cases were not done, {reason}; run the same command to go on"))
+    return tell(lines)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bem.database.results import check_version
+from mooring.criteria.failing import FAILS, failing
 
 from . import file
 from .solved import solved
@@ -114,7 +115,7 @@ def _failed(output):
 
 
 def one_case(main, command, raw, study, arguments):
-    """(exit status, last line of stderr, tables, arrays) of a command on a study, which lies beside it meanwhile.
+    """(exit status, what fails, tables, arrays) of a command on a study, which lies beside it meanwhile.
 
     raises : KeyboardInterrupt where Ctrl-C ended the command, which tells that by its status: the case is not done
     """
@@ -137,4 +138,5 @@ def _by_command(main, command, raw, study, arguments):
     tables = [json.loads(line) for line in out.getvalue().splitlines()]
     if not status and not tables:
         return 2, f"{command} printed no table, so that nothing of this case could be stored", [], {}
-    return status, lines[-1] if status and lines else "", tables, {}
+    said = [line.removeprefix(FAILS) for line in failing(lines)] or lines[-1:]
+    return status, "; ".join(said) if status else "", tables, {}

@@ -5,6 +5,10 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+from mooring.criteria.failing import FAILS, failing
+
+from ..printing.verdict import status_of
+
 LARGE = ("kochin_radiation", "kochin_diffraction", "pressure")  # of a case, that no sweep keeps
 OF_A_CASE = {"omega": "frequency", "wave_direction": "heading"}  # axes that a case may have values of its own on
 
@@ -15,7 +19,10 @@ def solved(raw, scene_file):
     Axes and units are those of a database, with the number of a frequency and of a heading in the place of their
     values, which are arrays too.
     """
+    from bem.database import open_database
+
     from ..scene.scene import make_scene
+    from ..solve.report import failures, gives_panels
     from ..solve.run import solve
 
     try:
@@ -25,11 +32,12 @@ def solved(raw, scene_file):
         scene = make_scene(raw)
         with tempfile.TemporaryDirectory() as folder:
             outcome = solve(scene, Path(folder) / "case.h5")
+            failed = failing([*outcome.remarks, *failures(outcome, open_database(outcome.path), gives_panels(scene))])
             arrays = _arrays(outcome.path)
     except ValueError as error:
         return 2, str(error), [], {}
-    failures = [f"ω = {where}: {reason}" for where, reason in outcome.failures]
-    return outcome.exit_status, failures[0] if failures else "", [], arrays
+    said = "; ".join(line.removeprefix(FAILS) for line in failed)
+    return outcome.exit_status or status_of(failed), said, [], arrays
 
 
 def _arrays(path):

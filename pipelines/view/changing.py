@@ -8,8 +8,10 @@ from meshing.files import WRITABLE, read_mesh, write_mesh
 from meshing.mirror import folded
 from meshing.panels import SYMMETRIES
 from meshing.quality import findings
+from mooring.criteria.failing import fails
 
 from ..common.outputs import check_ending
+from ..printing.verdict import tell
 from ..scene.scene import numbers
 
 
@@ -37,10 +39,10 @@ def change(place, output, scale="1", turn=0.0, move="0,0,0", flip=False, mirror=
     mesh = _changed(read_mesh(place), factors, turn, shift, flip, mirror, clip, fold)
     write_mesh(mesh, output)
     print(f"{output}: {mesh!r}")
-    left = findings(mesh)
-    for finding in left:
-        print(f"{output}: {finding}")
-    return int(any(finding.severity == "error" for finding in left))
+    return tell(
+        (fails(f"{output}: {one.text}") if one.severity == "error" else f"{output}: {one}" for one in findings(mesh)),
+        remark="",
+    )
 
 
 def _finite(flag, text, counts, allowed):

@@ -8,9 +8,11 @@ import numpy as np
 
 from meshing.panels import PanelMesh
 from meshing.quality import findings
+from mooring.criteria.failing import fails
 
 from ..common.bounds import told
 from ..common.picture import VIEWS, check_display, check_picture, font_file
+from ..printing.verdict import tell
 from ..scene.scene import Scene, SceneError, make_scene, read_scene
 from .gaps import gaps_of
 
@@ -42,19 +44,20 @@ def look(path, screenshot=None, field=None, omega=None, heading=None, page=None)
 
     field : one of FIELDS, or pressure, coloured on the panels
     omega : rad/s, heading : degrees, of the pressure; the nearest stored frequency is taken, a heading must be stored
+    returns : the exit status
     """
     if field is not None and field not in (*FIELDS, "pressure"):
         raise SceneError(f"field is {field!r}; allowed: {', '.join(FIELDS)}, pressure")
     if field != "pressure" and (omega, heading) != (None, None):
         raise SceneError("--omega and --heading belong to --field pressure; leave them out or ask for it")
-    source = _opened(path)
+    source, told_of = _opened(path), []
     if isinstance(source, PanelMesh):
         told(f"{path}: {len(source)} panels take", len(source) * A_PANEL)
-        for finding in findings(source):
-            print(f"{path}: {finding}")
+        told_of += [
+            fails(f"{path}: {one.text}") if one.severity == "error" else f"{path}: {one}" for one in findings(source)
+        ]
     elif not isinstance(source, Scene):
-        for line in gaps_of(source).words():
-            print(f"warning: {line}")
+        told_of += map(fails, gaps_of(source).words())
     if screenshot is not None:
         check_picture(screenshot, VIEWS)
     if page is not None:
@@ -69,7 +72,7 @@ def look(path, screenshot=None, field=None, omega=None, heading=None, page=None)
     for made in (page, screenshot):
         if made is not None:
             print(made)
-    return 0
+    return tell(told_of, remark="")
 
 
 def _write_page(picture, page):

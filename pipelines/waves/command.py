@@ -7,7 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mooring.criteria.failing import fails
+
 from ..common.bounds import told
+from ..printing.verdict import tell
 
 POINTS = 161  # of a side of the map
 SPANS, LENGTHS = 1.5, 1.5  # half the map's width, in lengths of the body or wave lengths, whichever is more
@@ -49,11 +52,10 @@ def waves(database, period, omega, heading, fixed, width, at, output):
     console.print(_summary(found))
     if spots:
         console.print(_told(around, spots))
-    for line in remarks(around, db):
-        print(line)
+    status = tell(remarks(around, db), console, "note: ")
     if output is not None:
         print(output)
-    return 0
+    return status
 
 
 def frequency(period, omega):
@@ -107,11 +109,14 @@ def remarks(around, db, amplitude=None):
     """One line each on what the waves leave out or hang on; amplitude : as of `around_body`"""
     if around.motion is not None and db.reader.viscous is not None:
         height = 2 * (db.reader.viscous.wave_amplitude if amplitude is None else amplitude)
-        yield f"note: the body's motion has its viscous damping in waves of {height:.3g} m"
+        yield f"the body's motion has its viscous damping in waves of {height:.3g} m"
     if around.missed > MISSED:
-        yield f"warning: the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}"
+        yield fails(
+            f"the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}; take the waves "
+            "near it with care, or lower ones"
+        )
     if around.pierces:
-        yield "note: waves that decay within a depth or a wave length of the hull are left out; it may be higher there"
+        yield "waves that decay within a depth or a wave length of the hull are left out; it may be higher there"
 
 
 def _spot(text):

@@ -61,8 +61,8 @@ def campaign(folder, kills, seed=0):
         for number in range(1, kills + 1):
             resize(disk, int(random.uniform(0, 2.2 * need)))
             status, said = killed(path, int(random.integers(1, 61)), random.uniform(0.3, 1.5 * seconds))
-            full += status == 1
-            if status not in (-9, 0, 1) or (status == 1 and len(said.strip().splitlines()) > 1):
+            full += status == 2
+            if status not in (-9, 0, 2) or (status == 2 and len(said.strip().splitlines()) > 1):
                 wrong.append(f"run {number}: status {status}: {said[-300:]!r}")
             _assert_readable(path)
             if number % ROUND == 0 or number == kills:

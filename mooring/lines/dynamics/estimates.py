@@ -13,6 +13,7 @@ import warnings
 
 import numpy as np
 
+from ...criteria.failing import fails
 from .run import DynamicLineError, run_esdirk
 from .start import start
 
@@ -37,8 +38,10 @@ def mesh_error(case, result, limit):
     if not np.all(error <= limit):
         at = int(np.argmax(error))
         warnings.warn(
-            f"{case.line}: the largest tension {_WHERE[at]} is {_kN(ours[at])}, in {other.elements} elements "
-            f"{_kN(peaks[at])}: estimated error {error[at]:.1%}, allowed {limit:.1%}; give more elements",
+            fails(
+                f"{case.line}: the largest tension {_WHERE[at]} is {_kN(ours[at])}, in {other.elements} elements "
+                f"{_kN(peaks[at])}: estimated error {error[at]:.1%}, allowed {limit:.1%}; give more elements"
+            ),
             stacklevel=3,
         )
     return float(error.max())
@@ -61,10 +64,12 @@ def step_error(case, result, state, limit):
         at = int(np.argmax(error))
         part = int(np.argmax(np.abs(ours - others)[at]))
         warnings.warn(
-            f"{case.line}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
-            f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {_kN(others[at, part])} in place of "
-            f"{_kN(ours[at, part])}: largest tensions are known to {error[at]:.1%} for their steps, above "
-            f"{limit:.1%}; give a smaller tolerance than {case.tolerance:g}",
+            fails(
+                f"{case.line}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
+                f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {_kN(others[at, part])} in place of "
+                f"{_kN(ours[at, part])}: largest tensions are known to {error[at]:.1%} for their steps, allowed "
+                f"{limit:.1%}; give a smaller tolerance than {case.tolerance:g}"
+            ),
             stacklevel=3,
         )
     return float(error.max())

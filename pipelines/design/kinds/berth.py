@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from mooring.fenders.dolphin import bilinear, of_fender
 from mooring.fenders.fender import FenderError
 
 from .in_time import make_study_of
@@ -97,7 +96,7 @@ def _of_fenders(file, made, berth):
         largest = max(float(row["largest"]), 0.0)
         steady = _longest_mean(file["deflection"][()][..., i].astype(float), step)
         fender, yields = fender_of(table), dolphin_of(table, dolphins)
-        alone = [of_fender(fender, bilinear(*yields), y) if yields else y for y in (largest, steady)]
+        alone = [one.fender.own(y) for y in (largest, steady)]
         out[TOTAL][one.name], out[SLOW][one.name] = (y / fender.height for y in alone)
         out[OF_ALLOWABLE][one.name] = alone[0] / (fender.height * fender.allowable)
         try:

@@ -159,6 +159,7 @@ def _found(raw, path):
 
 def _numbers(asked, found):
     from ...breakwater.build import KN
+    from ...breakwater.report import failures
     from ...breakwater.results import design
 
     study, held, sea = asked.study, found.pretension, found.sea
@@ -195,7 +196,7 @@ def _numbers(asked, found):
         place=np.full(3, np.nan),
         motions=np.zeros(0),
         parts=parts,
-        warnings=tuple(found.warned),
+        warnings=(*found.warned, *failures(asked.study, found)),
     )
 
 

@@ -11,8 +11,6 @@ from pathlib import Path
 
 import numpy as np
 
-from mooring.fenders.dolphin import bilinear, of_fender
-
 from ...common.fender_tables import fender_of
 from ...earthquake.study import quake_of, read_study
 from .berth import dolphin_of
@@ -31,15 +29,16 @@ def run(path, database, place):
 
 
 def _found(study, folder, database):
-    from ...earthquake.command import methods
+    from ...earthquake.command import failures, methods
 
     quake, table = quake_of(study, folder, database), study.fender
     fender, yields = fender_of(_alone(table)), dolphin_of(table, {})
     parts = {TOTAL: {}, OF_ALLOWABLE: {}, DOLPHIN: {}, COEFFICIENT: {}}
-    for row in methods(quake)[0]:
+    rows = methods(quake)[0]
+    for row in rows:
         if row.reason:
             raise ValueError(f"{row.name}: {row.reason}")
-        pressed = of_fender(fender, bilinear(*yields), row.deflection) if yields else row.deflection
+        pressed = quake.fenders.fender.own(row.deflection)
         parts[TOTAL][row.name] = float(pressed / fender.height)
         parts[OF_ALLOWABLE][row.name] = float(pressed / (fender.height * fender.allowable))
         if yields and np.isfinite(yields[1]) and row.reaction > 0:
@@ -51,6 +50,7 @@ def _found(study, folder, database):
         names=(), types=(), fairlead=place, anchor=place, length=none, pretension=none, static=none, largest=none,
         breaking=none, horizontal=none, uplift=none, place=np.zeros(3), motions=none,
         parts={quantity: values for quantity, values in parts.items() if values},
+        warnings=tuple(failures(quake, rows)),
     )  # fmt: skip
 
 

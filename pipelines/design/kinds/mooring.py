@@ -53,7 +53,7 @@ IN_TIME_SOURCES = (
     "motions, horizontal and uplift of NAME_runs_extremes.json; offset and yaw are under steady forces, in NAME.h5."
 )
 BERTH_SOURCES = "Tensions, strains and motions are of the summary in the file of its runs; offsets are their means."
-KEPT = ("hull", "types", "allowable", "fender", "dolphin", "rope", "harbour")
+KEPT = ("hull", "types", "fender", "dolphin", "rope", "harbour")
 
 
 def read(path):
@@ -72,10 +72,14 @@ def check(project, raw):
 
 
 def base(raw, db):
-    """Tables of a study with its lines by fairlead and anchor; db : of the water they are laid in"""
+    """Tables of a study with its lines by fairlead and anchor; db : of the water they are laid in
+
+    What a line may carry is a matter of the project's criteria; the study says where it parts.
+    """
     kept = {key: deepcopy(value) for key, value in raw.items() if key in KEPT}
     of_hull = {where: {key: raw[where][key] for key in OF_HULL if key in raw.get(where, {})} for where in STREAMS}
-    return {**kept, "water": deepcopy(raw["water"]), "lines": laid_lines(raw, db), "of_hull": of_hull}
+    lines = laid_lines(raw, db)
+    return {**kept, "allowable": 1.0, "water": deepcopy(raw["water"]), "lines": lines, "of_hull": of_hull}
 
 
 def at(base, depth, weather):

@@ -70,7 +70,7 @@ def base(raw, db):
     if "headings_deg" not in mooring:
         count, first = mooring.pop("count"), mooring.pop("first_deg", 0.0)
         mooring["headings_deg"] = [first + 360.0 * i / count for i in range(count)]
-    return {**tables, "of_hull": of_hull}
+    return {**tables, "allowable": 1.0, "of_hull": of_hull}  # criteria of the project say what a line may carry
 
 
 def at(base, depth, weather):
@@ -150,7 +150,7 @@ def _found(raw, database, path):
 
     from ...single_point import running
     from ...single_point.command import write_result
-    from ...single_point.report import findings, preferred
+    from ...single_point.report import findings, overloads, preferred
     from ...single_point.study import make
 
     text = tomli_w.dumps(raw)
@@ -161,7 +161,7 @@ def _found(raw, database, path):
     write_whole(path.with_suffix(".toml"), text)
     write_result(path, text, found, ran)
     names = [*(f"hawser {i + 1}" for i in range(len(best.hawser)))] if study.hawser is not None else []
-    told = tuple(findings(study, make(study, db), found))
+    told = (*findings(study, make(study, db), found), *overloads(study, best, None, ran))
     stable = sum(one.slewing.stable for one in found)
     return _numbers(
         study, best, stable, ran, names, lost(raw), (*told, *(running.words(ran) if ran is not None else ()))
@@ -169,14 +169,13 @@ def _found(raw, database, path):
 
 
 def _numbers(study, best, stable, ran, hawsers, line_names, warnings):
-    from ...single_point.running import SLOW_DRIFT
+    from ...single_point.running import largest_of
 
     lines, system = best.lines, best.lines.system
     anchors, tops = lines.points[system.arrays.ends].swapaxes(0, 1)
     count, own = len(hawsers), ("hawser",) if hawsers else ()
-    drift = SLOW_DRIFT if ran is not None and study.waves is not None and not ran.drifts else 1.0
-    largest = lines.tension if ran is None else drift * ran.record.lines.max(axis=0)
-    pulls = np.array([*(best.hawser if ran is None else drift * ran.record.hawser.max(axis=0))][:count])
+    pulls, largest = (best.hawser, lines.tension) if ran is None else largest_of(ran, study.waves is not None)
+    pulls = np.asarray(pulls)[:count]
     share = largest / np.maximum(lines.tension, 1e-300)
     load = None if study.hawser is None else force("hawser", study.hawser, "breaking_load")
     none = np.zeros(count)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from mooring.criteria.failing import fails
+
 from ...common.bounds import told
 from ...common.outputs import check_folder, check_output
+from ...printing.verdict import tell
 from ...scene.scene import SceneError, numbers
 from .databases import is_scene, solved
 from .models import Models
@@ -28,11 +31,9 @@ def make(one, folder, console, xi=None, fresh=False):
         f"{len(cases)} databases of {sum(len(case.scene.omegas()) for case in cases)} frequencies take", _seconds(cases)
     )
     found = solved(cases, folder / "databases", console, fresh)
-    for line in found.failures:
-        _say(console, f"failed: {line}")
     if found.failures:
-        _say(console, "no tables and pictures are made; the same command tries again, --xi leaves frequencies out")
-        return 1
+        no_tables = "no tables and pictures are made; the same command tries again, --xi leaves frequencies out"
+        return tell(map(fails, [*found.failures, no_tables]), console)
     for line in one.summary(found.results):
         _say(console, line)
     for path in one.write(found.results, folder):

@@ -1,4 +1,4 @@
-"""A disk that is full, or a limit on the size of files: one line, status 1, and what was there before."""
+"""A disk that is full, or a limit on the size of files: one line, status 2, and what was there before."""
 
 import os
 import shlex
@@ -64,7 +64,7 @@ def test_a_limit_on_the_size_of_files_gives_one_line_and_leaves_what_was_there(f
     before = {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
     status, said = ran(words, folder, limit)
     lines = [line for line in said.splitlines() if "cannot be written" in line]
-    assert status == 1 and len(lines) == 1 and output in lines[0] and "Traceback" not in said, (status, said)
+    assert status == 2 and len(lines) == 1 and output in lines[0] and "Traceback" not in said, (status, said)
     assert {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()} == before
 
 
@@ -103,7 +103,7 @@ def test_a_full_disk_gives_one_line_and_leaves_what_was_there(full, words, outpu
     before = {path.name: path.read_bytes() for path in full.iterdir()}
     status, said = ran(words, full, -1)
     lines = [line for line in said.splitlines() if "cannot be written" in line]
-    assert status == 1 and len(lines) == 1 and output in lines[0] and "Traceback" not in said, (status, said)
+    assert status == 2 and len(lines) == 1 and output in lines[0] and "Traceback" not in said, (status, said)
     assert {path.name: path.read_bytes() for path in full.iterdir()} == before
     (full / "filling").unlink()
     assert ran(words, full, -1)[0] == 0

@@ -33,8 +33,8 @@ def test_a_forced_oscillation_is_told_and_drawn(tmp_path, capsys):
     assert [rows[name] for name in ("added mass", "B1", "B2")] == pytest.approx([1500, 40, 25], rel=1e-4)
     assert (tmp_path / "f.png").stat().st_size > 5000 and "negative" not in told
     turned = written(tmp_path / "turned.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=-force)
-    assert cli.main(["damping", turned]) == 0
-    assert "warning: the damping is negative" in capsys.readouterr().out
+    assert cli.main(["damping", turned]) == 1
+    assert "FAILS: the damping is negative" in capsys.readouterr().out
 
 
 def test_a_free_decay_is_told_with_its_mass(tmp_path, capsys):
@@ -48,11 +48,11 @@ def test_a_free_decay_is_told_with_its_mass(tmp_path, capsys):
     assert rows["B1"] == pytest.approx(2 * ratio * OMEGA * 5000, rel=1e-3)
 
 
-def test_a_record_of_something_else_is_warned_of(tmp_path, capsys):
+def test_a_record_of_something_else_fails(tmp_path, capsys):
     noise = np.random.default_rng(1).standard_normal(len(T))
     path = written(tmp_path / "noise.csv", time_s=T, motion_m=np.exp(-0.01 * T) * np.cos(OMEGA * T) + noise)
-    assert cli.main(["damping", path]) == 0
-    assert "of the motion is left over; this is no record of the free decay" in capsys.readouterr().out
+    assert cli.main(["damping", path]) == 1
+    assert "of the motion is left over, limit 25 %; this is no record of the free decay" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -67,6 +67,6 @@ def test_frequencies_that_are_not_finite_are_left_out_and_named(folder, tmp_path
     lines[0] = " ".join([*lines[0].split()[:3], "NaN", "0", "NaN", "NaN"])
     path.write_text("\n".join(lines))
     words = ["import", str(tmp_path / "box.1"), "--from", "wamit", "--depth", "20", "--output", str(tmp_path / "b.h5")]
-    assert cli.main(words) == 0
+    assert cli.main(words) == 1
     assert "excitation_force is not finite at" in capsys.readouterr().err
     assert len(open_database(tmp_path / "b.h5").omega) == 2

@@ -81,7 +81,7 @@ def test_the_number_of_a_line_may_be_written_as_a_number(study):
 
 def test_the_command_runs_a_line_of_a_file_and_names_what_is_left_out(study, capsys):
     (study.parent / "lines.txt").write_text(MOORDYN.replace("2.0e5      10 ", "2.0e5      EI.txt "))
-    assert main(["line-dynamics", str(study)]) == 0
+    assert main(["line-dynamics", str(study)]) == 1  # largest tensions are not known to 2 %
     shown = capsys.readouterr().out
     assert "largest, quasi-static" in shown and "bending stiffness EI of rope is left out, a table" in shown
 

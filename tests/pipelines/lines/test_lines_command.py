@@ -151,9 +151,9 @@ def test_line_of_a_rope_that_floats_hangs_upside_down_and_stays_in_the_sea(tmp_p
 def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
     hung = ["line", "--type", "R3 studless 76 mm", "--length", "300", "--depth", "60", "--span"]
     assert main([*hung, "280"]) == 0
-    assert "warning" not in capsys.readouterr().out
-    assert main([*hung, "400"]) == 0
-    (warning,) = (line for line in capsys.readouterr().out.splitlines() if line.startswith("warning: "))
+    assert "FAILS" not in capsys.readouterr().out
+    assert main([*hung, "400"]) == 1
+    (warning,) = (line for line in capsys.readouterr().out.splitlines() if line.startswith("FAILS: "))
     assert "the breaking load 4884.278 kN: the line parts" in warning
 
 
@@ -422,16 +422,16 @@ def test_a_type_of_a_study_may_come_from_the_catalogue_and_be_corrected():
 def test_lines_loaded_above_their_breaking_load_are_named_with_number_and_limit(tmp_path, capsys, flags, state):
     weak = tmp_path / "weak.toml"
     weak.write_text(SPREAD.replace("breaking_load_kN = 2500", "breaking_load_kN = 40"))
-    main(["lines", str(weak), *flags])
-    said = [line for line in capsys.readouterr().out.splitlines() if line.startswith(f"warning: {state}")]
+    assert main(["lines", str(weak), *flags]) == 1
+    said = [line for line in capsys.readouterr().out.splitlines() if line.startswith(f"FAILS: {state}")]
     assert said and all("stern wire" in line and "limit 100 %" in line for line in said)
 
 
 def test_a_line_stretched_to_twice_its_length_is_said_to_part(tmp_path, capsys):
     short = tmp_path / "short.toml"
     short.write_text(SPREAD.replace("length = 80.0", "length = 20.0").replace("2.0e5", "200.0"))
-    main(["lines", str(short)])
-    assert re.search(r"warning: at rest, stretched by: stern wire .* limit 50 %", capsys.readouterr().out)
+    assert main(["lines", str(short)]) == 1
+    assert re.search(r"FAILS: at rest, stretched by: stern wire .* limit 50 %", capsys.readouterr().out)
 
 
 @pytest.mark.parametrize(

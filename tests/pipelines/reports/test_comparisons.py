@@ -244,6 +244,6 @@ def test_a_frequency_that_fails_is_named_and_no_table_is_made_of_the_rest(tmp_pa
         patched.setattr("pipelines.solve.run.solve_one", refused)
         assert main(command) == 1
     said = capsys.readouterr().out
-    assert "failed: LB4_Hd2_contour: ω = 0.6263" in said and "FloatingPointError: no answer" in said
+    assert "FAILS: LB4_Hd2_contour: ω = 0.6263" in said and "FloatingPointError: no answer" in said
     assert not list(tmp_path.glob("*.csv"))
     assert main(command) == 0

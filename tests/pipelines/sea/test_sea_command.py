@@ -48,9 +48,9 @@ def test_the_same_seed_writes_the_same_file(tmp_path):
     assert a == b and a != c
 
 
-def test_steps_too_long_for_the_waves_are_warned_of(tmp_path, capsys):
-    assert main([*SEA, "--record", str(tmp_path / "a.csv"), "--step", "3"]) == 0
-    assert "warning: step 3 s is longer than half the period of" in capsys.readouterr().out
+def test_steps_too_long_for_the_waves_fail(tmp_path, capsys):
+    assert main([*SEA, "--record", str(tmp_path / "a.csv"), "--step", "3"]) == 1
+    assert "FAILS: step 3 s is longer than half the period of" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,7 @@ def made(tmp_path_factory):
         shutil.copy(SCENES / "response_box_20m.toml", "response.toml")
         assert main(BOX.split()) in (0, 1)
         for command in RESULTS.values():
-            assert main(command.split()) == 0
+            assert main(command.split()) == command.startswith("response")  # whose air gap is used up
     return folder
 
 

@@ -71,7 +71,7 @@ def test_a_file_without_checksums_is_held_to_the_laws_it_was_made_by(path, capsy
     ("text", "words"),
     [
         ("garbage = = 1", "is damaged: the text of its scene cannot be read"),
-        ("[water]\ndepth = 'deep'", "error: the text of its scene cannot be read"),
+        ("[water]\ndepth = 'deep'", "FAILS: the text of its scene cannot be read"),
         ("", ""),
     ],
 )

@@ -1,0 +1,39 @@
+"""Lines that part, or use more of their breaking load than is allowable: a line of text each, with names and shares."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..response.findings import LINES_NAMED, some
+from .failing import fails
+
+HELP = "give a stronger type, a longer line or less pretension"
+
+
+def overused(names, used, allowable, where, help=HELP):
+    """What fails of lines.
+
+    names : of the lines; used : (n,) share of the breaking load, NaN where none is known; allowable : share, at most 1
+    where : words on the tension, as "at the largest tension"; help : the way out
+    """
+    used = np.asarray(used, float)
+    kinds = (
+        (used > 1, "beyond the breaking load, limit 100 %, where they part"),
+        ((used > allowable) & (used <= 1), f"above the allowable {100 * allowable:g} % of the breaking load"),
+    )
+    for chosen, text in kinds:
+        if np.any(chosen):
+            named = shares(names, np.where(chosen, used, np.nan))
+            yield fails(f"{chosen.sum()} of {len(used)} lines {where} {text}: {named}; {help}")
+
+
+def shares(names, values):
+    """Words "fore 3 119 %, …", the largest first; NaN is left out"""
+    values = np.asarray(values, float)
+    order = [i for i in np.argsort(-values, kind="stable") if not np.isnan(values[i])]
+    return some([f"{names[i]} {_percent(values[i])}" for i in order], LINES_NAMED)
+
+
+def _percent(share):
+    """A share in per cent, never a round "100 %" or "40 %" of what is just beyond it"""
+    return f"{100 * share:.4g} %" if np.isfinite(share) else "more than any load"

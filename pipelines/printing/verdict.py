@@ -1,0 +1,35 @@
+"""The exit status of a command, and the lines that say why.
+
+    0    done, and nothing fails what was asked
+    1    done, and something breaks, or fails a limit, check or tolerance: each with a line that begins with FAILS
+    2    refused or not done, with one line that says why
+    130  interrupted
+    141  whoever read the output has gone
+
+docs/commands.md has what fails of each command.
+"""
+
+from __future__ import annotations
+
+from mooring.criteria.failing import FAILS, failing
+
+
+def tell(findings, console=None, remark="warning: "):
+    """Print findings, what fails last; returns the exit status: 1 where one fails, else 0
+
+    findings : lines, those of `mooring.criteria.failing.fails` among them; remark : what stands before the others
+    """
+    from .console import new_console
+
+    console, lines = console or new_console(), list(dict.fromkeys(findings))
+    failed = failing(lines)
+    for text in (line for line in lines if not line.startswith(FAILS)):
+        console.print(f"{remark}{text}", style="yellow", highlight=False, soft_wrap=True, markup=False)
+    for text in failed:
+        console.print(text, style="red", highlight=False, soft_wrap=True, markup=False)
+    return status_of(failed)
+
+
+def status_of(findings):
+    """Exit status of a command with these findings: 1 where one fails, else 0"""
+    return int(bool(failing(findings)))
