@@ -19,6 +19,7 @@ MOVE = (
     "let the lines move first (dynamic_lines): snaps of static lines are no reason for a larger size or more pretension"
 )
 
+
 def largest_in_runs(file, kind):
     """(runs, q) largest in each run of the quantities of a kind, as "tension", and the (q,) names of what has them"""
     names = [name.partition(" ") for name in file["quantity"].asstr()[()]]
