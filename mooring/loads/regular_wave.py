@@ -35,6 +35,18 @@ class RegularWave:
         """rad/m"""
         return float(wavenumber(self.omega, self.depth, GRAVITY))
 
+    @property
+    def met_period(self):
+        """s from crest to crest at a place at rest, which the current at the surface carries past it
+
+        inf where the current holds it in place, below 0 where it carries the wave back.
+        """
+        met = self.omega
+        if self.current is not None:
+            x, y = self.current.velocity(0.0)[:2]
+            met += self.k * (x * np.cos(self.direction) + y * np.sin(self.direction))
+        return 2 * np.pi / met if met else np.inf
+
     def elevation(self, places, phase):
         """η (n,) m at places (n, 2 or 3) m, crest at the origin at phase ωt = 0 rad"""
         return self.amplitude * np.cos(self._turn(places, phase))

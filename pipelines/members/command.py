@@ -96,7 +96,10 @@ def remarks(standing, courses, wave):
             "wave: solve it by hakobune box or buoy"
         )
     if wave.amplitude > 0:
-        alone = "" if wave.current is None else ", as without the current"
+        alone = ""
+        if wave.current is not None:
+            met = f"a place at rest meets it every {wave.met_period:.4g} s"
+            alone = f" in the water that moves along, as without the current; {met}"
         yield (
             f"wave of {2 * wave.amplitude:g} m, {length:.4g} m long{alone}; linear theory up to the surface (Wheeler); "
             "phase 0 with the crest at the origin; moments about the foot of each member, of all and of the wind about "
