@@ -163,14 +163,15 @@ def test_crests_pass_a_member_at_rest_with_their_speed_and_that_of_the_surface()
     from mooring.environment.current_profile import power_law
     from mooring.loads.regular_wave import RegularWave
 
-    wave = RegularWave(1.0, 2 * np.pi / 8.0, 0.4, 25.0, power_law(1.3, 0.4 + np.pi / 3, 25.0))
+    wave = RegularWave(1.0, 2 * np.pi / 8.0, 0.4, 25.0, power_law(1.3, 0.4 + np.pi / 3, 25.0, 1 / 7))
     length = 2 * np.pi / exact_wavenumber(2 * np.pi / 8.0, 25.0, G)
     assert wave.met_period == pytest.approx(length / (length / 8.0 + 0.65), rel=1e-6)
 
 
 def test_places_of_the_resonances_of_many_headings_are_far_enough_apart_to_differentiate_between():
     """Mirrored headings shift a resonance alike to rounding, which gave slopes of 0/0"""
-    steps, places = np.linspace(0.2, 1.5, 20), np.array([0.5, 0.5 + 1e-15, 0.7, 0.7 + 1e-6, 0.9, steps[5] + 1e-12])
+    steps = np.linspace(0.2, 1.5, 20)
+    places = np.array([0.5, 0.5 + 1e-15, 0.7, 0.7 + 1e-6, 0.9, steps[5] + 1e-12])
     for count in (1, 12):
         kept = np.union1d(steps, _apart(np.sort(places), steps, count))
         assert np.diff(kept).min() > 1e-4 and {0.5, 0.7, 0.9} <= set(kept)
