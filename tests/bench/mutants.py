@@ -61,6 +61,7 @@ FLIPPED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.GtE, ast.GtE: ast.LtE, a
 SIGN = {ast.Add: ast.Sub, ast.Sub: ast.Add}
 BUSIEST = 4.0  # times as long, on a machine that others use
 NEAR, WIDER = 12, 60  # files of tests, all of which are collected before any runs: 150 take 20 s
+ROUNDING = 1e-5  # constants below are tolerances on rounding, of which a tenth more changes nothing
 SILENT = (ast.Raise, ast.Import, ast.ImportFrom, ast.arguments, ast.Assert)  # what is inside is not drawn
 
 
@@ -89,7 +90,7 @@ def expressions(node):
     elif isinstance(node, ast.BoolOp):
         yield "term dropped", node.values[0]
         yield "term dropped", node.values[-1]
-    elif isinstance(node, ast.Constant) and type(node.value) is float and node.value:
+    elif isinstance(node, ast.Constant) and type(node.value) is float and abs(node.value) > ROUNDING:
         yield "constant", ast.Constant(node.value * 1.1)
     elif isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Load):
         if isinstance(node.slice, ast.Constant) and type(node.slice.value) is int:
