@@ -12,6 +12,7 @@ import msgspec
 
 from mooring.criteria.verdict import judge
 
+from ..simulate.over_runs import OF_LINES
 from .cases import intact_cases, without_line
 from .fatigue import fatigue
 from .kinds.changes import ways
@@ -83,6 +84,19 @@ def advise(read, judged, cases, others, paths, folder, step):
         if best is not None:
             found.append(best)
     return Advice(tuple(ways(read.study)), tuple(found), beyond)
+
+
+def after_lines_move(advice, ran):
+    """An Advice that begins with lines in their static shape, where Ran of a design have them, whose snaps ask for
+    larger sizes and more pretension in vain
+    """
+    left = [
+        line for one in ran if one.numbers is not None for line in one.numbers.warnings if line.startswith(OF_LINES)
+    ]
+    if not (left and advice.tried):
+        return advice
+    first = f"First let the lines move, what is advised here stands on static ones ({left[0]})."
+    return advice._replace(beyond=" ".join(filter(None, (first, advice.beyond))))
 
 
 def _beyond(judged, cases, fixed):

@@ -39,7 +39,7 @@ def design(
 
 def made(read, folder, workers, console, advice=True):
     """Verdict, names of the written files and advice (`advise`, None without) of a Read project, all in `folder`."""
-    from .advice import advise
+    from .advice import advise, after_lines_move
     from .report import write_report
     from .running import databases, of_databases, run_cases
     from .verdict import judged_project, project_quantities
@@ -53,6 +53,7 @@ def made(read, folder, workers, console, advice=True):
             cases = {one.case.name: one.case for one in verdict.ran}
             others = project_quantities(read)
             change = advise(read, verdict.judged, cases, others, paths, folder / "advice", step)
+            change = after_lines_move(change, verdict.ran)
     return verdict, write_report(read, verdict, change, paths, folder), change
 
 

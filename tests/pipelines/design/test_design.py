@@ -14,7 +14,7 @@ from mooring.criteria.rules import Criterion, RuleError, unit_of
 from mooring.criteria.verdict import OF_TENSIONS, SHARE
 from pipelines.common.picture import save
 from pipelines.common.quantities import StudyError
-from pipelines.design.advice import Advice, Tried, _smallest, advise
+from pipelines.design.advice import Advice, Tried, _smallest, advise, after_lines_move
 from pipelines.design.cases import intact_cases
 from pipelines.design.command import made
 from pipelines.design.fatigue import QUANTITY as FATIGUE
@@ -30,6 +30,7 @@ from pipelines.executors.choice import Here
 from pipelines.moor.command import studied
 from pipelines.moor.study import make_study
 from pipelines.scene.scene import make_scene
+from pipelines.simulate.over_runs import OF_LINES
 from pipelines.solve.run import solve
 
 SCENE = {
@@ -477,3 +478,14 @@ def test_a_misspelt_quantity_of_ones_own_rules_is_refused_and_one_of_the_tables_
         read_project(folder / "misspelt.toml")
     (folder / "misspelt.csv").write_text(f"{head}\n{row.format('gust factor').replace(',m,', ',-,')}\n")
     assert read_project(folder / "misspelt.toml").criteria[-1].quantity == "gust factor"
+
+
+def test_advice_on_lines_in_their_static_shape_begins_with_letting_them_move():
+    """No larger size is advised for a snap without that word; nothing is said where lines move or nothing is advised"""
+    left = f'{OF_LINES} of the lines (dynamic_lines = "none"), give dynamic_lines = "auto"'
+    static, moving = (SimpleNamespace(numbers=SimpleNamespace(warnings=one)) for one in (("a", left), ("a",)))
+    failed, advice = SimpleNamespace(numbers=None), Advice(("size",), (), "Beyond.")
+    told = after_lines_move(advice, [failed, static]).beyond
+    assert told.startswith("First let the lines move") and left in told and told.endswith("Beyond.")
+    assert after_lines_move(advice, [failed, moving]) == advice
+    assert after_lines_move(Advice((), (), ""), [static]).beyond == ""
