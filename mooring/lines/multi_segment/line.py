@@ -162,13 +162,14 @@ class StaticLine:
     def _further_tries(self, data):
         """Pairs of LineData and tolerances by which a line is sought that is not found at once, the quickest first"""
         search, other = _search(), data._replace(to_place=not data.to_place)
-        tries = [(data, search.CLOSER), (other, search.QUICK), (other, search.EXACT)]
+        tries = [(data, search.EXACT), (other, search.QUICK), (other, search.EXACT)]
         if data.lowest_buoy < len(data.loads) and np.isfinite(self.surface):
-            tries += [(way._replace(soft=SOFTER * self.length), search.COARSE) for way in (data, other)]
+            tries += [(way._replace(soft=SOFTER * self.length), search.EXACT) for way in (data, other)]
         if data.friction > 0:
-            tries += [(data._replace(friction=share * data.friction), search.COARSE) for share in MOBILISED]
+            tries += [(data._replace(friction=share * data.friction), search.EXACT) for share in MOBILISED]
         if self.loads and self._steep:
-            tries += [(way._replace(held=held), search.ROUGH) for held in (1, 2) for way in (data, other)]
+            ends = (False, search.EXACT), (True, search.ROUGH)
+            tries += [(data._replace(held=held, to_place=to), how) for held in (1, 2) for to, how in ends]
         return tries
 
     @cached_property

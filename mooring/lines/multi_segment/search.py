@@ -23,9 +23,8 @@ from .traverse import traverse
 # at the bed vertex to which the line slides
 SOLVED, LOST, SLIDES = -1, -2, -3
 # of the length, left over at the anchor by a search: that of a single position to begin with, those where it finds
-# nothing, one and the other way, those where these find nothing, and those of many positions
-QUICK, CLOSER, EXACT, ROUGH = np.array([1e-2]), np.array([1e-4, 1e-6]), np.array([1e-6]), np.array([1e-3])
-COARSE = np.array([1e-3, 1e-6])
+# nothing, and those of many positions
+QUICK, EXACT, ROUGH, COARSE = np.array([1e-2]), np.array([1e-6]), np.array([1e-3]), np.array([1e-3, 1e-6])
 CLOSE = 1e-7  # of the starts of spans in the coarsest searches
 
 
@@ -40,7 +39,7 @@ def horizontal_tension(line, w, x, z, guess, tolerance):
     low, high, f_low, f_high = -math.inf, math.inf, math.nan, math.nan
     q, wide, room, foot, passed, step = start, 0.0, 0.0, 0, 0, 0.25
     # the length may jump where a buoy comes out of the sea: the contacts on either side are tried before the last bit
-    narrow = 1e-5 if tolerance >= COARSE[0] else 1e-15
+    narrow = 1e-5 if tolerance >= COARSE[0] else 1e-11
     for _ in range(200):
         value = traverse(line, w, math.exp(q) if q > bottom else line.least, x, z)
         if q <= bottom:
