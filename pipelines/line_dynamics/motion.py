@@ -10,7 +10,7 @@ import numpy as np
 from meshing.text_files import read_text
 
 from ..common.quantities import StudyError, positive
-from ..common.weather.seas import spectrum_of
+from ..common.weather.seas import mean_period
 
 LARGEST = 64  # MB of a table of positions
 CYCLES = 12  # of a harmonic run whose duration is not given
@@ -74,7 +74,7 @@ def _harmonic(study, kind):
     periods = [part.period for part in moving] + (
         [] if study.wave is None else [positive("wave.period", study.wave.period)]
     )
-    sea = [] if study.sea is None else [float(spectrum_of("sea", study.sea, study.water.depth).T01)]
+    sea = [] if study.sea is None else [mean_period("sea", study.sea, study.water.depth)]
     if sea and study.duration is None:
         raise StudyError("duration is not given beside a sea, which does not repeat; allowed: above 0 s")
     longest = max(periods + sea, default=0.0)

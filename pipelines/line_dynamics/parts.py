@@ -11,7 +11,7 @@ import numpy as np
 from ..common.line_tables import attached, check_bed, line_type, of_types
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
-from ..common.weather.seas import spectrum_of
+from ..common.weather.seas import mean_period
 from .strength import Strength
 from .study import BedTable
 
@@ -187,7 +187,10 @@ def wave_of(study, ramp):
 def _components(study):
     """Components of the sea.  Raises StudyError."""
     sea = study.sea
-    _check_breaking("sea", sea.height, float(spectrum_of("sea", sea, study.water.depth).T01), study.water)
+    if sea.height is None:
+        raise StudyError("sea.height is missing; allowed: m, significant")
+    positive("sea.height", sea.height)
+    _check_breaking("sea", sea.height, mean_period("sea", sea, study.water.depth), study.water)
     for name, least, most in (("seed", 0, 2**32), ("components", FEWEST, MOST)):
         if not least <= getattr(sea, name) <= most:
             raise StudyError(f"sea.{name} is {getattr(sea, name)}; allowed: {least} to {most}")

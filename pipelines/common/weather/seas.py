@@ -90,6 +90,12 @@ def mean_wave(waves, spectrum):
     return waves.height, float(spectrum.T01) if given is None else given
 
 
+def mean_period(where, table, depth):
+    """s, mean, of a SpectrumTable in `depth` m: as given, else that of its spectrum.  Raises StudyError."""
+    period = period_of(where, table)
+    return period["mean_period"] if "mean_period" in period else float(spectrum_of(where, table, depth).T01)
+
+
 def sea_with_swell(where, waves, depth):
     """The Sea of a WavesTable, or Systems with its swell, in `depth` m.  Raises StudyError."""
     from mooring.seas.systems import Systems
