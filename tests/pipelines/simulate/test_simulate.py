@@ -68,7 +68,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "study.toml").write_text(MOOR.read_text() + TABLE)
     (tmp_path / "box.h5").write_bytes(b"a database")
-    reader = SimpleNamespace(omega=WIDE)
+    reader = SimpleNamespace(omega=WIDE, depth=20.0, gravity=9.8)
     db = SimpleNamespace(
         reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0, dimensions={},
         displaced_volume=None,
@@ -79,6 +79,7 @@ def folder(tmp_path, monkeypatch):
     memory = SimpleNamespace(states=4)
     body = SimpleNamespace(system=system, hull=hull, memory=memory, start=np.zeros(6), findings=("prepared",))
     body.berth = no_berth()
+    body.reader = SimpleNamespace(radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8)
 
     def prepared(task):
         return body, plan_of(study, WIDE, None, task.duration), study, ()
