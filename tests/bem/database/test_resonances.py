@@ -12,6 +12,7 @@ from mooring.environment.sea import Sea
 from mooring.environment.spectra import issc
 from mooring.response.sea_state import sea_state
 from pipelines.cli import main
+from pipelines.view.gaps import gaps_of
 from pipelines.view.plots import Curves
 
 BUOY = "buoy --radius 8 --draft 6 --depth 40 --gyration 4.5,4.5,4.5 --center-of-gravity 0,0,-1.5"
@@ -65,7 +66,7 @@ def test_a_dozen_chosen_frequencies_and_forty_fixed_ones_give_the_same_motions_i
 
 
 def test_curves_reach_the_peak_that_stored_frequencies_miss(fixed):
-    curves, found = Curves(fixed), pitch_of(fixed.reader)
+    curves, found = Curves(fixed, gaps_of(fixed)), pitch_of(fixed.reader)
     assert np.abs(curves["rao"][:, 0, PITCH]).max() > 0.97 * found.peak
     assert np.abs(fixed["rao"][:, 0, PITCH]).max() < 0.1 * found.peak
     assert np.array_equal(curves["rao"][curves.stored], fixed["rao"])

@@ -1,7 +1,6 @@
 """`hakobune series dolphin`: one floater in one depth of water, its rows and statements, one simulated."""
 
 import csv
-from types import SimpleNamespace
 
 import msgspec
 import pytest
@@ -67,8 +66,7 @@ def test_a_quay_behind_is_wired_by_the_far_field_and_lowers_the_limits(database,
     monkeypatch.setattr("bem.wave_field.before_wall.FEWEST", 50)
     monkeypatch.setattr("bem.wave_field.before_wall.MOST", 60)
     (tmp_path / "A_20m_beam.h5").symlink_to(database)
-    monkeypatch.setattr(dolphin.solving, "solve", lambda scene, path, fresh: SimpleNamespace(
-        interrupted=False, stored=1, total=1))  # fmt: skip
+    monkeypatch.setattr("pipelines.series.dolphin.whole_database", lambda scene, path, fresh: path)
     assert cli.main(["series", "dolphin", "--quay", "25", "--output", str(tmp_path)]) == 0
     told = capsys.readouterr().out
     assert "quay at y = 50 m: by the far field; 0.039 % of a wave" in told

@@ -52,7 +52,7 @@ def test_a_whole_result_passes_and_a_damaged_one_fails(name, here, capsys):
     Path(name).write_bytes(content[:-20] + bytes([content[-20] ^ 1]) + content[-19:])
     assert main(["check", name]) == 1
     said = capsys.readouterr().out
-    assert said.startswith(f"{name} is damaged: ") and said.count("\n") == 1
+    assert said.startswith(f"FAILS: {name} is damaged: ") and said.count("\n") == 1
 
 
 def test_a_result_whose_database_has_changed_says_so(here, capsys):

@@ -81,7 +81,8 @@ def test_a_killed_process_is_told_of_and_its_cases_are_done_by_the_next_run(fold
     killed = kill_at_first_result(monkeypatch, lambda: list(workers._processes))
     command = ["sweep", str(folder / "sweep.toml"), "--output", str(folder / "two.h5")]
     assert cli.main(command) == 1 and killed
-    assert "cases were not done" in capsys.readouterr().err
+    told = capsys.readouterr()
+    assert "cases were not done" in told.out + told.err
     monkeypatch.undo()
     assert cli.main(command) == 0
     assert same(folder / "one.h5", folder / "two.h5")
