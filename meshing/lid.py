@@ -183,12 +183,12 @@ def _true(ring, others, size):
 
     others : rings that bound the same lid.  A long chord cuts across a bay, a moonpool or a narrow ring.
     """
-    width = _width(ring, others)
-    while True:
-        plan = _simplified(ring, size)
-        if len(plan) >= len(ring) or np.all(_distance(ring, plan) <= OFF * width):
-            return plan
+    width, side = _width(ring, others), np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
+    plan = _simplified(ring, size)
+    while size > side.min() and len(plan) < len(ring) and np.any(_distance(ring, plan) > OFF * width):
         size *= 0.7
+        plan = _simplified(ring, size)
+    return plan
 
 
 def _width(ring, others):

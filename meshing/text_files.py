@@ -44,3 +44,14 @@ def check_size(path, error=ValueError, largest=LARGEST):
         raise error(f"{path} cannot be read: it is a device or a pipe, which may never end; give a file")
     if found.st_size > largest * 1e6:
         raise error(f"{path} has {found.st_size / 1e6:.0f} MB; allowed: up to {largest} MB")
+
+
+def numbers_of(line):
+    """The numbers that a line begins with, as Fortran reads a list: 1.D0 and 1, 2 count; a word ends it"""
+    found = []
+    for word in line.replace(",", " ").split():
+        try:
+            found.append(float(word.upper().replace("D", "E")))
+        except ValueError:
+            break
+    return found

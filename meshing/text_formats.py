@@ -27,7 +27,7 @@ def read_gdf(path):
     if len(lines) < 4:
         raise ValueError(f"{path}: {len(lines)} lines; a GDF file has a header, ULEN GRAV, ISX ISY, NPAN, panels")
     _, gravity = _numbers(path, 2, lines[1], 2)
-    unit = _unit(path, gravity)
+    unit = length_unit(path, gravity)
     symmetry = _symmetry(path, 3, _numbers(path, 3, lines[2], 2))
     (panels,) = _numbers(path, 4, lines[3], 1)
     if len(lines[3].split()) > 1 and _is_number(lines[3].split()[1]):
@@ -194,8 +194,8 @@ def _panel(path, k, row, numbers):
     return corners if len(corners) == 4 else [*corners, corners[-1]]
 
 
-def _unit(path, gravity):
-    """m per unit of length of a file, from its acceleration of gravity"""
+def length_unit(path, gravity):
+    """m per unit of length of a GDF file, from its acceleration of gravity.  Raises ValueError for neither m nor ft."""
     if 9.7 < gravity < 9.9:
         return 1.0
     if 31.8 < gravity < 32.5:

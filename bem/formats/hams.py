@@ -12,10 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
+from meshing.text_files import numbers_of
 from meshing.whole_files import write_whole
 
 from . import wamit
-from .values import FormatError, numbers_of
+from .values import FormatError, lines_of
 
 RESULTS = Path("Output", "Wamit_format", "Buoy")
 WATER = ("density", "gravity")
@@ -110,17 +111,10 @@ def read(place, known):
     return replace(found, body=dict(found.body) | _hydrostatic_of(place / "Input" / "Hydrostatic.in"), name=place.name)
 
 
-def _text(path):
-    try:
-        return path.read_text(encoding="utf-8", errors="replace").splitlines()
-    except OSError as error:
-        raise FormatError(f"{path}: {error.strerror}") from None
-
-
 def _control_of(path):
     """{key: rest of its line} up to the line that ends the file for HAMS; what follows it explains the keys"""
     said = {}
-    for line in _text(path):
+    for line in lines_of(path):
         if "End HAMS Control file" in line:
             break
         key, _, rest = line.strip().partition(" ")
@@ -137,7 +131,7 @@ def _one(path, said, key):
 
 def _hydrostatic_of(path):
     """Centre of mass and inertia of Hydrostatic.in: three numbers and six rows of six, after their titles"""
-    rows = [numbers for line in _text(path) if (numbers := numbers_of(line))]
+    rows = [numbers for line in lines_of(path) if (numbers := numbers_of(line))]
     if len(rows) < 7 or len(rows[0]) < 3 or any(len(row) < 6 for row in rows[1:7]):
         raise FormatError(f"{path}: allowed: the centre of gravity, then six rows of six of the body's mass")
     mass = np.array([row[:6] for row in rows[1:7]])

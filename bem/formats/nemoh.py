@@ -16,7 +16,7 @@ import numpy as np
 
 from meshing.whole_files import write_whole
 
-from .values import FormatError, Values, evenly
+from .values import FormatError, Values, evenly, lines_of
 
 FORCES = {
     "ExcitationForce.tec": ("excitation_force", "Excitation force"),
@@ -142,7 +142,7 @@ def hull_of(place):
     """The file of the hull that Nemoh.cal names; None where it is not there.  Raises FormatError."""
     place = Path(place)
     path = _inside(place, "Nemoh.cal")
-    for line in _lines(path):
+    for line in lines_of(path):
         if "Name of mesh file" in line:
             *folders, name = re.split(r"[\\/]", line.split("!")[0].strip())
             found = place
@@ -169,16 +169,9 @@ def _about(place, said):
     return np.array(points[0])
 
 
-def _lines(path):
-    try:
-        return path.read_text(encoding="utf-8", errors="replace").splitlines()
-    except OSError as error:
-        raise FormatError(f"{path}: {error.strerror}") from None
-
-
 def _said(path):
     """A function that gives the numbers before a text in Nemoh.cal, or others where there is no such text"""
-    lines = _lines(path)
+    lines = lines_of(path)
 
     def said(text, otherwise=None):
         for line in lines:
@@ -193,7 +186,7 @@ def _said(path):
 
 def _zones(path, count):
     """ω (n,) and numbers (zones, n, 12) of a .tec file"""
-    text = "\n".join(_lines(path))
+    text = "\n".join(lines_of(path))
     parts = re.split(r"^\s*zone\b.*$", text, flags=re.M | re.I)[1:]
     try:
         tables = [np.array([[float(x) for x in line.split()] for line in part.strip().splitlines()]) for part in parts]
@@ -209,7 +202,7 @@ def _zones(path, count):
 def _body(folder):
     body, still, stiffness = {}, _inside(folder, "Hydrostatics.dat"), _inside(folder, "KH.dat")
     if still.exists():
-        found = [re.findall(r"=\s*([-+.\deE]+)", line) for line in still.read_text(encoding="utf-8").splitlines()[:4]]
+        found = [re.findall(r"=\s*([-+.\deE]+)", line) for line in lines_of(still)[:4]]
         body["center_of_buoyancy"] = np.array([float(pair[0]) for pair in found[:3]])
         body["center_of_mass"] = np.array([float(pair[1]) for pair in found[:3]])
         body["displaced_volume"] = float(found[3][0])

@@ -6,10 +6,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from meshing.text_files import read_text
+
 from ..database.schema import BODY, LIMITS, QUANTITIES
 
 CARRIED = tuple(name for name in QUANTITIES if not name.startswith("kochin") and name != "pressure")
 SAME_HEADING = 1e-3  # of the largest value, between two lists of one heading: files print four digits or more
+LARGEST = 2000  # MB of a text file, of forces of many pairs of waves
 EVEN = 1e-6  # relative to the step, of numbers that are one step apart
 
 
@@ -113,17 +116,18 @@ def evenly(what, numbers, unit, way_out):
     return float(numbers[0]), float(numbers[-1]), len(numbers)
 
 
+def lines_of(path):
+    """Lines of a text file that another program wrote, bytes that are no text replaced.  Raises FormatError."""
+    return read_text(path, FormatError, errors="replace", largest=LARGEST).splitlines()
+
+
 def table_of(path, columns, separator=None):
     """(k, columns) numbers of a text file; lines that do not begin with a number are passed over.  Raises FormatError.
 
     columns : allowed numbers in a line; shorter lines are filled up with NaN
     """
-    try:
-        text = path.read_text(encoding="utf-8", errors="replace")
-    except OSError as error:
-        raise FormatError(f"{path}: {error.strerror}") from None
     rows = []
-    for number, line in enumerate(text.splitlines(), 1):
+    for number, line in enumerate(lines_of(path), 1):
         words = line.replace("D+", "E+").replace("D-", "E-").split(separator)
         try:
             row = [float(word) for word in words]
@@ -174,32 +178,22 @@ def gridded(path, coordinates, values, modes=()):
     return axes, grid
 
 
-def numbers_of(line):
-    """The numbers that a line begins with, as Fortran reads a list: 1.D0 and 1, 2 count; a word ends it"""
-    found = []
-    for word in line.replace(",", " ").split():
-        try:
-            found.append(float(word.upper().replace("D", "E")))
-        except ValueError:
-            break
-    return found
-
-
-def omega_of(column, kind, depth, gravity):
+def omega_of(column, kind, depth, gravity, length=1.0):
     """(n,) rad/s of numbers that say a frequency, 0 and infinity among them
 
     kind : "period", s, whose 0 is ω = ∞ and −1 ω = 0; "frequency", rad/s, "wavenumber" or "deep wavenumber", rad/m,
         and "wavelength", m: of the first three 0 is ω = 0 and −1 ω = ∞
+    length : m that wavenumbers are multiplied by
     """
     x = np.asarray(column, float)
     limits = {"period": (-1.0, 0.0), "wavelength": (-1.0, 0.0)}.get(kind, (0.0, -1.0))
     zero, endless = (np.isclose(x, limit, atol=1e-9) if limit <= 0 else x < 0 for limit in limits)
     y = np.where(zero | endless, 1.0, x)
-    k = 2 * np.pi / y if kind == "wavelength" else y
+    k = 2 * np.pi / y if kind == "wavelength" else y / length
     if kind in ("wavenumber", "wavelength"):
         omega = np.sqrt(gravity * k * np.tanh(np.minimum(k * depth, 50.0)))
     else:
-        omega = {"period": 2 * np.pi / y, "frequency": y, "deep wavenumber": np.sqrt(gravity * y)}[kind]
+        omega = {"period": 2 * np.pi / y, "frequency": y, "deep wavenumber": np.sqrt(gravity * k)}[kind]
     return np.where(zero, 0.0, np.where(endless, np.inf, omega))
 
 

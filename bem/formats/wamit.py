@@ -23,7 +23,7 @@ from meshing.whole_files import write_whole
 
 from ..database.schema import DOFS, DRIFT_DOFS
 from .values import FormatError, Values, gridded, omega_of, table_of
-from .wamit_inputs import Inputs, beside, inputs_beside
+from .wamit_inputs import beside, inputs_of
 
 FORCES = {".3": "excitation_force", ".3fk": "Froude_Krylov_force", ".3sc": "diffraction_force", ".4": "rao"}
 LIMIT_PERIODS = {-1.0: "added_mass_zero", 0.0: "added_mass_infinity"}
@@ -87,16 +87,17 @@ def read(place, known):
     known : {"water_depth", "density", "gravity"}, and "length_unit" m and "rotation_center" (3,) m where they are given
     Raises FormatError.
     """
-    place, (length, about, kind, _) = Path(place).with_suffix(".1"), inputs_of(place, known)
+    place, given = Path(place).with_suffix(".1"), inputs_of(place, known)
+    length = given.length
     rho, rho_g = known["density"], known["density"] * known["gravity"]
-    quantities, omega = _read_radiation(place, rho, length, kind, known)
+    quantities, omega = _read_radiation(place, rho, given, known)
     headings = np.zeros(0)
     for suffix, name in FORCES.items():
         if place.with_suffix(suffix).exists():
-            headings, X = _read_forces(place.with_suffix(suffix), omega, headings, kind, known)
+            headings, X = _read_forces(place.with_suffix(suffix), omega, headings, given, known)
             quantities[name] = np.conj(X) * (length**-POWER if name == "rao" else rho_g * length ** (2 + POWER))
     if place.with_suffix(".8").exists():
-        headings, F = _read_forces(place.with_suffix(".8"), omega, headings, kind, known, DRIFT_INDEX)
+        headings, F = _read_forces(place.with_suffix(".8"), omega, headings, given, known, DRIFT_INDEX)
         F = F.real * rho_g * length ** (1 + POWER[np.array(DRIFT_INDEX) - 1])
         quantities["drift_force" if "rao" in quantities else "drift_force_fixed"] = F
     body = {}
@@ -106,19 +107,7 @@ def read(place, known):
         body["hydrostatic_stiffness"] = rho_g * C * length ** (2 + POWER + POWER[:, None])
     water = {name: known[name] for name in ("water_depth", "density", "gravity")}
     return Values(omega, headings, quantities=quantities, body=body, name=place.stem, **water,
-                  rotation_center=np.array(about, float))  # fmt: skip
-
-
-def inputs_of(place, known):
-    """`Inputs` of the files beside NAME.1; what is given in `known` goes before them"""
-    said = inputs_beside(Path(place).with_suffix(".1"))
-    length, about, kind = (known.get(name) for name in ("length_unit", "rotation_center", "period_kind"))
-    return Inputs(
-        said.length if length is None else length,
-        said.about if about is None else tuple(about),
-        kind or said.period_kind,
-        said.said if length is None and about is None else (),
-    )
+                  rotation_center=np.array(given.about, float))  # fmt: skip
 
 
 def hull_of(place):
@@ -126,16 +115,11 @@ def hull_of(place):
     return beside(Path(place), ".gdf")
 
 
-def hull_moved(place, known):
-    """(3,) m that the hull of NAME.gdf is moved by: it is in the body's axes, whose origin is XBODY"""
-    return np.array(inputs_of(place, known).about, float)
-
-
-def _read_radiation(path, rho, length, kind, known):
+def _read_radiation(path, rho, given, known):
     """{quantity: array} of added mass, damping and limits, and ω (n,) rad/s"""
     table = table_of(path, (4, 5))
-    at = omega_of(table[:, 0], kind, known["water_depth"], known["gravity"])
-    size = rho * length ** (3 + POWER + POWER[:, None])
+    at = omega_of(table[:, 0], given.period_kind, known["water_depth"], known["gravity"], given.wave_length)
+    size = rho * given.length ** (3 + POWER + POWER[:, None])
     quantities = {}
     for limit, name in LIMITS_AT.items():
         part = table[at == limit]
@@ -152,13 +136,13 @@ def _read_radiation(path, rho, length, kind, known):
     return quantities | {"added_mass": size * both[..., 0], "radiation_damping": damping}, omega
 
 
-def _read_forces(path, omega, headings, kind, known, index=SIX):
+def _read_forces(path, omega, headings, given, known, index=SIX):
     """Headings (m,) rad and complex values (n, m, modes)"""
     table = table_of(path, (7,) if len(index) == 6 else (8,))
     extra = table.shape[1] - 7
     if extra:  # of the mean drift of two headings, what each does alone
         table = table[table[:, 1] == table[:, 2]]
-    at = omega_of(table[:, 0], kind, known["water_depth"], known["gravity"])
+    at = omega_of(table[:, 0], given.period_kind, known["water_depth"], known["gravity"], given.wave_length)
     coordinates = [at, np.radians(table[:, 1]), table[:, 2 + extra]]
     if not len(table):
         raise FormatError(f"{path} has drift of two different headings alone; allowed: that of each heading")

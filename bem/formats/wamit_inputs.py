@@ -4,8 +4,9 @@
     NAME.pot   header / HBOT / IRAD IDIFF / NPER / PER … / NBETA / BETA … / NBODY / gdf / XBODY(1-4) / IMODE
     NAME.cfg   KEY = value, in any order                       IPEROUT: what the first column of results is
 
-Results are about the body's own axes, whose origin is XBODY(1-3), m, in those of the water; the .gdf is in the body's
-axes too.  Lists are read as Fortran reads them: what follows the numbers wanted on a line is a remark.
+Results are about the body's own axes, whose origin is XBODY(1-3) in those of the water; the .gdf is in the body's
+axes too.  Lengths are in feet where GRAV is; wavenumbers in the first column are times ULEN (chapter 4).  Lists are
+read as Fortran reads them: what follows the numbers wanted on a line is a remark.
 """
 
 from __future__ import annotations
@@ -14,39 +15,47 @@ import re
 from pathlib import Path
 from typing import NamedTuple
 
-from .values import FormatError, numbers_of
+from meshing.text_files import numbers_of
+from meshing.text_formats import length_unit
+
+from .values import FormatError, lines_of
 
 PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumber"}  # IPEROUT
 
 
 class Inputs(NamedTuple):
-    """length : m, ULEN; about : (3,) m, XBODY; period_kind : of the first column of results
+    """length : m, ULEN; about : (3,) m, XBODY; period_kind : of the first column of results, as in `omega_of`
 
-    said : what of these a file says, in words
+    wave_length : m that wavenumbers of that column are multiplied by; said : what of these a file says, in words
     """
 
     length: float = 1.0
     about: tuple = (0.0, 0.0, 0.0)
     period_kind: str = "period"
+    wave_length: float = 1.0
     said: tuple = ()
 
 
-def inputs_beside(place):
-    """Inputs of NAME.gdf, NAME.pot and NAME.cfg as far as they are there.  Raises FormatError."""
-    place, found, said = Path(place), {}, []
-    if gdf := beside(place, ".gdf"):
-        found["length"] = _ulen(gdf)
-        said.append(f"ULEN {found['length']:g} m of {gdf.name}")
-    if pot := beside(place, ".pot"):
-        found["about"] = _xbody(pot)
-        if any(found["about"]):
-            said.append(f"XBODY {', '.join(f'{x:g}' for x in found['about'])} m of {pot.name}")
-    if cfg := beside(place, ".cfg"):
-        kind = _configured(cfg, "IPEROUT")
-        if kind is not None and kind not in PERIOD_KINDS:
-            raise FormatError(f"{cfg}: IPEROUT is {kind:g}; allowed: {', '.join(map(str, PERIOD_KINDS))}")
-        found["period_kind"] = PERIOD_KINDS[int(kind or 1)]
-    return Inputs(**found, said=tuple(said))
+def inputs_of(place, known):
+    """`Inputs` of NAME.gdf, NAME.pot and NAME.cfg as far as they are there, each read for what is not given.
+
+    known : {"length_unit": m, "rotation_center": (3,) m, "period_kind"}, each None or not there where it is not given
+    Raises FormatError.
+    """
+    place, said = Path(place), []
+    length, about, kind = (known.get(name) for name in ("length_unit", "rotation_center", "period_kind"))
+    gdf, pot, cfg = (beside(place, suffix) for suffix in (".gdf", ".pot", ".cfg"))
+    if length is None and gdf:
+        length = _ulen(gdf)
+        said.append(f"ULEN {length:g} m of {gdf.name}")
+    if about is None and pot:
+        about = tuple(x * (_unit(gdf) if gdf else 1.0) for x in _xbody(pot))
+        if any(about):
+            said.append(f"XBODY {', '.join(f'{x:g}' for x in about)} m of {pot.name}")
+    length, about = 1.0 if length is None else length, (0.0, 0.0, 0.0) if about is None else tuple(about)
+    if kind is None:
+        return Inputs(length, about, _period_kind(cfg) if cfg else "period", length, tuple(said))
+    return Inputs(length, about, kind, said=tuple(said))
 
 
 def beside(place, suffix):
@@ -55,24 +64,36 @@ def beside(place, suffix):
     return next((path for path in found if path.is_file()), None)
 
 
-def _lines(path):
-    try:
-        return path.read_text(encoding="utf-8", errors="replace").splitlines()
-    except OSError as error:
-        raise FormatError(f"{path}: {error.strerror}") from None
+def _head(path):
+    """ULEN and GRAV of a .gdf, those of them that are there"""
+    lines = lines_of(path)
+    return numbers_of(lines[1])[:2] if len(lines) > 1 else []
+
+
+def _unit(path):
+    """m per unit of length of a .gdf"""
+    head = _head(path)
+    return length_unit(path, head[1]) if len(head) > 1 else 1.0
 
 
 def _ulen(path):
-    lines = _lines(path)
-    numbers = numbers_of(lines[1]) if len(lines) > 1 else []
-    if not numbers or not numbers[0] > 0:
+    head = _head(path)
+    if not head or not head[0] > 0:
         raise FormatError(f"{path}, line 2: ULEN is missing; allowed: a length above 0, or give --length-unit")
-    return numbers[0]
+    return head[0] * _unit(path)
+
+
+def _period_kind(path):
+    """The kind that IPEROUT of a .cfg names"""
+    kind = _configured(path, "IPEROUT")
+    if kind is not None and kind not in PERIOD_KINDS:
+        raise FormatError(f"{path}: IPEROUT is {kind:g}; allowed: {', '.join(map(str, PERIOD_KINDS))}")
+    return PERIOD_KINDS[int(kind or 1)]
 
 
 def _xbody(path):
-    """(x, y, z) m.  Raises FormatError for several bodies, or axes that are turned."""
-    lines = iter(_lines(path)[1:])
+    """(x, y, z) in the unit of the .gdf.  Raises FormatError for several bodies, or axes that are turned."""
+    lines = iter(lines_of(path)[1:])
 
     def read(count):
         got = []
@@ -99,7 +120,7 @@ def _xbody(path):
 
 
 def _configured(path, key):
-    for line in _lines(path):
+    for line in lines_of(path):
         found = re.match(rf"\s*{key}(?:\(\d+\))?\s*=\s*([-+\d.]+)", line, re.I)
         if found:
             return float(found[1])

@@ -23,6 +23,7 @@ SLIT = 0.1  # of the mean edge: width of a ring, below which it is a seam; a mis
 
 class Rings(NamedTuple):
     """number : (f,) ring of each free edge; seam : (r,) whether nothing is open in it
+    joint : (r,) one number for the two of a pair that close each other
 
     length : (r,) m; area : (r,) m², left open; widest : m, of the seams
     Lengths and areas are those of the mesh without its images.

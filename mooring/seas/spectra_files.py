@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from meshing.text_files import read_text
+from meshing.text_files import numbers_of, read_text
 
 from ..environment.sea import Sea
 from ..environment.spectra import tabulated
@@ -142,7 +142,7 @@ class _Swan:
         found = []
         while len(found) < count:
             words = self.words()
-            row = leading_numbers(words)
+            row = numbers_of(" ".join(words))
             if not row or (count > 1 and len(row) < len(words)):
                 self.at -= 1
                 raise self.fault(f"numbers, {thing}")
@@ -258,9 +258,9 @@ class _Swan:
 
 def _ndbc(path, text, time):
     """Sea of the row of `time` ("YYYY MM DD hh mm") of a file of densities, or of its only row"""
-    if "(" in text.splitlines()[-1]:
-        return _ndbc_of_last_days(path, text, time)
     lines = [line.split() for line in text.splitlines() if line.strip()]
+    if "(" in "".join(lines[-1]):
+        return _ndbc_of_last_days(path, text, time)
     head = [word for word in lines[0] if re.fullmatch(r"\d*\.\d+", word)]
     first = len([word for word in lines[0] if word != "#"]) - len(head)
     rows = [row for row in lines[1:] if not row[0].startswith("#")]
@@ -295,17 +295,6 @@ def _ndbc_of_last_days(path, text, time):
         return Sea(tabulated(2 * np.pi * frequency, density / (2 * np.pi), path.stem))
     except ValueError as error:
         raise TableError(f"{path}: {error}") from None
-
-
-def leading_numbers(words):
-    """The numbers that a list of words begins with, as floats"""
-    found = []
-    for word in words:
-        try:
-            found.append(float(word))
-        except ValueError:
-            break
-    return found
 
 
 def _place(rows, values):

@@ -36,10 +36,14 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False):
     _check(kind, known, output, fresh, place)
     module = import_module(f"bem.formats.{kind.module}")
     of_module = {name: known[name] for name in kind.silent}
+    said = ()
+    if hasattr(module, "inputs_of"):
+        length, about, *_, said = module.inputs_of(place, of_module)
+        of_module |= {"length_unit": length, "rotation_center": about}
     values = with_headings_once(module.read(place, of_module))
     if known["rotation_center"] is not None:
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
-    panels = _hull(place, kind, module, mesh, of_module)
+    panels = _hull(place, kind, module, mesh, of_module.get("rotation_center"))
     values, left_out = _finite(values)
     lost = [
         fails(f"{name} is not finite at {omega} rad/s, left out with all else there; compute these frequencies again")
@@ -52,7 +56,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False):
             f"the water is {values.water_depth:g} m deep and {panels.name} draws {draft:g} m; allowed: deeper water"
         )
     values, remarks = on_hull(values, panels, weight)
-    remarks = (*remarks, *_remarks(module, place, of_module, values))
+    remarks = (*remarks, *_remarks(place, said, values))
     _store(values, panels, output, f"{kind_name}: {place}", fresh)
     groups = _store_pairs(output, pairs, values)
     print(f"{output}: {len(values.omega)} frequencies, {len(values.wave_direction)} headings, ", end="")
@@ -82,28 +86,29 @@ def _check(kind, known, output, fresh, place):
         raise ValueError(f"{output} is there already; give --fresh to replace it, or another name by --output")
 
 
-def _hull(place, kind, module, mesh, known):
-    """The hull in its water, of --mesh, or of the file that lies with the results.  Raises ValueError."""
+def _hull(place, kind, module, mesh, origin):
+    """The hull in its water, of --mesh, or of the file that lies with the results.  Raises ValueError.
+
+    origin : (3,) m, of the axes that the latter is in; None for those of the water
+    """
     path = mesh or (place / kind.hull.format(stem=place.stem) if kind.hull else None)
     if path is None and hasattr(module, "hull_of"):
         path = module.hull_of(place)
     if path is None or not path.resolve().is_file():
         raise ValueError(f"the hull is missing; give its mesh by --mesh{f', {path} is not there' if path else ''}")
     panels = read_mesh(path.resolve())
-    if mesh is None and hasattr(module, "hull_moved"):
-        shift = module.hull_moved(place, known)
-        panels = panels.moved(*shift) if np.any(shift) else panels
+    if mesh is None and origin is not None and np.any(origin):
+        panels = panels.moved(*origin)
     for finding in findings(panels):
         if finding.severity != "error":
             print(f"{path}: {finding}", file=sys.stderr)
     return panels
 
 
-def _remarks(module, place, known, values):
-    if hasattr(module, "inputs_of"):
-        for said in module.inputs_of(place, known).said:
-            if said != "ULEN 1 m of " + place.with_suffix(".gdf").name:
-                yield f"{said} is taken"
+def _remarks(place, said, values):
+    for one in said:
+        if one != "ULEN 1 m of " + place.with_suffix(".gdf").name:
+            yield f"{one} is taken"
     idle = [name for name, size in zip(DOFS, _sizes(values), strict=True) if size == 0]
     if idle:
         yield f"{', '.join(idle)} has no added mass in the files, which is stored as 0: the motion is not in them"
@@ -122,11 +127,9 @@ def _sizes(values):
 def _pairs_of(place, kind_name, values, known):
     if kind_name != "wamit":
         return []
-    from bem.formats.wamit import inputs_of
     from bem.formats.wamit_pairs import SUFFIXES, read_pairs
 
-    length = inputs_of(place, known).length
-    found = (read_pairs(place, values.density * values.gravity, kind, length) for kind in SUFFIXES)
+    found = (read_pairs(place, values.density * values.gravity, kind, known["length_unit"]) for kind in SUFFIXES)
     return [forces for forces in found if forces is not None]
 
 

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from meshing.text_files import read_text
+from meshing.text_files import numbers_of, read_text
 
 
 def test_a_byte_order_mark_and_windows_line_ends_are_not_text(tmp_path):
@@ -27,3 +27,8 @@ def test_what_is_no_text_file_is_refused_by_name(tmp_path):
     ]:
         with pytest.raises(KeyError, match=what):
             read_text(path, KeyError, largest=1)
+
+
+def test_numbers_at_the_head_of_a_line_are_read_as_fortran_reads_them():
+    assert numbers_of("1.D0, 2 -3d-1  4e2 metres 5") == [1.0, 2.0, -0.3, 400.0]
+    assert numbers_of("HBOT 20") == numbers_of("") == []

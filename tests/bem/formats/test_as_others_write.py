@@ -131,6 +131,31 @@ def test_xbody_is_the_point_of_moments_and_moves_the_hull(written, tmp_path, cap
         wamit.read(written, WATER)
 
 
+def test_an_input_file_is_read_for_what_is_not_given(written):
+    pot = "h\n20.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n2\none.gdf\n"
+    written.with_suffix(".pot").write_text(pot)
+    with pytest.raises(FormatError, match="has 2 bodies"):
+        wamit.inputs_of(written, WATER)
+    assert wamit.inputs_of(written, WATER | {"rotation_center": (0, 0, 1)}).about == (0, 0, 1)
+
+
+def test_lengths_are_feet_where_gravity_is_and_wavenumbers_are_times_ulen(values, written):
+    """WAMIT manual, chapter 4: first columns K L or ν L where IPEROUT is 3 or 4"""
+    gdf = written.with_suffix(".gdf")
+    gdf.write_text(gdf.read_text().replace("1.0 9.80665 ULEN", "10.0 32.174 ULEN"))
+    pot = "h\n20.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n1\none.gdf\n0 0 -5 0\n"
+    written.with_suffix(".pot").write_text(pot)
+    found = wamit.inputs_of(written, WATER)
+    assert found.length == pytest.approx(3.048) and found.about == pytest.approx((0, 0, -1.524))
+    written.with_suffix(".cfg").write_text("IPEROUT = 3\n")
+    for suffix in (".1", ".3", ".3fk", ".3sc", ".4", ".8"):
+        rewritten(
+            written.with_suffix(suffix),
+            lambda row: [(2 * np.pi / row[0]) ** 2 / G * 3.048 if row[0] > 0 else -1 - row[0], *row[1:]],
+        )
+    assert wamit.read(written, WATER).omega == pytest.approx(values.omega, rel=1e-5)
+
+
 def test_headings_a_turn_apart_are_one(values):
     X = values.get("excitation_force")
     both = np.concatenate([X, X[:, :1]], axis=1)

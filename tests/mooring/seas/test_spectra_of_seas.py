@@ -168,7 +168,7 @@ def test_a_file_of_the_last_days_of_ndbc_has_pairs(tmp_path):
         "2018 04 18 20 00 0.172 0.5 (0.080) 4.0 (0.100) 2.0 (0.125) 0.6 (0.160)",
         "2018 04 18 19 00 9.999 0.1 (0.080) 1.0 (0.100) 999.0 (0.125) 0.6 (0.160)",
     )
-    (tmp_path / "a.data_spec").write_text(head + "\n".join(rows) + "\n")
+    (tmp_path / "a.data_spec").write_text(head + "\n".join(rows) + "\n \n")
     (tmp_path / "a.sp1").write_text(SWAN)
     found = read_sea(tmp_path / "a.data_spec", time="2018 04 18 20 00")
     assert found.spectrum.significant_height == pytest.approx(
