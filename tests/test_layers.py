@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
+PACKAGE = "hakobune."
 LAYERS = ("meshing", "bem", "mooring", "pipelines")
 WHERE_USED = ("pyvista", "matplotlib", "meshio", "scipy.linalg", "rich", "xarray")
 FILES = sorted(file for layer in LAYERS for file in (ROOT / layer).rglob("*.py"))
@@ -21,11 +22,10 @@ def imports(tree):
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             for alias in node.names:
-                yield alias.name, id(node) in top
+                yield alias.name.removeprefix(PACKAGE), id(node) in top
         elif isinstance(node, ast.ImportFrom) and not node.level:
-            yield node.module, id(node) in top
-            for alias in node.names:
-                yield f"{node.module}.{alias.name}", id(node) in top
+            for name in (node.module, *(f"{node.module}.{alias.name}" for alias in node.names)):
+                yield name.removeprefix(PACKAGE), id(node) in top
 
 
 def folders_imported(file):
@@ -34,7 +34,7 @@ def folders_imported(file):
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
             start = package[: len(package) - node.level + 1] if node.level else ()
-            place = ROOT.joinpath(*start, *(node.module or "").split("."))
+            place = ROOT.joinpath(*start, *(node.module or "").removeprefix(PACKAGE).split("."))
             for target in (place, *(place / alias.name for alias in node.names)):
                 if target.with_suffix(".py").is_file() and target.parent != file.parent:
                     yield target.parent
@@ -86,7 +86,7 @@ def test_only_the_mesher_sees_gmsh():
     assert users == ["gmsh_session.py"]
 
 
-@pytest.mark.parametrize("module", ["bem.database", "mooring", "pipelines.scene.scene"])
+@pytest.mark.parametrize("module", ["hakobune.bem.database", "hakobune.mooring", "hakobune.pipelines.scene.scene"])
 def test_reading_and_mooring_load_nothing_heavy(module):
     heavy = ("numba", "gmsh", "pyvista", "matplotlib")
     code = f"import sys, {module}; print(*[m for m in {heavy} if m in sys.modules])"

@@ -21,6 +21,7 @@ from types import FunctionType
 from .uncompiled import Waiting, may_wait
 
 ROOT = Path(__file__).parents[2]
+PACKAGE = "hakobune."  # below which the folders of `ROOT` are imported
 # `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file, at every start
 _IMPORT = re.compile(
     r"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]*))", re.M
@@ -79,7 +80,7 @@ def imported(file, root=ROOT):
 
 def _module(folder, name):
     """The file of a dotted name below a folder, or None if there is none"""
-    place = folder.joinpath(*name.split(".")) if name else folder
+    place = folder.joinpath(*name.removeprefix(PACKAGE).split(".")) if name else folder
     for source in (place.with_suffix(".py"), place / "__init__.py"):
         if source.is_file():
             return source

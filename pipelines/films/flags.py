@@ -32,7 +32,7 @@ def animate(
     hakobune animate run.h5 --output film.gif
     hakobune animate box.h5 --period 9 --heading 180 --output film.gif
     """
-    from bem.database.results import has_schema
+    from hakobune.bem.database.results import has_schema
 
     from ..printing.verdict import tell
     from ..simulate.file import is_run

@@ -5,11 +5,11 @@ from __future__ import annotations
 import hashlib
 from pathlib import Path
 
-from bem.database import DatabaseError
-from bem.database.results import OURS, named, schema_of
-from meshing.seals import REMEDY, is_sealed, kind_filled_in, text_sealed
-from meshing.text_files import read_text
-from mooring.criteria.failing import fails
+from hakobune.bem.database import DatabaseError
+from hakobune.bem.database.results import OURS, named, schema_of
+from hakobune.meshing.seals import REMEDY, is_sealed, kind_filled_in, text_sealed
+from hakobune.meshing.text_files import read_text
+from hakobune.mooring.criteria.failing import fails
 
 TEXT = (".csv",)
 

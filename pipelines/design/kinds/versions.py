@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 LIBRARIES = ("hakobune", "numpy", "scipy", "numba", "h5py", "matplotlib")
-CODE = ("bem", "meshing", "mooring", "pipelines")  # packages that make numbers and pictures of stored results
+CODE = ("bem", "meshing", "mooring", "pipelines")  # folders that make numbers and pictures of stored results
 
 
 @cache
@@ -25,7 +25,7 @@ def code():
 
     key = hashlib.sha256()
     for name in CODE:
-        base = Path(import_module(name).__path__[0])
+        base = Path(import_module(f"hakobune.{name}").__path__[0])
         for path in sorted(base.rglob("*.py")):
             key.update(f"{name}/{path.relative_to(base).as_posix()}\n".encode() + path.read_bytes())
     return key.hexdigest()

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-import bem
-from bem.kernels import jit
+from hakobune import bem
+from hakobune.bem.kernels import jit
 
 ROOT = Path(bem.__file__).parents[1]
-CALLEE = """from bem.kernels.jit import kernel
+CALLEE = """from hakobune.bem.kernels.jit import kernel
 from {constants} import STEP
 
 
@@ -20,9 +20,9 @@ def step(x):
     return x + STEP
 """
 CALLER = """import sys
-from bem.kernels import jit
+from hakobune.bem.kernels import jit
 jit.ROOT = jit.Path(sys.argv[1])
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 from {callee} import step
 
 
@@ -89,7 +89,7 @@ def by_parsing(file):
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
             folder = file.parents[node.level - 1] if node.level else ROOT
-            places = [folder.joinpath(*(node.module or "").split("."))]
+            places = [folder.joinpath(*(node.module or "").removeprefix("hakobune.").split("."))]
             places += [places[0] / alias.name for alias in node.names]
             yield from (
                 place.with_suffix(".py") for place in places if place.name and place.with_suffix(".py").is_file()
@@ -97,9 +97,9 @@ def by_parsing(file):
 
 
 TWO_CALLERS = """import sys
-from bem.kernels import jit
+from hakobune.bem.kernels import jit
 jit.ROOT = jit.Path(sys.argv[1])
-from bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import kernel
 
 
 @kernel()

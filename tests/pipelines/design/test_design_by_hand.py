@@ -5,10 +5,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pipelines.design.fatigue import fatigue
-from pipelines.design.kinds.in_time import cycles_of
-from pipelines.design.kinds.needs import SCOPE
-from pipelines.design.running import given_parts
+from hakobune.pipelines.design.fatigue import fatigue
+from hakobune.pipelines.design.kinds.in_time import cycles_of
+from hakobune.pipelines.design.kinds.needs import SCOPE
+from hakobune.pipelines.design.running import given_parts
 
 LIFE = 25.0  # years
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from bem.database import open_database
-from bem.second_order.quadratic_forces import QuadraticForces
-from bem.second_order.stored import Held, StoredForces, read_forces, write_forces
-from pipelines import cli
+from hakobune.bem.database import open_database
+from hakobune.bem.second_order.quadratic_forces import QuadraticForces
+from hakobune.bem.second_order.stored import Held, StoredForces, read_forces, write_forces
+from hakobune.pipelines import cli
 
 BOX = "--length 40 --beam 20 --draft 5 --depth 20 --omega 0.3:0.9:3 --heading 0,45 --gyration 6,12,13"
 

@@ -4,9 +4,9 @@ import re
 
 import numpy as np
 
-from mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
-from pipelines.cli import main
-from pipelines.line_dynamics.strength import Strength
+from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.line_dynamics.strength import Strength
 
 STUDY = """\
 anchor = [0.0, 0.0, -60.0]
