@@ -1,11 +1,45 @@
 """From a floating body's dimensions to the tension in its last mooring line.
 
-The packages `hakobune.meshing`, `hakobune.bem`, `hakobune.mooring` and `hakobune.pipelines` are installed below this
-one.  In a checkout they are folders beside it.
+    import hakobune
+    result = hakobune.moor("study.toml", "box.h5")
+    result["tension.largest"], result.fails
+
+Each study is a function from its input (a path, a dictionary, or the typed study) to a result
+(`hakobune.pipelines.results.result.Result`).  The packages `hakobune.meshing`, `hakobune.bem`, `hakobune.mooring` and
+`hakobune.pipelines` are installed below this one.  In a checkout they are folders beside it.
 """
 
+from __future__ import annotations
+
+from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import open_database as open_database
+    from hakobune.pipelines.moor.result import moor as moor
+    from hakobune.pipelines.results.file import read as read
 
 _CHECKOUT = Path(__file__).parents[1]
 if (_CHECKOUT / "pyproject.toml").is_file():
     __path__.append(str(_CHECKOUT))
+
+_PUBLIC = {  # name: module that has it
+    "moor": "pipelines.moor.result",
+    "open_database": "bem.database",
+    "read": "pipelines.results.file",
+}
+__all__ = [*_PUBLIC]
+
+
+def __getattr__(name):
+    """A public name, imported when it is first asked for, so that `import hakobune` loads nothing else"""
+    if name == "__version__":
+        return import_module("hakobune.bem").__version__
+    if name not in _PUBLIC:
+        raise AttributeError(f"hakobune has no {name!r}; it has {', '.join(_PUBLIC)}")
+    return getattr(import_module(f"hakobune.{_PUBLIC[name]}"), name)
+
+
+def __dir__():
+    return [*_PUBLIC, "__version__"]

@@ -32,7 +32,7 @@ from .lines.flags import line, lines
 from .members.flags import members
 from .printing import timing
 from .printing.console import new_console, tables_as, taken
-from .printing.verdict import status_of, tell
+from .printing.verdict import tell
 from .qtf.command import qtf
 from .reports.compare_command import compare
 from .reports.sections_command import sections
@@ -224,7 +224,7 @@ def moor(
     """Equilibrium, natural periods and line tensions of a mooring study on a database."""
     from .moor.command import moor
 
-    return status_of(moor(study, database, output).warnings)
+    return moor(study, database, output)
 
 
 @app.command

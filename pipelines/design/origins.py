@@ -7,7 +7,7 @@ from hakobune.mooring.criteria import verdict as of
 from .fatigue import QUANTITY as FATIGUE
 from .kinds.needs import SCOPE
 
-H5 = {of.PRETENSION: "lines/pretension", of.HOLDING: "lines/maximum_horizontal_anchor_force"}
+H5 = {of.PRETENSION: "tension.at_rest", of.HOLDING: "anchor.largest_horizontal"}
 KEPT = {of.PRETENSION: "pretension", of.HOLDING: "horizontal", of.PARTIAL: "mean, values.largest", SCOPE: "length"}
 OF_PROJECT = {"service life": "project.service_life", "return period": "project.service_life, project.probability"}
 
@@ -28,11 +28,11 @@ def origin(read, ran, criterion):
     if not read.kind.MOVED:
         return beside["_numbers"], _kept(quantity, tension)
     if ran.runs is None:
-        moved = "lines/length" if quantity == SCOPE else "motion_amplitude"
-        return path, H5.get(quantity, "lines/maximum_tension" if tension else moved)
+        moved = "line.length" if quantity == SCOPE else "motion.amplitude"
+        return path, H5.get(quantity, "tension.largest" if tension else moved)
     at_berth = beside["_runs_numbers"].is_file()
     if quantity in (of.PRETENSION, SCOPE) and not at_berth:
-        return path, "lines/pretension" if quantity == of.PRETENSION else "lines/length"
+        return path, "tension.at_rest" if quantity == of.PRETENSION else "line.length"
     if quantity in (of.PRETENSION, SCOPE) or quantity in ran.numbers.parts:
         return beside["_runs_numbers"], _kept(quantity, tension)
     if quantity == FATIGUE:

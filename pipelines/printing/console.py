@@ -32,11 +32,20 @@ def tables_as(form):
     try:
         with contextlib.redirect_stdout(sys.stderr):
             yield
+        if not made.getvalue():
+            print(f"no table was printed, so there is nothing for --{form}", file=sys.stderr)
     finally:
         _asked = None
         out.write(made.getvalue())
-        if not made.getvalue():
-            print(f"no table was printed, so there is nothing for --{form}", file=sys.stderr)
+
+
+def document(result):
+    """Whether a `results.Result` was written as CSV or JSON because the command line asks for one of them"""
+    if _asked is None:
+        return False
+    form, file = _asked
+    file.write(result.to_csv() if form == "csv" else result.to_json())
+    return True
 
 
 def taken(arguments):

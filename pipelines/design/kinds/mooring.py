@@ -47,7 +47,7 @@ AT_BERTH = (
     "static ones where the body is at the largest tension. A steady strain is the largest mean of ten minutes. Ropes "
     "are tended to their pretension at every water level."
 )
-SOURCES = "Tensions are lines/maximum_tension of its file, offsets equilibrium, motions motion_amplitude."
+SOURCES = "Tensions are tension.largest of its file, offsets pose.x, pose.y, pose.yaw, motions motion.amplitude."
 IN_TIME_SOURCES = (
     "Tensions, motions and forces at the anchor are the largest of its runs (NAME_runs.h5), kept as values.largest, "
     "motions, horizontal and uplift of NAME_runs_extremes.json; offset and yaw are under steady forces, in NAME.h5."
@@ -214,44 +214,44 @@ def types_of(table):
 def _solved(study, database, path):
     from hakobune.bem.database import open_database
 
-    from ...moor.command import studied, write_result
+    from ...moor.result import moor
 
     text = tomli_w.dumps(study)
     found = _stored(path, study, text, database)
     if found is None:
-        result, _ = studied(make_study(study), open_database(database))
+        result = moor(study, open_database(database))
         write_study(path, text)
-        write_result(path, result, text, Path(database))
+        result.write(path)
         found = _stored(path, study, text, database)
     return found
 
 
 def _stored(path, study, text, database):
     """Numbers of the result in a file that is of this study and database, else None"""
-    from hakobune.bem.database.results import DatabaseError, opened_result
+    from hakobune.bem.database.results import DatabaseError
 
-    from ...moor.command import SCHEMA
+    from ...results.file import read
 
-    with suppress(DatabaseError, OSError, KeyError), opened_result(path, SCHEMA) as file:
+    with suppress(DatabaseError, OSError, KeyError):
+        found = read(path, "moor")
         seal = hashlib.sha256(Path(database).read_bytes()).hexdigest()
-        if file.attrs["study"] != text or file.attrs["database_sha256"] != seal:
+        if found.provenance["study"] != text or found.provenance["database_sha256"] != seal:
             return None
-        lines = {name: file[f"lines/{name}"][()] for name in file["lines"]}
         return Numbers(
-            names=tuple(name.decode() for name in lines["name"]),
+            names=tuple(found.labels["line"].values.tolist()),
             types=tuple(types_of(table) for table in line_tables(study)),
-            fairlead=lines["fairlead"],
-            anchor=lines["anchor"],
-            length=lines["length"],
-            pretension=lines["pretension"],
-            static=lines["static_tension"],
-            largest=lines["maximum_tension"],
-            breaking=lines["breaking_load"],
-            horizontal=lines["maximum_horizontal_anchor_force"],
-            uplift=lines["maximum_vertical_anchor_force"],
-            place=file["equilibrium"][()],
-            motions=file["motion_amplitude"][()],
+            fairlead=found["fairlead.place"],
+            anchor=found["anchor.place"],
+            length=found["line.length"],
+            pretension=found["tension.at_rest"],
+            static=found["tension.steady"],
+            largest=found["tension.largest"],
+            breaking=found["line.breaking_load"],
+            horizontal=found["anchor.largest_horizontal"],
+            uplift=found["anchor.largest_vertical"],
+            place=np.array([found[f"pose.{name}"] for name in ("x", "y", "yaw")]),
+            motions=found["motion.amplitude"],
             parts={},
-            warnings=tuple(filter(None, str(file.attrs["warnings"]).split("\n"))),
+            warnings=found.told,
         )
     return None

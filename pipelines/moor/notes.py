@@ -1,0 +1,61 @@
+"""What is said of a mooring study beside its tables."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.bem.database.resonances import resonances
+
+from ..common.resonances import resonance_lines
+from ..common.units import KN
+from ..printing.number import significant
+
+SAME = 0.01  # of forces and motions, within which two methods are said to agree
+
+
+def notes(made):
+    """Lines on a MultiPoint: its waves, and the line that pulls most"""
+    worst = int(np.argmax(made.tension))
+    largest = (
+        f"largest tension: {significant(made.tension[worst] / KN)} kN in {made.system.line_names[worst]}, "
+        f"{_used(made, worst)}"
+    )
+    return (*_waves(made), largest)
+
+
+def resonant(made, db):
+    """Findings on resonances of the free body that the stored frequencies do not tell, where there are waves"""
+    return tuple(resonance_lines(resonances(db.reader))) if made.conditions.waves else ()
+
+
+def _used(result, line):
+    if np.isinf(result.system.breaking_load[line]):
+        return "how much of its breaking load is unknown: none is given"
+    return f"{100 * result.utilisation[line]:.0f} % of its breaking load (allowable {100 * result.allowable:.0f} %)"
+
+
+def _waves(made):
+    """What the current changes in the drift, and by what the motions are multiplied"""
+    if not made.waves:
+        return
+    w, chosen = made.conditions, made.waves[made.conditions.method]
+    if chosen.by_current is not None:
+        yield _by_current(w.current, chosen)
+    if w.motion_factor != 1:
+        yield f"lines are tightened by {w.motion_factor:g} times these motions"
+
+
+def _by_current(current, effects):
+    """What a current that carries the waves changes in their drift"""
+    still, names = effects.drift - effects.by_current, ("Fx", "Fy", "Mz")
+    size = np.array([*2 * [np.abs(still[:2]).max()], np.abs(still[2])])
+    parts = [
+        f"{name} {value / KN:+.4g} {unit}" + (f" ({100 * value / of:+.0f} %)" if abs(of) > SAME * most else "")
+        for name, value, of, most, unit in zip(
+            names, effects.by_current, still, size, ("kN", "kN", "kN m"), strict=True
+        )
+    ]
+    return (
+        f"the current of {current.speed:.3g} m/s changes the drift by {', '.join(parts)} of that in still water, which "
+        f'current.waves = "still" has; waves are given in {current.waves} frequencies'
+    )

@@ -1,0 +1,141 @@
+"""`hakobune.moor`: a mooring study on a database, by the simplified method, and what is kept of it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hakobune.bem import DOFS
+from hakobune.mooring.studies.multi_point import PLANE, line_ends
+
+from ..results.given import database_of, given
+from ..results.provenance import provenance
+from ..results.quantity import Quantity
+from ..results.result import Result, labels
+from .notes import notes, resonant
+from .study import Study, make_study, read_study
+
+LOADS, PERIODS, LINES = "steady forces", "natural periods", "lines, tension at the fairlead"
+FREE, DRIFT, PLACE = "free motions, largest expected amplitude", "mean drift of the waves", "equilibrium"
+FORCE_UNITS = ("N", "N", "N", "N m", "N m", "N m")
+MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
+WORDS = {"irregular": "irregular waves", "regular_wave": "regular wave of significant height"}
+UNUSED = "not used: "
+FORCES = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
+LINE = {  # name: (unit, description, table, of a MultiPoint)
+    "tension.at_rest": ("N", "at rest", LINES, lambda r: r.rest.lines.tension_b),
+    "tension.steady": ("N", "steady", LINES, lambda r: r.equilibrium.lines.tension_b),
+    "tension.largest": ("N", "largest", LINES, lambda r: r.tension),
+    "tension.used": ("", "used", LINES, lambda r: r.utilisation),
+    "tension.horizontal_at_rest": ("N", "horizontal tension at rest", "", lambda r: r.rest.lines.horizontal_b),
+    "anchor.largest_vertical": ("N", "largest lift", "anchors and bed", lambda r: -r.extreme.vertical_a),
+    "anchor.largest_horizontal": (
+        "N", "largest horizontal", "anchors and bed", lambda r: r.extreme.horizontal_a
+    ),
+    "grounded.at_rest": ("m", "on the bed at rest", "anchors and bed", lambda r: r.rest.lines.grounded_length),
+    "grounded.at_largest": ("m", "on the bed at the largest", "anchors and bed", lambda r: r.extreme.grounded_length),
+    "fairlead.outward": ("m", "fairlead outward", "", lambda r: r.outward),
+    "fairlead.upward": ("m", "fairlead upward", "", lambda r: r.upward),
+    "line.breaking_load": ("N", "breaking load", "", lambda r: r.system.breaking_load),
+    "line.length": ("m", "length", "", lambda r: [line.length for line in r.system.lines]),
+}  # fmt: skip
+
+
+def moor(study, database):
+    """Equilibrium, natural periods and line tensions of a moored body.
+
+    study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
+    database : path of the body's database, or an open one
+    returns : Result; its `detail` is a `mooring.studies.multi_point.MultiPoint` and the hull
+    raises : ValueError, one line
+    """
+    from .command import studied
+
+    read, text = given(study, Study, read_study, make_study)
+    db = database_of(database)
+    made, hull = studied(read, db)
+    return result_of(made, hull, text, db, read.remarks(hull, db))
+
+
+def result_of(made, hull, text, db, first=()):
+    """Result of a MultiPoint and its hull; text : of its study; db : of the body; first : what is said before all"""
+    quantities = {**_steady(made), **_periods(made), **_lines(made), **_waves(made), **_place(made)}
+    axes = labels("mode", [name.lower() for name in made.at_rest.names]) | labels("line", made.system.line_names)
+    axes |= labels("load", [*made.loads, "sum"]) | labels("motion", [name.lower() for name in DOFS])
+    axes |= labels("force", FORCES) | labels("xyz", ["x", "y", "z"]) | labels("plane", ["x", "y", "yaw"])
+    used = {axis for one in quantities.values() for axis in one.axes}
+    return Result(
+        "moor",
+        quantities,
+        {axis: one for axis, one in axes.items() if axis in used},
+        tuple(line for line in made.warnings if line not in first),
+        (*notes(made), *resonant(made, db)),
+        tuple(first),
+        provenance(text, db),
+        (made, hull),
+    )
+
+
+def _steady(made):
+    loads = np.array([*made.loads.values(), made.steady_force])
+    return {
+        f"load.{name}": Quantity(loads[:, k], ("load",), unit, name, LOADS if name != "Fz" else "")
+        for k, (name, unit) in enumerate(zip(FORCES, FORCE_UNITS, strict=True))
+    }
+
+
+def _periods(made):
+    found = {}
+    for name, words, state in (
+        ("at_rest", "at rest", made.at_rest), ("under_loads", "under steady forces", made.at_equilibrium)
+    ):  # fmt: skip
+        found[f"period.{name}"] = Quantity(state.period, ("mode",), "s", words, PERIODS)
+        found[f"mode_shape.{name}"] = Quantity(
+            state.shapes, ("mode", "motion"), "", f"rotations times {state.scale:.6g} m, {words}"
+        )
+    return found
+
+
+def _lines(made):
+    found = {
+        name: Quantity(np.asarray(of(made), float), ("line",), unit, words, table, name == "tension.used")
+        for name, (unit, words, table, of) in LINE.items()
+    }
+    for name, ends in zip(("anchor", "fairlead"), line_ends(made.rest), strict=True):
+        found[f"{name}.place"] = Quantity(ends, ("line", "xyz"), "m", f"place of the {name} at rest")
+    return found
+
+
+def _waves(made):
+    found = {
+        "motion.amplitude": Quantity(made.amplitudes, ("motion",), MOTION_UNITS, "amplitude that tightens the lines")
+    }
+    for method, effects in made.waves.items():
+        words = ("" if method == made.conditions.method else UNUSED) + WORDS[method]
+        found[f"free_motion.{method}"] = Quantity(effects.amplitudes, ("motion",), MOTION_UNITS, words, FREE)
+        drift = (("plane",), ("N", "N", "N m"))
+        found[f"drift.{method}"] = Quantity(effects.drift, *drift, words, DRIFT)
+        if effects.by_current is not None:
+            found[f"drift_by_current.{method}"] = Quantity(
+                effects.by_current, *drift, f"of which by the current, {WORDS[method]}", DRIFT
+            )
+    return found
+
+
+def _place(made):
+    x, y, yaw = made.displacement
+    roll, pitch = made.heel
+    rows = {
+        "pose.x": (x, "m", "x of the rotation centre"),
+        "pose.y": (y, "m", "y of the rotation centre"),
+        "pose.yaw": (yaw, "rad", "yaw"),
+        "pose.roll": (roll, "rad", "roll"),
+        "pose.pitch": (pitch, "rad", "pitch"),
+    }
+    found = {name: Quantity(float(value), (), unit, words, PLACE) for name, (value, unit, words) in rows.items()}
+    found["allowable"] = Quantity(float(made.allowable), (), "", "allowable share of the breaking load", PLACE, True)
+    found["motion_factor"] = Quantity(float(made.conditions.motion_factor), (), "", "factor on the motions")
+    found["stiffness"] = Quantity(
+        made.equilibrium.stiffness, ("force", "motion"), "N/m, N/rad; N m/m, N m/rad", "stiffness of the lines"
+    )
+    found["residual"] = Quantity(made.equilibrium.residual[PLANE], ("plane",), ("N", "N", "N m"), "of the equilibrium")
+    return found

@@ -1,0 +1,1 @@
+"""What a study found, as data: quantities with name, unit, axes and full precision, from which every view follows."""

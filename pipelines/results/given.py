@@ -1,0 +1,43 @@
+"""What a study function is given: the path of a file, its tables as a dictionary, or the typed study itself."""
+
+from __future__ import annotations
+
+import os
+
+
+def given(study, kind, read, make):
+    """(typed study, its text) of any of the three.
+
+    kind : class of the typed study; read : of a path, gives both; make : of nested dictionaries, gives the study
+    raises : ValueError, one line, as these do; TypeError for something else
+    """
+    if isinstance(study, kind):
+        return study, _text(study)
+    if isinstance(study, dict):
+        import tomli_w
+
+        return make(study), tomli_w.dumps(study)
+    if isinstance(study, str | os.PathLike):
+        return read(study)
+    raise TypeError(f"a study is {type(study).__name__}; allowed: a path, a dictionary or {kind.__name__}")
+
+
+def _text(study):
+    """TOML of a typed study, without what is not given"""
+    import msgspec
+    import tomli_w
+
+    return tomli_w.dumps(_without_none(msgspec.to_builtins(study)))
+
+
+def _without_none(value):
+    if isinstance(value, dict):
+        return {key: _without_none(one) for key, one in value.items() if one is not None}
+    return [_without_none(one) for one in value] if isinstance(value, list | tuple) else value
+
+
+def database_of(database):
+    """An open database of a path, or the one that is given"""
+    from hakobune.bem.database import open_database
+
+    return open_database(database) if isinstance(database, str | os.PathLike) else database

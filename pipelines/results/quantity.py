@@ -1,0 +1,65 @@
+"""A named array of a result: its axes, its unit, and the unit that people read it in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+KILO, TURN = 1e3, np.pi / 180
+READ_IN = {  # unit of SI: (unit in print, its size); a thousand times larger ones only where numbers reach them
+    "N": ("kN", KILO), "N m": ("kN m", KILO), "N/m": ("kN/m", KILO), "N m/rad": ("kN m/rad", KILO), "J": ("kJ", KILO),
+    "Pa": ("kPa", KILO), "kg": ("t", KILO), "N s/m": ("kN s/m", KILO), "N s2/m2": ("kN s²/m²", KILO),
+    "N m s": ("kN m s", KILO), "N m s2": ("kN m s²", KILO), "kg m2": ("t m²", KILO), "kg m": ("t m", KILO),
+    "rad": ("°", TURN), "rad/m": ("°/m", TURN), "%": ("%", 0.01),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Quantity:
+    """values : array of numbers, texts or truths, of any rank; numbers in SI
+    axes : name of each of its axes
+    unit : "" of what has none; a tuple of one for each label of the first axis where these differ, as of surge and roll
+    description : a noun with what distinguishes it
+    table : title of the table that it is printed in; "" for none: it is in CSV, JSON and files alone
+    share : whether it is read in per cent; record : whether it is long, as a time series, and in files alone
+    """
+
+    values: np.ndarray
+    axes: tuple[str, ...] = ()
+    unit: str | tuple[str, ...] = ""
+    description: str = ""
+    table: str = ""
+    share: bool = False
+    record: bool = False
+
+    def __post_init__(self):
+        values = np.asarray(self.values)
+        if values.ndim != len(self.axes):
+            raise ValueError(f"{self.description}: {values.ndim} axes of values, {len(self.axes)} names {self.axes}")
+        object.__setattr__(self, "values", values.astype(object).astype(str) if values.dtype.kind == "O" else values)
+
+    @property
+    def numeric(self):
+        return self.values.dtype.kind in "fiuc"
+
+    def units(self):
+        """One unit for each label of the first axis, or one of all"""
+        return self.unit if isinstance(self.unit, tuple) else (self.unit,)
+
+    def __eq__(self, other):
+        same = all(
+            getattr(self, part) == getattr(other, part)
+            for part in ("axes", "unit", "description", "table", "share", "record")
+        )
+        return same and np.array_equal(self.values, other.values, equal_nan=self.values.dtype.kind in "fc")
+
+
+def read_in(unit, values, share=False):
+    """(unit in print, its size) for values of a unit of SI: kN from 1 kN on, N below"""
+    name, size = READ_IN.get("%" if share else unit, (unit, 1.0))
+    if size == KILO:
+        finite = np.abs(values)[np.isfinite(values)]
+        if finite.size and 0 < finite.max() < KILO:
+            return unit, 1.0
+    return name, size

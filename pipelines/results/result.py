@@ -1,0 +1,145 @@
+"""The result of a study: quantities, labels of their axes, findings, provenance.
+
+From it follow the print and CSV (`tables`), JSON (`documents`), HDF5 (`file`), xarray and pandas (`frames`).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from hakobune.mooring.criteria.failing import FAILS, failing
+
+from .quantity import Quantity
+
+PLACE = re.compile(r"(?P<head>[^\[\]]+)\[(?P<label>[^\]]+)\](?:\.(?P<tail>.+))?")
+
+
+@dataclass(frozen=True, eq=False)
+class Result(Mapping):
+    """kind : of study, as "moor"
+    quantities : {name: Quantity}; the parts of a name are parted by dots, the first part names what it is of
+    labels : {axis: Quantity of its labels, or of its values}
+    findings : lines, those that fail what was asked begin with FAILS (`mooring.criteria.failing`)
+    notes : lines in print, of what tables do not show; first : findings that are said before the tables
+    provenance : {name: text} of the input, the database and the version of the program
+    detail : what the study's own function returned, of a result that was not read from a file
+    """
+
+    kind: str
+    quantities: dict[str, Quantity]
+    labels: dict[str, Quantity] = field(default_factory=dict)
+    findings: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    first: tuple[str, ...] = ()
+    provenance: dict[str, str] = field(default_factory=dict)
+    detail: object = None
+
+    def __post_init__(self):
+        for name, one in self.quantities.items():
+            for axis, size in zip(one.axes, one.values.shape, strict=True):
+                found = self.labels.get(axis)
+                if found is None or len(found.values) != size:
+                    raise ValueError(f"{name} has {size} values on the axis {axis!r}, which has not as many labels")
+
+    def __getitem__(self, name):
+        """Values of a quantity; "tension[fore port 1].largest" or "tension.largest" are names.  Raises KeyError."""
+        return self.quantity(name).values[()]
+
+    def __iter__(self):
+        return iter(self.quantities)
+
+    def __len__(self):
+        return len(self.quantities)
+
+    def __eq__(self, other):
+        parts = ("kind", "quantities", "labels", "findings", "notes", "first", "provenance")
+        return isinstance(other, Result) and all(getattr(self, part) == getattr(other, part) for part in parts)
+
+    __hash__ = None
+
+    @property
+    def told(self):
+        """All findings, those that are said first before the others"""
+        return (*self.first, *self.findings)
+
+    @property
+    def fails(self):
+        """Findings that fail what was asked"""
+        return tuple(line.removeprefix(FAILS) for line in failing(self.told))
+
+    @property
+    def status(self):
+        """Exit status of the command: 1 where something fails, else 0"""
+        return int(bool(failing(self.told)))
+
+    def quantity(self, name):
+        """The Quantity of a name; at one label of its first axis where the name has one.  Raises KeyError."""
+        if name in self.quantities:
+            return self.quantities[name]
+        found = PLACE.fullmatch(name)
+        whole = None if found is None else ".".join(filter(None, (found["head"], found["tail"])))
+        if whole not in self.quantities:
+            raise KeyError(f"{name!r} is no quantity of this result; there are {', '.join(self.quantities)}")
+        one = self.quantities[whole]
+        if found["label"] == "*" or not one.axes:
+            return one
+        shown = [str(label) for label in self.labels[one.axes[0]].values]
+        if found["label"] not in shown:
+            raise KeyError(f"{found['label']!r} is no {one.axes[0]} of this result; there are {', '.join(shown)}")
+        place = shown.index(found["label"])
+        unit = one.unit[place] if isinstance(one.unit, tuple) else one.unit
+        return Quantity(one.values[place], one.axes[1:], unit, one.description, one.table, one.share)
+
+    def __repr__(self):
+        failed = f", {len(self.fails)} fail" if self.fails else ""
+        return f"<{self.kind}: {len(self.quantities)} quantities, {len(self.told)} findings{failed}>"
+
+    def _repr_html_(self):
+        from .frames import as_html
+
+        return as_html(self)
+
+    def to_xarray(self):
+        """An xarray.Dataset with all quantities, their axes, units and descriptions"""
+        from .frames import as_xarray
+
+        return as_xarray(self)
+
+    def to_dataframe(self, *names):
+        """A pandas.DataFrame of quantities that have the same axes.  Raises ValueError for others."""
+        from .frames import as_dataframe
+
+        return as_dataframe(self, *names)
+
+    def to_json(self):
+        """One JSON document, complete and at full precision"""
+        from .documents import as_json
+
+        return as_json(self)
+
+    def to_csv(self):
+        """Tables of all quantities at full precision, in SI, a blank line between them"""
+        from .documents import as_csv
+
+        return as_csv(self)
+
+    def write(self, path):
+        """Write it into an HDF5 file (`read` reads it back)"""
+        from .file import write
+
+        write(self, path)
+
+    def show(self):
+        """Print tables, notes and findings"""
+        from .tables import printed
+
+        printed(self)
+
+
+def labels(axis, values, unit="", description=""):
+    """{axis: its labels}, for `Result`"""
+    return {axis: Quantity(np.asarray(values), (axis,), unit, description or axis)}

@@ -1,0 +1,183 @@
+"""A result as tables: which quantities stand side by side, and how they are printed.
+
+Quantities of one `table` and the same first axis are columns, its labels the rows; further axes are spread over
+columns.  Quantities without axes are rows of a table of names, values and units.  Numbers are printed with significant
+digits, in the unit that people read them in; --csv and --json give all digits, in SI.
+"""
+
+from __future__ import annotations
+
+import itertools
+import textwrap
+from typing import NamedTuple
+
+import numpy as np
+
+from ..printing.number import NOTHING, number
+from .quantity import read_in
+
+WIDTH = 20  # characters of a heading
+ROUNDING = 1e-10  # of the largest number of a unit in a table, below which a number is printed as 0
+
+
+class Column(NamedTuple):
+    """name : of the quantity, with the label of its second axis; heading : in print; values : (rows,)
+
+    units : one for each row, or one of all; read_in : (unit in print, its size) where it is one of all
+    """
+
+    name: str
+    heading: str
+    values: np.ndarray
+    units: tuple[str, ...]
+    read_in: tuple[str, float]
+
+
+class Shown(NamedTuple):
+    """title; axis : of the rows, "" where each row is a quantity of its own; labels : (rows,); columns"""
+
+    title: str
+    axis: str
+    labels: tuple
+    columns: tuple[Column, ...]
+
+
+def tables(result, all_of_them=False):
+    """[Shown, …] of a result, in the order of its quantities; with those that are not printed if all_of_them"""
+    groups = {}
+    for name, one in result.quantities.items():
+        if not one.record and (one.table or all_of_them):
+            groups.setdefault((one.table, one.axes[:1]), []).append((name, one))
+    return [_shown(result, title, axes, members) for (title, axes), members in groups.items()]
+
+
+def _shown(result, title, axes, members):
+    if not axes:
+        columns = tuple(
+            Column(name, one.description or name, one.values[None], one.units(), _read_in(one)) for name, one in members
+        )
+        return Shown(title, "", tuple(n for n, _ in members), columns)
+    axis = axes[0]
+    columns = [column for name, one in members for column in _columns(result, name, one)]
+    return Shown(title, axis, tuple(result.labels[axis].values.tolist()), tuple(columns))
+
+
+def _columns(result, name, one):
+    words = one.description or name
+    if one.values.ndim == 1:
+        yield Column(name, words, one.values, one.units(), _read_in(one))
+        return
+    for place in itertools.product(*map(range, one.values.shape[1:])):
+        said = ", ".join(_label(result.labels[axis].values[k]) for axis, k in zip(one.axes[1:], place, strict=True))
+        values = one.values[(slice(None), *place)]
+        yield Column(f"{name}[{said}]", f"{words} {said}".strip(), values, one.units(), _read_in(one))
+
+
+def _label(value):
+    return value if isinstance(value, str) else f"{value:.6g}"
+
+
+def _read_in(one):
+    return read_in(one.units()[0], _sizes(one.values), one.share)
+
+
+def printed(result, console=None):
+    """Print the tables, notes and findings of a result; returns the exit status"""
+    from ..printing.console import document, new_console
+    from ..printing.verdict import tell
+
+    console = console or new_console()
+    if document(result):
+        return tell(result.told, console)
+    status = tell(result.first, console)
+    for shown in tables(result):
+        console.print(rich_table(shown, result.labels))
+    for line in result.notes:
+        console.print(line, highlight=False, soft_wrap=True, markup=False)
+    return tell(result.findings, console) or status
+
+
+def rich_table(shown, labels):
+    """A table of rich"""
+    from rich.table import Table
+
+    table = Table(title=shown.title or None, title_justify="left")
+    if not shown.axis:
+        for name in ("quantity", "value", "unit"):
+            table.add_column(name, justify="right" if name == "value" else "left", no_wrap=True)
+        for column in shown.columns:
+            unit, size = column.read_in
+            table.add_row(column.heading, _cell(column.values[0], size), unit)
+        return table
+    by_row = next((column.units for column in shown.columns if len(column.units) > 1), None)
+    head = labels[shown.axis]
+    unit, size = read_in(head.unit, _sizes(head.values)) if head.numeric else ("", 1.0)
+    table.add_column(_heading(shown.axis.replace("_", " "), unit), justify="left", no_wrap=True)
+    cells, units, largest = [], None, _largest(shown)
+    for column in shown.columns:
+        words, filled = _filled(column, largest)
+        if len(column.units) > 1:
+            units = units or words
+        table.add_column(
+            _heading(column.heading, "" if len(column.units) > 1 else words[0]), justify="right", no_wrap=True
+        )
+        cells.append(filled)
+    for row, label in enumerate(shown.labels):
+        said = _cell(label, size) if head.numeric else str(label)
+        table.add_row(f"{said}, {units[row]}" if by_row else said, *(column[row] for column in cells))
+    return table
+
+
+def _largest(shown):
+    """{unit: largest size in a table}"""
+    found = {}
+    for column in shown.columns:
+        for unit, values in zip(
+            column.units, [column.values] if len(column.units) == 1 else column.values, strict=True
+        ):
+            sizes = _sizes(values)
+            found[unit] = max(found.get(unit, 0.0), np.max(sizes[np.isfinite(sizes)], initial=0.0))
+    return found
+
+
+def _filled(column, largest):
+    """(units in print, cells) of a column; where units differ by row each row has its own
+
+    largest : {unit: largest size in the table}, beside which rounding is printed as 0
+    """
+    column = column._replace(values=_without_rounding(column, largest))
+    if len(column.units) == 1:
+        unit, size = column.read_in
+        return (unit,), [_cell(value, size) for value in column.values]
+    found = [read_in(unit, _sizes([value])) for unit, value in zip(column.units, column.values, strict=True)]
+    return [unit for unit, _ in found], [
+        _cell(value, size) for value, (_, size) in zip(column.values, found, strict=True)
+    ]
+
+
+def _without_rounding(column, largest):
+    if column.values.dtype.kind != "f":
+        return column.values
+    limit = ROUNDING * np.array([largest[unit] for unit in column.units])
+    return np.where(np.abs(column.values) < limit, 0.0, column.values)
+
+
+def _heading(words, unit):
+    """Over a column, in lines of up to WIDTH characters"""
+    return textwrap.fill(f"{words}, {unit}" if unit else words, WIDTH, break_long_words=False)
+
+
+def _sizes(values):
+    values = np.asarray(values)
+    return np.atleast_1d(np.abs(values)) if values.dtype.kind in "fiuc" else np.zeros(0)
+
+
+def _cell(value, size):
+    value = value.item() if isinstance(value, np.generic) else value
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, complex):
+        return number(abs(value), size)
+    return number(value, size) if isinstance(value, float) else str(value) or NOTHING
