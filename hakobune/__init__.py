@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from hakobune.bem.database import open_database as open_database
     from hakobune.pipelines.moor.result import moor as moor
-    from hakobune.pipelines.results.file import read as read
+    from hakobune.pipelines.reading import read as read
+    from hakobune.pipelines.simulate.result import simulate as simulate
 
 _CHECKOUT = Path(__file__).parents[1]
 if (_CHECKOUT / "pyproject.toml").is_file():
@@ -27,7 +28,8 @@ if (_CHECKOUT / "pyproject.toml").is_file():
 _PUBLIC = {  # name: module that has it
     "moor": "pipelines.moor.result",
     "open_database": "bem.database",
-    "read": "pipelines.results.file",
+    "read": "pipelines.reading",
+    "simulate": "pipelines.simulate.result",
 }
 __all__ = [*_PUBLIC]
 

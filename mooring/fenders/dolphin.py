@@ -29,14 +29,14 @@ class OnDolphin(Fender):
 
     def own(self, deflection):
         """m of a deflection of both, m, that is the fender's, by straight lines, which go on beyond the last"""
-        return self.height * _led_on(deflection / self.height, *self.strains)
+        return self.height * led_on(deflection / self.height, *self.strains)
 
     def whole(self, own):
         """m of the deflection of both where `own` m are the fender's"""
-        return self.height * _led_on(own / self.height, *self.strains[::-1])
+        return self.height * led_on(own / self.height, *self.strains[::-1])
 
 
-def _led_on(x, knots, values):
+def led_on(x, knots, values):
     """Straight lines through values at rising knots, the last led on"""
     slope = (values[-1] - values[-2]) / (knots[-1] - knots[-2])
     return float(np.interp(x, knots, values) + slope * max(x - knots[-1], 0.0))

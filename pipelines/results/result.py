@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -46,7 +46,7 @@ class Result(Mapping):
                     raise ValueError(f"{name} has {size} values on the axis {axis!r}, which has not as many labels")
 
     def __getitem__(self, name):
-        """Values of a quantity; "tension[fore port 1].largest" or "tension.largest" are names.  Raises KeyError."""
+        """Values by name: "tension.largest", of one line "tension[bow].largest" or "bow.largest".  Raises KeyError."""
         return self.quantity(name).values[()]
 
     def __iter__(self):
@@ -82,17 +82,27 @@ class Result(Mapping):
             return self.quantities[name]
         found = PLACE.fullmatch(name)
         whole = None if found is None else ".".join(filter(None, (found["head"], found["tail"])))
-        if whole not in self.quantities:
-            raise KeyError(f"{name!r} is no quantity of this result; there are {', '.join(self.quantities)}")
-        one = self.quantities[whole]
-        if found["label"] == "*" or not one.axes:
-            return one
-        shown = [str(label) for label in self.labels[one.axes[0]].values]
-        if found["label"] not in shown:
-            raise KeyError(f"{found['label']!r} is no {one.axes[0]} of this result; there are {', '.join(shown)}")
-        place = shown.index(found["label"])
+        if whole in self.quantities and (found["label"] == "*" or not self.quantities[whole].axes):
+            return self.quantities[whole]
+        if whole in self.quantities:
+            return self._at(whole, found["label"])
+        for whole, one in self.quantities.items():  # "surge.sigma" of record.sigma
+            label = name.removesuffix("." + whole.partition(".")[2])
+            if one.axes and label != name and label in self._shown(one.axes[0]):
+                return self._at(whole, label)
+        raise KeyError(f"{name!r} is no quantity of this result; there are {', '.join(self.quantities)}")
+
+    def _at(self, name, label):
+        one = self.quantities[name]
+        shown = self._shown(one.axes[0])
+        if label not in shown:
+            raise KeyError(f"{label!r} is no {one.axes[0]} of this result; there are {', '.join(shown)}")
+        place = shown.index(label)
         unit = one.unit[place] if isinstance(one.unit, tuple) else one.unit
-        return Quantity(one.values[place], one.axes[1:], unit, one.description, one.table, one.share)
+        return replace(one, values=one.values[place], axes=one.axes[1:], unit=unit)
+
+    def _shown(self, axis):
+        return [str(label) for label in self.labels[axis].values]
 
     def __repr__(self):
         failed = f", {len(self.fails)} fail" if self.fails else ""

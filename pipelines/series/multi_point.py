@@ -17,7 +17,7 @@ from ..common.outputs import check_folder
 from ..common.quantities import StudyError
 from ..common.units import TONF
 from ..printing.verdict import tell
-from ..simulate.report import DEEP, SHALLOW
+from ..simulate.findings import DEEP, SHALLOW
 from . import multi_point_statistics as statistics
 from .databases import whole_database
 from .multi_point_cases import FLOATERS, STRENGTH, cases, scene, study
@@ -192,14 +192,12 @@ def _slow_motion(raw, database):
 
 def _of_runs(path):
     """Largest tension, mean + X_1000 and mean, N; σ of the slow part and of all of surge, sway and yaw, (3,)"""
-    from ..simulate.file import SUMMARY, opened
-    from ..simulate.report import line_values
+    from ..simulate.file import opened, summary_of
 
     with opened(path) as file:
-        lines = [line_values(file, name) for name in file["line"].asstr()[()]]
-        names = list(file["quantity"].asstr()[()])
-        rows = file["summary"][()][[names.index(mode) for mode in MODES]]
-    slow, total = (rows[:, SUMMARY.index(key)] for key in ("slow", "sigma"))
+        lines = [summary_of(file, f"tension {name}") for name in file["line"].asstr()[()]]
+        rows = [summary_of(file, mode) for mode in MODES]
+    slow, total = (np.array([row[key] for row in rows]) for key in ("slow", "sigma"))
     gaussian = max(one["mean"] + one["extreme"] for one in lines)
     return (max(one["largest"] for one in lines), gaussian, max(one["mean"] for one in lines)), slow, total
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.fenders.dolphin import led_on
 
-from .file import SUMMARY
+from .file import fender_names, summary_of
 
 PLANE = {"surge": 0, "sway": 1, "yaw": 5}
 NEAR = 0.2  # of a harbour's period, within which a natural period is near it
@@ -32,44 +35,39 @@ def natural_periods(moored):
     return out
 
 
-def lines_on_periods(periods, harbour):
-    """A line on natural periods (3,) s; (lines of findings where one is near a harbour's, s, of a list)"""
-    known = {name: T for name, T in zip(PLANE, periods, strict=True) if np.isfinite(T)}
-    words = ", ".join(f"{n} {T:.3g} s" for n, T in known.items())
-    told = f"natural periods of small motions at the berth: {words or 'none, nothing holds them at rest'}"
-    near = [
-        f"{name} swings with {T:.3g} s at the berth, the harbour with {own:g} s: it resonates; change pretension or "
-        f"stiffness of the ropes until they are {100 * NEAR:g} % apart"
-        for name, T in known.items() for own in harbour if abs(T / own - 1) <= NEAR
-    ]  # fmt: skip
-    return told, near
+def findings_on_periods(file):
+    """What resonates: natural periods at the berth near those of the harbour"""
+    harbour = np.asarray(file.attrs.get("harbour_period", []), float)
+    for name, T in zip(PLANE, file.attrs.get("natural_period", ()), strict=False):
+        for own in harbour:
+            if abs(T / own - 1) <= NEAR:
+                yield (
+                    f"{name} swings with {T:.3g} s at the berth, the harbour with {own:g} s: it resonates; change "
+                    f"pretension or stiffness of the ropes until they are {100 * NEAR:g} % apart"
+                )
 
 
-def lines_on_fenders(file, fenders):
-    """A line on the most strained fender, and what fails: those beyond what they may be strained
-
-    Strains are of the fenders themselves, without what a dolphin behind them yields.
-
-    file : open, of a simulation; fenders : sequence of `mooring.motion.contacts.QuayFender`
+def fender_strains(file):
+    """Largest strain of each fender itself, without what a dolphin behind it yields, and what it may be strained; None
+    where a file does not know
     """
-    names, strained = list(file["quantity"].asstr()[()]), []
-    for one in fenders:
-        row = dict(zip(SUMMARY, file["summary"][names.index(f"deflection {one.name}")], strict=True))
-        strained.append((one.fender.own(row["largest"]) / one.fender.height, one))
-    if not strained:
-        return "", []
-    share, most = max(strained, key=lambda pair: pair[0] / pair[1].fender.own_allowable)
-    told = (
-        f"fenders: {most.name} is strained most, to {100 * share:.3g} % of its height; allowed: "
-        f"{100 * most.fender.own_allowable:.3g} %"
-    )
-    return told, [
-        fails(
-            f"{one.name} is pressed to {100 * share:.4g} % of its height; allowed: "
-            f"{100 * one.fender.own_allowable:.4g} %; take a larger one or more of them"
-        )
-        for share, one in strained if share > one.fender.own_allowable
-    ]  # fmt: skip
+    if "fender_strains" not in file.attrs:
+        return None
+    height, allowable = (np.asarray(file.attrs[f"fender_{name}"], float) for name in ("height", "allowable"))
+    pressed = [summary_of(file, f"deflection {name}")["largest"] for name in fender_names(file)]
+    knots = json.loads(file.attrs["fender_strains"])
+    share = [led_on(y / h, *map(np.array, one)) for y, h, one in zip(pressed, height, knots, strict=True)]
+    return np.array(share), allowable
+
+
+def findings_on_fenders(file):
+    """What fails: fenders beyond what they may be strained"""
+    for name, share, allowable in zip(fender_names(file), *(fender_strains(file) or ((), ())), strict=False):
+        if share > allowable:
+            yield fails(
+                f"{name} is pressed to {100 * share:.4g} % of its height; allowed: {100 * allowable:.4g} %; take a "
+                "larger one or more of them"
+            )
 
 
 def by_design_spectrum(study, db, body, hull, fenders):
@@ -155,19 +153,3 @@ def check_windows(length, plan):
         raise StudyError(f"--windows is {length:g} s; allowed: {FEWEST * step:g} s to the duration, {duration:g} s")
     if plan.keep_series < 1:
         raise StudyError("--windows is given, and no record is stored; allowed: with keep_series of 1 or more")
-
-
-def windows_table(file, length):
-    """The first stored record of an open file in windows of `length` s, as a table"""
-    from rich.table import Table
-
-    step = float(np.diff(file["time"][:2])[0])
-    table = Table(
-        title=f"seed {int(file['kept_seed'][0])} in windows of {length:g} s: significant amplitudes and periods",
-        title_justify="left",
-    )
-    for name in ("from s", "surge m", "T s", "sway m", "T s", "yaw °", "T s"):
-        table.add_column(name, justify="right", no_wrap=True)
-    for start, values in windows(file["motion"][0].astype(float), step, length):
-        table.add_row(f"{start:g}", *("–" if np.isnan(v) else f"{v:.3g}" for v in values))
-    return table

@@ -198,6 +198,30 @@ def told(file):
     return tuple(filter(None, str(file.attrs.get("told", "")).split("\n")))
 
 
+def stored_findings(file):
+    """Lines of text on what holds of all runs, and what single runs found"""
+    of_all = str(file.attrs.get("findings_of_all", "")).split("\n")
+    rows = file["findings"][whole_rows(file)]
+    of_runs = sorted({line for one in rows for line in bytes(one).decode().split("\n")})
+    return tuple(filter(None, dict.fromkeys((*of_all, *of_runs))))
+
+
+def units_of(file):
+    """Unit of each quantity"""
+    return tuple(json.loads(file["quantity"].attrs["quantity_units"]))
+
+
+def fender_names(file):
+    """Names of the fenders"""
+    return tuple(file["fender"].asstr()[()]) if "fender" in file else ()
+
+
+def summary_of(file, quantity):
+    """{statistic: value in SI} of a quantity over all runs, as "tension fore port 1" """
+    place = list(file["quantity"].asstr()[()]).index(quantity)
+    return dict(zip(SUMMARY, file["summary"][place], strict=True))
+
+
 def first_what_is_left_out(findings):
     """Findings, each once, those on what is left out first: they say what the others are worth"""
     return tuple(sorted(dict.fromkeys(findings), key=lambda line: not line.startswith(LEFT_OUT)))

@@ -18,21 +18,27 @@ from dataclasses import replace
 import numpy as np
 
 from ..common.quantities import StudyError
+from ..results.given import database_of
+from ..results.quantity import Quantity
+from ..results.result import labels
 from . import work
 from .berth import PLANE, natural_periods, windows
+from .run import input_of
 
 STILL = 1e-6  # m, degrees: no motion
 SIGNIFICANT = 0.9  # mean over significant period, of the spectra of the report
 
 
-def methods_table(task, seed, division=None):
-    """A table of the methods on the waves of a seed; division : path of a database by the contour method, or None
+def compared(result, study, database, duration=None, division=None):
+    """A Result with the methods beside each other, on the waves of its first seed.
 
+    study, database : as of `result.simulate`; duration : s of the run, None for the study's
+    division : path of a database by the contour method, or None
     raises : StudyError for a study without waves or a database of another body or method
     """
-    from rich.table import Table
-
-    body, plan, study, _ = work.prepared(task)
+    asked, db = input_of(study), database_of(database)
+    task = work.Task(asked.study, str(db.path), duration, None, asked.folder)
+    body, plan, _ = work.prepared(task, db)
     if plan.mean_period is None:
         raise StudyError("--methods compares motions in waves, and there are none; allowed: with [waves] or a record")
     periods, states = natural_periods(body), {"memory": "states", "constant_period": None}
@@ -42,17 +48,28 @@ def methods_table(task, seed, division=None):
     if len(known):
         cases.append((f"4 constant, {known[0]:.3g} s", body, _constant(known[0])))
     if division is not None:
-        cases.insert(0, ("1 memory, divided box", _divided(study, body, division), states))
-    table = Table(title=f"seed {seed}: significant amplitudes and periods by four methods", title_justify="left")
-    for name in ("method", "surge m", "T s", "sway m", "T s", "yaw °", "T s"):
-        table.add_column(name, justify="left" if name == "method" else "right", no_wrap=True)
+        cases.insert(0, ("1 memory, divided box", _divided(asked.study, body, division), states))
+    seed, rows, refused = plan.seeds[0], [], []
     for name, one, changed in cases:
         try:
-            cells = _row(one, plan, changed, seed)
+            rows.append(_row(one, plan, changed, seed))
         except ValueError as error:
-            cells, table.caption = ["–"] * (2 * len(PLANE)), f"{name}: {' '.join(str(error).split())}"
-        table.add_row(name, *cells)
-    return table
+            rows.append(np.full(2 * len(PLANE), np.nan))
+            refused.append(f"{name}: {' '.join(str(error).split())}")
+    axes, table = (
+        labels("method", [name for name, _, _ in cases]),
+        f"seed {seed} by four methods, significant amplitudes",
+    )
+    found = {}
+    for k, (name, unit) in enumerate(zip(PLANE, ("m", "m", "rad"), strict=True)):
+        size, period = np.array(rows)[:, 2 * k], np.array(rows)[:, 2 * k + 1]
+        size = np.radians(size) if unit == "rad" else size
+        found[f"method.{name}"] = Quantity(size, ("method",), unit, name, table)
+        found[f"method.{name}_period"] = Quantity(period, ("method",), "s", f"period of {name}", table)
+    return replace(
+        result, quantities=result.quantities | found, labels=result.labels | axes,
+        findings=(*result.findings, *refused),
+    )  # fmt: skip
 
 
 def _constant(period):
@@ -60,7 +77,7 @@ def _constant(period):
 
 
 def _row(body, plan, changed, seed):
-    """Cells of significant amplitudes and periods; nan of too few waves is a dash"""
+    """(6,) significant amplitudes, m, m, degrees, and periods, s; nan of too few waves"""
     from hakobune.mooring.motion.simulation import simulate, with_memory
 
     settings = replace(plan.settings, **changed)
@@ -71,7 +88,7 @@ def _row(body, plan, changed, seed):
         run = simulate(body, plan.weather, settings, seed)
     late = run.motion[run.time >= -1e-9]
     values = windows(late, settings.step, settings.step * (len(late) - 1))[0][1]
-    return ["–" if np.isnan(v) else f"{v:.3g}" if v > STILL else "0" for v in values]
+    return np.where(np.asarray(values) > STILL, values, np.where(np.isnan(values), np.nan, 0.0))
 
 
 def _divided(study, body, path):

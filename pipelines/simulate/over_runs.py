@@ -12,6 +12,7 @@ from hakobune.mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, r
 from hakobune.mooring.response.findings import LINES_NAMED, some
 
 from ..moor.study import make_study
+from .beside import differ as differ_by
 from .file import STATISTICS, told, whole_rows
 
 OF_LINES = "left out: inertia and drag"  # what `mooring.motion.simulation.trial` says of lines in their static shape
@@ -73,9 +74,8 @@ def notes(file):
 
 def differ(file):
     """Whether seeds make runs differ: by irregular waves or gusts"""
-    study = make_study(tomllib.loads(file.attrs["study"]))
-    conditions, gusts = study.conditions(), study.wind is not None and study.wind.gusts is not None
-    return gusts or (conditions.sea is not None and conditions.method != "regular_wave")
+    known = file.attrs.get("seeds_differ")
+    return differ_by(make_study(tomllib.loads(file.attrs["study"]))) if known is None else bool(known)
 
 
 def rare_findings(file):

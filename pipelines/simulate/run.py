@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import time
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -19,8 +21,10 @@ from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
 from ..common.progress import duration as words_of
 from ..executors.choice import Here, in_order_until
-from ..moor.study import read_study
-from .berth import check_windows, natural_periods
+from ..moor.study import Study, make_study, read_study
+from ..results.given import given
+from .berth import check_windows
+from .beside import differ, of_berth, simplified
 from .file import (
     STATISTICS,
     SUMMARY,
@@ -43,6 +47,23 @@ SPREADS = ("sigma", "slow", "wave")
 AFTER = 10.0  # s between lines of a long run
 
 
+class Input(NamedTuple):
+    """study : `moor.study.Study`; text : its TOML; folder : of files that it names; path : of its file, or None"""
+
+    study: Study
+    text: str
+    folder: str = "."
+    path: Path | None = None
+
+
+def input_of(study):
+    """Input of a path, a dictionary or a `Study`.  Raises StudyError."""
+    path = Path(study) if isinstance(study, str | os.PathLike) else None
+    return Input(
+        *given(study, Study, read_study, make_study), "." if path is None else str(path.resolve().parent), path
+    )
+
+
 @dataclass(frozen=True)
 class Outcome:
     """made : seeds of this run; there : whole rows; total : seeds asked for; failures : (seed, reason)
@@ -55,51 +76,45 @@ class Outcome:
     total: int
     failures: tuple
     interrupted: bool
-    findings: tuple[str, ...]
 
 
-def simulate(
-    study_path, database_path, output, console, executor, seeds=None, duration=None, fresh=False, windows=None
-):
+def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None):
     """Complete the file of a simulation; returns its Outcome.
 
+    asked : Input of the study; database : open; console : that tells how far it is, None for none
     seeds : how many, in place of the study's; duration : s, likewise; fresh : leave what is there
     windows : s, that a record is to be told in, for which it has to be stored
     raises : ValueError, one line, before anything is written
     """
-    from hakobune.bem.database import open_database
-
-    output = Path(output)
-    study, text = read_study(study_path)
-    folder = Path(study_path).resolve().parent
+    output, db, folder, (study, text) = Path(output), database, asked.folder, asked[:2]
     files = force_files(study, folder)
-    check_output(output, "a simulation", is_run, DATABASE, (study_path, database_path, *files))
-    db = open_database(database_path)
+    inputs = (db.path, *files)
+    check_output(output, "a simulation", is_run, DATABASE, (*filter(None, (asked.path,)), *inputs))
     plan = plan_of(study, db.reader.omega, seeds, duration, folder)
     if windows is not None:
         check_windows(windows, plan)
-    identity = _identity(study, (database_path, *files), plan.settings.duration)
-    task = Task(text, str(database_path), plan.settings.duration, None, str(folder))
-    shorter = None if fresh else _shorter(output, study, (database_path, *files), plan, identity)
+    identity = _identity(study, inputs, plan.settings.duration)
+    task = Task(study, str(db.path), plan.settings.duration, None, str(folder))
+    shorter = None if fresh else _shorter(output, study, inputs, plan, identity)
     if shorter is not None:
         plan, fresh = _with_seeds_there(output, plan), True
         if console:
             console.print(_made_again(shorter, plan.settings.duration), highlight=False, soft_wrap=True)
     todo = _missing(output, identity, plan, fresh)
-    findings = plan.findings
     if todo or not summary_is_of_today(output):
-        for line in study.remarks(study.hull_of(db.dimensions), db) if console else ():
+        remarks = tuple(study.remarks(study.hull_of(db.dimensions), db))
+        for line in remarks if console else ():
             console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
         moving, before = (None, ()) if fresh else _of_lines(output)
-        task, ready, more = _made_once(task, moving)
+        task, ready, more = _made_once(task, moving, db)
         ready = replace(ready, told=first_what_is_left_out((*before, *ready.told)))
-        findings += more
+        beside = simplified(study, db)
+        kept = (*remarks, *plan.findings, *more, *beside.findings)
         _say_before(console, ready, len(todo), executor)
-        header = _header(task, db, study, plan, identity, ready)
+        header = _header(task, text, db, plan, identity, ready, beside, kept)
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:
-        findings = (*told(file), *findings)
-        outcome = _fill(file, task, plan, console, executor, findings)
+        outcome = _fill(file, task, plan, console, executor)
         if outcome.made or (outcome.there and not summary_is_whole(file)):
             put_summary(file, summary(file))
     return outcome
@@ -200,9 +215,9 @@ def _of_lines(output):
         return None if names is None else tuple(filter(None, names.split("\n"))), told(file)
 
 
-def _made_once(task, moving):
+def _made_once(task, moving, db):
     """The Task with its memory and lines that move, for all processes, the Plan as prepared, and findings of that"""
-    body, plan, _, warned = prepared(replace(task, moving=moving))
+    body, plan, warned = prepared(replace(task, moving=moving), db)
     task = replace(task, memory=body.memory, moving=plan.settings.dynamic_lines)
     return task, plan, (*warned, *body.findings)
 
@@ -222,7 +237,7 @@ def _say_before(console, plan, seeds, executor):
         console.print(line, highlight=False, markup=False, soft_wrap=True)
 
 
-def _header(task, db, study, plan, identity, ready):
+def _header(task, text, db, plan, identity, ready, beside, findings):
     from hakobune.mooring.motion.line_loads import body_lines
 
     body = prepared(task)[0]
@@ -231,15 +246,17 @@ def _header(task, db, study, plan, identity, ready):
     fenders = tuple(one.name for one in body.berth.fenders)
     attributes = {
         "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
-        "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": study.allowable,
+        "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": task.study.allowable,
         "rotation_center": np.asarray(db.rotation_center, float), "density": db.density, "gravity": db.gravity,
         "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
         "memory_states": body.memory.states, "place_at_rest": body.start, "told": "\n".join(ready.told),
+        "findings_of_all": "\n".join(dict.fromkeys(findings)), "seeds_differ": differ(task.study),
+        **beside.attributes(),
     }  # fmt: skip
     if isinstance(ready.settings.dynamic_lines, tuple):
         attributes["moving_lines"] = "\n".join(ready.settings.dynamic_lines)
     if body.berth.names:
-        attributes["natural_period"] = natural_periods(body)
+        attributes |= of_berth(task.study, db, body)
     lines = body_lines(body.system)
     load = [*(() if body.system is None else body.system.breaking_load), *(one.breaking_load for one in ropes)]
     ends = [
@@ -251,7 +268,7 @@ def _header(task, db, study, plan, identity, ready):
     ]
     return Header(
         identity,
-        task.study,
+        text,
         names,
         np.array(load, float),
         *ends,
@@ -274,7 +291,7 @@ def _make_room(output, header, plan, fresh):
             create(output, header, [*there, *more], max(plan.keep_series, len(old["kept_seed"])), old)
 
 
-def _fill(file, task, plan, console, executor, findings):
+def _fill(file, task, plan, console, executor):
     whole = whole_rows(file)
     asked = np.isin(file["seed"][()], plan.seeds)
     rows = [int(row) for row in np.flatnonzero(asked & ~whole)]
@@ -295,9 +312,7 @@ def _fill(file, task, plan, console, executor, findings):
     if stop.asked:
         executor.shutdown(wait=False, cancel_futures=True)
     there = int((whole_rows(file) & asked).sum())
-    told = {line for one in file["findings"][asked] for line in bytes(one).decode().split("\n") if line}
-    said = tuple(dict.fromkeys((*findings, *sorted(told))))
-    return Outcome(made, there, int(asked.sum()), tuple(failures), stop.asked, said)
+    return Outcome(made, there, int(asked.sum()), tuple(failures), stop.asked)
 
 
 def _calls(executor, task, file, rows, progress):

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import math
-import tomllib
 import warnings
 from dataclasses import dataclass, replace
 from functools import partial
 
+import msgspec
 import numpy as np
 
 from hakobune.bem import DOFS
 from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
 
-from ..common.fender_tables import with_tables_in
 from ..common.quantities import StudyError, level_of
 from ..executors.memory import give_back
 from ..moor.quay import body_of
-from ..moor.study import make_study
+from ..moor.study import Study
+from ..results.given import database_of
 from .file import LONGEST, SERIES, first_what_is_left_out
 from .study import damping, plan_of, quadratic
 
@@ -34,13 +34,14 @@ _prepared = {}
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """study : text; database : path; duration : s, or None for that of the study; memory : of the water, fitted
+    """study : `moor.study.Study`; database : path; duration : s, or None for that of the study; memory : of the water,
+    fitted
 
     folder : of the study, where the files lie that it names
     moving : names of the lines that move, where that is decided
     """
 
-    study: str
+    study: Study
     database: str
     duration: float | None
     memory: object
@@ -48,18 +49,19 @@ class Task:
     moving: tuple[str, ...] | None = None
 
 
-def prepared(task):
-    """`Moored` body, Plan and the Study of a Task; kept for the next seed of the same"""
-    key = task.study, task.folder, task.database, task.duration
+def prepared(task, db=None):
+    """`Moored` body, Plan and findings of a Task; kept for the next seed of the same
+
+    db : its open database, which other processes open for themselves
+    """
+    key = msgspec.json.encode(task.study), task.folder, task.database, task.duration
     if key not in _prepared:
-        from hakobune.bem.database import open_database
         from hakobune.bem.time_domain.memory import no_memory
         from hakobune.mooring.motion.moving_lines.prepare import moving_of
         from hakobune.mooring.motion.simulation import moored
         from hakobune.mooring.response.viscous import in_time
 
-        raw, db = with_tables_in(tomllib.loads(task.study), task.folder), open_database(task.database)
-        study = make_study(raw)
+        study, db = task.study, database_of(task.database if db is None else db)
         plan = plan_of(study, db.reader.omega, None, task.duration, task.folder)
         hull = study.hull_of(db.dimensions)
         first = study.remarks(hull, db)
@@ -93,7 +95,7 @@ def prepared(task):
         _ = body.dynamic_stiffness  # is made for all seeds while what it takes is there
         reader.between.forget()
         give_back()
-        _prepared[key] = body, plan, study, (*first, *of_quay, *(str(w.message) for w in caught))
+        _prepared[key] = body, plan, (*first, *of_quay, *(str(w.message) for w in caught))
     return _prepared[key]
 
 
@@ -168,7 +170,7 @@ def simulate_seed(task, seed, kept, progress=None):
     """Row of a seed, {name: value}, with its records if they are `kept`.  Raises ValueError."""
     from hakobune.mooring.motion.simulation import simulate
 
-    body, plan, _, _ = prepared(task)
+    body, plan, _ = prepared(task)
     with warnings.catch_warnings(record=True):
         warnings.simplefilter("always")  # the energy outside the stored frequencies is told once, by the plan
         run = simulate(body, plan.weather, plan.settings, seed, progress)

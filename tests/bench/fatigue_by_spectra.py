@@ -24,9 +24,10 @@ import tomli_w
 from moored_in_time import databases
 from scipy import stats
 
+from hakobune.bem.database import open_database
 from hakobune.mooring.criteria.fatigue import Curve, dirlik, miner, narrow_band, rainflow_cycles
 from hakobune.pipelines.executors.choice import Here
-from hakobune.pipelines.simulate.run import simulate
+from hakobune.pipelines.simulate.run import input_of, simulate
 
 STATIC = {"dynamic_lines": "none", "qtf": "newman"}
 TAUT = {"catalogue": "polyester 200 mm"}
@@ -79,7 +80,7 @@ def main():
         for lines, weather in RUNS:
             path = folder / f"{lines}_{weather}.toml"
             path.write_text(tomli_w.dumps(study(lines, weather, given.hours, given.seeds)), encoding="utf-8")
-            simulate(path, database, path.with_suffix(".h5"), None, Here())
+            simulate(input_of(path), open_database(database), path.with_suffix(".h5"), None, Here())
             with h5py.File(path.with_suffix(".h5")) as file:
                 share = file["tension"][()].astype(float) / file.attrs["breaking_load"]
                 step = float(np.diff(file["time"][:2])[0])

@@ -17,6 +17,7 @@ from .needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
 from .numbers import Numbers
 
 STEADY = 600.0  # s
+PLANE = ("surge", "sway", "yaw")
 
 
 def berth_numbers(study, database, path, runs):
@@ -24,8 +25,7 @@ def berth_numbers(study, database, path, runs):
     from hakobune.bem.database import open_database
     from hakobune.mooring.motion.contacts import courses
 
-    from ...moor.quay import body_of
-    from ...simulate.berth import by_design_spectrum, lines_on_fenders, lines_on_periods
+    from ...simulate.berth import findings_on_fenders, findings_on_periods
     from ...simulate.file import opened
 
     db, made = open_database(database), make_study_of(path.with_name(path.name.replace("_runs.h5", ".toml")))
@@ -36,12 +36,10 @@ def berth_numbers(study, database, path, runs):
         anchor, fairlead, breaking = file["anchor"][()], file["fairlead"][()], file.attrs["breaking_load"]
         start, place = file.attrs["place_at_rest"], _mean_place(file)
         parts = _of_fenders(file, made, berth)
-        told = (lines_on_periods(file.attrs["natural_period"], made.harbour.periods if made.harbour else ()),
-                lines_on_fenders(file, berth.fenders))  # fmt: skip
+        warnings = (*runs["findings"], _periods(file), *findings_on_periods(file), *findings_on_fenders(file),
+                    *filter(None, [str(file.attrs.get("design_spectrum", ""))]))  # fmt: skip
     at_rest = courses(berth, start[None])[1][0][len(berth.fenders) :]
     held = _at_rest(made, db, hull, start)
-    spectrum = by_design_spectrum(made, db, body_of(made, db)[0], hull, berth.fenders)
-    warnings = (*runs["findings"], told[0][0], *told[0][1], *told[1][1], *([spectrum] if spectrum else ()))
     length = [*(one.length for one in held.system.lines)] if held is not None else []
     return Numbers(
         names=names,
@@ -62,6 +60,12 @@ def berth_numbers(study, database, path, runs):
     )
 
 
+def _periods(file):
+    known = [(n, T) for n, T in zip(PLANE, file.attrs["natural_period"], strict=True) if np.isfinite(T)]
+    words = ", ".join(f"{name} {T:.3g} s" for name, T in known)
+    return f"natural periods of small motions at the berth: {words or 'none, nothing holds them at rest'}"
+
+
 def _at_rest(made, db, hull, start):
     """SystemEquilibrium of the lines with the body where it rests at the berth, None without lines"""
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
@@ -76,24 +80,21 @@ def _at_rest(made, db, hull, start):
 
 def _mean_place(file):
     """(3,) m, m, rad: mean of surge, sway and yaw over all runs"""
-    from ...simulate.file import SUMMARY
+    from ...simulate.file import summary_of
 
-    names = list(file["quantity"].asstr()[()])
-    rows = file["summary"][()][[names.index(name) for name in ("surge", "sway", "yaw")]]
-    return rows[:, SUMMARY.index("mean")]
+    return np.array([summary_of(file, name)["mean"] for name in PLANE])
 
 
 def _of_fenders(file, made, berth):
     """{quantity: {fender: value}} of all fenders"""
     from ...common.fender_tables import fender_of
-    from ...simulate.file import SUMMARY
+    from ...simulate.file import summary_of
 
-    names, step = list(file["quantity"].asstr()[()]), float(np.diff(file["time"][:2])[0])
+    step = float(np.diff(file["time"][:2])[0])
     dolphins = {one.name: one for one in made.dolphin}
     out = {TOTAL: {}, SLOW: {}, OF_ALLOWABLE: {}, OF_ENERGY: {}, DOLPHIN: {}}
     for i, (table, one) in enumerate(zip(made.fender, berth.fenders, strict=True)):
-        row = dict(zip(SUMMARY, file["summary"][names.index(f"deflection {one.name}")], strict=True))
-        largest = max(float(row["largest"]), 0.0)
+        largest = max(float(summary_of(file, f"deflection {one.name}")["largest"]), 0.0)
         steady = _longest_mean(file["deflection"][()][..., i].astype(float), step)
         fender, yields = fender_of(table), dolphin_of(table, dolphins)
         alone = [one.fender.own(y) for y in (largest, steady)]

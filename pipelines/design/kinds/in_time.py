@@ -49,22 +49,19 @@ READ = {  # what of JSON is not an array
 
 
 def _simulated(study, database, path, factors):
-    from ...simulate.file import opened
+    from ...simulate.file import opened, stored_findings, summary_of, told
     from ...simulate.over_runs import overloads, rare_findings
-    from ...simulate.report import line_values
 
     outcome = _run(study, database, path)
-    if outcome.made:  # what the preparation of the first run tells, the next does not
-        outcome = _run(study, database, path)
     if outcome.interrupted:
         raise KeyboardInterrupt
     if outcome.failures:
         raise ValueError(f"seed {outcome.failures[0][0]}: {outcome.failures[0][1]}")
     with opened(path) as file:
-        rows = [line_values(file, name) for name in file["line"].asstr()[()]]
+        rows = [summary_of(file, f"tension {name}") for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
         motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
-        told = (*overloads(file, 1.0), *rare_findings(file))
+        found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *rare_findings(file))
     largest = {1.0: np.array([row["largest"] for row in rows])}
     held, along, up = _moved(study, database, motion, tension, 1.0)
     more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # of runs that are not kept, and of lines in motion
@@ -78,7 +75,7 @@ def _simulated(study, database, path, factors):
         "uplift": up * more,
         "cycles": cycles_of(tension, step),
         "motions": motions,
-        "findings": (*outcome.findings, *told),
+        "findings": tuple(dict.fromkeys(found)),
     }
 
 
@@ -96,23 +93,25 @@ def _run(study, database, path):
     from hakobune.bem.database.integrity import DatabaseError
 
     from ...executors.choice import Here
-    from ...simulate.run import simulate
+    from ...results.given import database_of
+    from ...simulate.run import input_of, simulate
 
+    asked, db = input_of(study), database_of(database)
     try:
-        return simulate(study, database, path, None, Here())
+        return simulate(asked, db, path, None, Here())
     except DatabaseError:  # of another study, or damaged: made anew
-        return simulate(study, database, path, None, Here(), fresh=True)
+        return simulate(asked, db, path, None, Here(), fresh=True)
 
 
 def _largest_motions(file):
     """(6,) m, rad: largest motions of all runs from their means, whichever side is larger"""
     from hakobune.bem import DOFS
 
-    from ...simulate.file import SUMMARY
+    from ...simulate.file import summary_of
 
-    names, out = list(file["quantity"].asstr()[()]), []
+    out = []
     for name in DOFS:
-        row = dict(zip(SUMMARY, file["summary"][names.index(name.lower())], strict=True))
+        row = summary_of(file, name.lower())
         out.append(max(row["largest"] - row["mean"], row["mean"] - row["smallest"]))
     return np.array(out)
 

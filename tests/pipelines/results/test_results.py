@@ -104,6 +104,7 @@ def test_a_quantity_is_found_by_its_name_and_the_label_of_its_axis():
     made = example()
     assert made["tension[aft].largest"] == 7e-3 and np.array_equal(made["tension[*].largest"], made["tension.largest"])
     assert made.quantity("motion[yaw].sigma").unit == "rad" and len(made) == 10
+    assert made["yaw.sigma"] == ODD[2] and made["aft.largest"] == 7e-3
     with pytest.raises(KeyError, match="'bow' is no line"):
         made["tension[bow].largest"]
     with pytest.raises(KeyError, match="is no quantity"):

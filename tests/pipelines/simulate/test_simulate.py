@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+import hakobune
 import hakobune.mooring.motion.simulation as engine
 from hakobune import pipelines
 from hakobune.bem import database
@@ -35,20 +36,22 @@ from hakobune.pipelines.executors.choice import Here
 from hakobune.pipelines.films.of_run import film_of_run, surface
 from hakobune.pipelines.keys.beginning import commented
 from hakobune.pipelines.keys.kinds import KINDS
+from hakobune.pipelines.moor import study as study_file
 from hakobune.pipelines.moor.study import make_study, read_study
-from hakobune.pipelines.printing.console import new_console, tables_as
 from hakobune.pipelines.simulate import file as of_runs
-from hakobune.pipelines.simulate import over_runs, report, work
+from hakobune.pipelines.simulate import over_runs, work
 from hakobune.pipelines.simulate import run as runs
-from hakobune.pipelines.simulate.berth import lines_on_fenders
+from hakobune.pipelines.simulate.berth import fender_strains, findings_on_fenders
+from hakobune.pipelines.simulate.beside import Beside
 from hakobune.pipelines.simulate.file import STATISTICS, SUMMARY, opened, whole_rows
 from hakobune.pipelines.simulate.pictures import draw, spectrum
+from hakobune.pipelines.simulate.result import read_run
 from hakobune.pipelines.simulate.study import plan_of
-from hakobune.pipelines.sweep.run import one_case
 
 MOOR = Path(pipelines.__file__).parent / "scenes" / "moor_chain_12.toml"
 TABLE = "\n[simulation]\nduration = 600.0\nramp = 50.0\nseeds = 3\nkeep_series = 2\n"
 WIDE = np.linspace(0.1, 4.0, 30)
+NOTHING_BESIDE = Beside(np.zeros(0), np.zeros(0), np.full(3, np.nan), np.full(3, np.nan))
 
 
 def oscillator(body, plan, settings, seed=0, progress=None):
@@ -71,7 +74,7 @@ def folder(tmp_path, monkeypatch):
     reader = SimpleNamespace(omega=WIDE, depth=20.0, gravity=9.8)
     db = SimpleNamespace(
         reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8, water_depth=20.0, dimensions={},
-        displaced_volume=None,
+        displaced_volume=None, path=Path("box.h5"),
     )  # fmt: skip
     study = read_study("study.toml")[0]
     hull = study.hull_of({})
@@ -81,8 +84,8 @@ def folder(tmp_path, monkeypatch):
     body.berth = no_berth()
     body.reader = SimpleNamespace(radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8)
 
-    def prepared(task):
-        return body, plan_of(study, WIDE, None, task.duration), study, ()
+    def prepared(task, db=None):
+        return body, plan_of(study, WIDE, None, task.duration), ()
 
     real = database.open_database  # modules first imported here keep the stand-in: it serves other files too
 
@@ -94,21 +97,32 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.setattr(engine, "simulate", oscillator)
     for module in (work, runs):
         monkeypatch.setattr(module, "prepared", prepared)
+    monkeypatch.setattr(runs, "simplified", lambda study, db: NOTHING_BESIDE)
     return tmp_path
 
 
-def simulate(seeds=None, **more):
-    return runs.simulate("study.toml", "box.h5", "run.h5", None, Here(), seeds, **more)
+def simulate(seeds=None, output="run.h5", console=None, executor=None, **more):
+    study, box = runs.input_of("study.toml"), database.open_database("box.h5")
+    return runs.simulate(study, box, output, console, executor or Here(), seeds, **more)
 
 
 def test_runs_are_stored_seed_by_seed_and_the_second_call_makes_none(folder):
     first, second = simulate(), simulate()
     assert (first.made, first.there, second.made, second.there) == (3, 3, 0, 3)
-    assert "a finding" in first.findings and "prepared" in first.findings
+    assert {"a finding", "prepared"} <= set(read_run("run.h5").findings)
     with opened("run.h5") as file:
         assert whole_rows(file).all() and file["motion"].shape == (2, 1201, 6) and file["time"][0] == 0.0
         value = dict(zip(file["quantity"].asstr()[()], file["statistics"][0], strict=True))
         assert np.isclose(value["heave"][1] / value["surge"][1], 3.0, rtol=1e-12)
+
+
+def test_a_study_is_parsed_and_its_database_opened_once(folder, monkeypatch):
+    opened_files, parsed = [], []
+    first, made = database.open_database, study_file.typed
+    monkeypatch.setattr("hakobune.bem.database.open_database", lambda path: opened_files.append(path) or first(path))
+    monkeypatch.setattr(study_file, "typed", lambda *given: parsed.append(given) or made(*given))
+    hakobune.simulate("study.toml", "box.h5", "run.h5", seeds=2)
+    assert len(opened_files) == len(parsed) == 1
 
 
 def test_a_stopped_run_is_completed_to_the_same_bits(folder):
@@ -201,7 +215,7 @@ def test_ctrl_c_waits_for_no_process_and_keeps_what_each_has_done(folder, heard)
             return super().result(timeout)
 
     executor = Two()
-    outcome = runs.simulate("study.toml", "box.h5", "run.h5", None, executor, 4)
+    outcome = simulate(4, executor=executor)
     assert outcome.interrupted and executor.ended and outcome.made == 2
     with opened("run.h5") as file:
         assert whole_rows(file).tolist() == [False, True, True, False]
@@ -218,9 +232,9 @@ def test_more_hours_make_every_seed_again_as_a_run_made_at_once(folder):
     """Those beyond the seeds asked for too; a kill midway leaves a file that the same command completes"""
     assert simulate(4).made == 4
     said = io.StringIO()
-    outcome = runs.simulate("study.toml", "box.h5", "run.h5", Console(file=said, width=300), Here(), duration=900.0)
+    outcome = simulate(console=Console(file=said, width=300), duration=900.0)
     assert outcome.made == 4 and "every seed is made again" in said.getvalue()
-    runs.simulate("study.toml", "box.h5", "once.h5", None, Here(), 4, duration=900.0)
+    simulate(4, "once.h5", duration=900.0)
     assert Path("run.h5").read_bytes() == Path("once.h5").read_bytes()
     with h5py.File("run.h5", "r+") as file:
         file["stored"][1] = 0
@@ -253,21 +267,21 @@ def test_a_study_that_says_nothing_has_memory_pairs_of_waves_and_lines_that_move
 def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is_there(folder, monkeypatch, capsys):
     """The findings of seeds too; the trial is told before the run, with what a seed will take"""
     left, trial = "left out: inertia and drag of the lines", "dynamic_lines: in a trial they move"
-    body, plan, study, _ = work.prepared(SimpleNamespace(duration=None))
+    body, plan, _ = work.prepared(SimpleNamespace(duration=None))
     plan = replace(plan, told=(left, trial), pace=(0.01, 0.1), settings=replace(plan.settings, dynamic_lines=("a",)))
-    monkeypatch.setattr(runs, "prepared", lambda task: (body, plan, study, ()))
+    monkeypatch.setattr(runs, "prepared", lambda task, db=None: (body, plan, ()))
     said = io.StringIO()
-    runs.simulate("study.toml", "box.h5", "run.h5", Console(file=said, width=300), Here())
+    simulate(console=Console(file=said, width=300))
     assert said.getvalue().split("\n")[:3] == [
         left, trial, 'a seed takes about 1 min 05 s (dynamic_lines = "none": 6 s), 3 of them 3 min 15 s'
     ]  # fmt: skip
-    again = runs.simulate("study.toml", "box.h5", "run.h5", None, Here())
-    assert again.made == 0 and again.findings[0] == left
+    assert simulate().made == 0
     with opened("run.h5") as file:
         assert file.attrs["moving_lines"] == "a"
-        report.show(Console(width=300), file, None, ("left out: of a seed", "a finding", left))
-    told = capsys.readouterr().out.split("\n")
-    assert told[:2] == [left, "left out: of a seed"] and told.count(left) == 1 and trial in told
+    again = read_run("run.h5")
+    assert again.first == (left,) and trial in again.notes and left not in again.findings
+    again.show()
+    assert capsys.readouterr().out.startswith(f"warning: {left}\n")
 
 
 def test_lines_that_move_are_part_of_what_results_depend_on_and_files_without_them_keep_their_hash(folder):
@@ -418,13 +432,6 @@ def snapping(body, plan, settings, seed=0, progress=None):
     return run
 
 
-def printed(table):
-    """{first cell: {name of the column: text}} of a table"""
-    columns = {column.header: list(column.cells) for column in table.columns}
-    names, *_ = columns.values()
-    return {name: {key: cells[i] for key, cells in columns.items()} for i, name in enumerate(names)}
-
-
 def test_what_lines_use_is_never_less_than_in_any_run_and_a_line_that_broke_in_one_is_named(folder, monkeypatch):
     monkeypatch.setattr(engine, "simulate", snapping)
     simulate(6)
@@ -432,22 +439,21 @@ def test_what_lines_use_is_never_less_than_in_any_run_and_a_line_that_broke_in_o
         names, load = file["line"].asstr()[()], file.attrs["breaking_load"]
         at = list(file["quantity"].asstr()[()]).index(f"tension {names[0]}")
         largest = file["statistics"][:, at:, STATISTICS.index("largest")].max(axis=0)
-        for beside in (None, SimpleNamespace(tension=np.full(12, 1e6), utilisation=np.full(12, 0.06))):
-            rows = printed(report.lines_table(file, beside))
-            assert [float(rows[name]["used %"]) for name in names] == pytest.approx(100 * largest / load, abs=0.05)
-            assert [float(rows[name]["simulated"]) for name in names] == pytest.approx(largest / 1e3, rel=1e-3)
         (broken,) = over_runs.overloads(file)
         assert f"{names[0]} {100 * 2e7 / load[0]:.4g} % in 1 of 6 runs" in broken and "part" in broken
         assert names[1] not in broken
         (snaps,) = over_runs.rare_findings(file)
         assert f"{names[0]} in 1 of 6" in snaps and names[1] not in snaps
+    found = read_run("run.h5")
+    assert np.array_equal(found["tension.used"], largest / load) and np.array_equal(found["tension.largest"], largest)
+    assert "tension.simplified" not in found
 
 
 def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(folder, monkeypatch):
     """Statics at the displacement give 1.5 MN, at 1.5 times it 2 MN; run 4, which is not kept, pulled with 20 MN"""
     monkeypatch.setattr(engine, "simulate", snapping)
     simulate(6)
-    made = runs.Outcome(0, 6, 6, (), False, ())
+    made = runs.Outcome(0, 6, 6, (), False)
     monkeypatch.setattr(in_time, "_run", lambda *given: made)
     held = {1.0: 1.5e6, 1.5: 2e6}
     monkeypatch.setattr(in_time, "_moved", lambda *given: np.full((3, 12), held[given[-1]]))
@@ -457,46 +463,48 @@ def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(fold
     largest, smallest = rows[:, :, STATISTICS.index("largest")], rows[:, :, STATISTICS.index("smallest")]
     assert np.array_equal(found["largest"][1.0], largest[:, 8:].max(axis=0)) and found["largest"][1.0][0] == 2e7
     assert found["largest"][1.5][0] == pytest.approx(2e6 * 2e7 / 1.5e6)
-    broken, snaps = found["findings"]
+    broken, snaps = found["findings"][-2:]
     assert "part: fore port 1 " in broken and "in 1 of 6 runs" in broken and "fore port 1 in 1 of 6" in snaps
     mean = rows[:, :, STATISTICS.index("mean")].mean(axis=0)
     away = np.maximum(largest.max(axis=0) - mean, mean - smallest.min(axis=0))[:6]
     assert found["motions"] == pytest.approx(away, rel=1e-12)
 
 
-def test_a_sweep_keeps_what_lines_use_in_the_worst_of_all_runs(folder, monkeypatch):
-    monkeypatch.setattr(engine, "simulate", snapping)
-    monkeypatch.setattr("hakobune.pipelines.simulate.command.draw", lambda file, output: [])
-    monkeypatch.setattr("hakobune.pipelines.simulate.command.beside_of", lambda *given: (None, ()))
-    words = ("--database", "box.h5", "--output", "run.h5", "--seeds", "6")
-    tables = one_case(main, "simulate", tomllib.loads(Path("study.toml").read_text()), "study.toml", words)[2]
-    (used,) = (table["rows"] for table in tables if table["title"].startswith("largest tension"))
-    with opened("run.h5") as file:
-        load = file.attrs["breaking_load"]
-        largest = file["statistics"][:, 8:, STATISTICS.index("largest")].max(axis=0)
-    assert [float(row["used %"]) for row in used] == pytest.approx(100 * largest / load, abs=0.05)
+def test_the_simplified_method_stands_beside_the_runs(folder, monkeypatch):
+    beside = replace(NOTHING_BESIDE, tension=np.full(12, 5e5), utilisation=np.full(12, 0.06))
+    monkeypatch.setattr(runs, "simplified", lambda study, db: beside)
+    simulate(1)
+    found = read_run("run.h5")
+    assert np.allclose(found["tension.over_simplified"], found["tension.largest"] / 5e5)
+    assert np.all(found["tension.used_simplified"] == 0.06)
 
 
 def test_a_fender_is_as_strained_as_in_the_worst_of_all_runs():
-    names = SimpleNamespace(asstr=lambda: {(): np.array(["deflection A", "deflection B"])})
-    summary = np.full((2, len(SUMMARY)), np.nan)
-    summary[:, SUMMARY.index("largest")] = 0.9, 1.1
-    summary[:, SUMMARY.index("upper_median")] = 0.5, 0.4
-    rubber = SimpleNamespace(height=2.0, allowable=0.5, own_allowable=0.5, own=lambda y: y)
-    fenders = [SimpleNamespace(name=name, fender=rubber) for name in "AB"]
-    told, beyond = lines_on_fenders({"quantity": names, "summary": summary}, fenders)
-    assert (
-        "B is strained most, to 55 % of its height" in told and len(beyond) == 1 and "B is pressed to 55 %" in beyond[0]
-    )
+    """On a dolphin that yields as much as the fender the fender has half of the deflection"""
+    names = np.array(["deflection A", "deflection B", "deflection C"])
+    summary = np.full((3, len(SUMMARY)), np.nan)
+    summary[:, SUMMARY.index("largest")] = 0.9, 1.1, 1.1
+    summary[:, SUMMARY.index("upper_median")] = 0.5, 0.4, 0.4
+    text = lambda values: SimpleNamespace(asstr=lambda: {(): values})  # noqa: E731
+    file = {"quantity": text(names), "summary": summary, "fender": text(np.array(["A", "B", "C"]))}
+
+    class File(dict):
+        attrs = {  # noqa: RUF012
+            "fender_height": [2.0] * 3, "fender_allowable": [0.5] * 3,
+            "fender_strains": json.dumps([[[0, 1], [0, 1]], [[0, 1], [0, 1]], [[0, 1], [0, 0.5]]]),
+        }  # fmt: skip
+
+    assert np.allclose(fender_strains(File(file))[0], [0.45, 0.55, 0.275])
+    (beyond,) = findings_on_fenders(File(file))
+    assert "B is pressed to 55 % of its height; allowed: 50 %" in beyond
 
 
 def test_a_single_run_tells_what_was_simulated_and_asks_for_seeds(folder):
     simulate(1)
     with opened("run.h5") as file:
-        (row,) = (row for name, row in printed(report.statistics_table(file, "")).items() if name.startswith("surge"))
-        assert row["median extreme"] == row["90 % interval"] == "–"
         (told,) = over_runs.notes(file)
         assert "up to 90 % of such runs go beyond it" in told and "give 5 seeds" in told
+    assert np.isnan(read_run("run.h5")["surge.extreme_median"])
 
 
 def test_runs_of_a_regular_wave_are_told_to_be_all_alike(folder):
@@ -580,23 +588,20 @@ def test_the_table_of_statistics_has_degrees_kilonewtons_and_seconds(folder, cap
     """One seed of the oscillator: a sine a sin 0.6t with a = 0.01 j w of motion j, tensions 1000 kN ± 100 kN w, w the
     amplitude of its wave; σ = a/√2, all maxima a, T = 2π/0.6 s, no bandwidth; angles times 180/π"""
     simulate(seeds=1)
+    found = read_run("run.h5")
     with opened("run.h5") as file:
-        w = float(np.abs(file["wave"][0]).max()) if "wave" in file else file["motion"][0, :, 0].max() / 0.01
-        with tables_as("json"):
-            new_console().print(report.statistics_table(file, "one"))
-    rows = {row.pop(""): row for row in json.loads(capsys.readouterr().out)["rows"]}
-    lines = [name for name in rows if name.startswith("tension")]
-    sines = {"heave, m": (0.0, 0.03 * w), "roll, °": (0.0, np.degrees(0.04 * w)), "yaw, °": (0.0, np.degrees(0.06 * w))}
-    sines |= {lines[0]: (1000.0, 100 * w), lines[-1]: (1000.0, 100 * w)}
+        w = float(file["motion"][0, :, 0].max()) / 0.01
+    lines = found.labels["line"].values
+    sines = {"heave": (0.0, 0.03 * w), "roll": (0.0, 0.04 * w), "yaw": (0.0, 0.06 * w)}
+    sines |= {lines[0]: (1e6, 1e5 * w), lines[-1]: (1e6, 1e5 * w)}
     for name, (mean, amplitude) in sines.items():
-        row = {key: float(str(value).replace("–", "nan")) for key, value in rows[name].items() if "interval" not in key}
+        row = {key: float(found[f"{name}.{key}"]) for key in STATISTICS if f"record.{key}" in found}
         assert row["mean"] == pytest.approx(mean, abs=0.02 * amplitude)
-        assert row["σ"] == pytest.approx(amplitude / np.sqrt(2), rel=0.01)
-        assert row["X 1/3"] == pytest.approx(amplitude, rel=0.01) and row["X 1/10"] == pytest.approx(
-            amplitude, rel=0.01
-        )
+        assert row["sigma"] == pytest.approx(amplitude / np.sqrt(2), rel=0.01)
+        assert [row["mean_third"], row["mean_tenth"]] == pytest.approx([amplitude] * 2, rel=0.01)
         assert row["largest"] == pytest.approx(mean + amplitude, rel=0.01)
         assert row["smallest"] == pytest.approx(mean - amplitude, rel=0.01)
-        assert [row["T_zero s"], row["T_pp s"]] == pytest.approx([2 * np.pi / 0.6] * 2, rel=0.01)
-        assert np.hypot(row["σ slow"], row["σ wave"]) == pytest.approx(row["σ"], rel=0.01)
-        assert np.isnan(row["median extreme"]) and row["ε"] < 0.1  # of one seed
+        assert [row["T_zero"], row["T_peak"]] == pytest.approx([2 * np.pi / 0.6] * 2, rel=0.01)
+    found.show()
+    (shown,) = (line for line in capsys.readouterr().out.split("\n") if "roll, °" in line)
+    assert float(shown.split("│")[3]) == pytest.approx(np.degrees(0.04 * w) / np.sqrt(2), rel=0.01)

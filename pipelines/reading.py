@@ -1,0 +1,15 @@
+"""Reading the result of any study from its file."""
+
+from __future__ import annotations
+
+
+def read(path):
+    """The Result in a file, also of a simulation, whose file fills run by run.  Raises DatabaseError."""
+    from .results import file
+    from .simulate.file import is_run
+
+    if is_run(path):
+        from .simulate.result import read_run
+
+        return read_run(path)
+    return file.read(path)

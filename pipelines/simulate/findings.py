@@ -1,0 +1,60 @@
+"""What a reader has to know of the runs of a simulation: their length, slow motion, and which method applies."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .file import summary_of
+from .over_runs import differ, rare_findings
+
+UNITS = {"m": (1.0, "m"), "rad": (180 / np.pi, "°")}
+SMALL = 50.0  # m, length of a hull that is none of the report's floaters
+FAR, NOTABLE = 2.0, 0.5  # times the spectral σ of slow motion; of the σ of motion with the waves
+NOTHING = 1e-5  # of the hull's length, rad: slow motion that is none
+LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 report (1982), section 5.5.3
+PLANE = ("surge", "sway", "yaw")
+
+
+def slow_findings(file):
+    """Findings on slow motion far beyond the linear answer, on springs as stiff as the lines under the mean loads"""
+    hull, spectral = float(file.attrs["hull"][0]), np.asarray(file.attrs.get("spectral_slow", [np.nan] * 3))
+    for mode, unit, expected in zip(PLANE, ("m", "m", "rad"), spectral, strict=True):
+        length = 1.0 if unit == "rad" else hull
+        value = summary_of(file, mode)
+        slow = value["slow"]
+        if np.isfinite(expected) and slow > max(FAR * expected, NOTABLE * value["wave"], NOTHING * length):
+            factor, word = UNITS[unit]
+            yield (
+                f"slow {mode} has σ {slow * factor:.3g} {word}, slow forces on springs as stiff as the lines under the "
+                f"mean loads give {expected * factor:.3g} {word}: lines that stiffen let waves alone drive it; see "
+                'how much with simulation.slow_drift = "none" and without wind and current'
+            )
+
+
+def findings(file):
+    """What holds of all runs: their length, slow motion, and which method applies"""
+    periods = np.asarray(file.attrs.get("moored_period", [np.nan] * 3), float)
+    moored_periods = {name: T for name, T in zip(PLANE, periods, strict=True) if not np.isnan(T)}
+    wave_period = float(file.attrs["mean_period"])
+    slow = max((value for value in moored_periods.values() if np.isfinite(value)), default=0.0)
+    duration = float(file.attrs["duration"])
+    yield from rare_findings(file)
+    yield from slow_findings(file)
+    if duration < LONG * slow and differ(file):
+        share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
+        yield (
+            f"a run of {duration:g} s holds {duration / slow:.2g} of the slowest natural periods ({slow:.3g} s), "
+            f"wanted {LONG:g}: its σ is uncertain by about {100 * share:.0f} %; simulate {LONG * slow:.3g} s"
+        )
+    depth, draft = float(file.attrs["water_depth"]), float(file.attrs["hull"][2])
+    if np.isfinite(wave_period) and moored_periods:
+        near = [f"{n} {v / wave_period:.2g}" for n, v in moored_periods.items() if np.isfinite(v)]
+        named = f"depth over draft {depth / draft:.3g}; natural over wave period: {', '.join(near)}"
+        if float(file.attrs["hull"][0]) < SMALL:
+            yield f"{named}; the report's limits in metres of water are for floaters of 100 to 200 m, not for this one"
+        elif depth <= SHALLOW:
+            yield f"{named}; in up to {SHALLOW:g} m of water take the simulation (SR179 report, section 5.5.3)"
+        elif depth >= DEEP:
+            yield f"{named}; from {DEEP:g} m of water on the simplified method is on the safe side there as well"
+        else:
+            yield f"{named}; between {SHALLOW:g} and {DEEP:g} m of water take the larger of the two"

@@ -1,0 +1,225 @@
+"""`hakobune.simulate`: a mooring study in time, and what the file of its runs has in it."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from hakobune.bem.database.integrity import DatabaseError
+from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.motion.extremes import CONFIDENCE
+
+from ..executors.choice import executor_of
+from ..results.given import database_of
+from ..results.provenance import provenance
+from ..results.quantity import Quantity
+from ..results.result import Result, labels
+from .berth import fender_strains, findings_on_fenders, findings_on_periods, windows
+from .file import LEFT_OUT, SUMMARY, fender_names, opened, stored_findings, units_of, whole_rows
+from .file import told as file_told
+from .findings import findings
+from .over_runs import largest_in_runs, notes, overloads, used_in_runs
+from .run import input_of
+from .run import simulate as fill
+
+KIND = "simulate"
+RECORDS = ("surge", "sway", "heave", "roll", "pitch", "yaw", "wave", "wind speed")  # statistics of a file before lines
+PLANE = ("surge", "sway", "yaw")
+MOTIONS, LINES, FENDERS = (
+    "motions and waves, amplitudes from the mean",
+    "tension of the lines in all runs",
+    "fenders in all runs",
+)
+RUNS, BERTH = "runs", "berth"
+WORDS = {  # of a statistic: (heading, unit or None for that of the record, whether it is printed)
+    "mean": ("mean", None, True),
+    "sigma": ("σ", None, True),
+    "slow": ("σ slow", None, True),
+    "wave": ("σ wave", None, True),
+    "T_zero": ("T zero", "s", True),
+    "T_peak": ("T peaks", "s", False),
+    "epsilon": ("spectral width ε", "", False),
+    "mean_third": ("highest third", None, True),
+    "mean_tenth": ("highest tenth", None, False),
+    "smallest": ("smallest", None, True),
+    "largest": ("largest", None, True),
+}
+END = {
+    "median": "median extreme",
+    "low": f"{100 * CONFIDENCE:.0f} % interval from",
+    "high": f"{100 * CONFIDENCE:.0f} % interval to",
+}
+
+
+def simulate(study, database, output=None, *, seeds=None, duration=None, fresh=False, executor="local", window=None,
+             console=None):  # fmt: skip
+    """A moored body in time, seed by seed.
+
+    study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
+    database : path of the body's database, or an open one
+    output : path of the file of all runs, which goes on where it stopped; None to keep no file
+    seeds : how many; duration : s of a run; both in place of the study's; fresh : replace a file that is there
+    executor : as of the command; window : s, of which the first record is told one by one; console : told the progress
+    returns : Result; records are in the file
+    raises : ValueError, one line, before anything is written; KeyboardInterrupt, whole seeds are kept
+    """
+    if output is None:
+        with tempfile.TemporaryDirectory() as folder:
+            return simulate(study, database, Path(folder) / "run.h5", seeds=seeds, duration=duration,
+                            executor=executor, window=window, console=console)  # fmt: skip
+    workers = executor_of(executor)
+    try:
+        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window)
+    finally:
+        workers.shutdown(wait=False, cancel_futures=True)
+    if outcome.interrupted:
+        raise KeyboardInterrupt
+    failed = tuple(fails(f"seed {seed}: {reason}") for seed, reason in outcome.failures)
+    return read_run(output, window, failed)
+
+
+def read_run(path, window=None, more=()):
+    """Result of the file of a simulation; window : as of `simulate`; more : further findings.  Raises DatabaseError."""
+    with opened(path) as file:
+        if not whole_rows(file).any():
+            if more:
+                raise DatabaseError(f"{path} has no whole run: {more[0]}")
+            raise DatabaseError(f"{path} has no whole run; the command that made it goes on with it")
+        return result_of(file, window, more)
+
+
+def result_of(file, window=None, more=()):
+    """Result of the open file of a simulation"""
+    names, rows = list(file["quantity"].asstr()[()]), np.asarray(file["summary"][()])
+    values = {name: dict(zip(SUMMARY, row, strict=True)) for name, row in zip(names, rows, strict=True)}
+    lines, fenders = list(file["line"].asstr()[()]), fender_names(file)
+    quantities = {
+        **_statistics("record", MOTIONS, "record", [values[name] for name in RECORDS], units_of(file)[: len(RECORDS)]),
+        **_of_lines(file, [values[f"tension {name}"] for name in lines]),
+        **_of_fenders(file, fenders, values),
+        **_of_berth(file),
+        **_scalars(file),
+    }
+    axes = {
+        **labels("record", RECORDS), **labels("line", lines), **labels("fender", fenders), **labels("plane", PLANE),
+        **labels("seed", file["seed"][()][whole_rows(file)]), **labels("harbour", file.attrs.get("harbour_period", [])),
+    }  # fmt: skip
+    if window is not None:
+        start, quantities_of_windows = _windows(file, window)
+        quantities |= quantities_of_windows
+        axes |= labels("window", start, "s", "begin")
+    used = {axis for one in quantities.values() for axis in one.axes}
+    told, first = file_told(file), tuple(line for line in file_told(file) if line.startswith(LEFT_OUT))
+    found = (*stored_findings(file), *findings(file), *findings_on_periods(file), *overloads(file),
+             *findings_on_fenders(file), *more)  # fmt: skip
+    return Result(
+        KIND,
+        quantities,
+        {axis: one for axis, one in axes.items() if axis in used},
+        tuple(line for line in dict.fromkeys(found) if line not in told),
+        (*notes(file), *filter(None, [str(file.attrs.get("design_spectrum", ""))]),
+         *(line for line in told if line not in first)),
+        first,
+        provenance(str(file.attrs["study"]), database_path=str(file.attrs["database"])),
+    )  # fmt: skip
+
+
+def _statistics(head, table, axis, rows, units):
+    """{name: Quantity} of statistics over all runs.  rows : {statistic: value} of each label; units : of each"""
+    made = {}
+    for key, (words, unit, shown) in WORDS.items():
+        own = tuple(units) if unit is None else unit
+        own = own[0] if len(set(own)) == 1 and unit is None else own
+        made[f"{head}.{key}"] = Quantity([row[key] for row in rows], (axis,), own, words, table if shown else "")
+    ends = ["lower" if abs(row["lower_median"]) > abs(row["upper_median"]) else "upper" for row in rows]
+    for part, words in END.items():  # of the end that lies further from zero
+        further = [row[f"{end}_{part}"] for row, end in zip(rows, ends, strict=True)]
+        own = made[f"{head}.largest"].unit
+        made[f"{head}.extreme_{part}"] = Quantity(
+            further, (axis,), own, words, table if np.any(np.isfinite(further)) else ""
+        )
+    return made
+
+
+def _of_lines(file, rows):
+    if not rows:
+        return {}
+    made = _statistics("tension", "", "line", rows, ("N",) * len(rows))
+    for key in ("mean", "sigma", "largest"):
+        one = made[f"tension.{key}"]
+        made[f"tension.{key}"] = Quantity(one.values, one.axes, "N", one.description, LINES)
+    used, simplified = used_in_runs(file), np.asarray(file.attrs.get("simplified_tension", []), float)
+    made["tension.used"] = Quantity(used.max(axis=0), ("line",), "", "used", LINES, share=True)
+    if len(simplified):
+        pulled = made["tension.largest"].values
+        made["tension.simplified"] = Quantity(simplified, ("line",), "N", "simplified", LINES)
+        made["tension.over_simplified"] = Quantity(pulled / simplified, ("line",), "", "over simplified", LINES)
+        share = np.asarray(file.attrs["simplified_utilisation"], float)
+        made["tension.used_simplified"] = Quantity(share, ("line",), "", "used, simplified", LINES, share=True)
+    breaking = np.asarray(file.attrs["breaking_load"], float)
+    made["line.breaking_load"] = Quantity(breaking, ("line",), "N", "breaking load")
+    largest = largest_in_runs(file, "tension")[0]
+    made["tension.largest_of_seed"] = Quantity(largest, ("seed", "line"), "N", "largest in each run")
+    return made
+
+
+def _of_fenders(file, names, values):
+    if not names:
+        return {}
+    made = {}
+    for what, unit in (("deflection", "m"), ("reaction", "N")):
+        rows = [values[f"{what} {name}"] for name in names]
+        for key in ("mean", "largest"):
+            words = f"{WORDS[key][0]} {what}"
+            made[f"{what}.{key}"] = Quantity([row[key] for row in rows], ("fender",), unit, words, FENDERS)
+        further = [row["upper_median"] for row in rows]
+        made[f"{what}.extreme_median"] = Quantity(further, ("fender",), unit, f"median extreme of the {what}")
+    strains = fender_strains(file)
+    if strains is not None:
+        share, allowable = strains
+        made["strain.largest"] = Quantity(share, ("fender",), "", "largest strain", FENDERS, share=True)
+        made["strain.allowable"] = Quantity(allowable, ("fender",), "", "allowable strain", FENDERS, share=True)
+    return made
+
+
+def _of_berth(file):
+    if "natural_period" not in file.attrs:
+        return {}
+    period = np.asarray(file.attrs["natural_period"], float)
+    return {"natural_period": Quantity(period, ("plane",), "s", "natural period of small motions at the berth", BERTH)}
+
+
+def _scalars(file):
+    seeds = int(whole_rows(file).sum())
+    rows = {
+        "seeds": (seeds, "", "runs"),
+        "duration": (float(file.attrs["duration"]), "s", "duration of a run"),
+        "mean_period": (float(file.attrs["mean_period"]), "s", "mean period of the waves"),
+        "split_frequency": (float(file.attrs["split_frequency"]), "rad/s", "slow motion lies below"),
+        "allowable": (float(file.attrs["allowable"]), "", "allowable share of the breaking load"),
+    }
+    made = {
+        name: Quantity(value, (), unit, words, RUNS if name != "allowable" else "", name == "allowable")
+        for name, (value, unit, words) in rows.items()
+    }
+    if "spectral_slow" in file.attrs:
+        spectral = np.asarray(file.attrs["spectral_slow"], float)
+        made["slow_by_spectrum"] = Quantity(
+            spectral, ("plane",), ("m", "m", "rad"), "σ of slow motion, linear, by spectra"
+        )
+    return made
+
+
+def _windows(file, length):
+    """Begin of each window, s, and {name: Quantity} of the first stored record"""
+    step = float(np.diff(file["time"][:2])[0])
+    rows = windows(file["motion"][0].astype(float), step, length)
+    values, made = np.array([row for _, row in rows]).reshape(len(rows), 6), {}
+    title = f"seed {int(file['kept_seed'][0])} in windows of {length:g} s"
+    for k, (name, unit) in enumerate(zip(PLANE, ("m", "m", "rad"), strict=True)):
+        size = np.radians(values[:, 2 * k]) if unit == "rad" else values[:, 2 * k]
+        made[f"window.{name}"] = Quantity(size, ("window",), unit, f"{name}, significant amplitude", title)
+        made[f"window.{name}_period"] = Quantity(values[:, 2 * k + 1], ("window",), "s", "period", title)
+    return [start for start, _ in rows], made
