@@ -19,7 +19,7 @@ import bem
 from bem import DOFS
 from bem.database.file import beside
 from bem.database.integrity import DatabaseError, crc
-from bem.database.results import check_seal, check_version, named
+from bem.database.results import check_seal, check_version, named, no_file_of
 from meshing.seals import kind_filled_in
 from meshing.whole_files import keep_room
 from mooring.motion.extremes import Extreme
@@ -144,7 +144,7 @@ def opened(path, mode="r"):
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")
     if not is_run(path):
-        raise DatabaseError(f"{path} is no file of a simulation")
+        raise DatabaseError(no_file_of(path, SCHEMA))
     check_version(path, SCHEMA, kind_filled_in(path))
     try:
         check_seal(path, "copy it again, or simulate again with --fresh")
